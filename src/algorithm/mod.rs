@@ -1,0 +1,55 @@
+//! How to find it: the three iterations, their rules, and one loop that counts, stops and judges.
+//!
+//! * [`problem`] — what an algorithm sees: matrices, points and scales, no geometry.
+//! * [`rule`] — how the springs' strain drives their stiffness or force.
+//! * [`varying`], [`constant`], [`kinematic`] — equations (3.2)–(3.14), one step each.
+//! * [`iterate`] — the loop.
+
+pub mod constant;
+pub mod iterate;
+pub mod kinematic;
+pub mod problem;
+pub mod rule;
+pub mod varying;
+
+use crate::solution::Work;
+
+pub use constant::Constant;
+pub use iterate::{Settings, iterate};
+pub use kinematic::Kinematic;
+pub use problem::{ContactProblem, Scale};
+pub use rule::StiffnessRule;
+pub use varying::Varying;
+
+/// The springs as they stand between two steps.
+#[derive(Clone, Debug)]
+pub struct Springs {
+    /// Stiffness `k` per area of each point [MPa/mm]; zero is open.
+    pub stiffness: Vec<f64>,
+    /// Force per area `r` carried by each point beside its spring [MPa].
+    pub force: Vec<f64>,
+}
+
+/// What one step finds.
+#[derive(Clone, Debug)]
+pub struct Iterate {
+    /// Displacements of the retained freedoms [mm].
+    pub displacement: Vec<f64>,
+    /// Approach of each point [mm].
+    pub approach: Vec<f64>,
+    /// Spring force per area of each point, tension negative [MPa].
+    pub pressure: Vec<f64>,
+}
+
+/// An iteration algorithm: one step from springs to an iterate and to the next springs.
+pub trait Algorithm {
+    /// Solves with the present springs under `load`, then lets the rule change them.
+    ///
+    /// None where `S + K_c` is not positive definite: no spring is left to hold a body.
+    fn step(&mut self, problem: &ContactProblem, load: &[f64], springs: &mut Springs, work: &mut Work) -> Option<Iterate>;
+
+    /// Whether penetration is the springs' own law (penalty) instead of an error to be iterated away.
+    fn is_elastic(&self) -> bool {
+        false
+    }
+}

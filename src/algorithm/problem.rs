@@ -1,0 +1,146 @@
+//! What an algorithm sees: the condensed system, the contact points, and scales that make residuals pure numbers.
+
+use faer::Mat;
+
+use crate::algorithm::{Iterate, Springs};
+use crate::condensation::factor::{DenseFactor, dense};
+use crate::contact::ContactPoint;
+use crate::solution::{Residuals, Work};
+
+/// `S u + Σ A p b = f̂` with the contact conditions at every point.
+#[derive(Debug)]
+pub struct ContactProblem<'a> {
+    /// Condensed stiffness `S` [N/mm].
+    pub stiffness: &'a Mat<f64>,
+    /// Condensed load `f̂` [N].
+    pub load: &'a [f64],
+    /// Contact points.
+    pub points: &'a [ContactPoint],
+    /// Scales.
+    pub scale: Scale,
+    /// Initial stiffness of each point [MPa/mm].
+    pub initial: Vec<f64>,
+}
+
+/// Reference values of the scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Scale {
+    /// `p_ref` [MPa].
+    pub pressure: f64,
+    /// `g_ref` [mm].
+    pub gap: f64,
+    /// `E*/ℓ`: the spring stiffness of κ = 1 [MPa/mm].
+    pub stiffness: f64,
+}
+
+/// Softest and stiffest spring, in units of `E*/ℓ`.
+pub const LIMITS: [f64; 2] = [1e-12, 1e6];
+
+impl Scale {
+    /// Stiffness of a closed point, `k_hard = 1e6 E*/ℓ` [MPa/mm].
+    pub fn hard(&self) -> f64 {
+        LIMITS[1] * self.stiffness
+    }
+
+    /// Keeps a stiffness within `1e-12 … 1e6 E*/ℓ`; NaN passes through.
+    pub fn clip(&self, stiffness: f64) -> f64 {
+        stiffness.clamp(LIMITS[0] * self.stiffness, LIMITS[1] * self.stiffness)
+    }
+
+    /// `max(x, 1e-9 g_ref)`: a length one may divide by [mm].
+    pub fn above_zero(&self, length: f64) -> f64 {
+        length.max(1e-9 * self.gap)
+    }
+}
+
+impl ContactProblem<'_> {
+    /// Springs at the start: the initial stiffness, no carried force.
+    pub fn initial_springs(&self) -> Springs {
+        Springs { stiffness: self.initial.clone(), force: vec![0.0; self.points.len()] }
+    }
+
+    /// Factor of `S + Σ A k bᵀb`; none where that is not positive definite.
+    pub fn factorise(&self, stiffness: &[f64], work: &mut Work) -> Option<DenseFactor> {
+        let mut matrix = self.stiffness.clone();
+        for (point, k) in self.points.iter().zip(stiffness) {
+            for &(i, b_i) in &point.row {
+                for &(j, b_j) in &point.row {
+                    matrix[(i, j)] += point.weight * k * b_i * b_j;
+                }
+            }
+        }
+        work.factorisations += 1;
+        dense(&matrix)
+    }
+
+    /// Equilibrium of `S u + Σ A p b = load` with springs `p = r + k (w − γ)`, refined once.
+    ///
+    /// The refinement `S δu + Σ A k (b·δu) b = load − S u − Σ A p b` updates u and p together, so that the pressures
+    /// balance the load to round-off even where `k (w − γ)` is the difference of nearly equal lengths.
+    pub fn equilibrium(
+        &self,
+        factor: &DenseFactor,
+        load: &[f64],
+        springs: &Springs,
+        unstrained: impl Fn(&ContactPoint) -> f64,
+        work: &mut Work,
+    ) -> Iterate {
+        let mut rhs = load.to_vec();
+        for ((point, k), r) in self.points.iter().zip(&springs.stiffness).zip(&springs.force) {
+            point.add_row(point.weight * (k * unstrained(point) - r), &mut rhs);
+        }
+        let mut u = factor.solve(&rhs);
+        let mut pressure: Vec<f64> = (self.points.iter().zip(&springs.stiffness).zip(&springs.force))
+            .map(|((point, k), r)| r + k * (point.approach(&u) - unstrained(point)))
+            .collect();
+        let change = factor.solve(&self.imbalance(load, &u, &pressure));
+        u.iter_mut().zip(&change).for_each(|(u, du)| *u += du);
+        for ((p, point), k) in pressure.iter_mut().zip(self.points).zip(&springs.stiffness) {
+            *p += k * point.approach(&change);
+        }
+        work.back_substitutions += 2;
+        Iterate { approach: self.points.iter().map(|point| point.approach(&u)).collect(), displacement: u, pressure }
+    }
+
+    /// `load − S u − Σ A p b` [N].
+    pub fn imbalance(&self, load: &[f64], u: &[f64], pressure: &[f64]) -> Vec<f64> {
+        let n = u.len();
+        let mut residual: Vec<f64> =
+            (0..n).map(|i| load[i] - (0..n).map(|j| self.stiffness[(i, j)] * u[j]).sum::<f64>()).collect();
+        for (point, p) in self.points.iter().zip(pressure) {
+            point.add_row(-point.weight * p, &mut residual);
+        }
+        residual
+    }
+
+    /// The four residuals of an iterate, for the pressures as reported (projected to p ≥ 0).
+    ///
+    /// Where penetration is the springs' own law, only `k₀ (w − g)⁺` of open points counts as penetration.
+    pub fn residuals(&self, load: &[f64], iterate: &Iterate, elastic: bool) -> Residuals {
+        let reported: Vec<f64> = iterate.pressure.iter().map(|p| reported(*p)).collect();
+        let (mut penetration, mut tension, mut complementarity) = (0.0, 0.0, 0.0);
+        for (i, point) in self.points.iter().enumerate() {
+            let (p, h) = (iterate.pressure[i], point.gap - iterate.approach[i]);
+            let missing = if elastic { self.initial[i] * -h - p } else { 0.0 };
+            let depth = if elastic { missing.max(0.0) / self.scale.pressure } else { -h / self.scale.gap };
+            penetration = worse(penetration, depth);
+            tension = worse(tension, -p / self.scale.pressure);
+            complementarity = worse(complementarity, (p / self.scale.pressure).min(h / self.scale.gap));
+        }
+        let total: f64 = self.points.iter().zip(&reported).map(|(point, p)| point.weight * p).sum();
+        let applied: f64 = load.iter().map(|f| f.abs()).sum();
+        let missing: f64 = self.imbalance(load, &iterate.displacement, &reported).iter().map(|r| r.abs()).sum();
+        let balance = if missing > 0.0 || missing.is_nan() { missing / total.max(applied) } else { 0.0 };
+        Residuals { penetration, tension, complementarity, balance }
+    }
+}
+
+/// Pressure as reported: projected to p ≥ 0; NaN stays NaN.
+pub fn reported(pressure: f64) -> f64 {
+    if pressure < 0.0 { 0.0 } else { pressure }
+}
+
+/// The larger one, NaN if either is.
+fn worse(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}

@@ -1,0 +1,31 @@
+//! Iteration with varying stiffness, equations (3.2)–(3.5): the system is factorised at every step.
+
+use crate::algorithm::rule::{self, StiffnessRule};
+use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
+use crate::solution::Work;
+
+/// `(S + K_c(k^j)) u_j = f̂`, `p_j = k^j w_j`; the rule gives k^{j+1}.
+#[derive(Clone, Copy, Debug)]
+pub struct Varying {
+    /// `Secant`, or `Correction` with `κ_j = max(k^j, k_0)` and `k^{j+1} = p⁺ / w`.
+    pub rule: StiffnessRule,
+}
+
+impl Algorithm for Varying {
+    fn step(&mut self, problem: &ContactProblem, load: &[f64], springs: &mut Springs, work: &mut Work) -> Option<Iterate> {
+        let factor = problem.factorise(&springs.stiffness, work)?;
+        let iterate = problem.equilibrium(&factor, load, springs, |_| 0.0, work);
+        let scale = &problem.scale;
+        for (i, point) in problem.points.iter().enumerate() {
+            let (k, w, p) = (springs.stiffness[i], iterate.approach[i], iterate.pressure[i]);
+            springs.stiffness[i] = match self.rule {
+                StiffnessRule::Correction => {
+                    let wanted = rule::correction(p, k.max(problem.initial[i]), w, point.gap);
+                    scale.clip(wanted / scale.above_zero(w))
+                }
+                _ => rule::secant(scale, k, w, point.gap),
+            };
+        }
+        Some(iterate)
+    }
+}

@@ -1,0 +1,30 @@
+//! Line contact element: two facing element edges joined by a distributed spring.
+
+use crate::contact::{ContactElement, ContactPoint, Interface, Quadrature};
+
+/// Contact points are the quadrature points of the edge; `b` holds the edge's shape functions, `A = |ds/dξ| w · thickness`.
+#[derive(Clone, Copy, Debug)]
+pub struct Line {
+    /// Quadrature on the edge.
+    pub quadrature: Quadrature,
+}
+
+impl ContactElement for Line {
+    fn points(&self, interface: &Interface) -> Vec<ContactPoint> {
+        let mut points = Vec::new();
+        for edge in &interface.edges {
+            for (xi, weight) in self.quadrature.rule(edge.len()) {
+                let (shapes, position, length) = interface.at(edge, xi);
+                points.push(ContactPoint {
+                    row: interface.interpolated_row(edge, &shapes),
+                    position,
+                    weight: weight * length * interface.thickness,
+                    gap: interface.pair.profile.gap(position),
+                    relative_stiffness: 1.0,
+                });
+            }
+        }
+        points.sort_by(|a, b| a.position.total_cmp(&b.position));
+        points
+    }
+}

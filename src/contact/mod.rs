@@ -1,0 +1,74 @@
+//! How bodies touch: each contact element turns the candidate edges into a list of contact points.
+//!
+//! * [`interface`] — facing nodes and edges of the candidate stretch.
+//! * [`node`] — one spring per node pair (paper, Fig. 5).
+//! * [`line`] — distributed springs between two element edges (Fig. 3).
+//! * [`layer`] — a thin element of fictitious material (Fig. 4).
+
+pub mod interface;
+pub mod layer;
+pub mod line;
+pub mod node;
+
+use crate::elasticity::quadrature;
+
+pub use interface::Interface;
+pub use layer::Layer;
+pub use line::Line;
+pub use node::Node;
+
+/// A point at which contact conditions are enforced.
+#[derive(Clone, Debug)]
+pub struct ContactPoint {
+    /// Sparse row `b` on the retained freedoms: the approach is `w = b·u`.
+    pub row: Vec<(usize, f64)>,
+    /// Contact coordinate `s` [mm, or rad on an arc].
+    pub position: f64,
+    /// Tributary area `A` of the modelled part [mm²].
+    pub weight: f64,
+    /// Initial normal gap `g` [mm]; negative is interference.
+    pub gap: f64,
+    /// Initial stiffness over the nominal one, `k_i / k_n`.
+    pub relative_stiffness: f64,
+}
+
+impl ContactPoint {
+    /// Approach `w = b·u` [mm], positive closing.
+    pub fn approach(&self, u: &[f64]) -> f64 {
+        self.row.iter().map(|&(freedom, value)| value * u[freedom]).sum()
+    }
+
+    /// Adds `factor · b` to a vector on the retained freedoms.
+    pub fn add_row(&self, factor: f64, out: &mut [f64]) {
+        self.row.iter().for_each(|&(freedom, value)| out[freedom] += factor * value);
+    }
+}
+
+/// A contact element: from facing edges to contact points.
+pub trait ContactElement {
+    /// The contact points of an interface, in the order of the contact coordinate.
+    fn points(&self, interface: &Interface) -> Vec<ContactPoint>;
+}
+
+/// Where on an edge the contact conditions are enforced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quadrature {
+    /// Two-point Gauss, the default on 2-node and 3-node edges.
+    GaussTwo,
+    /// Three-point Gauss: more points than a 3-node edge has freedoms; the pressure oscillates on stiff springs.
+    GaussThree,
+    /// Lobatto: the nodes themselves.
+    Lobatto,
+}
+
+impl Quadrature {
+    /// Points and weights for an edge of `nodes` nodes.
+    pub fn rule(self, nodes: usize) -> Vec<(f64, f64)> {
+        match (self, nodes) {
+            (Self::GaussTwo, _) => quadrature::gauss(2),
+            (Self::GaussThree, _) => quadrature::gauss(3),
+            (Self::Lobatto, 2) => quadrature::lobatto_two(),
+            (Self::Lobatto, _) => quadrature::lobatto_three(),
+        }
+    }
+}

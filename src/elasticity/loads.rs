@@ -1,0 +1,93 @@
+//! Consistent nodal forces of tractions, stress fields, body forces and concentrated forces.
+
+use crate::elasticity::freedoms::{Freedom, Freedoms};
+use crate::elasticity::{element, quadrature, shape_functions};
+use crate::error::Error;
+use crate::mesh::{Edge, Mesh};
+use crate::scene::{Load, Scene};
+
+/// Gauss points per edge for given stress fields: the Hertz field is integrated to 1e-7 and better on the meshes here.
+const EDGE_POINTS: usize = 16;
+
+/// Load vector of a body [N].
+pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms) -> Result<Vec<f64>, Error> {
+    let mut force = vec![0.0; freedoms.equations];
+    for load in &scene.bodies[body].loads {
+        match load {
+            Load::Traction { boundary, traction } => {
+                let constant = |_: [f64; 2], _: [f64; 2], length: f64| traction.map(|t| t * length);
+                for edge in mesh.boundary(scene, body, boundary)? {
+                    integrate_edge(mesh, edge, scene.thickness, &constant, freedoms, &mut force);
+                }
+            }
+            Load::Stress { boundary, field } => {
+                let stress = |point: [f64; 2], normal: [f64; 2], _: f64| {
+                    let [x, y, xy] = (field.0)(point);
+                    [x * normal[0] + xy * normal[1], xy * normal[0] + y * normal[1]]
+                };
+                for edge in mesh.boundary(scene, body, boundary)? {
+                    integrate_edge(mesh, edge, scene.thickness, &stress, freedoms, &mut force);
+                }
+            }
+            Load::BodyForce(density) => body_force(scene, mesh, body, *density, freedoms, &mut force)?,
+            Load::Force { at, force: value } => {
+                freedoms.add_force(mesh.node_at(scene, body, *at)?, *value, &mut force);
+            }
+            Load::RigidFace { boundary, component, force: value } => {
+                let node = mesh.boundary(scene, body, boundary)?[0][0];
+                if let Freedom::Equation(equation) = freedoms.of_node(node)[component.index()] {
+                    force[equation] += value;
+                }
+            }
+        }
+    }
+    Ok(force)
+}
+
+/// `f_a = ∫ N_a t ds · thickness`; `traction(point, n ds/dξ, ds/dξ)` returns `t ds/dξ`, with `n ds = (dy, −dx)`.
+fn integrate_edge(
+    mesh: &Mesh,
+    edge: &Edge,
+    thickness: f64,
+    traction: &dyn Fn([f64; 2], [f64; 2], f64) -> [f64; 2],
+    freedoms: &Freedoms,
+    force: &mut [f64],
+) {
+    for (xi, weight) in quadrature::gauss(EDGE_POINTS) {
+        let shapes = shape_functions::edge(edge.len(), xi);
+        let (mut point, mut slope) = ([0.0; 2], [0.0; 2]);
+        for (&node, (value, derivative)) in edge.iter().zip(&shapes) {
+            for k in 0..2 {
+                point[k] += value * mesh.points[node][k];
+                slope[k] += derivative * mesh.points[node][k];
+            }
+        }
+        let t = traction(point, [slope[1], -slope[0]], slope[0].hypot(slope[1]));
+        for (&node, (value, _)) in edge.iter().zip(&shapes) {
+            freedoms.add_force(node, t.map(|t| t * value * weight * thickness), force);
+        }
+    }
+}
+
+fn body_force(
+    scene: &Scene,
+    mesh: &Mesh,
+    body: usize,
+    density: [f64; 2],
+    freedoms: &Freedoms,
+    force: &mut [f64],
+) -> Result<(), Error> {
+    for cell in mesh.bodies[body].cells.clone() {
+        let nodes = mesh.cell(cell);
+        let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();
+        for (at, weight) in quadrature::gauss_square(3) {
+            let (_, determinant) = element::gradients(&points, at)
+                .map_err(|jacobian| Error::DegenerateCell { cell, body: scene.bodies[body].name.clone(), jacobian })?;
+            let volume = weight * determinant * scene.thickness;
+            for (&node, (value, _)) in nodes.iter().zip(shape_functions::cell(points.len(), at)) {
+                freedoms.add_force(node, density.map(|b| b * value * volume), force);
+            }
+        }
+    }
+    Ok(())
+}

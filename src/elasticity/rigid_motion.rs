@@ -1,0 +1,52 @@
+//! Refuses a body that could move as a rigid one although its supports and contact nodes are held.
+
+use nalgebra::{Matrix3, SymmetricEigen, Vector3};
+
+use crate::elasticity::freedoms::{Freedom, Freedoms};
+use crate::error::Error;
+use crate::mesh::Mesh;
+use crate::scene::{Load, Scene};
+
+/// Below this fraction of the largest eigenvalue a rigid motion counts as free.
+const FREE: f64 = 1e-10;
+
+/// The interior stiffness is positive definite ⇔ no rigid motion `(a, b, ω)` leaves every held component at rest.
+///
+/// Held are prescribed components, the normals of contact candidates, and the rotation of rigid faces.
+pub fn refuse_free(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms) -> Result<(), Error> {
+    let nodes = mesh.bodies[body].nodes.clone();
+    let count = nodes.len() as f64;
+    let centre: [f64; 2] = std::array::from_fn(|k| nodes.clone().map(|n| mesh.points[n][k]).sum::<f64>() / count);
+    let arm = |n: usize| [mesh.points[n][0] - centre[0], mesh.points[n][1] - centre[1]];
+    let size = nodes.clone().map(|n| arm(n)[0].hypot(arm(n)[1])).fold(0.0, f64::max);
+    let held = |n: usize, axis: [f64; 2]| {
+        let [x, y] = arm(n).map(|r| r / size);
+        Vector3::new(axis[0], axis[1], axis[1] * x - axis[0] * y)
+    };
+    let mut gram = Matrix3::zeros();
+    let mut hold = |row: Vector3<f64>| gram += row * row.transpose();
+    for node in nodes {
+        let candidate = mesh.bodies[body].candidate_index(node).is_some();
+        for (k, (freedom, axis)) in freedoms.of_node(node).into_iter().zip(freedoms.frame(node)).enumerate() {
+            if matches!(freedom, Freedom::Prescribed(_)) || (candidate && k == 0) {
+                hold(held(node, axis));
+            }
+        }
+    }
+    for load in &scene.bodies[body].loads {
+        if let Load::RigidFace { boundary, component, .. } = load {
+            let mut axis = [0.0; 2];
+            axis[component.index()] = 1.0;
+            let edge = &mesh.boundary(scene, body, boundary)?[0];
+            hold(held(edge[0], axis) - held(edge[1], axis));
+        }
+    }
+    let eigen = SymmetricEigen::new(gram);
+    let weakest = eigen.eigenvalues.imin();
+    if eigen.eigenvalues[weakest] > FREE * eigen.eigenvalues.max() {
+        return Ok(());
+    }
+    let motion = eigen.eigenvectors.column(weakest);
+    let motion = ["slide along x", "slide along y", "rotate"][motion.map(f64::abs).imax()];
+    Err(Error::FreeMotion { body: scene.bodies[body].name.clone(), motion: motion.into() })
+}

@@ -1,0 +1,147 @@
+//! What was wrong, with the numbers and the remedy.
+
+use std::path::PathBuf;
+
+/// Wrong input or broken numerics; not converging is an [`Outcome`](crate::solution::Outcome), never an error.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A value outside its range.
+    #[error("{place}: `{key}` = {found}, but {expected}; {remedy}")]
+    Value {
+        /// The scene, body or option the value belongs to.
+        place: String,
+        /// Its key.
+        key: String,
+        /// What was found.
+        found: String,
+        /// What would be accepted.
+        expected: String,
+        /// What to do.
+        remedy: String,
+    },
+
+    /// A boundary, body or case that does not exist.
+    #[error("{place}: there is no {kind} `{name}`; known: {known}")]
+    Unknown {
+        /// Where the name was used.
+        place: String,
+        /// What sort of thing was looked for.
+        kind: &'static str,
+        /// The name that was not found.
+        name: String,
+        /// The names that exist.
+        known: String,
+    },
+
+    /// A cell turned inside out or of no area.
+    #[error("cell {cell} of `{body}` has Jacobian determinant {jacobian:.3e} at a quadrature point; make the grading gentler or the elements smaller")]
+    DegenerateCell {
+        /// Index of the cell in the mesh.
+        cell: usize,
+        /// Name of the body.
+        body: String,
+        /// Determinant found [mm²].
+        jacobian: f64,
+    },
+
+    /// A body that its supports and the candidate contact nodes leave free to move.
+    #[error("body `{body}` is free to {motion} even when every contact node is held; add a support")]
+    FreeMotion {
+        /// Name of the body.
+        body: String,
+        /// The free rigid motion.
+        motion: String,
+    },
+
+    /// A stiffness that is not positive definite although every rigid motion is held.
+    #[error("stiffness of `{body}` is not positive definite (pivot {pivot}); check its material and the shape of its cells")]
+    SingularStiffness {
+        /// Name of the body.
+        body: String,
+        /// Index of the pivot in the elimination order.
+        pivot: usize,
+    },
+
+    /// A support in a direction that a contact node's normal or tangent does not have.
+    #[error("body `{body}`: the support `{component}` at node {node} is oblique to the contact normal there; end the candidate stretch before that node")]
+    ObliqueSupport {
+        /// Name of the body.
+        body: String,
+        /// Node index.
+        node: usize,
+        /// Component that was to be held.
+        component: String,
+    },
+
+    /// Candidate nodes of the two bodies that do not face each other.
+    #[error("contact of `{first}` and `{second}`: node {index} lies at {at:.9} on one side and {facing:.9} on the other; both sides need the same stations")]
+    NotFacing {
+        /// Body that carries the contact points.
+        first: String,
+        /// Facing body.
+        second: String,
+        /// Index along the candidate stretch.
+        index: usize,
+        /// Coordinate on the first body.
+        at: f64,
+        /// Coordinate on the second body.
+        facing: f64,
+    },
+
+    /// No spring is left to hold a body that only contact holds.
+    #[error("{bodies}: held by contact alone and no contact spring is left after {steps} steps; the load pulls the bodies apart, or the start is too soft: reverse the load, add a support or raise the initial stiffness")]
+    NoSpringLeft {
+        /// The bodies in contact.
+        bodies: String,
+        /// Steps made before.
+        steps: usize,
+    },
+
+    /// A combination of element, algorithm, rule and scene that is not defined.
+    #[error("{what}; {remedy}")]
+    Combination {
+        /// What does not go together.
+        what: String,
+        /// What to choose instead.
+        remedy: String,
+    },
+
+    /// A file that could not be read or written.
+    #[error("{path}: {reason}; {remedy}")]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system or the parser said.
+        reason: String,
+        /// What to do.
+        remedy: String,
+    },
+
+    /// A picture that could not be drawn.
+    #[error("figure `{figure}`: {reason}")]
+    Drawing {
+        /// Name of the figure.
+        figure: String,
+        /// What the plotting library said.
+        reason: String,
+    },
+}
+
+impl Error {
+    /// A value outside its range, from anything that prints.
+    pub fn value(
+        place: impl Into<String>,
+        key: impl Into<String>,
+        found: impl ToString,
+        expected: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Self {
+        Self::Value {
+            place: place.into(),
+            key: key.into(),
+            found: found.to_string(),
+            expected: expected.into(),
+            remedy: remedy.into(),
+        }
+    }
+}

@@ -1,0 +1,10 @@
+#![doc = "temp"]
+pub mod algorithm;
+pub mod condensation;
+pub mod contact;
+pub mod elasticity;
+pub mod error;
+pub mod formulation;
+pub mod mesh;
+pub mod scene;
+pub mod solution;

@@ -1,0 +1,103 @@
+//! A structured block: four sides given point by point, the inside by transfinite interpolation.
+
+/// Point of the plane [mm].
+pub type Point = [f64; 2];
+
+/// One side of a block: its lattice of corner and mid-side points, and the boundary it belongs to.
+#[derive(Clone, Debug)]
+pub struct Side {
+    /// Lattice points: corner, mid-side, corner, …
+    pub points: Vec<Point>,
+    /// Name of the boundary, none for sides inside the body.
+    pub boundary: Option<&'static str>,
+}
+
+/// Four sides; `bottom` and `top` run along ξ, `left` and `right` along η, counter-clockwise seen as a whole.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// η = 0.
+    pub bottom: Side,
+    /// ξ = 1.
+    pub right: Side,
+    /// η = 1.
+    pub top: Side,
+    /// ξ = 0.
+    pub left: Side,
+}
+
+impl Side {
+    /// A side on a named boundary.
+    pub fn named(boundary: &'static str, points: Vec<Point>) -> Self {
+        Self { points, boundary: Some(boundary) }
+    }
+
+    /// A side inside the body.
+    pub fn inner(points: Vec<Point>) -> Self {
+        Self { points, boundary: None }
+    }
+}
+
+impl Block {
+    /// Lattice size along ξ and η.
+    pub fn size(&self) -> [usize; 2] {
+        [self.bottom.points.len(), self.left.points.len()]
+    }
+
+    /// All lattice points, row by row from the bottom, by transfinite interpolation:
+    /// `P = (1−η)b + ηt + (1−ξ)l + ξr − [(1−ξ)(1−η)P₀₀ + ξ(1−η)P₁₀ + ξηP₁₁ + (1−ξ)ηP₀₁]`.
+    ///
+    /// (ξ, η) is where the straight lines between equal stations of opposite sides meet.
+    pub fn lattice(&self) -> Vec<Vec<Point>> {
+        let [bottom, right, top, left] =
+            [&self.bottom, &self.right, &self.top, &self.left].map(|side| fractions(&side.points));
+        let [columns, rows] = self.size();
+        (0..rows)
+            .map(|j| {
+                (0..columns)
+                    .map(|i| {
+                        let at = crossing([bottom[i], top[i]], [left[j], right[j]]);
+                        self.point(i, j, at)
+                    })
+                    .collect()
+            })
+            .collect()
+    }
+
+    fn point(&self, i: usize, j: usize, [xi, eta]: [f64; 2]) -> Point {
+        let [columns, rows] = self.size();
+        match (i, j) {
+            (_, 0) => return self.bottom.points[i],
+            (0, _) => return self.left.points[j],
+            (_, j) if j + 1 == rows => return self.top.points[i],
+            (i, _) if i + 1 == columns => return self.right.points[j],
+            _ => {}
+        }
+        let (b, t) = (self.bottom.points[i], self.top.points[i]);
+        let (l, r) = (self.left.points[j], self.right.points[j]);
+        let (p00, p10) = (self.bottom.points[0], self.bottom.points[columns - 1]);
+        let (p01, p11) = (self.top.points[0], self.top.points[columns - 1]);
+        std::array::from_fn(|k| {
+            let sides = (1.0 - eta) * b[k] + eta * t[k] + (1.0 - xi) * l[k] + xi * r[k];
+            let corners = (1.0 - xi) * ((1.0 - eta) * p00[k] + eta * p01[k]) + xi * ((1.0 - eta) * p10[k] + eta * p11[k]);
+            sides - corners
+        })
+    }
+}
+
+/// Where the line between ξ = `x[0]` (η = 0) and `x[1]` (η = 1) meets that between η = `y[0]` (ξ = 0) and `y[1]`.
+fn crossing(x: [f64; 2], y: [f64; 2]) -> [f64; 2] {
+    let (dx, dy) = (x[1] - x[0], y[1] - y[0]);
+    let xi = (x[0] + dx * y[0]) / (1.0 - dx * dy);
+    [xi, y[0] + dy * xi]
+}
+
+/// Normalised chord length of the lattice points of a side.
+fn fractions(points: &[Point]) -> Vec<f64> {
+    let mut covered = vec![0.0];
+    let mut length = 0.0;
+    for pair in points.windows(2) {
+        length += (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
+        covered.push(length);
+    }
+    covered.iter().map(|c| c / length).collect()
+}

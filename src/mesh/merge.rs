@@ -1,0 +1,87 @@
+//! Joins the blocks of a body: lattice points that coincide become one node.
+
+use std::collections::HashMap;
+
+use super::block::Block;
+use super::{BodyMesh, Edge, Mesh, Order};
+
+/// Points closer than this fraction of the body's size are one node.
+const SAME: f64 = 1e-9;
+
+impl Mesh {
+    /// Adds a body made of blocks.
+    pub(super) fn append(&mut self, blocks: &[Block]) {
+        let first_node = self.points.len();
+        let first_cell = self.cells();
+        let mut register = Register::new(blocks);
+        let mut body =
+            BodyMesh { nodes: 0..0, cells: 0..0, boundaries: Default::default(), candidates: Vec::new() };
+        for block in blocks {
+            let lattice = block.lattice();
+            let [columns, rows] = block.size();
+            let mut node = |i: usize, j: usize| register.node(lattice[j][i], &mut self.points);
+            for j in (0..rows - 1).step_by(2) {
+                for i in (0..columns - 1).step_by(2) {
+                    let corners = [(i, j), (i + 2, j), (i + 2, j + 2), (i, j + 2)];
+                    let mids = [(i + 1, j), (i + 2, j + 1), (i + 1, j + 2), (i, j + 1)];
+                    self.connectivity.extend(corners.map(|(i, j)| node(i, j)));
+                    if self.order == Order::Quadratic {
+                        self.connectivity.extend(mids.map(|(i, j)| node(i, j)));
+                    }
+                }
+            }
+            let quadratic = self.order == Order::Quadratic;
+            let sides = [
+                (block.bottom.boundary, (0..columns).map(|i| (i, 0)).collect::<Vec<_>>()),
+                (block.right.boundary, (0..rows).map(|j| (columns - 1, j)).collect()),
+                (block.top.boundary, (0..columns).rev().map(|i| (i, rows - 1)).collect()),
+                (block.left.boundary, (0..rows).rev().map(|j| (0, j)).collect()),
+            ];
+            for (boundary, stations) in sides {
+                let Some(name) = boundary else { continue };
+                let edges: &mut Vec<Edge> = body.boundaries.entry(name).or_default();
+                for three in stations.windows(3).step_by(2) {
+                    let mut edge = vec![node(three[0].0, three[0].1), node(three[2].0, three[2].1)];
+                    if quadratic {
+                        edge.push(node(three[1].0, three[1].1));
+                    }
+                    edges.push(edge);
+                }
+            }
+        }
+        body.nodes = first_node..self.points.len();
+        body.cells = first_cell..self.cells();
+        self.bodies.push(body);
+    }
+}
+
+/// Nodes found so far, by position on a grid far finer than any element.
+struct Register {
+    cell: f64,
+    known: HashMap<[i64; 2], usize>,
+}
+
+impl Register {
+    fn new(blocks: &[Block]) -> Self {
+        let size = blocks
+            .iter()
+            .flat_map(|b| b.bottom.points.iter().chain(&b.top.points))
+            .fold(0.0_f64, |size, p| size.max(p[0].abs()).max(p[1].abs()));
+        Self { cell: SAME * size, known: HashMap::new() }
+    }
+
+    /// The node at a point, new or known; a neighbour on the grid counts, so that rounding cannot split a node.
+    fn node(&mut self, point: [f64; 2], points: &mut Vec<[f64; 2]>) -> usize {
+        let key = point.map(|x| (x / self.cell).round() as i64);
+        for dx in -1..=1 {
+            for dy in -1..=1 {
+                if let Some(&node) = self.known.get(&[key[0] + dx, key[1] + dy]) {
+                    return node;
+                }
+            }
+        }
+        points.push(point);
+        self.known.insert(key, points.len() - 1);
+        points.len() - 1
+    }
+}

@@ -1,0 +1,163 @@
+//! Where: structured, graded, exactly curved meshes of 4-node and 8-node quadrilaterals.
+//!
+//! * [`spacing`] — one-dimensional laws of element size.
+//! * [`block`] — transfinite interpolation inside four sides.
+//! * `outline` — from the scene's shapes to blocks.
+//! * [`candidates`] — the contact nodes with their normals.
+
+pub mod block;
+pub mod candidates;
+pub mod spacing;
+
+mod merge;
+mod outline;
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use crate::error::Error;
+use crate::scene::{Place, Scene};
+
+pub use candidates::Candidate;
+
+/// Element order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// 4-node quadrilaterals.
+    Linear,
+    /// 8-node (serendipity) quadrilaterals.
+    Quadratic,
+}
+
+impl Order {
+    /// Nodes per cell: 4 or 8.
+    pub fn nodes_per_cell(self) -> usize {
+        match self {
+            Self::Linear => 4,
+            Self::Quadratic => 8,
+        }
+    }
+
+    /// 1 or 2, as users write it.
+    pub fn number(self) -> u8 {
+        match self {
+            Self::Linear => 1,
+            Self::Quadratic => 2,
+        }
+    }
+}
+
+/// How fine a mesh is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Resolution {
+    /// Elements per half-width, or per 10 mm of arc on pins.
+    pub elements: usize,
+    /// Times every element of that mesh is halved both ways.
+    pub refinement: u32,
+    /// Element order.
+    pub order: Order,
+}
+
+/// An edge on a boundary: first node, last node and, for 8-node cells, the mid-side node; the body lies to its left.
+pub type Edge = Vec<usize>;
+
+/// Nodes, cells and boundaries of all bodies; bodies share no nodes.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    /// Element order.
+    pub order: Order,
+    /// Node positions [mm].
+    pub points: Vec<[f64; 2]>,
+    /// Node lists of the cells, one after the other: corners counter-clockwise, then mid-sides from the first edge on.
+    pub connectivity: Vec<usize>,
+    /// What belongs to which body.
+    pub bodies: Vec<BodyMesh>,
+}
+
+/// The part of a mesh that belongs to one body.
+#[derive(Clone, Debug)]
+pub struct BodyMesh {
+    /// Its nodes.
+    pub nodes: Range<usize>,
+    /// Its cells.
+    pub cells: Range<usize>,
+    /// Its boundaries by name.
+    pub boundaries: BTreeMap<&'static str, Vec<Edge>>,
+    /// Its candidate contact nodes, in the order of the contact coordinate.
+    pub candidates: Vec<Candidate>,
+}
+
+impl Mesh {
+    /// Meshes every body of a scene.
+    pub fn of(scene: &Scene, resolution: Resolution) -> Result<Self, Error> {
+        scene.validate()?;
+        if resolution.elements == 0 || resolution.elements > 4096 || resolution.refinement > 6 {
+            return Err(Error::value(
+                &scene.name,
+                "resolution",
+                resolution.elements,
+                "elements per half-width (or 10 mm of arc) must lie between 1 and 4096",
+                "use 8 to 32",
+            ));
+        }
+        let layout = outline::Layout::new(scene, resolution);
+        let mut mesh = Self { order: resolution.order, points: vec![], connectivity: vec![], bodies: vec![] };
+        for body in &scene.bodies {
+            let blocks = layout.blocks(&body.shape);
+            mesh.append(&blocks);
+        }
+        candidates::find(&mut mesh, scene)?;
+        Ok(mesh)
+    }
+
+    /// Number of cells.
+    pub fn cells(&self) -> usize {
+        self.connectivity.len() / self.order.nodes_per_cell()
+    }
+
+    /// Nodes of a cell.
+    pub fn cell(&self, index: usize) -> &[usize] {
+        let n = self.order.nodes_per_cell();
+        &self.connectivity[index * n..(index + 1) * n]
+    }
+
+    /// Nodes of a boundary, or the node at a point, of one body; `place` names the user of the boundary in errors.
+    pub fn nodes_at(&self, scene: &Scene, body: usize, at: &Place) -> Result<Vec<usize>, Error> {
+        match at {
+            Place::Boundary(name) => {
+                let mut nodes: Vec<usize> = self.boundary(scene, body, name)?.iter().flatten().copied().collect();
+                nodes.sort_unstable();
+                nodes.dedup();
+                Ok(nodes)
+            }
+            Place::Point(point) => Ok(vec![self.node_at(scene, body, *point)?]),
+        }
+    }
+
+    /// Edges of a named boundary.
+    pub fn boundary(&self, scene: &Scene, body: usize, name: &str) -> Result<&[Edge], Error> {
+        let boundaries = &self.bodies[body].boundaries;
+        boundaries.get(name).map(Vec::as_slice).ok_or_else(|| Error::Unknown {
+            place: format!("{}, body `{}`", scene.name, scene.bodies[body].name),
+            kind: "boundary",
+            name: name.into(),
+            known: boundaries.keys().copied().collect::<Vec<_>>().join(", "),
+        })
+    }
+
+    /// The node at a point.
+    pub fn node_at(&self, scene: &Scene, body: usize, point: [f64; 2]) -> Result<usize, Error> {
+        let nodes = self.bodies[body].nodes.clone();
+        let distance = |n: &usize| (self.points[*n][0] - point[0]).hypot(self.points[*n][1] - point[1]);
+        let nearest = nodes.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        match nearest {
+            Some(node) if distance(&node) <= 1e-9 * (1.0 + point[0].abs() + point[1].abs()) => Ok(node),
+            _ => Err(Error::Unknown {
+                place: format!("{}, body `{}`", scene.name, scene.bodies[body].name),
+                kind: "node at",
+                name: format!("({}, {})", point[0], point[1]),
+                known: "corners of the outline and centres of discs".into(),
+            }),
+        }
+    }
+}

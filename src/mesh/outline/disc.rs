@@ -1,0 +1,132 @@
+//! Quarter or half disc: outer blocks between the arc and a polygon, core blocks around the centre.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
+use super::{Layout, between, polar};
+use crate::mesh::block::{Block, Point, Side};
+use crate::mesh::spacing;
+
+/// Corner radius of the core over the disc's, on the axes and on the diagonal.
+const CORE: [f64; 2] = [0.45, 0.58];
+
+pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, half: bool) -> Vec<Block> {
+    let arcs = arcs(layout, radius, half);
+    let corner = |k: usize| {
+        let angle = if half || k != 1 { k as f64 * FRAC_PI_4 } else { first_angle(&arcs) };
+        polar(centre, radius * CORE[k % 2], angle)
+    };
+    let first = radius * (arcs[0][1] - arcs[0][0]);
+    let depth = layout.depth(first, radius * (1.0 - CORE[0]));
+    let spokes: Vec<Vec<Point>> = (0..=arcs.len())
+        .map(|k| {
+            let angle = if k == 0 { 0.0 } else { arcs[k - 1][arcs[k - 1].len() - 1] };
+            spoke(layout, polar(centre, radius, angle), corner(k), &depth, local_size(&arcs, k, radius))
+        })
+        .collect();
+    let polygon: Vec<Vec<Point>> =
+        (0..arcs.len()).map(|k| chord(layout, &arcs[k], corner(k), corner(k + 1))).collect();
+    let mut blocks: Vec<Block> = (0..arcs.len())
+        .map(|k| Block {
+            bottom: Side::named(
+                if k < 2 { "contact" } else { "top" },
+                layout.along(&arcs[k], |angle| polar(centre, radius, angle)),
+            ),
+            right: side_on_line(&spokes[k + 1], k + 1, arcs.len(), half),
+            top: Side::inner(polygon[k].clone()),
+            left: side_on_line(&spokes[k], k, arcs.len(), half),
+        })
+        .collect();
+    blocks.extend(core(layout, &arcs, &polygon, centre, half));
+    blocks
+}
+
+/// The arc in pieces of about 45°; each piece is a list of angles.
+fn arcs(layout: &Layout, radius: f64, half: bool) -> Vec<Vec<f64>> {
+    let quarter = layout.arc(radius, &[FRAC_PI_4, FRAC_PI_2]);
+    let split = nearest(&quarter, FRAC_PI_4);
+    let mut arcs = vec![quarter[..=split].to_vec(), quarter[split..].to_vec()];
+    if half {
+        let count = arcs.iter().map(Vec::len).collect::<Vec<_>>();
+        let [last, before] = [arcs[1][count[1] - 1], arcs[1][count[1] - 2]];
+        let upper = spacing::fitted(last, 3.0 * FRAC_PI_4, count[1].min(9) - 1, last - before);
+        arcs.push(upper);
+        arcs.push(spacing::uniform(3.0 * FRAC_PI_4, PI, count[0] - 1));
+    }
+    arcs
+}
+
+fn first_angle(arcs: &[Vec<f64>]) -> f64 {
+    arcs[0][arcs[0].len() - 1]
+}
+
+fn nearest(stations: &[f64], target: f64) -> usize {
+    let distance = |i: &usize| (stations[*i] - target).abs();
+    (1..stations.len() - 1).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
+}
+
+/// Size of the surface elements where spoke `k` meets the arc.
+fn local_size(arcs: &[Vec<f64>], k: usize, radius: f64) -> f64 {
+    match k {
+        0 => radius * (arcs[0][1] - arcs[0][0]),
+        _ => {
+            let arc = &arcs[k - 1];
+            radius * (arc[arc.len() - 1] - arc[arc.len() - 2])
+        }
+    }
+}
+
+/// From the arc to a corner of the core; as many intervals as `depth`, starting with the local surface size.
+fn spoke(layout: &Layout, from: Point, to: Point, depth: &[f64], size: f64) -> Vec<Point> {
+    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+    let n = depth.len() - 1;
+    let first = (size * layout.grading.first).clamp(depth[1] - depth[0], length / n as f64);
+    let stations = spacing::fitted(0.0, length, n, first);
+    layout.along(&stations, |d| between(from, to, d / length))
+}
+
+/// Side of the core opposite to an arc: half way between the arc's spacing and an even one.
+fn chord(layout: &Layout, arc: &[f64], from: Point, to: Point) -> Vec<Point> {
+    let n = arc.len() - 1;
+    let sweep = arc[n] - arc[0];
+    let stations: Vec<f64> =
+        arc.iter().enumerate().map(|(k, a)| 0.4 * (a - arc[0]) / sweep + 0.6 * k as f64 / n as f64).collect();
+    layout.along(&stations, |t| between(from, to, t))
+}
+
+/// Spokes on the axis or on the cut are boundaries.
+fn side_on_line(points: &[Point], k: usize, pieces: usize, half: bool) -> Side {
+    let points = points.to_vec();
+    match k {
+        0 => Side::named("axis", points),
+        k if k == pieces && half => Side::named("axis", points),
+        k if k == pieces => Side::named("cut", points),
+        _ => Side::inner(points),
+    }
+}
+
+fn core(layout: &Layout, arcs: &[Vec<f64>], polygon: &[Vec<Point>], centre: Point, half: bool) -> Vec<Block> {
+    let count = |k: usize| arcs[k].len() - 1;
+    let straight = |from: Point, to: Point, n: usize| {
+        layout.along(&spacing::uniform(0.0, 1.0, n), |t| between(from, to, t))
+    };
+    let end = |points: &[Point]| points[points.len() - 1];
+    let (low, cut) = (polygon[0][0], end(&polygon[1]));
+    let diameter = straight(centre, cut, count(0));
+    let lower = Block {
+        bottom: Side::inner(polygon[0].clone()),
+        right: Side::inner(polygon[1].clone()),
+        top: if half { Side::inner(diameter.clone()) } else { Side::named("cut", diameter.clone()) },
+        left: Side::named("axis", straight(low, centre, count(1))),
+    };
+    if !half {
+        return vec![lower];
+    }
+    let high = end(&polygon[3]);
+    let upper = Block {
+        bottom: Side::inner(diameter),
+        right: Side::inner(polygon[2].clone()),
+        top: Side::inner(polygon[3].iter().rev().copied().collect()),
+        left: Side::named("axis", straight(centre, high, count(2))),
+    };
+    vec![lower, upper]
+}

@@ -1,0 +1,57 @@
+//! Half a rod eye with a shank: a ring up to the shank, a ring below the shank, and the shank itself.
+
+use std::f64::consts::PI;
+
+use super::{Layout, between, last_two, polar, ring::on_ray};
+use crate::mesh::block::{Block, Point, Side};
+use crate::mesh::spacing;
+use crate::scene::Shape;
+
+pub(super) fn blocks(layout: &Layout, shape: &Shape) -> Vec<Block> {
+    let Shape::Eye { pole, hole, outer_radius, shank_half_width, shank_end } = *shape else {
+        return Vec::new();
+    };
+    let corner = PI - (shank_half_width / outer_radius).asin();
+    let angles = layout.arc(hole.radius, &[corner]);
+    let [before, last] = last_two(&angles);
+    let rest = spacing::fitted(corner, PI, ((PI - corner) / (last - before)).ceil().clamp(4.0, 8.0) as usize, last - before);
+    let depth = outer_radius - hole.radius;
+    let stations = layout.depth(hole.radius * (angles[1] - angles[0]), depth);
+    let inwards: Vec<f64> = stations.iter().rev().map(|d| 1.0 - d / depth).collect();
+
+    let outer = |angle: f64| polar(hole.centre, outer_radius, angle);
+    let arc = |list: &[f64]| layout.along(list, |angle| on_ray(hole, pole, angle));
+    let spoke = |angle: f64| {
+        let (from, to) = (outer(angle), on_ray(hole, pole, angle));
+        layout.along(&inwards, |t| between(from, to, t))
+    };
+    let below = Block {
+        bottom: Side::named("outer", layout.along(&angles, outer)),
+        right: Side::inner(spoke(corner)),
+        top: Side::named("contact", arc(&angles)),
+        left: Side::named("axis", spoke(0.0)),
+    };
+    let neck = Block {
+        bottom: Side::inner(layout.along(&rest, outer)),
+        right: Side::named("axis", spoke(PI)),
+        top: Side::named("contact", arc(&rest)),
+        left: Side::inner(spoke(corner)),
+    };
+    vec![below, neck, shank(layout, &rest, outer, [shank_half_width, hole.centre[1] + shank_end])]
+}
+
+/// From the eye's outer arc (run backwards, so that the block stays counter-clockwise) up to the flat end.
+fn shank(layout: &Layout, rest: &[f64], outer: impl Fn(f64) -> Point, [half_width, end]: [f64; 2]) -> Block {
+    let backwards: Vec<f64> = rest.iter().rev().copied().collect();
+    let [side, axis] = [outer(rest[0]), outer(PI)];
+    let width = half_width / (rest.len() - 1) as f64;
+    let heights = spacing::growing(0.0, end - side[1], width, layout.grading.depth, 2.5 * half_width / 4.0);
+    let total = end - side[1];
+    let across = spacing::uniform(0.0, half_width, rest.len() - 1);
+    Block {
+        bottom: Side::inner(layout.along(&backwards, &outer)),
+        right: Side::named("shank", layout.along(&heights, |h| between(side, [half_width, end], h / total))),
+        top: Side::named("end", layout.along(&across, |x| [x, end])),
+        left: Side::named("axis", layout.along(&heights, |h| between(axis, [0.0, end], h / total))),
+    }
+}

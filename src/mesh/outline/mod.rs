@@ -1,0 +1,110 @@
+//! From outlines to structured blocks: one file per shape.
+
+mod disc;
+mod eye;
+mod rectangle;
+mod ring;
+
+use crate::mesh::Resolution;
+use crate::mesh::block::{Block, Point};
+use crate::mesh::spacing;
+use crate::scene::{Grading, Path, Scene, Shape};
+
+/// What the outlines need to know of the scene: where the candidates end and how fine they are.
+pub(crate) struct Layout<'a> {
+    pub grading: &'a Grading,
+    pub path: &'a Path,
+    /// Candidate stretch in the contact coordinate.
+    pub stretch: f64,
+    /// Elements per grading unit before refinement.
+    pub elements: usize,
+    /// Times the whole mesh is halved.
+    pub refinement: u32,
+}
+
+impl<'a> Layout<'a> {
+    pub fn new(scene: &'a Scene, resolution: Resolution) -> Self {
+        Self {
+            grading: &scene.grading,
+            path: &scene.contact.path,
+            stretch: scene.contact.stretch,
+            elements: resolution.elements,
+            refinement: resolution.refinement,
+        }
+    }
+
+    /// Blocks of a shape.
+    pub fn blocks(&self, shape: &Shape) -> Vec<Block> {
+        match shape {
+            Shape::Rectangle { x, y, contact } => rectangle::blocks(self, *x, *y, *contact),
+            Shape::Disc { centre, radius, half } => disc::blocks(self, *centre, *radius, *half),
+            Shape::Ring { pole, inner, outer, sweep, contact } => {
+                ring::blocks(self, *pole, [*inner, *outer], *sweep, *contact)
+            }
+            Shape::Eye { .. } => eye::blocks(self, shape),
+        }
+    }
+
+    /// Stations of the candidate stretch in the contact coordinate.
+    fn candidates(&self) -> Vec<f64> {
+        let length = self.stretch * self.path.metric();
+        let n = (self.elements as f64 * length / self.grading.unit).round().max(1.0) as usize;
+        spacing::stretched(0.0, self.stretch, n, self.grading.end)
+    }
+
+    /// Stations of an arc: the candidates, then growing element sizes up to each of the given angles in turn.
+    fn arc(&self, radius: f64, until: &[f64]) -> Vec<f64> {
+        let mut angles: Vec<f64> = match self.path {
+            Path::Horizontal => self.candidates().iter().map(|x| (x / radius).asin()).collect(),
+            Path::Arc(_) => self.candidates(),
+        };
+        for &end in until {
+            let [before, last] = last_two(&angles);
+            if end > last + 1e-9 {
+                let first = (last - before) * self.grading.along;
+                let more = spacing::growing(last, end, first, self.grading.along, self.grading.coarsest * 1.6);
+                angles = spacing::joined(&[angles, more]);
+            }
+        }
+        angles
+    }
+
+    /// Depth stations from 0 (surface) to `depth`, starting near the size `surface` of the elements along the surface.
+    fn depth(&self, surface: f64, depth: f64) -> Vec<f64> {
+        let grading = self.grading;
+        spacing::growing(0.0, depth, surface * grading.first, grading.depth, grading.coarsest * depth)
+    }
+
+    fn lattice(&self, breaks: &[f64]) -> Vec<f64> {
+        spacing::lattice(breaks, self.refinement)
+    }
+
+    /// Points `at(s)` on the lattice of the given stations.
+    fn along(&self, breaks: &[f64], at: impl Fn(f64) -> Point) -> Vec<Point> {
+        self.lattice(breaks).into_iter().map(at).collect()
+    }
+}
+
+/// The last two stations of a list.
+fn last_two(stations: &[f64]) -> [f64; 2] {
+    match stations {
+        [.., before, last] => [*before, *last],
+        _ => [0.0, 0.0],
+    }
+}
+
+/// Point at the fraction `t` between two points.
+fn between(a: Point, b: Point, t: f64) -> Point {
+    [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t]
+}
+
+/// Point at radius `r` and angle `θ` from the downward vertical about a centre.
+fn polar(centre: Point, radius: f64, angle: f64) -> Point {
+    [centre[0] + radius * exact_sin(angle), centre[1] - radius * exact_sin(std::f64::consts::FRAC_PI_2 - angle)]
+}
+
+/// `sin` that is exactly zero at multiples of π, so that symmetry lines are met to the last bit.
+fn exact_sin(angle: f64) -> f64 {
+    let sin = angle.sin();
+    if sin.abs() < 1e-15 { 0.0 } else { sin }
+}

@@ -1,0 +1,40 @@
+//! Rectangle: one block, fine at the candidate stretch.
+
+use super::{Layout, last_two};
+use crate::mesh::block::{Block, Side};
+use crate::mesh::spacing;
+use crate::scene::Face;
+
+pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -> Vec<Block> {
+    let along = columns(layout, x);
+    let [before, last] = last_two(&layout.candidates());
+    let heights: Vec<f64> = layout.depth(last - before, y[1] - y[0]);
+    let upwards: Vec<f64> = match contact {
+        Face::Bottom => heights.iter().map(|d| y[0] + d).collect(),
+        Face::Top => heights.iter().rev().map(|d| y[1] - d).collect(),
+    };
+    let (bottom, top) = match contact {
+        Face::Bottom => ("contact", "far"),
+        Face::Top => ("far", "contact"),
+    };
+    vec![Block {
+        bottom: Side::named(bottom, layout.along(&along, |x| [x, y[0]])),
+        right: Side::named("right", layout.along(&upwards, |h| [x[1], h])),
+        top: Side::named(top, layout.along(&along, |x| [x, y[1]])),
+        left: Side::named("left", layout.along(&upwards, |h| [x[0], h])),
+    }]
+}
+
+/// Stations along the contact: the candidates, then growing sizes up to the right side.
+fn columns(layout: &Layout, x: [f64; 2]) -> Vec<f64> {
+    let candidates = layout.candidates();
+    let [before, last] = last_two(&candidates);
+    let end = x[1] - x[0];
+    let mut stations = candidates;
+    if end > last * (1.0 + 1e-9) {
+        let grading = layout.grading;
+        let rest = spacing::growing(last, end, (last - before) * grading.along, grading.along, grading.coarsest * end);
+        stations = spacing::joined(&[stations, rest]);
+    }
+    stations.iter().map(|s| x[0] + s).collect()
+}

@@ -1,0 +1,82 @@
+//! One-dimensional spacing laws: lists of stations from which structured blocks are built.
+
+/// `n` equal intervals from `from` to `to`: `n + 1` stations.
+pub fn uniform(from: f64, to: f64, n: usize) -> Vec<f64> {
+    stretched(from, to, n, 1.0)
+}
+
+/// `n` intervals in geometric progression; the last is `end` times the first.
+pub fn stretched(from: f64, to: f64, n: usize, end: f64) -> Vec<f64> {
+    let ratio = if n > 1 { end.powf(1.0 / (n as f64 - 1.0)) } else { 1.0 };
+    let sizes = (0..n).map(|k| ratio.powi(k as i32)).collect();
+    stations(from, to, sizes)
+}
+
+/// Intervals growing from `first` by `ratio` up to `coarsest`, scaled to end at `to` exactly.
+pub fn growing(from: f64, to: f64, first: f64, ratio: f64, coarsest: f64) -> Vec<f64> {
+    let length = (to - from).abs();
+    let mut sizes = Vec::new();
+    let (mut size, mut covered) = (first, 0.0);
+    while covered < length * (1.0 - 1e-9) {
+        sizes.push(size);
+        covered += size;
+        size = (size * ratio).min(coarsest.max(first));
+    }
+    let surplus = covered - length;
+    if sizes.len() > 1 && surplus > 0.5 * sizes[sizes.len() - 1] {
+        sizes.pop();
+    }
+    stations(from, to, sizes)
+}
+
+/// `n` intervals in geometric progression, the first as near to `first` as `n` intervals allow.
+pub fn fitted(from: f64, to: f64, n: usize, first: f64) -> Vec<f64> {
+    let length = (to - from).abs();
+    let covered = |ratio: f64| -> f64 { (0..n).map(|k| first * ratio.powi(k as i32)).sum() };
+    let (mut low, mut high) = (0.2_f64, 5.0_f64);
+    for _ in 0..200 {
+        let ratio = 0.5 * (low + high);
+        if covered(ratio) < length {
+            low = ratio;
+        } else {
+            high = ratio;
+        }
+    }
+    let sizes = (0..n).map(|k| low.powi(k as i32)).collect();
+    stations(from, to, sizes)
+}
+
+/// Joins lists that meet: the last station of one is the first of the next.
+pub fn joined(lists: &[Vec<f64>]) -> Vec<f64> {
+    let mut all: Vec<f64> = Vec::new();
+    for list in lists {
+        let skip = usize::from(!all.is_empty());
+        all.extend(list.iter().skip(skip));
+    }
+    all
+}
+
+/// Halves every interval `levels` times, so that meshes are nested, and once more for the mid-side stations.
+pub fn lattice(breaks: &[f64], levels: u32) -> Vec<f64> {
+    let parts = 1usize << (levels + 1);
+    let mut all = Vec::with_capacity((breaks.len() - 1) * parts + 1);
+    for pair in breaks.windows(2) {
+        all.extend((0..parts).map(|k| pair[0] + (pair[1] - pair[0]) * k as f64 / parts as f64));
+    }
+    all.extend(breaks.last());
+    all
+}
+
+fn stations(from: f64, to: f64, sizes: Vec<f64>) -> Vec<f64> {
+    let total: f64 = sizes.iter().sum();
+    let mut covered = 0.0;
+    let mut all = vec![from];
+    for size in &sizes {
+        covered += size;
+        all.push(from + (to - from) * covered / total);
+    }
+    if let Some(last) = all.last_mut() {
+        *last = to;
+    }
+    all
+}

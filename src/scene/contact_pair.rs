@@ -1,0 +1,130 @@
+//! Who touches whom: the path, the initial gap along it and the candidate stretch.
+
+use crate::scene::shape::Circle;
+
+/// Contact of one body with another, or with a rigid profile.
+#[derive(Clone, Debug)]
+pub struct ContactPair {
+    /// Body on which positions, areas and normals are measured.
+    pub first: usize,
+    /// Facing elastic body; none where the other side is rigid.
+    pub second: Option<usize>,
+    /// The curve along which the contact coordinate runs.
+    pub path: Path,
+    /// Initial gap along the path.
+    pub profile: Profile,
+    /// Candidates lie on `0 ≤ s ≤ stretch` [mm, or rad on an arc].
+    pub stretch: f64,
+    /// The scene shows one half of a symmetric problem.
+    pub symmetric: bool,
+}
+
+/// The curve along which the contact coordinate `s` runs, starting on the symmetry line.
+#[derive(Clone, Copy, Debug)]
+pub enum Path {
+    /// `s = |x|` [mm]; the normal is vertical and areas are horizontal projections.
+    Horizontal,
+    /// `s = θ` [rad] from the downward vertical about a centre; normals are radial and areas those of the circle.
+    Arc(Circle),
+}
+
+/// Initial normal gap as a function of the contact coordinate.
+#[derive(Clone, Copy, Debug)]
+pub enum Profile {
+    /// The same gap everywhere [mm]; negative is interference.
+    Uniform(f64),
+    /// Circle of radius `R` on a plane: `g = R − √(R² − x²)` [mm].
+    Circle {
+        /// Radius [mm].
+        radius: f64,
+    },
+    /// Parabola on a plane: `g = x²/2R` [mm].
+    Parabola {
+        /// Radius of curvature at the vertex [mm].
+        radius: f64,
+    },
+    /// Pin in a hole that it touches at its lowest point: the distance along the pin's radius,
+    /// `g = √((R+c)² − c² sin²θ) − c cos θ − R`, to first order `c (1 − cos θ)` [mm].
+    Hole {
+        /// Radius of the pin [mm].
+        radius: f64,
+        /// Radial clearance [mm].
+        clearance: f64,
+    },
+}
+
+impl ContactPair {
+    /// Indices of the elastic bodies that take part.
+    pub fn bodies(&self) -> impl Iterator<Item = usize> + use<> {
+        [Some(self.first), self.second].into_iter().flatten()
+    }
+}
+
+impl Path {
+    /// Length of path per unit of the contact coordinate: 1 on a plane, the radius on an arc [mm/rad].
+    pub fn metric(&self) -> f64 {
+        match self {
+            Self::Horizontal => 1.0,
+            Self::Arc(circle) => circle.radius,
+        }
+    }
+
+    /// Contact coordinate of a point: `|x|`, or the angle from the downward vertical.
+    pub fn coordinate(&self, point: [f64; 2]) -> f64 {
+        match self {
+            Self::Horizontal => point[0].abs(),
+            Self::Arc(circle) => {
+                let d = [point[0] - circle.centre[0], point[1] - circle.centre[1]];
+                d[0].abs().atan2(-d[1])
+            }
+        }
+    }
+
+    /// Unit vector along the gap at a point, pointing down or away from the arc's centre.
+    pub fn direction(&self, point: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::Horizontal => [0.0, -1.0],
+            Self::Arc(circle) => {
+                let d = [point[0] - circle.centre[0], point[1] - circle.centre[1]];
+                let length = d[0].hypot(d[1]);
+                if d[0].abs() <= 1e-12 * length {
+                    return [0.0, d[1].signum()];
+                }
+                if d[1].abs() <= 1e-12 * length {
+                    return [d[0].signum(), 0.0];
+                }
+                [d[0] / length, d[1] / length]
+            }
+        }
+    }
+
+    /// Part of a pressure at `s` that acts along the load line: 1 on a plane, `cos θ` on an arc.
+    pub fn share(&self, s: f64) -> f64 {
+        match self {
+            Self::Horizontal => 1.0,
+            Self::Arc(_) => s.cos(),
+        }
+    }
+}
+
+impl Profile {
+    /// Initial gap at the contact coordinate `s` [mm].
+    pub fn gap(&self, s: f64) -> f64 {
+        match *self {
+            Self::Uniform(gap) => gap,
+            Self::Circle { radius } => s * s / (radius + (radius * radius - s * s).sqrt()),
+            Self::Parabola { radius } => s * s / (2.0 * radius),
+            Self::Hole { radius, clearance } => hole_gap(radius, clearance, s),
+        }
+    }
+}
+
+/// `g = √((R+c)² − c² sin²θ) − c cos θ − R`, rearranged so that no digits cancel:
+/// `g = 2cR(1−cos θ) / (√((R+c)² − c² sin²θ) + R + c cos θ)`.
+fn hole_gap(radius: f64, clearance: f64, angle: f64) -> f64 {
+    let (sin, cos) = angle.sin_cos();
+    let hole = radius + clearance;
+    let root = (hole * hole - (clearance * sin).powi(2)).sqrt();
+    let versine = 2.0 * (angle / 2.0).sin().powi(2);
+    2.0 * clearance * radius * versine / (root + radius + clearance * cos)
+}

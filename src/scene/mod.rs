@@ -1,0 +1,188 @@
+//! What is asked: bodies, supports, loads and the contact between them, as data.
+//!
+//! * [`material`] — elastic constants and the plane hypothesis.
+//! * [`shape`] — the outlines the mesher knows.
+//! * [`contact_pair`] — who touches whom, along which path, with which initial gap.
+//! * [`library`] — the scenes of the suite, each one struct of numbers in one place.
+//! * [`variant`] — the same scene in other units, mirrored, or with its bodies swapped.
+//!
+//! Units are millimetre, newton and megapascal throughout.
+
+pub mod contact_pair;
+pub mod library;
+pub mod material;
+pub mod shape;
+pub mod variant;
+
+use std::fmt;
+use std::sync::Arc;
+
+use crate::error::Error;
+
+pub use contact_pair::{ContactPair, Path, Profile};
+pub use material::{Material, PlaneHypothesis};
+pub use shape::{Circle, Face, Grading, Shape};
+
+/// A contact problem: everything that is asked, nothing about how it is solved.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// Name, as used on the command line and in snapshots.
+    pub name: String,
+    /// Plane strain or plane stress.
+    pub plane: PlaneHypothesis,
+    /// Thickness of all bodies [mm].
+    pub thickness: f64,
+    /// The elastic bodies.
+    pub bodies: Vec<Body>,
+    /// The contact between the bodies, or of one body with a rigid profile.
+    pub contact: ContactPair,
+    /// Reference values: they turn residuals and stiffnesses into pure numbers.
+    pub reference: ReferenceValues,
+    /// How the mesh coarsens away from the contact.
+    pub grading: Grading,
+}
+
+/// Length, pressure and gap that make stiffnesses and residuals dimensionless.
+#[derive(Clone, Copy, Debug)]
+pub struct ReferenceValues {
+    /// `ℓ` in `κ = k_n ℓ / E*` [mm].
+    pub length: f64,
+    /// `p_ref` [MPa].
+    pub pressure: f64,
+    /// `g_ref` [mm].
+    pub gap: f64,
+}
+
+/// An elastic body with its supports and loads.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Name used in messages and results.
+    pub name: String,
+    /// Outline.
+    pub shape: Shape,
+    /// Elastic constants.
+    pub material: Material,
+    /// Prescribed displacements.
+    pub supports: Vec<Support>,
+    /// Loads.
+    pub loads: Vec<Load>,
+}
+
+/// One displacement component prescribed on a boundary or at a point.
+#[derive(Clone, Debug)]
+pub struct Support {
+    /// Where.
+    pub at: Place,
+    /// Which component.
+    pub component: Component,
+    /// Prescribed value [mm].
+    pub value: f64,
+}
+
+/// A named boundary of a shape, or the node at a point.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Place {
+    /// Named boundary of the shape.
+    Boundary(&'static str),
+    /// The node at this point [mm].
+    Point([f64; 2]),
+}
+
+/// Cartesian component.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Component {
+    /// Horizontal.
+    X,
+    /// Vertical, positive upwards.
+    Y,
+}
+
+impl Component {
+    /// Index into a Cartesian vector.
+    pub fn index(self) -> usize {
+        match self {
+            Self::X => 0,
+            Self::Y => 1,
+        }
+    }
+}
+
+/// A stress field `(x, y) ↦ [σ_x, σ_y, τ_xy]` [MPa], tension positive.
+#[derive(Clone)]
+pub struct StressField(pub Arc<dyn Fn([f64; 2]) -> [f64; 3] + Send + Sync>);
+
+impl fmt::Debug for StressField {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("StressField")
+    }
+}
+
+/// A load on a body.
+#[derive(Clone, Debug)]
+pub enum Load {
+    /// Constant traction on a boundary [MPa].
+    Traction {
+        /// Boundary name.
+        boundary: &'static str,
+        /// Traction vector [MPa].
+        traction: [f64; 2],
+    },
+    /// Traction `t = σ n` of a given stress field on a boundary.
+    Stress {
+        /// Boundary name.
+        boundary: &'static str,
+        /// The field.
+        field: StressField,
+    },
+    /// Force per volume [N/mm³].
+    BodyForce([f64; 2]),
+    /// Force at the node at a point [N].
+    Force {
+        /// The point [mm].
+        at: [f64; 2],
+        /// Force vector [N].
+        force: [f64; 2],
+    },
+    /// A boundary that stays flat: one component is common to all its nodes and takes a total force.
+    RigidFace {
+        /// Boundary name.
+        boundary: &'static str,
+        /// The component that stays common.
+        component: Component,
+        /// Total force in that direction on the modelled part [N].
+        force: f64,
+    },
+}
+
+impl Scene {
+    /// Contact modulus `1/E* = Σ 1/E'` over the elastic bodies, `E' = E/(1−ν²)` in plane strain, `E` in plane stress [MPa].
+    pub fn contact_modulus(&self) -> f64 {
+        let compliance: f64 = self
+            .contact
+            .bodies()
+            .map(|b| 1.0 / self.bodies[b].material.plane_modulus(self.plane))
+            .sum();
+        1.0 / compliance
+    }
+
+    /// Refuses what cannot be solved, naming scene, body, key, value and remedy.
+    pub fn validate(&self) -> Result<(), Error> {
+        positive(&self.name, "thickness", self.thickness)?;
+        positive(&self.name, "reference length", self.reference.length)?;
+        positive(&self.name, "reference pressure", self.reference.pressure)?;
+        positive(&self.name, "reference gap", self.reference.gap)?;
+        positive(&self.name, "candidate stretch", self.contact.stretch)?;
+        for body in &self.bodies {
+            body.material.validate(&format!("{}, body `{}`", self.name, body.name), self.plane)?;
+        }
+        Ok(())
+    }
+}
+
+/// Refuses a value that is not finite and positive.
+pub(crate) fn positive(place: &str, key: &str, value: f64) -> Result<(), Error> {
+    if value.is_finite() && value > 0.0 {
+        return Ok(());
+    }
+    Err(Error::value(place, key, value, "a finite value above 0 is needed", "give a positive number"))
+}

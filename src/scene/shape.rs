@@ -1,0 +1,116 @@
+//! The outlines the mesher knows, and how their mesh coarsens.
+//!
+//! Angles are measured from the downward vertical, counter-clockwise positive:
+//! the point at angle `θ` and radius `r` about a centre `c` is `c + r (sin θ, −cos θ)`.
+
+/// Outline of a body; each names its boundaries.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// Axis-parallel rectangle; boundaries `left`, `right`, `contact` and `far` (opposite to the contact).
+    Rectangle {
+        /// Left and right end [mm].
+        x: [f64; 2],
+        /// Lower and upper end [mm].
+        y: [f64; 2],
+        /// The side that carries the contact.
+        contact: Face,
+    },
+    /// Part of a disc from its lowest point counter-clockwise; boundaries `axis` (x = centre), `cut` (the horizontal
+    /// diameter, quarter only) and `contact` (the arc); a half disc also has `top` (its upper arc).
+    Disc {
+        /// Centre [mm].
+        centre: [f64; 2],
+        /// Radius [mm].
+        radius: f64,
+        /// Half a disc instead of its lower quarter.
+        half: bool,
+    },
+    /// Part of a ring from the downward vertical; boundaries `start`, `end` (the straight sides), `inner`, `outer`;
+    /// the side named in `contact` is called `contact` instead.
+    Ring {
+        /// Rays on which the nodes lie start here: the centre of the contact path [mm].
+        pole: [f64; 2],
+        /// Inner circle.
+        inner: Circle,
+        /// Outer circle.
+        outer: Circle,
+        /// Angle swept [rad].
+        sweep: f64,
+        /// The face that carries the contact: `Bottom` is the inner one, `Top` the outer one.
+        contact: Face,
+    },
+    /// Half a rod eye with a shank upwards; boundaries `contact` (the hole), `axis`, `end`.
+    Eye {
+        /// Rays on which the hole's nodes lie start here: the centre of the pin [mm].
+        pole: [f64; 2],
+        /// The hole.
+        hole: Circle,
+        /// Outer radius of the eye, about the hole's centre [mm].
+        outer_radius: f64,
+        /// Half the width of the shank [mm].
+        shank_half_width: f64,
+        /// Height of the shank's flat end above the hole's centre [mm].
+        shank_end: f64,
+    },
+}
+
+/// A circle.
+#[derive(Clone, Copy, Debug)]
+pub struct Circle {
+    /// Centre [mm].
+    pub centre: [f64; 2],
+    /// Radius [mm].
+    pub radius: f64,
+}
+
+/// Which of two opposite faces carries the contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Face {
+    /// The lower, or inner, one.
+    Bottom,
+    /// The upper, or outer, one.
+    Top,
+}
+
+/// How elements grow away from the candidate stretch.
+#[derive(Clone, Copy, Debug)]
+pub struct Grading {
+    /// Length that holds `N` elements of the candidate stretch: half-width [mm], or 10 mm of arc.
+    pub unit: f64,
+    /// Size ratio of neighbouring elements beyond the candidate stretch, along the surface.
+    pub along: f64,
+    /// Size ratio of neighbouring elements into the depth.
+    pub depth: f64,
+    /// Size of the first element below the surface over the size along it.
+    pub first: f64,
+    /// Coarsest element, as a fraction of the body's size.
+    pub coarsest: f64,
+    /// Size of the last candidate element over the first one: below 1 refines towards the end of the stretch.
+    pub end: f64,
+}
+
+impl Shape {
+    /// Names of the boundaries that supports and loads may refer to.
+    pub fn boundaries(&self) -> &'static [&'static str] {
+        match self {
+            Self::Rectangle { .. } => &["left", "right", "contact", "far"],
+            Self::Disc { half: false, .. } => &["axis", "cut", "contact"],
+            Self::Disc { half: true, .. } => &["axis", "contact", "top"],
+            Self::Ring { .. } => &["start", "end", "inner", "outer", "contact"],
+            Self::Eye { .. } => &["contact", "axis", "end"],
+        }
+    }
+}
+
+impl Circle {
+    /// Distance from `pole` to the circle along the ray at angle `θ` from the downward vertical [mm].
+    ///
+    /// With `e = pole − centre` and the ray's direction `d`: `r = −e·d + √(ρ² − |e|² + (e·d)²)`; the pole lies inside.
+    pub fn along_ray(&self, pole: [f64; 2], angle: f64) -> f64 {
+        let (s, c) = angle.sin_cos();
+        let e = [pole[0] - self.centre[0], pole[1] - self.centre[1]];
+        let forward = e[0] * s - e[1] * c;
+        let offset = e[0] * e[0] + e[1] * e[1];
+        (self.radius * self.radius - offset + forward * forward).sqrt() - forward
+    }
+}
