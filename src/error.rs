@@ -117,6 +117,49 @@ pub enum Error {
         remedy: String,
     },
 
+    /// A file that must be there is not.
+    #[error("`{}` is missing: {remedy}", file.display())]
+    MissingFile {
+        /// The file looked for.
+        file: PathBuf,
+        /// What to do.
+        remedy: String,
+    },
+    /// A file is there but cannot be read or parsed.
+    #[error("`{}` cannot be read: {found}; {remedy}", file.display())]
+    Unreadable {
+        /// The file.
+        file: PathBuf,
+        /// What the reader met.
+        found: String,
+        /// What to do.
+        remedy: String,
+    },
+    /// A key or column that must be there is not.
+    #[error("`{}`: `{key}` is missing among {found}; {remedy}", file.display())]
+    MissingKey {
+        /// The file.
+        file: PathBuf,
+        /// The missing key or column.
+        key: String,
+        /// The keys or columns that are there.
+        found: String,
+        /// What to do.
+        remedy: String,
+    },
+    /// A key, column or entry holds what cannot be accepted.
+    #[error("`{}`: `{key}` is {found}; {remedy}", file.display())]
+    Refused {
+        /// The file.
+        file: PathBuf,
+        /// The key, column or entry.
+        key: String,
+        /// The value met.
+        found: String,
+        /// What to do.
+        remedy: String,
+    },
+
     /// A picture that could not be drawn.
     #[error("figure `{figure}`: {reason}")]
     Drawing {

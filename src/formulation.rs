@@ -110,7 +110,7 @@ impl Formulation {
             rule: algorithm.rules()[0],
             stiffness: algorithm.default_stiffness(),
             stiffness_pattern: Vec::new(),
-            quadrature: Quadrature::GaussTwo,
+            quadrature: Quadrature::Gauss,
             layer_thickness: 0.05,
             settings: Settings::default(),
         }
@@ -292,13 +292,15 @@ impl Discretisation {
         Ok(Fields { displacement, stress, unknowns })
     }
 
-    /// The pressures of a solution's springs once more, from the full system without condensation [MPa].
+    /// The pressures of a solution once more, from the full system without condensation [MPa].
+    ///
+    /// Every closed point is replaced by a spring around the condensed solution, `p = p_s + k (w − w_s)`; the sparse
+    /// system of all bodies then gives `w`, and with it `p`, without S having been used.
     pub fn uncondensed_pressures(&self, formulation: &Formulation, solution: &Solution) -> Result<Vec<f64>, Error> {
         let points = formulation.points(&self.interface);
-        let hard = self.problem(formulation, &points).scale.hard();
+        let stiffness = CHECKING_STIFFNESS * self.scene.contact_modulus() / self.scene.reference.length;
         let state = points.iter().zip(&solution.points);
-        let closed = |p: f64| if p > 0.0 { hard } else { 0.0 };
-        // The same closed springs with the force they carry: p = r + k (w − w_solution), r = p of the condensed solve.
+        let closed = |p: f64| if p > 0.0 { stiffness } else { 0.0 };
         let springs: Vec<_> = state
             .map(|(point, state)| {
                 let k = closed(state.pressure);
@@ -321,6 +323,10 @@ impl Discretisation {
         bodies.collect::<Vec<_>>().join(" and ")
     }
 }
+
+/// κ of the springs that check the condensed solution against the full one: far stiffer than the bodies, and soft enough
+/// that round-off in the approach stays below 1e-12 of the pressure.
+const CHECKING_STIFFNESS: f64 = 1e3;
 
 /// Fields recovered on the whole mesh.
 #[derive(Clone, Debug)]

@@ -5,6 +5,8 @@ pub mod contact;
 pub mod elasticity;
 pub mod error;
 pub mod formulation;
+pub mod measure;
 pub mod mesh;
+pub mod oracle;
 pub mod scene;
 pub mod solution;

@@ -2,21 +2,20 @@ use contact_vv::formulation::*;
 use contact_vv::mesh::*;
 use contact_vv::scene::library::*;
 fn main(){
-  let n: usize = std::env::args().nth(1).map(|s| s.parse().unwrap()).unwrap_or(8);
-  let ar: f64 = std::env::args().nth(2).map(|s| s.parse().unwrap()).unwrap_or(0.05);
-  let c = Cylinder{a_over_r: ar, ..Default::default()};
-  let a=c.half_width(); let p0=2.0*c.load()/(std::f64::consts::PI*a);
-  let d = Discretisation::of(c.scene(), Resolution{elements:n,refinement:0,order:Order::Quadratic}).unwrap();
-  println!("freedoms {} retained {} {:?}", d.system.freedoms(), d.condensed.retained(), d.seconds);
-  for f in Formulation::nine().iter().chain([&Formulation::verification()]) {
-    let t=std::time::Instant::now();
-    match d.solve(f) {
-      Ok(s)=>{
-        let m0: f64 = s.points.iter().map(|p| p.weight*p.pressure).sum();
-        let m2: f64 = s.points.iter().map(|p| p.weight*p.pressure*p.position.powi(2)).sum();
-        println!("{} {:?} {:?} res {:.1e} load err {:.2e} a err {:.3}% p(0)err {:.3}%  {:.3}s", f.name(), s.outcome, s.work, s.residual(), m0/(c.load()/2.0)-1.0, (2.0*(m2/m0).sqrt()/a-1.0)*100.0, (s.points[0].pressure/p0-1.0)*100.0, t.elapsed().as_secs_f64());
-      }
-      Err(e)=>println!("{} {}", f.name(), e),
-    }
-  }
+  for n in [8,12,16,24,32] {
+  for (d,name) in [(Discretisation::of(PinRod::default().scene(), Resolution{elements:n,refinement:0,order:Order::Quadratic}).unwrap(),"pin"), (Discretisation::of(Cylinder::default().scene(), Resolution{elements:n,refinement:0,order:Order::Quadratic}).unwrap(),"cyl")] {
+  let mut reference: Vec<f64> = vec![];
+  let mut areas: Vec<f64> = vec![];
+  let mut fs=vec![Formulation::new(Element::Node,Iteration::Kinematic)]; for e in [Element::Line,Element::Layer] { for k in [100.0,300.0,1e3,2e3,1e4,1e5] { fs.push(Formulation{stiffness:k,..Formulation::new(e,Iteration::Kinematic)}); } }
+  for (i,f) in fs.iter().enumerate() {
+  let s=d.solve(f).unwrap();
+  if i==0 { areas = s.points.iter().map(|p| p.weight).collect(); }
+  let p: Vec<f64> = areas.iter().enumerate().map(|(j,a)| -s.contact_force[d.interface.stations[j].freedoms[0]]/a).collect();
+  if i==0 { reference=p.clone(); }
+  let l2=(areas.iter().zip(&p).zip(&reference).map(|((a,p),r)| a*(p-r).powi(2)).sum::<f64>()/areas.iter().zip(&reference).map(|(a,r)| a*r*r).sum::<f64>()).sqrt();
+  let m=p.iter().cloned().fold(0.0,f64::max);
+  let mom=|p:&Vec<f64>| { let m0:f64=areas.iter().zip(p).map(|(a,p)|a*p).sum(); let m2:f64=areas.iter().zip(p).zip(&d.interface.stations).map(|((a,p),s)|a*p*s.coordinate.powi(2)).sum(); (m2/m0).sqrt()};
+  let raw=s.points.windows(2).take(16).map(|w|(w[0].pressure-w[1].pressure).abs()).fold(0.0,f64::max)/m; println!("{n} {name} {} {} raw {raw:.4} res {:.1e} steps {} peak {:.4} angle {:.4}% l2 {:.3}%  min {:.3}", f.name(), f.stiffness, s.residual(), s.work.steps, m, (mom(&p)/mom(&reference)-1.0)*100.0, l2*100.0, p.iter().cloned().fold(9.,f64::min)/m);
+  if n==16 && name=="pin" && f.name()=="line.kinematic" { for j in 0..p.len() { print!("{:.2} ", p[j]-reference[j]);} println!(); }
+  }}}
 }

@@ -58,6 +58,16 @@ impl ElasticSystem {
         self.bodies.iter().map(|body| body.freedoms.equations).sum()
     }
 
+    /// The same system with every entry of K changed by up to `amplitude` of itself, by a fixed pseudo-random pattern.
+    pub fn with_noise(&self, amplitude: f64) -> Self {
+        let mut system = self.clone();
+        for body in &mut system.bodies {
+            let values = body.stiffness.val_mut();
+            values.iter_mut().enumerate().for_each(|(index, value)| *value *= 1.0 + amplitude * noise(index));
+        }
+        system
+    }
+
     /// Nodal displacements [mm] from the solution of each body, in mesh order.
     pub fn nodal_displacements(&self, solutions: &[Vec<f64>]) -> Vec<[f64; 2]> {
         let per_body = self.bodies.iter().zip(solutions);
@@ -73,6 +83,19 @@ impl BodySystem {
         let stiffness = assemble_stiffness(scene, mesh, body, &freedoms, &mut force)?;
         let retained = freedoms.retained.clone();
         Ok(Self { name: scene.bodies[body].name.clone(), stiffness, force, freedoms, retained })
+    }
+
+    /// Applied load along y: the load vector times a unit rigid motion along y, prescribed components at rest [N].
+    pub fn applied_vertical(&self) -> f64 {
+        let mut motion = vec![0.0; self.force.len()];
+        for (pair, n) in self.freedoms.components.iter().zip(&self.freedoms.axes) {
+            for (freedom, y) in pair.iter().zip([n[1], n[0]]) {
+                if let Freedom::Equation(equation) = freedom {
+                    motion[*equation] = y;
+                }
+            }
+        }
+        motion.iter().zip(&self.force).map(|(m, f)| m * f).sum()
     }
 
     /// `K u` for a vector of unknowns [N].
@@ -115,6 +138,14 @@ fn assemble_stiffness(
     }
     SparseColMat::try_new_from_triplets(freedoms.equations, freedoms.equations, &triplets)
         .map_err(|error| Error::value(&scene.name, "stiffness", format!("{error:?}"), "a sparse matrix must fit in memory", "lower the resolution"))
+}
+
+/// A number in −1 … 1 from an index (SplitMix64; Steele, Lea & Flood 2014).
+fn noise(index: usize) -> f64 {
+    let mut z = (index as u64).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    (z ^ (z >> 31)) as f64 / u64::MAX as f64 * 2.0 - 1.0
 }
 
 fn scatter(of_cell: &[Freedom], k: &[Vec<f64>], triplets: &mut Vec<Triplet<usize, usize, f64>>, force: &mut [f64]) {

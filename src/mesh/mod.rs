@@ -4,10 +4,12 @@
 //! * [`block`] — transfinite interpolation inside four sides.
 //! * `outline` — from the scene's shapes to blocks.
 //! * [`candidates`] — the contact nodes with their normals.
+//! * [`variant`] — the same mesh mirrored or renumbered.
 
 pub mod block;
 pub mod candidates;
 pub mod spacing;
+pub mod variant;
 
 mod merge;
 mod outline;

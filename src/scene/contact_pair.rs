@@ -98,6 +98,14 @@ impl Path {
         }
     }
 
+    /// Cosine between the normals at two contact coordinates: 1 on a plane, `cos(s − s')` on an arc.
+    pub fn alignment(&self, s: f64, other: f64) -> f64 {
+        match self {
+            Self::Horizontal => 1.0,
+            Self::Arc(_) => (s - other).cos(),
+        }
+    }
+
     /// Part of a pressure at `s` that acts along the load line: 1 on a plane, `cos θ` on an arc.
     pub fn share(&self, s: f64) -> f64 {
         match self {

@@ -1,1 +1,139 @@
-//! temp
+//! The same scene told differently: in metres, mirrored, or with its bodies in another order. Results must not notice.
+
+use std::sync::Arc;
+
+use crate::scene::{Body, Circle, Component, Load, Path, Place, Profile, Scene, Shape, StressField};
+
+/// Metres per millimetre.
+const METRE: f64 = 1e-3;
+
+impl Scene {
+    /// The scene in metres and pascals instead of millimetres and megapascals; forces stay in newtons.
+    pub fn in_metres(&self) -> Self {
+        let (length, pressure) = (METRE, 1.0 / (METRE * METRE));
+        let mut scene = self.clone();
+        scene.thickness *= length;
+        scene.grading.unit *= length;
+        scene.reference.length *= length;
+        scene.reference.gap *= length;
+        scene.reference.pressure *= pressure;
+        if let Path::Arc(circle) = &mut scene.contact.path {
+            *circle = scaled_circle(*circle, length);
+        } else {
+            scene.contact.stretch *= length;
+        }
+        scene.contact.profile = scaled_profile(scene.contact.profile, length);
+        for body in &mut scene.bodies {
+            body.shape = scaled_shape(&body.shape, length);
+            body.material.young *= pressure;
+            for support in &mut body.supports {
+                support.value *= length;
+                if let Place::Point(point) = &mut support.at {
+                    *point = point.map(|x| x * length);
+                }
+            }
+            body.loads.iter_mut().for_each(|load| scale_load(load, length, pressure));
+        }
+        scene
+    }
+
+    /// The scene seen in a mirror on x = 0; its mesh is [`Mesh::mirrored`](crate::mesh::Mesh::mirrored).
+    pub fn mirrored(&self) -> Self {
+        let mut scene = self.clone();
+        for body in &mut scene.bodies {
+            mirror_body(body);
+        }
+        scene
+    }
+
+    /// The scene with its two bodies listed in the other order; none where there is only one.
+    pub fn swapped(&self) -> Option<Self> {
+        let second = self.contact.second?;
+        let mut scene = self.clone();
+        scene.bodies.reverse();
+        let last = self.bodies.len() - 1;
+        scene.contact.first = last - self.contact.first;
+        scene.contact.second = Some(last - second);
+        Some(scene)
+    }
+}
+
+fn scale_load(load: &mut Load, length: f64, pressure: f64) {
+    match load {
+        Load::Traction { traction, .. } => *traction = traction.map(|t| t * pressure),
+        Load::Stress { field, .. } => {
+            let inner = field.0.clone();
+            *field = StressField(Arc::new(move |at: [f64; 2]| inner(at.map(|x| x / length)).map(|s| s * pressure)));
+        }
+        Load::BodyForce(density) => *density = density.map(|b| b * pressure / length),
+        Load::Force { at, .. } => *at = at.map(|x| x * length),
+        Load::RigidFace { .. } => {}
+    }
+}
+
+fn mirror_body(body: &mut Body) {
+    for support in &mut body.supports {
+        if support.component == Component::X {
+            support.value = -support.value;
+        }
+        if let Place::Point(point) = &mut support.at {
+            point[0] = -point[0];
+        }
+    }
+    for load in &mut body.loads {
+        match load {
+            Load::Traction { traction, .. } => traction[0] = -traction[0],
+            Load::Stress { field, .. } => {
+                let inner = field.0.clone();
+                *field = StressField(Arc::new(move |[x, y]: [f64; 2]| {
+                    let [sx, sy, sxy] = inner([-x, y]);
+                    [sx, sy, -sxy]
+                }));
+            }
+            Load::BodyForce(density) => density[0] = -density[0],
+            Load::Force { at, force } => (at[0], force[0]) = (-at[0], -force[0]),
+            Load::RigidFace { component, force, .. } => {
+                if *component == Component::X {
+                    *force = -*force;
+                }
+            }
+        }
+    }
+}
+
+fn scaled_circle(circle: Circle, length: f64) -> Circle {
+    Circle { centre: circle.centre.map(|x| x * length), radius: circle.radius * length }
+}
+
+fn scaled_profile(profile: Profile, length: f64) -> Profile {
+    match profile {
+        Profile::Uniform(gap) => Profile::Uniform(gap * length),
+        Profile::Circle { radius } => Profile::Circle { radius: radius * length },
+        Profile::Parabola { radius } => Profile::Parabola { radius: radius * length },
+        Profile::Hole { radius, clearance } => {
+            Profile::Hole { radius: radius * length, clearance: clearance * length }
+        }
+    }
+}
+
+fn scaled_shape(shape: &Shape, length: f64) -> Shape {
+    let scaled = |values: [f64; 2]| values.map(|x| x * length);
+    match *shape {
+        Shape::Rectangle { x, y, contact } => Shape::Rectangle { x: scaled(x), y: scaled(y), contact },
+        Shape::Disc { centre, radius, half } => Shape::Disc { centre: scaled(centre), radius: radius * length, half },
+        Shape::Ring { pole, inner, outer, sweep, contact } => Shape::Ring {
+            pole: scaled(pole),
+            inner: scaled_circle(inner, length),
+            outer: scaled_circle(outer, length),
+            sweep,
+            contact,
+        },
+        Shape::Eye { pole, hole, outer_radius, shank_half_width, shank_end } => Shape::Eye {
+            pole: scaled(pole),
+            hole: scaled_circle(hole, length),
+            outer_radius: outer_radius * length,
+            shank_half_width: shank_half_width * length,
+            shank_end: shank_end * length,
+        },
+    }
+}

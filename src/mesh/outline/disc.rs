@@ -79,7 +79,7 @@ fn local_size(arcs: &[Vec<f64>], k: usize, radius: f64) -> f64 {
 fn spoke(layout: &Layout, from: Point, to: Point, depth: &[f64], size: f64) -> Vec<Point> {
     let length = (to[0] - from[0]).hypot(to[1] - from[1]);
     let n = depth.len() - 1;
-    let first = (size * layout.grading.first).clamp(depth[1] - depth[0], length / n as f64);
+    let first = (size * layout.grading.first).min(length / n as f64);
     let stations = spacing::fitted(0.0, length, n, first);
     layout.along(&stations, |d| between(from, to, d / length))
 }

@@ -93,7 +93,7 @@ impl Bars {
     }
 }
 
-/// A block standing on a rigid plane under its own weight; free to slide, free at its sides.
+/// A block standing on a rigid plane under its own weight, its sides guided so that it only shortens.
 #[derive(Clone, Copy, Debug)]
 pub struct OwnWeight {
     /// Width of the modelled half [mm].
@@ -118,19 +118,20 @@ impl OwnWeight {
         let pressure = self.weight * self.height;
         let modulus = self.material.plane_modulus(PlaneHypothesis::Strain);
         let weight = Load::BodyForce([0.0, -self.weight]);
+        let block = block(
+            "block",
+            [0.0, self.width],
+            [0.0, self.height],
+            Face::Bottom,
+            self.material,
+            vec![symmetry("right")],
+            vec![weight],
+        );
         Scene {
             name: "own-weight".into(),
             plane: PlaneHypothesis::Strain,
             thickness: 1.0,
-            bodies: vec![block(
-                "block",
-                [0.0, self.width],
-                [0.0, self.height],
-                Face::Bottom,
-                self.material,
-                vec![],
-                vec![weight],
-            )],
+            bodies: vec![block],
             contact: flat_contact(None, 0.0, self.width),
             reference: ReferenceValues { length: self.height, pressure, gap: pressure * self.height / modulus },
             grading: even(self.width),

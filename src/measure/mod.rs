@@ -1,0 +1,62 @@
+//! The numbers one quotes: one formula for all contact elements.
+//!
+//! * [`profile`] — half-width, peak, edge and norms of a pressure profile.
+//! * [`order`] — observed order of accuracy, Richardson's uncertainty.
+
+pub mod order;
+pub mod profile;
+
+use crate::scene::{ContactPair, Path, Scene};
+use crate::solution::Solution;
+
+pub use profile::Peak;
+
+/// Measures of one converged solution.
+#[derive(Clone, Copy, Debug)]
+pub struct Measures {
+    /// Half-width by second moment `2 √(∫p s² / ∫p)` [mm]; on arcs the same functional of the angle [rad].
+    pub half_width: f64,
+    /// Half-width by counting active points: `Σ A / thickness` over them [mm, or rad].
+    pub half_width_nodes: f64,
+    /// Contact coordinate of the last active point [mm, or rad].
+    pub edge: f64,
+    /// Peak pressure and where it lies.
+    pub peak: Peak,
+    /// Force on the whole contact along the load line, both halves [N].
+    pub resultant: f64,
+}
+
+impl Measures {
+    /// Measures of a solution; `floor` is the pressure from which a point counts as active [MPa].
+    pub fn of(scene: &Scene, solution: &Solution, floor: f64) -> Self {
+        let points = &solution.points;
+        let half_width = profile::second_moment_half_width(points);
+        let active = || points.iter().filter(|p| p.pressure > floor);
+        let length = scene.thickness * scene.contact.path.metric();
+        Self {
+            half_width,
+            half_width_nodes: active().map(|p| p.weight).sum::<f64>() / length,
+            edge: active().map(|p| p.position).fold(0.0, f64::max),
+            peak: profile::peak(points, half_width),
+            resultant: whole(&scene.contact) * profile::resultant(points, &scene.contact.path),
+        }
+    }
+}
+
+/// Number of modelled halves in the whole: 2 where the scene is one half of a symmetric one.
+pub fn whole(pair: &ContactPair) -> f64 {
+    if pair.symmetric { 2.0 } else { 1.0 }
+}
+
+/// `|value − reference| / |reference|`.
+pub fn relative_error(value: f64, reference: f64) -> f64 {
+    (value - reference).abs() / reference.abs()
+}
+
+/// Length along the contact per unit of its coordinate, for axis labels: mm on planes, degrees on arcs.
+pub fn display_factor(path: &Path) -> f64 {
+    match path {
+        Path::Horizontal => 1.0,
+        Path::Arc(_) => 180.0 / std::f64::consts::PI,
+    }
+}

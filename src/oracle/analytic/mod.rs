@@ -1,0 +1,105 @@
+//! Closed forms, one file each; a parameter outside its range makes a reading unavailable, never a panic.
+//!
+//! * [`hertz`]: line contact and the stresses below it.
+//! * [`persson`]: a pin in a hole with clearance.
+//! * [`lame`]: press fit of two rings.
+//! * [`bars`]: two bars closing a gap.
+//! * [`punch`]: a rigid flat punch on a half-plane.
+//! * [`uniform`]: a patch under uniform pressure.
+//! * [`weight`]: a block under its own weight.
+
+use super::Reading;
+
+pub mod bars;
+pub mod hertz;
+pub mod lame;
+pub mod persson;
+pub mod punch;
+pub mod uniform;
+pub mod weight;
+
+/// Which two-dimensional state a body is in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Plane {
+    /// No stress across the thickness.
+    Stress,
+    /// No strain across the thickness.
+    Strain,
+}
+
+impl Plane {
+    /// Kolosov's constant `κ'`: `(3−ν)/(1+ν)` in plane stress, `3−4ν` in plane strain.
+    pub fn kolosov(self, poisson: f64) -> f64 {
+        match self {
+            Self::Stress => (3.0 - poisson) / (1.0 + poisson),
+            Self::Strain => 3.0 - 4.0 * poisson,
+        }
+    }
+}
+
+/// A parameter of a closed form and whether it may hold the value it has.
+struct Parameter {
+    name: &'static str,
+    value: f64,
+    holds: bool,
+    range: &'static str,
+}
+
+fn finite(name: &'static str, value: f64) -> Parameter {
+    Parameter {
+        name,
+        value,
+        holds: value.is_finite(),
+        range: "finite",
+    }
+}
+
+fn positive(name: &'static str, value: f64) -> Parameter {
+    Parameter {
+        name,
+        value,
+        holds: value.is_finite() && value > 0.0,
+        range: "positive",
+    }
+}
+
+fn non_negative(name: &'static str, value: f64) -> Parameter {
+    Parameter {
+        name,
+        value,
+        holds: value.is_finite() && value >= 0.0,
+        range: "zero or positive",
+    }
+}
+
+fn poisson_ratio(name: &'static str, value: f64) -> Parameter {
+    Parameter {
+        name,
+        value,
+        holds: value > -1.0 && value <= 0.5,
+        range: "above -1 and at most 0.5",
+    }
+}
+
+/// The value as a reading, or which parameter keeps it from being one.
+fn answer(parameters: &[Parameter], value: f64) -> Reading {
+    if let Some(wrong) = parameters.iter().find(|parameter| !parameter.holds) {
+        return Reading::Unavailable(format!(
+            "{} is {}, must be {}",
+            wrong.name, wrong.value, wrong.range
+        ));
+    }
+    if value.is_finite() {
+        return Reading::Value {
+            value,
+            uncertainty: 0.0,
+        };
+    }
+
+    let given: Vec<String> = parameters
+        .iter()
+        .map(|parameter| format!("{} = {}", parameter.name, parameter.value))
+        .collect();
+    Reading::Unavailable(format!("no finite value with {}", given.join(", ")))
+}

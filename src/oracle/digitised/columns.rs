@@ -1,0 +1,194 @@
+//! The columns of a digitised curve's CSV file: exactly four, their units in their names.
+
+use std::f64::consts::PI;
+use std::path::Path;
+
+use csv::StringRecord;
+
+use super::keys::listed;
+use super::{Abscissa, CurvePoint, Ordinate};
+use crate::error::Error;
+
+/// A quantity and its unit, as the columns of a CSV file spell them, and the factor to the unit held.
+struct Column<T> {
+    quantity: &'static str,
+    unit: &'static str,
+    factor: f64,
+    meaning: T,
+}
+
+const ABSCISSAE: [Column<Abscissa>; 3] = [
+    column("angle", "deg", PI / 180.0, Abscissa::Angle),
+    column("angle", "rad", 1.0, Abscissa::Angle),
+    column("x", "mm", 1.0, Abscissa::Distance),
+];
+
+const ORDINATES: [Column<Ordinate>; 2] = [
+    column("pressure", "mpa", 1.0, Ordinate::Pressure),
+    column("hoop_stress", "mpa", 1.0, Ordinate::HoopStress),
+];
+
+const fn column<T: Copy>(
+    quantity: &'static str,
+    unit: &'static str,
+    factor: f64,
+    meaning: T,
+) -> Column<T> {
+    Column {
+        quantity,
+        unit,
+        factor,
+        meaning,
+    }
+}
+
+impl<T> Column<T> {
+    fn value_name(&self) -> String {
+        format!("{}_{}", self.quantity, self.unit)
+    }
+
+    fn error_name(&self) -> String {
+        format!("{}_error_{}", self.quantity, self.unit)
+    }
+}
+
+/// What the columns are, and the points by rising abscissa, at least one.
+pub(super) fn read(
+    file: &Path,
+    text: &str,
+) -> Result<(Abscissa, Ordinate, Vec<CurvePoint>), Error> {
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let header = reader
+        .headers()
+        .map_err(|cause| unreadable(file, &cause))?
+        .clone();
+    let across = which(file, &header, &ABSCISSAE)?;
+    let up = which(file, &header, &ORDINATES)?;
+    let names = [
+        across.value_name(),
+        across.error_name(),
+        up.value_name(),
+        up.error_name(),
+    ];
+    let places = places(file, &header, &names)?;
+
+    let mut points = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|cause| unreadable(file, &cause))?;
+        let [x, x_error, y, y_error] = row(file, &record, &names, places)?;
+        points.push(CurvePoint {
+            abscissa: x * across.factor,
+            abscissa_error: x_error * across.factor,
+            ordinate: y * up.factor,
+            ordinate_error: y_error * up.factor,
+        });
+    }
+    if points.is_empty() {
+        return Err(refused(
+            file,
+            "rows",
+            "none",
+            "add one row per digitised point",
+        ));
+    }
+    points.sort_by(|one, other| one.abscissa.total_cmp(&other.abscissa));
+    Ok((across.meaning, up.meaning, points))
+}
+
+/// The one quantity and unit of `known` that the header has.
+fn which<'k, T>(
+    file: &Path,
+    header: &StringRecord,
+    known: &'k [Column<T>],
+) -> Result<&'k Column<T>, Error> {
+    known
+        .iter()
+        .find(|column| header.iter().any(|name| name == column.value_name()))
+        .ok_or_else(|| {
+            let names: Vec<String> = known.iter().map(Column::value_name).collect();
+            missing(
+                file,
+                &names.join(" or "),
+                header,
+                "add the column, its unit in its name",
+            )
+        })
+}
+
+/// Where each named column stands; every name there once, and no other.
+fn places(file: &Path, header: &StringRecord, names: &[String; 4]) -> Result<[usize; 4], Error> {
+    let mut places = [0; 4];
+    for (place, name) in places.iter_mut().zip(names) {
+        *place = header
+            .iter()
+            .position(|column| column == name)
+            .ok_or_else(|| missing(file, name, header, "add the column"))?;
+    }
+    for (place, name) in header.iter().enumerate() {
+        if !places.contains(&place) {
+            let remedy = format!("keep the four columns {}, each once", listed(names));
+            return Err(refused(
+                file,
+                name,
+                "not a known column, or there twice",
+                &remedy,
+            ));
+        }
+    }
+    Ok(places)
+}
+
+fn row(
+    file: &Path,
+    record: &StringRecord,
+    names: &[String; 4],
+    places: [usize; 4],
+) -> Result<[f64; 4], Error> {
+    let line = record.position().map_or(0, csv::Position::line);
+    let mut row = [0.0; 4];
+    for (index, value) in row.iter_mut().enumerate() {
+        let entry = record.get(places[index]).unwrap_or_default();
+        // The error columns are the second and the fourth; an error of zero would make any deviation infinite.
+        let is_error = index % 2 == 1;
+        *value = entry.parse().unwrap_or(f64::NAN);
+        if !value.is_finite() || (is_error && *value <= 0.0) {
+            let wanted = if is_error {
+                "write a finite number above 0"
+            } else {
+                "write a finite number"
+            };
+            let key = format!("{} in line {line}", names[index]);
+            return Err(refused(file, &key, &format!("\"{entry}\""), wanted));
+        }
+    }
+    Ok(row)
+}
+
+fn unreadable(file: &Path, cause: &csv::Error) -> Error {
+    Error::Unreadable {
+        file: file.to_path_buf(),
+        found: cause.to_string(),
+        remedy: "write a header and one row per point, as many entries in each".to_owned(),
+    }
+}
+
+fn missing(file: &Path, key: &str, header: &StringRecord, remedy: &str) -> Error {
+    let found: Vec<String> = header.iter().map(str::to_owned).collect();
+    Error::MissingKey {
+        file: file.to_path_buf(),
+        key: key.to_owned(),
+        found: listed(&found),
+        remedy: remedy.to_owned(),
+    }
+}
+
+fn refused(file: &Path, key: &str, found: &str, remedy: &str) -> Error {
+    Error::Refused {
+        file: file.to_path_buf(),
+        key: key.to_owned(),
+        found: found.to_owned(),
+        remedy: remedy.to_owned(),
+    }
+}

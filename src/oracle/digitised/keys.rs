@@ -1,0 +1,144 @@
+//! Required TOML keys, refused by name where they are missing, unknown or out of range.
+
+use std::path::Path;
+
+use toml::{Table, Value};
+
+use crate::error::Error;
+
+/// A key that must be there, what it means, and what it may hold.
+pub(super) struct Key {
+    pub(super) path: &'static str,
+    pub(super) meaning: &'static str,
+    pub(super) range: Range,
+}
+
+/// What a key may hold.
+pub(super) enum Range {
+    Positive,
+    NonNegative,
+    Poisson,
+    Text,
+    OneOf(&'static [&'static str]),
+    Entries,
+}
+
+impl Range {
+    fn admits(&self, value: &Value) -> bool {
+        let number = match value {
+            Value::Float(number) => *number,
+            // A length of more than 2^53 mm is not written by hand.
+            Value::Integer(number) => *number as f64,
+            _ => f64::NAN,
+        };
+        match self {
+            Self::Positive => number.is_finite() && number > 0.0,
+            Self::NonNegative => number.is_finite() && number >= 0.0,
+            Self::Poisson => number > -1.0 && number < 0.5,
+            Self::Text => value.as_str().is_some_and(|text| !text.trim().is_empty()),
+            Self::OneOf(words) => value.as_str().is_some_and(|text| words.contains(&text)),
+            Self::Entries => value
+                .as_array()
+                .is_some_and(|entries| !entries.is_empty() && entries.iter().all(Value::is_table)),
+        }
+    }
+
+    fn wanted(&self) -> String {
+        match self {
+            Self::Positive => "a finite number above 0".to_owned(),
+            Self::NonNegative => "a finite number, 0 or above".to_owned(),
+            Self::Poisson => "a number above -1 and below 0.5".to_owned(),
+            Self::Text => "a text that is not empty".to_owned(),
+            Self::OneOf(words) => format!("one of \"{}\"", words.join("\", \"")),
+            Self::Entries => "one or more tables".to_owned(),
+        }
+    }
+}
+
+/// The table in a TOML text, syntax checked only.
+pub(super) fn parse(file: &Path, text: &str) -> Result<Table, Error> {
+    text.parse()
+        .map_err(|cause: toml::de::Error| Error::Unreadable {
+            file: file.to_path_buf(),
+            found: cause.message().to_owned(),
+            remedy: "write it as TOML; the README of the folder has an example".to_owned(),
+        })
+}
+
+/// Holds a table against its keys: all there, all in range, no other.
+///
+/// `prefix` is what the reader sees before each key, such as `curves[0].`.
+pub(super) fn check(file: &Path, prefix: &str, table: &Table, keys: &[Key]) -> Result<(), Error> {
+    for key in keys {
+        let value = find(table, key.path).ok_or_else(|| Error::MissingKey {
+            file: file.to_path_buf(),
+            key: format!("{prefix}{}", key.path),
+            found: listed(&leaves("", table)),
+            remedy: format!("add it: {}, {}", key.meaning, key.range.wanted()),
+        })?;
+        if !key.range.admits(value) {
+            return Err(Error::Refused {
+                file: file.to_path_buf(),
+                key: format!("{prefix}{}", key.path),
+                found: shown(value),
+                remedy: format!("write {}, {}", key.meaning, key.range.wanted()),
+            });
+        }
+    }
+    refuse_unknown(file, prefix, table, keys)
+}
+
+fn refuse_unknown(file: &Path, prefix: &str, table: &Table, keys: &[Key]) -> Result<(), Error> {
+    let present = leaves("", table);
+    let Some(unknown) = present
+        .iter()
+        .find(|path| keys.iter().all(|key| key.path != path.as_str()))
+    else {
+        return Ok(());
+    };
+    let known: Vec<String> = keys.iter().map(|key| key.path.to_owned()).collect();
+    Err(Error::Refused {
+        file: file.to_path_buf(),
+        key: format!("{prefix}{unknown}"),
+        found: "not a known key".to_owned(),
+        remedy: format!(
+            "take it out or correct its name; known are {}",
+            listed(&known)
+        ),
+    })
+}
+
+fn find<'t>(table: &'t Table, path: &str) -> Option<&'t Value> {
+    match path.split_once('.') {
+        Some((head, rest)) => find(table.get(head)?.as_table()?, rest),
+        None => table.get(path),
+    }
+}
+
+fn leaves(prefix: &str, table: &Table) -> Vec<String> {
+    table
+        .iter()
+        .flat_map(|(name, value)| match value {
+            Value::Table(inner) => leaves(&format!("{prefix}{name}."), inner),
+            _ => vec![format!("{prefix}{name}")],
+        })
+        .collect()
+}
+
+fn shown(value: &Value) -> String {
+    match value {
+        Value::String(text) => format!("\"{text}\""),
+        Value::Integer(number) => number.to_string(),
+        Value::Float(number) => number.to_string(),
+        other => format!("of type {}", other.type_str()),
+    }
+}
+
+/// Names in one line, or "nothing".
+pub(super) fn listed(names: &[String]) -> String {
+    if names.is_empty() {
+        "nothing".to_owned()
+    } else {
+        names.join(", ")
+    }
+}

@@ -1,0 +1,467 @@
+//! Digitised curves: admitted whole or refused by the name of what is missing.
+
+use std::f64::consts::PI;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use approx::assert_relative_eq;
+use contact_vv::error::Error;
+use contact_vv::oracle::digitised::{
+    Abscissa, Comparison, Digitised, DigitisedCurve, NOT_AT_HAND, Ordinate, OurPoint, compare,
+};
+use contact_vv::oracle::{Oracle, Quantity, Reading, ReferenceKind};
+use tempfile::TempDir;
+
+const FILES: [&str; 3] = ["scene.toml", "provenance.toml", "semi-ellipse.csv"];
+
+fn synthetic() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/digitised-synthetic")
+}
+
+fn text(file: &str) -> String {
+    fs::read_to_string(synthetic().join(file)).expect("the synthetic folder is committed")
+}
+
+/// The synthetic folder with one file rewritten, or left out.
+fn spoiled(file: &str, content: Option<&str>) -> TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for name in FILES {
+        let content = if name == file {
+            content.map(str::to_owned)
+        } else {
+            Some(text(name))
+        };
+        if let Some(content) = content {
+            fs::write(folder.path().join(name), content).expect("the temporary folder is writable");
+        }
+    }
+    folder
+}
+
+fn refusal(file: &str, content: Option<&str>) -> Error {
+    let folder = spoiled(file, content);
+    let error = Digitised::load(folder.path()).expect_err("spoiled folders are refused");
+    assert!(
+        error.to_string().contains(file),
+        "does not name {file}: {error}"
+    );
+    error
+}
+
+/// Each `key = value` line of a TOML file: its number, its full key, its value.
+fn entries(file: &str) -> Vec<(usize, String, String)> {
+    let mut section = String::new();
+    let mut entries = Vec::new();
+    for (number, line) in text(file).lines().enumerate() {
+        if line.starts_with("[[") {
+            section = "curves[0].".to_owned();
+        } else if line.starts_with('[') {
+            section = format!("{}.", line.trim_matches(['[', ']']));
+        } else if let Some((key, value)) = line.split_once(" = ") {
+            entries.push((number, format!("{section}{key}"), value.to_owned()));
+        }
+    }
+    entries
+}
+
+/// The file with one line replaced.
+fn with_line(file: &str, number: usize, replacement: &str) -> String {
+    let replaced = |(index, line)| {
+        if index == number {
+            replacement.to_owned()
+        } else {
+            String::from(line)
+        }
+    };
+    let lines: Vec<String> = text(file).lines().enumerate().map(replaced).collect();
+    lines.join("\n")
+}
+
+fn admitted() -> DigitisedCurve {
+    match Digitised::load(&synthetic()).expect("the synthetic folder is complete") {
+        Digitised::Present(mut curves) => curves.remove(0),
+        Digitised::Absent(why) => panic!("{why}"),
+    }
+}
+
+/// The semi-ellipse the synthetic points were made from, moved up by `shift`.
+fn semi_ellipse(shift: f64) -> impl Fn(f64) -> OurPoint {
+    move |phi| OurPoint {
+        value: shift + 100.0 * (1.0 - (phi / (PI / 3.0)).powi(2)).max(0.0).sqrt(),
+        uncertainty: 0.1,
+    }
+}
+
+#[test]
+fn gaertners_figures_are_absent_and_say_so() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles/digitised/gaertner-1977");
+
+    let digitised = Digitised::load(&folder).expect("a README alone is no error");
+
+    assert_eq!(digitised, Digitised::Absent(NOT_AT_HAND.to_owned()));
+    let reading = digitised.read("any.csv", Quantity::PeakPressure);
+    assert_eq!(reading, Reading::Unavailable(NOT_AT_HAND.to_owned()));
+}
+
+#[test]
+fn folder_that_does_not_exist_is_an_error_and_not_an_absence() {
+    let error = Digitised::load(Path::new("no/such/folder")).expect_err("there is no such folder");
+
+    assert!(error.to_string().contains("no/such/folder"), "{error}");
+}
+
+#[test]
+fn complete_folder_is_admitted_with_its_scene_and_provenance() {
+    let curve = admitted();
+
+    assert!(
+        curve.provenance.figure.contains("synthetic")
+            && curve.source().citation.contains("synthetic")
+    );
+    assert_eq!(curve.kind(), ReferenceKind::Measured);
+    assert_eq!(
+        (curve.abscissa, curve.ordinate),
+        (Abscissa::Angle, Ordinate::Pressure)
+    );
+    assert_eq!(curve.points.len(), 6);
+    assert_relative_eq!(curve.scene.pin_radius, 10.0);
+    assert_relative_eq!(curve.scene.rod.young, 70_000.0);
+    assert_relative_eq!(
+        curve.points[5].abscissa,
+        50.0_f64.to_radians(),
+        max_relative = 1e-14
+    );
+    assert_relative_eq!(
+        curve.points[5].abscissa_error,
+        0.5_f64.to_radians(),
+        max_relative = 1e-14
+    );
+}
+
+#[test]
+fn fem_curve_is_a_comparison_of_codes() {
+    let fem = text("provenance.toml").replace("\"measured\"", "\"fem\"");
+    let folder = spoiled("provenance.toml", Some(&fem));
+
+    match Digitised::load(folder.path()).expect("the folder is complete") {
+        Digitised::Present(curves) => assert_eq!(curves[0].kind(), ReferenceKind::CrossCode),
+        Digitised::Absent(why) => panic!("{why}"),
+    }
+}
+
+#[test]
+fn every_missing_file_is_named() {
+    for file in FILES {
+        let error = refusal(file, None);
+        assert!(
+            matches!(error, Error::MissingFile { .. }),
+            "{file}: {error}"
+        );
+    }
+}
+
+#[test]
+fn every_missing_key_is_named() {
+    for file in ["scene.toml", "provenance.toml"] {
+        let entries = entries(file);
+        assert!(entries.len() >= 8, "{file} has lost entries");
+        for (number, path, _) in entries {
+            match refusal(file, Some(&with_line(file, number, ""))) {
+                Error::MissingKey { key, remedy, .. } => {
+                    assert_eq!(key, path);
+                    assert!(!remedy.is_empty(), "{path}");
+                }
+                other => panic!("{file} without {path}: {other}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn provenance_without_curves_is_refused() {
+    let whole = text("provenance.toml");
+    let (head, _) = whole
+        .split_once("[[curves]]")
+        .expect("the synthetic provenance lists a curve");
+
+    let error = refusal("provenance.toml", Some(head));
+
+    assert!(
+        matches!(&error, Error::MissingKey { key, .. } if key == "curves"),
+        "{error}"
+    );
+}
+
+#[test]
+fn every_value_out_of_range_is_named_and_shown() {
+    let numbers = entries("scene.toml")
+        .into_iter()
+        .flat_map(|(number, path, _)| {
+            ["nan", "-1.5", "inf", "\"ten\""]
+                .map(|value| ("scene.toml", number, path.clone(), value))
+        });
+    let texts = entries("provenance.toml")
+        .into_iter()
+        .flat_map(|(number, path, _)| {
+            ["\" \"", "7"].map(|value| ("provenance.toml", number, path.clone(), value))
+        });
+
+    for (file, number, path, value) in numbers.chain(texts) {
+        let key = path.rsplit_once('.').map_or(path.as_str(), |(_, key)| key);
+        let line = format!("{key} = {value}");
+        match refusal(file, Some(&with_line(file, number, &line))) {
+            Error::Refused { key, found, .. } => {
+                assert_eq!(key, path);
+                assert_eq!(found.to_lowercase(), value, "{path}");
+            }
+            other => panic!("{file} with {line}: {other}"),
+        }
+    }
+}
+
+#[test]
+fn unknown_keys_and_kinds_are_refused_by_name() {
+    for (file, old, new, named) in [
+        (
+            "scene.toml",
+            "thickness",
+            "radius = 3.0\nthickness",
+            "radius",
+        ),
+        ("scene.toml", "[rod]", "[rod]\nshear = 3.0", "rod.shear"),
+        (
+            "provenance.toml",
+            "\"measured\"",
+            "\"guessed\"",
+            "curves[0].kind",
+        ),
+        (
+            "provenance.toml",
+            "\"first hand\"",
+            "\"hearsay\"",
+            "curves[0].hand",
+        ),
+        (
+            "scene.toml",
+            "eye_outer_radius = 20.0",
+            "eye_outer_radius = 10.0",
+            "eye_outer_radius",
+        ),
+        (
+            "scene.toml",
+            "shank_end = 60.0",
+            "shank_end = 15.0",
+            "shank_end",
+        ),
+    ] {
+        match refusal(file, Some(&text(file).replace(old, new))) {
+            Error::Refused { key, .. } => assert_eq!(key, named),
+            other => panic!("{new}: {other}"),
+        }
+    }
+}
+
+#[test]
+fn curve_without_provenance_is_refused() {
+    let folder = spoiled("", None);
+    fs::write(folder.path().join("stray.csv"), text("semi-ellipse.csv"))
+        .expect("the temporary folder is writable");
+
+    let error = Digitised::load(folder.path()).expect_err("an unlisted file is refused");
+
+    assert!(error.to_string().contains("stray.csv"), "{error}");
+}
+
+#[test]
+fn every_missing_column_is_named() {
+    let csv = text("semi-ellipse.csv");
+    let names: Vec<&str> = csv.lines().next().expect("a header").split(',').collect();
+    for (dropped, name) in names.iter().enumerate() {
+        let rows: Vec<String> = csv
+            .lines()
+            .map(|line| {
+                let kept = line
+                    .split(',')
+                    .enumerate()
+                    .filter(|(place, _)| *place != dropped);
+                kept.map(|(_, entry)| entry).collect::<Vec<_>>().join(",")
+            })
+            .collect();
+        match refusal("semi-ellipse.csv", Some(&rows.join("\n"))) {
+            Error::MissingKey { key, .. } => assert!(key.contains(name), "{key} for {name}"),
+            other => panic!("without {name}: {other}"),
+        }
+    }
+}
+
+#[test]
+fn every_bad_entry_is_named_by_line_and_column() {
+    for (entry, bad, column) in [
+        ("10,0.5,98.6,1.0", "nan,0.5,98.6,1.0", "angle_deg in line 3"),
+        (
+            "10,0.5,98.6,1.0",
+            "10,0,98.6,1.0",
+            "angle_error_deg in line 3",
+        ),
+        ("10,0.5,98.6,1.0", "10,0.5,,1.0", "pressure_mpa in line 3"),
+        (
+            "10,0.5,98.6,1.0",
+            "10,0.5,98.6,-1.0",
+            "pressure_error_mpa in line 3",
+        ),
+        (
+            "10,0.5,98.6,1.0",
+            "10,0.5,98.6,inf",
+            "pressure_error_mpa in line 3",
+        ),
+        ("pressure_error_mpa", "pressure_error_mpa,remark", "remark"),
+    ] {
+        let mut csv = text("semi-ellipse.csv").replace(entry, bad);
+        if column == "remark" {
+            csv = csv.replace(",1.0\n", ",1.0,x\n");
+        }
+        match refusal("semi-ellipse.csv", Some(&csv)) {
+            Error::Refused { key, .. } => assert_eq!(key, column),
+            other => panic!("{bad}: {other}"),
+        }
+    }
+}
+
+#[test]
+fn curves_without_points_ragged_rows_and_broken_toml_are_refused() {
+    let header = "angle_deg,angle_error_deg,pressure_mpa,pressure_error_mpa\n";
+
+    refusal("semi-ellipse.csv", Some(header));
+    refusal("semi-ellipse.csv", Some(""));
+    refusal("semi-ellipse.csv", Some(&format!("{header}1,2\n")));
+    refusal("scene.toml", Some("pin_radius = "));
+    refusal("provenance.toml", Some("curves = [\"semi-ellipse.csv\"]"));
+}
+
+#[test]
+fn reading_lies_between_the_points_and_carries_both_errors() {
+    let curve = admitted();
+    let middle = 45.0_f64.to_radians();
+    let fall_per_degree: f64 = (74.5 - 55.3) / 10.0;
+
+    match curve.read(Quantity::Pressure { at: middle }) {
+        Reading::Value { value, uncertainty } => {
+            assert_relative_eq!(value, 0.5 * (74.5 + 55.3), max_relative = 1e-12);
+            assert_relative_eq!(
+                uncertainty,
+                (0.5 * fall_per_degree).hypot(1.0),
+                max_relative = 1e-12
+            );
+        }
+        other => panic!("{other:?}"),
+    }
+    assert!(matches!(
+        curve.read(Quantity::Pressure { at: 1.0 }),
+        Reading::Unavailable(_)
+    ));
+    assert!(matches!(
+        curve.read(Quantity::Pressure { at: f64::NAN }),
+        Reading::Unavailable(_)
+    ));
+    assert_eq!(
+        curve.read(Quantity::HoopStress { at: middle }),
+        Reading::Silent
+    );
+}
+
+#[test]
+fn curve_the_points_were_made_from_is_accepted() {
+    let comparison = compare(&admitted(), &semi_ellipse(0.0));
+
+    assert!(comparison.accepted(), "{:?}", comparison.worst());
+}
+
+#[test]
+fn curve_shifted_by_three_uncertainties_is_not_accepted() {
+    let curve = admitted();
+    for sign in [-1.0, 1.0] {
+        for point in compare(&curve, &semi_ellipse(0.0)).deviations {
+            let shifted = compare(&curve, &semi_ellipse(sign * 3.0 * point.uncertainty));
+            assert!(
+                !shifted.accepted(),
+                "shifted by three times {}",
+                point.uncertainty
+            );
+        }
+    }
+}
+
+#[test]
+fn nan_or_unbounded_uncertainty_at_one_point_is_not_accepted() {
+    let curve = admitted();
+    let last = curve.points[5].abscissa;
+    for (value, uncertainty) in [
+        (f64::NAN, 0.1),
+        (55.3, f64::NAN),
+        (55.3, f64::INFINITY),
+        (f64::INFINITY, 0.1),
+    ] {
+        let ours = |phi: f64| {
+            let spoiled = OurPoint { value, uncertainty };
+            if (phi - last).abs() < 1e-9 {
+                spoiled
+            } else {
+                semi_ellipse(0.0)(phi)
+            }
+        };
+
+        let comparison = compare(&curve, &ours);
+
+        assert!(!comparison.accepted(), "{value} ± {uncertainty}");
+        assert!(
+            comparison
+                .worst()
+                .is_some_and(|worst| worst.ratio.is_nan() || worst.ratio > 2.0)
+        );
+    }
+}
+
+#[test]
+fn comparison_without_points_is_not_accepted() {
+    let empty = Comparison {
+        deviations: Vec::new(),
+        model_form: None,
+    };
+
+    assert!(!empty.accepted());
+}
+
+#[test]
+fn error_of_the_abscissa_counts_through_the_slope_of_our_curve() {
+    let curve = admitted();
+    let slope = 400.0;
+    let ours = |phi: f64| OurPoint {
+        value: slope * phi,
+        uncertainty: 2.0,
+    };
+
+    let comparison = compare(&curve, &ours);
+
+    let across = slope * 0.5_f64.to_radians();
+    let expected = (across.powi(2) + 1.0 + 4.0).sqrt();
+    for (deviation, point) in comparison.deviations.iter().zip(&curve.points) {
+        assert_relative_eq!(deviation.uncertainty, expected, max_relative = 1e-10);
+        let ratio = (slope * point.abscissa - point.ordinate).abs() / expected;
+        assert_relative_eq!(deviation.ratio, ratio, max_relative = 1e-10);
+    }
+}
+
+#[test]
+fn friction_of_the_source_is_stated_as_a_difference_of_model() {
+    let mut curve = admitted();
+
+    let with = compare(&curve, &semi_ellipse(0.0));
+    curve.scene.friction = 0.0;
+    let without = compare(&curve, &semi_ellipse(0.0));
+
+    assert!(
+        with.model_form
+            .is_some_and(|statement| statement.contains("0.15"))
+    );
+    assert_eq!(without.model_form, None);
+}
