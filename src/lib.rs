@@ -1,5 +1,6 @@
 #![doc = "temp"]
 pub mod algorithm;
+pub mod case;
 pub mod condensation;
 pub mod contact;
 pub mod elasticity;

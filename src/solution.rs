@@ -59,7 +59,7 @@ pub struct Work {
     pub back_substitutions: usize,
 }
 
-/// The state of one contact point at the end.
+/// The state of one contact point, or the mean over one edge, at the end.
 #[derive(Clone, Copy, Debug)]
 pub struct PointState {
     /// Contact coordinate `s` [mm, or rad on an arc].
@@ -92,6 +92,10 @@ pub struct Solution {
     pub outcome: Outcome,
     /// Contact points in the order of the contact coordinate.
     pub points: Vec<PointState>,
+    /// Means over the candidate edges, the same for all elements: position of the middle, area, mean pressure and gap.
+    pub edges: Vec<PointState>,
+    /// Spring force per area of each point before the projection to p ≥ 0 [MPa].
+    pub spring_pressures: Vec<f64>,
     /// Displacements of the retained freedoms [mm].
     pub displacement: Vec<f64>,
     /// Force of the contact on the retained freedoms, `−Σ A p b` [N].

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 
 use crate::algorithm::problem::reported;
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
+use crate::contact::ContactPoint;
 use crate::error::Error;
 use crate::solution::{Outcome, PointState, Solution, Step, Work};
 
@@ -127,9 +128,39 @@ impl Run<'_> {
             point.add_row(-point.weight * pressure, &mut contact_force);
             PointState { position: point.position, weight: point.weight, pressure, gap: point.gap - w }
         });
-        let points = states.collect();
-        Solution { outcome, points, displacement: last.displacement, contact_force, history: self.history, work: self.work }
+        let states: Vec<PointState> = states.collect();
+        Solution {
+            outcome,
+            edges: edge_means(points, &states),
+            points: states,
+            spring_pressures: last.pressure,
+            displacement: last.displacement,
+            contact_force,
+            history: self.history,
+            work: self.work,
+        }
     }
+}
+
+/// `p̄ = Σ A_ie p_i / Σ A_ie` over each edge e, from the parts of the points' areas that belong to it.
+fn edge_means(points: &[ContactPoint], states: &[PointState]) -> Vec<PointState> {
+    let count = points.iter().flat_map(|point| &point.shares).map(|(edge, _)| edge + 1).max().unwrap_or(0);
+    let mut means = vec![PointState { position: 0.0, weight: 0.0, pressure: 0.0, gap: 0.0 }; count];
+    for (point, state) in points.iter().zip(states) {
+        for &(edge, area) in &point.shares {
+            let mean = &mut means[edge];
+            mean.weight += area;
+            mean.position += area * state.position;
+            mean.pressure += area * state.pressure;
+            mean.gap += area * state.gap;
+        }
+    }
+    for mean in &mut means {
+        mean.position /= mean.weight;
+        mean.pressure /= mean.weight;
+        mean.gap /= mean.weight;
+    }
+    means
 }
 
 /// Period after which the state has returned, while the last step itself was a real one.

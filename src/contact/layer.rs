@@ -23,18 +23,20 @@ impl ContactElement for Layer {
     fn points(&self, interface: &Interface) -> Vec<ContactPoint> {
         let mut points = Vec::new();
         let mut thicknesses = Vec::new();
-        for edge in &interface.edges {
+        for (index, edge) in interface.edges.iter().enumerate() {
             let t0 = self.thickness * length(interface, edge);
             for (xi, weight) in self.quadrature.rule(edge.len()) {
                 let (_, position, length) = interface.at(edge, xi);
                 let gap = interface.pair.profile.gap(position);
                 let t = t0 + gap.max(0.0);
+                let area = weight * length * interface.thickness;
                 points.push(ContactPoint {
                     row: normal_row(interface, edge, t0, xi),
                     position,
-                    weight: weight * length * interface.thickness,
+                    weight: area,
                     gap,
                     relative_stiffness: 1.0 / t,
+                    shares: vec![(index, area)],
                 });
                 thicknesses.push(t);
             }

@@ -12,15 +12,17 @@ pub struct Line {
 impl ContactElement for Line {
     fn points(&self, interface: &Interface) -> Vec<ContactPoint> {
         let mut points = Vec::new();
-        for edge in &interface.edges {
+        for (index, edge) in interface.edges.iter().enumerate() {
             for (xi, weight) in self.quadrature.rule(edge.len()) {
                 let (shapes, position, length) = interface.at(edge, xi);
+                let area = weight * length * interface.thickness;
                 points.push(ContactPoint {
                     row: interface.interpolated_row(edge, &shapes),
                     position,
-                    weight: weight * length * interface.thickness,
+                    weight: area,
                     gap: interface.pair.profile.gap(position),
                     relative_stiffness: 1.0,
+                    shares: vec![(index, area)],
                 });
             }
         }

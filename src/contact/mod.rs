@@ -30,6 +30,8 @@ pub struct ContactPoint {
     pub gap: f64,
     /// Initial stiffness over the nominal one, `k_i / k_n`.
     pub relative_stiffness: f64,
+    /// Parts of the area that belong to each edge: (edge index, area [mm²]).
+    pub shares: Vec<(usize, f64)>,
 }
 
 impl ContactPoint {

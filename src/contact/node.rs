@@ -13,25 +13,32 @@ pub struct Node;
 
 impl ContactElement for Node {
     fn points(&self, interface: &Interface) -> Vec<ContactPoint> {
-        let mut areas = vec![0.0; interface.stations.len()];
-        for edge in &interface.edges {
-            for (xi, weight) in quadrature::gauss(3) {
-                let (shapes, position, length) = interface.at(edge, xi);
-                for (&a, value) in edge.iter().zip(shapes) {
-                    let alignment = interface.pair.path.alignment(position, interface.stations[a].coordinate);
-                    areas[a] += value * alignment * weight * length * interface.thickness;
-                }
+        let mut shares: Vec<Vec<(usize, f64)>> = vec![Vec::new(); interface.stations.len()];
+        for (index, edge) in interface.edges.iter().enumerate() {
+            for (k, &a) in edge.iter().enumerate() {
+                shares[a].push((index, tributary_area(interface, edge, k)));
             }
         }
-        let stations = interface.stations.iter().zip(areas);
+        let stations = interface.stations.iter().zip(shares);
         stations
-            .map(|(station, weight)| ContactPoint {
+            .map(|(station, shares)| ContactPoint {
                 row: station.freedoms.iter().map(|&f| (f, 1.0)).collect(),
                 position: station.coordinate,
-                weight,
+                weight: shares.iter().map(|(_, area)| area).sum(),
                 gap: station.gap,
                 relative_stiffness: 1.0,
+                shares,
             })
             .collect()
     }
+}
+
+/// `∫ N_k (n·n_k) ds · thickness` over one edge [mm²].
+fn tributary_area(interface: &Interface, edge: &[usize], k: usize) -> f64 {
+    let own = interface.stations[edge[k]].coordinate;
+    let terms = quadrature::gauss(3).into_iter().map(|(xi, weight)| {
+        let (shapes, position, length) = interface.at(edge, xi);
+        shapes[k] * interface.pair.path.alignment(position, own) * weight * length
+    });
+    terms.sum::<f64>() * interface.thickness
 }

@@ -49,23 +49,18 @@ pub struct BodySystem {
 impl ElasticSystem {
     /// Assembles stiffness and loads of every body of the mesh of a scene.
     pub fn assemble(scene: &Scene, mesh: &Mesh) -> Result<Self, Error> {
-        let bodies = (0..scene.bodies.len()).map(|body| BodySystem::assemble(scene, mesh, body)).collect::<Result<_, _>>()?;
-        Ok(Self { bodies })
+        Self::assemble_scaled(scene, mesh, &|_| 1.0)
+    }
+
+    /// The same with the stiffness of every cell times a factor of its index.
+    pub fn assemble_scaled(scene: &Scene, mesh: &Mesh, factor: &dyn Fn(usize) -> f64) -> Result<Self, Error> {
+        let bodies = (0..scene.bodies.len()).map(|body| BodySystem::assemble(scene, mesh, body, factor));
+        Ok(Self { bodies: bodies.collect::<Result<_, _>>()? })
     }
 
     /// Number of unknown displacement components.
     pub fn freedoms(&self) -> usize {
         self.bodies.iter().map(|body| body.freedoms.equations).sum()
-    }
-
-    /// The same system with every entry of K changed by up to `amplitude` of itself, by a fixed pseudo-random pattern.
-    pub fn with_noise(&self, amplitude: f64) -> Self {
-        let mut system = self.clone();
-        for body in &mut system.bodies {
-            let values = body.stiffness.val_mut();
-            values.iter_mut().enumerate().for_each(|(index, value)| *value *= 1.0 + amplitude * noise(index));
-        }
-        system
     }
 
     /// Nodal displacements [mm] from the solution of each body, in mesh order.
@@ -76,11 +71,11 @@ impl ElasticSystem {
 }
 
 impl BodySystem {
-    fn assemble(scene: &Scene, mesh: &Mesh, body: usize) -> Result<Self, Error> {
+    fn assemble(scene: &Scene, mesh: &Mesh, body: usize, factor: &dyn Fn(usize) -> f64) -> Result<Self, Error> {
         let freedoms = Freedoms::number(scene, mesh, body)?;
         rigid_motion::refuse_free(scene, mesh, body, &freedoms)?;
         let mut force = loads::nodal_forces(scene, mesh, body, &freedoms)?;
-        let stiffness = assemble_stiffness(scene, mesh, body, &freedoms, &mut force)?;
+        let stiffness = assemble_stiffness(scene, mesh, body, &freedoms, factor, &mut force)?;
         let retained = freedoms.retained.clone();
         Ok(Self { name: scene.bodies[body].name.clone(), stiffness, force, freedoms, retained })
     }
@@ -121,6 +116,7 @@ fn assemble_stiffness(
     mesh: &Mesh,
     body: usize,
     freedoms: &Freedoms,
+    factor: &dyn Fn(usize) -> f64,
     force: &mut [f64],
 ) -> Result<SparseColMat<usize, f64>, Error> {
     let elasticity = scene.bodies[body].material.stiffness(scene.plane);
@@ -132,20 +128,13 @@ fn assemble_stiffness(
         let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();
         let mut k = element::stiffness(&points, &elasticity, scene.thickness)
             .map_err(|jacobian| Error::DegenerateCell { cell, body: scene.bodies[body].name.clone(), jacobian })?;
+        k.iter_mut().flatten().for_each(|entry| *entry *= factor(cell));
         freedoms.rotate(nodes, &mut k);
         let of_cell: Vec<Freedom> = nodes.iter().flat_map(|&n| freedoms.of_node(n)).collect();
         scatter(&of_cell, &k, &mut triplets, force);
     }
     SparseColMat::try_new_from_triplets(freedoms.equations, freedoms.equations, &triplets)
         .map_err(|error| Error::value(&scene.name, "stiffness", format!("{error:?}"), "a sparse matrix must fit in memory", "lower the resolution"))
-}
-
-/// A number in −1 … 1 from an index (SplitMix64; Steele, Lea & Flood 2014).
-fn noise(index: usize) -> f64 {
-    let mut z = (index as u64).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    (z ^ (z >> 31)) as f64 / u64::MAX as f64 * 2.0 - 1.0
 }
 
 fn scatter(of_cell: &[Freedom], k: &[Vec<f64>], triplets: &mut Vec<Triplet<usize, usize, f64>>, force: &mut [f64]) {

@@ -1,11 +1,11 @@
 //! Observed order of accuracy and the uncertainty that a refinement series gives itself.
 
-use super::profile::least_squares_line;
+use super::profile::weighted_line;
 
 /// Least-squares slope of `ln error` over `ln h`.
 pub fn observed(sizes: &[f64], errors: &[f64]) -> f64 {
-    let logs: Vec<[f64; 2]> = sizes.iter().zip(errors).map(|(h, e)| [h.ln(), e.abs().ln()]).collect();
-    least_squares_line(&logs).1
+    let logs: Vec<[f64; 3]> = sizes.iter().zip(errors).map(|(h, e)| [h.ln(), e.abs().ln(), 1.0]).collect();
+    weighted_line(&logs).1
 }
 
 /// What three results on meshes of sizes 4h, 2h, h say of their limit.

@@ -34,18 +34,19 @@ pub fn resultant(points: &[PointState], path: &Path) -> f64 {
     points.iter().map(|p| p.weight * p.pressure * path.share(p.position)).sum()
 }
 
-/// Peak pressure.
+/// Peak pressure, from least-squares fits weighted by the tributary areas.
 ///
-/// Where the profile falls from the centre: value at 0 of the least-squares even parabola through the points with
-/// `|s| < a/4` (at least three). Where it rises first: the top of the parabola through the five points around the maximum.
+/// Where the profile falls from the centre: value at 0 of the even parabola through the points with `|s| < a/4` (at least
+/// three). Where it rises first: the top of the parabola through the five points around the maximum. The weights matter:
+/// consistent nodal pressures of 3-node edges lie above the profile at corners and below it at mid-sides.
 pub fn peak(points: &[PointState], half_width: f64) -> Peak {
-    let near: Vec<[f64; 2]> = points
+    let near: Vec<[f64; 3]> = points
         .iter()
         .enumerate()
         .filter(|(i, p)| p.position < 0.25 * half_width || *i < 3)
-        .map(|(_, p)| [p.position * p.position, p.pressure])
+        .map(|(_, p)| [p.position * p.position, p.pressure, p.weight])
         .collect();
-    let (value, curvature) = least_squares_line(&near);
+    let (value, curvature) = weighted_line(&near);
     let highest = (0..points.len()).max_by(|&i, &j| points[i].pressure.total_cmp(&points[j].pressure)).unwrap_or(0);
     let beyond = points.get(highest).is_some_and(|p| p.position > 0.25 * half_width);
     if curvature <= 0.0 || !beyond {
@@ -54,37 +55,32 @@ pub fn peak(points: &[PointState], half_width: f64) -> Peak {
     local_peak(points, highest)
 }
 
-/// Top of the least-squares parabola through the five points around index `highest`.
+/// Top of the parabola through the five points around index `highest`.
 fn local_peak(points: &[PointState], highest: usize) -> Peak {
     let from = highest.saturating_sub(2);
     let five = &points[from..(highest + 3).min(points.len())];
     let centre = points[highest].position;
     let width = (five[five.len() - 1].position - five[0].position).max(f64::MIN_POSITIVE);
-    let scaled: Vec<[f64; 2]> = five.iter().map(|p| [(p.position - centre) / width, p.pressure]).collect();
-    let [c, b, a] = least_squares_parabola(&scaled);
-    let top = if a < 0.0 { (-b / (2.0 * a)).clamp(-0.5, 0.5) } else { 0.0 };
-    Peak { position: centre + width * top, pressure: c + b * top + a * top * top }
-}
-
-/// `[c, b, a]` of the least-squares `c + b x + a x²`.
-fn least_squares_parabola(points: &[[f64; 2]]) -> [f64; 3] {
     let mut normal = nalgebra::Matrix3::<f64>::zeros();
     let mut rhs = nalgebra::Vector3::<f64>::zeros();
-    for &[x, y] in points {
+    for p in five {
+        let x = (p.position - centre) / width;
         let row = nalgebra::Vector3::new(1.0, x, x * x);
-        normal += row * row.transpose();
-        rhs += row * y;
+        normal += row * row.transpose() * p.weight;
+        rhs += row * (p.pressure * p.weight);
     }
-    normal.lu().solve(&rhs).map_or([f64::NAN; 3], |s| [s[0], s[1], s[2]])
+    let Some(fit) = normal.lu().solve(&rhs) else { return Peak { position: centre, pressure: f64::NAN } };
+    let top = if fit[2] < 0.0 { (-fit[1] / (2.0 * fit[2])).clamp(-0.5, 0.5) } else { 0.0 };
+    Peak { position: centre + width * top, pressure: fit[0] + fit[1] * top + fit[2] * top * top }
 }
 
-/// Intercept and slope of the least-squares line.
-pub fn least_squares_line(points: &[[f64; 2]]) -> (f64, f64) {
-    let n = points.len() as f64;
-    let mean = |k: usize| points.iter().map(|p| p[k]).sum::<f64>() / n;
+/// Intercept and slope of the least-squares line through `[x, y, weight]`.
+pub fn weighted_line(points: &[[f64; 3]]) -> (f64, f64) {
+    let total: f64 = points.iter().map(|p| p[2]).sum();
+    let mean = |k: usize| points.iter().map(|p| p[2] * p[k]).sum::<f64>() / total;
     let (x, y) = (mean(0), mean(1));
-    let spread: f64 = points.iter().map(|p| (p[0] - x).powi(2)).sum();
-    let slope = points.iter().map(|p| (p[0] - x) * (p[1] - y)).sum::<f64>() / spread;
+    let spread: f64 = points.iter().map(|p| p[2] * (p[0] - x).powi(2)).sum();
+    let slope = points.iter().map(|p| p[2] * (p[0] - x) * (p[1] - y)).sum::<f64>() / spread;
     (y - slope * x, slope)
 }
 
@@ -96,17 +92,15 @@ pub fn relative_l2(points: &[PointState], reference: impl Fn(f64) -> f64, limit:
     (error / scale).sqrt()
 }
 
-/// Pressure of a profile between its points, linear; constant before the first point, zero beyond the last.
-pub fn interpolate(points: &[PointState], position: f64) -> f64 {
-    let after = points.partition_point(|p| p.position < position);
-    match (after.checked_sub(1).map(|i| &points[i]), points.get(after)) {
-        (None, Some(first)) => first.pressure,
-        (Some(a), Some(b)) => {
-            let t = (position - a.position) / (b.position - a.position);
-            a.pressure + t * (b.pressure - a.pressure)
-        }
-        _ => 0.0,
+/// The same norm of the difference of two profiles given at the same points; NaN where their numbers differ.
+pub fn relative_l2_between(points: &[PointState], reference: &[PointState]) -> f64 {
+    if points.len() != reference.len() {
+        return f64::NAN;
     }
+    let pairs = || points.iter().zip(reference);
+    let error: f64 = pairs().map(|(p, r)| r.weight * (p.pressure - r.pressure).powi(2)).sum();
+    let scale: f64 = pairs().map(|(_, r)| r.weight * r.pressure.powi(2)).sum();
+    (error / scale).sqrt()
 }
 
 fn with_pressure(points: &[PointState], pressure: impl Fn(f64) -> f64) -> Vec<PointState> {

@@ -121,7 +121,7 @@ impl Default for PinPlate {
         Self {
             pin_radius: 10.0,
             clearance: 0.01,
-            rim_radius: 800.0,
+            rim_radius: 5000.0,
             thickness: 1.0,
             material: Material { young: 210e3, poisson: 0.3 },
             force: 2000.0,

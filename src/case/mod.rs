@@ -1,0 +1,29 @@
+//! A claim: a problem, the formulations that solve it, and checks that hold the results against independent truth.
+//!
+//! * [`check`] — requirement, quantity, oracle, tolerance with its reason, verdict.
+//! * [`problem`] — the problems of the suite by name: scene, default mesh and oracle.
+//! * [`run`] — one problem solved by one formulation, measured.
+//! * [`universal`] — what every converged run must satisfy, whatever the problem.
+//! * [`suite`] — all cases and studies as a flat list of trials.
+//! * [`exact`], [`hertz`], [`pin`] — the cases.
+//! * [`refinement`], [`sweep`], [`family`], [`gaertner`] — studies over meshes, stiffnesses and dimensions.
+//! * [`statements`] — the paper's statements, judged from the findings.
+
+pub mod check;
+pub mod exact;
+pub mod family;
+pub mod gaertner;
+pub mod hertz;
+pub mod pin;
+pub mod problem;
+pub mod refinement;
+pub mod run;
+pub mod statements;
+pub mod suite;
+pub mod sweep;
+pub mod universal;
+
+pub use check::{Check, Reference, Verdict};
+pub use problem::Problem;
+pub use run::Run;
+pub use suite::{Finding, Series, Table, Trial};

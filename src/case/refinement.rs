@@ -1,0 +1,3 @@
+//! temp
+use crate::case::suite::Trial; /// t
+pub fn trials() -> Vec<Trial> { Vec::new() }

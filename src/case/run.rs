@@ -1,0 +1,64 @@
+//! One problem solved by one formulation, measured.
+
+use std::time::Instant;
+
+use crate::error::Error;
+use crate::formulation::{Discretisation, Formulation};
+use crate::measure::{Measures, whole};
+use crate::solution::Solution;
+
+/// A finished run.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// The formulation.
+    pub formulation: Formulation,
+    /// Unknown displacement components.
+    pub freedoms: usize,
+    /// Retained normal freedoms.
+    pub retained: usize,
+    /// What came out.
+    pub solution: Solution,
+    /// The numbers one quotes.
+    pub measures: Measures,
+    /// Force that the reported pressures exert on the first body along the load line, both halves [N].
+    pub transmitted: f64,
+    /// Seconds by stage.
+    pub seconds: Vec<(&'static str, f64)>,
+}
+
+impl Run {
+    /// Solves a discretised scene by a formulation and measures the result.
+    pub fn of(discretisation: &Discretisation, formulation: &Formulation) -> Result<Self, Error> {
+        let clock = Instant::now();
+        let solution = discretisation.solve(formulation)?;
+        let mut seconds = discretisation.seconds.clone();
+        seconds.push(("iteration", clock.elapsed().as_secs_f64()));
+        let scene = &discretisation.scene;
+        let floor = formulation.settings.tolerance * scene.reference.pressure;
+        Ok(Self {
+            formulation: formulation.clone(),
+            freedoms: discretisation.system.freedoms(),
+            retained: discretisation.condensed.retained(),
+            measures: Measures::of(scene, &solution, floor),
+            transmitted: transmitted(discretisation, &solution),
+            solution,
+            seconds,
+        })
+    }
+
+    /// Decades between the last residual and the tolerance, and between the last but one and the tolerance.
+    pub fn decision_margin(&self) -> [f64; 2] {
+        let tolerance = self.formulation.settings.tolerance;
+        let mut last = self.solution.history.iter().rev().map(|step| step.residuals.largest());
+        let mut decades = || last.next().map_or(f64::NAN, |residual| (residual.max(1e-99) / tolerance).log10());
+        let end = decades();
+        [end, decades()]
+    }
+}
+
+/// Sum of the nodal contact forces on the first body along the load line, both halves [N].
+fn transmitted(discretisation: &Discretisation, solution: &Solution) -> f64 {
+    let stations = discretisation.interface.stations.iter();
+    let along = stations.map(|s| solution.contact_force[s.freedoms[0]] * s.normal[1]);
+    whole(&discretisation.scene.contact) * along.sum::<f64>()
+}

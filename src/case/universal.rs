@@ -1,0 +1,206 @@
+//! What every converged run must satisfy, whatever the problem: equilibrium, invariance, condensed = full, path independence.
+
+use crate::case::check::{Check, Reference};
+use crate::case::run::Run;
+use crate::elasticity::ElasticSystem;
+use crate::error::Error;
+use crate::formulation::{Discretisation, Formulation};
+use crate::mesh::Mesh;
+use crate::scene::{Path, Scene};
+
+/// Load increments of the path-independence check.
+const INCREMENTS: usize = 4;
+/// Relative noise on the stiffness of every cell, so that rigid motions stay free of force.
+const NOISE: f64 = 1e-12;
+
+/// All universal checks of a converged run.
+pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+    let mut checks = Vec::new();
+    checks.extend(equilibrium(discretisation, run));
+    checks.push(frictionless(discretisation, run)?);
+    checks.push(condensed_is_full(discretisation, run)?);
+    checks.extend(invariance(discretisation, run)?);
+    if run.formulation.name() == Formulation::verification().name() && run.formulation.settings.tolerance <= 1e-8 {
+        checks.push(path_independence(discretisation, run)?);
+    }
+    Ok(checks)
+}
+
+/// Contact resultant = applied load, on a body that only contact holds along the load line.
+fn equilibrium(discretisation: &Discretisation, run: &Run) -> Option<Check> {
+    let scene = &discretisation.scene;
+    let free = scene.contact.bodies().find(|&body| !held_vertically(scene, body))?;
+    let halves = crate::measure::whole(&scene.contact);
+    let applied = halves * discretisation.system.bodies[free].applied_vertical().abs();
+    Some(Check::relative(
+        "The resultant of the reported pressures shall equal the applied load",
+        "resultant",
+        run.transmitted,
+        Reference::own("applied load", applied),
+        run.formulation.settings.tolerance,
+        "balance is part of convergence: the run's own tolerance",
+    ))
+}
+
+fn held_vertically(scene: &Scene, body: usize) -> bool {
+    scene.bodies[body].supports.iter().any(|support| support.component == crate::scene::Component::Y)
+}
+
+/// Tangential contact forces vanish; on arcs this is the moment about the centre.
+///
+/// Taken from `K u − f` of the recovered displacements, not from the pressures.
+fn frictionless(discretisation: &Discretisation, run: &Run) -> Result<Check, Error> {
+    let fields = discretisation.recover(&run.solution)?;
+    let scene = &discretisation.scene;
+    let (mut moment, mut force) = (0.0_f64, 0.0_f64);
+    for body in scene.contact.bodies() {
+        let system = &discretisation.system.bodies[body];
+        let internal = system.product(&fields.unknowns[body]);
+        let (mut turning, mut pressing) = (0.0, 0.0);
+        for candidate in &discretisation.mesh.bodies[body].candidates {
+            let residual = nodal_force(discretisation, body, candidate.node, &internal);
+            let arm = arm(&scene.contact.path, discretisation.mesh.points[candidate.node]);
+            turning += arm[0] * residual[1] - arm[1] * residual[0];
+            pressing += residual[0].hypot(residual[1]) * arm[0].hypot(arm[1]);
+        }
+        moment = moment.max(turning.abs());
+        force = force.max(pressing);
+    }
+    let scale = force.max(scene.reference.pressure * scene.thickness * scene.reference.length * scene.reference.length);
+    Ok(match scene.contact.path {
+        Path::Arc(_) => Check::norm(
+            "The contact forces shall have no moment about the pin's centre",
+            "moment / F R",
+            moment / scale,
+            Reference::own("zero", 0.0),
+            1e-9,
+            "frictionless on a circle; round-off of the recovered forces",
+        ),
+        Path::Horizontal => Check::norm(
+            "Contact shall exert no tangential force",
+            "moment of tangential forces / F ℓ",
+            moment / scale,
+            Reference::own("zero", 0.0),
+            1e-9,
+            "frictionless on a plane; round-off of the recovered forces",
+        ),
+    })
+}
+
+/// Arm about the centre of an arc; on a plane a vertical unit arm, so that the moment is that of tangential forces.
+fn arm(path: &Path, point: [f64; 2]) -> [f64; 2] {
+    match path {
+        Path::Horizontal => [0.0, 1.0],
+        Path::Arc(circle) => [point[0] - circle.centre[0], point[1] - circle.centre[1]],
+    }
+}
+
+/// `K u − f` at a node in Cartesian components [N]; prescribed components give none.
+fn nodal_force(discretisation: &Discretisation, body: usize, node: usize, internal: &[f64]) -> [f64; 2] {
+    let system = &discretisation.system.bodies[body];
+    let mut force = [0.0; 2];
+    for (freedom, axis) in system.freedoms.of_node(node).into_iter().zip(system.freedoms.frame(node)) {
+        if let crate::elasticity::Freedom::Equation(equation) = freedom {
+            let value = internal[equation] - system.force[equation];
+            force = [force[0] + value * axis[0], force[1] + value * axis[1]];
+        }
+    }
+    force
+}
+
+fn condensed_is_full(discretisation: &Discretisation, run: &Run) -> Result<Check, Error> {
+    let full = discretisation.uncondensed_pressures(&run.formulation, &run.solution)?;
+    let pressures = run.solution.spring_pressures.iter().copied();
+    Ok(Check::norm(
+        "Condensed and full system shall give the same contact pressures",
+        "max |Δp| / p_max",
+        largest_difference(pressures, full.into_iter()) / scale(discretisation, run),
+        Reference::own("full system", 0.0),
+        1e-9,
+        "the same equations; round-off of two factorisations",
+    ))
+}
+
+/// The same problem told differently must give the same steps and pressures.
+fn invariance(discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+    let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
+    let resolution = discretisation.resolution;
+    let with = |scene: Scene, mesh: Mesh| -> Result<Discretisation, Error> {
+        let system = ElasticSystem::assemble(&scene, &mesh)?;
+        Discretisation::of_system(scene, resolution, mesh, system)
+    };
+    let metres = scene.in_metres();
+    let mut variants = vec![
+        ("metres", with(metres.clone(), Mesh::of(&metres, resolution)?)?, scene.reference.pressure / metres.reference.pressure),
+        ("mirror image", with(scene.mirrored(), mesh.mirrored())?, 1.0),
+        ("renumbered nodes", with(scene.clone(), mesh.renumbered())?, 1.0),
+    ];
+    let noisy = ElasticSystem::assemble_scaled(scene, mesh, &|cell| 1.0 + NOISE * noise(cell))?;
+    variants.push((
+        "noise of 1e-12 on K",
+        Discretisation::of_system(scene.clone(), resolution, mesh.clone(), noisy)?,
+        1.0,
+    ));
+    if let Some(swapped) = scene.swapped() {
+        let mesh = Mesh::of(&swapped, resolution)?;
+        variants.push(("swapped bodies", with(swapped, mesh)?, 1.0));
+    }
+    variants.iter().map(|(name, variant, unit)| same(run, name, variant, *unit, scale(discretisation, run))).collect()
+}
+
+/// `p_ref`, or the largest pressure of the run where that is larger (it is at the corner of the flat punch) [MPa].
+fn scale(discretisation: &Discretisation, run: &Run) -> f64 {
+    let pressures = run.solution.points.iter().map(|p| p.pressure);
+    pressures.fold(discretisation.scene.reference.pressure, f64::max)
+}
+
+/// A number in −1 … 1 from an index (SplitMix64; Steele, Lea & Flood 2014).
+fn noise(index: usize) -> f64 {
+    let mut z = (index as u64).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    (z ^ (z >> 31)) as f64 / u64::MAX as f64 * 2.0 - 1.0
+}
+
+/// `unit` turns the variant's pressures into the run's.
+fn same(run: &Run, name: &str, variant: &Discretisation, unit: f64, scale: f64) -> Result<Check, Error> {
+    let other = variant.solve(&run.formulation)?;
+    let pressures = run.solution.points.iter().map(|p| p.pressure);
+    let difference = largest_difference(pressures, other.points.iter().map(|p| p.pressure * unit)) / scale;
+    // Where the tolerance is as small as the perturbation itself, one step more or less is no difference.
+    let decidable = run.formulation.settings.tolerance >= 100.0 * NOISE;
+    let same_steps = other.outcome == run.solution.outcome && (!decidable || other.work == run.solution.work);
+    Ok(Check::norm(
+        format!("Steps and pressures shall not change under: {name}"),
+        "max |Δp| / p_max, infinite where the work differs",
+        if same_steps { difference } else { f64::INFINITY },
+        Reference::own(name, 0.0),
+        1e-9,
+        "the same problem told differently",
+    ))
+}
+
+fn path_independence(discretisation: &Discretisation, run: &Run) -> Result<Check, Error> {
+    let mut formulation: Formulation = run.formulation.clone();
+    formulation.settings.increments = if formulation.settings.increments == 1 { INCREMENTS } else { 1 };
+    formulation.settings.max_steps *= INCREMENTS;
+    let other = discretisation.solve(&formulation)?;
+    let pressures = run.solution.points.iter().map(|p| p.pressure);
+    let difference = largest_difference(pressures, other.points.iter().map(|p| p.pressure));
+    Ok(Check::norm(
+        "The load applied at once and in increments shall give the same pressures",
+        "max |Δp| / p_max",
+        if other.converged() { difference / scale(discretisation, run) } else { f64::NAN },
+        Reference::own("load increments", 0.0),
+        10.0 * run.formulation.settings.tolerance,
+        "frictionless contact has no memory; both runs stop within their tolerance",
+    ))
+}
+
+/// Largest difference; NaN where there is one or where the lengths differ.
+fn largest_difference(a: impl ExactSizeIterator<Item = f64>, b: impl ExactSizeIterator<Item = f64>) -> f64 {
+    if a.len() != b.len() {
+        return f64::NAN;
+    }
+    a.zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, |worst: f64, d| if d.is_nan() || worst.is_nan() { f64::NAN } else { worst.max(d) })
+}

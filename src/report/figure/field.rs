@@ -1,0 +1,211 @@
+//! A nodal scalar on the deformed mesh, in discrete bands, with an optional detail.
+
+use super::bands::{Bands, paint_cell};
+use super::canvas::{Canvas, Point, drawing};
+use super::colour_bar::colour_bar;
+use super::frame::Frame;
+use super::mesh_lines::mesh_lines;
+use super::numbers::round_values;
+use super::page::{EDGE, heading, notes_height, small_print, wrapped};
+use super::palette::ColourMap;
+use super::pen::text_width;
+use super::view::{View, mark_detail};
+use crate::error::Error;
+
+/// A rectangle of the drawn (deformed) shape, in its length unit.
+#[derive(Clone, Copy, Debug)]
+pub struct Window {
+    /// Left and right end.
+    pub x: (f64, f64),
+    /// Lower and upper end.
+    pub y: (f64, f64),
+}
+
+/// A nodal scalar on a mesh of quadrilaterals.
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// What is shown, in a few words.
+    pub title: String,
+    /// The scalar with its unit, beside the colour bar.
+    pub quantity: String,
+    /// Undeformed nodes, in any length unit.
+    pub points: Vec<(f64, f64)>,
+    /// Four or eight nodes each: corners counter-clockwise, then the midsides 0–1, 1–2, 2–3, 3–0.
+    pub cells: Vec<Vec<usize>>,
+    /// The scalar at the nodes.
+    pub values: Vec<f64>,
+    /// Displacements of the nodes, in the same unit.
+    pub displacements: Vec<(f64, f64)>,
+    /// Factor on the displacements in the drawing.
+    pub magnification: f64,
+    /// Colours.
+    pub map: ColourMap,
+    /// Ends of the colour bar; those of the values when absent.
+    pub range: Option<(f64, f64)>,
+    /// What a second panel shows enlarged.
+    pub zoom: Option<Window>,
+    /// Small print below.
+    pub notes: Vec<String>,
+}
+
+/// The mesh as drawn, in its own units, y upwards.
+pub(super) struct Drawn<'a> {
+    pub field: &'a Field,
+    pub nodes: Vec<Point>,
+}
+
+const TOP: f64 = 44.0;
+const BAR: f64 = 112.0;
+const WHOLE: f64 = 600.0;
+const PANEL: f64 = 366.0;
+const TALLEST: f64 = 470.0;
+
+impl Field {
+    /// The field as SVG.
+    pub fn svg(&self) -> Result<String, Error> {
+        self.check()?;
+        let bands = self.bands()?;
+        let drawn = Drawn {
+            field: self,
+            nodes: self.deformed(),
+        };
+        let (views, right, bottom) = self.views(&drawn);
+        let width = self.width(right);
+        let notes = wrapped(&self.notes(&views), width - 2.0 * EDGE);
+        let mut canvas = Canvas::new(width, bottom + 10.0 + notes_height(&notes));
+        heading(&mut canvas, &self.title);
+        for view in &views {
+            for cell in &self.cells {
+                paint_cell(&mut canvas, &drawn, cell, view, &bands);
+            }
+            mesh_lines(&mut canvas, &drawn, view);
+        }
+        if let [whole, detail] = &views[..] {
+            mark_detail(&mut canvas, whole, detail);
+        }
+        let bar = Frame {
+            left: right + 8.0,
+            top: TOP + 24.0,
+            right: right + 22.0,
+            bottom,
+        };
+        colour_bar(&mut canvas, &bands, bar, &self.quantity);
+        small_print(&mut canvas, &notes, bottom + 10.0);
+        canvas.svg(&self.title)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let nodes = self.points.len();
+        let reason = if self.values.len() != nodes || self.displacements.len() != nodes {
+            format!(
+                "{nodes} nodes, {} values, {} displacements: give one of each per node",
+                self.values.len(),
+                self.displacements.len()
+            )
+        } else if let Some(cell) = self.cells.iter().find(|cell| ![4, 8].contains(&cell.len())) {
+            format!("a cell with {} nodes: give four or eight", cell.len())
+        } else if let Some(node) = self.cells.iter().flatten().find(|&&node| node >= nodes) {
+            format!("a cell names node {node} of {nodes}")
+        } else if self.cells.is_empty() {
+            "no cells".to_string()
+        } else {
+            return Ok(());
+        };
+        Err(drawing(&self.title, reason))
+    }
+
+    fn bands(&self) -> Result<Bands, Error> {
+        let spread = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
+        let found = self.cells.iter().flatten().map(|&node| self.values[node]);
+        let (mut low, mut high) = self
+            .range
+            .unwrap_or_else(|| found.fold((f64::INFINITY, f64::NEG_INFINITY), spread));
+        if !(low.is_finite() && high.is_finite() && low <= high) {
+            return Err(drawing(
+                &self.title,
+                format!("values from {low} to {high}: leave infinite ones out"),
+            ));
+        }
+        if self.map == ColourMap::Diverging {
+            high = high.abs().max(low.abs());
+            low = -high;
+        }
+        if high - low < 1e-9 * high.abs().max(1e-300) {
+            let room = (1e-3 * high.abs()).max(1e-9);
+            (low, high) = (low - room, high + room);
+        }
+        let (step, _) = round_values(low, high, 10);
+        let first = (low / step + 1e-9).floor();
+        let last = (high / step - 1e-9).ceil();
+        let levels = (0..=(last - first) as usize)
+            .map(|n| (first + n as f64) * step)
+            .collect();
+        Ok(Bands {
+            levels,
+            step,
+            map: self.map,
+        })
+    }
+
+    fn deformed(&self) -> Vec<Point> {
+        let moved = |(point, shift): (&Point, &Point)| {
+            (
+                point.0 + self.magnification * shift.0,
+                point.1 + self.magnification * shift.1,
+            )
+        };
+        self.points
+            .iter()
+            .zip(&self.displacements)
+            .map(moved)
+            .collect()
+    }
+
+    /// The panels, their common right end and their lower end.
+    fn views(&self, drawn: &Drawn<'_>) -> (Vec<View>, f64, f64) {
+        let used = || self.cells.iter().flatten().map(|&node| drawn.nodes[node]);
+        let ends = |values: &mut dyn Iterator<Item = f64>| {
+            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+                (low.min(value), high.max(value))
+            })
+        };
+        let extent = Window {
+            x: ends(&mut used().map(|p| p.0)),
+            y: ends(&mut used().map(|p| p.1)),
+        };
+        let width = if self.zoom.is_some() { PANEL } else { WHOLE };
+        let whole = View::fitting(extent, (EDGE, TOP), (width, TALLEST));
+        let Some(zoom) = self.zoom else {
+            return (vec![whole], whole.frame.right + EDGE, whole.frame.bottom);
+        };
+        let corner = (whole.frame.right + 2.0 * EDGE, TOP);
+        let detail = View::fitting(zoom, corner, (PANEL, TALLEST));
+        let bottom = whole.frame.bottom.max(detail.frame.bottom).max(TOP + 240.0);
+        (vec![whole, detail], detail.frame.right + EDGE, bottom)
+    }
+
+    /// Width of the card: room for the colour bar, its quantity and the title.
+    fn width(&self, right: f64) -> f64 {
+        let bar = (16.0 + text_width(&self.quantity, 11.5)).max(BAR);
+        (right + bar).max(text_width(&self.title, 15.0) + 2.0 * EDGE)
+    }
+
+    fn notes(&self, views: &[View]) -> Vec<String> {
+        let mut notes = self.notes.clone();
+        if self
+            .displacements
+            .iter()
+            .any(|shift| shift.0.hypot(shift.1) > 0.0)
+            && self.magnification > 0.0
+        {
+            notes.push(format!("Displacements ×{}.", self.magnification));
+        }
+        if let [whole, detail] = views {
+            notes.push(format!(
+                "Right: the framed detail, ×{:.1}.",
+                detail.scale / whole.scale
+            ));
+        }
+        vec![notes.join(" ")]
+    }
+}

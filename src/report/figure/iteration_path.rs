@@ -1,0 +1,235 @@
+//! The walk of each algorithm at one contact point, in the plane of approach and pressure.
+//!
+//! Between two states lies first the change of the spring at a fixed approach (upright), then the return to
+//! equilibrium along the new spring (slanted): `p = p_j + k_j (w − w_j)`.
+
+use super::canvas::{Canvas, Point};
+use super::chart::{Axis, Chart, Series};
+use super::frame::{Frame, distance};
+use super::legend::{Legend, marker};
+use super::page::{heading, notes_height, small_print, wrapped};
+use super::palette::{CARD, Colour, Dash, GREY, INK, Marker, SKY, Style, tint};
+use super::pen::{Lettering, Pen};
+use super::plot::Plot;
+use crate::error::Error;
+
+/// One state of the iteration at the contact point.
+#[derive(Clone, Copy, Debug)]
+pub struct State {
+    /// Approach `w`.
+    pub approach: f64,
+    /// Pressure `p`.
+    pub pressure: f64,
+    /// Stiffness `k` of the spring that holds it.
+    pub stiffness: f64,
+}
+
+/// The states of one algorithm.
+#[derive(Clone, Debug)]
+pub struct Path {
+    /// The algorithm, as the title of its panel.
+    pub algorithm: String,
+    /// Dash of the algorithm.
+    pub dash: Dash,
+    /// States in order.
+    pub states: Vec<State>,
+    /// False draws the last state hollow.
+    pub converged: bool,
+}
+
+/// The walks of several algorithms to one solution.
+#[derive(Clone, Debug)]
+pub struct IterationPaths {
+    /// What is shown, in a few words.
+    pub title: String,
+    /// Name and unit of the approach.
+    pub approach_label: String,
+    /// Name and unit of the pressure.
+    pub pressure_label: String,
+    /// Two points of the elastic bodies' load line, approach and pressure.
+    pub load_line: [(f64, f64); 2],
+    /// Initial gap at the point.
+    pub gap: f64,
+    /// The solution, approach and pressure.
+    pub target: (f64, f64),
+    /// Colour of the contact element.
+    pub colour: Colour,
+    /// One panel each.
+    pub paths: Vec<Path>,
+    /// Small print below.
+    pub notes: Vec<String>,
+}
+
+const WIDTH: f64 = 900.0;
+const EDGE: f64 = 18.0;
+const TOP: f64 = 40.0;
+const PANEL_HEIGHT: f64 = 310.0;
+const CLEAR: f64 = 17.0;
+
+impl IterationPaths {
+    /// The panels as SVG, on the same axes.
+    pub fn svg(&self) -> Result<String, Error> {
+        let charts: Vec<Chart> = self.paths.iter().map(|path| self.chart(path)).collect();
+        let legend = Legend::of(&charts[..charts.len().min(1)]);
+        let columns = legend.columns(WIDTH - 2.0 * EDGE);
+        let notes = wrapped(&self.notes, WIDTH - 2.0 * EDGE);
+        let below = TOP + PANEL_HEIGHT + legend.height(columns) + 8.0;
+        let mut canvas = Canvas::new(WIDTH, below + notes_height(&notes));
+        heading(&mut canvas, &self.title);
+        let pitch = (WIDTH - 2.0 * EDGE + 10.0) / self.paths.len().max(1) as f64;
+        for (n, (path, chart)) in self.paths.iter().zip(&charts).enumerate() {
+            let left = EDGE + pitch * n as f64;
+            let outer = Frame {
+                left,
+                top: TOP + 20.0,
+                right: left + pitch - 10.0,
+                bottom: TOP + PANEL_HEIGHT - 6.0,
+            };
+            let plot = Plot::new(chart, outer)?;
+            let inner = plot.draw(&mut canvas);
+            // Larger than the states, so that a state on it leaves its corners visible.
+            marker(
+                &mut canvas,
+                plot.place(self.target),
+                Marker::Diamond,
+                5.4,
+                INK,
+            );
+            states(&mut canvas, &plot, path, self.colour);
+            canvas.label(
+                (inner.left, TOP + 9.0),
+                &path.algorithm,
+                Lettering::start(12.0).bold(),
+            );
+        }
+        legend.draw(&mut canvas, (EDGE + 8.0, TOP + PANEL_HEIGHT), columns);
+        small_print(&mut canvas, &notes, below);
+        canvas.svg(&self.title)
+    }
+
+    fn chart(&self, path: &Path) -> Chart {
+        let (width, height) = self.extent();
+        let x = Axis::linear(&self.approach_label).over(0.0, width);
+        let y = Axis::linear(&self.pressure_label).over(0.0, height);
+        let mut chart = Chart::new(&path.algorithm, x, y);
+        let law = vec![(0.0, 0.0), (self.gap, 0.0), (self.gap, height)];
+        let springs = path
+            .states
+            .iter()
+            .flat_map(|state| state.spring(width))
+            .collect();
+        let elastic = line_through(self.load_line, width);
+        chart.series = vec![
+            series(
+                "spring of a step",
+                springs,
+                Style::run(tint(GREY, 0.45), Dash::Solid, Marker::Absent),
+            ),
+            series(
+                "contact: open, or closed at w = g",
+                law,
+                Style::run(SKY, Dash::Solid, Marker::Absent),
+            ),
+            series("elastic bodies", elastic, Style::reference()),
+            series(
+                "iterations",
+                path.walk(),
+                Style::run(self.colour, path.dash, Marker::Absent),
+            ),
+            series(
+                "solution",
+                vec![self.target],
+                Style::run(INK, Dash::Absent, Marker::Diamond),
+            ),
+        ];
+        chart
+    }
+
+    /// Upper ends of both axes, the same in every panel.
+    fn extent(&self) -> (f64, f64) {
+        let states = || self.paths.iter().flat_map(|path| &path.states);
+        let width = states()
+            .map(|state| state.approach)
+            .fold(self.gap.max(self.target.0), f64::max);
+        let height = states()
+            .map(|state| state.pressure)
+            .fold(self.target.1, f64::max);
+        (1.15 * width, 1.25 * height)
+    }
+}
+
+impl State {
+    fn pressure_at(&self, approach: f64) -> f64 {
+        self.pressure + self.stiffness * (approach - self.approach)
+    }
+
+    /// The spring from zero pressure to the state, closed by an interruption.
+    fn spring(&self, width: f64) -> Vec<(f64, f64)> {
+        let relaxed = if self.stiffness > 0.0 {
+            self.approach - self.pressure / self.stiffness
+        } else {
+            -width
+        };
+        let start = relaxed.max(-width);
+        vec![
+            (start, self.pressure_at(start)),
+            (self.approach, self.pressure),
+            (f64::NAN, f64::NAN),
+        ]
+    }
+}
+
+impl Path {
+    /// The states joined over the corners between them.
+    fn walk(&self) -> Vec<(f64, f64)> {
+        let mut walk = Vec::new();
+        let mut approach = None;
+        for state in &self.states {
+            walk.extend(approach.map(|approach| (approach, state.pressure_at(approach))));
+            walk.push((state.approach, state.pressure));
+            approach = Some(state.approach);
+        }
+        walk
+    }
+}
+
+fn series(label: &str, points: Vec<(f64, f64)>, style: Style) -> Series {
+    Series {
+        label: label.to_string(),
+        points,
+        style,
+        hollow: vec![],
+    }
+}
+
+fn line_through([a, b]: [(f64, f64); 2], width: f64) -> Vec<(f64, f64)> {
+    let slope = (b.1 - a.1) / (b.0 - a.0);
+    [0.0, width]
+        .map(|approach| (approach, a.1 + slope * (approach - a.0)))
+        .to_vec()
+}
+
+/// Discs on the states, numbered where there is room; the last always is.
+fn states(canvas: &mut Canvas, plot: &Plot<'_>, path: &Path, colour: Colour) {
+    let places: Vec<Point> = path
+        .states
+        .iter()
+        .map(|state| plot.place((state.approach, state.pressure)))
+        .collect();
+    let last = places.len().saturating_sub(1);
+    let mut numbered: Vec<Point> = places.last().copied().into_iter().collect();
+    for (n, &place) in places.iter().enumerate() {
+        canvas.disc(place, 4.0, colour);
+        if n == last && !path.converged {
+            canvas.disc(place, 2.6, CARD);
+        }
+        let free = numbered.iter().all(|other| distance(*other, place) > CLEAR);
+        if n == last || free {
+            let below = (place.0, place.1 + 14.0);
+            canvas.disc(below, 6.5, CARD);
+            canvas.label(below, &(n + 1).to_string(), Lettering::middle(10.5).bold());
+            numbered.push(place);
+        }
+    }
+    canvas.line(&plot.data_frame().outline(), Pen::solid(GREY, 1.0));
+}

@@ -1,0 +1,52 @@
+//! Figures of the report, as byte-stable SVG text.
+//!
+//! Conventions, the same in every figure: the colour names the contact element, the dash the algorithm, the marker the
+//! mesh or the formulation; references are black and dashed, measured values are points without a line, and runs that
+//! did not converge stand hollow above the upper frame.
+//!
+//! * [`chart`]: curves over linear or logarithmic axes.
+//! * [`multiples`]: charts side by side over one legend.
+//! * [`field`]: a scalar on the deformed mesh, in bands.
+//! * [`mod@contact_elements`]: what the three contact elements are.
+//! * [`scenes`]: the cylinder and the pin–rod with their loads and supports.
+//! * [`iteration_path`]: how each algorithm walks to the solution at one contact point.
+//! * [`palette`]: colours, dashes, markers and the styles made of them.
+//!
+//! Below these: `canvas` records shapes and writes the SVG, `pen` sets lines and text, `frame` clips to a rectangle,
+//! `page` sets title and small print; `axis` and `numbers` place and write ticks, `plot`, `annotations`, `curves` and
+//! `legend` draw a chart; `view`, `cell_grid`, `bands`, `colour_bar` and `mesh_lines` a field; `sketch` holds springs,
+//! arrows, rollers and hatching, `scene_cylinder` and `scene_pin_rod` the two scenes.
+
+mod annotations;
+mod axis;
+mod bands;
+mod canvas;
+mod cell_grid;
+pub mod chart;
+mod colour_bar;
+pub mod contact_elements;
+mod curves;
+pub mod field;
+mod frame;
+pub mod iteration_path;
+mod legend;
+mod mesh_lines;
+pub mod multiples;
+mod numbers;
+mod page;
+pub mod palette;
+mod pen;
+mod plot;
+mod scene_cylinder;
+mod scene_pin_rod;
+pub mod scenes;
+mod sketch;
+mod view;
+
+pub use chart::{Axis, Band, Chart, Direction, Guide, Scale, Series};
+pub use contact_elements::contact_elements;
+pub use field::{Field, Window};
+pub use iteration_path::{IterationPaths, Path, State};
+pub use multiples::panels;
+pub use palette::{ColourMap, Dash, Marker, Style};
+pub use scenes::{CylinderScene, PinRodScene};
