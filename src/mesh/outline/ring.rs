@@ -1,12 +1,14 @@
 //! Ring sector: one block between two arcs, fine at the face that carries the contact.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::{Layout, between, exact_sin};
 use crate::mesh::block::{Block, Point, Side};
 use crate::scene::{Circle, Face};
 
 pub(super) fn blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: f64, contact: Face) -> Vec<Block> {
     let [inner, outer] = circles;
-    let angles = layout.arc(inner.radius, &[sweep]);
+    let angles = layout.arc(inner.radius, &[FRAC_PI_2, sweep]);
     let (first, depth) = match contact {
         Face::Bottom => (inner.radius * (angles[1] - angles[0]), outer.radius - inner.radius),
         Face::Top => (outer.radius * (angles[1] - angles[0]), outer.radius - inner.radius),
@@ -33,5 +35,5 @@ pub(super) fn blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: 
 /// Where the ray at angle `θ` from the pole meets a circle.
 pub(super) fn on_ray(circle: Circle, pole: Point, angle: f64) -> Point {
     let r = circle.along_ray(pole, angle);
-    [pole[0] + r * exact_sin(angle), pole[1] - r * exact_sin(std::f64::consts::FRAC_PI_2 - angle)]
+    [pole[0] + r * exact_sin(angle), pole[1] - r * exact_sin(FRAC_PI_2 - angle)]
 }

@@ -163,7 +163,7 @@ impl PinPlate {
             bodies: vec![pin, plate],
             contact: hole_contact(self.pin_radius, self.clearance, self.stretch),
             reference: pin_reference(self.force / self.thickness, self.pin_radius, self.clearance),
-            grading: Grading { unit: self.unit, along: 1.25, depth: 1.3, first: 1.0, coarsest: 0.1, end: 1.0 },
+            grading: Grading { unit: self.unit, along: 1.25, depth: 1.35, first: 0.4, coarsest: 0.1, end: 1.0 },
         }
     }
 }
