@@ -1,3 +1,90 @@
-//! temp
-use crate::case::suite::Trial; /// t
-pub fn trials() -> Vec<Trial> { Vec::new() }
+//! Comparison with Gaertner's digitised curves, on their own scene; not run while the figures are not at hand.
+
+use std::path::{Path, PathBuf};
+
+use crate::case::check::{Check, Reference, Verdict};
+use crate::case::run::Run;
+use crate::case::suite::{Finding, Trial};
+use crate::error::Error;
+use crate::formulation::{Discretisation, Formulation};
+use crate::measure::profile;
+use crate::mesh::{Order, Resolution};
+use crate::oracle::digitised::{Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, acceptance, compare};
+use crate::oracle::{Oracle, ReferenceKind};
+use crate::scene::Material;
+use crate::scene::library::PinRod;
+use crate::solution::PointState;
+
+/// Name of the case.
+pub const CASE: &str = "gaertner 1977";
+/// Elements per 10 mm of arc for a pin of 10 mm radius; scaled with the source's pin.
+const ELEMENTS: usize = 24;
+
+/// Where the curves are looked for.
+pub fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles/digitised/gaertner-1977")
+}
+
+/// The trial.
+pub fn trials() -> Vec<Trial> {
+    vec![Trial::new(CASE, "digitised curves", || against(&folder()))]
+}
+
+/// Compares every curve of a folder with the pin–rod of its own dimensions.
+pub fn against(folder: &Path) -> Result<Finding, Error> {
+    let requirement = "The pin–rod shall agree with Gaertner within the combined uncertainty";
+    let curves = match Digitised::load(folder)? {
+        Digitised::Absent(why) => {
+            let check = Check::not_run(requirement, "p(θ), σ(θ)", ReferenceKind::Measured, "Gaertner 1977", why);
+            return Ok(Finding { checks: vec![check], ..Default::default() });
+        }
+        Digitised::Present(curves) => curves,
+    };
+    let checks = curves.iter().map(|curve| judge(requirement, curve)).collect::<Result<_, _>>()?;
+    Ok(Finding { checks, ..Default::default() })
+}
+
+fn judge(requirement: &str, curve: &DigitisedCurve) -> Result<Check, Error> {
+    if curve.ordinate != Ordinate::Pressure || curve.abscissa != Abscissa::Angle {
+        let why = format!("{}: only pressure against angle is compared so far", curve.file);
+        return Ok(Check::not_run(requirement, &curve.file, curve.kind(), curve.name(), why));
+    }
+    let (fine, coarse) = (edges(&curve.scene, 2 * ELEMENTS)?, edges(&curve.scene, ELEMENTS)?);
+    let at = |points: &[PointState], angle: f64| profile::interpolate(points, angle.abs());
+    let ours = |angle: f64| {
+        let value = at(&fine, angle);
+        OurPoint { value, uncertainty: (value - at(&coarse, angle)).abs() }
+    };
+    let comparison = compare(curve, &ours);
+    let worst = comparison.worst().map_or(f64::NAN, |deviation| deviation.ratio);
+    let reference = Reference { name: curve.name().into(), kind: curve.kind(), value: 0.0 };
+    let friction = comparison.model_form.as_deref().unwrap_or("no friction in the source");
+    let because = format!("digitising ⊕ measurement ⊕ ours at coverage 2; {friction}");
+    let mut check =
+        Check::norm(requirement, curve.file.as_str(), worst, reference, acceptance::COVERAGE_FACTOR, because);
+    if !comparison.accepted() {
+        check.verdict = Verdict::Fail;
+    }
+    Ok(check)
+}
+
+/// Edge means of the pressure on the source's own scene.
+fn edges(scene: &DigitisedScene, elements: usize) -> Result<Vec<PointState>, Error> {
+    let base = PinRod::default();
+    let rod = PinRod {
+        pin_radius: scene.pin_radius,
+        clearance: scene.clearance,
+        eye_outer_radius: scene.eye_outer_radius,
+        shank_width: scene.shank_width,
+        shank_end: scene.shank_end,
+        thickness: scene.thickness,
+        pin: Material { young: scene.pin.young, poisson: scene.pin.poisson },
+        rod: Material { young: scene.rod.young, poisson: scene.rod.poisson },
+        force: scene.force,
+        unit: base.unit * scene.pin_radius / base.pin_radius,
+        ..base
+    };
+    let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
+    let run = Run::of(&Discretisation::of(rod.scene(), resolution)?, &Formulation::verification())?;
+    Ok(run.solution.edges)
+}

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::{Plane, bars, hertz::Hertz, lame, persson::PinInHole, punch, uniform::Uniform, weight};
 use crate::oracle::{Oracle, Quantity};
-use crate::scene::library::{Bars, Cylinder, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz};
+use crate::scene::library::{Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz};
 use crate::scene::{PlaneHypothesis, Scene, StressField};
 
 /// An oracle that can be shared between threads.
@@ -65,7 +65,8 @@ pub fn problem(name: &str, a_over_r: Option<f64>) -> Result<Problem, Error> {
     let ratio = a_over_r.unwrap_or(0.05);
     let (scene, elements, oracle) = match name {
         "cylinder" | "cylinder-half" => {
-            cylinder(Cylinder { a_over_r: ratio, half: name != "cylinder", ..Default::default() })
+            let model = if name == "cylinder" { CylinderModel::Quarter } else { CylinderModel::Half };
+            cylinder(Cylinder { a_over_r: ratio, model, ..Default::default() })
         }
         "truncated-hertz" => truncated_hertz(TruncatedHertz { a_over_r: ratio, ..Default::default() }),
         "pin-rod" => (PinRod::default().scene(), 24, None),

@@ -1,3 +1,76 @@
-//! temp
-use crate::case::suite::Trial; /// t
-pub fn trials() -> Vec<Trial> { Vec::new() }
+//! Steps against initial stiffness (the paper's Fig. 11), and the condition of its "two steps".
+
+use crate::case::check::{Check, Reference};
+use crate::case::problem::{self, Problem};
+use crate::case::run::Run;
+use crate::case::suite::{Finding, Series, Trial};
+use crate::error::Error;
+use crate::formulation::{Discretisation, Element, Formulation, Iteration};
+use crate::measure::relative_error;
+use crate::mesh::Resolution;
+use crate::scene::library::Cylinder;
+
+/// Start stiffnesses: half decades from 1e-3 to 1e6.
+fn stiffnesses() -> Vec<f64> {
+    (-6..=12).map(|k| 10f64.powf(0.5 * f64::from(k))).collect()
+}
+
+/// Scenes of the sweep and their elements per half-width or per 10 mm of arc.
+pub const SCENES: [(&str, usize); 2] = [("cylinder", 8), ("pin-rod", 12)];
+
+/// Name of the study of a scene.
+pub fn study(scene: &str) -> String {
+    format!("stiffness sweep, {scene}")
+}
+
+/// Name of the study whose candidates end at the contact edge.
+pub const AT_THE_EDGE: &str = "stiffness sweep, candidates end at the edge";
+
+/// Trials of the sweeps.
+pub fn trials() -> Vec<Trial> {
+    let mut trials = Vec::new();
+    for (scene, elements) in SCENES {
+        for formulation in Formulation::nine() {
+            trials.push(Trial::new(study(scene), formulation.name(), move || {
+                let problem = problem::problem(scene, None)?;
+                let resolution = Resolution { elements, ..problem.resolution };
+                sweep(&study(scene), &problem, resolution, &formulation)
+            }));
+        }
+    }
+    trials.push(Trial::new(AT_THE_EDGE, "node.kinematic", || {
+        let parts = problem::cylinder(Cylinder { stretch: 1.0, ..Default::default() });
+        let problem = Problem::new("cylinder", "cylinder, candidates end at a", parts);
+        let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+        sweep(AT_THE_EDGE, &problem, Resolution { elements: 8, ..problem.resolution }, &formulation)
+    }));
+    trials
+}
+
+/// Runs a formulation from every start stiffness; what converges must agree with the verification formulation.
+fn sweep(picture: &str, problem: &Problem, resolution: Resolution, formulation: &Formulation) -> Result<Finding, Error> {
+    let discretisation = Discretisation::of(problem.scene.clone(), resolution)?;
+    let reference = Run::of(&discretisation, &Formulation::verification())?.measures;
+    let (mut points, mut failed) = (Vec::new(), Vec::new());
+    let mut worst = 0.0_f64;
+    for stiffness in stiffnesses() {
+        let run = Run::of(&discretisation, &Formulation { stiffness, ..formulation.clone() })?;
+        if !run.solution.converged() {
+            failed.push(stiffness);
+            continue;
+        }
+        points.push([stiffness, run.solution.work.steps as f64]);
+        let error = relative_error(run.measures.half_width, reference.half_width);
+        worst = if error.is_nan() { f64::NAN } else { worst.max(error) };
+    }
+    let check = Check::norm(
+        "Whatever the start stiffness, what converges shall find the same contact",
+        "largest |a − a_ref| / a_ref",
+        worst,
+        Reference::own("node.kinematic at 1e-8", 0.0),
+        1e-2,
+        "engineering tolerance; residuals to 1e-3",
+    );
+    let series = Series { picture: picture.into(), label: formulation.name(), points, failed };
+    Ok(Finding { checks: vec![check], series: vec![series], ..Default::default() })
+}

@@ -63,6 +63,15 @@ impl Factor {
         self.solve(rhs)
     }
 
+    /// Operations of the factorisation, `Σ (column length)²` over the columns of L.
+    pub fn operations(&self) -> f64 {
+        let SymbolicCholeskyRaw::Supernodal(symbolic) = self.symbolic.raw() else { return f64::NAN };
+        let columns = |s: usize| symbolic.supernode_end()[s] - symbolic.supernode_begin()[s];
+        let below = |s: usize| symbolic.supernode(s).pattern().len();
+        let of = |s: usize| (0..columns(s)).map(|j| ((columns(s) - j + below(s)) as f64).powi(2)).sum::<f64>();
+        (0..symbolic.n_supernodes()).map(of).sum()
+    }
+
     fn solve(&self, mut rhs: Vec<f64>) -> Vec<f64> {
         solve_in_place(&self.symbolic, &self.values, &mut rhs);
         rhs

@@ -50,6 +50,11 @@ impl Condensed {
         self.load.len()
     }
 
+    /// Operations of the sparse factorisations, `Σ (column length)²`.
+    pub fn operations(&self) -> f64 {
+        self.factors.iter().map(Factor::operations).sum()
+    }
+
     /// All unknowns of each body from the retained ones and the forces the contact exerts on them, by one
     /// back-substitution: `(K + σ I_c) u = f + λ + σ u_c`.
     pub fn recover(&self, system: &ElasticSystem, retained: &[f64], contact_force: &[f64]) -> Vec<Vec<f64>> {

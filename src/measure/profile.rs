@@ -103,6 +103,19 @@ pub fn relative_l2_between(points: &[PointState], reference: &[PointState]) -> f
     (error / scale).sqrt()
 }
 
+/// Pressure of a profile between its points, linear; constant before the first point, zero beyond the last.
+pub fn interpolate(points: &[PointState], position: f64) -> f64 {
+    let after = points.partition_point(|p| p.position < position);
+    match (after.checked_sub(1).map(|i| &points[i]), points.get(after)) {
+        (None, Some(first)) => first.pressure,
+        (Some(a), Some(b)) => {
+            let t = (position - a.position) / (b.position - a.position);
+            a.pressure + t * (b.pressure - a.pressure)
+        }
+        _ => 0.0,
+    }
+}
+
 fn with_pressure(points: &[PointState], pressure: impl Fn(f64) -> f64) -> Vec<PointState> {
     points.iter().map(|p| PointState { pressure: pressure(p.position), ..*p }).collect()
 }

@@ -31,9 +31,9 @@ pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, half: bool) ->
                 if k < 2 { "contact" } else { "top" },
                 layout.along(&arcs[k], |angle| polar(centre, radius, angle)),
             ),
-            right: side_on_line(&spokes[k + 1], k + 1, arcs.len(), half),
+            right: side_on_line(&spokes[k + 1], k + 1, arcs.len()),
             top: Side::inner(polygon[k].clone()),
-            left: side_on_line(&spokes[k], k, arcs.len(), half),
+            left: if k == 0 { Side::named("axis", spokes[0].clone()) } else { Side::inner(spokes[k].clone()) },
         })
         .collect();
     blocks.extend(core(layout, &arcs, &polygon, centre, half));
@@ -93,14 +93,12 @@ fn chord(layout: &Layout, arc: &[f64], from: Point, to: Point) -> Vec<Point> {
     layout.along(&stations, |t| between(from, to, t))
 }
 
-/// Spokes on the axis or on the cut are boundaries.
-fn side_on_line(points: &[Point], k: usize, pieces: usize, half: bool) -> Side {
-    let points = points.to_vec();
+/// The last spoke ends on the axis or on the cut; that of the lower half of a half disc is the cut inside it.
+fn side_on_line(points: &[Point], k: usize, pieces: usize) -> Side {
     match k {
-        0 => Side::named("axis", points),
-        k if k == pieces && half => Side::named("axis", points),
-        k if k == pieces => Side::named("cut", points),
-        _ => Side::inner(points),
+        2 => Side::named("cut", points.to_vec()),
+        k if k == pieces => Side::named("axis", points.to_vec()),
+        _ => Side::inner(points.to_vec()),
     }
 }
 
@@ -115,7 +113,7 @@ fn core(layout: &Layout, arcs: &[Vec<f64>], polygon: &[Vec<Point>], centre: Poin
     let lower = Block {
         bottom: Side::inner(polygon[0].clone()),
         right: Side::inner(polygon[1].clone()),
-        top: if half { Side::inner(diameter.clone()) } else { Side::named("cut", diameter.clone()) },
+        top: Side::named("cut", diameter.clone()),
         left: Side::named("axis", straight(low, centre, count(1))),
     };
     if !half {

@@ -20,13 +20,24 @@ pub struct Cylinder {
     pub a_over_r: f64,
     /// Candidate stretch over the Hertz half-width.
     pub stretch: f64,
-    /// Model the half cylinder, loaded per horizontal length on its upper arc, instead of the paper's quarter.
-    pub half: bool,
+    /// How much of the cylinder is modelled, and where the load acts.
+    pub model: CylinderModel,
+}
+
+/// How much of the cylinder is modelled, and where the uniform load acts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CylinderModel {
+    /// The lower quarter, loaded on its horizontal cut (the paper's model).
+    Quarter,
+    /// The half cylinder, loaded on the same horizontal line inside it.
+    Half,
+    /// The half cylinder, loaded per horizontal length on its upper arc.
+    HalfLoadedAbove,
 }
 
 impl Default for Cylinder {
     fn default() -> Self {
-        Self { radius: 50.0, young: 210e3, poisson: 0.3, a_over_r: 0.05, stretch: 2.0, half: false }
+        Self { radius: 50.0, young: 210e3, poisson: 0.3, a_over_r: 0.05, stretch: 2.0, model: CylinderModel::Quarter }
     }
 }
 
@@ -49,18 +60,19 @@ impl Cylinder {
     /// The scene: `q = P/2R` on the horizontal cut, symmetry on x = 0, rigid plane below.
     pub fn scene(&self) -> Scene {
         let q = self.load() / (2.0 * self.radius);
-        let load = if self.half {
+        let half = self.model != CylinderModel::Quarter;
+        let load = if self.model == CylinderModel::HalfLoadedAbove {
             Load::Stress { boundary: "top", field: StressField(std::sync::Arc::new(move |_| [0.0, -q, 0.0])) }
         } else {
             Load::Traction { boundary: "cut", traction: [0.0, -q] }
         };
         Scene {
-            name: if self.half { "cylinder-half" } else { "cylinder" }.into(),
+            name: if half { "cylinder-half" } else { "cylinder" }.into(),
             plane: PlaneHypothesis::Strain,
             thickness: 1.0,
             bodies: vec![Body {
                 name: "cylinder".into(),
-                shape: Shape::Disc { centre: [0.0, self.radius], radius: self.radius, half: self.half },
+                shape: Shape::Disc { centre: [0.0, self.radius], radius: self.radius, half },
                 material: self.material(),
                 supports: vec![symmetry("axis")],
                 loads: vec![load],

@@ -9,5 +9,5 @@ pub mod hertz;
 pub mod pin;
 
 pub use exact::{Bars, FlatPunch, OwnWeight, Patch, PressFit};
-pub use hertz::{Cylinder, TruncatedHertz};
+pub use hertz::{Cylinder, CylinderModel, TruncatedHertz};
 pub use pin::{PinPlate, PinRod};

@@ -89,7 +89,7 @@ impl PinRod {
             thickness: self.thickness,
             bodies: vec![pin, rod],
             contact: hole_contact(self.pin_radius, self.clearance, self.stretch),
-            reference: pin_reference(self.force / self.thickness, self.pin_radius, self.clearance),
+            reference: pin_reference(self.force / self.thickness, self.pin_radius, self.clearance, [self.pin, self.rod]),
             grading: Grading { unit: self.unit, along: 1.25, depth: 1.35, first: 1.0, coarsest: 0.12, end: 1.0 },
         }
     }
@@ -162,8 +162,8 @@ impl PinPlate {
             thickness: self.thickness,
             bodies: vec![pin, plate],
             contact: hole_contact(self.pin_radius, self.clearance, self.stretch),
-            reference: pin_reference(self.force / self.thickness, self.pin_radius, self.clearance),
-            grading: Grading { unit: self.unit, along: 1.25, depth: 1.35, first: 0.4, coarsest: 0.1, end: 1.0 },
+            reference: pin_reference(self.force / self.thickness, self.pin_radius, self.clearance, [self.material; 2]),
+            grading: Grading { unit: self.unit, along: 1.25, depth: 1.5, first: 0.4, coarsest: 0.045, end: 1.0 },
         }
     }
 }
@@ -179,7 +179,10 @@ fn hole_contact(radius: f64, clearance: f64, stretch: f64) -> ContactPair {
     }
 }
 
-/// `ℓ = R`, `p_ref = F/tR`, `g_ref = c`.
-fn pin_reference(load: f64, radius: f64, clearance: f64) -> ReferenceValues {
-    ReferenceValues { length: radius, pressure: load / radius, gap: clearance }
+/// `ℓ = R`, `p_ref = F/tR`, `g_ref = c`, or `p_ref ℓ/E*` where there is no clearance (plane stress).
+fn pin_reference(load: f64, radius: f64, clearance: f64, materials: [Material; 2]) -> ReferenceValues {
+    let pressure = load / radius;
+    let compliance: f64 = materials.iter().map(|m| 1.0 / m.young).sum();
+    let gap = if clearance > 0.0 { clearance } else { pressure * radius * compliance };
+    ReferenceValues { length: radius, pressure, gap }
 }
