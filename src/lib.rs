@@ -9,5 +9,6 @@ pub mod formulation;
 pub mod measure;
 pub mod mesh;
 pub mod oracle;
+pub mod report;
 pub mod scene;
 pub mod solution;

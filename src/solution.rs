@@ -81,8 +81,8 @@ pub struct Step {
     pub residuals: Residuals,
     /// Points with pressure above `tolerance · p_ref`.
     pub active: usize,
-    /// Approach [mm] and spring force per area [MPa] of the first contact point.
-    pub first_point: [f64; 2],
+    /// Approach [mm], spring force per area [MPa] and spring stiffness [MPa/mm] of the first contact point.
+    pub first_point: [f64; 3],
 }
 
 /// Result of a contact iteration.

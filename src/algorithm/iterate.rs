@@ -6,7 +6,7 @@ use crate::algorithm::problem::reported;
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
 use crate::contact::ContactPoint;
 use crate::error::Error;
-use crate::solution::{Outcome, PointState, Solution, Step, Work};
+use crate::solution::{Outcome, PointState, Residuals, Solution, Step, Work};
 
 /// When to stop.
 #[derive(Clone, Copy, Debug)]
@@ -69,6 +69,7 @@ impl Run<'_> {
         let load: Vec<f64> = self.problem.load.iter().map(|f| f * fraction).collect();
         let mut earlier = VecDeque::new();
         while self.work.steps < self.settings.max_steps {
+            let stiffness = springs.stiffness[0];
             let Some(iterate) = algorithm.step(self.problem, &load, springs, &mut self.work) else {
                 if springs.stiffness.iter().any(|k| !k.is_finite()) {
                     return Ok(Outcome::Diverged);
@@ -77,7 +78,7 @@ impl Run<'_> {
             };
             self.work.steps += 1;
             let residuals = self.problem.residuals(&load, &iterate, algorithm.is_elastic());
-            self.record(increment, residuals, &iterate);
+            self.record(increment, residuals, &iterate, stiffness);
             let state = self.state(&iterate);
             self.last = Some(iterate);
             let largest = residuals.largest();
@@ -96,13 +97,13 @@ impl Run<'_> {
         Ok(Outcome::Exhausted)
     }
 
-    fn record(&mut self, increment: usize, residuals: crate::solution::Residuals, iterate: &Iterate) {
+    fn record(&mut self, increment: usize, residuals: Residuals, iterate: &Iterate, stiffness: f64) {
         let floor = self.settings.tolerance * self.problem.scale.pressure;
         self.history.push(Step {
             increment,
             residuals,
             active: iterate.pressure.iter().filter(|p| **p > floor).count(),
-            first_point: [iterate.approach[0], iterate.pressure[0]],
+            first_point: [iterate.approach[0], iterate.pressure[0], stiffness],
         });
     }
 

@@ -7,6 +7,7 @@
 //! * [`suite`] — all cases and studies as a flat list of trials.
 //! * [`exact`], [`hertz`], [`pin`] — the cases.
 //! * [`refinement`], [`sweep`], [`family`], [`gaertner`] — studies over meshes, stiffnesses and dimensions.
+//! * [`pictures`] — fields and iteration paths that are shown, not judged.
 //! * [`statements`] — the paper's statements, judged from the findings.
 
 pub mod check;
@@ -14,6 +15,7 @@ pub mod exact;
 pub mod family;
 pub mod gaertner;
 pub mod hertz;
+pub mod pictures;
 pub mod pin;
 pub mod problem;
 pub mod refinement;
@@ -26,4 +28,4 @@ pub mod universal;
 pub use check::{Check, Reference, Verdict};
 pub use problem::Problem;
 pub use run::Run;
-pub use suite::{Finding, Series, Table, Trial};
+pub use suite::{FieldData, Finding, Series, Table, Trial};

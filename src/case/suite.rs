@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::case::check::{Check, Verdict};
-use crate::case::{Problem, Run, exact, family, gaertner, hertz, pin, refinement, sweep, universal};
+use crate::case::{Problem, Run, exact, family, gaertner, hertz, pictures, pin, refinement, sweep, universal};
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
 use crate::mesh::Resolution;
@@ -34,6 +34,23 @@ pub struct Finding {
     pub tables: Vec<Table>,
     /// Curves for the page.
     pub series: Vec<Series>,
+    /// Fields on meshes for the page.
+    pub fields: Vec<FieldData>,
+}
+
+/// A scalar on a deformed mesh.
+#[derive(Clone, Debug)]
+pub struct FieldData {
+    /// What is shown.
+    pub title: String,
+    /// Node positions [mm].
+    pub points: Vec<[f64; 2]>,
+    /// Node lists of the cells.
+    pub cells: Vec<Vec<usize>>,
+    /// Values at the nodes [MPa].
+    pub values: Vec<f64>,
+    /// Displacements of the nodes [mm].
+    pub displacements: Vec<[f64; 2]>,
 }
 
 /// A table of a study.
@@ -139,5 +156,6 @@ pub fn all() -> Vec<Trial> {
     trials.extend(sweep::trials());
     trials.extend(family::trials());
     trials.extend(gaertner::trials());
+    trials.extend(pictures::trials());
     trials
 }

@@ -1,0 +1,2 @@
+//! What the results look like on the page.
+pub mod figure;
