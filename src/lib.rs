@@ -1,6 +1,43 @@
-#![doc = "temp"]
+//! Égert's 1999 comparison of contact elements and iterations for frictionless elastic contact in 2D, implemented and verified.
+//!
+//! The code is one chain, read in this order:
+//!
+//! * [`scene`] — what is asked.
+//! * [`mesh`] — where.
+//! * [`elasticity`] — how bodies resist.
+//! * [`condensation`] — what the contact sees of the bodies.
+//! * [`contact`] — how bodies touch: line, layer and node elements as lists of contact points.
+//! * [`algorithm`] — how to find it: varying stiffness, constant stiffness, kinematic load.
+//! * [`solution`] — what came out.
+//! * [`formulation`] — one point of the grid element × algorithm × rule × stiffness, on a discretised scene.
+//! * [`measure`] — the numbers one quotes.
+//! * [`oracle`] — independent truth.
+//! * [`mod@case`] — claims: problems, checks, studies.
+//! * [`report`] — the page.
+//! * [`cli`] — what the user types.
+//!
+//! # Signs and units
+//!
+//! | symbol | meaning | sign, unit |
+//! |---|---|---|
+//! | `w` | approach: how far the two sides have moved towards each other along the contact normal | > 0 closing, mm |
+//! | `g` | initial normal gap | ≥ 0; < 0 is interference, mm |
+//! | `h = g − w` | remaining gap | ≥ 0 when the contact conditions hold |
+//! | `p` | contact pressure | ≥ 0 compressive, MPa |
+//! | `k_n` | spring stiffness per unit area | MPa/mm |
+//! | `κ = k_n ℓ/E*` | the same without units | – |
+//! | `E*` | contact modulus, `1/E* = Σ (1−ν²)/E` in plane strain, `Σ 1/E` in plane stress | MPa |
+//!
+//! Contact conditions (Hertz–Signorini–Moreau): `h ≥ 0`, `p ≥ 0`, `p h = 0`, with `w = u_n^A + u_n^B` and `u_n` a body's
+//! displacement along its own outward normal. Normals, areas and gaps belong to the undeformed surface.
+//! Stresses are positive in tension.
+
+#![warn(missing_docs)]
+#![forbid(unsafe_code)]
+
 pub mod algorithm;
 pub mod case;
+pub mod cli;
 pub mod condensation;
 pub mod contact;
 pub mod elasticity;

@@ -1,2 +1,22 @@
-//! What the results look like on the page.
+//! The page: `VALIDATION.md` and its charts, made from the findings of the suite and from nothing else.
+//!
+//! * [`page`] — the order of the sections.
+//! * [`format`] — how numbers and tables are written.
+//! * [`matrix`] — the verdict matrix and the summary table of the terminal.
+//! * [`checks`] — requirement by requirement.
+//! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
+//! * [`pictures`] — the charts by name.
+//! * [`figure`] — how a chart or drawing is made.
+//! * [`files`] — writing, and comparing with what is committed.
+
+pub mod checks;
+pub mod decisions;
 pub mod figure;
+pub mod files;
+pub mod format;
+pub mod matrix;
+pub mod page;
+pub mod pictures;
+
+pub use files::{differences, write};
+pub use page::{Page, compose};

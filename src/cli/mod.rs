@@ -1,0 +1,95 @@
+//! What the user types.
+//!
+//! * [`suite`] — runs all trials with a progress bar.
+//! * [`solve`] — one case, with its outputs.
+//! * [`json`] — the result of a solve as JSON.
+
+pub mod json;
+pub mod solve;
+pub mod suite;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::case::problem::PROBLEMS;
+use crate::error::Error;
+use crate::report;
+
+/// Contact elements and iterations for frictionless elastic contact in 2D, verified.
+///
+/// Without a command: solves every case of the suite, prints the verdicts and writes VALIDATION.md with its charts.
+#[derive(Debug, Parser)]
+#[command(name = "contact-vv", version)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Solve the suite and write VALIDATION.md and snapshots/charts (the default).
+    Report {
+        /// Write nothing; show what differs and fail when the page or a chart is stale.
+        #[arg(long)]
+        check: bool,
+    },
+    /// Solve one case of the library.
+    Solve(Box<solve::Arguments>),
+    /// Name the cases of the library.
+    List,
+}
+
+/// Runs the command line; failed checks, stale pages and errors exit with a failure.
+pub fn main() -> ExitCode {
+    let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false }) {
+        Command::Report { check } => report_command(check),
+        Command::Solve(arguments) => solve::run(&arguments).map(|()| true),
+        Command::List => {
+            PROBLEMS.iter().for_each(|(name, title)| println!("{name:18} {title}"));
+            Ok(true)
+        }
+    };
+    match outcome {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Whether all checks pass and, with `check`, the committed page is up to date.
+fn report_command(check: bool) -> Result<bool, Error> {
+    let root = root()?;
+    let findings = suite::run()?;
+    suite::print(&findings);
+    let sound = suite::all_pass(&findings);
+    let page = report::compose(&findings)?;
+    if !check {
+        report::write(&page, &root)?;
+        println!("written: {} and {} charts", report::files::PAGE, page.charts.len());
+        return Ok(sound);
+    }
+    let differences = report::differences(&page, &root);
+    differences.iter().for_each(|difference| println!("{difference}"));
+    println!("{}", if differences.is_empty() { "the page is up to date" } else { "the page is stale: run `cargo run --release`" });
+    Ok(sound && differences.is_empty())
+}
+
+/// The project folder: where the page is, upwards from the working directory.
+fn root() -> Result<PathBuf, Error> {
+    let here = std::env::current_dir().map_err(|error| Error::File {
+        path: ".".into(),
+        reason: error.to_string(),
+        remedy: "run in a folder that exists".into(),
+    })?;
+    let is_root = |folder: &&Path| folder.join("Cargo.toml").is_file() && folder.join("snapshots").is_dir();
+    here.ancestors().find(is_root).map(Path::to_path_buf).ok_or_else(|| Error::File {
+        path: here.clone(),
+        reason: "neither this folder nor one above holds Cargo.toml and snapshots/".into(),
+        remedy: "run inside a checkout of the project".into(),
+    })
+}

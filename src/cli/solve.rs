@@ -1,0 +1,187 @@
+//! `solve CASE`: one case by one formulation, with its outputs.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+
+use crate::algorithm::StiffnessRule;
+use crate::case::problem::{Problem, problem};
+use crate::case::Run;
+use crate::cli::json;
+use crate::error::Error;
+use crate::formulation::{Discretisation, Element, Formulation, Iteration};
+use crate::measure::display_factor;
+use crate::mesh::{Order, Resolution};
+use crate::report::figure::palette::{self, Dash, Marker, Style};
+use crate::report::figure::{Axis, Chart, Series};
+use crate::report::format;
+
+/// Arguments of `solve`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Case of the library; `list` names them.
+    case: String,
+    /// Contact element.
+    #[arg(long, value_enum, default_value = "node")]
+    element: ElementName,
+    /// Iteration algorithm.
+    #[arg(long, value_enum, default_value = "kinematic")]
+    algorithm: AlgorithmName,
+    /// Rule; the algorithm's own by default.
+    #[arg(long, value_enum)]
+    rule: Option<RuleName>,
+    /// Initial stiffness κ₀ = k_n ℓ/E*.
+    #[arg(long, value_name = "KAPPA")]
+    stiffness: Option<f64>,
+    /// Hertz half-width over the radius (Hertz scenes only).
+    #[arg(long, value_name = "X")]
+    a_over_r: Option<f64>,
+    /// Element order: 1 (4-node) or 2 (8-node).
+    #[arg(long, default_value_t = 2)]
+    order: u8,
+    /// Elements per half-width, or per 10 mm of arc on pins.
+    #[arg(long, value_name = "N")]
+    resolution: Option<usize>,
+    /// Load increments.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    increments: usize,
+    /// Largest residual accepted.
+    #[arg(long, value_name = "T", default_value_t = 1e-3)]
+    tolerance: f64,
+    /// Write the result as JSON to a file, or to standard output with `-`.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Draw the pressure profile as SVG.
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum ElementName {
+    Line,
+    Layer,
+    Node,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum AlgorithmName {
+    Varying,
+    Constant,
+    Kinematic,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum RuleName {
+    Secant,
+    Correction,
+    Literal,
+    Switching,
+    Penalty,
+}
+
+/// Solves, prints a table unless JSON goes to standard output, and writes what was asked for.
+pub fn run(arguments: &Arguments) -> Result<(), Error> {
+    let problem = problem(&arguments.case, arguments.a_over_r)?;
+    let formulation = arguments.formulation();
+    formulation.validate(&problem.scene)?;
+    let resolution = arguments.resolution(&problem)?;
+    let discretisation = Discretisation::of(problem.scene.clone(), resolution)?;
+    let run = Run::of(&discretisation, &formulation)?;
+    let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
+    if let Some(path) = &arguments.json {
+        let text = json::text(&problem, resolution, &run);
+        if to_stdout { println!("{text}") } else { write(path, &text)? }
+    }
+    if let Some(path) = &arguments.plot {
+        write(path, &plot(&problem, &run).svg()?)?;
+    }
+    if !to_stdout {
+        print(&problem, resolution, &run);
+    }
+    Ok(())
+}
+
+impl Arguments {
+    fn formulation(&self) -> Formulation {
+        let element = match self.element {
+            ElementName::Line => Element::Line,
+            ElementName::Layer => Element::Layer,
+            ElementName::Node => Element::Node,
+        };
+        let algorithm = match self.algorithm {
+            AlgorithmName::Varying => Iteration::Varying,
+            AlgorithmName::Constant => Iteration::Constant,
+            AlgorithmName::Kinematic => Iteration::Kinematic,
+        };
+        let mut formulation = Formulation::new(element, algorithm).tolerance(self.tolerance);
+        formulation.settings.increments = self.increments;
+        if let Some(rule) = self.rule {
+            formulation.rule = match rule {
+                RuleName::Secant => StiffnessRule::Secant,
+                RuleName::Correction => StiffnessRule::Correction,
+                RuleName::Literal => StiffnessRule::Literal,
+                RuleName::Switching => StiffnessRule::Switching,
+                RuleName::Penalty => StiffnessRule::Penalty,
+            };
+        }
+        if let Some(stiffness) = self.stiffness {
+            formulation.stiffness = stiffness;
+        }
+        formulation
+    }
+
+    fn resolution(&self, problem: &Problem) -> Result<Resolution, Error> {
+        let order = match self.order {
+            1 => Order::Linear,
+            2 => Order::Quadratic,
+            other => {
+                return Err(Error::value("solve", "--order", other, "it must be 1 or 2", "use 2 for 8-node cells"));
+            }
+        };
+        let elements = self.resolution.unwrap_or(problem.resolution.elements);
+        Ok(Resolution { elements, refinement: 0, order })
+    }
+}
+
+fn print(problem: &Problem, resolution: Resolution, run: &Run) {
+    let factor = display_factor(&problem.scene.contact.path);
+    let unit = if factor > 1.0 { "°" } else { "mm" };
+    let order = resolution.order.nodes_per_cell();
+    println!("{}: {}", problem.name, problem.title);
+    println!("{}, {order}-node cells, {} freedoms, {} retained", run.formulation.name(), run.freedoms, run.retained);
+    let work = &run.solution.work;
+    println!("{} after {} steps, {} factorisations, residual {}", run.solution.outcome, work.steps, work.factorisations, format::error(run.solution.residual()));
+    println!("half-width by second moment {} {unit}, by counting {} {unit}",
+        format::value(factor * run.measures.half_width), format::value(factor * run.measures.half_width_nodes));
+    println!("peak pressure {} MPa at {} {unit}, resultant {} N", format::value(run.measures.peak.pressure),
+        format::value(factor * run.measures.peak.position), format::value(run.transmitted));
+    for oracle in json::oracles(problem, run) {
+        println!("{} ({}) {}: {}, error {}", oracle.name, oracle.kind, oracle.quantity, format::value(oracle.reference), format::error(oracle.error));
+    }
+}
+
+/// Pressure against the contact coordinate, with the oracle's curve where there is one.
+fn plot(problem: &Problem, run: &Run) -> Chart {
+    let factor = display_factor(&problem.scene.contact.path);
+    let label = if factor > 1.0 { "θ [°]" } else { "x [mm]" };
+    let title = format!("{}: {}, {}", problem.name, run.formulation.name(), run.solution.outcome);
+    let mut chart = Chart::new(&title, Axis::linear(label), Axis::linear("contact pressure [MPa]"));
+    let points = |of: &dyn Fn(f64, f64) -> f64| {
+        run.solution.points.iter().map(|p| (factor * p.position, of(p.position, p.pressure))).collect()
+    };
+    let style = Style::run(palette::NODE, Dash::Solid, Marker::Circle);
+    chart.series.push(Series { label: run.formulation.name(), points: points(&|_, p| p), style, hollow: vec![] });
+    if let Some(oracle) = &problem.oracle {
+        let curve = points(&|s, _| problem.reference_pressure(s));
+        chart.series.push(Series { label: oracle.name().into(), points: curve, style: Style::reference(), hollow: vec![] });
+    }
+    chart
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Error> {
+    std::fs::write(path, text).map_err(|error| Error::File {
+        path: path.into(),
+        reason: error.to_string(),
+        remedy: "check that the folder exists and may be written".into(),
+    })
+}

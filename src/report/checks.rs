@@ -1,0 +1,90 @@
+//! Requirement by requirement: each check with its oracle, error, tolerance and reason.
+
+use std::collections::BTreeMap;
+
+use crate::case::{Check, Finding, Verdict};
+use crate::report::format;
+
+/// Table of the checks of some findings; requirements every run must meet are left to [`universal`].
+pub fn table(members: &[&Finding]) -> String {
+    let head = ["formulation", "quantity", "found", "reference", "kind", "error", "tolerance", "because", "verdict"];
+    let mut rows = Vec::new();
+    for finding in members {
+        for check in finding.checks.iter().filter(|check| !is_universal(check)) {
+            rows.push(row(&finding.name, check));
+        }
+    }
+    format::markdown(&head.map(String::from), &rows)
+}
+
+fn row(name: &str, check: &Check) -> Vec<String> {
+    let is_norm = (check.value - check.error).abs() <= 0.0;
+    let found = if is_norm { String::new() } else { format::value(check.value) };
+    let reference = match check.reference.value {
+        v if v.abs() > 0.0 => format!("{} {}", check.reference.name, format::value(v)),
+        _ => check.reference.name.clone(),
+    };
+    let error = match check.verdict {
+        Verdict::NotRun(_) => "–".into(),
+        _ => format::error(check.error),
+    };
+    let tolerance = if check.tolerance > 0.0 { format::error(check.tolerance) } else { "at least".into() };
+    vec![
+        name.into(),
+        check.quantity.clone(),
+        found,
+        reference,
+        check.reference.kind.to_string(),
+        error,
+        tolerance,
+        check.because.clone(),
+        format::verdict(&check.verdict),
+    ]
+}
+
+/// Whether a check is one that every converged run must meet.
+fn is_universal(check: &Check) -> bool {
+    UNIVERSAL.iter().any(|start| check.requirement.starts_with(start))
+}
+
+/// First words of the requirements every converged run must meet.
+const UNIVERSAL: [&str; 6] = [
+    "The resultant of the reported",
+    "Contact shall exert no tangential",
+    "The contact forces shall have no moment",
+    "Condensed and full",
+    "Steps and pressures shall not change",
+    "The load applied at once",
+];
+
+/// The universal requirements: number of runs, worst error over its tolerance, verdict.
+pub fn universal(findings: &[Finding]) -> String {
+    let mut rows: BTreeMap<&str, Vec<&Check>> = BTreeMap::new();
+    for check in findings.iter().flat_map(|finding| &finding.checks).filter(|check| is_universal(check)) {
+        rows.entry(&check.requirement).or_default().push(check);
+    }
+    let head = ["every converged run", "runs", "worst error", "its tolerance", "because", "verdict"].map(String::from);
+    let rows: Vec<Vec<String>> = rows
+        .into_iter()
+        .map(|(requirement, checks)| {
+            let worst = checks.iter().max_by(|a, b| (a.error / a.tolerance).total_cmp(&(b.error / b.tolerance)));
+            let verdict = if checks.iter().all(|check| check.verdict == Verdict::Pass) { Verdict::Pass } else { Verdict::Fail };
+            let (error, tolerance, because) =
+                worst.map_or((f64::NAN, f64::NAN, ""), |check| (check.error, check.tolerance, check.because.as_str()));
+            vec![
+                requirement.into(),
+                checks.len().to_string(),
+                bounded(error, tolerance),
+                format::error(tolerance),
+                because.into(),
+                format::verdict(&verdict),
+            ]
+        })
+        .collect();
+    format::markdown(&head, &rows)
+}
+
+/// Round-off is not worth its digits: what is below its tolerance of 1e-9 is shown as that.
+fn bounded(error: f64, tolerance: f64) -> String {
+    if tolerance <= 1e-9 && error <= tolerance { "< 1e-9".into() } else { format::error(error) }
+}

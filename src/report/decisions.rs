@@ -1,0 +1,104 @@
+//! What the paper misprints or leaves open, what is not covered, and the sources: prose whose numbers come from the code.
+
+use crate::algorithm::{Settings, problem::LIMITS};
+use crate::formulation::{Element, Formulation, Iteration};
+use crate::report::format;
+use crate::scene::library::{Cylinder, PinRod};
+
+/// Misprints and gaps of the paper, and what is read instead.
+const MISPRINTS: [[&str; 3]; 6] = [
+    ["(3.4)", "K_C2 + K_C3", "K_c0 + K_c1"],
+    ["(3.10)", "q_(j+1) in the last term", "q_(j−1)"],
+    ["§2, layer element", "refers to (1.1b)", "(2.2)"],
+    ["§1", "A^A = A_c ∪ A_u", "A_c ∪ A_u ∪ A_t, as for body B"],
+    ["(2.2), layer", "k_t and G are left open", "zero: frictionless"],
+    ["(3.3), (3.5)", "the choice of K_cj is left to ref. [12], not at hand", "named rules: secant, correction, literal, switching, penalty"],
+];
+
+/// Table of misprints.
+pub fn misprints() -> String {
+    let rows: Vec<Vec<String>> = MISPRINTS.iter().map(|row| row.map(String::from).into()).collect();
+    format::markdown(&["where", "printed", "read as"].map(String::from), &rows)
+}
+
+/// Decisions where the source is silent, and what each changes.
+pub fn open_points() -> String {
+    let (cylinder, rod) = (Cylinder::default(), PinRod::default());
+    let settings = Settings::default();
+    let of = |element, algorithm| Formulation::new(element, algorithm);
+    let hard = of(Element::Node, Iteration::Kinematic).stiffness;
+    let gauss = of(Element::Line, Iteration::Kinematic).stiffness;
+    let soft = of(Element::Node, Iteration::Varying).stiffness;
+    let layer = of(Element::Layer, Iteration::Varying).layer_thickness;
+    let rows = [
+        ["Dimensions of the cylinder".to_string(),
+         format!("R = {} mm, E = {} MPa, ν = {}, a/R = {}, candidates up to {} a", cylinder.radius, cylinder.young, cylinder.poisson, cylinder.a_over_r, cylinder.stretch),
+         "the model error against Hertz, shown by a/R".into()],
+        ["Dimensions of the pin–rod".into(),
+         format!("R = {} mm, c = {} mm, eye radius {} mm, shank {} mm wide up to {} mm, t = {} mm, F = {} N, candidates up to {:.0}°",
+            rod.pin_radius, rod.clearance, rod.eye_outer_radius, rod.shank_width, rod.shank_end, rod.thickness, rod.force, rod.stretch.to_degrees()),
+         "every curve of the pin–rod; the dimensionless family shows how".into()],
+        ["The rigid end face of the shank".into(), "u_y common to all its nodes, u_x free".into(), "nothing at the eye (Saint-Venant)".into()],
+        ["The rule that changes the stiffness".into(),
+         "(a) secant, (b) correction, (c) its own switching; others selectable".into(),
+         "whether and how fast (a) and (b) converge".into()],
+        ["Constant stiffness keeps forces".into(),
+         "K_cj q in (3.10) is read as the change of the spring force p⁺ − p; the literal sum is the rule `literal`".into(),
+         "the literal sum stalls or drifts".into()],
+        ["Initial stiffness κ₀ = k_n ℓ/E*".into(),
+         format!("(a), (b): {soft}; (c): {hard:e} with node elements, {gauss} with line and layer elements; springs within {:e} … {:e} E*/ℓ", LIMITS[0], LIMITS[1]),
+         "with line and layer elements, hard springs let an alternating pressure mode grow between Gauss points that no node feels".into()],
+        ["Penetration of hard springs".into(),
+         "(c): where p/k exceeds the tolerance at the stiffest spring, hard points carry their force over to the next step".into(),
+         "tolerances below the stiffest spring's penetration can be reached; nothing at the default tolerance".into()],
+        ["Quadrature of line and layer elements".into(),
+         "Gauss, one point fewer than the edge has nodes; as many as nodes, and Lobatto, selectable".into(),
+         "as many Gauss points as nodes over-constrain the edge: pressures are not unique (patch test) and oscillate".into()],
+        ["Thickness of the layer element".into(),
+         format!("t(ξ) = t₀ + g(ξ), t₀ = {layer} of the edge length; tangential parts of a wedge-shaped layer are dropped; t₀ alone where bodies interfere"),
+         "its initial stiffness only: narrow gaps start stiff".into()],
+        ["Areas of node elements on arcs".into(),
+         "A_a = ∫ N_a (n·n_a) ds: a uniform pressure gives equal nodal pressures".into(),
+         "without n·n_a corner and mid-side pressures differ by 0.3 Δ², Δ half the angle of an edge".into()],
+        ["Load increments".into(), "increment n of N applies (n/N) f̂; the gap enters whole, once".into(), "nothing in the result; steps".into()],
+        ["When to stop".into(),
+         format!("penetration, tension, complementarity and load balance of the reported pressures ≤ {}; at most {} steps", settings.tolerance, settings.max_steps),
+         "all step counts".into()],
+        ["Comparing profiles of different elements".into(),
+         "means over the candidate edges".into(),
+         "free of the alternating mode and of interpolation between different points".into()],
+        ["Gap of the patch test".into(),
+         "a uniform clearance q ℓ/E* between the blocks".into(),
+         "the secant rule has a finite stiffness to find; without it its ceiling limits the penetration".into()],
+        ["Load of the half cylinder".into(),
+         "on the same horizontal line as on the quarter; on its upper arc shown beside it".into(),
+         "terms of the order of (a/R)²".into()],
+    ];
+    let rows: Vec<Vec<String>> = rows.into_iter().map(Vec::from).collect();
+    format::markdown(&["open in the paper", "decided", "what it changes"].map(String::from), &rows)
+}
+
+/// What is deliberately not covered.
+pub const NOT_COVERED: [&str; 8] = [
+    "friction",
+    "three dimensions",
+    "large sliding and large deformation: areas, normals and gaps belong to the undeformed surface",
+    "plasticity",
+    "dynamics",
+    "comparison with experiment: no measured curve is at hand",
+    "comparison with other codes",
+    "wall-clock times: only work counts are compared on this page",
+];
+
+/// Sources.
+pub const REFERENCES: [&str; 9] = [
+    "J. Égert, Comparison of some contact elements and iterative algorithms for the solution of frictionless contact problems, 1999 (the paper).",
+    "K. L. Johnson, Contact Mechanics, Cambridge 1985, §4.2 (Hertz line contact); interior stresses after McEwen 1949.",
+    "B. G. A. Persson 1964; M. Ciavarella, P. Decuzzi, Int. J. Solids Struct. 38, 2001 (pin in a hole; re-derived, originals not at hand).",
+    "G. Lamé (press fit of rings, any textbook on elasticity).",
+    "J. T. Stadter, R. O. Weiss, Analysis of contact through finite element gaps, Comput. & Struct. 10, 1979 (secant rule).",
+    "G. Drouet, P. Hild 2015; Z. Belhachmi, F. Ben Belgacem 2003 (orders of convergence in contact).",
+    "P. J. Roache, Perspective: a method for uniform reporting of grid refinement studies, J. Fluids Eng. 116, 1994.",
+    "K. J. Bathe, Finite Element Procedures, Prentice Hall 1996 (elements); J. Barlow, Int. J. Numer. Meth. Eng. 10, 1976 (stress points).",
+    "R. Gaertner, Investigation of plane elastic contact allowing for friction, Comput. & Struct. 7, 1977, 59–63 (not at hand).",
+];

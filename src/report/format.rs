@@ -1,0 +1,72 @@
+//! How numbers and tables are written: the same digits on every machine.
+
+use comfy_table::{Table as Grid, presets};
+
+use crate::case::{Table, Verdict};
+
+/// Below this fraction of its scale a number is round-off and is not shown.
+const ROUND_OFF: f64 = 1e-9;
+
+/// An error: two significant digits, `< 1e-9` where it is round-off.
+pub fn error(error: f64) -> String {
+    match error {
+        e if e.is_nan() => "not a number".into(),
+        e if e.is_infinite() => "infinite".into(),
+        e if e <= 0.0 => "0".into(),
+        e if e < ROUND_OFF => "< 1e-9".into(),
+        e if e < 1e-4 => format!("{e:.1e}"),
+        e if e < 1.0 => format!("{} %", significant(100.0 * e, 2)),
+        e => significant(e, 6),
+    }
+}
+
+/// A value with six significant digits.
+pub fn value(value: f64) -> String {
+    match value {
+        v if v.is_nan() => "–".into(),
+        v if v.abs() < 1e-99 => "0".into(),
+        v => significant(v, 6),
+    }
+}
+
+/// `digits` significant digits without an exponent where that is short.
+pub fn significant(x: f64, digits: usize) -> String {
+    if x.abs() < 1e-99 || !x.is_finite() {
+        return if x.is_finite() { "0".into() } else { x.to_string() };
+    }
+    let magnitude = format!("{:.*e}", digits - 1, x.abs());
+    let exponent: i32 = magnitude.split('e').nth(1).and_then(|e| e.parse().ok()).unwrap_or(0);
+    if !(-4..=7).contains(&exponent) {
+        return format!("{:.*e}", digits - 1, x);
+    }
+    let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+    format!("{x:.decimals$}")
+}
+
+/// A verdict as a sign and a word.
+pub fn verdict(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Pass => "✓ pass".into(),
+        Verdict::Fail => "✗ FAIL".into(),
+        Verdict::NotRun(why) => format!("○ {why}"),
+    }
+}
+
+/// A Markdown table.
+pub fn markdown(head: &[String], rows: &[Vec<String>]) -> String {
+    let mut grid = Grid::new();
+    grid.load_style(presets::ASCII_MARKDOWN).set_header(head.iter().map(escape));
+    for row in rows {
+        grid.add_row(row.iter().map(escape));
+    }
+    format!("{grid}\n")
+}
+
+/// A study's table with its title.
+pub fn titled(table: &Table) -> String {
+    format!("**{}**\n\n{}", table.title, markdown(&table.head, &table.rows))
+}
+
+fn escape(cell: &String) -> String {
+    cell.replace('|', "\\|")
+}

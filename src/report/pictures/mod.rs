@@ -1,0 +1,79 @@
+//! The charts by name, each from the findings that made it.
+//!
+//! * [`contact`] — pressure of all nine against the reference.
+//! * [`convergence`] — steps against initial stiffness, orders, iteration paths.
+//! * [`fields`] — stress on the deformed meshes.
+//! * [`schematics`] — contact elements and scenes.
+//! * [`pins`] — hoop stress and displacement along the pin, the dimensionless family.
+
+pub mod contact;
+pub mod convergence;
+pub mod fields;
+pub mod pins;
+pub mod schematics;
+
+use crate::case::{Finding, Series};
+use crate::error::Error;
+use crate::formulation::{Element, Formulation, Iteration};
+use crate::report::figure::palette::{self, Dash, Marker, Style};
+use crate::report::figure::{self, Chart};
+
+/// All charts: file name and SVG.
+pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
+    let mut charts = vec![
+        ("contact-elements.svg".to_string(), figure::contact_elements()?),
+        ("scene-cylinder.svg".to_string(), schematics::cylinder()?),
+        ("scene-pin-rod.svg".to_string(), schematics::pin_rod()?),
+    ];
+    for (name, chart) in [
+        ("pressure-cylinder.svg", contact::cylinder(findings)?),
+        ("pressure-pin-rod.svg", contact::pin_rod(findings)?),
+        ("orders.svg", convergence::orders(findings).svg()?),
+        ("steps-against-stiffness.svg", convergence::steps(findings)?),
+        ("iteration-paths.svg", convergence::paths(findings)?),
+        ("field-cylinder.svg", fields::cylinder(findings)?),
+        ("field-pin-rod.svg", fields::pin_rod(findings)?),
+        ("along-the-pin.svg", pins::along(findings)?),
+        ("family-pin-rod.svg", pins::family(findings)?),
+    ] {
+        charts.push((name.into(), chart));
+    }
+    Ok(charts)
+}
+
+/// Colour = element, dash = algorithm.
+fn style(formulation: &Formulation) -> Style {
+    let colour = match formulation.element {
+        Element::Line => palette::LINE,
+        Element::Layer => palette::LAYER,
+        Element::Node => palette::NODE,
+    };
+    let (dash, marker) = match formulation.algorithm {
+        Iteration::Varying => (Dash::Solid, Marker::Circle),
+        Iteration::Constant => (Dash::Dashed, Marker::Square),
+        Iteration::Kinematic => (Dash::Dotted, Marker::Diamond),
+    };
+    Style::run(colour, dash, marker)
+}
+
+/// Label of a formulation in legends.
+fn label(formulation: &Formulation) -> String {
+    format!("{} · {}", formulation.element.name(), formulation.algorithm.name())
+}
+
+/// A chart's curve from a study's.
+fn curve(series: &Series, label: String, style: Style) -> figure::Series {
+    let points = series.points.iter().map(|&[x, y]| (x, y)).collect();
+    figure::Series { label, points, style, hollow: series.failed.clone() }
+}
+
+/// Series of one picture over all findings.
+fn of_picture<'a>(findings: &'a [Finding], picture: &'a str) -> impl Iterator<Item = &'a Series> {
+    findings.iter().flat_map(|finding| &finding.series).filter(move |series| series.picture == picture)
+}
+
+/// A chart with its curves.
+fn with(mut chart: Chart, series: Vec<figure::Series>) -> Chart {
+    chart.series = series;
+    chart
+}

@@ -1,0 +1,34 @@
+//! The scenes with their loads and supports (the paper's Figs 8 and 12).
+
+use crate::error::Error;
+use crate::report::figure::scenes::{CylinderScene, PinRodScene};
+use crate::scene::library::{Cylinder, PinRod};
+
+/// The cylinder on its rigid plane.
+pub fn cylinder() -> Result<String, Error> {
+    let numbers = Cylinder::default();
+    CylinderScene {
+        radius: numbers.radius,
+        half_width: numbers.half_width(),
+        candidates: numbers.stretch * numbers.half_width(),
+        load: numbers.load() / (2.0 * numbers.radius),
+        notes: vec![],
+    }
+    .svg()
+}
+
+/// The pin in the connecting-rod eye.
+pub fn pin_rod() -> Result<String, Error> {
+    let numbers = PinRod::default();
+    PinRodScene {
+        pin_radius: numbers.pin_radius,
+        clearance: numbers.clearance,
+        eye_radius: numbers.eye_outer_radius,
+        shank_width: numbers.shank_width,
+        shank_end: numbers.shank_end,
+        force: numbers.force,
+        candidates: numbers.stretch.to_degrees(),
+        notes: vec![],
+    }
+    .svg()
+}
