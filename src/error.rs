@@ -34,13 +34,15 @@ pub enum Error {
     },
 
     /// A cell turned inside out or of no area.
-    #[error("cell {cell} of `{body}` has Jacobian determinant {jacobian:.3e} at a quadrature point; make the grading gentler or the elements smaller")]
+    #[error(
+        "cell {cell} of `{body}` has Jacobian determinant {jacobian:.3e} at a quadrature point; make the grading gentler or the elements smaller"
+    )]
     DegenerateCell {
         /// Index of the cell in the mesh.
         cell: usize,
         /// Name of the body.
         body: String,
-        /// Determinant found [mm²].
+        /// Determinant found \[mm²\].
         jacobian: f64,
     },
 
@@ -54,7 +56,9 @@ pub enum Error {
     },
 
     /// A stiffness that is not positive definite although every rigid motion is held.
-    #[error("stiffness of `{body}` is not positive definite (pivot {pivot}); check its material and the shape of its cells")]
+    #[error(
+        "stiffness of `{body}` is not positive definite (pivot {pivot}); check its material and the shape of its cells"
+    )]
     SingularStiffness {
         /// Name of the body.
         body: String,
@@ -63,7 +67,9 @@ pub enum Error {
     },
 
     /// A support in a direction that a contact node's normal or tangent does not have.
-    #[error("body `{body}`: the support `{component}` at node {node} is oblique to the contact normal there; end the candidate stretch before that node")]
+    #[error(
+        "body `{body}`: the support `{component}` at node {node} is oblique to the contact normal there; end the candidate stretch before that node"
+    )]
     ObliqueSupport {
         /// Name of the body.
         body: String,
@@ -74,7 +80,9 @@ pub enum Error {
     },
 
     /// Candidate nodes of the two bodies that do not face each other.
-    #[error("contact of `{first}` and `{second}`: node {index} lies at {at:.9} on one side and {facing:.9} on the other; both sides need the same stations")]
+    #[error(
+        "contact of `{first}` and `{second}`: node {index} lies at {at:.9} on one side and {facing:.9} on the other; both sides need the same stations"
+    )]
     NotFacing {
         /// Body that carries the contact points.
         first: String,
@@ -89,7 +97,9 @@ pub enum Error {
     },
 
     /// No spring is left to hold a body that only contact holds.
-    #[error("{bodies}: held by contact alone and no contact spring is left after {steps} steps; the load pulls the bodies apart, or the start is too soft: reverse the load, add a support or raise the initial stiffness")]
+    #[error(
+        "{bodies}: held by contact alone and no contact spring is left after {steps} steps; the load pulls the bodies apart, or the start is too soft: reverse the load, add a support or raise the initial stiffness"
+    )]
     NoSpringLeft {
         /// The bodies in contact.
         bodies: String,

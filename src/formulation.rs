@@ -5,7 +5,7 @@ use std::time::Instant;
 use crate::algorithm::{
     Algorithm, Constant, ContactProblem, Kinematic, Scale, Settings, StiffnessRule, Varying, iterate,
 };
-use crate::condensation::{self, Condensed};
+use crate::condensation::{self, Condensed, CoupledSpring};
 use crate::contact::{ContactElement, ContactPoint, Interface, Layer, Line, Node, Quadrature};
 use crate::elasticity::{ElasticSystem, stress};
 use crate::error::Error;
@@ -181,7 +181,13 @@ impl Formulation {
         number("tolerance", self.settings.tolerance)?;
         number("layer thickness", self.layer_thickness)?;
         if self.settings.increments == 0 {
-            return Err(Error::value(place, "increments", 0, "at least 1 is needed", "use 1 for the whole load at once"));
+            return Err(Error::value(
+                place,
+                "increments",
+                0,
+                "at least 1 is needed",
+                "use 1 for the whole load at once",
+            ));
         }
         let offered = self.algorithm.rules();
         if !offered.contains(&self.rule) {
@@ -198,7 +204,12 @@ impl Formulation {
         );
         if gap < 0.0 && !takes_interference {
             return Err(Error::Combination {
-                what: format!("{} starts with an interference of {} mm, which {} cannot take", scene.name, -gap, self.name()),
+                what: format!(
+                    "{} starts with an interference of {} mm, which {} cannot take",
+                    scene.name,
+                    -gap,
+                    self.name()
+                ),
                 remedy: "use the kinematic algorithm, or constant with the rule correction".into(),
             });
         }
@@ -289,7 +300,7 @@ impl Discretisation {
         formulation.points(&self.interface)
     }
 
-    /// Displacement [mm] and stress [MPa] at every node, by one back-substitution per body.
+    /// Displacement \[mm\] and stress \[MPa\] at every node, by one back-substitution per body.
     pub fn recover(&self, solution: &Solution) -> Result<Fields, Error> {
         let unknowns = self.condensed.recover(&self.system, &solution.displacement, &solution.contact_force);
         let displacement = self.system.nodal_displacements(&unknowns);
@@ -297,7 +308,7 @@ impl Discretisation {
         Ok(Fields { displacement, stress, unknowns })
     }
 
-    /// The spring pressures of a solution once more, from the full system without condensation [MPa].
+    /// The spring pressures of a solution once more, from the full system without condensation \[MPa\].
     ///
     /// Every loaded point is replaced by a spring around the condensed solution, `p = p_s + k (w − w_s)`; the sparse
     /// system of all bodies then gives `w`, and with it `p`, without S having been used.
@@ -308,7 +319,11 @@ impl Discretisation {
             .map(|((state, point), &p)| (point.gap - state.gap, p, if p.abs() > 0.0 { stiffness } else { 0.0 }))
             .collect();
         let springs: Vec<_> = (points.iter().zip(&states))
-            .map(|(point, &(w, p, k))| (point.row.clone(), point.weight * k, point.weight * (k * w - p)))
+            .map(|(point, &(w, p, k))| CoupledSpring {
+                row: point.row.clone(),
+                constant: point.weight * k,
+                force: point.weight * (k * w - p),
+            })
             .collect();
         let unknowns = condensation::solve_uncondensed(&self.system, &springs)?;
         let retained: Vec<f64> = (self.system.bodies.iter().zip(&unknowns))
@@ -330,11 +345,11 @@ const CHECKING_STIFFNESS: f64 = 1e3;
 /// Fields recovered on the whole mesh.
 #[derive(Clone, Debug)]
 pub struct Fields {
-    /// Displacement of every node [mm].
+    /// Displacement of every node \[mm\].
     pub displacement: Vec<[f64; 2]>,
-    /// `[σ_x, σ_y, τ_xy]` at every node [MPa], tension positive.
+    /// `[σ_x, σ_y, τ_xy]` at every node \[MPa\], tension positive.
     pub stress: Vec<[f64; 3]>,
-    /// Unknowns of each body in its own frames and numbering [mm].
+    /// Unknowns of each body in its own frames and numbering \[mm\].
     pub unknowns: Vec<Vec<f64>>,
 }
 

@@ -62,13 +62,13 @@ pub struct Work {
 /// The state of one contact point, or the mean over one edge, at the end.
 #[derive(Clone, Copy, Debug)]
 pub struct PointState {
-    /// Contact coordinate `s` [mm, or rad on an arc].
+    /// Contact coordinate `s` \[mm, or rad on an arc\].
     pub position: f64,
-    /// Tributary area of the modelled part [mm²].
+    /// Tributary area of the modelled part \[mm²\].
     pub weight: f64,
-    /// Contact pressure as reported, ≥ 0 [MPa].
+    /// Contact pressure as reported, ≥ 0 \[MPa\].
     pub pressure: f64,
-    /// Remaining gap `h = g − w` [mm].
+    /// Remaining gap `h = g − w` \[mm\].
     pub gap: f64,
 }
 
@@ -81,7 +81,7 @@ pub struct Step {
     pub residuals: Residuals,
     /// Points with pressure above `tolerance · p_ref`.
     pub active: usize,
-    /// Approach [mm], spring force per area [MPa] and spring stiffness [MPa/mm] of the first contact point.
+    /// Approach \[mm\], spring force per area \[MPa\] and spring stiffness [MPa/mm] of the first contact point.
     pub first_point: [f64; 3],
 }
 
@@ -94,11 +94,11 @@ pub struct Solution {
     pub points: Vec<PointState>,
     /// Means over the candidate edges, the same for all elements: position of the middle, area, mean pressure and gap.
     pub edges: Vec<PointState>,
-    /// Spring force per area of each point before the projection to p ≥ 0 [MPa].
+    /// Spring force per area of each point before the projection to p ≥ 0 \[MPa\].
     pub spring_pressures: Vec<f64>,
-    /// Displacements of the retained freedoms [mm].
+    /// Displacements of the retained freedoms \[mm\].
     pub displacement: Vec<f64>,
-    /// Force of the contact on the retained freedoms, `−Σ A p b` [N].
+    /// Force of the contact on the retained freedoms, `−Σ A p b` \[N\].
     pub contact_force: Vec<f64>,
     /// Every step.
     pub history: Vec<Step>,

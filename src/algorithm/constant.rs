@@ -23,7 +23,13 @@ impl Constant {
 }
 
 impl Algorithm for Constant {
-    fn step(&mut self, problem: &ContactProblem, load: &[f64], springs: &mut Springs, work: &mut Work) -> Option<Iterate> {
+    fn step(
+        &mut self,
+        problem: &ContactProblem,
+        load: &[f64],
+        springs: &mut Springs,
+        work: &mut Work,
+    ) -> Option<Iterate> {
         if self.factor.is_none() {
             self.factor = Some(problem.factorise(&problem.initial, work)?);
             self.stored = problem.initial.clone();

@@ -85,7 +85,7 @@ impl Run<'_> {
             if largest <= self.settings.tolerance {
                 return Ok(Outcome::Converged);
             }
-            if !(largest <= DIVERGED) {
+            if largest.is_nan() || largest > DIVERGED {
                 return Ok(Outcome::Diverged);
             }
             if let Some(period) = returned(&earlier, &state) {
@@ -168,7 +168,7 @@ fn edge_means(points: &[ContactPoint], states: &[PointState]) -> Vec<PointState>
 fn returned(earlier: &VecDeque<Vec<f64>>, state: &[f64]) -> Option<usize> {
     let distance = |other: &Vec<f64>| other.iter().zip(state).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let size = state.iter().map(|x| x.abs()).fold(1.0, f64::max);
-    if !(distance(earlier.front()?) > MOVING * size) {
+    if distance(earlier.front()?) <= MOVING * size {
         return None;
     }
     earlier.iter().position(|other| distance(other) <= SAME * size).map(|index| index + 1).filter(|&period| period >= 2)

@@ -18,7 +18,13 @@ pub struct Kinematic {
 }
 
 impl Algorithm for Kinematic {
-    fn step(&mut self, problem: &ContactProblem, load: &[f64], springs: &mut Springs, work: &mut Work) -> Option<Iterate> {
+    fn step(
+        &mut self,
+        problem: &ContactProblem,
+        load: &[f64],
+        springs: &mut Springs,
+        work: &mut Work,
+    ) -> Option<Iterate> {
         let factor = problem.factorise(&springs.stiffness, work)?;
         let iterate = problem.equilibrium(&factor, load, springs, |point| point.gap, work);
         let depth = |i: usize| iterate.approach[i] - problem.points[i].gap;

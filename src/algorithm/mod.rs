@@ -3,7 +3,7 @@
 //! * [`problem`] — what an algorithm sees: matrices, points and scales, no geometry.
 //! * [`rule`] — how the springs' strain drives their stiffness or force.
 //! * [`varying`], [`constant`], [`kinematic`] — equations (3.2)–(3.14), one step each.
-//! * [`iterate`] — the loop.
+//! * [`mod@iterate`] — the loop.
 
 pub mod constant;
 pub mod iterate;
@@ -26,18 +26,18 @@ pub use varying::Varying;
 pub struct Springs {
     /// Stiffness `k` per area of each point [MPa/mm]; zero is open.
     pub stiffness: Vec<f64>,
-    /// Force per area `r` carried by each point beside its spring [MPa].
+    /// Force per area `r` carried by each point beside its spring \[MPa\].
     pub force: Vec<f64>,
 }
 
 /// What one step finds.
 #[derive(Clone, Debug)]
 pub struct Iterate {
-    /// Displacements of the retained freedoms [mm].
+    /// Displacements of the retained freedoms \[mm\].
     pub displacement: Vec<f64>,
-    /// Approach of each point [mm].
+    /// Approach of each point \[mm\].
     pub approach: Vec<f64>,
-    /// Spring force per area of each point, tension negative [MPa].
+    /// Spring force per area of each point, tension negative \[MPa\].
     pub pressure: Vec<f64>,
 }
 
@@ -46,7 +46,13 @@ pub trait Algorithm {
     /// Solves with the present springs under `load`, then lets the rule change them.
     ///
     /// None where `S + K_c` is not positive definite: no spring is left to hold a body.
-    fn step(&mut self, problem: &ContactProblem, load: &[f64], springs: &mut Springs, work: &mut Work) -> Option<Iterate>;
+    fn step(
+        &mut self,
+        problem: &ContactProblem,
+        load: &[f64],
+        springs: &mut Springs,
+        work: &mut Work,
+    ) -> Option<Iterate>;
 
     /// Whether penetration is the springs' own law (penalty) instead of an error to be iterated away.
     fn is_elastic(&self) -> bool {

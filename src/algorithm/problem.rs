@@ -12,7 +12,7 @@ use crate::solution::{Residuals, Work};
 pub struct ContactProblem<'a> {
     /// Condensed stiffness `S` [N/mm].
     pub stiffness: &'a Mat<f64>,
-    /// Condensed load `f̂` [N].
+    /// Condensed load `f̂` \[N\].
     pub load: &'a [f64],
     /// Contact points.
     pub points: &'a [ContactPoint],
@@ -25,9 +25,9 @@ pub struct ContactProblem<'a> {
 /// Reference values of the scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Scale {
-    /// `p_ref` [MPa].
+    /// `p_ref` \[MPa\].
     pub pressure: f64,
-    /// `g_ref` [mm].
+    /// `g_ref` \[mm\].
     pub gap: f64,
     /// `E*/ℓ`: the spring stiffness of κ = 1 [MPa/mm].
     pub stiffness: f64,
@@ -47,7 +47,7 @@ impl Scale {
         stiffness.clamp(LIMITS[0] * self.stiffness, LIMITS[1] * self.stiffness)
     }
 
-    /// `max(x, 1e-9 g_ref)`: a length one may divide by [mm].
+    /// `max(x, 1e-9 g_ref)`: a length one may divide by \[mm\].
     pub fn above_zero(&self, length: f64) -> f64 {
         length.max(1e-9 * self.gap)
     }
@@ -102,7 +102,7 @@ impl ContactProblem<'_> {
         Iterate { approach: self.points.iter().map(|point| point.approach(&u)).collect(), displacement: u, pressure }
     }
 
-    /// `load − S u − Σ A p b` [N].
+    /// `load − S u − Σ A p b` \[N\].
     pub fn imbalance(&self, load: &[f64], u: &[f64], pressure: &[f64]) -> Vec<f64> {
         let n = u.len();
         let mut residual: Vec<f64> =

@@ -1,4 +1,4 @@
-//! The rule: how the strain of a spring drives its stiffness or its force. The paper points to its ref. [12] for it.
+//! The rule: how the strain of a spring drives its stiffness or its force. The paper points to its ref. 12 for it.
 
 use crate::algorithm::Scale;
 
@@ -35,7 +35,7 @@ pub fn secant(scale: &Scale, stiffness: f64, approach: f64, gap: f64) -> f64 {
     scale.clip(stiffness * positive_part(approach) / scale.above_zero(gap))
 }
 
-/// Correction: `max(0, p + κ (w − g))` [MPa].
+/// Correction: `max(0, p + κ (w − g))` \[MPa\].
 pub fn correction(pressure: f64, stiffness: f64, approach: f64, gap: f64) -> f64 {
     positive_part(pressure + stiffness * (approach - gap))
 }

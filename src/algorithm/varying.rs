@@ -12,7 +12,13 @@ pub struct Varying {
 }
 
 impl Algorithm for Varying {
-    fn step(&mut self, problem: &ContactProblem, load: &[f64], springs: &mut Springs, work: &mut Work) -> Option<Iterate> {
+    fn step(
+        &mut self,
+        problem: &ContactProblem,
+        load: &[f64],
+        springs: &mut Springs,
+        work: &mut Work,
+    ) -> Option<Iterate> {
         let factor = problem.factorise(&springs.stiffness, work)?;
         let iterate = problem.equilibrium(&factor, load, springs, |_| 0.0, work);
         let scale = &problem.scale;

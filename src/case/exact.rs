@@ -23,30 +23,61 @@ pub fn trials() -> Vec<Trial> {
     let mut all = Vec::new();
     for (case, order) in [("patch, 4-node", Order::Linear), ("patch, 8-node", Order::Quadratic)] {
         let problem = Problem::new("patch", "two blocks under uniform pressure", problem::patch(Patch::default()));
-        let uneven = |f: Formulation| Formulation { stiffness_pattern: UNEVEN.to_vec(), stiffness: 1.0, ..f }.tolerance(1e-10);
+        let uneven =
+            |f: Formulation| Formulation { stiffness_pattern: UNEVEN.to_vec(), stiffness: 1.0, ..f }.tolerance(1e-10);
         let formulations = Formulation::nine().into_iter().map(uneven).collect();
-        all.extend(trials_of(case, problem.clone(), Resolution { order, ..problem.resolution }, formulations, Some(uniform)));
+        all.extend(trials_of(
+            case,
+            problem.clone(),
+            Resolution { order, ..problem.resolution },
+            formulations,
+            Some(uniform),
+        ));
     }
     for push in PUSHES {
-        let problem = Problem::new("bars", "two bars closing a gap", problem::bars(Bars { push, ..Default::default() }));
-        all.extend(trials_of(&format!("bars, u/g = {push}"), problem.clone(), problem.resolution, bars(), Some(bilinear)));
+        let problem =
+            Problem::new("bars", "two bars closing a gap", problem::bars(Bars { push, ..Default::default() }));
+        all.extend(trials_of(
+            &format!("bars, u/g = {push}"),
+            problem.clone(),
+            problem.resolution,
+            bars(),
+            Some(bilinear),
+        ));
     }
-    let touching = Problem::new("bars", "two bars just touching", problem::bars(Bars { push: 1.0, ..Default::default() }));
+    let touching =
+        Problem::new("bars", "two bars just touching", problem::bars(Bars { push: 1.0, ..Default::default() }));
     all.extend(trials_of("bars, u/g = 1 (reported)", touching.clone(), touching.resolution, bars(), None));
     for (case, order) in [("own weight, 4-node", Order::Linear), ("own weight, 8-node", Order::Quadratic)] {
         let problem = Problem::new("own-weight", "own weight", problem::own_weight(OwnWeight::default()));
         let resolution = Resolution { order, ..problem.resolution };
         all.extend(trials_of(case, problem, resolution, vec![Formulation::verification()], Some(weight)));
     }
-    for (case, plane) in [("press fit, plane stress", PlaneHypothesis::Stress), ("press fit, plane strain", PlaneHypothesis::Strain)] {
-        let problem = Problem::new("press-fit", "press fit", problem::press_fit(PressFit { plane, ..Default::default() }));
+    for (case, plane) in
+        [("press fit, plane stress", PlaneHypothesis::Stress), ("press fit, plane strain", PlaneHypothesis::Strain)]
+    {
+        let problem =
+            Problem::new("press-fit", "press fit", problem::press_fit(PressFit { plane, ..Default::default() }));
         let constant = Formulation::new(Element::Node, Iteration::Constant).tolerance(1e-8);
-        all.extend(trials_of(case, problem.clone(), problem.resolution, vec![Formulation::verification(), constant], Some(lame)));
+        all.extend(trials_of(
+            case,
+            problem.clone(),
+            problem.resolution,
+            vec![Formulation::verification(), constant],
+            Some(lame),
+        ));
     }
     for size in [20.0, 40.0] {
-        let problem = Problem::new("flat-punch", "flat punch", problem::flat_punch(FlatPunch { size, ..Default::default() }));
+        let problem =
+            Problem::new("flat-punch", "flat punch", problem::flat_punch(FlatPunch { size, ..Default::default() }));
         let case = format!("flat punch, block {size} half-widths");
-        all.extend(trials_of(&case, problem.clone(), problem.resolution, vec![Formulation::verification()], Some(punch)));
+        all.extend(trials_of(
+            &case,
+            problem.clone(),
+            problem.resolution,
+            vec![Formulation::verification()],
+            Some(punch),
+        ));
     }
     all
 }
@@ -87,7 +118,13 @@ fn bilinear(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Chec
 
 fn weight(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
     let requirement = "A block shall rest on its plane with p = ρgH at every point";
-    Ok(pressure_everywhere(problem, run, requirement, 1e-9, "exact in the discrete space; iterated to 1e-8, balance to round-off"))
+    Ok(pressure_everywhere(
+        problem,
+        run,
+        requirement,
+        1e-9,
+        "exact in the discrete space; iterated to 1e-8, balance to round-off",
+    ))
 }
 
 fn lame(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {

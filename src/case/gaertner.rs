@@ -9,7 +9,9 @@ use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
 use crate::measure::profile;
 use crate::mesh::{Order, Resolution};
-use crate::oracle::digitised::{Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, acceptance, compare};
+use crate::oracle::digitised::{
+    Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, acceptance, compare,
+};
 use crate::oracle::{Oracle, ReferenceKind};
 use crate::scene::Material;
 use crate::scene::library::PinRod;

@@ -18,14 +18,27 @@ pub const TRUNCATED: &str = "truncated hertz";
 
 /// Trials of the Hertz cases.
 pub fn trials() -> Vec<Trial> {
-    let truncated = Problem::new("truncated-hertz", "truncated Hertz", problem::truncated_hertz(TruncatedHertz::default()));
+    let truncated =
+        Problem::new("truncated-hertz", "truncated Hertz", problem::truncated_hertz(TruncatedHertz::default()));
     let cylinder = Problem::new("cylinder", "cylinder", problem::cylinder(Cylinder::default()));
     let small = Cylinder { a_over_r: 0.005, ..Default::default() };
     let small = Problem::new("cylinder", "cylinder, a/R = 0.005", problem::cylinder(small));
     let verification = || vec![Formulation::verification()];
-    let mut all = trials_of("truncated hertz, verification", truncated.clone(), truncated.resolution, verification(), Some(truncated_hertz));
+    let mut all = trials_of(
+        "truncated hertz, verification",
+        truncated.clone(),
+        truncated.resolution,
+        verification(),
+        Some(truncated_hertz),
+    );
     all.extend(trials_of(TRUNCATED, truncated.clone(), truncated.resolution, Formulation::nine(), Some(nine)));
-    all.extend(trials_of("cylinder, verification", cylinder.clone(), cylinder.resolution, verification(), Some(default_cylinder)));
+    all.extend(trials_of(
+        "cylinder, verification",
+        cylinder.clone(),
+        cylinder.resolution,
+        verification(),
+        Some(default_cylinder),
+    ));
     let fine = Resolution { elements: 16, ..small.resolution };
     all.extend(trials_of("cylinder, a/R = 0.005", small, fine, verification(), Some(small_cylinder)));
     all.extend(trials_of(CYLINDER, cylinder.clone(), cylinder.resolution, Formulation::nine(), Some(nine)));
@@ -86,7 +99,8 @@ fn default_cylinder(problem: &Problem, discretisation: &Discretisation, run: &Ru
 }
 
 fn small_cylinder(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
-    let because = ["model error about 2e-5 at a/R = 0.005; 16 8-node cells per half-width", "the edge lies between two nodes"];
+    let because =
+        ["model error about 2e-5 at a/R = 0.005; 16 8-node cells per half-width", "the edge lies between two nodes"];
     let mut checks = peak_and_half_width(problem, run, [2e-4, 5e-4], because);
     checks.push(size(discretisation, 8000.0));
     Ok(checks)

@@ -12,9 +12,9 @@ use crate::oracle::Quantity;
 
 /// Name of the case of all nine on the pin–rod.
 pub const PIN_ROD: &str = "pin-rod";
-/// Contact half-angles of the plate cases [degrees] and their elements per 10 mm of arc.
+/// Contact half-angles of the plate cases \[degrees\] and their elements per 10 mm of arc.
 const ANGLES: [(f64, usize); 3] = [(30.0, 48), (60.0, 24), (80.0, 24)];
-/// Where the hoop stress of the hole is read [degrees].
+/// Where the hoop stress of the hole is read \[degrees\].
 const HOOP: [f64; 2] = [90.0, 180.0];
 
 /// Trials of the pin cases.
@@ -93,7 +93,7 @@ fn exact_second_moment(problem: &Problem, edge: f64) -> f64 {
     2.0 * (moment / total).sqrt()
 }
 
-/// Hoop stress at the node of the second body's contact boundary nearest to an angle [MPa].
+/// Hoop stress at the node of the second body's contact boundary nearest to an angle \[MPa\].
 fn hoop_stress(discretisation: &Discretisation, run: &Run, at: f64) -> Result<f64, Error> {
     let fields = discretisation.recover(&run.solution)?;
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);

@@ -6,7 +6,9 @@ use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::{Plane, bars, hertz::Hertz, lame, persson::PinInHole, punch, uniform::Uniform, weight};
 use crate::oracle::{Oracle, Quantity};
-use crate::scene::library::{Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz};
+use crate::scene::library::{
+    Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
+};
 use crate::scene::{PlaneHypothesis, Scene, StressField};
 
 /// An oracle that can be shared between threads.
@@ -59,7 +61,13 @@ pub fn problem(name: &str, a_over_r: Option<f64>) -> Result<Problem, Error> {
             return Err(Error::Combination { what: format!("`{name}` has no a/R"), remedy: remedy.into() });
         }
         if !(ratio > 0.0 && ratio <= 0.4) {
-            return Err(Error::value(name, "a-over-r", ratio, "it must lie between 0 and 0.4", "use for instance 0.05"));
+            return Err(Error::value(
+                name,
+                "a-over-r",
+                ratio,
+                "it must lie between 0 and 0.4",
+                "use for instance 0.05",
+            ));
         }
     }
     let ratio = a_over_r.unwrap_or(0.05);

@@ -52,22 +52,53 @@ fn orders_of(order: Order, l2_order: f64) -> Result<Finding, Error> {
     let bound = |value| Reference::analytic("order of accuracy", value);
     let quadrature = levels.iter().map(|l| l.load).fold(0.0, f64::max);
     let checks = vec![
-        Check::at_least("The peak pressure shall converge with order", "order of p₀", slope(|l| l.peak), bound(1.8),
-            "second order expected; least-squares slope over four meshes"),
-        Check::at_least("The half-width shall converge with order", "order of a", slope(|l| l.half_width), bound(1.8),
-            "second order expected; the edge lies on a node"),
-        Check::at_least("The pressure profile shall converge with order", "order of L2(p)", slope(|l| l.l2), bound(l2_order),
-            "capped near 1 by the square-root edge (Drouet & Hild 2015; Belhachmi & Ben Belgacem 2003)"),
-        Check::norm("The assembled load shall be the closed-form tractions' resultant", "|ΣF − P/2| / (P/2)", quadrature,
-            Reference::analytic("Hertz", 0.0), 1e-7, "16-point Gauss on every edge"),
+        Check::at_least(
+            "The peak pressure shall converge with order",
+            "order of p₀",
+            slope(|l| l.peak),
+            bound(1.8),
+            "second order expected; least-squares slope over four meshes",
+        ),
+        Check::at_least(
+            "The half-width shall converge with order",
+            "order of a",
+            slope(|l| l.half_width),
+            bound(1.8),
+            "second order expected; the edge lies on a node",
+        ),
+        Check::at_least(
+            "The pressure profile shall converge with order",
+            "order of L2(p)",
+            slope(|l| l.l2),
+            bound(l2_order),
+            "capped near 1 by the square-root edge (Drouet & Hild 2015; Belhachmi & Ben Belgacem 2003)",
+        ),
+        Check::norm(
+            "The assembled load shall be the closed-form tractions' resultant",
+            "|ΣF − P/2| / (P/2)",
+            quadrature,
+            Reference::analytic("Hertz", 0.0),
+            1e-7,
+            "16-point Gauss on every edge",
+        ),
     ];
     let name = format!("{}-node", order.nodes_per_cell());
     let rows = levels.iter().map(|l| {
-        vec![format!("{:.4}", l.size), l.freedoms.to_string(), format!("{:.2e}", l.peak), format!("{:.2e}", l.half_width), format!("{:.2e}", l.l2)]
+        vec![
+            format!("{:.4}", l.size),
+            l.freedoms.to_string(),
+            format!("{:.2e}", l.peak),
+            format!("{:.2e}", l.half_width),
+            format!("{:.2e}", l.l2),
+        ]
     });
     let table = Table {
-        title: format!("Truncated Hertz, {name}: errors on nested meshes (orders: p₀ {:.2}, a {:.2}, L2 {:.2})",
-            slope(|l| l.peak), slope(|l| l.half_width), slope(|l| l.l2)),
+        title: format!(
+            "Truncated Hertz, {name}: errors on nested meshes (orders: p₀ {:.2}, a {:.2}, L2 {:.2})",
+            slope(|l| l.peak),
+            slope(|l| l.half_width),
+            slope(|l| l.l2)
+        ),
         head: ["h / a", "freedoms", "p₀", "a", "L2(p)"].map(String::from).into(),
         rows: rows.collect(),
     };
@@ -170,8 +201,11 @@ pub const LEFT_OUT: f64 = 1e-3;
 /// a/R at which that is required.
 const JUDGED: f64 = 0.025;
 
+/// A number one quotes, by name.
+type Quantity = (&'static str, fn(&Run) -> f64);
+
 /// The two numbers of a Hertz contact.
-const HERTZ: [(&str, fn(&Run) -> f64); 2] =
+const HERTZ: [Quantity; 2] =
     [("p₀ [MPa]", |run| run.measures.peak.pressure), ("a [mm]", |run| run.measures.half_width)];
 
 /// The pin–rod has no closed form: its refinement series gives its own uncertainty.
@@ -228,7 +262,7 @@ fn pin_rod() -> Result<Finding, Error> {
 }
 
 /// The quantities whose uncertainty is asked for.
-const QUANTITIES: [(&str, fn(&Run) -> f64); 2] =
+const QUANTITIES: [Quantity; 2] =
     [("peak", |run| run.measures.peak.pressure), ("second-moment angle", |run| run.measures.half_width)];
 
 fn pin_levels(order: Order) -> Result<Vec<Run>, Error> {

@@ -20,7 +20,7 @@ pub struct Run {
     pub solution: Solution,
     /// The numbers one quotes.
     pub measures: Measures,
-    /// Force that the reported pressures exert on the first body along the load line, both halves [N].
+    /// Force that the reported pressures exert on the first body along the load line, both halves \[N\].
     pub transmitted: f64,
     /// Operations of the sparse factorisation that condensed the bodies.
     pub sparse_operations: f64,
@@ -66,7 +66,7 @@ impl Run {
     }
 }
 
-/// Sum of the nodal contact forces on the first body along the load line, both halves [N].
+/// Sum of the nodal contact forces on the first body along the load line, both halves \[N\].
 fn transmitted(discretisation: &Discretisation, solution: &Solution) -> f64 {
     let stations = discretisation.interface.stations.iter();
     let along = stations.map(|s| solution.contact_force[s.freedoms[0]] * s.normal[1]);

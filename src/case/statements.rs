@@ -170,7 +170,9 @@ fn stability(f: &Findings) -> Statement {
     };
     Statement {
         text: "Varying stiffness is more stable than constant stiffness; with line elements it converged in every case",
-        measured: format!("converged starts: varying {v} of {of_v}, constant {c} of {of_c}, varying with line elements {l} of {of_l}"),
+        measured: format!(
+            "converged starts: varying {v} of {of_v}, constant {c} of {of_c}, varying with line elements {l} of {of_l}"
+        ),
         judgement,
     }
 }
@@ -213,15 +215,26 @@ fn no_difference(f: &Findings) -> Statement {
 }
 
 fn top_quarter(f: &Findings) -> Statement {
-    let points: Vec<[f64; 2]> =
-        f.case(QUARTER_CASE).flat_map(|finding| &finding.series).filter(|s| s.picture == QUARTER).flat_map(|s| s.points.clone()).collect();
+    let points: Vec<[f64; 2]> = f
+        .case(QUARTER_CASE)
+        .flat_map(|finding| &finding.series)
+        .filter(|s| s.picture == QUARTER)
+        .flat_map(|s| s.points.clone())
+        .collect();
     let small = points.iter().filter(|p| p[1] <= LEFT_OUT).map(|p| p[0]).fold(0.0, f64::max);
     let all = points.iter().all(|p| p[1] <= LEFT_OUT);
-    let worst = points.iter().map(|p| format!("{:.3} % at a/R = {}", 100.0 * p[1], p[0])).collect::<Vec<_>>().join(", ");
+    let worst =
+        points.iter().map(|p| format!("{:.3} % at a/R = {}", 100.0 * p[1], p[0])).collect::<Vec<_>>().join(", ");
     Statement {
         text: "The top quarter of the half cylinder does not influence the contact and may be left out",
         measured: format!("change of p₀ or a: {worst}; below {} % up to a/R = {small}", 100.0 * LEFT_OUT),
-        judgement: if all { Judgement::Reproduced } else if small > 0.0 { Judgement::UnderCondition } else { Judgement::NotReproduced },
+        judgement: if all {
+            Judgement::Reproduced
+        } else if small > 0.0 {
+            Judgement::UnderCondition
+        } else {
+            Judgement::NotReproduced
+        },
     }
 }
 
@@ -249,7 +262,8 @@ fn least_work(f: &Findings) -> Statement {
     let (mut least_steps, mut least_operations, mut described) = (true, true, Vec::new());
     for case in cases {
         let of = |algorithm| f.run(case, Element::Node, algorithm);
-        let (Some(a), Some(b), Some(c)) = (of(Iteration::Varying), of(Iteration::Constant), of(Iteration::Kinematic)) else {
+        let (Some(a), Some(b), Some(c)) = (of(Iteration::Varying), of(Iteration::Constant), of(Iteration::Kinematic))
+        else {
             least_steps = false;
             continue;
         };
@@ -267,7 +281,11 @@ fn least_work(f: &Findings) -> Statement {
         (true, false) => Judgement::UnderCondition,
         _ => Judgement::NotReproduced,
     };
-    let condition = if judgement == Judgement::UnderCondition { "; fewest steps in both, least operations not in both" } else { "" };
+    let condition = if judgement == Judgement::UnderCondition {
+        "; fewest steps in both, least operations not in both"
+    } else {
+        ""
+    };
     Statement {
         text: "Kinematic load takes the fewest steps and the least computing time",
         measured: format!("node elements, varying / constant / kinematic: {}{condition}", described.join("; ")),
@@ -306,7 +324,8 @@ fn condensation_pays(f: &Findings) -> Statement {
     let runs: Vec<&Run> = [hertz::CYLINDER, pin::PIN_ROD].iter().flat_map(|case| f.runs(case)).collect();
     // Without condensation every factorisation would be the sparse one; with it there is one, and dense small ones.
     let gain = |run: &&Run| {
-        run.sparse_operations * run.solution.work.factorisations as f64 / (run.sparse_operations + run.dense_operations())
+        run.sparse_operations * run.solution.work.factorisations as f64
+            / (run.sparse_operations + run.dense_operations())
     };
     let single = |run: &&&Run| run.formulation.algorithm == Iteration::Constant;
     let refactoring: Vec<f64> = runs.iter().filter(|run| !single(run)).map(gain).collect();
@@ -328,5 +347,9 @@ fn reasonable_agreement(f: &Findings) -> Statement {
         Some(Verdict::NotRun(why)) => (why, Judgement::NotJudged),
         None => ("not asked".to_string(), Judgement::NotJudged),
     };
-    Statement { text: "Reasonable agreement with Gaertner's finite elements and experiment (Figs 14, 15)", measured, judgement }
+    Statement {
+        text: "Reasonable agreement with Gaertner's finite elements and experiment (Figs 14, 15)",
+        measured,
+        judgement,
+    }
 }

@@ -43,13 +43,13 @@ pub struct Finding {
 pub struct FieldData {
     /// What is shown.
     pub title: String,
-    /// Node positions [mm].
+    /// Node positions \[mm\].
     pub points: Vec<[f64; 2]>,
     /// Node lists of the cells.
     pub cells: Vec<Vec<usize>>,
-    /// Values at the nodes [MPa].
+    /// Values at the nodes \[MPa\].
     pub values: Vec<f64>,
-    /// Displacements of the nodes [mm].
+    /// Displacements of the nodes \[mm\].
     pub displacements: Vec<[f64; 2]>,
 }
 
@@ -114,16 +114,22 @@ impl Finding {
 pub type Judge = Option<fn(&Problem, &Discretisation, &Run) -> Result<Vec<Check>, Error>>;
 
 /// Trials of one problem under several formulations; they share one condensation.
-pub fn trials(case: &str, problem: Problem, resolution: Resolution, formulations: Vec<Formulation>, judge: Judge) -> Vec<Trial> {
+pub fn trials(
+    case: &str,
+    problem: Problem,
+    resolution: Resolution,
+    formulations: Vec<Formulation>,
+    judge: Judge,
+) -> Vec<Trial> {
     let shared: Arc<OnceLock<Result<Discretisation, Error>>> = Arc::default();
     let problem = Arc::new(problem);
     let trial = |formulation: Formulation| {
         let (shared, problem) = (shared.clone(), problem.clone());
         Trial::new(case, title(&formulation), move || {
-            let discretisation = shared
-                .get_or_init(|| Discretisation::of(problem.scene.clone(), resolution))
-                .as_ref()
-                .map_err(|error| Error::Combination { what: error.to_string(), remedy: "see the message before".into() })?;
+            let discretisation =
+                shared.get_or_init(|| Discretisation::of(problem.scene.clone(), resolution)).as_ref().map_err(
+                    |error| Error::Combination { what: error.to_string(), remedy: "see the message before".into() },
+                )?;
             let run = Run::of(discretisation, &formulation)?;
             let mut checks = Vec::new();
             if let Some(judge) = judge {

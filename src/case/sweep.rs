@@ -48,7 +48,12 @@ pub fn trials() -> Vec<Trial> {
 }
 
 /// Runs a formulation from every start stiffness; what converges must agree with the verification formulation.
-fn sweep(picture: &str, problem: &Problem, resolution: Resolution, formulation: &Formulation) -> Result<Finding, Error> {
+fn sweep(
+    picture: &str,
+    problem: &Problem,
+    resolution: Resolution,
+    formulation: &Formulation,
+) -> Result<Finding, Error> {
     let discretisation = Discretisation::of(problem.scene.clone(), resolution)?;
     let reference = Run::of(&discretisation, &Formulation::verification())?.measures;
     let (mut points, mut failed) = (Vec::new(), Vec::new());

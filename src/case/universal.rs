@@ -95,7 +95,7 @@ fn arm(path: &Path, point: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// `K u − f` at a node in Cartesian components [N]; prescribed components give none.
+/// `K u − f` at a node in Cartesian components \[N\]; prescribed components give none.
 fn nodal_force(discretisation: &Discretisation, body: usize, node: usize, internal: &[f64]) -> [f64; 2] {
     let system = &discretisation.system.bodies[body];
     let mut force = [0.0; 2];
@@ -131,7 +131,11 @@ fn invariance(discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, 
     };
     let metres = scene.in_metres();
     let mut variants = vec![
-        ("metres", with(metres.clone(), Mesh::of(&metres, resolution)?)?, scene.reference.pressure / metres.reference.pressure),
+        (
+            "metres",
+            with(metres.clone(), Mesh::of(&metres, resolution)?)?,
+            scene.reference.pressure / metres.reference.pressure,
+        ),
         ("mirror image", with(scene.mirrored(), mesh.mirrored())?, 1.0),
         ("renumbered nodes", with(scene.clone(), mesh.renumbered())?, 1.0),
     ];
@@ -148,7 +152,7 @@ fn invariance(discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, 
     variants.iter().map(|(name, variant, unit)| same(run, name, variant, *unit, scale(discretisation, run))).collect()
 }
 
-/// `p_ref`, or the largest pressure of the run where that is larger (it is at the corner of the flat punch) [MPa].
+/// `p_ref`, or the largest pressure of the run where that is larger (it is at the corner of the flat punch) \[MPa\].
 fn scale(discretisation: &Discretisation, run: &Run) -> f64 {
     let pressures = run.solution.points.iter().map(|p| p.pressure);
     pressures.fold(discretisation.scene.reference.pressure, f64::max)
@@ -202,5 +206,7 @@ fn largest_difference(a: impl ExactSizeIterator<Item = f64>, b: impl ExactSizeIt
     if a.len() != b.len() {
         return f64::NAN;
     }
-    a.zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, |worst: f64, d| if d.is_nan() || worst.is_nan() { f64::NAN } else { worst.max(d) })
+    a.zip(b)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, |worst: f64, d| if d.is_nan() || worst.is_nan() { f64::NAN } else { worst.max(d) })
 }

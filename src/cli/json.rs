@@ -70,10 +70,13 @@ pub fn text(problem: &Problem, resolution: Resolution, run: &Run) -> String {
     let (solution, measures) = (&run.solution, &run.measures);
     let nan = f64::NAN;
     let last = solution.history.last().map(|step| step.residuals);
-    let residuals = last.map_or(
-        Residuals { penetration: nan, tension: nan, complementarity: nan, balance: nan },
-        |r| Residuals { penetration: r.penetration, tension: r.tension, complementarity: r.complementarity, balance: r.balance },
-    );
+    let residuals =
+        last.map_or(Residuals { penetration: nan, tension: nan, complementarity: nan, balance: nan }, |r| Residuals {
+            penetration: r.penetration,
+            tension: r.tension,
+            complementarity: r.complementarity,
+            balance: r.balance,
+        });
     let point = |p: &crate::solution::PointState| Point { position: p.position, pressure: p.pressure, gap: p.gap };
     let document = Document {
         case: problem.name,

@@ -75,7 +75,10 @@ fn report_command(check: bool) -> Result<bool, Error> {
     }
     let differences = report::differences(&page, &root);
     differences.iter().for_each(|difference| println!("{difference}"));
-    println!("{}", if differences.is_empty() { "the page is up to date" } else { "the page is stale: run `cargo run --release`" });
+    println!(
+        "{}",
+        if differences.is_empty() { "the page is up to date" } else { "the page is stale: run `cargo run --release`" }
+    );
     Ok(sound && differences.is_empty())
 }
 

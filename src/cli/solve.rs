@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 
 use crate::algorithm::StiffnessRule;
-use crate::case::problem::{Problem, problem};
 use crate::case::Run;
+use crate::case::problem::{Problem, problem};
 use crate::cli::json;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration};
@@ -150,13 +150,33 @@ fn print(problem: &Problem, resolution: Resolution, run: &Run) {
     println!("{}: {}", problem.name, problem.title);
     println!("{}, {order}-node cells, {} freedoms, {} retained", run.formulation.name(), run.freedoms, run.retained);
     let work = &run.solution.work;
-    println!("{} after {} steps, {} factorisations, residual {}", run.solution.outcome, work.steps, work.factorisations, format::error(run.solution.residual()));
-    println!("half-width by second moment {} {unit}, by counting {} {unit}",
-        format::value(factor * run.measures.half_width), format::value(factor * run.measures.half_width_nodes));
-    println!("peak pressure {} MPa at {} {unit}, resultant {} N", format::value(run.measures.peak.pressure),
-        format::value(factor * run.measures.peak.position), format::value(run.transmitted));
+    println!(
+        "{} after {} steps, {} factorisations, residual {}",
+        run.solution.outcome,
+        work.steps,
+        work.factorisations,
+        format::error(run.solution.residual())
+    );
+    println!(
+        "half-width by second moment {} {unit}, by counting {} {unit}",
+        format::value(factor * run.measures.half_width),
+        format::value(factor * run.measures.half_width_nodes)
+    );
+    println!(
+        "peak pressure {} MPa at {} {unit}, resultant {} N",
+        format::value(run.measures.peak.pressure),
+        format::value(factor * run.measures.peak.position),
+        format::value(run.transmitted)
+    );
     for oracle in json::oracles(problem, run) {
-        println!("{} ({}) {}: {}, error {}", oracle.name, oracle.kind, oracle.quantity, format::value(oracle.reference), format::error(oracle.error));
+        println!(
+            "{} ({}) {}: {}, error {}",
+            oracle.name,
+            oracle.kind,
+            oracle.quantity,
+            format::value(oracle.reference),
+            format::error(oracle.error)
+        );
     }
 }
 
@@ -173,7 +193,12 @@ fn plot(problem: &Problem, run: &Run) -> Chart {
     chart.series.push(Series { label: run.formulation.name(), points: points(&|_, p| p), style, hollow: vec![] });
     if let Some(oracle) = &problem.oracle {
         let curve = points(&|s, _| problem.reference_pressure(s));
-        chart.series.push(Series { label: oracle.name().into(), points: curve, style: Style::reference(), hollow: vec![] });
+        chart.series.push(Series {
+            label: oracle.name().into(),
+            points: curve,
+            style: Style::reference(),
+            hollow: vec![],
+        });
     }
     chart
 }

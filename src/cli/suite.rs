@@ -42,7 +42,13 @@ pub fn print(findings: &[Finding]) {
     for finding in findings {
         for check in finding.checks.iter().filter(|check| check.verdict != Verdict::Pass) {
             let error = format::error(check.error);
-            println!("{} × {}: {} — {}: error {error}", finding.case, finding.name, format::verdict(&check.verdict), check.requirement);
+            println!(
+                "{} × {}: {} — {}: error {error}",
+                finding.case,
+                finding.name,
+                format::verdict(&check.verdict),
+                check.requirement
+            );
         }
     }
 }

@@ -4,16 +4,16 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::solvers::LltError;
 use faer::perm::PermRef;
 use faer::prelude::Solve;
+use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::amd;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
-    supernodal::SupernodalLltRef,
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky, supernodal::SupernodalLltRef,
 };
-use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::{SparseColMat, SymbolicSparseColMatRef, Triplet};
 use faer::{Conj, Mat, MatMut, Par, Side, Spec};
 
-use super::is_retained;
+use super::{CoupledSpring, is_retained};
 use crate::elasticity::{BodySystem, ElasticSystem};
 use crate::error::Error;
 
@@ -100,10 +100,7 @@ impl Factor {
 }
 
 /// Solves the two bodies and their springs as one sparse system.
-pub(super) fn solve_coupled(
-    system: &ElasticSystem,
-    springs: &[(Vec<(usize, f64)>, f64, f64)],
-) -> Result<Vec<Vec<f64>>, Error> {
+pub(super) fn solve_coupled(system: &ElasticSystem, springs: &[CoupledSpring]) -> Result<Vec<Vec<f64>>, Error> {
     let mut offset = 0;
     let mut triplets = Vec::new();
     let (mut retained, mut rhs, mut offsets) = (Vec::new(), Vec::new(), Vec::new());
@@ -119,7 +116,7 @@ pub(super) fn solve_coupled(
         offsets.push(offset);
         offset += body.freedoms.equations;
     }
-    for (row, constant, force) in springs {
+    for CoupledSpring { row, constant, force } in springs {
         for &(i, b_i) in row {
             rhs[retained[i]] += b_i * force;
             for &(j, b_j) in row {
@@ -141,7 +138,13 @@ pub(super) fn solve_coupled(
 }
 
 /// One step of iterative refinement, `x ← x + A⁻¹(b − A x)`.
-fn refine(symbolic: &SymbolicCholesky<usize>, values: &[f64], matrix: &SparseColMat<usize, f64>, b: &[f64], x: &mut [f64]) {
+fn refine(
+    symbolic: &SymbolicCholesky<usize>,
+    values: &[f64],
+    matrix: &SparseColMat<usize, f64>,
+    b: &[f64],
+    x: &mut [f64],
+) {
     let mut residual = b.to_vec();
     let view = matrix.as_ref();
     for column in 0..view.ncols() {
@@ -167,11 +170,7 @@ fn mean_retained_diagonal(body: &BodySystem) -> f64 {
 
 fn shifted(body: &BodySystem, shift: f64) -> SparseColMat<usize, f64> {
     let mut matrix = body.stiffness.clone();
-    let retained = is_retained(body);
-    for column in 0..matrix.ncols() {
-        if !retained[column] {
-            continue;
-        }
+    for &column in &body.retained {
         let at = matrix.row_idx_of_col(column).position(|row| row == column);
         if let Some(at) = at {
             matrix.val_of_col_mut(column)[at] += shift;
@@ -196,8 +195,13 @@ fn retained_last(body: &BodySystem) -> Vec<usize> {
     let graph = SymbolicSparseColMatRef::new_checked(n, n, &starts, None, &rows);
     let (mut forward, mut inverse) = (vec![0; n], vec![0; n]);
     let mut memory = MemBuffer::new(amd::order_maybe_unsorted_scratch::<usize>(n, rows.len()));
-    let ordered =
-        amd::order_maybe_unsorted(&mut forward, &mut inverse, graph, amd::Control::default(), MemStack::new(&mut memory));
+    let ordered = amd::order_maybe_unsorted(
+        &mut forward,
+        &mut inverse,
+        graph,
+        amd::Control::default(),
+        MemStack::new(&mut memory),
+    );
     if ordered.is_err() {
         forward = (0..n).collect();
     }
@@ -223,7 +227,11 @@ fn symbolic(
         .map_err(|_| Error::SingularStiffness { body: name.into(), pivot: 0 })
 }
 
-fn numeric(symbolic: &SymbolicCholesky<usize>, matrix: &SparseColMat<usize, f64>, name: &str) -> Result<Vec<f64>, Error> {
+fn numeric(
+    symbolic: &SymbolicCholesky<usize>,
+    matrix: &SparseColMat<usize, f64>,
+    name: &str,
+) -> Result<Vec<f64>, Error> {
     let mut values = vec![0.0; symbolic.len_val()];
     let mut memory = MemBuffer::new(symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Spec::default()));
     let factorised = symbolic

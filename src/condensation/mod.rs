@@ -16,7 +16,7 @@ use factor::Factor;
 pub struct Condensed {
     /// Condensed stiffness `S = K_cc − K_ci K_ii⁻¹ K_ic` [N/mm], block-diagonal by body.
     pub stiffness: Mat<f64>,
-    /// Condensed load `f̂ = f_c − K_ci K_ii⁻¹ f_i` [N].
+    /// Condensed load `f̂ = f_c − K_ci K_ii⁻¹ f_i` \[N\].
     pub load: Vec<f64>,
     /// First retained freedom of each body.
     pub offsets: Vec<usize>,
@@ -68,13 +68,20 @@ impl Condensed {
     }
 }
 
+/// A spring between retained freedoms.
+#[derive(Clone, Debug)]
+pub struct CoupledSpring {
+    /// Sparse row `b` on the retained freedoms.
+    pub row: Vec<(usize, f64)>,
+    /// Spring constant `A k` [N/mm].
+    pub constant: f64,
+    /// Force `A c` along `b` at rest \[N\].
+    pub force: f64,
+}
+
 /// The same unknowns without condensation: `(K + Σ A k bᵀb) u = f + Σ A c b`, used to check the condensed solve.
 ///
-/// `springs` are (row on the retained freedoms, spring constant A k [N/mm], force A c [N]).
-pub fn solve_uncondensed(
-    system: &ElasticSystem,
-    springs: &[(Vec<(usize, f64)>, f64, f64)],
-) -> Result<Vec<Vec<f64>>, Error> {
+pub fn solve_uncondensed(system: &ElasticSystem, springs: &[CoupledSpring]) -> Result<Vec<Vec<f64>>, Error> {
     factor::solve_coupled(system, springs)
 }
 

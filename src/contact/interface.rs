@@ -15,7 +15,7 @@ pub struct Interface {
     pub edges: Vec<Vec<usize>>,
     /// Path, gap and symmetry of the contact.
     pub pair: ContactPair,
-    /// Thickness [mm].
+    /// Thickness \[mm\].
     pub thickness: f64,
 }
 
@@ -24,11 +24,11 @@ pub struct Interface {
 pub struct Station {
     /// Contact coordinate.
     pub coordinate: f64,
-    /// Position on the first body [mm].
+    /// Position on the first body \[mm\].
     pub point: [f64; 2],
     /// Outward normal of the first body.
     pub normal: [f64; 2],
-    /// Initial gap [mm].
+    /// Initial gap \[mm\].
     pub gap: f64,
     /// Retained freedoms of the normal displacements, first body and second.
     pub freedoms: Vec<usize>,
@@ -72,7 +72,7 @@ impl Interface {
         Ok(Self { stations, edges, pair: pair.clone(), thickness: scene.thickness })
     }
 
-    /// At a natural coordinate of an edge: shape functions `N_a`, contact coordinate `s`, and length per ξ [mm].
+    /// At a natural coordinate of an edge: shape functions `N_a`, contact coordinate `s`, and length per ξ \[mm\].
     pub fn at(&self, edge: &[usize], xi: f64) -> (Vec<f64>, f64, f64) {
         let shapes = shape_functions::edge(edge.len(), xi);
         let of = |pick: fn(&(f64, f64)) -> f64| -> f64 {
@@ -105,7 +105,8 @@ fn face(scene: &Scene, mesh: &Mesh, second: usize, offset: usize, stations: &mut
         return Err(mismatch(last, stations.len() as f64, facing.len() as f64));
     }
     for (index, (station, candidate)) in stations.iter_mut().zip(facing).enumerate() {
-        if !((station.coordinate - candidate.coordinate).abs() <= 1e-9 * scene.contact.stretch) {
+        let apart = (station.coordinate - candidate.coordinate).abs();
+        if apart.is_nan() || apart > 1e-9 * scene.contact.stretch {
             return Err(mismatch(index, station.coordinate, candidate.coordinate));
         }
         station.freedoms.push(offset + index);

@@ -2,7 +2,7 @@
 //!
 //! * [`interface`] — facing nodes and edges of the candidate stretch.
 //! * [`node`] — one spring per node pair (paper, Fig. 5).
-//! * [`line`] — distributed springs between two element edges (Fig. 3).
+//! * [`mod@line`] — distributed springs between two element edges (Fig. 3).
 //! * [`layer`] — a thin element of fictitious material (Fig. 4).
 
 pub mod interface;
@@ -22,20 +22,20 @@ pub use node::Node;
 pub struct ContactPoint {
     /// Sparse row `b` on the retained freedoms: the approach is `w = b·u`.
     pub row: Vec<(usize, f64)>,
-    /// Contact coordinate `s` [mm, or rad on an arc].
+    /// Contact coordinate `s` \[mm, or rad on an arc\].
     pub position: f64,
-    /// Tributary area `A` of the modelled part [mm²].
+    /// Tributary area `A` of the modelled part \[mm²\].
     pub weight: f64,
-    /// Initial normal gap `g` [mm]; negative is interference.
+    /// Initial normal gap `g` \[mm\]; negative is interference.
     pub gap: f64,
     /// Initial stiffness over the nominal one, `k_i / k_n`.
     pub relative_stiffness: f64,
-    /// Parts of the area that belong to each edge: (edge index, area [mm²]).
+    /// Parts of the area that belong to each edge: (edge index, area \[mm²\]).
     pub shares: Vec<(usize, f64)>,
 }
 
 impl ContactPoint {
-    /// Approach `w = b·u` [mm], positive closing.
+    /// Approach `w = b·u` \[mm\], positive closing.
     pub fn approach(&self, u: &[f64]) -> f64 {
         self.row.iter().map(|&(freedom, value)| value * u[freedom]).sum()
     }

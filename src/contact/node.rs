@@ -33,7 +33,7 @@ impl ContactElement for Node {
     }
 }
 
-/// `∫ N_k (n·n_k) ds · thickness` over one edge [mm²].
+/// `∫ N_k (n·n_k) ds · thickness` over one edge \[mm²\].
 fn tributary_area(interface: &Interface, edge: &[usize], k: usize) -> f64 {
     let own = interface.stations[edge[k]].coordinate;
     let terms = quadrature::gauss(3).into_iter().map(|(xi, weight)| {

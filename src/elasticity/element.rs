@@ -8,7 +8,11 @@ use crate::elasticity::{quadrature, shape_functions};
 ///
 /// A Jacobian determinant that is not positive is returned as the error.
 pub fn stiffness(points: &[[f64; 2]], elasticity: &[[f64; 3]; 3], thickness: f64) -> Result<Vec<Vec<f64>>, f64> {
-    if points.len() == 4 { integrate::<8>(points, elasticity, thickness, 2) } else { integrate::<16>(points, elasticity, thickness, 3) }
+    if points.len() == 4 {
+        integrate::<8>(points, elasticity, thickness, 2)
+    } else {
+        integrate::<16>(points, elasticity, thickness, 3)
+    }
 }
 
 fn integrate<const F: usize>(

@@ -9,7 +9,7 @@ use crate::scene::{Component, Load, Place, Scene};
 pub enum Freedom {
     /// Unknown, with its equation number; tied components share one.
     Equation(usize),
-    /// Prescribed value [mm].
+    /// Prescribed value \[mm\].
     Prescribed(f64),
 }
 
@@ -96,10 +96,10 @@ impl Freedoms {
                 let (x, y) = (row[2 * a], row[2 * a + 1]);
                 (row[2 * a], row[2 * a + 1]) = (x * n[0] + y * n[1], x * t[0] + y * t[1]);
             }
-            for column in 0..k.len() {
-                let (x, y) = (k[2 * a][column], k[2 * a + 1][column]);
-                k[2 * a][column] = x * n[0] + y * n[1];
-                k[2 * a + 1][column] = x * t[0] + y * t[1];
+            let [first, second] = k.get_disjoint_mut([2 * a, 2 * a + 1]).expect("a cell has two freedoms a node");
+            for (u, v) in first.iter_mut().zip(second) {
+                let (x, y) = (*u, *v);
+                (*u, *v) = (x * n[0] + y * n[1], x * t[0] + y * t[1]);
             }
         }
     }
@@ -113,7 +113,7 @@ impl Freedoms {
         }
     }
 
-    /// Cartesian displacement of every node of the body [mm].
+    /// Cartesian displacement of every node of the body \[mm\].
     pub fn displacements(&self, solution: &[f64]) -> Vec<[f64; 2]> {
         let value = |freedom| match freedom {
             Freedom::Equation(equation) => solution[equation],

@@ -9,7 +9,7 @@ use crate::scene::{Load, Scene};
 /// Gauss points per edge for given stress fields: the Hertz field is integrated to 1e-7 and better on the meshes here.
 const EDGE_POINTS: usize = 16;
 
-/// Load vector of a body [N].
+/// Load vector of a body \[N\].
 pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms) -> Result<Vec<f64>, Error> {
     let mut force = vec![0.0; freedoms.equations];
     for load in &scene.bodies[body].loads {
@@ -81,8 +81,11 @@ fn body_force(
         let nodes = mesh.cell(cell);
         let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();
         for (at, weight) in quadrature::gauss_square(3) {
-            let (_, determinant) = element::gradients(&points, at)
-                .map_err(|jacobian| Error::DegenerateCell { cell, body: scene.bodies[body].name.clone(), jacobian })?;
+            let (_, determinant) = element::gradients(&points, at).map_err(|jacobian| Error::DegenerateCell {
+                cell,
+                body: scene.bodies[body].name.clone(),
+                jacobian,
+            })?;
             let volume = weight * determinant * scene.thickness;
             for (&node, (value, _)) in nodes.iter().zip(shape_functions::cell(points.len(), at)) {
                 freedoms.add_force(node, density.map(|b| b * value * volume), force);

@@ -38,7 +38,7 @@ pub struct BodySystem {
     pub name: String,
     /// Lower triangle of the stiffness matrix `K` [N/mm].
     pub stiffness: SparseColMat<usize, f64>,
-    /// Load vector `f`, prescribed displacements included [N].
+    /// Load vector `f`, prescribed displacements included \[N\].
     pub force: Vec<f64>,
     /// Numbering.
     pub freedoms: Freedoms,
@@ -63,7 +63,7 @@ impl ElasticSystem {
         self.bodies.iter().map(|body| body.freedoms.equations).sum()
     }
 
-    /// Nodal displacements [mm] from the solution of each body, in mesh order.
+    /// Nodal displacements \[mm\] from the solution of each body, in mesh order.
     pub fn nodal_displacements(&self, solutions: &[Vec<f64>]) -> Vec<[f64; 2]> {
         let per_body = self.bodies.iter().zip(solutions);
         per_body.flat_map(|(body, solution)| body.freedoms.displacements(solution)).collect()
@@ -80,7 +80,7 @@ impl BodySystem {
         Ok(Self { name: scene.bodies[body].name.clone(), stiffness, force, freedoms, retained })
     }
 
-    /// Applied load along y: the load vector times a unit rigid motion along y, prescribed components at rest [N].
+    /// Applied load along y: the load vector times a unit rigid motion along y, prescribed components at rest \[N\].
     pub fn applied_vertical(&self) -> f64 {
         let mut motion = vec![0.0; self.force.len()];
         for (pair, n) in self.freedoms.components.iter().zip(&self.freedoms.axes) {
@@ -93,7 +93,7 @@ impl BodySystem {
         motion.iter().zip(&self.force).map(|(m, f)| m * f).sum()
     }
 
-    /// `K u` for a vector of unknowns [N].
+    /// `K u` for a vector of unknowns \[N\].
     pub fn product(&self, u: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; u.len()];
         let matrix = self.stiffness.as_ref();
@@ -133,8 +133,15 @@ fn assemble_stiffness(
         let of_cell: Vec<Freedom> = nodes.iter().flat_map(|&n| freedoms.of_node(n)).collect();
         scatter(&of_cell, &k, &mut triplets, force);
     }
-    SparseColMat::try_new_from_triplets(freedoms.equations, freedoms.equations, &triplets)
-        .map_err(|error| Error::value(&scene.name, "stiffness", format!("{error:?}"), "a sparse matrix must fit in memory", "lower the resolution"))
+    SparseColMat::try_new_from_triplets(freedoms.equations, freedoms.equations, &triplets).map_err(|error| {
+        Error::value(
+            &scene.name,
+            "stiffness",
+            format!("{error:?}"),
+            "a sparse matrix must fit in memory",
+            "lower the resolution",
+        )
+    })
 }
 
 fn scatter(of_cell: &[Freedom], k: &[Vec<f64>], triplets: &mut Vec<Triplet<usize, usize, f64>>, force: &mut [f64]) {

@@ -6,7 +6,7 @@ use crate::mesh::Mesh;
 use crate::scene::Scene;
 
 /// Mean over the adjoining cells of `σ = D B q`, taken at the 2×2 Gauss points (where it is most accurate; Barlow 1976)
-/// and extrapolated bilinearly to the nodes: `[σ_x, σ_y, τ_xy]` at every node [MPa], tension positive.
+/// and extrapolated bilinearly to the nodes: `[σ_x, σ_y, τ_xy]` at every node \[MPa\], tension positive.
 pub fn at_nodes(scene: &Scene, mesh: &Mesh, displacements: &[[f64; 2]]) -> Result<Vec<[f64; 3]>, Error> {
     let mut sums = vec![[0.0; 3]; mesh.points.len()];
     let mut counts = vec![0.0; mesh.points.len()];

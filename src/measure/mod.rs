@@ -14,20 +14,20 @@ pub use profile::Peak;
 /// Measures of one converged solution.
 #[derive(Clone, Copy, Debug)]
 pub struct Measures {
-    /// Half-width by second moment `2 √(∫p s² / ∫p)` [mm]; on arcs the same functional of the angle [rad].
+    /// Half-width by second moment `2 √(∫p s² / ∫p)` \[mm\]; on arcs the same functional of the angle \[rad\].
     pub half_width: f64,
-    /// Half-width by counting active points: `Σ A / thickness` over them [mm, or rad].
+    /// Half-width by counting active points: `Σ A / thickness` over them \[mm, or rad\].
     pub half_width_nodes: f64,
-    /// Contact coordinate of the last active point [mm, or rad].
+    /// Contact coordinate of the last active point \[mm, or rad\].
     pub edge: f64,
     /// Peak pressure and where it lies.
     pub peak: Peak,
-    /// Force on the whole contact along the load line, both halves [N].
+    /// Force on the whole contact along the load line, both halves \[N\].
     pub resultant: f64,
 }
 
 impl Measures {
-    /// Measures of a solution; `floor` is the pressure from which a point counts as active [MPa].
+    /// Measures of a solution; `floor` is the pressure from which a point counts as active \[MPa\].
     pub fn of(scene: &Scene, solution: &Solution, floor: f64) -> Self {
         let points = &solution.points;
         let half_width = profile::second_moment_half_width(points);

@@ -8,7 +8,7 @@ use crate::solution::PointState;
 pub struct Peak {
     /// Contact coordinate of the peak.
     pub position: f64,
-    /// Pressure there [MPa].
+    /// Pressure there \[MPa\].
     pub pressure: f64,
 }
 
@@ -29,7 +29,7 @@ pub fn peak_of(points: &[PointState], half_width: f64, pressure: impl Fn(f64) ->
     peak(&with_pressure(points, pressure), half_width)
 }
 
-/// Contact force along the load line on the modelled part, `Σ A p cos θ` (cos θ = 1 on planes) [N].
+/// Contact force along the load line on the modelled part, `Σ A p cos θ` (cos θ = 1 on planes) \[N\].
 pub fn resultant(points: &[PointState], path: &Path) -> f64 {
     points.iter().map(|p| p.weight * p.pressure * path.share(p.position)).sum()
 }

@@ -1,6 +1,6 @@
 //! A structured block: four sides given point by point, the inside by transfinite interpolation.
 
-/// Point of the plane [mm].
+/// Point of the plane \[mm\].
 pub type Point = [f64; 2];
 
 /// One side of a block: its lattice of corner and mid-side points, and the boundary it belongs to.
@@ -78,7 +78,8 @@ impl Block {
         let (p01, p11) = (self.top.points[0], self.top.points[columns - 1]);
         std::array::from_fn(|k| {
             let sides = (1.0 - eta) * b[k] + eta * t[k] + (1.0 - xi) * l[k] + xi * r[k];
-            let corners = (1.0 - xi) * ((1.0 - eta) * p00[k] + eta * p01[k]) + xi * ((1.0 - eta) * p10[k] + eta * p11[k]);
+            let corners =
+                (1.0 - xi) * ((1.0 - eta) * p00[k] + eta * p01[k]) + xi * ((1.0 - eta) * p10[k] + eta * p11[k]);
             sides - corners
         })
     }

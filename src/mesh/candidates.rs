@@ -11,7 +11,7 @@ pub struct Candidate {
     pub node: usize,
     /// Outward unit normal of the body.
     pub normal: [f64; 2],
-    /// Contact coordinate `s` [mm, or rad on an arc].
+    /// Contact coordinate `s` \[mm, or rad on an arc\].
     pub coordinate: f64,
 }
 

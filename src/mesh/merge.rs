@@ -14,8 +14,7 @@ impl Mesh {
         let first_node = self.points.len();
         let first_cell = self.cells();
         let mut register = Register::new(blocks);
-        let mut body =
-            BodyMesh { nodes: 0..0, cells: 0..0, boundaries: Default::default(), candidates: Vec::new() };
+        let mut body = BodyMesh { nodes: 0..0, cells: 0..0, boundaries: Default::default(), candidates: Vec::new() };
         for block in blocks {
             let lattice = block.lattice();
             let [columns, rows] = block.size();

@@ -68,7 +68,7 @@ pub type Edge = Vec<usize>;
 pub struct Mesh {
     /// Element order.
     pub order: Order,
-    /// Node positions [mm].
+    /// Node positions \[mm\].
     pub points: Vec<[f64; 2]>,
     /// Node lists of the cells, one after the other: corners counter-clockwise, then mid-sides from the first edge on.
     pub connectivity: Vec<usize>,

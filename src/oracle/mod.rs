@@ -44,10 +44,7 @@ pub struct Source {
 
 impl Source {
     fn new(citation: &str, note: &str) -> Self {
-        Self {
-            citation: citation.to_owned(),
-            note: note.to_owned(),
-        }
+        Self { citation: citation.to_owned(), note: note.to_owned() }
     }
 }
 

@@ -68,7 +68,8 @@ pub fn universal(findings: &[Finding]) -> String {
         .into_iter()
         .map(|(requirement, checks)| {
             let worst = checks.iter().max_by(|a, b| (a.error / a.tolerance).total_cmp(&(b.error / b.tolerance)));
-            let verdict = if checks.iter().all(|check| check.verdict == Verdict::Pass) { Verdict::Pass } else { Verdict::Fail };
+            let verdict =
+                if checks.iter().all(|check| check.verdict == Verdict::Pass) { Verdict::Pass } else { Verdict::Fail };
             let (error, tolerance, because) =
                 worst.map_or((f64::NAN, f64::NAN, ""), |check| (check.error, check.tolerance, check.because.as_str()));
             vec![

@@ -12,7 +12,11 @@ const MISPRINTS: [[&str; 3]; 6] = [
     ["§2, layer element", "refers to (1.1b)", "(2.2)"],
     ["§1", "A^A = A_c ∪ A_u", "A_c ∪ A_u ∪ A_t, as for body B"],
     ["(2.2), layer", "k_t and G are left open", "zero: frictionless"],
-    ["(3.3), (3.5)", "the choice of K_cj is left to ref. [12], not at hand", "named rules: secant, correction, literal, switching, penalty"],
+    [
+        "(3.3), (3.5)",
+        "the choice of K_cj is left to ref. [12], not at hand",
+        "named rules: secant, correction, literal, switching, penalty",
+    ],
 ];
 
 /// Table of misprints.

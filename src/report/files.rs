@@ -27,8 +27,10 @@ pub fn write(page: &Page, root: &Path) -> Result<(), Error> {
 
 /// What differs between the page and what is committed under a root: one line per file, with the first differing lines.
 pub fn differences(page: &Page, root: &Path) -> Vec<String> {
-    let mut differences: Vec<String> = files(page, root).iter().filter_map(|(path, text)| difference(path, text)).collect();
-    let stale = committed_charts(&root.join(CHARTS)).into_iter().filter(|name| !page.charts.iter().any(|(n, _)| n == name));
+    let mut differences: Vec<String> =
+        files(page, root).iter().filter_map(|(path, text)| difference(path, text)).collect();
+    let stale =
+        committed_charts(&root.join(CHARTS)).into_iter().filter(|name| !page.charts.iter().any(|(n, _)| n == name));
     differences.extend(stale.map(|name| format!("{CHARTS}/{name}: the page no longer has this chart")));
     differences
 }

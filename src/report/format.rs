@@ -55,9 +55,9 @@ pub fn verdict(verdict: &Verdict) -> String {
 /// A Markdown table.
 pub fn markdown(head: &[String], rows: &[Vec<String>]) -> String {
     let mut grid = Grid::new();
-    grid.load_style(presets::ASCII_MARKDOWN).set_header(head.iter().map(escape));
+    grid.load_style(presets::ASCII_MARKDOWN).set_header(head.iter().map(|cell| escape(cell)));
     for row in rows {
-        grid.add_row(row.iter().map(escape));
+        grid.add_row(row.iter().map(|cell| escape(cell)));
     }
     format!("{grid}\n")
 }
@@ -67,6 +67,6 @@ pub fn titled(table: &Table) -> String {
     format!("**{}**\n\n{}", table.title, markdown(&table.head, &table.rows))
 }
 
-fn escape(cell: &String) -> String {
+fn escape(cell: &str) -> String {
     cell.replace('|', "\\|")
 }

@@ -34,7 +34,8 @@ fn group<'a>(findings: impl Iterator<Item = &'a Finding>) -> Vec<(&'a str, Vec<&
 
 /// The verdict matrix in Markdown: sign and steps of every case under every formulation.
 pub fn verdict_matrix(findings: &[Finding]) -> String {
-    let head: Vec<String> = std::iter::once("case".into()).chain(columns().iter().map(|name| name.replace('.', " · "))).collect();
+    let head: Vec<String> =
+        std::iter::once("case".into()).chain(columns().iter().map(|name| name.replace('.', " · "))).collect();
     let rows: Vec<Vec<String>> = cases(findings)
         .iter()
         .map(|(case, members)| {
@@ -109,10 +110,18 @@ pub fn summary_rows(findings: &[Finding]) -> Vec<Vec<String>> {
             let (outcome, steps) = finding.run.as_ref().map_or((String::new(), String::new()), |run| {
                 (run.solution.outcome.to_string(), run.solution.work.steps.to_string())
             });
-            let truth = finding.checks.iter().filter(|check| check.reference.kind == crate::oracle::ReferenceKind::Analytic);
+            let truth =
+                finding.checks.iter().filter(|check| check.reference.kind == crate::oracle::ReferenceKind::Analytic);
             let errors = truth.map(|check| format!("{} {}", check.quantity, format::error(check.error)));
             let errors = errors.collect::<Vec<_>>().join("; ");
-            vec![finding.case.clone(), finding.name.clone(), outcome, steps, errors, format::verdict(&finding.verdict())]
+            vec![
+                finding.case.clone(),
+                finding.name.clone(),
+                outcome,
+                steps,
+                errors,
+                format::verdict(&finding.verdict()),
+            ]
         })
         .collect()
 }

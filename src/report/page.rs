@@ -76,12 +76,18 @@ fn verdicts(findings: &[Finding]) -> String {
 
 fn cylinder(findings: &[Finding]) -> String {
     let mut text = String::from("## Elastic cylinder on a rigid plane\n\n");
-    text += &picture("scene-cylinder.svg", "The scene: lower quarter, half by symmetry, uniform load on the horizontal cut");
+    text += &picture(
+        "scene-cylinder.svg",
+        "The scene: lower quarter, half by symmetry, uniform load on the horizontal cut",
+    );
     text += &picture("field-cylinder.svg", "Mesh and vertical stress on the deformed shape");
     text += "Reference: Hertz line contact. The quarter cylinder under uniform load is not quite Hertz's problem; the model error is shown by a/R.\n\n";
     text += &case(findings, &["cylinder, verification", "cylinder, a/R = 0.005", hertz::CYLINDER]);
     text += &measures(findings, hertz::CYLINDER, 1.0, "mm");
-    text += &picture("pressure-cylinder.svg", "Contact pressure of all nine formulations against Hertz, and the difference");
+    text += &picture(
+        "pressure-cylinder.svg",
+        "Contact pressure of all nine formulations against Hertz, and the difference",
+    );
     text += &tables(findings, &["model error, cylinder", "half cylinder against quarter"]);
     text += "### Truncated Hertz: the same contact without model error\n\nA block between the closed-form tractions of Hertz's half-space and a rigid parabola: all errors are discretisation errors.\n\n";
     text += &case(findings, &["truncated hertz, verification", hertz::TRUNCATED]);
@@ -92,7 +98,8 @@ fn cylinder(findings: &[Finding]) -> String {
 
 fn pin_rod(findings: &[Finding]) -> String {
     let mut text = String::from("## Pin in a connecting-rod eye\n\n");
-    text += &picture("scene-pin-rod.svg", "The scene: pin held on its horizontal diameter, rod pulled by a rigid end face");
+    text +=
+        &picture("scene-pin-rod.svg", "The scene: pin held on its horizontal diameter, rod pulled by a rigid end face");
     text += &picture("field-pin-rod.svg", "Mesh and vertical stress on the deformed shape");
     text += "No closed form: the nine formulations are held against one another, and the refinement series gives its own uncertainty.\n\n";
     text += &case(findings, &[pin::PIN_ROD]);
@@ -106,7 +113,8 @@ fn pin_rod(findings: &[Finding]) -> String {
     text += &picture("family-pin-rod.svg", "Pressure and contact angle against dimensionless clearance");
     text += &tables(findings, &["dimensionless family, pin-rod"]);
     text += "### Pin in a wide plate: the same contact with a closed form\n\n";
-    let plates: Vec<&str> = matrix::cases(findings).iter().map(|(name, _)| *name).filter(|name| name.starts_with("pin in plate")).collect();
+    let plates: Vec<&str> =
+        matrix::cases(findings).iter().map(|(name, _)| *name).filter(|name| name.starts_with("pin in plate")).collect();
     text += &case(findings, &plates);
     text
 }
@@ -114,7 +122,8 @@ fn pin_rod(findings: &[Finding]) -> String {
 fn exact(findings: &[Finding]) -> String {
     let starts = ["patch", "bars", "own weight", "press fit", "flat punch"];
     let is_exact = |name: &str| starts.iter().any(|start| name.starts_with(start));
-    let names: Vec<&str> = matrix::cases(findings).iter().map(|(name, _)| *name).filter(|name| is_exact(name)).collect();
+    let names: Vec<&str> =
+        matrix::cases(findings).iter().map(|(name, _)| *name).filter(|name| is_exact(name)).collect();
     format!("## Exact solutions\n\n{}", case(findings, &names))
 }
 
@@ -122,7 +131,10 @@ fn behaviour() -> String {
     let mut text = String::from("## Elements and iterations\n\n");
     text += &picture("contact-elements.svg", "The three contact elements");
     text += &picture("iteration-paths.svg", "The path of the iterations");
-    text += &picture("steps-against-stiffness.svg", "Steps against initial stiffness; runs that do not converge stand hollow above the frame");
+    text += &picture(
+        "steps-against-stiffness.svg",
+        "Steps against initial stiffness; runs that do not converge stand hollow above the frame",
+    );
     text
 }
 
@@ -136,7 +148,11 @@ fn silent() -> String {
 
 fn closing() -> String {
     let list = |items: &[&str]| items.iter().map(|item| format!("* {item}\n")).collect::<String>();
-    format!("## Deliberately not covered\n\n{}\n## References\n\n{}", list(&decisions::NOT_COVERED), list(&decisions::REFERENCES))
+    format!(
+        "## Deliberately not covered\n\n{}\n## References\n\n{}",
+        list(&decisions::NOT_COVERED),
+        list(&decisions::REFERENCES)
+    )
 }
 
 fn picture(file: &str, caption: &str) -> String {
@@ -162,16 +178,23 @@ fn studies(findings: &[Finding], names: &[&str]) -> String {
 }
 
 fn tables(findings: &[Finding], names: &[&str]) -> String {
-    let of = |name: &&str| findings.iter().filter(move |f| f.case == **name).flat_map(|f| &f.tables).collect::<Vec<_>>();
+    let of =
+        |name: &&str| findings.iter().filter(move |f| f.case == **name).flat_map(|f| &f.tables).collect::<Vec<_>>();
     names.iter().flat_map(of).map(|table| format::titled(table) + "\n").collect()
 }
 
 /// What one quotes of every run of a case; `factor` turns the contact coordinate into `unit`.
 fn measures(findings: &[Finding], case: &str, factor: f64, unit: &str) -> String {
-    let head = ["formulation", "outcome", "steps", "factorisations", "back-substitutions", "peak [MPa]"].map(String::from);
+    let head =
+        ["formulation", "outcome", "steps", "factorisations", "back-substitutions", "peak [MPa]"].map(String::from);
     let head: Vec<String> = head
         .into_iter()
-        .chain([format!("half-width by moment [{unit}]"), format!("by counting [{unit}]"), format!("last active point [{unit}]"), "resultant [N]".into()])
+        .chain([
+            format!("half-width by moment [{unit}]"),
+            format!("by counting [{unit}]"),
+            format!("last active point [{unit}]"),
+            "resultant [N]".into(),
+        ])
         .collect();
     let runs = findings.iter().filter(|f| f.case == case).filter_map(|f| f.run.as_ref());
     let rows: Vec<Vec<String>> = runs

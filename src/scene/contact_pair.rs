@@ -13,7 +13,7 @@ pub struct ContactPair {
     pub path: Path,
     /// Initial gap along the path.
     pub profile: Profile,
-    /// Candidates lie on `0 ≤ s ≤ stretch` [mm, or rad on an arc].
+    /// Candidates lie on `0 ≤ s ≤ stretch` \[mm, or rad on an arc\].
     pub stretch: f64,
     /// The scene shows one half of a symmetric problem.
     pub symmetric: bool,
@@ -22,33 +22,33 @@ pub struct ContactPair {
 /// The curve along which the contact coordinate `s` runs, starting on the symmetry line.
 #[derive(Clone, Copy, Debug)]
 pub enum Path {
-    /// `s = |x|` [mm]; the normal is vertical and areas are horizontal projections.
+    /// `s = |x|` \[mm\]; the normal is vertical and areas are horizontal projections.
     Horizontal,
-    /// `s = θ` [rad] from the downward vertical about a centre; normals are radial and areas those of the circle.
+    /// `s = θ` \[rad\] from the downward vertical about a centre; normals are radial and areas those of the circle.
     Arc(Circle),
 }
 
 /// Initial normal gap as a function of the contact coordinate.
 #[derive(Clone, Copy, Debug)]
 pub enum Profile {
-    /// The same gap everywhere [mm]; negative is interference.
+    /// The same gap everywhere \[mm\]; negative is interference.
     Uniform(f64),
-    /// Circle of radius `R` on a plane: `g = R − √(R² − x²)` [mm].
+    /// Circle of radius `R` on a plane: `g = R − √(R² − x²)` \[mm\].
     Circle {
-        /// Radius [mm].
+        /// Radius \[mm\].
         radius: f64,
     },
-    /// Parabola on a plane: `g = x²/2R` [mm].
+    /// Parabola on a plane: `g = x²/2R` \[mm\].
     Parabola {
-        /// Radius of curvature at the vertex [mm].
+        /// Radius of curvature at the vertex \[mm\].
         radius: f64,
     },
     /// Pin in a hole that it touches at its lowest point: the distance along the pin's radius,
-    /// `g = √((R+c)² − c² sin²θ) − c cos θ − R`, to first order `c (1 − cos θ)` [mm].
+    /// `g = √((R+c)² − c² sin²θ) − c cos θ − R`, to first order `c (1 − cos θ)` \[mm\].
     Hole {
-        /// Radius of the pin [mm].
+        /// Radius of the pin \[mm\].
         radius: f64,
-        /// Radial clearance [mm].
+        /// Radial clearance \[mm\].
         clearance: f64,
     },
 }
@@ -116,7 +116,7 @@ impl Path {
 }
 
 impl Profile {
-    /// Initial gap at the contact coordinate `s` [mm].
+    /// Initial gap at the contact coordinate `s` \[mm\].
     pub fn gap(&self, s: f64) -> f64 {
         match *self {
             Self::Uniform(gap) => gap,

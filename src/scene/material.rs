@@ -15,14 +15,14 @@ pub enum PlaneHypothesis {
 /// Homogeneous isotropic linear elasticity.
 #[derive(Clone, Copy, Debug)]
 pub struct Material {
-    /// Young's modulus [MPa].
+    /// Young's modulus \[MPa\].
     pub young: f64,
     /// Poisson's ratio.
     pub poisson: f64,
 }
 
 impl Material {
-    /// Plane modulus `E/(1−ν²)` in plane strain, `E` in plane stress [MPa].
+    /// Plane modulus `E/(1−ν²)` in plane strain, `E` in plane stress \[MPa\].
     pub fn plane_modulus(&self, plane: PlaneHypothesis) -> f64 {
         match plane {
             PlaneHypothesis::Strain => self.young / (1.0 - self.poisson * self.poisson),
@@ -30,7 +30,7 @@ impl Material {
         }
     }
 
-    /// Elasticity matrix `D` with `[σ_x, σ_y, τ_xy] = D [ε_x, ε_y, γ_xy]` [MPa].
+    /// Elasticity matrix `D` with `[σ_x, σ_y, τ_xy] = D [ε_x, ε_y, γ_xy]` \[MPa\].
     ///
     /// Plane stress with `E`, `ν`; plane strain is the same with `E/(1−ν²)`, `ν/(1−ν)`.
     pub fn stiffness(&self, plane: PlaneHypothesis) -> [[f64; 3]; 3] {

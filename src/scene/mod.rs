@@ -30,7 +30,7 @@ pub struct Scene {
     pub name: String,
     /// Plane strain or plane stress.
     pub plane: PlaneHypothesis,
-    /// Thickness of all bodies [mm].
+    /// Thickness of all bodies \[mm\].
     pub thickness: f64,
     /// The elastic bodies.
     pub bodies: Vec<Body>,
@@ -45,11 +45,11 @@ pub struct Scene {
 /// Length, pressure and gap that make stiffnesses and residuals dimensionless.
 #[derive(Clone, Copy, Debug)]
 pub struct ReferenceValues {
-    /// `ℓ` in `κ = k_n ℓ / E*` [mm].
+    /// `ℓ` in `κ = k_n ℓ / E*` \[mm\].
     pub length: f64,
-    /// `p_ref` [MPa].
+    /// `p_ref` \[MPa\].
     pub pressure: f64,
-    /// `g_ref` [mm].
+    /// `g_ref` \[mm\].
     pub gap: f64,
 }
 
@@ -75,7 +75,7 @@ pub struct Support {
     pub at: Place,
     /// Which component.
     pub component: Component,
-    /// Prescribed value [mm].
+    /// Prescribed value \[mm\].
     pub value: f64,
 }
 
@@ -84,7 +84,7 @@ pub struct Support {
 pub enum Place {
     /// Named boundary of the shape.
     Boundary(&'static str),
-    /// The node at this point [mm].
+    /// The node at this point \[mm\].
     Point([f64; 2]),
 }
 
@@ -107,7 +107,7 @@ impl Component {
     }
 }
 
-/// A stress field `(x, y) ↦ [σ_x, σ_y, τ_xy]` [MPa], tension positive.
+/// A stress field `(x, y) ↦ [σ_x, σ_y, τ_xy]` \[MPa\], tension positive.
 #[derive(Clone)]
 pub struct StressField(pub Arc<dyn Fn([f64; 2]) -> [f64; 3] + Send + Sync>);
 
@@ -120,11 +120,11 @@ impl fmt::Debug for StressField {
 /// A load on a body.
 #[derive(Clone, Debug)]
 pub enum Load {
-    /// Constant traction on a boundary [MPa].
+    /// Constant traction on a boundary \[MPa\].
     Traction {
         /// Boundary name.
         boundary: &'static str,
-        /// Traction vector [MPa].
+        /// Traction vector \[MPa\].
         traction: [f64; 2],
     },
     /// Traction `t = σ n` of a given stress field on a boundary.
@@ -136,11 +136,11 @@ pub enum Load {
     },
     /// Force per volume [N/mm³].
     BodyForce([f64; 2]),
-    /// Force at the node at a point [N].
+    /// Force at the node at a point \[N\].
     Force {
-        /// The point [mm].
+        /// The point \[mm\].
         at: [f64; 2],
-        /// Force vector [N].
+        /// Force vector \[N\].
         force: [f64; 2],
     },
     /// A boundary that stays flat: one component is common to all its nodes and takes a total force.
@@ -149,19 +149,16 @@ pub enum Load {
         boundary: &'static str,
         /// The component that stays common.
         component: Component,
-        /// Total force in that direction on the modelled part [N].
+        /// Total force in that direction on the modelled part \[N\].
         force: f64,
     },
 }
 
 impl Scene {
-    /// Contact modulus `1/E* = Σ 1/E'` over the elastic bodies, `E' = E/(1−ν²)` in plane strain, `E` in plane stress [MPa].
+    /// Contact modulus `1/E* = Σ 1/E'` over the elastic bodies, `E' = E/(1−ν²)` in plane strain, `E` in plane stress \[MPa\].
     pub fn contact_modulus(&self) -> f64 {
-        let compliance: f64 = self
-            .contact
-            .bodies()
-            .map(|b| 1.0 / self.bodies[b].material.plane_modulus(self.plane))
-            .sum();
+        let compliance: f64 =
+            self.contact.bodies().map(|b| 1.0 / self.bodies[b].material.plane_modulus(self.plane)).sum();
         1.0 / compliance
     }
 

@@ -8,9 +8,9 @@
 pub enum Shape {
     /// Axis-parallel rectangle; boundaries `left`, `right`, `contact` and `far` (opposite to the contact).
     Rectangle {
-        /// Left and right end [mm].
+        /// Left and right end \[mm\].
         x: [f64; 2],
-        /// Lower and upper end [mm].
+        /// Lower and upper end \[mm\].
         y: [f64; 2],
         /// The side that carries the contact.
         contact: Face,
@@ -18,9 +18,9 @@ pub enum Shape {
     /// Part of a disc from its lowest point counter-clockwise; boundaries `axis` (x = centre), `cut` (the horizontal
     /// diameter; inside a half disc) and `contact` (the arc); a half disc also has `top` (its upper arc).
     Disc {
-        /// Centre [mm].
+        /// Centre \[mm\].
         centre: [f64; 2],
-        /// Radius [mm].
+        /// Radius \[mm\].
         radius: f64,
         /// Half a disc instead of its lower quarter.
         half: bool,
@@ -28,28 +28,28 @@ pub enum Shape {
     /// Part of a ring from the downward vertical; boundaries `start`, `end` (the straight sides), `inner`, `outer`;
     /// the side named in `contact` is called `contact` instead.
     Ring {
-        /// Rays on which the nodes lie start here: the centre of the contact path [mm].
+        /// Rays on which the nodes lie start here: the centre of the contact path \[mm\].
         pole: [f64; 2],
         /// Inner circle.
         inner: Circle,
         /// Outer circle.
         outer: Circle,
-        /// Angle swept [rad].
+        /// Angle swept \[rad\].
         sweep: f64,
         /// The face that carries the contact: `Bottom` is the inner one, `Top` the outer one.
         contact: Face,
     },
     /// Half a rod eye with a shank upwards; boundaries `contact` (the hole), `axis`, `end`.
     Eye {
-        /// Rays on which the hole's nodes lie start here: the centre of the pin [mm].
+        /// Rays on which the hole's nodes lie start here: the centre of the pin \[mm\].
         pole: [f64; 2],
         /// The hole.
         hole: Circle,
-        /// Outer radius of the eye, about the hole's centre [mm].
+        /// Outer radius of the eye, about the hole's centre \[mm\].
         outer_radius: f64,
-        /// Half the width of the shank [mm].
+        /// Half the width of the shank \[mm\].
         shank_half_width: f64,
-        /// Height of the shank's flat end above the hole's centre [mm].
+        /// Height of the shank's flat end above the hole's centre \[mm\].
         shank_end: f64,
     },
 }
@@ -57,9 +57,9 @@ pub enum Shape {
 /// A circle.
 #[derive(Clone, Copy, Debug)]
 pub struct Circle {
-    /// Centre [mm].
+    /// Centre \[mm\].
     pub centre: [f64; 2],
-    /// Radius [mm].
+    /// Radius \[mm\].
     pub radius: f64,
 }
 
@@ -75,7 +75,7 @@ pub enum Face {
 /// How elements grow away from the candidate stretch.
 #[derive(Clone, Copy, Debug)]
 pub struct Grading {
-    /// Length that holds `N` elements of the candidate stretch: half-width [mm], or 10 mm of arc.
+    /// Length that holds `N` elements of the candidate stretch: half-width \[mm\], or 10 mm of arc.
     pub unit: f64,
     /// Size ratio of neighbouring elements beyond the candidate stretch, along the surface.
     pub along: f64,
@@ -103,7 +103,7 @@ impl Shape {
 }
 
 impl Circle {
-    /// Distance from `pole` to the circle along the ray at angle `θ` from the downward vertical [mm].
+    /// Distance from `pole` to the circle along the ray at angle `θ` from the downward vertical \[mm\].
     ///
     /// With `e = pole − centre` and the ray's direction `d`: `r = −e·d + √(ρ² − |e|² + (e·d)²)`; the pole lies inside.
     pub fn along_ray(&self, pole: [f64; 2], angle: f64) -> f64 {

@@ -110,9 +110,7 @@ fn scaled_profile(profile: Profile, length: f64) -> Profile {
         Profile::Uniform(gap) => Profile::Uniform(gap * length),
         Profile::Circle { radius } => Profile::Circle { radius: radius * length },
         Profile::Parabola { radius } => Profile::Parabola { radius: radius * length },
-        Profile::Hole { radius, clearance } => {
-            Profile::Hole { radius: radius * length, clearance: clearance * length }
-        }
+        Profile::Hole { radius, clearance } => Profile::Hole { radius: radius * length, clearance: clearance * length },
     }
 }
 

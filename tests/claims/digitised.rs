@@ -26,11 +26,7 @@ fn text(file: &str) -> String {
 fn spoiled(file: &str, content: Option<&str>) -> TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for name in FILES {
-        let content = if name == file {
-            content.map(str::to_owned)
-        } else {
-            Some(text(name))
-        };
+        let content = if name == file { content.map(str::to_owned) } else { Some(text(name)) };
         if let Some(content) = content {
             fs::write(folder.path().join(name), content).expect("the temporary folder is writable");
         }
@@ -41,10 +37,7 @@ fn spoiled(file: &str, content: Option<&str>) -> TempDir {
 fn refusal(file: &str, content: Option<&str>) -> Error {
     let folder = spoiled(file, content);
     let error = Digitised::load(folder.path()).expect_err("spoiled folders are refused");
-    assert!(
-        error.to_string().contains(file),
-        "does not name {file}: {error}"
-    );
+    assert!(error.to_string().contains(file), "does not name {file}: {error}");
     error
 }
 
@@ -67,11 +60,7 @@ fn entries(file: &str) -> Vec<(usize, String, String)> {
 /// The file with one line replaced.
 fn with_line(file: &str, number: usize, replacement: &str) -> String {
     let replaced = |(index, line)| {
-        if index == number {
-            replacement.to_owned()
-        } else {
-            String::from(line)
-        }
+        if index == number { replacement.to_owned() } else { String::from(line) }
     };
     let lines: Vec<String> = text(file).lines().enumerate().map(replaced).collect();
     lines.join("\n")
@@ -86,10 +75,7 @@ fn admitted() -> DigitisedCurve {
 
 /// The semi-ellipse the synthetic points were made from, moved up by `shift`.
 fn semi_ellipse(shift: f64) -> impl Fn(f64) -> OurPoint {
-    move |phi| OurPoint {
-        value: shift + 100.0 * (1.0 - (phi / (PI / 3.0)).powi(2)).max(0.0).sqrt(),
-        uncertainty: 0.1,
-    }
+    move |phi| OurPoint { value: shift + 100.0 * (1.0 - (phi / (PI / 3.0)).powi(2)).max(0.0).sqrt(), uncertainty: 0.1 }
 }
 
 #[test]
@@ -114,28 +100,14 @@ fn folder_that_does_not_exist_is_an_error_and_not_an_absence() {
 fn complete_folder_is_admitted_with_its_scene_and_provenance() {
     let curve = admitted();
 
-    assert!(
-        curve.provenance.figure.contains("synthetic")
-            && curve.source().citation.contains("synthetic")
-    );
+    assert!(curve.provenance.figure.contains("synthetic") && curve.source().citation.contains("synthetic"));
     assert_eq!(curve.kind(), ReferenceKind::Measured);
-    assert_eq!(
-        (curve.abscissa, curve.ordinate),
-        (Abscissa::Angle, Ordinate::Pressure)
-    );
+    assert_eq!((curve.abscissa, curve.ordinate), (Abscissa::Angle, Ordinate::Pressure));
     assert_eq!(curve.points.len(), 6);
     assert_relative_eq!(curve.scene.pin_radius, 10.0);
     assert_relative_eq!(curve.scene.rod.young, 70_000.0);
-    assert_relative_eq!(
-        curve.points[5].abscissa,
-        50.0_f64.to_radians(),
-        max_relative = 1e-14
-    );
-    assert_relative_eq!(
-        curve.points[5].abscissa_error,
-        0.5_f64.to_radians(),
-        max_relative = 1e-14
-    );
+    assert_relative_eq!(curve.points[5].abscissa, 50.0_f64.to_radians(), max_relative = 1e-14);
+    assert_relative_eq!(curve.points[5].abscissa_error, 0.5_f64.to_radians(), max_relative = 1e-14);
 }
 
 #[test]
@@ -153,10 +125,7 @@ fn fem_curve_is_a_comparison_of_codes() {
 fn every_missing_file_is_named() {
     for file in FILES {
         let error = refusal(file, None);
-        assert!(
-            matches!(error, Error::MissingFile { .. }),
-            "{file}: {error}"
-        );
+        assert!(matches!(error, Error::MissingFile { .. }), "{file}: {error}");
     }
 }
 
@@ -180,31 +149,21 @@ fn every_missing_key_is_named() {
 #[test]
 fn provenance_without_curves_is_refused() {
     let whole = text("provenance.toml");
-    let (head, _) = whole
-        .split_once("[[curves]]")
-        .expect("the synthetic provenance lists a curve");
+    let (head, _) = whole.split_once("[[curves]]").expect("the synthetic provenance lists a curve");
 
     let error = refusal("provenance.toml", Some(head));
 
-    assert!(
-        matches!(&error, Error::MissingKey { key, .. } if key == "curves"),
-        "{error}"
-    );
+    assert!(matches!(&error, Error::MissingKey { key, .. } if key == "curves"), "{error}");
 }
 
 #[test]
 fn every_value_out_of_range_is_named_and_shown() {
-    let numbers = entries("scene.toml")
-        .into_iter()
-        .flat_map(|(number, path, _)| {
-            ["nan", "-1.5", "inf", "\"ten\""]
-                .map(|value| ("scene.toml", number, path.clone(), value))
-        });
+    let numbers = entries("scene.toml").into_iter().flat_map(|(number, path, _)| {
+        ["nan", "-1.5", "inf", "\"ten\""].map(|value| ("scene.toml", number, path.clone(), value))
+    });
     let texts = entries("provenance.toml")
         .into_iter()
-        .flat_map(|(number, path, _)| {
-            ["\" \"", "7"].map(|value| ("provenance.toml", number, path.clone(), value))
-        });
+        .flat_map(|(number, path, _)| ["\" \"", "7"].map(|value| ("provenance.toml", number, path.clone(), value)));
 
     for (file, number, path, value) in numbers.chain(texts) {
         let key = path.rsplit_once('.').map_or(path.as_str(), |(_, key)| key);
@@ -222,37 +181,12 @@ fn every_value_out_of_range_is_named_and_shown() {
 #[test]
 fn unknown_keys_and_kinds_are_refused_by_name() {
     for (file, old, new, named) in [
-        (
-            "scene.toml",
-            "thickness",
-            "radius = 3.0\nthickness",
-            "radius",
-        ),
+        ("scene.toml", "thickness", "radius = 3.0\nthickness", "radius"),
         ("scene.toml", "[rod]", "[rod]\nshear = 3.0", "rod.shear"),
-        (
-            "provenance.toml",
-            "\"measured\"",
-            "\"guessed\"",
-            "curves[0].kind",
-        ),
-        (
-            "provenance.toml",
-            "\"first hand\"",
-            "\"hearsay\"",
-            "curves[0].hand",
-        ),
-        (
-            "scene.toml",
-            "eye_outer_radius = 20.0",
-            "eye_outer_radius = 10.0",
-            "eye_outer_radius",
-        ),
-        (
-            "scene.toml",
-            "shank_end = 60.0",
-            "shank_end = 15.0",
-            "shank_end",
-        ),
+        ("provenance.toml", "\"measured\"", "\"guessed\"", "curves[0].kind"),
+        ("provenance.toml", "\"first hand\"", "\"hearsay\"", "curves[0].hand"),
+        ("scene.toml", "eye_outer_radius = 20.0", "eye_outer_radius = 10.0", "eye_outer_radius"),
+        ("scene.toml", "shank_end = 60.0", "shank_end = 15.0", "shank_end"),
     ] {
         match refusal(file, Some(&text(file).replace(old, new))) {
             Error::Refused { key, .. } => assert_eq!(key, named),
@@ -264,8 +198,7 @@ fn unknown_keys_and_kinds_are_refused_by_name() {
 #[test]
 fn curve_without_provenance_is_refused() {
     let folder = spoiled("", None);
-    fs::write(folder.path().join("stray.csv"), text("semi-ellipse.csv"))
-        .expect("the temporary folder is writable");
+    fs::write(folder.path().join("stray.csv"), text("semi-ellipse.csv")).expect("the temporary folder is writable");
 
     let error = Digitised::load(folder.path()).expect_err("an unlisted file is refused");
 
@@ -280,10 +213,7 @@ fn every_missing_column_is_named() {
         let rows: Vec<String> = csv
             .lines()
             .map(|line| {
-                let kept = line
-                    .split(',')
-                    .enumerate()
-                    .filter(|(place, _)| *place != dropped);
+                let kept = line.split(',').enumerate().filter(|(place, _)| *place != dropped);
                 kept.map(|(_, entry)| entry).collect::<Vec<_>>().join(",")
             })
             .collect();
@@ -298,22 +228,10 @@ fn every_missing_column_is_named() {
 fn every_bad_entry_is_named_by_line_and_column() {
     for (entry, bad, column) in [
         ("10,0.5,98.6,1.0", "nan,0.5,98.6,1.0", "angle_deg in line 3"),
-        (
-            "10,0.5,98.6,1.0",
-            "10,0,98.6,1.0",
-            "angle_error_deg in line 3",
-        ),
+        ("10,0.5,98.6,1.0", "10,0,98.6,1.0", "angle_error_deg in line 3"),
         ("10,0.5,98.6,1.0", "10,0.5,,1.0", "pressure_mpa in line 3"),
-        (
-            "10,0.5,98.6,1.0",
-            "10,0.5,98.6,-1.0",
-            "pressure_error_mpa in line 3",
-        ),
-        (
-            "10,0.5,98.6,1.0",
-            "10,0.5,98.6,inf",
-            "pressure_error_mpa in line 3",
-        ),
+        ("10,0.5,98.6,1.0", "10,0.5,98.6,-1.0", "pressure_error_mpa in line 3"),
+        ("10,0.5,98.6,1.0", "10,0.5,98.6,inf", "pressure_error_mpa in line 3"),
         ("pressure_error_mpa", "pressure_error_mpa,remark", "remark"),
     ] {
         let mut csv = text("semi-ellipse.csv").replace(entry, bad);
@@ -347,26 +265,13 @@ fn reading_lies_between_the_points_and_carries_both_errors() {
     match curve.read(Quantity::Pressure { at: middle }) {
         Reading::Value { value, uncertainty } => {
             assert_relative_eq!(value, 0.5 * (74.5 + 55.3), max_relative = 1e-12);
-            assert_relative_eq!(
-                uncertainty,
-                (0.5 * fall_per_degree).hypot(1.0),
-                max_relative = 1e-12
-            );
+            assert_relative_eq!(uncertainty, (0.5 * fall_per_degree).hypot(1.0), max_relative = 1e-12);
         }
         other => panic!("{other:?}"),
     }
-    assert!(matches!(
-        curve.read(Quantity::Pressure { at: 1.0 }),
-        Reading::Unavailable(_)
-    ));
-    assert!(matches!(
-        curve.read(Quantity::Pressure { at: f64::NAN }),
-        Reading::Unavailable(_)
-    ));
-    assert_eq!(
-        curve.read(Quantity::HoopStress { at: middle }),
-        Reading::Silent
-    );
+    assert!(matches!(curve.read(Quantity::Pressure { at: 1.0 }), Reading::Unavailable(_)));
+    assert!(matches!(curve.read(Quantity::Pressure { at: f64::NAN }), Reading::Unavailable(_)));
+    assert_eq!(curve.read(Quantity::HoopStress { at: middle }), Reading::Silent);
 }
 
 #[test]
@@ -382,11 +287,7 @@ fn curve_shifted_by_three_uncertainties_is_not_accepted() {
     for sign in [-1.0, 1.0] {
         for point in compare(&curve, &semi_ellipse(0.0)).deviations {
             let shifted = compare(&curve, &semi_ellipse(sign * 3.0 * point.uncertainty));
-            assert!(
-                !shifted.accepted(),
-                "shifted by three times {}",
-                point.uncertainty
-            );
+            assert!(!shifted.accepted(), "shifted by three times {}", point.uncertainty);
         }
     }
 }
@@ -395,38 +296,22 @@ fn curve_shifted_by_three_uncertainties_is_not_accepted() {
 fn nan_or_unbounded_uncertainty_at_one_point_is_not_accepted() {
     let curve = admitted();
     let last = curve.points[5].abscissa;
-    for (value, uncertainty) in [
-        (f64::NAN, 0.1),
-        (55.3, f64::NAN),
-        (55.3, f64::INFINITY),
-        (f64::INFINITY, 0.1),
-    ] {
+    for (value, uncertainty) in [(f64::NAN, 0.1), (55.3, f64::NAN), (55.3, f64::INFINITY), (f64::INFINITY, 0.1)] {
         let ours = |phi: f64| {
             let spoiled = OurPoint { value, uncertainty };
-            if (phi - last).abs() < 1e-9 {
-                spoiled
-            } else {
-                semi_ellipse(0.0)(phi)
-            }
+            if (phi - last).abs() < 1e-9 { spoiled } else { semi_ellipse(0.0)(phi) }
         };
 
         let comparison = compare(&curve, &ours);
 
         assert!(!comparison.accepted(), "{value} ± {uncertainty}");
-        assert!(
-            comparison
-                .worst()
-                .is_some_and(|worst| worst.ratio.is_nan() || worst.ratio > 2.0)
-        );
+        assert!(comparison.worst().is_some_and(|worst| worst.ratio.is_nan() || worst.ratio > 2.0));
     }
 }
 
 #[test]
 fn comparison_without_points_is_not_accepted() {
-    let empty = Comparison {
-        deviations: Vec::new(),
-        model_form: None,
-    };
+    let empty = Comparison { deviations: Vec::new(), model_form: None };
 
     assert!(!empty.accepted());
 }
@@ -435,10 +320,7 @@ fn comparison_without_points_is_not_accepted() {
 fn error_of_the_abscissa_counts_through_the_slope_of_our_curve() {
     let curve = admitted();
     let slope = 400.0;
-    let ours = |phi: f64| OurPoint {
-        value: slope * phi,
-        uncertainty: 2.0,
-    };
+    let ours = |phi: f64| OurPoint { value: slope * phi, uncertainty: 2.0 };
 
     let comparison = compare(&curve, &ours);
 
@@ -459,9 +341,6 @@ fn friction_of_the_source_is_stated_as_a_difference_of_model() {
     curve.scene.friction = 0.0;
     let without = compare(&curve, &semi_ellipse(0.0));
 
-    assert!(
-        with.model_form
-            .is_some_and(|statement| statement.contains("0.15"))
-    );
+    assert!(with.model_form.is_some_and(|statement| statement.contains("0.15")));
     assert_eq!(without.model_form, None);
 }

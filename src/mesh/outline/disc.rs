@@ -23,8 +23,7 @@ pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, half: bool) ->
             spoke(layout, polar(centre, radius, angle), corner(k), &depth, local_size(&arcs, k, radius))
         })
         .collect();
-    let polygon: Vec<Vec<Point>> =
-        (0..arcs.len()).map(|k| chord(layout, &arcs[k], corner(k), corner(k + 1))).collect();
+    let polygon: Vec<Vec<Point>> = (0..arcs.len()).map(|k| chord(layout, &arcs[k], corner(k), corner(k + 1))).collect();
     let mut blocks: Vec<Block> = (0..arcs.len())
         .map(|k| Block {
             bottom: Side::named(
@@ -104,9 +103,8 @@ fn side_on_line(points: &[Point], k: usize, pieces: usize) -> Side {
 
 fn core(layout: &Layout, arcs: &[Vec<f64>], polygon: &[Vec<Point>], centre: Point, half: bool) -> Vec<Block> {
     let count = |k: usize| arcs[k].len() - 1;
-    let straight = |from: Point, to: Point, n: usize| {
-        layout.along(&spacing::uniform(0.0, 1.0, n), |t| between(from, to, t))
-    };
+    let straight =
+        |from: Point, to: Point, n: usize| layout.along(&spacing::uniform(0.0, 1.0, n), |t| between(from, to, t));
     let end = |points: &[Point]| points[points.len() - 1];
     let (low, cut) = (polygon[0][0], end(&polygon[1]));
     let diameter = straight(centre, cut, count(0));

@@ -14,7 +14,8 @@ pub(super) fn blocks(layout: &Layout, shape: &Shape) -> Vec<Block> {
     let corner = PI - (shank_half_width / outer_radius).asin();
     let angles = layout.arc(hole.radius, &[corner]);
     let [before, last] = last_two(&angles);
-    let rest = spacing::fitted(corner, PI, ((PI - corner) / (last - before)).ceil().clamp(4.0, 8.0) as usize, last - before);
+    let rest =
+        spacing::fitted(corner, PI, ((PI - corner) / (last - before)).ceil().clamp(4.0, 8.0) as usize, last - before);
     let depth = outer_radius - hole.radius;
     let stations = layout.depth(hole.radius * (angles[1] - angles[0]), depth);
     let inwards: Vec<f64> = stations.iter().rev().map(|d| 1.0 - d / depth).collect();

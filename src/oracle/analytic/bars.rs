@@ -46,10 +46,7 @@ impl Oracle for Bars {
     }
 
     fn source(&self) -> Source {
-        Source::new(
-            "Hooke's law",
-            "two bars in series; bilinear, exact for ν = 0",
-        )
+        Source::new("Hooke's law", "two bars in series; bilinear, exact for ν = 0")
     }
 
     fn read(&self, quantity: Quantity) -> Reading {

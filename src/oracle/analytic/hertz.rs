@@ -54,19 +54,11 @@ impl Hertz {
     pub fn stress(&self, x: f64, z: f64) -> [f64; 3] {
         let a = self.half_width();
         let (m, n) = elliptic(a, x, z);
-        let q = if m > 0.0 {
-            a.powi(2) / (1.0 + (x / m).powi(2))
-        } else {
-            0.0
-        };
+        let q = if m > 0.0 { a.powi(2) / (1.0 + (x / m).powi(2)) } else { 0.0 };
         let m_less_z = if m > 0.0 { q / (m + z) } else { -z };
         let scale = -self.peak_pressure() / (a * (m.powi(2) + n.powi(2)));
 
-        [
-            scale * m_less_z * (m * m_less_z + 2.0 * n.powi(2)),
-            scale * m * q,
-            scale * n * q,
-        ]
+        [scale * m_less_z * (m * m_less_z + 2.0 * n.powi(2)), scale * m * q, scale * n * q]
     }
 }
 
@@ -100,11 +92,8 @@ impl Oracle for Hertz {
     }
 
     fn read(&self, quantity: Quantity) -> Reading {
-        let mut parameters = vec![
-            positive("load", self.load),
-            positive("radius", self.radius),
-            positive("modulus", self.modulus),
-        ];
+        let mut parameters =
+            vec![positive("load", self.load), positive("radius", self.radius), positive("modulus", self.modulus)];
         let value = match quantity {
             Quantity::HalfWidth => self.half_width(),
             Quantity::PeakPressure => self.peak_pressure(),

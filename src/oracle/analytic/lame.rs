@@ -36,10 +36,9 @@ impl RingMaterial {
     fn in_plane(self, plane: Plane) -> Self {
         match plane {
             Plane::Stress => self,
-            Plane::Strain => Self {
-                young: self.young / (1.0 - self.poisson.powi(2)),
-                poisson: self.poisson / (1.0 - self.poisson),
-            },
+            Plane::Strain => {
+                Self { young: self.young / (1.0 - self.poisson.powi(2)), poisson: self.poisson / (1.0 - self.poisson) }
+            }
         }
     }
 }
@@ -49,10 +48,7 @@ impl PressFit {
     ///
     /// `p = δ / { b [ (1/E_o)((c²+b²)/(c²−b²) + ν_o) + (1/E_i)((b²+a²)/(b²−a²) − ν_i) ] }`.
     pub fn pressure(&self) -> f64 {
-        let (inner, outer) = (
-            self.inner.in_plane(self.plane),
-            self.outer.in_plane(self.plane),
-        );
+        let (inner, outer) = (self.inner.in_plane(self.plane), self.outer.in_plane(self.plane));
         let [a, b, c] = [self.bore, self.interface, self.outside].map(|radius| radius.powi(2));
         let widening = ((c + b) / (c - b) + outer.poisson) / outer.young;
         let narrowing = ((b + a) / (b - a) - inner.poisson) / inner.young;

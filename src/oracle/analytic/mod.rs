@@ -47,59 +47,31 @@ struct Parameter {
 }
 
 fn finite(name: &'static str, value: f64) -> Parameter {
-    Parameter {
-        name,
-        value,
-        holds: value.is_finite(),
-        range: "finite",
-    }
+    Parameter { name, value, holds: value.is_finite(), range: "finite" }
 }
 
 fn positive(name: &'static str, value: f64) -> Parameter {
-    Parameter {
-        name,
-        value,
-        holds: value.is_finite() && value > 0.0,
-        range: "positive",
-    }
+    Parameter { name, value, holds: value.is_finite() && value > 0.0, range: "positive" }
 }
 
 fn non_negative(name: &'static str, value: f64) -> Parameter {
-    Parameter {
-        name,
-        value,
-        holds: value.is_finite() && value >= 0.0,
-        range: "zero or positive",
-    }
+    Parameter { name, value, holds: value.is_finite() && value >= 0.0, range: "zero or positive" }
 }
 
 fn poisson_ratio(name: &'static str, value: f64) -> Parameter {
-    Parameter {
-        name,
-        value,
-        holds: value > -1.0 && value <= 0.5,
-        range: "above -1 and at most 0.5",
-    }
+    Parameter { name, value, holds: value > -1.0 && value <= 0.5, range: "above -1 and at most 0.5" }
 }
 
 /// The value as a reading, or which parameter keeps it from being one.
 fn answer(parameters: &[Parameter], value: f64) -> Reading {
     if let Some(wrong) = parameters.iter().find(|parameter| !parameter.holds) {
-        return Reading::Unavailable(format!(
-            "{} is {}, must be {}",
-            wrong.name, wrong.value, wrong.range
-        ));
+        return Reading::Unavailable(format!("{} is {}, must be {}", wrong.name, wrong.value, wrong.range));
     }
     if value.is_finite() {
-        return Reading::Value {
-            value,
-            uncertainty: 0.0,
-        };
+        return Reading::Value { value, uncertainty: 0.0 };
     }
 
-    let given: Vec<String> = parameters
-        .iter()
-        .map(|parameter| format!("{} = {}", parameter.name, parameter.value))
-        .collect();
+    let given: Vec<String> =
+        parameters.iter().map(|parameter| format!("{} = {}", parameter.name, parameter.value)).collect();
     Reading::Unavailable(format!("no finite value with {}", given.join(", ")))
 }

@@ -68,18 +68,13 @@ impl PinInHole {
     /// NaN without clearance, where the half-angle does not depend on the load.
     pub fn load_for(half_angle: f64, clearance: f64, modulus: f64) -> f64 {
         let load = modulus * clearance / relative_clearance((0.5 * half_angle).tan());
-        if clearance > 0.0 && load > 0.0 {
-            load
-        } else {
-            f64::NAN
-        }
+        if clearance > 0.0 && load > 0.0 { load } else { f64::NAN }
     }
 
     /// `b = tan(ε/2)`, or NaN where no half-angle fits.
     fn half_angle_tangent(&self) -> f64 {
         let target = self.modulus * self.clearance / self.load;
-        let sound =
-            self.radius > 0.0 && self.load > 0.0 && self.modulus > 0.0 && self.clearance >= 0.0;
+        let sound = self.radius > 0.0 && self.load > 0.0 && self.modulus > 0.0 && self.clearance >= 0.0;
         if !(sound && target.is_finite()) {
             return f64::NAN;
         }
@@ -161,10 +156,7 @@ impl Oracle for PinInHole {
 
     fn read(&self, quantity: Quantity) -> Reading {
         let mut parameters = self.parameters();
-        if let Quantity::Pressure { at }
-        | Quantity::HoopStress { at }
-        | Quantity::PinHoopStress { at } = quantity
-        {
+        if let Quantity::Pressure { at } | Quantity::HoopStress { at } | Quantity::PinHoopStress { at } = quantity {
             parameters.push(finite("at", at));
         }
         let value = match quantity {

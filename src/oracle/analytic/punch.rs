@@ -49,10 +49,7 @@ impl Oracle for FlatPunch {
     }
 
     fn read(&self, quantity: Quantity) -> Reading {
-        let mut parameters = vec![
-            positive("load", self.load),
-            positive("half_width", self.half_width),
-        ];
+        let mut parameters = vec![positive("load", self.load), positive("half_width", self.half_width)];
         let value = match quantity {
             Quantity::HalfWidth => self.half_width,
             Quantity::Resultant => self.load,

@@ -34,17 +34,11 @@ impl Oracle for Uniform {
     }
 
     fn source(&self) -> Source {
-        Source::new(
-            "equilibrium",
-            "constant stress satisfies every field equation",
-        )
+        Source::new("equilibrium", "constant stress satisfies every field equation")
     }
 
     fn read(&self, quantity: Quantity) -> Reading {
-        let mut parameters = vec![
-            positive("applied", self.applied),
-            positive("width", self.width),
-        ];
+        let mut parameters = vec![positive("applied", self.applied), positive("width", self.width)];
         let value = match quantity {
             Quantity::Resultant => self.resultant(),
             Quantity::PeakPressure => self.pressure(),

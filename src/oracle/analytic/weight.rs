@@ -36,10 +36,7 @@ impl Oracle for OwnWeight {
     }
 
     fn source(&self) -> Source {
-        Source::new(
-            "equilibrium",
-            "σ_y = −ρg(H − y) satisfies every field equation",
-        )
+        Source::new("equilibrium", "σ_y = −ρg(H − y) satisfies every field equation")
     }
 
     fn read(&self, quantity: Quantity) -> Reading {

@@ -51,9 +51,7 @@ impl Comparison {
     pub fn worst(&self) -> Option<&Deviation> {
         // The sign of NaN is arbitrary and total_cmp puts a negative one first.
         let rank = |deviation: &Deviation| deviation.ratio.abs();
-        self.deviations
-            .iter()
-            .max_by(|one, other| rank(one).total_cmp(&rank(other)))
+        self.deviations.iter().max_by(|one, other| rank(one).total_cmp(&rank(other)))
     }
 }
 
@@ -63,11 +61,7 @@ impl Comparison {
 /// of each point too, so a symmetric curve must take negative arguments.
 pub fn compare(curve: &DigitisedCurve, ours: &dyn Fn(f64) -> OurPoint) -> Comparison {
     Comparison {
-        deviations: curve
-            .points
-            .iter()
-            .map(|point| deviation(point, ours))
-            .collect(),
+        deviations: curve.points.iter().map(|point| deviation(point, ours)).collect(),
         model_form: model_form(curve.scene.friction),
     }
 }
@@ -80,22 +74,11 @@ fn deviation(point: &CurvePoint, ours: &dyn Fn(f64) -> OurPoint) -> Deviation {
     let digitising = point.ordinate_error.hypot(slope * error);
     let uncertainty = digitising.hypot(mine.uncertainty);
     // An infinite uncertainty would accept anything.
-    let ratio = if uncertainty.is_finite() {
-        (mine.value - point.ordinate).abs() / uncertainty
-    } else {
-        f64::NAN
-    };
+    let ratio = if uncertainty.is_finite() { (mine.value - point.ordinate).abs() / uncertainty } else { f64::NAN };
 
-    Deviation {
-        abscissa: x,
-        theirs: point.ordinate,
-        ours: mine.value,
-        uncertainty,
-        ratio,
-    }
+    Deviation { abscissa: x, theirs: point.ordinate, ours: mine.value, uncertainty, ratio }
 }
 
 fn model_form(friction: f64) -> Option<String> {
-    (friction > 0.0)
-        .then(|| format!("the source has a coefficient of friction of {friction}, ours has none"))
+    (friction > 0.0).then(|| format!("the source has a coefficient of friction of {friction}, ours has none"))
 }

@@ -23,23 +23,11 @@ const ABSCISSAE: [Column<Abscissa>; 3] = [
     column("x", "mm", 1.0, Abscissa::Distance),
 ];
 
-const ORDINATES: [Column<Ordinate>; 2] = [
-    column("pressure", "mpa", 1.0, Ordinate::Pressure),
-    column("hoop_stress", "mpa", 1.0, Ordinate::HoopStress),
-];
+const ORDINATES: [Column<Ordinate>; 2] =
+    [column("pressure", "mpa", 1.0, Ordinate::Pressure), column("hoop_stress", "mpa", 1.0, Ordinate::HoopStress)];
 
-const fn column<T: Copy>(
-    quantity: &'static str,
-    unit: &'static str,
-    factor: f64,
-    meaning: T,
-) -> Column<T> {
-    Column {
-        quantity,
-        unit,
-        factor,
-        meaning,
-    }
+const fn column<T: Copy>(quantity: &'static str, unit: &'static str, factor: f64, meaning: T) -> Column<T> {
+    Column { quantity, unit, factor, meaning }
 }
 
 impl<T> Column<T> {
@@ -53,25 +41,12 @@ impl<T> Column<T> {
 }
 
 /// What the columns are, and the points by rising abscissa, at least one.
-pub(super) fn read(
-    file: &Path,
-    text: &str,
-) -> Result<(Abscissa, Ordinate, Vec<CurvePoint>), Error> {
-    let mut reader = csv::ReaderBuilder::new()
-        .trim(csv::Trim::All)
-        .from_reader(text.as_bytes());
-    let header = reader
-        .headers()
-        .map_err(|cause| unreadable(file, &cause))?
-        .clone();
+pub(super) fn read(file: &Path, text: &str) -> Result<(Abscissa, Ordinate, Vec<CurvePoint>), Error> {
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
+    let header = reader.headers().map_err(|cause| unreadable(file, &cause))?.clone();
     let across = which(file, &header, &ABSCISSAE)?;
     let up = which(file, &header, &ORDINATES)?;
-    let names = [
-        across.value_name(),
-        across.error_name(),
-        up.value_name(),
-        up.error_name(),
-    ];
+    let names = [across.value_name(), across.error_name(), up.value_name(), up.error_name()];
     let places = places(file, &header, &names)?;
 
     let mut points = Vec::new();
@@ -86,35 +61,18 @@ pub(super) fn read(
         });
     }
     if points.is_empty() {
-        return Err(refused(
-            file,
-            "rows",
-            "none",
-            "add one row per digitised point",
-        ));
+        return Err(refused(file, "rows", "none", "add one row per digitised point"));
     }
     points.sort_by(|one, other| one.abscissa.total_cmp(&other.abscissa));
     Ok((across.meaning, up.meaning, points))
 }
 
 /// The one quantity and unit of `known` that the header has.
-fn which<'k, T>(
-    file: &Path,
-    header: &StringRecord,
-    known: &'k [Column<T>],
-) -> Result<&'k Column<T>, Error> {
-    known
-        .iter()
-        .find(|column| header.iter().any(|name| name == column.value_name()))
-        .ok_or_else(|| {
-            let names: Vec<String> = known.iter().map(Column::value_name).collect();
-            missing(
-                file,
-                &names.join(" or "),
-                header,
-                "add the column, its unit in its name",
-            )
-        })
+fn which<'k, T>(file: &Path, header: &StringRecord, known: &'k [Column<T>]) -> Result<&'k Column<T>, Error> {
+    known.iter().find(|column| header.iter().any(|name| name == column.value_name())).ok_or_else(|| {
+        let names: Vec<String> = known.iter().map(Column::value_name).collect();
+        missing(file, &names.join(" or "), header, "add the column, its unit in its name")
+    })
 }
 
 /// Where each named column stands; every name there once, and no other.
@@ -129,23 +87,13 @@ fn places(file: &Path, header: &StringRecord, names: &[String; 4]) -> Result<[us
     for (place, name) in header.iter().enumerate() {
         if !places.contains(&place) {
             let remedy = format!("keep the four columns {}, each once", listed(names));
-            return Err(refused(
-                file,
-                name,
-                "not a known column, or there twice",
-                &remedy,
-            ));
+            return Err(refused(file, name, "not a known column, or there twice", &remedy));
         }
     }
     Ok(places)
 }
 
-fn row(
-    file: &Path,
-    record: &StringRecord,
-    names: &[String; 4],
-    places: [usize; 4],
-) -> Result<[f64; 4], Error> {
+fn row(file: &Path, record: &StringRecord, names: &[String; 4], places: [usize; 4]) -> Result<[f64; 4], Error> {
     let line = record.position().map_or(0, csv::Position::line);
     let mut row = [0.0; 4];
     for (index, value) in row.iter_mut().enumerate() {
@@ -154,11 +102,7 @@ fn row(
         let is_error = index % 2 == 1;
         *value = entry.parse().unwrap_or(f64::NAN);
         if !value.is_finite() || (is_error && *value <= 0.0) {
-            let wanted = if is_error {
-                "write a finite number above 0"
-            } else {
-                "write a finite number"
-            };
+            let wanted = if is_error { "write a finite number above 0" } else { "write a finite number" };
             let key = format!("{} in line {line}", names[index]);
             return Err(refused(file, &key, &format!("\"{entry}\""), wanted));
         }
@@ -185,10 +129,5 @@ fn missing(file: &Path, key: &str, header: &StringRecord, remedy: &str) -> Error
 }
 
 fn refused(file: &Path, key: &str, found: &str, remedy: &str) -> Error {
-    Error::Refused {
-        file: file.to_path_buf(),
-        key: key.to_owned(),
-        found: found.to_owned(),
-        remedy: remedy.to_owned(),
-    }
+    Error::Refused { file: file.to_path_buf(), key: key.to_owned(), found: found.to_owned(), remedy: remedy.to_owned() }
 }

@@ -68,10 +68,7 @@ impl DigitisedCurve {
         scene: DigitisedScene,
     ) -> Result<Self, Error> {
         let file = folder.join(&entry.file);
-        let text = text_of(
-            &file,
-            "add the file, or take its entry out of provenance.toml",
-        )?;
+        let text = text_of(&file, "add the file, or take its entry out of provenance.toml")?;
         let (abscissa, ordinate, points) = columns::read(&file, &text)?;
 
         Ok(Self {

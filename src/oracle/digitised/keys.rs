@@ -37,9 +37,9 @@ impl Range {
             Self::Poisson => number > -1.0 && number < 0.5,
             Self::Text => value.as_str().is_some_and(|text| !text.trim().is_empty()),
             Self::OneOf(words) => value.as_str().is_some_and(|text| words.contains(&text)),
-            Self::Entries => value
-                .as_array()
-                .is_some_and(|entries| !entries.is_empty() && entries.iter().all(Value::is_table)),
+            Self::Entries => {
+                value.as_array().is_some_and(|entries| !entries.is_empty() && entries.iter().all(Value::is_table))
+            }
         }
     }
 
@@ -57,12 +57,11 @@ impl Range {
 
 /// The table in a TOML text, syntax checked only.
 pub(super) fn parse(file: &Path, text: &str) -> Result<Table, Error> {
-    text.parse()
-        .map_err(|cause: toml::de::Error| Error::Unreadable {
-            file: file.to_path_buf(),
-            found: cause.message().to_owned(),
-            remedy: "write it as TOML; the README of the folder has an example".to_owned(),
-        })
+    text.parse().map_err(|cause: toml::de::Error| Error::Unreadable {
+        file: file.to_path_buf(),
+        found: cause.message().to_owned(),
+        remedy: "write it as TOML; the README of the folder has an example".to_owned(),
+    })
 }
 
 /// Holds a table against its keys: all there, all in range, no other.
@@ -90,10 +89,7 @@ pub(super) fn check(file: &Path, prefix: &str, table: &Table, keys: &[Key]) -> R
 
 fn refuse_unknown(file: &Path, prefix: &str, table: &Table, keys: &[Key]) -> Result<(), Error> {
     let present = leaves("", table);
-    let Some(unknown) = present
-        .iter()
-        .find(|path| keys.iter().all(|key| key.path != path.as_str()))
-    else {
+    let Some(unknown) = present.iter().find(|path| keys.iter().all(|key| key.path != path.as_str())) else {
         return Ok(());
     };
     let known: Vec<String> = keys.iter().map(|key| key.path.to_owned()).collect();
@@ -101,10 +97,7 @@ fn refuse_unknown(file: &Path, prefix: &str, table: &Table, keys: &[Key]) -> Res
         file: file.to_path_buf(),
         key: format!("{prefix}{unknown}"),
         found: "not a known key".to_owned(),
-        remedy: format!(
-            "take it out or correct its name; known are {}",
-            listed(&known)
-        ),
+        remedy: format!("take it out or correct its name; known are {}", listed(&known)),
     })
 }
 
@@ -136,9 +129,5 @@ fn shown(value: &Value) -> String {
 
 /// Names in one line, or "nothing".
 pub(super) fn listed(names: &[String]) -> String {
-    if names.is_empty() {
-        "nothing".to_owned()
-    } else {
-        names.join(", ")
-    }
+    if names.is_empty() { "nothing".to_owned() } else { names.join(", ") }
 }

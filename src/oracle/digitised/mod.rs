@@ -104,22 +104,14 @@ fn refuse_unlisted(folder: &Path, files: &[PathBuf], provenance: &Provenance) ->
         file: folder.join(stray),
         key: "file".to_owned(),
         found: "not listed under `[[curves]]` in provenance.toml".to_owned(),
-        remedy: "list it with its figure, axis_calibration, kind and hand, or take it out"
-            .to_owned(),
+        remedy: "list it with its figure, axis_calibration, kind and hand, or take it out".to_owned(),
     })
 }
 
 /// The text of a file that must be there.
 fn text_of(file: &Path, remedy: &str) -> Result<String, Error> {
     fs::read_to_string(file).map_err(|cause| match cause.kind() {
-        std::io::ErrorKind::NotFound => Error::MissingFile {
-            file: file.to_path_buf(),
-            remedy: remedy.to_owned(),
-        },
-        _ => Error::Unreadable {
-            file: file.to_path_buf(),
-            found: cause.to_string(),
-            remedy: remedy.to_owned(),
-        },
+        std::io::ErrorKind::NotFound => Error::MissingFile { file: file.to_path_buf(), remedy: remedy.to_owned() },
+        _ => Error::Unreadable { file: file.to_path_buf(), found: cause.to_string(), remedy: remedy.to_owned() },
     })
 }

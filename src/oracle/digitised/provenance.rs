@@ -60,54 +60,22 @@ pub enum Hand {
 }
 
 const KEYS: [Key; 4] = [
-    key(
-        "citation",
-        "the publication the points were read from",
-        Range::Text,
-    ),
+    key("citation", "the publication the points were read from", Range::Text),
     key("digitised_by", "who digitised the figures", Range::Text),
-    key(
-        "method",
-        "with what, and how often, the figures were read",
-        Range::Text,
-    ),
-    key(
-        "curves",
-        "one `[[curves]]` table per CSV file",
-        Range::Entries,
-    ),
+    key("method", "with what, and how often, the figures were read", Range::Text),
+    key("curves", "one `[[curves]]` table per CSV file", Range::Entries),
 ];
 
 const CURVE_KEYS: [Key; 5] = [
     key("file", "the CSV file in the same folder", Range::Text),
-    key(
-        "figure",
-        "figure, and the curve in it by its legend",
-        Range::Text,
-    ),
-    key(
-        "axis_calibration",
-        "the ticks used on both axes, with units as printed",
-        Range::Text,
-    ),
-    key(
-        "kind",
-        "what produced the curve",
-        Range::OneOf(&["measured", "fem"]),
-    ),
-    key(
-        "hand",
-        "whose figure it was read off",
-        Range::OneOf(&["first hand", "read off Egert's figures"]),
-    ),
+    key("figure", "figure, and the curve in it by its legend", Range::Text),
+    key("axis_calibration", "the ticks used on both axes, with units as printed", Range::Text),
+    key("kind", "what produced the curve", Range::OneOf(&["measured", "fem"])),
+    key("hand", "whose figure it was read off", Range::OneOf(&["first hand", "read off Egert's figures"])),
 ];
 
 const fn key(path: &'static str, meaning: &'static str, range: Range) -> Key {
-    Key {
-        path,
-        meaning,
-        range,
-    }
+    Key { path, meaning, range }
 }
 
 impl Provenance {
@@ -116,27 +84,18 @@ impl Provenance {
     /// # Errors
     /// Names the key that is missing, unknown or out of range.
     pub fn read(file: &Path) -> Result<Self, Error> {
-        let text = text_of(
-            file,
-            "say where the curves come from; see the README of the folder",
-        )?;
+        let text = text_of(file, "say where the curves come from; see the README of the folder")?;
         let table = keys::parse(file, &text)?;
         keys::check(file, "", &table, &KEYS)?;
-        let entries = table
-            .get("curves")
-            .and_then(Value::as_array)
-            .into_iter()
-            .flatten();
+        let entries = table.get("curves").and_then(Value::as_array).into_iter().flatten();
         for (index, entry) in entries.filter_map(Value::as_table).enumerate() {
             keys::check(file, &format!("curves[{index}]."), entry, &CURVE_KEYS)?;
         }
 
-        table
-            .try_into()
-            .map_err(|cause: toml::de::Error| Error::Unreadable {
-                file: file.to_path_buf(),
-                found: cause.message().to_owned(),
-                remedy: "follow the example in the README of the folder".to_owned(),
-            })
+        table.try_into().map_err(|cause: toml::de::Error| Error::Unreadable {
+            file: file.to_path_buf(),
+            found: cause.message().to_owned(),
+            remedy: "follow the example in the README of the folder".to_owned(),
+        })
     }
 }

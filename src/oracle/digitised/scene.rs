@@ -44,57 +44,21 @@ pub struct SceneMaterial {
 
 const KEYS: [Key; 12] = [
     key("pin_radius", "radius of the pin [mm]", Range::Positive),
-    key(
-        "clearance",
-        "radial clearance between pin and hole [mm]",
-        Range::NonNegative,
-    ),
-    key(
-        "eye_outer_radius",
-        "outer radius of the eye [mm]",
-        Range::Positive,
-    ),
-    key(
-        "shank_width",
-        "full width of the shank [mm]",
-        Range::Positive,
-    ),
-    key(
-        "shank_end",
-        "distance from the eye's centre to the shank's end [mm]",
-        Range::Positive,
-    ),
-    key(
-        "thickness",
-        "thickness of pin and rod [mm]",
-        Range::Positive,
-    ),
+    key("clearance", "radial clearance between pin and hole [mm]", Range::NonNegative),
+    key("eye_outer_radius", "outer radius of the eye [mm]", Range::Positive),
+    key("shank_width", "full width of the shank [mm]", Range::Positive),
+    key("shank_end", "distance from the eye's centre to the shank's end [mm]", Range::Positive),
+    key("thickness", "thickness of pin and rod [mm]", Range::Positive),
     key("force", "full force on the rod [N]", Range::Positive),
-    key(
-        "friction",
-        "coefficient of friction in the source",
-        Range::NonNegative,
-    ),
-    key(
-        "pin.young",
-        "Young's modulus of the pin [MPa]",
-        Range::Positive,
-    ),
+    key("friction", "coefficient of friction in the source", Range::NonNegative),
+    key("pin.young", "Young's modulus of the pin [MPa]", Range::Positive),
     key("pin.poisson", "Poisson's ratio of the pin", Range::Poisson),
-    key(
-        "rod.young",
-        "Young's modulus of the rod [MPa]",
-        Range::Positive,
-    ),
+    key("rod.young", "Young's modulus of the rod [MPa]", Range::Positive),
     key("rod.poisson", "Poisson's ratio of the rod", Range::Poisson),
 ];
 
 const fn key(path: &'static str, meaning: &'static str, range: Range) -> Key {
-    Key {
-        path,
-        meaning,
-        range,
-    }
+    Key { path, meaning, range }
 }
 
 impl DigitisedScene {
@@ -103,30 +67,20 @@ impl DigitisedScene {
     /// # Errors
     /// Names the key that is missing, unknown or out of range.
     pub fn read(file: &Path) -> Result<Self, Error> {
-        let text = text_of(
-            file,
-            "write the source's dimensions, materials and load; see the README of the folder",
-        )?;
+        let text = text_of(file, "write the source's dimensions, materials and load; see the README of the folder")?;
         let table = keys::parse(file, &text)?;
         keys::check(file, "", &table, &KEYS)?;
-        let scene: Self = table
-            .try_into()
-            .map_err(|cause: toml::de::Error| Error::Unreadable {
-                file: file.to_path_buf(),
-                found: cause.message().to_owned(),
-                remedy: "follow the example in the README of the folder".to_owned(),
-            })?;
+        let scene: Self = table.try_into().map_err(|cause: toml::de::Error| Error::Unreadable {
+            file: file.to_path_buf(),
+            found: cause.message().to_owned(),
+            remedy: "follow the example in the README of the folder".to_owned(),
+        })?;
         scene.fits_together(file)
     }
 
     fn fits_together(self, file: &Path) -> Result<Self, Error> {
         let refused = |key: &str, value: f64, remedy: String| {
-            Err(Error::Refused {
-                file: file.to_path_buf(),
-                key: key.to_owned(),
-                found: value.to_string(),
-                remedy,
-            })
+            Err(Error::Refused { file: file.to_path_buf(), key: key.to_owned(), found: value.to_string(), remedy })
         };
         let hole = self.pin_radius + self.clearance;
         if self.eye_outer_radius <= hole {
@@ -134,10 +88,7 @@ impl DigitisedScene {
             return refused("eye_outer_radius", self.eye_outer_radius, remedy);
         }
         if self.shank_end <= self.eye_outer_radius {
-            let remedy = format!(
-                "give a shank that ends outside the eye of radius {} mm",
-                self.eye_outer_radius
-            );
+            let remedy = format!("give a shank that ends outside the eye of radius {} mm", self.eye_outer_radius);
             return refused("shank_end", self.shank_end, remedy);
         }
         Ok(self)

@@ -23,16 +23,8 @@ impl Plot<'_> {
         let across = |value: f64| self.place((value, value));
         let (from, to) = (across(band.from), across(band.to));
         match band.direction {
-            Direction::Vertical => Frame {
-                left: from.0.max(frame.left),
-                right: to.0.min(frame.right),
-                ..frame
-            },
-            Direction::Horizontal => Frame {
-                top: to.1.max(frame.top),
-                bottom: from.1.min(frame.bottom),
-                ..frame
-            },
+            Direction::Vertical => Frame { left: from.0.max(frame.left), right: to.0.min(frame.right), ..frame },
+            Direction::Horizontal => Frame { top: to.1.max(frame.top), bottom: from.1.min(frame.bottom), ..frame },
         }
     }
 
@@ -49,51 +41,25 @@ impl Plot<'_> {
         let flat = 2.0 * half < area.width();
         let (across, up) = if flat { (half, 8.0) } else { (8.0, half) };
         let (x, y) = (0.5 * (area.left + area.right), area.top + up + 5.0);
-        let backing = Frame {
-            left: x - across,
-            top: y - up,
-            right: x + across,
-            bottom: y + up,
-        };
+        let backing = Frame { left: x - across, top: y - up, right: x + across, bottom: y + up };
         canvas.area(&backing.corners(), tint(GREY, BAND));
-        canvas.label(
-            (x, y),
-            &band.label,
-            if flat { lettering } else { lettering.upright() },
-        );
+        canvas.label((x, y), &band.label, if flat { lettering } else { lettering.upright() });
     }
 
     /// Draws the reference lines, their labels outside the frame.
     pub fn guides(&self, canvas: &mut Canvas) {
-        let pen = Pen {
-            colour: GREY,
-            width: 1.0,
-            dash: Dash::Dashed,
-        };
-        for Guide {
-            direction,
-            at,
-            label,
-        } in &self.chart().guides
-        {
+        let pen = Pen { colour: GREY, width: 1.0, dash: Dash::Dashed };
+        for Guide { direction, at, label } in &self.chart().guides {
             let ((x, y), frame) = (self.place((*at, *at)), self.data_frame());
             match direction {
                 Direction::Horizontal => {
                     canvas.line(&[(frame.left, y), (frame.right, y)], pen);
-                    canvas.label(
-                        (frame.right + 5.0, y),
-                        label,
-                        Lettering::start(GUIDE_SIZE).coloured(GREY),
-                    );
+                    canvas.label((frame.right + 5.0, y), label, Lettering::start(GUIDE_SIZE).coloured(GREY));
                 }
                 Direction::Vertical => {
                     canvas.line(&[(x, frame.top), (x, frame.bottom)], pen);
                     let above = frame.top - self.lanes_height() - 9.0;
-                    canvas.label(
-                        (x, above),
-                        label,
-                        Lettering::middle(GUIDE_SIZE).coloured(GREY),
-                    );
+                    canvas.label((x, above), label, Lettering::middle(GUIDE_SIZE).coloured(GREY));
                 }
             }
         }

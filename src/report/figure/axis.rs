@@ -24,39 +24,18 @@ impl Span {
     pub fn around(axis: &Axis, values: &[f64], figure: &str) -> Result<Span, Error> {
         let coordinates = match axis.range {
             Some((from, to)) => vec![coordinate(axis.scale, from), coordinate(axis.scale, to)],
-            None => values
-                .iter()
-                .map(|&value| coordinate(axis.scale, value))
-                .collect(),
+            None => values.iter().map(|&value| coordinate(axis.scale, value)).collect(),
         };
-        let finite = || {
-            coordinates
-                .iter()
-                .copied()
-                .filter(|value| value.is_finite())
-        };
-        let (from, to) = finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-            (low.min(value), high.max(value))
-        });
+        let finite = || coordinates.iter().copied().filter(|value| value.is_finite());
+        let (from, to) =
+            finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         if from > to {
-            let reason = format!(
-                "no finite value for the axis `{}`: give it a range or a series",
-                axis.label
-            );
+            let reason = format!("no finite value for the axis `{}`: give it a range or a series", axis.label);
             return Err(drawing(figure, reason));
         }
         Ok(match axis.range {
-            Some(_) => Span {
-                scale: axis.scale,
-                from,
-                to,
-            },
-            None => Span {
-                scale: axis.scale,
-                from,
-                to,
-            }
-            .with_margin(),
+            Some(_) => Span { scale: axis.scale, from, to },
+            None => Span { scale: axis.scale, from, to }.with_margin(),
         })
     }
 
@@ -67,11 +46,7 @@ impl Span {
                 Scale::Log => 0.5,
                 Scale::Linear => 0.5 * self.from.abs().max(1e-12),
             };
-            return Span {
-                from: self.from - room,
-                to: self.to + room,
-                ..self
-            };
+            return Span { from: self.from - room, to: self.to + room, ..self };
         }
         let margin = 0.05 * extent;
         // Positive values that begin near zero show it.
@@ -79,11 +54,7 @@ impl Span {
             Scale::Linear if self.from >= 0.0 && self.from < 0.25 * self.to => 0.0,
             _ => self.from - margin,
         };
-        Span {
-            from,
-            to: self.to + margin,
-            ..self
-        }
+        Span { from, to: self.to + margin, ..self }
     }
 
     /// Place of a value, 0 at the lower end and 1 at the upper; what a logarithm cannot show stands at the lower end.
@@ -108,13 +79,7 @@ impl Span {
     fn linear_ticks(&self, wanted: usize) -> Vec<Tick> {
         let (step, values) = round_values(self.from, self.to, wanted);
         let label = |value: f64| Some(number(value, step, self.from.abs().max(self.to.abs())));
-        values
-            .into_iter()
-            .map(|value| Tick {
-                fraction: self.fraction(value),
-                label: label(value),
-            })
-            .collect()
+        values.into_iter().map(|value| Tick { fraction: self.fraction(value), label: label(value) }).collect()
     }
 
     fn ticks_within_a_decade(&self) -> Vec<Tick> {
@@ -132,30 +97,18 @@ impl Span {
     }
 
     fn decades(&self, wanted: usize) -> Vec<Tick> {
-        let (first, last) = (
-            (self.from - 1e-9).ceil() as i32,
-            (self.to + 1e-9).floor() as i32,
-        );
+        let (first, last) = ((self.from - 1e-9).ceil() as i32, (self.to + 1e-9).floor() as i32);
         let stride = ((last - first).max(1) as usize).div_ceil(wanted.max(1)) as i32;
         let plain = first >= -2 && last <= 3;
         let decade = |n: i32| Tick {
             fraction: (f64::from(n) - self.from) / (self.to - self.from),
-            label: (n.rem_euclid(stride) == 0).then(|| {
-                if plain {
-                    number(10_f64.powi(n), 10_f64.powi(n), 1.0)
-                } else {
-                    power(n)
-                }
-            }),
+            label: (n.rem_euclid(stride) == 0)
+                .then(|| if plain { number(10_f64.powi(n), 10_f64.powi(n), 1.0) } else { power(n) }),
         };
         let mut ticks: Vec<Tick> = (first..=last).map(decade).collect();
         if last - first <= 6 {
-            let between = (first - 1..=last)
-                .flat_map(|n| (2..10).map(move |digit| f64::from(digit) * 10_f64.powi(n)));
-            ticks.extend(between.map(|value| Tick {
-                fraction: self.fraction(value),
-                label: None,
-            }));
+            let between = (first - 1..=last).flat_map(|n| (2..10).map(move |digit| f64::from(digit) * 10_f64.powi(n)));
+            ticks.extend(between.map(|value| Tick { fraction: self.fraction(value), label: None }));
         }
         ticks.retain(Tick::is_on_axis);
         ticks

@@ -21,9 +21,7 @@ const OVERLAP: f64 = 0.2;
 impl Bands {
     /// The largest level in magnitude.
     pub fn largest(&self) -> f64 {
-        self.levels
-            .iter()
-            .fold(0.0, |largest, level| level.abs().max(largest))
+        self.levels.iter().fold(0.0, |largest, level| level.abs().max(largest))
     }
 
     /// How many bands.
@@ -38,38 +36,20 @@ impl Bands {
 
     /// Band of a value; what is beyond the ends belongs to the first or last.
     fn of(&self, value: f64) -> usize {
-        let above = self
-            .levels
-            .iter()
-            .skip(1)
-            .take_while(|&&level| value >= level)
-            .count();
+        let above = self.levels.iter().skip(1).take_while(|&&level| value >= level).count();
         above.min(self.count() - 1)
     }
 }
 
 /// Paints one cell: each part in the colour of its lowest band, then what reaches above each further level.
-pub(super) fn paint_cell(
-    canvas: &mut Canvas,
-    drawn: &Drawn<'_>,
-    cell: &[usize],
-    view: &View,
-    bands: &Bands,
-) {
-    let corners: Vec<Point> = cell
-        .iter()
-        .map(|&node| view.place(drawn.nodes[node]))
-        .collect();
+pub(super) fn paint_cell(canvas: &mut Canvas, drawn: &Drawn<'_>, cell: &[usize], view: &View, bands: &Bands) {
+    let corners: Vec<Point> = cell.iter().map(|&node| view.place(drawn.nodes[node])).collect();
     if !touches(&corners, &view.frame) {
         return;
     }
     let grid = Grid::of(drawn, cell, &corners);
     let first = bands.of(grid.vertices[0].value);
-    if grid
-        .vertices
-        .iter()
-        .all(|vertex| bands.of(vertex.value) == first)
-    {
+    if grid.vertices.iter().all(|vertex| bands.of(vertex.value) == first) {
         return paint_part(canvas, grid.rim(), view, bands);
     }
     for row in 0..grid.parts {
@@ -95,16 +75,9 @@ fn overlapping(part: &[Vertex]) -> Vec<Vertex> {
         ((a.1 - b.1) / length, (b.0 - a.0) / length)
     };
     let moved = |n: usize| {
-        let (before, here, after) = (
-            part[(n + count - 1) % count].at,
-            part[n].at,
-            part[(n + 1) % count].at,
-        );
+        let (before, here, after) = (part[(n + count - 1) % count].at, part[n].at, part[(n + 1) % count].at);
         let (first, second) = (outward(before, here), outward(here, after));
-        let at = (
-            here.0 + OVERLAP * (first.0 + second.0),
-            here.1 + OVERLAP * (first.1 + second.1),
-        );
+        let at = (here.0 + OVERLAP * (first.0 + second.0), here.1 + OVERLAP * (first.1 + second.1));
         Vertex { at, ..part[n] }
     };
     (0..count).map(moved).collect()
@@ -112,10 +85,7 @@ fn overlapping(part: &[Vertex]) -> Vec<Vertex> {
 
 fn paint_part(canvas: &mut Canvas, part: Vec<Vertex>, view: &View, bands: &Bands) {
     let mut rest = within(overlapping(&part), &view.frame);
-    let lowest = rest
-        .iter()
-        .map(|vertex| vertex.value)
-        .fold(f64::INFINITY, f64::min);
+    let lowest = rest.iter().map(|vertex| vertex.value).fold(f64::INFINITY, f64::min);
     for band in bands.of(lowest)..bands.count() {
         if band > bands.of(lowest) {
             rest = cut(&rest, |vertex| vertex.value - bands.levels[band]);
@@ -151,10 +121,7 @@ fn cut(polygon: &[Vertex], height: impl Fn(&Vertex) -> f64) -> Vec<Vertex> {
             let share = a / (a - b);
             let mix = |from: f64, to: f64| from + share * (to - from);
             let at = (mix(here.at.0, next.at.0), mix(here.at.1, next.at.1));
-            kept.push(Vertex {
-                at,
-                value: mix(here.value, next.value),
-            });
+            kept.push(Vertex { at, value: mix(here.value, next.value) });
         }
     }
     kept

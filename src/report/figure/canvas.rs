@@ -5,9 +5,7 @@
 
 use plotters::backend::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{Pos, VPos};
-use plotters::style::{
-    Color, FontDesc, FontFamily, FontStyle, FontTransform, ShapeStyle, TextStyle,
-};
+use plotters::style::{Color, FontDesc, FontFamily, FontStyle, FontTransform, ShapeStyle, TextStyle};
 
 use super::frame::Frame;
 use super::palette::{CARD, Colour, PALE};
@@ -36,17 +34,8 @@ pub(super) struct Canvas {
 impl Canvas {
     /// An empty card.
     pub fn new(width: f64, height: f64) -> Canvas {
-        let mut canvas = Canvas {
-            width,
-            height,
-            shapes: Vec::new(),
-        };
-        let card = Frame {
-            left: 0.0,
-            top: 0.0,
-            right: width,
-            bottom: height,
-        };
+        let mut canvas = Canvas { width, height, shapes: Vec::new() };
+        let card = Frame { left: 0.0, top: 0.0, right: width, bottom: height };
         canvas.area(&card.corners(), CARD);
         canvas.line(&card.outline(), Pen::solid(PALE, 1.6));
         canvas
@@ -56,8 +45,7 @@ impl Canvas {
     pub fn line(&mut self, points: &[Point], pen: Pen) {
         let pattern = pen.dash.pattern();
         if pattern.is_empty() {
-            self.shapes
-                .push(Shape::Line(points.to_vec(), pen.colour, pen.width));
+            self.shapes.push(Shape::Line(points.to_vec(), pen.colour, pen.width));
             return;
         }
         for piece in dashes(points, pattern) {
@@ -77,8 +65,7 @@ impl Canvas {
 
     /// A line of text.
     pub fn label(&mut self, at: Point, text: &str, lettering: Lettering) {
-        self.shapes
-            .push(Shape::Label(at, text.to_string(), lettering));
+        self.shapes.push(Shape::Label(at, text.to_string(), lettering));
     }
 
     /// The SVG text, the same bytes for the same shapes.
@@ -89,9 +76,7 @@ impl Canvas {
         for shape in &self.shapes {
             paint(&mut backend, shape).map_err(|reason| drawing(figure, reason))?;
         }
-        backend
-            .present()
-            .map_err(|cause| drawing(figure, cause.to_string()))?;
+        backend.present().map_err(|cause| drawing(figure, cause.to_string()))?;
         drop(backend);
         Ok(self.at_display_size(&text))
     }
@@ -111,10 +96,7 @@ impl Canvas {
 
 /// Error of a figure that cannot be drawn.
 pub(super) fn drawing(figure: &str, reason: impl Into<String>) -> Error {
-    Error::Drawing {
-        figure: figure.to_string(),
-        reason: reason.into(),
-    }
+    Error::Drawing { figure: figure.to_string(), reason: reason.into() }
 }
 
 fn whole(length: f64) -> i32 {
@@ -124,23 +106,14 @@ fn whole(length: f64) -> i32 {
 fn paint(backend: &mut SVGBackend<'_>, shape: &Shape) -> Result<(), String> {
     match shape {
         Shape::Line(points, colour, width) => {
-            let style = ShapeStyle {
-                color: colour.to_rgba(),
-                filled: false,
-                stroke_width: whole(*width) as u32,
-            };
+            let style = ShapeStyle { color: colour.to_rgba(), filled: false, stroke_width: whole(*width) as u32 };
             backend.draw_path(enlarged(points)?, &style)
         }
         Shape::Area(points, fill) => backend.fill_polygon(enlarged(points)?, &fill.filled()),
-        Shape::Disc(centre, radius, fill) => backend.draw_circle(
-            enlarged(&[*centre])?[0],
-            whole(*radius) as u32,
-            &fill.filled(),
-            true,
-        ),
-        Shape::Label(at, text, lettering) => {
-            backend.draw_text(text, &text_style(lettering), enlarged(&[*at])?[0])
+        Shape::Disc(centre, radius, fill) => {
+            backend.draw_circle(enlarged(&[*centre])?[0], whole(*radius) as u32, &fill.filled(), true)
         }
+        Shape::Label(at, text, lettering) => backend.draw_text(text, &text_style(lettering), enlarged(&[*at])?[0]),
     }
     .map_err(|cause| cause.to_string())
 }
@@ -148,28 +121,13 @@ fn paint(backend: &mut SVGBackend<'_>, shape: &Shape) -> Result<(), String> {
 fn enlarged(points: &[Point]) -> Result<Vec<(i32, i32)>, String> {
     let place = |&(x, y): &Point| (x.is_finite() && y.is_finite()).then(|| (whole(x), whole(y)));
     let places: Option<Vec<_>> = points.iter().map(place).collect();
-    places
-        .ok_or_else(|| "a coordinate is not finite: leave such values out of the input".to_string())
+    places.ok_or_else(|| "a coordinate is not finite: leave such values out of the input".to_string())
 }
 
 fn text_style(lettering: &Lettering) -> TextStyle<'_> {
-    let style = if lettering.bold {
-        FontStyle::Bold
-    } else {
-        FontStyle::Normal
-    };
+    let style = if lettering.bold { FontStyle::Bold } else { FontStyle::Normal };
     // The backend divides by 1.24 to turn line height into font size.
-    let font = FontDesc::new(
-        FontFamily::SansSerif,
-        lettering.size * ENLARGEMENT * 1.24,
-        style,
-    );
-    let turn = if lettering.upright {
-        FontTransform::Rotate270
-    } else {
-        FontTransform::None
-    };
-    TextStyle::from(font.transform(turn))
-        .color(&lettering.colour)
-        .pos(Pos::new(lettering.side, VPos::Center))
+    let font = FontDesc::new(FontFamily::SansSerif, lettering.size * ENLARGEMENT * 1.24, style);
+    let turn = if lettering.upright { FontTransform::Rotate270 } else { FontTransform::None };
+    TextStyle::from(font.transform(turn)).color(&lettering.colour).pos(Pos::new(lettering.side, VPos::Center))
 }

@@ -25,11 +25,8 @@ impl Grid {
     pub fn of(drawn: &Drawn<'_>, cell: &[usize], corners: &[Point]) -> Grid {
         let parts = divisions(corners);
         let natural = |n: usize| 2.0 * n as f64 / parts as f64 - 1.0;
-        let places = (0..=parts)
-            .flat_map(|row| (0..=parts).map(move |column| (natural(column), natural(row))));
-        let vertices = places
-            .map(|place| vertex(drawn, cell, corners, place))
-            .collect();
+        let places = (0..=parts).flat_map(|row| (0..=parts).map(move |column| (natural(column), natural(row))));
+        let vertices = places.map(|place| vertex(drawn, cell, corners, place)).collect();
         Grid { parts, vertices }
     }
 
@@ -39,12 +36,7 @@ impl Grid {
 
     /// One part, counter-clockwise.
     pub fn part(&self, row: usize, column: usize) -> Vec<Vertex> {
-        vec![
-            self.at(row, column),
-            self.at(row, column + 1),
-            self.at(row + 1, column + 1),
-            self.at(row + 1, column),
-        ]
+        vec![self.at(row, column), self.at(row, column + 1), self.at(row + 1, column + 1), self.at(row + 1, column)]
     }
 
     /// The whole rim, counter-clockwise.
@@ -56,9 +48,7 @@ impl Grid {
             2 => self.at(n, n - k),
             _ => self.at(n - k, 0),
         };
-        (0..4)
-            .flat_map(|side| (0..n).map(move |k| along(side, k)))
-            .collect()
+        (0..4).flat_map(|side| (0..n).map(move |k| along(side, k))).collect()
     }
 }
 
@@ -71,10 +61,7 @@ fn divisions(corners: &[Point]) -> usize {
 fn vertex(drawn: &Drawn<'_>, cell: &[usize], corners: &[Point], place: (f64, f64)) -> Vertex {
     let shape = shape_functions(cell.len(), place);
     let sum = |of: &dyn Fn(usize) -> f64| (0..cell.len()).map(|n| shape[n] * of(n)).sum::<f64>();
-    Vertex {
-        at: (sum(&|n| corners[n].0), sum(&|n| corners[n].1)),
-        value: sum(&|n| drawn.field.values[cell[n]]),
-    }
+    Vertex { at: (sum(&|n| corners[n].0), sum(&|n| corners[n].1)), value: sum(&|n| drawn.field.values[cell[n]]) }
 }
 
 /// Shape functions of the bilinear or the serendipity quadrilateral.

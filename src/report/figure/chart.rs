@@ -101,37 +101,19 @@ impl Chart {
     /// A chart without curves.
     pub fn new(title: &str, x: Axis, y: Axis) -> Chart {
         let title = title.to_string();
-        Chart {
-            title,
-            x,
-            y,
-            series: vec![],
-            guides: vec![],
-            bands: vec![],
-            notes: vec![],
-        }
+        Chart { title, x, y, series: vec![], guides: vec![], bands: vec![], notes: vec![] }
     }
 
     /// The chart as SVG, its legend on the right.
     pub fn svg(&self) -> Result<String, Error> {
         let legend = Legend::of(std::slice::from_ref(self));
-        let legend_width = if legend.is_empty() {
-            0.0
-        } else {
-            legend.column_width() + EDGE
-        };
-        let width = (EDGE + PLOT_WIDTH + legend_width + EDGE)
-            .max(text_width(&self.title, 15.0) + 2.0 * EDGE);
+        let legend_width = if legend.is_empty() { 0.0 } else { legend.column_width() + EDGE };
+        let width = (EDGE + PLOT_WIDTH + legend_width + EDGE).max(text_width(&self.title, 15.0) + 2.0 * EDGE);
         let plot_height = PLOT_HEIGHT.max(legend.height(1) + 70.0);
         let notes = wrapped(&self.notes, width - 2.0 * EDGE);
         let mut canvas = Canvas::new(width, TITLE + plot_height + notes_height(&notes));
         heading(&mut canvas, &self.title);
-        let outer = Frame {
-            left: EDGE,
-            top: TITLE,
-            right: EDGE + PLOT_WIDTH,
-            bottom: TITLE + plot_height,
-        };
+        let outer = Frame { left: EDGE, top: TITLE, right: EDGE + PLOT_WIDTH, bottom: TITLE + plot_height };
         let inner = Plot::new(self, outer)?.draw(&mut canvas);
         legend.draw(&mut canvas, (outer.right + EDGE, inner.top - 4.0), 1);
         small_print(&mut canvas, &notes, outer.bottom);
@@ -142,27 +124,16 @@ impl Chart {
 impl Axis {
     /// An axis with equal steps around its values.
     pub fn linear(label: &str) -> Axis {
-        Axis {
-            label: label.to_string(),
-            scale: Scale::Linear,
-            range: None,
-        }
+        Axis { label: label.to_string(), scale: Scale::Linear, range: None }
     }
 
     /// An axis with equal ratios around its values.
     pub fn log(label: &str) -> Axis {
-        Axis {
-            label: label.to_string(),
-            scale: Scale::Log,
-            range: None,
-        }
+        Axis { label: label.to_string(), scale: Scale::Log, range: None }
     }
 
     /// The axis with given ends.
     pub fn over(self, from: f64, to: f64) -> Axis {
-        Axis {
-            range: Some((from, to)),
-            ..self
-        }
+        Axis { range: Some((from, to)), ..self }
     }
 }

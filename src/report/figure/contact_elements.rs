@@ -49,14 +49,7 @@ fn line_element(canvas: &mut Canvas, left: f64) {
     }
     for along in GAUSS {
         let (a, b) = across(&faces, along);
-        canvas.line(
-            &[a, b],
-            Pen {
-                colour: LINE,
-                width: 1.6,
-                dash: Dash::Dashed,
-            },
-        );
+        canvas.line(&[a, b], Pen { colour: LINE, width: 1.6, dash: Dash::Dashed });
         for end in [a, b] {
             diagonal_cross(canvas, end, LINE);
         }
@@ -80,14 +73,7 @@ fn layer_element(canvas: &mut Canvas, left: f64) {
         canvas.line(&[lower[side], upper[side]], Pen::solid(LAYER, 1.4));
     }
     let (start, end) = (middle(upper[0], lower[0]), middle(upper[1], lower[1]));
-    canvas.line(
-        &[start, end],
-        Pen {
-            colour: LAYER,
-            width: 1.4,
-            dash: Dash::DashDot,
-        },
-    );
+    canvas.line(&[start, end], Pen { colour: LAYER, width: 1.4, dash: Dash::DashDot });
     for along in GAUSS {
         diagonal_cross(canvas, beside(start, end, along, 0.0), LAYER);
     }
@@ -95,22 +81,10 @@ fn layer_element(canvas: &mut Canvas, left: f64) {
     let (a, b) = across(&faces, 0.37);
     arrow(canvas, middle(a, b), a, INK);
     arrow(canvas, middle(a, b), b, INK);
-    canvas.label(
-        (a.0 + 8.0, MIDDLE + 18.0),
-        "t(ξ) = t₀ + g(ξ)",
-        Lettering::start(TEXT),
-    );
-    canvas.label(
-        (a.0 + 8.0, MIDDLE - 18.0),
-        "Eₙ, G = 0",
-        Lettering::start(TEXT).coloured(LAYER).bold(),
-    );
+    canvas.label((a.0 + 8.0, MIDDLE + 18.0), "t(ξ) = t₀ + g(ξ)", Lettering::start(TEXT));
+    canvas.label((a.0 + 8.0, MIDDLE - 18.0), "Eₙ, G = 0", Lettering::start(TEXT).coloured(LAYER).bold());
     corner_nodes(canvas, &faces);
-    let text = [
-        "thin element of a fictitious material,",
-        "stiff where the gap is narrow",
-        "kᵢ = Eₙ / t(ξᵢ)",
-    ];
+    let text = ["thin element of a fictitious material,", "stiff where the gap is narrow", "kᵢ = Eₙ / t(ξᵢ)"];
     caption(canvas, left, "layer", LAYER, &text);
 }
 
@@ -122,30 +96,17 @@ fn node_element(canvas: &mut Canvas, left: f64) {
         spring(canvas, a, b, 6.0, NODE);
         node(canvas, a);
         node(canvas, b);
-        canvas.label(
-            (a.0 + 11.0, MIDDLE),
-            "kₙAᵢ",
-            Lettering::start(TEXT).coloured(NODE),
-        );
+        canvas.label((a.0 + 11.0, MIDDLE), "kₙAᵢ", Lettering::start(TEXT).coloured(NODE));
     }
     let below = |along: f64| beside(faces.lower[0], faces.lower[1], along, -26.0);
     let share = Pen::solid(GREY, 0.9);
     dimension(canvas, below(0.17), below(0.83), "Aᵢ", -13.0);
     for along in [0.17, 0.83] {
         let at = below(along);
-        canvas.line(
-            &[(at.0, at.1 - 24.0), (at.0, at.1 + 4.0)],
-            Pen {
-                dash: Dash::Dotted,
-                ..share
-            },
-        );
+        canvas.line(&[(at.0, at.1 - 24.0), (at.0, at.1 + 4.0)], Pen { dash: Dash::Dotted, ..share });
     }
-    let text = [
-        "one normal spring per node pair,",
-        "weighted with its tributary length Aᵢ",
-        "wᵢ = uᵢᴬ + uᵢᴮ,  kᵢ = kₙ",
-    ];
+    let text =
+        ["one normal spring per node pair,", "weighted with its tributary length Aᵢ", "wᵢ = uᵢᴬ + uᵢᴮ,  kᵢ = kₙ"];
     caption(canvas, left, "node", NODE, &text);
 }
 
@@ -153,22 +114,13 @@ fn node_element(canvas: &mut Canvas, left: f64) {
 fn faces(left: f64, taper: f64) -> Faces {
     let (from, to) = (left + INSET, left + PANEL - 68.0);
     Faces {
-        upper: [
-            (from, MIDDLE - HALF_GAP + taper),
-            (to, MIDDLE - HALF_GAP - taper),
-        ],
-        lower: [
-            (from, MIDDLE + HALF_GAP - taper),
-            (to, MIDDLE + HALF_GAP + taper),
-        ],
+        upper: [(from, MIDDLE - HALF_GAP + taper), (to, MIDDLE - HALF_GAP - taper)],
+        lower: [(from, MIDDLE + HALF_GAP - taper), (to, MIDDLE + HALF_GAP + taper)],
     }
 }
 
 fn across(faces: &Faces, along: f64) -> (Point, Point) {
-    (
-        beside(faces.upper[0], faces.upper[1], along, 0.0),
-        beside(faces.lower[0], faces.lower[1], along, 0.0),
-    )
+    (beside(faces.upper[0], faces.upper[1], along, 0.0), beside(faces.lower[0], faces.lower[1], along, 0.0))
 }
 
 fn middle(a: Point, b: Point) -> Point {
@@ -179,21 +131,14 @@ fn middle(a: Point, b: Point) -> Point {
 fn bodies(canvas: &mut Canvas, left: f64, faces: &Faces) {
     let (from, to) = (left + INSET - 22.0, left + PANEL - 46.0);
     let fill = tint(GREY, 0.16);
-    for (edge, far, name) in [
-        (faces.upper, MIDDLE - 106.0, "A"),
-        (faces.lower, MIDDLE + 106.0, "B"),
-    ] {
+    for (edge, far, name) in [(faces.upper, MIDDLE - 106.0, "A"), (faces.lower, MIDDLE + 106.0, "B")] {
         let slope = (edge[1].1 - edge[0].1) / (edge[1].0 - edge[0].0);
         let at = |x: f64| (x, edge[0].1 + slope * (x - edge[0].0));
         let (a, b) = (at(from), at(to));
         canvas.area(&[a, b, (to, far), (from, far)], fill);
         canvas.line(&[a, b], Pen::solid(INK, 1.5));
         let inwards = if name == "A" { far + 14.0 } else { far - 14.0 };
-        canvas.label(
-            (from + 12.0, inwards),
-            name,
-            Lettering::middle(13.0).bold().coloured(GREY),
-        );
+        canvas.label((from + 12.0, inwards), name, Lettering::middle(13.0).bold().coloured(GREY));
     }
 }
 
@@ -213,27 +158,15 @@ fn axes(canvas: &mut Canvas, origin: Point) {
 
 fn diagonal_cross(canvas: &mut Canvas, (x, y): Point, colour: Colour) {
     for slope in [-1.0, 1.0] {
-        canvas.line(
-            &[(x - 5.0, y - 5.0 * slope), (x + 5.0, y + 5.0 * slope)],
-            Pen::solid(colour, 2.2),
-        );
+        canvas.line(&[(x - 5.0, y - 5.0 * slope), (x + 5.0, y + 5.0 * slope)], Pen::solid(colour, 2.2));
     }
 }
 
 fn caption(canvas: &mut Canvas, left: f64, name: &str, colour: Colour, lines: &[&str]) {
-    let frame = Frame {
-        left: left + 12.0,
-        top: 56.0,
-        right: left + 42.0,
-        bottom: 59.0,
-    };
+    let frame = Frame { left: left + 12.0, top: 56.0, right: left + 42.0, bottom: 59.0 };
     canvas.area(&frame.corners(), colour);
     canvas.label((left + 50.0, 57.0), name, Lettering::start(14.0).bold());
     for (row, line) in lines.iter().enumerate() {
-        canvas.label(
-            (left + 12.0, 322.0 + 17.0 * row as f64),
-            line,
-            Lettering::start(TEXT),
-        );
+        canvas.label((left + 12.0, 322.0 + 17.0 * row as f64), line, Lettering::start(TEXT));
     }
 }

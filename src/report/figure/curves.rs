@@ -31,43 +31,21 @@ const SAMPLE: f64 = 8.0;
 /// All series of a plot on the canvas.
 pub(super) fn curves(plot: &Plot<'_>) -> Vec<Curve> {
     let count = plot.chart().series.len();
-    let radius = if plot.data_frame().width() < NARROW {
-        RADII.1
-    } else {
-        RADII.0
-    };
+    let radius = if plot.data_frame().width() < NARROW { RADII.1 } else { RADII.0 };
     let mut curves: Vec<Curve> = Vec::new();
     for (rank, series) in plot.chart().series.iter().enumerate() {
-        let places: Vec<Point> = series
-            .points
-            .iter()
-            .map(|&point| plot.place(point))
-            .collect();
+        let places: Vec<Point> = series.points.iter().map(|&point| plot.place(point)).collect();
         let runs = runs(&places);
         let phase = (rank as f64 + 0.5) / count as f64;
         let shown = |place: &Point| plot.data_frame().holds(*place);
         let signs = match series.style {
-            Style {
-                marker: Marker::Absent,
-                ..
-            } => Vec::new(),
-            Style {
-                dash: Dash::Absent, ..
-            } => runs.concat(),
+            Style { marker: Marker::Absent, .. } => Vec::new(),
+            Style { dash: Dash::Absent, .. } => runs.concat(),
             _ if places.len() <= SPARSE => runs.concat(),
             _ => runs.iter().flat_map(|run| staggered(run, phase)).collect(),
         };
-        let signs = signs
-            .into_iter()
-            .filter(shown)
-            .map(|sign| (sign, radius))
-            .collect();
-        curves.push(Curve {
-            style: series.style,
-            width: LINE_WIDTH,
-            runs,
-            signs,
-        });
+        let signs = signs.into_iter().filter(shown).map(|sign| (sign, radius)).collect();
+        curves.push(Curve { style: series.style, width: LINE_WIDTH, runs, signs });
     }
     widen(&mut curves);
     nest(&mut curves);
@@ -77,10 +55,7 @@ pub(super) fn curves(plot: &Plot<'_>) -> Vec<Curve> {
 fn runs(places: &[Point]) -> Vec<Vec<Point>> {
     let finite = |place: &Point| place.0.is_finite() && place.1.is_finite();
     let split = places.split(|place| !finite(place));
-    split
-        .filter(|run| !run.is_empty())
-        .map(<[Point]>::to_vec)
-        .collect()
+    split.filter(|run| !run.is_empty()).map(<[Point]>::to_vec).collect()
 }
 
 /// Every so many pixels along the line the nearest data point, beginning at a phase of the distance.
@@ -102,12 +77,7 @@ fn nest(curves: &mut [Curve]) {
     for first in 0..curves.len() {
         let (earlier, later) = curves.split_at_mut(first + 1);
         for (sign, radius) in &mut earlier[first].signs {
-            let upon = |curve: &&Curve| {
-                curve
-                    .signs
-                    .iter()
-                    .any(|(other, _)| distance(*other, *sign) < COINCIDENT)
-            };
+            let upon = |curve: &&Curve| curve.signs.iter().any(|(other, _)| distance(*other, *sign) < COINCIDENT);
             *radius *= 1.42_f64.powi(later.iter().filter(upon).count().min(3) as i32);
         }
     }
@@ -116,10 +86,7 @@ fn nest(curves: &mut [Curve]) {
 /// Widens each line by the number of later ones that lie on it.
 fn widen(curves: &mut [Curve]) {
     for first in 0..curves.len() {
-        let covering = curves[first + 1..]
-            .iter()
-            .filter(|later| covers(later, &curves[first]))
-            .count();
+        let covering = curves[first + 1..].iter().filter(|later| covers(later, &curves[first])).count();
         curves[first].width += 2.1 * covering.min(3) as f64;
     }
 }
@@ -132,10 +99,7 @@ fn covers(later: &Curve, earlier: &Curve) -> bool {
         return false;
     }
     let points: Vec<Point> = earlier.runs.iter().flat_map(|run| sampled(run)).collect();
-    let close = points
-        .iter()
-        .filter(|&&point| later.runs.iter().any(|run| near(run, point)))
-        .count();
+    let close = points.iter().filter(|&&point| later.runs.iter().any(|run| near(run, point))).count();
     !points.is_empty() && 10 * close >= 6 * points.len()
 }
 
@@ -151,8 +115,7 @@ fn sampled(run: &[Point]) -> Vec<Point> {
 }
 
 fn near(run: &[Point], point: Point) -> bool {
-    run.windows(2)
-        .any(|pair| to_segment(point, pair[0], pair[1]) < COINCIDENT)
+    run.windows(2).any(|pair| to_segment(point, pair[0], pair[1]) < COINCIDENT)
 }
 
 fn to_segment(point: Point, a: Point, b: Point) -> f64 {

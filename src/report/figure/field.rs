@@ -65,10 +65,7 @@ impl Field {
     pub fn svg(&self) -> Result<String, Error> {
         self.check()?;
         let bands = self.bands()?;
-        let drawn = Drawn {
-            field: self,
-            nodes: self.deformed(),
-        };
+        let drawn = Drawn { field: self, nodes: self.deformed() };
         let (views, right, bottom) = self.views(&drawn);
         let width = self.width(right);
         let notes = wrapped(&self.notes(&views), width - 2.0 * EDGE);
@@ -83,12 +80,7 @@ impl Field {
         if let [whole, detail] = &views[..] {
             mark_detail(&mut canvas, whole, detail);
         }
-        let bar = Frame {
-            left: right + 8.0,
-            top: TOP + 24.0,
-            right: right + 22.0,
-            bottom,
-        };
+        let bar = Frame { left: right + 8.0, top: TOP + 24.0, right: right + 22.0, bottom };
         colour_bar(&mut canvas, &bands, bar, &self.quantity);
         small_print(&mut canvas, &notes, bottom + 10.0);
         canvas.svg(&self.title)
@@ -117,14 +109,9 @@ impl Field {
     fn bands(&self) -> Result<Bands, Error> {
         let spread = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
         let found = self.cells.iter().flatten().map(|&node| self.values[node]);
-        let (mut low, mut high) = self
-            .range
-            .unwrap_or_else(|| found.fold((f64::INFINITY, f64::NEG_INFINITY), spread));
+        let (mut low, mut high) = self.range.unwrap_or_else(|| found.fold((f64::INFINITY, f64::NEG_INFINITY), spread));
         if !(low.is_finite() && high.is_finite() && low <= high) {
-            return Err(drawing(
-                &self.title,
-                format!("values from {low} to {high}: leave infinite ones out"),
-            ));
+            return Err(drawing(&self.title, format!("values from {low} to {high}: leave infinite ones out")));
         }
         if self.map == ColourMap::Diverging {
             high = high.abs().max(low.abs());
@@ -137,42 +124,24 @@ impl Field {
         let (step, _) = round_values(low, high, 10);
         let first = (low / step + 1e-9).floor();
         let last = (high / step - 1e-9).ceil();
-        let levels = (0..=(last - first) as usize)
-            .map(|n| (first + n as f64) * step)
-            .collect();
-        Ok(Bands {
-            levels,
-            step,
-            map: self.map,
-        })
+        let levels = (0..=(last - first) as usize).map(|n| (first + n as f64) * step).collect();
+        Ok(Bands { levels, step, map: self.map })
     }
 
     fn deformed(&self) -> Vec<Point> {
         let moved = |(point, shift): (&Point, &Point)| {
-            (
-                point.0 + self.magnification * shift.0,
-                point.1 + self.magnification * shift.1,
-            )
+            (point.0 + self.magnification * shift.0, point.1 + self.magnification * shift.1)
         };
-        self.points
-            .iter()
-            .zip(&self.displacements)
-            .map(moved)
-            .collect()
+        self.points.iter().zip(&self.displacements).map(moved).collect()
     }
 
     /// The panels, their common right end and their lower end.
     fn views(&self, drawn: &Drawn<'_>) -> (Vec<View>, f64, f64) {
         let used = || self.cells.iter().flatten().map(|&node| drawn.nodes[node]);
         let ends = |values: &mut dyn Iterator<Item = f64>| {
-            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-                (low.min(value), high.max(value))
-            })
+            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
         };
-        let extent = Window {
-            x: ends(&mut used().map(|p| p.0)),
-            y: ends(&mut used().map(|p| p.1)),
-        };
+        let extent = Window { x: ends(&mut used().map(|p| p.0)), y: ends(&mut used().map(|p| p.1)) };
         let width = if self.zoom.is_some() { PANEL } else { WHOLE };
         let whole = View::fitting(extent, (EDGE, TOP), (width, TALLEST));
         let Some(zoom) = self.zoom else {
@@ -192,19 +161,11 @@ impl Field {
 
     fn notes(&self, views: &[View]) -> Vec<String> {
         let mut notes = self.notes.clone();
-        if self
-            .displacements
-            .iter()
-            .any(|shift| shift.0.hypot(shift.1) > 0.0)
-            && self.magnification > 0.0
-        {
+        if self.displacements.iter().any(|shift| shift.0.hypot(shift.1) > 0.0) && self.magnification > 0.0 {
             notes.push(format!("Displacements ×{}.", self.magnification));
         }
         if let [whole, detail] = views {
-            notes.push(format!(
-                "Right: the framed detail, ×{:.1}.",
-                detail.scale / whole.scale
-            ));
+            notes.push(format!("Right: the framed detail, ×{:.1}.", detail.scale / whole.scale));
         }
         vec![notes.join(" ")]
     }

@@ -24,12 +24,7 @@ impl Frame {
 
     /// The four corners, counter-clockwise from the lower left.
     pub fn corners(&self) -> [Point; 4] {
-        [
-            (self.left, self.bottom),
-            (self.right, self.bottom),
-            (self.right, self.top),
-            (self.left, self.top),
-        ]
+        [(self.left, self.bottom), (self.right, self.bottom), (self.right, self.top), (self.left, self.top)]
     }
 
     /// The outline as a closed line.
@@ -40,10 +35,7 @@ impl Frame {
 
     /// True within half a pixel of the rectangle.
     pub fn holds(&self, (x, y): Point) -> bool {
-        x >= self.left - 0.5
-            && x <= self.right + 0.5
-            && y >= self.top - 0.5
-            && y <= self.bottom + 0.5
+        x >= self.left - 0.5 && x <= self.right + 0.5 && y >= self.top - 0.5 && y <= self.bottom + 0.5
     }
 
     /// The pieces of a polyline inside the rectangle.
@@ -67,12 +59,7 @@ impl Frame {
     /// The part of a segment inside the rectangle (Liang & Barsky 1984).
     fn clip_segment(&self, a: Point, b: Point) -> Option<(Point, Point)> {
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-        let sides = [
-            (-dx, a.0 - self.left),
-            (dx, self.right - a.0),
-            (-dy, a.1 - self.top),
-            (dy, self.bottom - a.1),
-        ];
+        let sides = [(-dx, a.0 - self.left), (dx, self.right - a.0), (-dy, a.1 - self.top), (dy, self.bottom - a.1)];
         let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
         for (rate, room) in sides {
             if rate.abs() < 1e-12 {

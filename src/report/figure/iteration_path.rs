@@ -79,28 +79,13 @@ impl IterationPaths {
         let pitch = (WIDTH - 2.0 * EDGE + 10.0) / self.paths.len().max(1) as f64;
         for (n, (path, chart)) in self.paths.iter().zip(&charts).enumerate() {
             let left = EDGE + pitch * n as f64;
-            let outer = Frame {
-                left,
-                top: TOP + 20.0,
-                right: left + pitch - 10.0,
-                bottom: TOP + PANEL_HEIGHT - 6.0,
-            };
+            let outer = Frame { left, top: TOP + 20.0, right: left + pitch - 10.0, bottom: TOP + PANEL_HEIGHT - 6.0 };
             let plot = Plot::new(chart, outer)?;
             let inner = plot.draw(&mut canvas);
             // Larger than the states, so that a state on it leaves its corners visible.
-            marker(
-                &mut canvas,
-                plot.place(self.target),
-                Marker::Diamond,
-                5.4,
-                INK,
-            );
+            marker(&mut canvas, plot.place(self.target), Marker::Diamond, 5.4, INK);
             states(&mut canvas, &plot, path, self.colour);
-            canvas.label(
-                (inner.left, TOP + 9.0),
-                &path.algorithm,
-                Lettering::start(12.0).bold(),
-            );
+            canvas.label((inner.left, TOP + 9.0), &path.algorithm, Lettering::start(12.0).bold());
         }
         legend.draw(&mut canvas, (EDGE + 8.0, TOP + PANEL_HEIGHT), columns);
         small_print(&mut canvas, &notes, below);
@@ -113,34 +98,14 @@ impl IterationPaths {
         let y = Axis::linear(&self.pressure_label).over(0.0, height);
         let mut chart = Chart::new(&path.algorithm, x, y);
         let law = vec![(0.0, 0.0), (self.gap, 0.0), (self.gap, height)];
-        let springs = path
-            .states
-            .iter()
-            .flat_map(|state| state.spring(width))
-            .collect();
+        let springs = path.states.iter().flat_map(|state| state.spring(width)).collect();
         let elastic = line_through(self.load_line, width);
         chart.series = vec![
-            series(
-                "spring of a step",
-                springs,
-                Style::run(tint(GREY, 0.45), Dash::Solid, Marker::Absent),
-            ),
-            series(
-                "contact: open, or closed at w = g",
-                law,
-                Style::run(SKY, Dash::Solid, Marker::Absent),
-            ),
+            series("spring of a step", springs, Style::run(tint(GREY, 0.45), Dash::Solid, Marker::Absent)),
+            series("contact: open, or closed at w = g", law, Style::run(SKY, Dash::Solid, Marker::Absent)),
             series("elastic bodies", elastic, Style::reference()),
-            series(
-                "iterations",
-                path.walk(),
-                Style::run(self.colour, path.dash, Marker::Absent),
-            ),
-            series(
-                "solution",
-                vec![self.target],
-                Style::run(INK, Dash::Absent, Marker::Diamond),
-            ),
+            series("iterations", path.walk(), Style::run(self.colour, path.dash, Marker::Absent)),
+            series("solution", vec![self.target], Style::run(INK, Dash::Absent, Marker::Diamond)),
         ];
         chart
     }
@@ -148,12 +113,8 @@ impl IterationPaths {
     /// Upper ends of both axes, the same in every panel.
     fn extent(&self) -> (f64, f64) {
         let states = || self.paths.iter().flat_map(|path| &path.states);
-        let width = states()
-            .map(|state| state.approach)
-            .fold(self.gap.max(self.target.0), f64::max);
-        let height = states()
-            .map(|state| state.pressure)
-            .fold(self.target.1, f64::max);
+        let width = states().map(|state| state.approach).fold(self.gap.max(self.target.0), f64::max);
+        let height = states().map(|state| state.pressure).fold(self.target.1, f64::max);
         (1.15 * width, 1.25 * height)
     }
 }
@@ -165,17 +126,9 @@ impl State {
 
     /// The spring from zero pressure to the state, closed by an interruption.
     fn spring(&self, width: f64) -> Vec<(f64, f64)> {
-        let relaxed = if self.stiffness > 0.0 {
-            self.approach - self.pressure / self.stiffness
-        } else {
-            -width
-        };
+        let relaxed = if self.stiffness > 0.0 { self.approach - self.pressure / self.stiffness } else { -width };
         let start = relaxed.max(-width);
-        vec![
-            (start, self.pressure_at(start)),
-            (self.approach, self.pressure),
-            (f64::NAN, f64::NAN),
-        ]
+        vec![(start, self.pressure_at(start)), (self.approach, self.pressure), (f64::NAN, f64::NAN)]
     }
 }
 
@@ -194,28 +147,17 @@ impl Path {
 }
 
 fn series(label: &str, points: Vec<(f64, f64)>, style: Style) -> Series {
-    Series {
-        label: label.to_string(),
-        points,
-        style,
-        hollow: vec![],
-    }
+    Series { label: label.to_string(), points, style, hollow: vec![] }
 }
 
 fn line_through([a, b]: [(f64, f64); 2], width: f64) -> Vec<(f64, f64)> {
     let slope = (b.1 - a.1) / (b.0 - a.0);
-    [0.0, width]
-        .map(|approach| (approach, a.1 + slope * (approach - a.0)))
-        .to_vec()
+    [0.0, width].map(|approach| (approach, a.1 + slope * (approach - a.0))).to_vec()
 }
 
 /// Discs on the states, numbered where there is room; the last always is.
 fn states(canvas: &mut Canvas, plot: &Plot<'_>, path: &Path, colour: Colour) {
-    let places: Vec<Point> = path
-        .states
-        .iter()
-        .map(|state| plot.place((state.approach, state.pressure)))
-        .collect();
+    let places: Vec<Point> = path.states.iter().map(|state| plot.place((state.approach, state.pressure))).collect();
     let last = places.len().saturating_sub(1);
     let mut numbered: Vec<Point> = places.last().copied().into_iter().collect();
     for (n, &place) in places.iter().enumerate() {

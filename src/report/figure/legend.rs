@@ -31,17 +31,11 @@ impl Legend {
         for series in all() {
             let known = entries.iter().any(|entry| entry.label == series.label);
             if !known && !series.label.is_empty() {
-                entries.push(Entry {
-                    label: series.label.clone(),
-                    style: Some(series.style),
-                });
+                entries.push(Entry { label: series.label.clone(), style: Some(series.style) });
             }
         }
         if all().any(|series: &Series| !series.hollow.is_empty()) {
-            entries.push(Entry {
-                label: "hollow: not converged".to_string(),
-                style: None,
-            });
+            entries.push(Entry { label: "hollow: not converged".to_string(), style: None });
         }
         Legend { entries }
     }
@@ -53,11 +47,7 @@ impl Legend {
 
     /// Width of one column.
     pub fn column_width(&self) -> f64 {
-        let widest = self
-            .entries
-            .iter()
-            .map(|entry| text_width(&entry.label, SIZE))
-            .fold(0.0, f64::max);
+        let widest = self.entries.iter().map(|entry| text_width(&entry.label, SIZE)).fold(0.0, f64::max);
         SAMPLE + GAP + widest
     }
 
@@ -91,24 +81,14 @@ fn sample(canvas: &mut Canvas, (x, y): Point, style: Option<Style>) {
         return hollow_marker(canvas, centre, Marker::Circle, MARKER, GREY);
     };
     if style.dash != Dash::Absent {
-        let pen = Pen {
-            colour: style.colour,
-            width: LINE_WIDTH,
-            dash: style.dash,
-        };
+        let pen = Pen { colour: style.colour, width: LINE_WIDTH, dash: style.dash };
         canvas.line(&[(x, y), (x + SAMPLE, y)], pen);
     }
     marker(canvas, centre, style.marker, MARKER, style.colour);
 }
 
 /// A filled sign with a thin rim of the card, so that it stands off its own line.
-pub(super) fn marker(
-    canvas: &mut Canvas,
-    centre: Point,
-    sign: Marker,
-    radius: f64,
-    colour: Colour,
-) {
+pub(super) fn marker(canvas: &mut Canvas, centre: Point, sign: Marker, radius: f64, colour: Colour) {
     match sign {
         Marker::Absent => {}
         Marker::Circle => {
@@ -124,13 +104,7 @@ pub(super) fn marker(
 }
 
 /// The sign of a run that did not converge; an unmarked curve gets a circle.
-pub(super) fn hollow_marker(
-    canvas: &mut Canvas,
-    centre: Point,
-    sign: Marker,
-    radius: f64,
-    colour: Colour,
-) {
+pub(super) fn hollow_marker(canvas: &mut Canvas, centre: Point, sign: Marker, radius: f64, colour: Colour) {
     match sign {
         Marker::Absent | Marker::Circle => {
             canvas.disc(centre, radius, colour);
@@ -162,8 +136,5 @@ fn corners(sign: Marker, (x, y): Point, radius: f64) -> Vec<Point> {
         Marker::Wedge => &[(0.0, 1.2), (1.1, -0.75), (-1.1, -0.75)],
         _ => &[(0.0, -1.25), (1.25, 0.0), (0.0, 1.25), (-1.25, 0.0)],
     };
-    shape
-        .iter()
-        .map(|&(dx, dy)| (x + radius * dx, y + radius * dy))
-        .collect()
+    shape.iter().map(|&(dx, dy)| (x + radius * dx, y + radius * dy)).collect()
 }

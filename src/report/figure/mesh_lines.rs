@@ -23,20 +23,13 @@ struct Edge {
 /// Draws the edges inside the bodies thin and their outlines stronger.
 pub(super) fn mesh_lines(canvas: &mut Canvas, drawn: &Drawn<'_>, view: &View) {
     let place = |node: usize| view.place(drawn.nodes[node]);
-    let (outline, inner): (Vec<Edge>, Vec<Edge>) =
-        edges(drawn).into_iter().partition(|edge| edge.cells == 1);
+    let (outline, inner): (Vec<Edge>, Vec<Edge>) = edges(drawn).into_iter().partition(|edge| edge.cells == 1);
     let long = |edge: &Edge| distance(place(edge.ends.0), place(edge.ends.1)) >= SHORTEST;
     let visible: Vec<Edge> = inner.into_iter().filter(long).collect();
-    for (set, pen) in [
-        (visible, Pen::solid(INNER, 0.3)),
-        (outline, Pen::solid(INK, 1.1)),
-    ] {
+    for (set, pen) in [(visible, Pen::solid(INNER, 0.3)), (outline, Pen::solid(INK, 1.1))] {
         for chain in chains(&set, &place) {
             let line = traced(&set, &chain, &place);
-            view.frame
-                .clip(&line)
-                .iter()
-                .for_each(|piece| canvas.line(piece, pen));
+            view.frame.clip(&line).iter().for_each(|piece| canvas.line(piece, pen));
         }
     }
 }
@@ -46,11 +39,7 @@ fn edges(drawn: &Drawn<'_>) -> Vec<Edge> {
     for cell in &drawn.field.cells {
         for side in 0..4 {
             let (a, b) = (cell[side], cell[(side + 1) % 4]);
-            let edge = Edge {
-                ends: (a, b),
-                middle: cell.get(4 + side).copied(),
-                cells: 0,
-            };
+            let edge = Edge { ends: (a, b), middle: cell.get(4 + side).copied(), cells: 0 };
             found.entry((a.min(b), a.max(b))).or_insert(edge).cells += 1;
         }
     }
@@ -73,11 +62,7 @@ fn chains(edges: &[Edge], place: &dyn Fn(usize) -> Point) -> Vec<Vec<(usize, boo
         free[first] = false;
         let mut chain = vec![(first, true)];
         extend(&mut chain, edges, &at_node, &mut free, place);
-        chain = chain
-            .into_iter()
-            .rev()
-            .map(|(n, forward)| (n, !forward))
-            .collect();
+        chain = chain.into_iter().rev().map(|(n, forward)| (n, !forward)).collect();
         extend(&mut chain, edges, &at_node, &mut free, place);
         chains.push(chain);
     }
@@ -99,13 +84,8 @@ fn extend(
             let next = direction(place(start), place(far));
             heading.0 * next.0 + heading.1 * next.1
         };
-        let candidates = at_node
-            .get(&end)
-            .into_iter()
-            .flatten()
-            .filter(|&&n| free[n]);
-        let Some(&next) = candidates.max_by(|a, b| straightness(a).total_cmp(&straightness(b)))
-        else {
+        let candidates = at_node.get(&end).into_iter().flatten().filter(|&&n| free[n]);
+        let Some(&next) = candidates.max_by(|a, b| straightness(a).total_cmp(&straightness(b))) else {
             return;
         };
         if straightness(&next) < 0.5 {
@@ -117,11 +97,7 @@ fn extend(
 }
 
 fn directed(edge: &Edge, forward: bool) -> (usize, usize) {
-    if forward {
-        edge.ends
-    } else {
-        (edge.ends.1, edge.ends.0)
-    }
+    if forward { edge.ends } else { (edge.ends.1, edge.ends.0) }
 }
 
 fn direction(a: Point, b: Point) -> Point {
@@ -151,8 +127,5 @@ fn traced(edges: &[Edge], chain: &[(usize, bool)], place: &dyn Fn(usize) -> Poin
 
 fn on_parabola(a: Point, b: Point, bulge: Point, t: f64) -> Point {
     let rise = 4.0 * t * (1.0 - t);
-    (
-        a.0 + t * (b.0 - a.0) + rise * bulge.0,
-        a.1 + t * (b.1 - a.1) + rise * bulge.1,
-    )
+    (a.0 + t * (b.0 - a.0) + rise * bulge.0, a.1 + t * (b.1 - a.1) + rise * bulge.1)
 }

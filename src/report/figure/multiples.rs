@@ -26,25 +26,9 @@ pub fn panels(title: &str, charts: &[Chart], columns: usize) -> Result<String, E
     for (place, chart) in charts.iter().enumerate() {
         let left = EDGE + panel * (place % columns) as f64;
         let top = TITLE + height * (place / columns) as f64;
-        let outer = Frame {
-            left,
-            top,
-            right: left + panel - 10.0,
-            bottom: top + height - 8.0,
-        };
-        let inner = Plot::new(
-            chart,
-            Frame {
-                top: top + 20.0,
-                ..outer
-            },
-        )?
-        .draw(&mut canvas);
-        canvas.label(
-            (inner.left, top + 9.0),
-            &chart.title,
-            Lettering::start(12.0).bold(),
-        );
+        let outer = Frame { left, top, right: left + panel - 10.0, bottom: top + height - 8.0 };
+        let inner = Plot::new(chart, Frame { top: top + 20.0, ..outer })?.draw(&mut canvas);
+        canvas.label((inner.left, top + 9.0), &chart.title, Lettering::start(12.0).bold());
     }
     legend.draw(&mut canvas, (EDGE + 8.0, legend_top), legend_columns);
     small_print(&mut canvas, &notes, notes_top);

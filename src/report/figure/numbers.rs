@@ -5,14 +5,9 @@ pub(super) fn round_values(from: f64, to: f64, wanted: usize) -> (f64, Vec<f64>)
     let rough = (to - from) / wanted.max(1) as f64;
     let decade = 10_f64.powf(rough.log10().floor());
     let off = |digit: &f64| (digit * decade / rough).ln().abs();
-    let digit = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .min_by(|a, b| off(a).total_cmp(&off(b)));
+    let digit = [1.0, 2.0, 5.0, 10.0].into_iter().min_by(|a, b| off(a).total_cmp(&off(b)));
     let step = digit.unwrap_or(1.0) * decade;
-    let (first, last) = (
-        (from / step - 1e-9).ceil() as i64,
-        (to / step + 1e-9).floor() as i64,
-    );
+    let (first, last) = ((from / step - 1e-9).ceil() as i64, (to / step + 1e-9).floor() as i64);
     (step, (first..=last).map(|n| n as f64 * step).collect())
 }
 
@@ -29,11 +24,7 @@ pub(super) fn number(value: f64, step: f64, largest: f64) -> String {
     let lead = (value.abs().log10() + 1e-9).floor() as i32;
     let decimals = (lead - exponent).max(0) as usize;
     let mantissa = format!("{:.decimals$}", value / 10_f64.powi(lead)).replace('-', "−");
-    if mantissa == "1" {
-        power(lead)
-    } else {
-        format!("{mantissa}×{}", power(lead))
-    }
+    if mantissa == "1" { power(lead) } else { format!("{mantissa}×{}", power(lead)) }
 }
 
 /// A power of ten, `10⁻³`.
@@ -45,8 +36,5 @@ pub(super) fn power(exponent: i32) -> String {
         '3' => '³',
         digit => char::from_u32(0x2070 + (digit as u32 - 0x30)).unwrap_or(digit),
     };
-    format!(
-        "10{}",
-        exponent.to_string().chars().map(raised).collect::<String>()
-    )
+    format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
 }

@@ -16,11 +16,7 @@ const NOTE_ROW: f64 = 15.0;
 
 /// The title in the upper left corner.
 pub(super) fn heading(canvas: &mut Canvas, title: &str) {
-    canvas.label(
-        (EDGE, 0.5 * TITLE),
-        title,
-        Lettering::start(TITLE_SIZE).bold(),
-    );
+    canvas.label((EDGE, 0.5 * TITLE), title, Lettering::start(TITLE_SIZE).bold());
 }
 
 /// Notes broken into lines of a width.

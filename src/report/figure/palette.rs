@@ -89,11 +89,7 @@ pub struct Style {
 impl Style {
     /// A run of this suite.
     pub fn run(colour: Colour, dash: Dash, marker: Marker) -> Style {
-        Style {
-            colour,
-            dash,
-            marker,
-        }
+        Style { colour, dash, marker }
     }
 
     /// An analytic reference: black, dashed, unmarked.

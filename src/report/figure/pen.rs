@@ -17,11 +17,7 @@ pub(super) struct Pen {
 impl Pen {
     /// An undashed line.
     pub fn solid(colour: Colour, width: f64) -> Pen {
-        Pen {
-            colour,
-            width,
-            dash: Dash::Solid,
-        }
+        Pen { colour, width, dash: Dash::Solid }
     }
 }
 
@@ -39,29 +35,17 @@ pub(super) struct Lettering {
 impl Lettering {
     /// Text beginning at the place.
     pub fn start(size: f64) -> Lettering {
-        Lettering {
-            size,
-            colour: INK,
-            side: HPos::Left,
-            bold: false,
-            upright: false,
-        }
+        Lettering { size, colour: INK, side: HPos::Left, bold: false, upright: false }
     }
 
     /// Text centred on the place.
     pub fn middle(size: f64) -> Lettering {
-        Lettering {
-            side: HPos::Center,
-            ..Lettering::start(size)
-        }
+        Lettering { side: HPos::Center, ..Lettering::start(size) }
     }
 
     /// Text ending at the place.
     pub fn end(size: f64) -> Lettering {
-        Lettering {
-            side: HPos::Right,
-            ..Lettering::start(size)
-        }
+        Lettering { side: HPos::Right, ..Lettering::start(size) }
     }
 
     /// The same in bold.
@@ -71,10 +55,7 @@ impl Lettering {
 
     /// The same, read from bottom to top.
     pub fn upright(self) -> Lettering {
-        Lettering {
-            upright: true,
-            ..self
-        }
+        Lettering { upright: true, ..self }
     }
 
     /// The same in another colour.
@@ -107,10 +88,7 @@ pub(super) fn dashes(points: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
         while length - done > left {
             done += left;
             let share = done / length;
-            let turn = (
-                pair[0].0 + share * (pair[1].0 - pair[0].0),
-                pair[0].1 + share * (pair[1].1 - pair[0].1),
-            );
+            let turn = (pair[0].0 + share * (pair[1].0 - pair[0].0), pair[0].1 + share * (pair[1].1 - pair[0].1));
             if phase % 2 == 0 {
                 piece.push(turn);
                 pieces.push(std::mem::take(&mut piece));

@@ -17,24 +17,11 @@ pub(super) fn draw_cylinder(canvas: &mut Canvas, scene: &CylinderScene) {
     let mut body = arc(CENTRE, RADIUS, 0.0, 90.0);
     body.push(CENTRE);
     canvas.area(&body, tint(SKY, 0.22));
-    fixed_line(
-        canvas,
-        (bottom.0 - 50.0, bottom.1),
-        (CENTRE.0 + RADIUS + 24.0, bottom.1),
-    );
-    canvas.label(
-        (CENTRE.0 + RADIUS + 24.0, bottom.1 - 12.0),
-        "rigid plane",
-        Lettering::end(TEXT).coloured(GREY),
-    );
+    fixed_line(canvas, (bottom.0 - 50.0, bottom.1), (CENTRE.0 + RADIUS + 24.0, bottom.1));
+    canvas.label((CENTRE.0 + RADIUS + 24.0, bottom.1 - 12.0), "rigid plane", Lettering::end(TEXT).coloured(GREY));
     body.push(body[0]);
     canvas.line(&body, Pen::solid(INK, 1.6));
-    rollers(
-        canvas,
-        (CENTRE.0, CENTRE.1 + 16.0),
-        (bottom.0, bottom.1 - 12.0),
-        8,
-    );
+    rollers(canvas, (CENTRE.0, CENTRE.1 + 16.0), (bottom.0, bottom.1 - 12.0), 8);
     canvas.label(
         (CENTRE.0 - 38.0, CENTRE.1 + 0.5 * RADIUS),
         "symmetry",
@@ -52,10 +39,7 @@ fn load(canvas: &mut Canvas, scene: &CylinderScene) {
         let x = CENTRE.0 + 3.0 + (RADIUS - 6.0) * n as f64 / (ARROWS - 1) as f64;
         arrow(canvas, (x, top), (x, CENTRE.1 - 2.0), INK);
     }
-    canvas.line(
-        &[(CENTRE.0, top), (CENTRE.0 + RADIUS, top)],
-        Pen::solid(INK, 1.4),
-    );
+    canvas.line(&[(CENTRE.0, top), (CENTRE.0 + RADIUS, top)], Pen::solid(INK, 1.4));
     let label = quantity("q", scene.load, "MPa");
     canvas.label((CENTRE.0 + RADIUS + 12.0, top + 10.0), &label, text());
 }
@@ -64,44 +48,23 @@ fn radius(canvas: &mut Canvas, scene: &CylinderScene) {
     let rim = arc(CENTRE, RADIUS, 52.0, 52.0)[0];
     arrow(canvas, CENTRE, rim, GREY);
     canvas.disc(CENTRE, 2.6, INK);
-    let (x, y) = (
-        0.45 * CENTRE.0 + 0.55 * rim.0,
-        0.45 * CENTRE.1 + 0.55 * rim.1,
-    );
-    canvas.label(
-        (x + 12.0, y - 8.0),
-        &quantity("R", scene.radius, "mm"),
-        text(),
-    );
+    let (x, y) = (0.45 * CENTRE.0 + 0.55 * rim.0, 0.45 * CENTRE.1 + 0.55 * rim.1);
+    canvas.label((x + 12.0, y - 8.0), &quantity("R", scene.radius, "mm"), text());
 }
 
 fn widths(canvas: &mut Canvas, scene: &CylinderScene, bottom: Point) {
     let share = (scene.half_width / scene.radius).max(LEAST_SHARE);
     let factor = share / (scene.half_width / scene.radius);
-    let rows = [
-        ("L", "candidates", scene.candidates, 24.0),
-        ("a", "contact", scene.half_width, 48.0),
-    ];
+    let rows = [("L", "candidates", scene.candidates, 24.0), ("a", "contact", scene.half_width, 48.0)];
     for (name, meaning, length, depth) in rows {
         let end = bottom.0 + (factor * length / scene.radius * RADIUS).min(RADIUS);
         let y = bottom.1 + depth;
-        let pen = Pen {
-            colour: GREY,
-            width: 0.8,
-            dash: Dash::Dashed,
-        };
+        let pen = Pen { colour: GREY, width: 0.8, dash: Dash::Dashed };
         canvas.line(&[(end, bottom.1 + 2.0), (end, y)], pen);
         dimension(canvas, (bottom.0, y), (end, y), "", 0.0);
         let label = format!("{} ({meaning})", quantity(name, length, "mm"));
         canvas.label((end + 9.0, y + 1.0), &label, text());
     }
-    let pen = Pen {
-        colour: GREY,
-        width: 0.8,
-        dash: Dash::Dashed,
-    };
-    canvas.line(
-        &[(bottom.0, bottom.1 + 2.0), (bottom.0, bottom.1 + 50.0)],
-        pen,
-    );
+    let pen = Pen { colour: GREY, width: 0.8, dash: Dash::Dashed };
+    canvas.line(&[(bottom.0, bottom.1 + 2.0), (bottom.0, bottom.1 + 50.0)], pen);
 }

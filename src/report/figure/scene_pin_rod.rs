@@ -52,11 +52,7 @@ impl Shape {
 }
 
 fn bodies(canvas: &mut Canvas, shape: &Shape) {
-    let corner = 180.0
-        - (shape.shank / shape.eye_radius)
-            .clamp(-1.0, 1.0)
-            .asin()
-            .to_degrees();
+    let corner = 180.0 - (shape.shank / shape.eye_radius).clamp(-1.0, 1.0).asin().to_degrees();
     let mut rod = arc(shape.eye, shape.eye_radius, 0.0, corner);
     rod.extend([(AXIS + shape.shank, TOP), (AXIS, TOP)]);
     let hole = arc(shape.eye, shape.hole_radius, 180.0, 0.0);
@@ -66,28 +62,18 @@ fn bodies(canvas: &mut Canvas, shape: &Shape) {
     canvas.line(&rod, Pen::solid(INK, 1.6));
     canvas.line(&hole, Pen::solid(INK, 1.6));
     canvas.line(&[(AXIS, TOP), hole[0]], Pen::solid(INK, 1.2));
-    canvas.line(
-        &[(AXIS, shape.eye.1 + shape.hole_radius), rod[0]],
-        Pen::solid(INK, 1.2),
-    );
+    canvas.line(&[(AXIS, shape.eye.1 + shape.hole_radius), rod[0]], Pen::solid(INK, 1.2));
     let mut pin = arc(shape.pin, shape.pin_radius, 0.0, 90.0);
     pin.push(shape.pin);
     canvas.area(&pin, tint(SKY, 0.35));
     pin.push(pin[0]);
     canvas.line(&pin, Pen::solid(INK, 1.6));
     let name = Lettering::middle(TEXT).bold();
-    canvas.label(
-        (AXIS + 0.6 * shape.shank, 0.55 * TOP + 0.45 * shape.eye.1),
-        "rod",
-        name,
-    );
+    canvas.label((AXIS + 0.6 * shape.shank, 0.55 * TOP + 0.45 * shape.eye.1), "rod", name);
 }
 
 fn supports(canvas: &mut Canvas, shape: &Shape) {
-    let (hole_top, hole_bottom) = (
-        shape.eye.1 - shape.hole_radius,
-        shape.eye.1 + shape.hole_radius,
-    );
+    let (hole_top, hole_bottom) = (shape.eye.1 - shape.hole_radius, shape.eye.1 + shape.hole_radius);
     let runs = [
         (TOP + 6.0, hole_top - 2.0),
         (shape.pin.1 + 4.0, hole_bottom - 4.0),
@@ -97,109 +83,46 @@ fn supports(canvas: &mut Canvas, shape: &Shape) {
         let count = ((to - from) / 20.0).round().max(2.0) as usize;
         rollers(canvas, (AXIS, from), (AXIS, to), count);
     }
-    rollers(
-        canvas,
-        (AXIS + shape.pin_radius, shape.pin.1),
-        (AXIS + 4.0, shape.pin.1),
-        3,
-    );
-    canvas.label(
-        (AXIS - 38.0, 0.5 * (TOP + hole_top)),
-        "symmetry",
-        Lettering::middle(TEXT).coloured(GREY).upright(),
-    );
+    rollers(canvas, (AXIS + shape.pin_radius, shape.pin.1), (AXIS + 4.0, shape.pin.1), 3);
+    canvas.label((AXIS - 38.0, 0.5 * (TOP + hole_top)), "symmetry", Lettering::middle(TEXT).coloured(GREY).upright());
 }
 
 fn pull(canvas: &mut Canvas, scene: &PinRodScene, shape: &Shape) {
-    let face = Frame {
-        left: AXIS,
-        top: TOP - 6.0,
-        right: AXIS + shape.shank,
-        bottom: TOP,
-    };
+    let face = Frame { left: AXIS, top: TOP - 6.0, right: AXIS + shape.shank, bottom: TOP };
     canvas.area(&face.corners(), INK);
     let middle = AXIS + 0.5 * shape.shank;
     arrow(canvas, (middle, TOP - 6.0), (middle, TOP - 46.0), INK);
-    canvas.label(
-        (middle + 10.0, TOP - 34.0),
-        &quantity("F/2", 0.5 * scene.force, "N"),
-        text(),
-    );
-    canvas.label(
-        (face.right + 8.0, TOP - 3.0),
-        "end face stays flat",
-        text().coloured(GREY),
-    );
+    canvas.label((middle + 10.0, TOP - 34.0), &quantity("F/2", 0.5 * scene.force, "N"), text());
+    canvas.label((face.right + 8.0, TOP - 3.0), "end face stays flat", text().coloured(GREY));
 }
 
 fn candidates(canvas: &mut Canvas, scene: &PinRodScene, shape: &Shape) {
     let reach = shape.hole_radius + 7.0;
-    canvas.line(
-        &arc(shape.eye, reach, 0.0, scene.candidates),
-        Pen::solid(PURPLE, 3.0),
-    );
-    let ray = arc(
-        shape.eye,
-        shape.eye_radius + 22.0,
-        scene.candidates,
-        scene.candidates,
-    )[0];
-    canvas.line(
-        &[shape.pin, ray],
-        Pen {
-            colour: GREY,
-            width: 0.9,
-            dash: Dash::Dashed,
-        },
-    );
+    canvas.line(&arc(shape.eye, reach, 0.0, scene.candidates), Pen::solid(PURPLE, 3.0));
+    let ray = arc(shape.eye, shape.eye_radius + 22.0, scene.candidates, scene.candidates)[0];
+    canvas.line(&[shape.pin, ray], Pen { colour: GREY, width: 0.9, dash: Dash::Dashed });
     let bottom = shape.eye.1 + shape.eye_radius;
-    canvas.line(
-        &[(AXIS, bottom), (AXIS, bottom + 26.0)],
-        Pen {
-            colour: GREY,
-            width: 0.9,
-            dash: Dash::Dashed,
-        },
-    );
+    canvas.line(&[(AXIS, bottom), (AXIS, bottom + 26.0)], Pen { colour: GREY, width: 0.9, dash: Dash::Dashed });
     let turn = arc(shape.eye, shape.eye_radius + 14.0, 0.0, scene.candidates);
     canvas.line(&turn[..turn.len() - 3], Pen::solid(GREY, 1.0));
     arrow(canvas, turn[turn.len() - 5], turn[turn.len() - 1], GREY);
     let at = arc(shape.eye, shape.eye_radius + 24.0, 45.0, 45.0)[0];
-    canvas.label(
-        at,
-        &format!("θ: candidates 0…{}°", scene.candidates),
-        text(),
-    );
+    canvas.label(at, &format!("θ: candidates 0…{}°", scene.candidates), text());
 }
 
 fn dimensions(canvas: &mut Canvas, scene: &PinRodScene, shape: &Shape) {
     radius(canvas, shape);
     let hole = scene.pin_radius + scene.clearance;
-    let sizes = [
-        ("pin R", scene.pin_radius),
-        ("clearance c", scene.clearance),
-        ("hole R + c", hole),
-    ];
+    let sizes = [("pin R", scene.pin_radius), ("clearance c", scene.clearance), ("hole R + c", hole)];
     for (row, (name, value)) in sizes.into_iter().enumerate() {
-        let place = (
-            AXIS + shape.eye_radius + 40.0,
-            shape.eye.1 + 22.0 + 19.0 * row as f64,
-        );
+        let place = (AXIS + shape.eye_radius + 40.0, shape.eye.1 + 22.0 + 19.0 * row as f64);
         canvas.label(place, &quantity(name, value, "mm"), text());
     }
     let outer = arc(shape.eye, shape.eye_radius, 110.0, 110.0)[0];
-    canvas.label(
-        (outer.0 + 10.0, outer.1 - 10.0),
-        &quantity("outer radius", scene.eye_radius, "mm"),
-        text(),
-    );
+    canvas.label((outer.0 + 10.0, outer.1 - 10.0), &quantity("outer radius", scene.eye_radius, "mm"), text());
     let y = TOP + 0.30 * (shape.eye.1 - TOP);
     dimension(canvas, (AXIS, y), (AXIS + shape.shank, y), "", 0.0);
-    canvas.label(
-        (AXIS + shape.shank + 9.0, y),
-        &quantity("half width", 0.5 * scene.shank_width, "mm"),
-        text(),
-    );
+    canvas.label((AXIS + shape.shank + 9.0, y), &quantity("half width", 0.5 * scene.shank_width, "mm"), text());
     height(canvas, scene, shape);
 }
 
@@ -207,11 +130,7 @@ fn radius(canvas: &mut Canvas, shape: &Shape) {
     let rim = arc(shape.pin, shape.pin_radius, 52.0, 52.0)[0];
     arrow(canvas, shape.pin, rim, INK);
     canvas.disc(shape.pin, 2.4, INK);
-    canvas.label(
-        beside(shape.pin, rim, 0.62, 10.0),
-        "R",
-        Lettering::middle(TEXT),
-    );
+    canvas.label(beside(shape.pin, rim, 0.62, 10.0), "R", Lettering::middle(TEXT));
     let place = arc(shape.pin, 0.66 * shape.pin_radius, 22.0, 22.0)[0];
     canvas.label(place, "pin", Lettering::middle(TEXT).bold());
 }
@@ -219,24 +138,10 @@ fn radius(canvas: &mut Canvas, shape: &Shape) {
 /// Height of the shank's end above the centre of the eye.
 fn height(canvas: &mut Canvas, scene: &PinRodScene, shape: &Shape) {
     let x = AXIS + shape.eye_radius + 164.0;
-    let thin = Pen {
-        colour: GREY,
-        width: 0.7,
-        dash: Dash::Dashed,
-    };
-    canvas.line(
-        &[
-            (AXIS + shape.eye_radius + 6.0, shape.eye.1),
-            (x, shape.eye.1),
-        ],
-        thin,
-    );
+    let thin = Pen { colour: GREY, width: 0.7, dash: Dash::Dashed };
+    canvas.line(&[(AXIS + shape.eye_radius + 6.0, shape.eye.1), (x, shape.eye.1)], thin);
     canvas.line(&[(AXIS + shape.shank + 128.0, TOP), (x, TOP)], thin);
     dimension(canvas, (x, shape.eye.1), (x, TOP), "", 0.0);
     let label = quantity("height of the end", scene.shank_end, "mm");
-    canvas.label(
-        (x + 13.0, 0.5 * (TOP + shape.eye.1)),
-        &label,
-        Lettering::middle(TEXT).upright(),
-    );
+    canvas.label((x + 13.0, 0.5 * (TOP + shape.eye.1)), &label, Lettering::middle(TEXT).upright());
 }

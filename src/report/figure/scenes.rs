@@ -48,9 +48,7 @@ impl CylinderScene {
     pub fn svg(&self) -> Result<String, Error> {
         let title = "Cylinder on a rigid plane";
         let shown = "Not to scale: a and L are drawn larger.";
-        scene(title, (470.0, 414.0), &self.notes, shown, |canvas| {
-            draw_cylinder(canvas, self)
-        })
+        scene(title, (470.0, 414.0), &self.notes, shown, |canvas| draw_cylinder(canvas, self))
     }
 }
 
@@ -59,9 +57,7 @@ impl PinRodScene {
     pub fn svg(&self) -> Result<String, Error> {
         let title = "Pin and connecting rod";
         let shown = "Not to scale: the clearance is drawn larger.";
-        scene(title, (470.0, 606.0), &self.notes, shown, |canvas| {
-            draw_pin_rod(canvas, self)
-        })
+        scene(title, (470.0, 606.0), &self.notes, shown, |canvas| draw_pin_rod(canvas, self))
     }
 }
 

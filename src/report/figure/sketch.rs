@@ -12,10 +12,7 @@ pub(super) const TEXT: f64 = 12.0;
 pub(super) fn beside(a: Point, b: Point, along: f64, across: f64) -> Point {
     let length = distance(a, b).max(1e-9);
     let (dx, dy) = ((b.0 - a.0) / length, (b.1 - a.1) / length);
-    (
-        a.0 + along * length * dx + across * dy,
-        a.1 + along * length * dy - across * dx,
-    )
+    (a.0 + along * length * dx + across * dy, a.1 + along * length * dy - across * dx)
 }
 
 /// A zigzag spring with straight ends.
@@ -24,11 +21,7 @@ pub(super) fn spring(canvas: &mut Canvas, a: Point, b: Point, half_width: f64, c
     let mut line = vec![a, beside(a, b, 0.18, 0.0)];
     for turn in 0..TURNS {
         let along = 0.18 + 0.64 * (turn as f64 + 0.5) / TURNS as f64;
-        let side = if turn % 2 == 0 {
-            half_width
-        } else {
-            -half_width
-        };
+        let side = if turn % 2 == 0 { half_width } else { -half_width };
         line.push(beside(a, b, along, side));
     }
     line.extend([beside(a, b, 0.82, 0.0), b]);
@@ -40,10 +33,7 @@ pub(super) fn arrow(canvas: &mut Canvas, a: Point, b: Point, colour: Colour) {
     const HEAD: f64 = 8.0;
     let neck = 1.0 - HEAD / distance(a, b).max(HEAD);
     canvas.line(&[a, beside(a, b, neck, 0.0)], Pen::solid(colour, 1.4));
-    canvas.area(
-        &[b, beside(a, b, neck, 3.1), beside(a, b, neck, -3.1)],
-        colour,
-    );
+    canvas.area(&[b, beside(a, b, neck, 3.1), beside(a, b, neck, -3.1)], colour);
 }
 
 /// A thin line between two short bars, its label beside the middle.
@@ -63,10 +53,7 @@ pub(super) fn fixed_line(canvas: &mut Canvas, a: Point, b: Point) {
     let count = (length / PITCH).round().max(1.0);
     for n in 0..count as usize {
         let along = (n as f64 + 0.9) / count;
-        let ends = [
-            beside(a, b, along, 0.0),
-            beside(a, b, along - 0.8 / count, -8.0),
-        ];
+        let ends = [beside(a, b, along, 0.0), beside(a, b, along - 0.8 / count, -8.0)];
         canvas.line(&ends, Pen::solid(GREY, 0.8));
     }
     canvas.line(&[a, b], Pen::solid(INK, 1.6));
@@ -90,10 +77,7 @@ pub(super) fn arc(centre: Point, radius: f64, from: f64, to: f64) -> Vec<Point> 
     const PIECES: usize = 48;
     let at = |n: usize| {
         let angle = (from + (to - from) * n as f64 / PIECES as f64).to_radians();
-        (
-            centre.0 + radius * angle.sin(),
-            centre.1 + radius * angle.cos(),
-        )
+        (centre.0 + radius * angle.sin(), centre.1 + radius * angle.cos())
     };
     (0..=PIECES).map(at).collect()
 }

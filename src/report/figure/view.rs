@@ -20,26 +20,14 @@ impl View {
     pub fn fitting(window: Window, (left, top): Point, (width, height): Point) -> View {
         let (across, up) = (window.x.1 - window.x.0, window.y.1 - window.y.0);
         let scale = (width / across).min(height / up);
-        let frame = Frame {
-            left,
-            top,
-            right: left + scale * across,
-            bottom: top + scale * up,
-        };
-        View {
-            frame,
-            window,
-            scale,
-        }
+        let frame = Frame { left, top, right: left + scale * across, bottom: top + scale * up };
+        View { frame, window, scale }
     }
 
     /// Place of a point of the drawn shape on the canvas.
     pub fn place(&self, (x, y): Point) -> Point {
         let frame = &self.frame;
-        (
-            frame.left + self.scale * (x - self.window.x.0),
-            frame.bottom - self.scale * (y - self.window.y.0),
-        )
+        (frame.left + self.scale * (x - self.window.x.0), frame.bottom - self.scale * (y - self.window.y.0))
     }
 }
 
@@ -47,17 +35,8 @@ impl View {
 pub(super) fn mark_detail(canvas: &mut Canvas, whole: &View, detail: &View) {
     let (left, bottom) = whole.place((detail.window.x.0, detail.window.y.0));
     let (right, top) = whole.place((detail.window.x.1, detail.window.y.1));
-    let marked = Frame {
-        left,
-        top,
-        right,
-        bottom,
-    };
+    let marked = Frame { left, top, right, bottom };
     canvas.line(&marked.outline(), Pen::solid(INK, 1.4));
     canvas.line(&detail.frame.outline(), Pen::solid(INK, 1.2));
-    canvas.label(
-        (detail.frame.left, detail.frame.top - 9.0),
-        "detail",
-        Lettering::start(11.0).coloured(GREY),
-    );
+    canvas.label((detail.frame.left, detail.frame.top - 9.0), "detail", Lettering::start(11.0).coloured(GREY));
 }

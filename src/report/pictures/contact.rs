@@ -36,23 +36,24 @@ pub fn cylinder(findings: &[Finding]) -> Result<String, Error> {
     let problem = problem("cylinder", None)?;
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
     let exact = |x: f64| problem.reference_pressure(x * a) / p0;
-    let mut pressure = Chart::new(
-        "Pressure, edge means",
-        Axis::linear("x / a").over(0.0, 1.5),
-        Axis::linear("p / p₀").over(0.0, 1.1),
-    );
+    let mut pressure =
+        Chart::new("Pressure, edge means", Axis::linear("x / a").over(0.0, 1.5), Axis::linear("p / p₀").over(0.0, 1.1));
     pressure.series = curves(runs(findings, hertz::CYLINDER), p0, [1.0 / a, 1.0]);
     let hertz = (0..=STATIONS).map(|k| 1.5 * k as f64 / STATIONS as f64).map(|x| (x, exact(x)));
-    pressure.series.push(Series { label: "Hertz".into(), points: hertz.collect(), style: Style::reference(), hollow: vec![] });
+    pressure.series.push(Series {
+        label: "Hertz".into(),
+        points: hertz.collect(),
+        style: Style::reference(),
+        hollow: vec![],
+    });
 
-    let mut difference = Chart::new(
-        "Difference to Hertz",
-        Axis::linear("x / a").over(0.0, 1.5),
-        Axis::linear("(p − p_Hertz) / p₀ [%]"),
-    );
+    let mut difference =
+        Chart::new("Difference to Hertz", Axis::linear("x / a").over(0.0, 1.5), Axis::linear("(p − p_Hertz) / p₀ [%]"));
     difference.series = runs(findings, hertz::CYLINDER)
         .map(|run| {
-            let mean = |from: f64, to: f64| (0..20).map(|k| exact(from + (to - from) * (k as f64 + 0.5) / 20.0)).sum::<f64>() / 20.0;
+            let mean = |from: f64, to: f64| {
+                (0..20).map(|k| exact(from + (to - from) * (k as f64 + 0.5) / 20.0)).sum::<f64>() / 20.0
+            };
             let points = run.solution.edges.iter().map(|edge| {
                 let (x, half) = (edge.position / a, 0.5 * edge.weight / problem.scene.thickness / a);
                 (x, 100.0 * (edge.pressure / p0 - mean(x - half, x + half)))

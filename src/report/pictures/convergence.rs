@@ -14,11 +14,7 @@ pub fn steps(findings: &[Finding]) -> Result<String, Error> {
     for (scene, _) in sweep::SCENES {
         for algorithm in Iteration::ALL {
             let title = format!("{scene}: {}", algorithm.name());
-            let mut chart = Chart::new(
-                &title,
-                Axis::log("κ₀").over(1e-3, 1e6),
-                Axis::log("steps").over(1.0, 3000.0),
-            );
+            let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-3, 1e6), Axis::log("steps").over(1.0, 3000.0));
             for element in Element::ALL {
                 let formulation = Formulation::new(element, algorithm);
                 let study = sweep::study(scene);
@@ -33,7 +29,8 @@ pub fn steps(findings: &[Finding]) -> Result<String, Error> {
 
 /// Errors of truncated Hertz on nested meshes.
 pub fn orders(findings: &[Finding]) -> Chart {
-    let mut chart = Chart::new("Truncated Hertz: errors on nested meshes", Axis::log("h / a"), Axis::log("relative error"));
+    let mut chart =
+        Chart::new("Truncated Hertz: errors on nested meshes", Axis::log("h / a"), Axis::log("relative error"));
     let colours = [palette::NODE, palette::PURPLE, palette::ORANGE];
     for (k, series) in of_picture(findings, "orders").enumerate() {
         let (dash, marker) = if k < 3 { (Dash::Dashed, Marker::Square) } else { (Dash::Solid, Marker::Circle) };
@@ -46,7 +43,8 @@ pub fn orders(findings: &[Finding]) -> Chart {
 pub fn paths(findings: &[Finding]) -> Result<String, Error> {
     let bars = Bars { push: pictures::PUSH, ..Default::default() };
     let (u, stiffness) = (bars.push * bars.gap, bars.young / (2.0 * bars.length));
-    let runs = findings.iter().filter(|finding| finding.case == pictures::PATHS).filter_map(|finding| finding.run.as_ref());
+    let runs =
+        findings.iter().filter(|finding| finding.case == pictures::PATHS).filter_map(|finding| finding.run.as_ref());
     let paths = runs.map(|run| {
         let states = run.solution.history.iter().map(|step| {
             let [approach, pressure, stiffness] = step.first_point;

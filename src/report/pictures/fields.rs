@@ -9,10 +9,9 @@ use crate::report::figure::{Field, Window};
 fn data<'a>(findings: &'a [Finding], scene: &str) -> Result<&'a FieldData, Error> {
     let name = pictures::field(scene);
     let finding = findings.iter().find(|finding| finding.case == name);
-    finding.and_then(|finding| finding.fields.first()).ok_or_else(|| Error::Drawing {
-        figure: name.clone(),
-        reason: "its study has no field".into(),
-    })
+    finding
+        .and_then(|finding| finding.fields.first())
+        .ok_or_else(|| Error::Drawing { figure: name.clone(), reason: "its study has no field".into() })
 }
 
 /// The cylinder, with the contact enlarged.

@@ -11,7 +11,7 @@ pub fn cylinder() -> Result<String, Error> {
         radius: numbers.radius,
         half_width: numbers.half_width(),
         candidates: numbers.stretch * numbers.half_width(),
-        load: numbers.load() / (2.0 * numbers.radius),
+        load: (numbers.load() / (2.0 * numbers.radius)).round(),
         notes: vec![],
     }
     .svg()

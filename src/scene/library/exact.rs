@@ -11,11 +11,11 @@ use crate::scene::{
 /// Two equal blocks pressed on one another by a uniform pressure across a uniform clearance.
 #[derive(Clone, Copy, Debug)]
 pub struct Patch {
-    /// Width of the modelled halves and height of each block [mm].
+    /// Width of the modelled halves and height of each block \[mm\].
     pub side: f64,
     /// Elastic constants.
     pub material: Material,
-    /// Pressure on the upper block [MPa].
+    /// Pressure on the upper block \[MPa\].
     pub pressure: f64,
 }
 
@@ -36,7 +36,15 @@ impl Patch {
             plane: PlaneHypothesis::Strain,
             thickness: 1.0,
             bodies: vec![
-                block("upper", [0.0, self.side], [gap, gap + self.side], Face::Bottom, self.material, vec![], vec![load]),
+                block(
+                    "upper",
+                    [0.0, self.side],
+                    [gap, gap + self.side],
+                    Face::Bottom,
+                    self.material,
+                    vec![],
+                    vec![load],
+                ),
                 block("lower", [0.0, self.side], [-self.side, 0.0], Face::Top, self.material, vec![held(0.0)], vec![]),
             ],
             contact: flat_contact(Some(1), gap, self.side),
@@ -49,13 +57,13 @@ impl Patch {
 /// Two bars in line with a gap; the end of the upper one is pushed down by `u`.
 #[derive(Clone, Copy, Debug)]
 pub struct Bars {
-    /// Length of each bar [mm].
+    /// Length of each bar \[mm\].
     pub length: f64,
-    /// Width of the bars [mm].
+    /// Width of the bars \[mm\].
     pub width: f64,
-    /// Young's modulus; Poisson's ratio is zero [MPa].
+    /// Young's modulus; Poisson's ratio is zero \[MPa\].
     pub young: f64,
-    /// Gap [mm].
+    /// Gap \[mm\].
     pub gap: f64,
     /// Displacement of the upper end over the gap.
     pub push: f64,
@@ -96,9 +104,9 @@ impl Bars {
 /// A block standing on a rigid plane under its own weight, its sides guided so that it only shortens.
 #[derive(Clone, Copy, Debug)]
 pub struct OwnWeight {
-    /// Width of the modelled half [mm].
+    /// Width of the modelled half \[mm\].
     pub width: f64,
-    /// Height [mm].
+    /// Height \[mm\].
     pub height: f64,
     /// Elastic constants.
     pub material: Material,
@@ -142,13 +150,13 @@ impl OwnWeight {
 /// Two rings pressed together: the inner one is too large by the interference.
 #[derive(Clone, Copy, Debug)]
 pub struct PressFit {
-    /// Inner radius of the inner ring [mm].
+    /// Inner radius of the inner ring \[mm\].
     pub inner: f64,
-    /// Radius of the interface [mm].
+    /// Radius of the interface \[mm\].
     pub interface: f64,
-    /// Outer radius of the outer ring [mm].
+    /// Outer radius of the outer ring \[mm\].
     pub outer: f64,
-    /// Radial interference [mm].
+    /// Radial interference \[mm\].
     pub interference: f64,
     /// Elastic constants of the inner and the outer ring.
     pub materials: [Material; 2],
@@ -208,12 +216,15 @@ impl PressFit {
                 stretch: FRAC_PI_2,
                 symmetric: true,
             },
-            reference: ReferenceValues {
-                length: self.interface,
-                pressure,
-                gap: self.interference,
+            reference: ReferenceValues { length: self.interface, pressure, gap: self.interference },
+            grading: Grading {
+                unit: self.interface * FRAC_PI_2,
+                along: 1.0,
+                depth: 1.0,
+                first: 1.0,
+                coarsest: 1.0,
+                end: 1.0,
             },
-            grading: Grading { unit: self.interface * FRAC_PI_2, along: 1.0, depth: 1.0, first: 1.0, coarsest: 1.0, end: 1.0 },
         }
     }
 }
@@ -221,7 +232,7 @@ impl PressFit {
 /// A rigid flat punch with sharp corners pressed on a large block.
 #[derive(Clone, Copy, Debug)]
 pub struct FlatPunch {
-    /// Half-width of the punch [mm].
+    /// Half-width of the punch \[mm\].
     pub half_width: f64,
     /// Width of the modelled half and height of the block over the punch's half-width.
     pub size: f64,

@@ -3,16 +3,16 @@
 use std::f64::consts::PI;
 
 use crate::scene::{
-    Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile, ReferenceValues,
-    Scene, Shape, StressField, Support,
+    Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
+    ReferenceValues, Scene, Shape, StressField, Support,
 };
 
 /// Elastic cylinder pressed on a rigid plane by a uniform load (paper, example a).
 #[derive(Clone, Copy, Debug)]
 pub struct Cylinder {
-    /// Radius [mm].
+    /// Radius \[mm\].
     pub radius: f64,
-    /// Young's modulus [MPa].
+    /// Young's modulus \[MPa\].
     pub young: f64,
     /// Poisson's ratio.
     pub poisson: f64,
@@ -42,7 +42,7 @@ impl Default for Cylinder {
 }
 
 impl Cylinder {
-    /// Half-width `a` [mm] that Hertz gives under the scene's load.
+    /// Half-width `a` \[mm\] that Hertz gives under the scene's load.
     pub fn half_width(&self) -> f64 {
         self.a_over_r * self.radius
     }
@@ -94,9 +94,9 @@ impl Cylinder {
 /// Rectangle pressed by a rigid parabola, with the closed-form Hertz tractions on its other sides.
 #[derive(Clone)]
 pub struct TruncatedHertz {
-    /// Radius of curvature of the parabola [mm].
+    /// Radius of curvature of the parabola \[mm\].
     pub radius: f64,
-    /// Young's modulus [MPa].
+    /// Young's modulus \[MPa\].
     pub young: f64,
     /// Poisson's ratio.
     pub poisson: f64,
@@ -115,7 +115,7 @@ impl Default for TruncatedHertz {
 }
 
 impl TruncatedHertz {
-    /// Half-width `a` [mm].
+    /// Half-width `a` \[mm\].
     pub fn half_width(&self) -> f64 {
         self.a_over_r * self.radius
     }

@@ -8,33 +8,33 @@ use crate::scene::{
     ReferenceValues, Scene, Shape, Support,
 };
 
-/// Length of arc that holds `N` elements of the candidate stretch on pins [mm].
+/// Length of arc that holds `N` elements of the candidate stretch on pins \[mm\].
 pub const ARC_UNIT: f64 = 10.0;
 
 /// Pin and connecting rod (paper, example b); every number of the scene is here.
 #[derive(Clone, Copy, Debug)]
 pub struct PinRod {
-    /// Radius of the pin [mm].
+    /// Radius of the pin \[mm\].
     pub pin_radius: f64,
-    /// Radial clearance [mm].
+    /// Radial clearance \[mm\].
     pub clearance: f64,
-    /// Outer radius of the eye [mm].
+    /// Outer radius of the eye \[mm\].
     pub eye_outer_radius: f64,
-    /// Width of the shank [mm].
+    /// Width of the shank \[mm\].
     pub shank_width: f64,
-    /// Height of the shank's flat end above the eye's centre [mm].
+    /// Height of the shank's flat end above the eye's centre \[mm\].
     pub shank_end: f64,
-    /// Thickness of pin and rod [mm].
+    /// Thickness of pin and rod \[mm\].
     pub thickness: f64,
     /// Elastic constants of the pin.
     pub pin: Material,
     /// Elastic constants of the rod.
     pub rod: Material,
-    /// Force on the whole rod, upwards [N].
+    /// Force on the whole rod, upwards \[N\].
     pub force: f64,
-    /// Candidates lie between the load line and this angle [rad].
+    /// Candidates lie between the load line and this angle \[rad\].
     pub stretch: f64,
-    /// Arc length that holds `N` elements [mm].
+    /// Arc length that holds `N` elements \[mm\].
     pub unit: f64,
 }
 
@@ -89,7 +89,12 @@ impl PinRod {
             thickness: self.thickness,
             bodies: vec![pin, rod],
             contact: hole_contact(self.pin_radius, self.clearance, self.stretch),
-            reference: pin_reference(self.force / self.thickness, self.pin_radius, self.clearance, [self.pin, self.rod]),
+            reference: pin_reference(
+                self.force / self.thickness,
+                self.pin_radius,
+                self.clearance,
+                [self.pin, self.rod],
+            ),
             grading: Grading { unit: self.unit, along: 1.25, depth: 1.35, first: 1.0, coarsest: 0.12, end: 1.0 },
         }
     }
@@ -98,21 +103,21 @@ impl PinRod {
 /// Pin in a wide plate of the same material; the pin is held at its centre node only, where the force acts.
 #[derive(Clone, Copy, Debug)]
 pub struct PinPlate {
-    /// Radius of the pin [mm].
+    /// Radius of the pin \[mm\].
     pub pin_radius: f64,
-    /// Radial clearance [mm].
+    /// Radial clearance \[mm\].
     pub clearance: f64,
-    /// Radius of the plate's fixed rim [mm].
+    /// Radius of the plate's fixed rim \[mm\].
     pub rim_radius: f64,
-    /// Thickness [mm].
+    /// Thickness \[mm\].
     pub thickness: f64,
     /// Elastic constants of both bodies.
     pub material: Material,
-    /// Force on the whole pin, downwards [N].
+    /// Force on the whole pin, downwards \[N\].
     pub force: f64,
-    /// Candidates lie between the load line and this angle [rad].
+    /// Candidates lie between the load line and this angle \[rad\].
     pub stretch: f64,
-    /// Arc length that holds `N` elements [mm].
+    /// Arc length that holds `N` elements \[mm\].
     pub unit: f64,
 }
 

@@ -1,0 +1,138 @@
+//! Every trial of the suite as one line, and one frozen snapshot per scene × element × algorithm.
+
+use std::fmt::Write;
+use std::sync::{Arc, Mutex};
+
+use contact_vv::case::problem::{PROBLEMS, problem};
+use contact_vv::case::{Run, Verdict, suite};
+use contact_vv::formulation::{Discretisation, Formulation};
+use contact_vv::report::format::significant;
+use libtest_mimic::{Arguments, Completion, Failed, Trial};
+
+/// Scenes whose runs are frozen.
+const FROZEN: [&str; 3] = ["cylinder", "truncated-hertz", "pin-rod"];
+/// Where the snapshots are, seen from this file.
+const SNAPSHOTS: &str = "../snapshots";
+
+/// Checks that passed, failed and were not run.
+type Counts = Arc<Mutex<[usize; 3]>>;
+
+fn main() {
+    let arguments = Arguments::from_args();
+    let counts = Counts::default();
+    let mut tests: Vec<Trial> = suite::all().into_iter().map(|trial| truth(trial, counts.clone())).collect();
+    tests.extend(FROZEN.into_iter().flat_map(frozen));
+    tests.push(Trial::test("every snapshot belongs to a run of the suite", no_stray_snapshot));
+    let conclusion = libtest_mimic::run(&arguments, tests);
+    let [pass, fail, not_run] = *counts.lock().expect("no test panics while counting");
+    println!("checks: {pass} passed, {fail} failed, {not_run} not run");
+    conclusion.exit();
+}
+
+/// Truth lock: all checks of a trial hold.
+fn truth(trial: suite::Trial, counts: Counts) -> Trial {
+    Trial::ignorable_test(trial.title(), move || {
+        let finding = trial.run().map_err(|error| Failed::from(error.to_string()))?;
+        let mut message = String::new();
+        for check in &finding.checks {
+            let slot = match &check.verdict {
+                Verdict::Pass => 0,
+                Verdict::Fail => 1,
+                Verdict::NotRun(_) => 2,
+            };
+            counts.lock().expect("no test panics while counting")[slot] += 1;
+            if slot == 1 {
+                let (name, value) = (&check.reference.name, check.reference.value);
+                let _ = writeln!(message, "{}", check.requirement);
+                let _ = writeln!(message, "  {}: {} against {name} {value}", check.quantity, check.value);
+                let _ = writeln!(
+                    message,
+                    "  error {:.3e}, tolerance {:.3e}: {}",
+                    check.error, check.tolerance, check.because
+                );
+            }
+        }
+        match finding.verdict() {
+            Verdict::Pass => Ok(Completion::Completed),
+            Verdict::Fail => Err(message.into()),
+            Verdict::NotRun(why) => Ok(Completion::ignored_with(why)),
+        }
+    })
+}
+
+/// Drift lock: counts and measures of the nine formulations of a scene are what they were.
+fn frozen(scene: &'static str) -> Vec<Trial> {
+    let test = |formulation: Formulation| {
+        Trial::test(format!("snapshot, {scene} × {}", formulation.name()), move || {
+            let problem = problem(scene, None).map_err(|error| error.to_string())?;
+            let discretisation =
+                Discretisation::of(problem.scene, problem.resolution).map_err(|error| error.to_string())?;
+            let run = Run::of(&discretisation, &formulation).map_err(|error| error.to_string())?;
+            let mut settings = insta::Settings::clone_current();
+            settings.set_snapshot_path(SNAPSHOTS);
+            settings.set_snapshot_suffix(formulation.name());
+            settings.set_prepend_module_to_snapshot(false);
+            settings.set_omit_expression(true);
+            settings.bind(|| insta::assert_snapshot!(scene, summary(&run)));
+            Ok(())
+        })
+    };
+    Formulation::nine().into_iter().map(test).collect()
+}
+
+/// What is frozen of a run; of one that did not converge, the outcome only.
+fn summary(run: &Run) -> String {
+    let (solution, measures) = (&run.solution, &run.measures);
+    let mut text = format!("outcome: {}\n", solution.outcome);
+    if !solution.converged() {
+        return text;
+    }
+    let work = &solution.work;
+    let [last, before] = run.decision_margin();
+    let _ = writeln!(text, "steps: {}", work.steps);
+    let _ = writeln!(text, "factorisations: {}", work.factorisations);
+    let _ = writeln!(text, "back-substitutions: {}", work.back_substitutions);
+    let _ = writeln!(text, "freedoms: {}", run.freedoms);
+    let _ = writeln!(text, "retained: {}", run.retained);
+    let _ = writeln!(text, "active points by step: {}", run_lengths(solution.history.iter().map(|step| step.active)));
+    let _ = writeln!(text, "half-width: {}", significant(measures.half_width, 6));
+    let _ = writeln!(text, "half-width by counting: {}", significant(measures.half_width_nodes, 6));
+    let _ = writeln!(text, "peak pressure: {}", significant(measures.peak.pressure, 6));
+    let _ = writeln!(text, "resultant: {}", significant(run.transmitted, 6));
+    let _ = writeln!(text, "decades from the tolerance, last two steps: {before:+.4}, {last:+.4}");
+    text
+}
+
+/// `17 × 2, 13, 11 × 40`: equal neighbours counted.
+fn run_lengths(values: impl Iterator<Item = usize>) -> String {
+    let mut runs: Vec<(usize, usize)> = Vec::new();
+    for value in values {
+        match runs.last_mut() {
+            Some((last, count)) if *last == value => *count += 1,
+            _ => runs.push((value, 1)),
+        }
+    }
+    let write =
+        |(value, count): (usize, usize)| if count > 1 { format!("{value} × {count}") } else { value.to_string() };
+    runs.into_iter().map(write).collect::<Vec<_>>().join(", ")
+}
+
+/// A snapshot that no run asks for would freeze nothing.
+fn no_stray_snapshot() -> Result<(), Failed> {
+    assert!(
+        FROZEN.iter().all(|scene| PROBLEMS.iter().any(|(name, _)| name == scene)),
+        "frozen scenes are in the library"
+    );
+    let expected: Vec<String> = FROZEN
+        .iter()
+        .flat_map(|scene| Formulation::nine().into_iter().map(move |f| format!("{scene}@{}.snap", f.name())))
+        .collect();
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");
+    for entry in std::fs::read_dir(&folder).map_err(|error| error.to_string())?.flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.ends_with(".snap") && !expected.contains(&name) {
+            return Err(format!("{name} belongs to no run: delete it or add the run").into());
+        }
+    }
+    Ok(())
+}
