@@ -1,0 +1,167 @@
+//! A scene meshed, assembled and condensed: what all nine formulations share.
+
+use std::time::Instant;
+
+use crate::algorithm::{ContactProblem, Scale, iterate};
+use crate::condensation::{self, Condensed, CoupledSpring};
+use crate::contact::{ContactPoint, Interface};
+use crate::elasticity::{ElasticSystem, stress};
+use crate::error::Error;
+use crate::formulation::Formulation;
+use crate::mesh::{Mesh, Resolution};
+use crate::scene::Scene;
+use crate::solution::Solution;
+
+/// A scene meshed, assembled and condensed: what all nine formulations share.
+#[derive(Debug)]
+pub struct Discretisation {
+    /// The scene.
+    pub scene: Scene,
+    /// How fine it is.
+    pub resolution: Resolution,
+    /// Mesh.
+    pub mesh: Mesh,
+    /// Assembled bodies.
+    pub system: ElasticSystem,
+    /// Condensed bodies.
+    pub condensed: Condensed,
+    /// Candidate stretch.
+    pub interface: Interface,
+    /// Seconds by stage.
+    pub seconds: Vec<(&'static str, f64)>,
+}
+
+impl Discretisation {
+    /// Mesh, assembly, condensation and interface of a scene.
+    pub fn of(scene: Scene, resolution: Resolution) -> Result<Self, Error> {
+        let mut clock = Clock::start();
+        let mesh = Mesh::of(&scene, resolution)?;
+        clock.lap("mesh");
+        let system = ElasticSystem::assemble(&scene, &mesh)?;
+        clock.lap("assembly");
+        Self::from_parts(scene, resolution, mesh, system, clock)
+    }
+
+    /// The same from a mesh and a system at hand, for instance perturbed or renumbered ones.
+    pub fn of_system(scene: Scene, resolution: Resolution, mesh: Mesh, system: ElasticSystem) -> Result<Self, Error> {
+        Self::from_parts(scene, resolution, mesh, system, Clock::start())
+    }
+
+    fn from_parts(
+        scene: Scene,
+        resolution: Resolution,
+        mesh: Mesh,
+        system: ElasticSystem,
+        mut clock: Clock,
+    ) -> Result<Self, Error> {
+        let condensed = system.condense()?;
+        clock.lap("condensation");
+        let interface = Interface::between(&scene, &mesh, &condensed)?;
+        clock.lap("interface");
+        Ok(Self { scene, resolution, mesh, system, condensed, interface, seconds: clock.laps })
+    }
+
+    /// Solves the contact problem by one formulation.
+    pub fn solve(&self, formulation: &Formulation) -> Result<Solution, Error> {
+        formulation.validate(&self.scene)?;
+        let points = formulation.points(&self.interface);
+        let problem = self.problem(formulation, &points);
+        iterate(&problem, formulation.algorithm().as_mut(), formulation.settings).map_err(|error| match error {
+            Error::NoSpringLeft { steps, .. } => Error::NoSpringLeft { bodies: self.names(), steps },
+            other => other,
+        })
+    }
+
+    /// What the algorithms see of this scene under a formulation.
+    pub fn problem<'a>(&'a self, formulation: &Formulation, points: &'a [ContactPoint]) -> ContactProblem<'a> {
+        let reference = &self.scene.reference;
+        let unit = self.scene.contact_modulus() / reference.length;
+        let pattern = |i: usize| match formulation.stiffness_pattern.len() {
+            0 => 1.0,
+            n => formulation.stiffness_pattern[i % n],
+        };
+        let nominal = formulation.stiffness * unit;
+        ContactProblem {
+            stiffness: &self.condensed.stiffness,
+            load: &self.condensed.load,
+            points,
+            scale: Scale { pressure: reference.pressure, gap: reference.gap, stiffness: unit },
+            initial: points.iter().enumerate().map(|(i, p)| nominal * pattern(i) * p.relative_stiffness).collect(),
+        }
+    }
+
+    /// Contact points of a formulation.
+    pub fn points(&self, formulation: &Formulation) -> Vec<ContactPoint> {
+        formulation.points(&self.interface)
+    }
+
+    /// Displacement \[mm\] and stress \[MPa\] at every node, by one back-substitution per body.
+    pub fn recover(&self, solution: &Solution) -> Result<Fields, Error> {
+        let unknowns = self.condensed.recover(&self.system, &solution.displacement, &solution.contact_force);
+        let displacement = self.system.nodal_displacements(&unknowns);
+        let stress = stress::at_nodes(&self.scene, &self.mesh, &displacement)?;
+        Ok(Fields { displacement, stress, unknowns })
+    }
+
+    /// The spring pressures of a solution once more, from the full system without condensation \[MPa\].
+    ///
+    /// Every loaded point is replaced by a spring around the condensed solution, `p = p_s + k (w − w_s)`; the sparse
+    /// system of all bodies then gives `w`, and with it `p`, without S having been used.
+    pub fn uncondensed_pressures(&self, formulation: &Formulation, solution: &Solution) -> Result<Vec<f64>, Error> {
+        let points = formulation.points(&self.interface);
+        let stiffness = CHECKING_STIFFNESS * self.scene.contact_modulus() / self.scene.reference.length;
+        let states: Vec<(f64, f64, f64)> = (solution.points.iter().zip(&points).zip(&solution.spring_pressures))
+            .map(|((state, point), &p)| (point.gap - state.gap, p, if p.abs() > 0.0 { stiffness } else { 0.0 }))
+            .collect();
+        let springs: Vec<_> = (points.iter().zip(&states))
+            .map(|(point, &(w, p, k))| CoupledSpring {
+                row: point.row.clone(),
+                constant: point.weight * k,
+                force: point.weight * (k * w - p),
+            })
+            .collect();
+        let unknowns = condensation::solve_uncondensed(&self.system, &springs)?;
+        let retained: Vec<f64> = (self.system.bodies.iter().zip(&unknowns))
+            .flat_map(|(body, u)| body.retained.iter().map(|&equation| u[equation]))
+            .collect();
+        Ok((points.iter().zip(states)).map(|(point, (w, p, k))| p + k * (point.approach(&retained) - w)).collect())
+    }
+
+    fn names(&self) -> String {
+        let bodies = self.scene.bodies.iter().map(|body| format!("`{}`", body.name));
+        bodies.collect::<Vec<_>>().join(" and ")
+    }
+}
+
+/// κ of the springs that check the condensed solution against the full one: far stiffer than the bodies, and soft enough
+/// that round-off in the approach stays below 1e-12 of the pressure.
+const CHECKING_STIFFNESS: f64 = 1e3;
+
+/// Fields recovered on the whole mesh.
+#[derive(Clone, Debug)]
+pub struct Fields {
+    /// Displacement of every node \[mm\].
+    pub displacement: Vec<[f64; 2]>,
+    /// `[σ_x, σ_y, τ_xy]` at every node \[MPa\], tension positive.
+    pub stress: Vec<[f64; 3]>,
+    /// Unknowns of each body in its own frames and numbering \[mm\].
+    pub unknowns: Vec<Vec<f64>>,
+}
+
+/// Seconds by stage.
+#[derive(Debug)]
+struct Clock {
+    last: Instant,
+    laps: Vec<(&'static str, f64)>,
+}
+
+impl Clock {
+    fn start() -> Self {
+        Self { last: Instant::now(), laps: Vec::new() }
+    }
+
+    fn lap(&mut self, stage: &'static str) {
+        self.laps.push((stage, self.last.elapsed().as_secs_f64()));
+        self.last = Instant::now();
+    }
+}
