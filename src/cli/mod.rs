@@ -8,6 +8,7 @@ pub mod json;
 pub mod solve;
 pub mod suite;
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -47,7 +48,7 @@ pub fn main() -> ExitCode {
         Command::Report { check } => report_command(check),
         Command::Solve(arguments) => solve::run(&arguments).map(|()| true),
         Command::List => {
-            PROBLEMS.iter().for_each(|(name, title)| println!("{name:18} {title}"));
+            PROBLEMS.iter().for_each(|(name, title)| say(format!("{name:18} {title}")));
             Ok(true)
         }
     };
@@ -61,6 +62,11 @@ pub fn main() -> ExitCode {
     }
 }
 
+/// Prints a line; a reader who has gone away (a closed pipe) is no error.
+fn say(line: impl std::fmt::Display) {
+    let _ = writeln!(std::io::stdout(), "{line}");
+}
+
 /// Whether all checks pass and, with `check`, the committed page is up to date.
 fn report_command(check: bool) -> Result<bool, Error> {
     let root = root()?;
@@ -70,15 +76,12 @@ fn report_command(check: bool) -> Result<bool, Error> {
     let page = report::compose(&findings)?;
     if !check {
         report::write(&page, &root)?;
-        println!("written: {} and {} charts", report::files::PAGE, page.charts.len());
+        say(format!("written: {} and {} charts", report::files::PAGE, page.charts.len()));
         return Ok(sound);
     }
     let differences = report::differences(&page, &root);
-    differences.iter().for_each(|difference| println!("{difference}"));
-    println!(
-        "{}",
-        if differences.is_empty() { "the page is up to date" } else { "the page is stale: run `cargo run --release`" }
-    );
+    differences.iter().for_each(say);
+    say(if differences.is_empty() { "the page is up to date" } else { "the page is stale: run `cargo run --release`" });
     Ok(sound && differences.is_empty())
 }
 

@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use crate::algorithm::StiffnessRule;
 use crate::case::Run;
 use crate::case::problem::{Problem, problem};
-use crate::cli::json;
+use crate::cli::{json, say};
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration};
 use crate::measure::display_factor;
@@ -31,10 +31,10 @@ pub struct Arguments {
     #[arg(long, value_enum)]
     rule: Option<RuleName>,
     /// Initial stiffness κ₀ = k_n ℓ/E*.
-    #[arg(long, value_name = "KAPPA")]
+    #[arg(long, value_name = "KAPPA", allow_negative_numbers = true)]
     stiffness: Option<f64>,
     /// Hertz half-width over the radius (Hertz scenes only).
-    #[arg(long, value_name = "X")]
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
     a_over_r: Option<f64>,
     /// Element order: 1 (4-node) or 2 (8-node).
     #[arg(long, default_value_t = 2)]
@@ -46,7 +46,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 1)]
     increments: usize,
     /// Largest residual accepted.
-    #[arg(long, value_name = "T", default_value_t = 1e-3)]
+    #[arg(long, value_name = "T", default_value_t = 1e-3, allow_negative_numbers = true)]
     tolerance: f64,
     /// Write the result as JSON to a file, or to standard output with `-`.
     #[arg(long, value_name = "FILE")]
@@ -90,7 +90,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Error> {
     let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
     if let Some(path) = &arguments.json {
         let text = json::text(&problem, resolution, &run);
-        if to_stdout { println!("{text}") } else { write(path, &text)? }
+        if to_stdout { say(&text) } else { write(path, &text)? }
     }
     if let Some(path) = &arguments.plot {
         write(path, &plot(&problem, &run).svg()?)?;
@@ -147,36 +147,41 @@ fn print(problem: &Problem, resolution: Resolution, run: &Run) {
     let factor = display_factor(&problem.scene.contact.path);
     let unit = if factor > 1.0 { "°" } else { "mm" };
     let order = resolution.order.nodes_per_cell();
-    println!("{}: {}", problem.name, problem.title);
-    println!("{}, {order}-node cells, {} freedoms, {} retained", run.formulation.name(), run.freedoms, run.retained);
+    say(format!("{}: {}", problem.name, problem.title));
+    say(format!(
+        "{}, {order}-node cells, {} freedoms, {} retained",
+        run.formulation.name(),
+        run.freedoms,
+        run.retained
+    ));
     let work = &run.solution.work;
-    println!(
+    say(format!(
         "{} after {} steps, {} factorisations, residual {}",
         run.solution.outcome,
         work.steps,
         work.factorisations,
         format::error(run.solution.residual())
-    );
-    println!(
+    ));
+    say(format!(
         "half-width by second moment {} {unit}, by counting {} {unit}",
         format::value(factor * run.measures.half_width),
         format::value(factor * run.measures.half_width_nodes)
-    );
-    println!(
+    ));
+    say(format!(
         "peak pressure {} MPa at {} {unit}, resultant {} N",
         format::value(run.measures.peak.pressure),
         format::value(factor * run.measures.peak.position),
         format::value(run.transmitted)
-    );
+    ));
     for oracle in json::oracles(problem, run) {
-        println!(
+        say(format!(
             "{} ({}) {}: {}, error {}",
             oracle.name,
             oracle.kind,
             oracle.quantity,
             format::value(oracle.reference),
             format::error(oracle.error)
-        );
+        ));
     }
 }
 

@@ -5,6 +5,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
 use crate::case::{Finding, Verdict, suite};
+use crate::cli::say;
 use crate::error::Error;
 use crate::report::{format, matrix};
 
@@ -36,19 +37,19 @@ pub fn print(findings: &[Finding]) {
     for row in matrix::summary_rows(findings) {
         table.add_row(row);
     }
-    println!("{table}");
+    say(format!("{table}"));
     let [pass, fail, not_run] = matrix::counts(findings);
-    println!("\nchecks: {pass} passed, {fail} failed, {not_run} not run");
+    say(format!("\nchecks: {pass} passed, {fail} failed, {not_run} not run"));
     for finding in findings {
         for check in finding.checks.iter().filter(|check| check.verdict != Verdict::Pass) {
             let error = format::error(check.error);
-            println!(
+            say(format!(
                 "{} × {}: {} — {}: error {error}",
                 finding.case,
                 finding.name,
                 format::verdict(&check.verdict),
                 check.requirement
-            );
+            ));
         }
     }
 }

@@ -80,13 +80,15 @@ impl Discretisation {
             0 => 1.0,
             n => formulation.stiffness_pattern[i % n],
         };
+        let scale = Scale { pressure: reference.pressure, gap: reference.gap, stiffness: unit };
         let nominal = formulation.stiffness * unit;
+        let initial = |(i, point): (usize, &ContactPoint)| scale.clip(nominal * pattern(i) * point.relative_stiffness);
         ContactProblem {
             stiffness: &self.condensed.stiffness,
             load: &self.condensed.load,
             points,
-            scale: Scale { pressure: reference.pressure, gap: reference.gap, stiffness: unit },
-            initial: points.iter().enumerate().map(|(i, p)| nominal * pattern(i) * p.relative_stiffness).collect(),
+            scale,
+            initial: points.iter().enumerate().map(initial).collect(),
         }
     }
 

@@ -4,6 +4,7 @@
 
 pub mod discretisation;
 
+use crate::algorithm::problem::LIMITS;
 use crate::algorithm::{Algorithm, Constant, Kinematic, Settings, StiffnessRule, Varying};
 use crate::contact::{ContactElement, ContactPoint, Interface, Layer, Line, Node, Quadrature};
 use crate::error::Error;
@@ -176,6 +177,11 @@ impl Formulation {
             Err(Error::value(&place, key, value, "a finite value above 0 is needed", "give a positive number"))
         };
         number("stiffness", self.stiffness)?;
+        let [softest, stiffest] = LIMITS;
+        if !(softest..=stiffest).contains(&self.stiffness) {
+            let expected = format!("springs are kept between {softest:e} and {stiffest:e} E*/ℓ");
+            return Err(Error::value(&place, "stiffness", self.stiffness, expected, "give κ₀ within these limits"));
+        }
         number("tolerance", self.settings.tolerance)?;
         number("layer thickness", self.layer_thickness)?;
         if self.settings.increments == 0 {

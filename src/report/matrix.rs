@@ -112,7 +112,14 @@ pub fn summary_rows(findings: &[Finding]) -> Vec<Vec<String>> {
             });
             let truth =
                 finding.checks.iter().filter(|check| check.reference.kind == crate::oracle::ReferenceKind::Analytic);
-            let errors = truth.map(|check| format!("{} {}", check.quantity, format::error(check.error)));
+            let errors = truth.map(|check| {
+                let found = if check.tolerance > 0.0 {
+                    format::error(check.error)
+                } else {
+                    format::significant(check.value, 3)
+                };
+                format!("{} {found}", check.quantity)
+            });
             let errors = errors.collect::<Vec<_>>().join("; ");
             vec![
                 finding.case.clone(),
