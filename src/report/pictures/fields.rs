@@ -30,14 +30,18 @@ pub fn pin_rod(findings: &[Finding]) -> Result<String, Error> {
     draw(data(findings, "pin-rod")?, 20.0, (-1.5 * p, 1.5 * p), Some(window))
 }
 
+/// Values are rounded to this fraction of the range, so that round-off cannot move one across the edge of a band.
+const GRAIN: f64 = 1e-6;
+
 fn draw(data: &FieldData, magnification: f64, range: (f64, f64), zoom: Option<Window>) -> Result<String, Error> {
     let pairs = |list: &[[f64; 2]]| list.iter().map(|&[x, y]| (x, y)).collect();
+    let grain = GRAIN * (range.1 - range.0);
     Field {
         title: data.title.clone(),
         quantity: "σ_y [MPa]".into(),
         points: pairs(&data.points),
         cells: data.cells.clone(),
-        values: data.values.clone(),
+        values: data.values.iter().map(|value| (value / grain).round() * grain).collect(),
         displacements: pairs(&data.displacements),
         magnification,
         map: ColourMap::Diverging,
