@@ -1,4 +1,16 @@
 //! One module per link of the chain; every test name is a claim.
 
+mod workbench;
+
+mod algorithm;
+mod architecture;
+mod condensation;
+mod contact;
 mod digitised;
+mod elasticity;
+mod errors;
+mod formulation;
+mod measure;
+mod mesh;
 mod oracles;
+mod scene;

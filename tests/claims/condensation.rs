@@ -1,0 +1,220 @@
+//! The condensed system against the same elimination done densely.
+
+use approx::assert_relative_eq;
+use contact_vv::condensation::{Condensed, factor, solve_uncondensed};
+use contact_vv::elasticity::{BodySystem, ElasticSystem};
+use contact_vv::error::Error;
+use contact_vv::mesh::{Mesh, Order};
+use contact_vv::scene::library::{Cylinder, Patch, PinPlate, PinRod};
+use contact_vv::scene::{Component, Load, Scene};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+use crate::workbench::{ORDERS, block, dense, distance, held, held_at, resolution};
+
+fn system(scene: &Scene, elements: usize, order: Order) -> ElasticSystem {
+    let mesh = Mesh::of(scene, resolution(elements, 0, order)).expect("mesh");
+    ElasticSystem::assemble(scene, &mesh).expect("system")
+}
+
+/// `S = K_cc − K_ci K_ii⁻¹ K_ic` and `f̂ = f_c − K_ci K_ii⁻¹ f_i`, densely.
+fn eliminated(body: &BodySystem) -> (DMatrix<f64>, DVector<f64>) {
+    let k = dense(body);
+    let inner: Vec<usize> = (0..k.nrows()).filter(|e| !body.retained.contains(e)).collect();
+    let pick = |rows: &[usize], columns: &[usize]| {
+        DMatrix::from_fn(rows.len(), columns.len(), |i, j| k[(rows[i], columns[j])])
+    };
+    let force = |rows: &[usize]| DVector::from_iterator(rows.len(), rows.iter().map(|&i| body.force[i]));
+    let inverse = pick(&inner, &inner).cholesky().expect("interior is definite");
+    let coupling = pick(&inner, &body.retained);
+    let schur = pick(&body.retained, &body.retained) - coupling.transpose() * inverse.solve(&coupling);
+    (schur, force(&body.retained) - coupling.transpose() * inverse.solve(&force(&inner)))
+}
+
+/// Supported by its lower half's diameter, held by contact alone, two bodies, and one pushed by a displacement.
+fn samples() -> Vec<(&'static str, ElasticSystem)> {
+    let pushed = block([4.0, 3.0], vec![held("left", Component::X, 0.0), held("far", Component::Y, -0.01)], vec![]);
+    let mut all = Vec::new();
+    for order in ORDERS {
+        all.push(("cylinder", system(&Cylinder::default().scene(), 1, order)));
+        all.push(("patch", system(&Patch { pressure: 3.0, ..Patch::default() }.scene(), 3, order)));
+        all.push(("pin-rod", system(&PinRod::default().scene(), 2, order)));
+        all.push(("pushed", system(&pushed, 3, order)));
+    }
+    all
+}
+
+#[test]
+fn condensed_stiffness_and_load_are_those_of_dense_elimination() {
+    for (name, system) in samples() {
+        let condensed = system.condense().expect("condensed");
+        assert_eq!(condensed.offsets.len(), system.bodies.len() + 1);
+        for (body, &at) in system.bodies.iter().zip(&condensed.offsets) {
+            let (schur, load) = eliminated(body);
+            let m = body.retained.len();
+            let found = DMatrix::from_fn(m, m, |i, j| condensed.stiffness[(at + i, at + j)]);
+            // Both eliminations lose digits to the condition of K_ii (1e4 on these meshes).
+            assert!((&found - &schur).amax() <= 1e-10 * schur.amax(), "{name}: {:e}", (&found - &schur).amax());
+            let scale = load.amax().max(body.force.iter().fold(0.0, |a: f64, f| a.max(f.abs())));
+            assert!(distance(&condensed.load[at..at + m], load.as_slice()) <= 1e-9 * scale, "{name}");
+        }
+    }
+}
+
+#[test]
+fn bodies_are_not_coupled_by_condensation() {
+    let condensed = system(&Patch::default().scene(), 3, Order::Quadratic).condense().expect("condensed");
+    let split = condensed.offsets[1];
+    assert_eq!(condensed.retained(), condensed.offsets[2]);
+    for i in 0..split {
+        for j in split..condensed.retained() {
+            assert!(condensed.stiffness[(i, j)].abs() + condensed.stiffness[(j, i)].abs() <= 0.0);
+        }
+    }
+}
+
+#[test]
+fn body_held_by_contact_alone_leaves_exactly_its_rigid_motion_without_stiffness() {
+    for (scene, elements) in [(Cylinder::default().scene(), 2), (PinPlate::default().scene(), 3)] {
+        let mesh = Mesh::of(&scene, resolution(elements, 0, Order::Quadratic)).expect("mesh");
+        let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+        let condensed = system.condense().expect("condensed");
+        let m = condensed.offsets[1];
+        let schur = DMatrix::from_fn(m, m, |i, j| condensed.stiffness[(i, j)]);
+        // Rigid motion downwards: its normal component at each candidate.
+        let rigid = DVector::from_iterator(m, mesh.bodies[0].candidates.iter().map(|c| -c.normal[1]));
+
+        let force = &schur * &rigid;
+        let mut eigenvalues: Vec<f64> = SymmetricEigen::new(schur.clone()).eigenvalues.iter().copied().collect();
+        eigenvalues.sort_by(f64::total_cmp);
+
+        // The shift of the order of the diagonal is taken off again: what is left is its round-off.
+        assert!(force.amax() <= 1e-10 * schur.amax(), "{}: {:e}", scene.name, force.amax() / schur.amax());
+        assert!(eigenvalues[0].abs() <= 1e-10 * schur.amax());
+        assert!(eigenvalues[1] >= 1e-4 * schur.amax(), "{}: {eigenvalues:?}", scene.name);
+    }
+}
+
+#[test]
+fn condensed_load_of_a_free_body_keeps_the_applied_resultant() {
+    let numbers = Cylinder::default();
+    let scene = numbers.scene();
+    let condensed = system(&scene, 3, Order::Quadratic).condense().expect("condensed");
+    // Retained freedoms point downwards: the load presses the cylinder on the plane.
+    assert_relative_eq!(condensed.load.iter().sum::<f64>(), 0.5 * numbers.load(), max_relative = 1e-10);
+}
+
+/// Contact forces that keep chosen retained displacements in balance.
+fn forces_for(condensed: &Condensed, u: &[f64]) -> Vec<f64> {
+    let m = u.len();
+    (0..m).map(|i| (0..m).map(|j| condensed.stiffness[(i, j)] * u[j]).sum::<f64>() - condensed.load[i]).collect()
+}
+
+#[test]
+fn recovered_displacements_solve_the_full_system() {
+    for (name, system) in samples() {
+        let condensed = system.condense().expect("condensed");
+        let u: Vec<f64> = (0..condensed.retained()).map(|i| 1e-3 * (1.0 + (i as f64).sin())).collect();
+        let force = forces_for(&condensed, &u);
+
+        let unknowns = condensed.recover(&system, &u, &force);
+
+        for ((body, all), &at) in system.bodies.iter().zip(&unknowns).zip(&condensed.offsets) {
+            let mut wanted = DVector::from_vec(body.force.clone());
+            for (k, &equation) in body.retained.iter().enumerate() {
+                wanted[equation] += force[at + k];
+                assert!((all[equation] - u[at + k]).abs() <= 1e-11, "{name}: retained displacement {k} moved");
+            }
+            let k = dense(body);
+            let residual = &k * DVector::from_vec(all.clone()) - wanted;
+            assert!(residual.amax() <= 1e-11 * k.amax() * 1e-2, "{name}: {:e}", residual.amax());
+        }
+    }
+}
+
+/// Row on the retained freedoms, spring constant [N/mm], force [N].
+type Spring = (Vec<(usize, f64)>, f64, f64);
+
+#[test]
+fn springs_on_the_condensed_and_on_the_full_system_give_the_same_displacements() {
+    for (name, system) in samples() {
+        let condensed = system.condense().expect("condensed");
+        let m = condensed.retained();
+        // Springs between neighbours, some with two freedoms in a row, with forces of their own.
+        let springs: Vec<Spring> = (0..m)
+            .map(|i| (vec![(i, 1.0), ((i + 1) % m, 0.25)], 1e4 * (1.0 + i as f64 % 3.0), 2.0 - i as f64 % 5.0))
+            .collect();
+        let mut matrix = DMatrix::from_fn(m, m, |i, j| condensed.stiffness[(i, j)]);
+        let mut rhs = DVector::from_vec(condensed.load.clone());
+        for (row, k, force) in &springs {
+            for &(i, b_i) in row {
+                rhs[i] += b_i * force;
+                for &(j, b_j) in row {
+                    matrix[(i, j)] += k * b_i * b_j;
+                }
+            }
+        }
+        let wanted = matrix.cholesky().expect("springs hold the bodies").solve(&rhs);
+
+        let unknowns = solve_uncondensed(&system, &springs).expect("full solve");
+
+        let found: Vec<f64> = (system.bodies.iter().zip(&unknowns))
+            .flat_map(|(body, u)| body.retained.iter().map(|&equation| u[equation]))
+            .collect();
+        assert!(distance(&found, wanted.as_slice()) <= 1e-9 * wanted.amax(), "{name}");
+    }
+}
+
+#[test]
+fn body_free_to_move_even_with_its_contact_nodes_held_is_refused_by_name_and_motion() {
+    let scene = block([4.0, 3.0], vec![], vec![]);
+    let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
+    let error = ElasticSystem::assemble(&scene, &mesh).expect_err("nothing holds it sideways");
+    let text = error.to_string();
+    assert!(matches!(error, Error::FreeMotion { .. }), "{text}");
+    assert!(text.contains("`body`") && text.contains("slide along x") && text.contains("add a support"), "{text}");
+}
+
+#[test]
+fn each_free_motion_is_told_apart() {
+    let corner = [0.0, 0.0];
+    for (supports, motion) in [
+        (vec![held_at(corner, Component::X, 0.0), held_at(corner, Component::Y, 0.0)], Some("rotate")),
+        // A side held along itself lets the body turn about its points.
+        (vec![held_at(corner, Component::X, 0.0), held("left", Component::Y, 0.0)], Some("rotate")),
+        (vec![held("left", Component::X, 0.0)], Some("slide along y")),
+        (vec![held("far", Component::Y, 0.0)], Some("slide along x")),
+        (vec![held("far", Component::Y, 0.0), held_at([4.0, 0.0], Component::X, 0.0)], None),
+    ] {
+        let scene = block([4.0, 3.0], supports, vec![]);
+        let mut mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
+        mesh.bodies[0].candidates.clear();
+        let found = ElasticSystem::assemble(&scene, &mesh).err().map(|error| error.to_string());
+        match motion {
+            None => assert!(found.is_none(), "{found:?}"),
+            Some(motion) => {
+                assert!(found.as_ref().is_some_and(|text| text.contains(motion)), "{found:?}, not {motion}")
+            }
+        }
+    }
+}
+
+#[test]
+fn rigid_face_holds_the_rotation() {
+    let supports = vec![held_at([0.0, 0.0], Component::X, 0.0), held_at([0.0, 0.0], Component::Y, 0.0)];
+    let face = Load::RigidFace { boundary: "far", component: Component::Y, force: 0.0 };
+    let scene = block([4.0, 3.0], supports, vec![face]);
+    let mut mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
+    mesh.bodies[0].candidates.clear();
+    assert!(ElasticSystem::assemble(&scene, &mesh).is_ok());
+}
+
+#[test]
+fn dense_factor_solves_definite_and_refuses_singular_matrices() {
+    let entries = [[4.0, 1.0], [1.0, 3.0]];
+    let matrix = faer::Mat::from_fn(2, 2, |i, j| entries[i][j]);
+    let x = factor::dense(&matrix).expect("definite").solve(&[1.0, 2.0]);
+    // Cramer's rule with determinant 11.
+    assert!(distance(&x, &[1.0 / 11.0, 7.0 / 11.0]) <= 1e-15);
+    let singular = faer::Mat::from_fn(2, 2, |i, j| if i == j { 1.0 } else { -1.0 });
+    assert!(factor::dense(&singular).is_none());
+}

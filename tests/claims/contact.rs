@@ -1,0 +1,451 @@
+//! Contact elements: areas, rows, stiffnesses and shares of the points they make.
+
+use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::contact::interface::Station;
+use contact_vv::contact::{ContactElement, ContactPoint, Interface, Layer, Line, Node, Quadrature};
+use contact_vv::elasticity::ElasticSystem;
+use contact_vv::error::Error;
+use contact_vv::mesh::{Mesh, Order};
+use contact_vv::scene::library::{Cylinder, Patch, PinRod, PressFit};
+use contact_vv::scene::{Circle, ContactPair, Path, Profile, Scene};
+use nalgebra::{DMatrix, Vector2};
+
+use crate::workbench::{ORDERS, resolution};
+
+const RULES: [Quadrature; 3] = [Quadrature::Gauss, Quadrature::GaussFull, Quadrature::Lobatto];
+
+/// Node element, and line and layer with each quadrature.
+fn elements() -> Vec<(String, Box<dyn ContactElement>)> {
+    let mut all: Vec<(String, Box<dyn ContactElement>)> = vec![("node".into(), Box::new(Node))];
+    for quadrature in RULES {
+        all.push((format!("line {quadrature:?}"), Box::new(Line { quadrature })));
+        all.push((format!("layer {quadrature:?}"), Box::new(Layer { quadrature, thickness: 0.05 })));
+    }
+    all
+}
+
+/// Interface of a scene of the library.
+fn interface(scene: &Scene, elements: usize, order: Order) -> Interface {
+    let mesh = Mesh::of(scene, resolution(elements, 0, order)).expect("mesh");
+    let condensed = ElasticSystem::assemble(scene, &mesh).expect("system").condense().expect("condensed");
+    Interface::between(scene, &mesh, &condensed).expect("interface")
+}
+
+/// A flat interface made by hand, of edges between the given corners; `bodies` = 1 is a rigid other side.
+fn flat(corners: &[f64], order: Order, bodies: usize, profile: Profile) -> Interface {
+    let path = Path::Horizontal;
+    on_path(corners, order, bodies, profile, path, |s| ([s, 0.0], [0.0, -1.0]))
+}
+
+/// The same on an arc of radius `radius`.
+fn arc(corners: &[f64], order: Order, radius: f64, profile: Profile) -> Interface {
+    let path = Path::Arc(Circle { centre: [0.0, 0.0], radius });
+    on_path(corners, order, 2, profile, path, |s| {
+        let n = [s.sin(), -s.cos()];
+        ([radius * n[0], radius * n[1]], n)
+    })
+}
+
+fn on_path(
+    corners: &[f64],
+    order: Order,
+    bodies: usize,
+    profile: Profile,
+    path: Path,
+    place: impl Fn(f64) -> ([f64; 2], [f64; 2]),
+) -> Interface {
+    let per = usize::from(order.number());
+    let mut coordinates = vec![corners[0]];
+    for two in corners.windows(2) {
+        coordinates.extend((1..=per).map(|k| two[0] + (two[1] - two[0]) * k as f64 / per as f64));
+    }
+    let count = coordinates.len();
+    let stations = coordinates.into_iter().enumerate().map(|(i, coordinate)| {
+        let (point, normal) = place(coordinate);
+        Station {
+            coordinate,
+            point,
+            normal,
+            gap: profile.gap(coordinate),
+            freedoms: (0..bodies).map(|b| b * count + i).collect(),
+        }
+    });
+    let edges = (0..corners.len() - 1).map(|e| {
+        let first = e * per;
+        if per == 1 { vec![first, first + 1] } else { vec![first, first + 2, first + 1] }
+    });
+    let second = (bodies == 2).then_some(1);
+    let stretch = corners[corners.len() - 1];
+    Interface {
+        stations: stations.collect(),
+        edges: edges.collect(),
+        pair: ContactPair { first: 0, second, path, profile, stretch, symmetric: true },
+        thickness: 2.5,
+    }
+}
+
+const CORNERS: [f64; 5] = [0.0, 0.3, 0.5, 1.1, 1.3];
+
+/// Row as a dense vector.
+fn expanded(point: &ContactPoint, freedoms: usize) -> Vec<f64> {
+    let mut row = vec![0.0; freedoms];
+    point.add_row(1.0, &mut row);
+    row
+}
+
+#[test]
+fn weights_of_the_points_add_up_to_the_candidate_area() {
+    for order in ORDERS {
+        for (name, element) in elements() {
+            let sample = flat(&CORNERS, order, 1, Profile::Parabola { radius: 50.0 });
+            let area: f64 = element.points(&sample).iter().map(|p| p.weight).sum();
+            assert!((area - 1.3 * 2.5).abs() <= 1e-13, "{name}: {area}");
+            if name == "node" {
+                continue;
+            }
+            let sample = arc(&CORNERS, order, 7.0, Profile::Hole { radius: 7.0, clearance: 0.1 });
+            let area: f64 = element.points(&sample).iter().map(|p| p.weight).sum();
+            assert!((area - 1.3 * 7.0 * 2.5).abs() <= 1e-12, "{name}: {area}");
+        }
+    }
+}
+
+#[test]
+fn weights_of_nodes_on_an_arc_project_the_area_on_their_own_normals() {
+    let (radius, corners) = (7.0, [0.2_f64, 0.8]);
+    let points = Node.points(&arc(&corners, Order::Quadratic, radius, Profile::Uniform(0.0)));
+    let half = 0.5 * (corners[1] - corners[0]);
+    // ∫ N cos(s − s_a) ds in closed form with ξ = x/δ: mid-side N = 1 − ξ², corner N = ξ(ξ+1)/2, x from the middle.
+    let (sin, cos) = half.sin_cos();
+    let second_moment = 2.0 * sin - 4.0 / half * (sin / half - cos);
+    let middle = 2.0 * sin - second_moment;
+    let even = 0.5 * second_moment * cos;
+    let odd = 0.5 * sin * 2.0 * (sin / half - cos);
+    // Three Gauss points miss 8/175 of the term ξ⁶ δ⁴/24: 1.2e-5 of the mid-side weight at δ = 0.3, and of the
+    // corner's, a quarter as large, four times that at most. The projection itself is worth 1e-2.
+    assert_relative_eq!(points[1].weight, middle * radius * 2.5, max_relative = 1.3e-5);
+    assert_relative_eq!(points[0].weight, (even + odd) * radius * 2.5, max_relative = 5e-5);
+    assert_relative_eq!(points[0].weight, points[2].weight, max_relative = 1e-13);
+}
+
+#[test]
+fn areas_of_the_library_scenes_are_those_of_their_candidate_stretch() {
+    for (scene, elements_per_unit) in [
+        (Cylinder::default().scene(), 4),
+        (PinRod { thickness: 3.0, ..PinRod::default() }.scene(), 24),
+        (Patch::default().scene(), 3),
+        (PressFit::default().scene(), 8),
+    ] {
+        let pair = &scene.contact;
+        let exact = pair.stretch * pair.path.metric() * scene.thickness;
+        for order in ORDERS {
+            let sample = interface(&scene, elements_per_unit, order);
+            for (name, element) in elements() {
+                let area: f64 = element.points(&sample).iter().map(|p| p.weight).sum();
+                // On arcs the node element projects on the nodes' normals: less by a few Δ², Δ ≤ 0.1 rad the half edge.
+                let tolerance = if name == "node" && matches!(pair.path, Path::Arc(_)) { 1e-2 } else { 1e-9 };
+                assert!((area / exact - 1.0).abs() <= tolerance, "{}, {name}: {area} and {exact}", scene.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn rigid_approach_of_either_body_is_the_approach_of_every_point_on_a_flat_interface() {
+    for order in ORDERS {
+        for (name, element) in elements() {
+            for profile in [Profile::Uniform(0.1), Profile::Parabola { radius: 5.0 }, Profile::Uniform(-0.02)] {
+                let sample = flat(&CORNERS, order, 2, profile);
+                let count = sample.stations.len();
+                let moved: Vec<f64> = (0..2 * count).map(|f| if f < count { 0.3 } else { 0.0 }).collect();
+                let facing: Vec<f64> = (0..2 * count).map(|f| if f < count { 0.0 } else { 0.7 }).collect();
+                for point in element.points(&sample) {
+                    assert!((point.approach(&moved) - 0.3).abs() <= 1e-13, "{name}, first body");
+                    assert!((point.approach(&facing) - 0.7).abs() <= 1e-13, "{name}, second body");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn rows_interpolate_a_quadratic_approach_between_the_nodes() {
+    let sample = flat(&CORNERS, Order::Quadratic, 1, Profile::Uniform(0.1));
+    let approach = |s: f64| 1.0 + 0.5 * s - 0.2 * s * s;
+    let u: Vec<f64> = sample.stations.iter().map(|station| approach(station.coordinate)).collect();
+    for (name, element) in elements() {
+        for point in element.points(&sample) {
+            assert!((point.approach(&u) - approach(point.position)).abs() <= 1e-14, "{name} at {}", point.position);
+        }
+    }
+}
+
+#[test]
+fn weights_of_nodes_on_a_straight_edge_are_one_sixth_four_sixths_one_sixth() {
+    let points = Node.points(&flat(&[0.0, 1.2], Order::Quadratic, 1, Profile::Uniform(0.0)));
+    for (point, sixths) in points.iter().zip([1.0, 4.0, 1.0]) {
+        assert_relative_eq!(point.weight, sixths / 6.0 * 1.2 * 2.5, max_relative = 1e-14);
+    }
+    let points = Node.points(&flat(&[0.0, 1.2], Order::Linear, 1, Profile::Uniform(0.0)));
+    for point in points {
+        assert_relative_eq!(point.weight, 0.5 * 1.2 * 2.5, max_relative = 1e-14);
+    }
+}
+
+#[test]
+fn node_points_are_the_stations_with_their_gaps() {
+    for order in ORDERS {
+        let sample = flat(&CORNERS, order, 2, Profile::Parabola { radius: 5.0 });
+        for (station, point) in sample.stations.iter().zip(Node.points(&sample)) {
+            assert_relative_eq!(point.position, station.coordinate);
+            assert_relative_eq!(point.gap, station.coordinate * station.coordinate / 10.0, max_relative = 1e-14);
+            assert_eq!(point.row, station.freedoms.iter().map(|&f| (f, 1.0)).collect::<Vec<_>>());
+            assert_relative_eq!(point.relative_stiffness, 1.0);
+        }
+    }
+}
+
+#[test]
+fn points_are_sorted_and_carry_the_exact_gap_at_their_own_position() {
+    for order in ORDERS {
+        for (name, element) in elements() {
+            let points = element.points(&flat(&CORNERS, order, 1, Profile::Parabola { radius: 5.0 }));
+            assert!(points.windows(2).all(|two| two[0].position <= two[1].position), "{name}");
+            for point in points {
+                let exact = point.position * point.position / 10.0;
+                assert!((point.gap - exact).abs() <= 1e-16, "{name} at {}", point.position);
+            }
+        }
+    }
+}
+
+#[test]
+fn quadratures_have_their_numbers_of_points_at_their_places() {
+    let wanted = [
+        (Quadrature::Gauss, Order::Linear, vec![0.0]),
+        (Quadrature::Gauss, Order::Quadratic, vec![-1.0 / 3f64.sqrt(), 1.0 / 3f64.sqrt()]),
+        (Quadrature::GaussFull, Order::Linear, vec![-1.0 / 3f64.sqrt(), 1.0 / 3f64.sqrt()]),
+        (Quadrature::GaussFull, Order::Quadratic, vec![-0.6f64.sqrt(), 0.0, 0.6f64.sqrt()]),
+        (Quadrature::Lobatto, Order::Linear, vec![-1.0, 1.0]),
+        (Quadrature::Lobatto, Order::Quadratic, vec![-1.0, 0.0, 1.0]),
+    ];
+    for (quadrature, order, places) in wanted {
+        let points = Line { quadrature }.points(&flat(&[0.0, 2.0], order, 1, Profile::Uniform(0.0)));
+        assert_eq!(points.len(), places.len());
+        for (point, place) in points.iter().zip(places) {
+            assert_abs_diff_eq!(point.position, 1.0 + place, epsilon = 1e-14);
+        }
+    }
+}
+
+#[test]
+fn layer_between_parallel_faces_has_the_rows_of_the_line_and_equal_springs() {
+    for order in ORDERS {
+        for quadrature in RULES {
+            let sample = flat(&[0.0, 0.5, 1.0], order, 2, Profile::Uniform(0.1));
+            let line = Line { quadrature }.points(&sample);
+            let layer = Layer { quadrature, thickness: 0.05 }.points(&sample);
+            let freedoms = 2 * sample.stations.len();
+            for (a, b) in line.iter().zip(&layer) {
+                for (x, y) in expanded(a, freedoms).iter().zip(expanded(b, freedoms)) {
+                    assert_abs_diff_eq!(*x, y, epsilon = 1e-14);
+                }
+                assert_relative_eq!(a.weight, b.weight, max_relative = 1e-14);
+                assert_relative_eq!(b.relative_stiffness, 1.0, max_relative = 1e-14);
+            }
+        }
+    }
+}
+
+#[test]
+fn layer_spring_is_its_modulus_over_its_thickness() {
+    // k_i = E_n/t(ξ_i), t = t₀ + g, with E_n = k_n · mean t: the ratio of two springs is the inverse one of their t.
+    let t0 = 0.05;
+    let sample = flat(&[0.0, 1.0, 2.0], Order::Quadratic, 1, Profile::Parabola { radius: 5.0 });
+    let points = Layer { quadrature: Quadrature::Gauss, thickness: t0 }.points(&sample);
+    // Edges are 1 mm long, so that t₀ is 0.05 mm.
+    let thickness = |point: &ContactPoint| t0 + point.position * point.position / 10.0;
+    let mean = points.iter().map(thickness).sum::<f64>() / points.len() as f64;
+    for point in &points {
+        assert_relative_eq!(point.relative_stiffness, mean / thickness(point), max_relative = 1e-13);
+    }
+    assert!(points.windows(2).all(|two| two[0].relative_stiffness > two[1].relative_stiffness));
+}
+
+#[test]
+fn layer_thickness_grows_with_the_edge_and_ignores_interference() {
+    let springs = |profile: Profile| -> Vec<f64> {
+        let sample = flat(&[0.0, 1.0, 4.0], Order::Linear, 1, profile);
+        let points = Layer { quadrature: Quadrature::Gauss, thickness: 0.1 }.points(&sample);
+        points.iter().map(|p| p.relative_stiffness).collect()
+    };
+    // Without a gap t is 0.1 and 0.3: mean 0.2.
+    for found in [springs(Profile::Uniform(0.0)), springs(Profile::Uniform(-0.05))] {
+        assert_relative_eq!(found[0], 2.0, max_relative = 1e-13);
+        assert_relative_eq!(found[1], 2.0 / 3.0, max_relative = 1e-13);
+    }
+}
+
+#[test]
+fn layer_rows_on_an_arc_turn_the_nodal_normals_on_the_director() {
+    // On η = 0 the derivative along the director e is ∂/∂η over |∂x/∂η|, so that w = Σ N_a (n_a·e)(u_a + u'_a).
+    let (t0, radius) = (0.05, 7.0);
+    let profile = Profile::Hole { radius, clearance: 0.4 };
+    let sample = arc(&[0.4, 1.0], Order::Quadratic, radius, profile);
+    let length = 0.6 * radius;
+    let shapes = |x: f64| [x * (x - 1.0) / 2.0, 1.0 - x * x, x * (x + 1.0) / 2.0];
+    for point in (Layer { quadrature: Quadrature::Gauss, thickness: t0 }).points(&sample) {
+        let values = shapes((point.position - 0.7) / 0.3);
+        let normals: Vec<Vector2<f64>> = sample.stations.iter().map(|s| Vector2::from(s.normal)).collect();
+        let across = (0..3).fold(Vector2::zeros(), |sum: Vector2<f64>, a| {
+            sum + normals[a] * (t0 * length + sample.stations[a].gap) * values[a]
+        });
+        let director = across.normalize();
+        let row = expanded(&point, 6);
+        for a in 0..3 {
+            let wanted = values[a] * normals[a].dot(&director);
+            assert_abs_diff_eq!(row[a], wanted, epsilon = 1e-12);
+            assert_abs_diff_eq!(row[a + 3], wanted, epsilon = 1e-12);
+        }
+    }
+}
+
+#[test]
+fn uniform_pressure_gives_the_same_consistent_nodal_forces_with_every_element() {
+    for order in ORDERS {
+        let sample = flat(&CORNERS, order, 2, Profile::Parabola { radius: 5.0 });
+        let freedoms = 2 * sample.stations.len();
+        let forces = |element: &dyn ContactElement| {
+            let mut force = vec![0.0; freedoms];
+            element.points(&sample).iter().for_each(|p| p.add_row(p.weight, &mut force));
+            force
+        };
+        let wanted = forces(&Node);
+        for (name, element) in elements() {
+            for (found, wanted) in forces(element.as_ref()).iter().zip(&wanted) {
+                assert!((found - wanted).abs() <= 1e-13, "{name} {order:?}: {found} and {wanted}");
+            }
+        }
+    }
+}
+
+#[test]
+fn pressures_of_equal_size_hold_both_bodies_in_balance() {
+    for (name, element) in elements() {
+        let sample = arc(&CORNERS, Order::Quadratic, 7.0, Profile::Hole { radius: 7.0, clearance: 0.1 });
+        let count = sample.stations.len();
+        for point in element.points(&sample) {
+            let row = expanded(&point, 2 * count);
+            for k in 0..count {
+                assert!((row[k] - row[k + count]).abs() <= 1e-13, "{name}: action and reaction differ");
+            }
+        }
+    }
+}
+
+#[test]
+fn shares_of_the_points_add_up_to_the_edges_and_to_the_points() {
+    for order in ORDERS {
+        for (name, element) in elements() {
+            let points = element.points(&flat(&CORNERS, order, 1, Profile::Uniform(0.0)));
+            let mut edges = vec![0.0; CORNERS.len() - 1];
+            for point in &points {
+                assert_relative_eq!(
+                    point.shares.iter().map(|(_, a)| a).sum::<f64>(),
+                    point.weight,
+                    max_relative = 1e-14
+                );
+                point.shares.iter().for_each(|&(edge, area)| edges[edge] += area);
+            }
+            for (two, area) in CORNERS.windows(2).zip(edges) {
+                assert!((area - 2.5 * (two[1] - two[0])).abs() <= 1e-13, "{name}: {area}");
+            }
+        }
+    }
+}
+
+#[test]
+fn as_many_gauss_points_as_nodes_ask_for_more_pressures_than_the_nodes_can_balance() {
+    for order in ORDERS {
+        for (quadrature, unique) in [(Quadrature::Gauss, true), (Quadrature::GaussFull, false)] {
+            let sample = flat(&CORNERS, order, 1, Profile::Uniform(0.0));
+            let points = Line { quadrature }.points(&sample);
+            let count = sample.stations.len();
+            // Columns are the nodal forces of each point's pressure.
+            let matrix = DMatrix::from_fn(count, points.len(), |i, j| expanded(&points[j], count)[i]);
+            assert_eq!(matrix.rank(1e-10) == points.len(), unique, "{quadrature:?} {order:?}");
+        }
+    }
+}
+
+#[test]
+fn edges_of_a_mesh_follow_the_contact_coordinate() {
+    for scene in [Cylinder::default().scene(), PinRod::default().scene(), PressFit::default().scene()] {
+        for order in ORDERS {
+            let sample = interface(&scene, 6, order);
+            let mut reached = 0;
+            for edge in &sample.edges {
+                let mut sorted = edge.clone();
+                sorted.sort_unstable();
+                assert_eq!(
+                    sorted,
+                    (reached..=reached + usize::from(order.number())).collect::<Vec<_>>(),
+                    "{}",
+                    scene.name
+                );
+                if let Some(&middle) = edge.get(2) {
+                    assert_eq!(middle, reached + 1, "{}", scene.name);
+                }
+                reached += usize::from(order.number());
+            }
+            assert_eq!(reached + 1, sample.stations.len());
+            let bodies = scene.contact.bodies().count();
+            assert!(sample.stations.iter().all(|station| station.freedoms.len() == bodies));
+            assert!(sample.stations.iter().enumerate().all(|(i, station)| station.freedoms[0] == i));
+        }
+    }
+}
+
+#[test]
+fn facing_freedoms_belong_to_the_second_body_in_the_same_order() {
+    let scene = PinRod::default().scene();
+    let swapped = scene.swapped().expect("two bodies");
+    for scene in [scene, swapped] {
+        let sample = interface(&scene, 6, Order::Quadratic);
+        let count = sample.stations.len();
+        let [first, second] = if scene.contact.first == 0 { [0, count] } else { [count, 0] };
+        for (i, station) in sample.stations.iter().enumerate() {
+            assert_eq!(station.freedoms, vec![first + i, second + i]);
+        }
+    }
+}
+
+#[test]
+fn position_and_length_on_an_edge_follow_the_contact_coordinate_whichever_way_the_edge_runs() {
+    let sample = arc(&[0.4, 1.0], Order::Quadratic, 7.0, Profile::Uniform(0.0));
+    for (edge, sign) in [(vec![0, 2, 1], 1.0), (vec![2, 0, 1], -1.0)] {
+        for xi in [-0.5, 0.0, 0.8] {
+            let (shapes, position, length) = sample.at(&edge, xi);
+            assert_abs_diff_eq!(position, 0.7 + sign * 0.3 * xi, epsilon = 1e-14);
+            assert_relative_eq!(length, 0.3 * 7.0, max_relative = 1e-13);
+            assert_abs_diff_eq!(shapes.iter().sum::<f64>(), 1.0, epsilon = 1e-14);
+        }
+    }
+}
+
+#[test]
+fn nodes_that_do_not_face_are_refused_with_their_coordinates() {
+    let scene = PinRod::default().scene();
+    let mesh = Mesh::of(&scene, resolution(6, 0, Order::Linear)).expect("mesh");
+    let condensed = ElasticSystem::assemble(&scene, &mesh).expect("system").condense().expect("condensed");
+    let mut shifted = mesh.clone();
+    shifted.bodies[1].candidates[2].coordinate += 0.01;
+    let mut shorter = mesh.clone();
+    shorter.bodies[1].candidates.pop();
+    for wrong in [shifted, shorter] {
+        let error = Interface::between(&scene, &wrong, &condensed).expect_err("nodes do not face");
+        let text = error.to_string();
+        assert!(matches!(error, Error::NotFacing { .. }), "{text}");
+        assert!(text.contains("`pin`") && text.contains("`rod`") && text.contains("same stations"), "{text}");
+    }
+}

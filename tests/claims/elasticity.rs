@@ -1,0 +1,767 @@
+//! Shape functions, quadrature, stiffness, loads and stresses, against polynomials and exact solutions.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
+
+use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::elasticity::{ElasticSystem, Freedom, element, quadrature, shape_functions, stress};
+use contact_vv::mesh::{Mesh, Order};
+use contact_vv::scene::library::{Cylinder, PinRod};
+use contact_vv::scene::{
+    Circle, Component, Face, Load, Material, Path, PlaneHypothesis, Scene, Shape, StressField, Support,
+};
+use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen, Vector3};
+
+use crate::workbench::{
+    ORDERS, STEEL, block, dense, distance, distorted_patch, held, held_at, noise, of_shape, resolution, solved,
+};
+
+/// A distorted but convex cell; the 8-node one has bulging sides.
+fn distorted(nodes: usize) -> Vec<[f64; 2]> {
+    let all = [[0.1, -0.2], [2.3, 0.1], [2.0, 1.7], [-0.3, 1.4], [1.2, -0.1], [2.25, 0.9], [0.9, 1.6], [-0.15, 0.6]];
+    all[..nodes].to_vec()
+}
+
+#[test]
+fn shape_functions_are_one_at_their_own_node_and_zero_at_the_others() {
+    for n in [4, 8] {
+        for (a, at) in shape_functions::NODES[..n].iter().enumerate() {
+            for (b, (value, _)) in shape_functions::cell(n, *at).into_iter().enumerate() {
+                assert_abs_diff_eq!(value, if a == b { 1.0 } else { 0.0 }, epsilon = 1e-15);
+            }
+        }
+    }
+    for (n, nodes) in [(2, vec![-1.0, 1.0]), (3, vec![-1.0, 1.0, 0.0])] {
+        for (a, at) in nodes.iter().enumerate() {
+            for (b, (value, _)) in shape_functions::edge(n, *at).into_iter().enumerate() {
+                assert_abs_diff_eq!(value, if a == b { 1.0 } else { 0.0 }, epsilon = 1e-15);
+            }
+        }
+    }
+}
+
+#[test]
+fn natural_coordinates_run_counter_clockwise_with_mid_sides_after_corners() {
+    let n = shape_functions::NODES;
+    assert_eq!(n[..4], [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]);
+    for k in 0..4 {
+        let (p, q) = (n[k], n[(k + 1) % 4]);
+        assert_eq!(n[4 + k], [0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])]);
+    }
+}
+
+#[test]
+fn shape_functions_sum_to_one_and_their_gradients_to_zero() {
+    let mut number = noise(1);
+    for n in [4, 8] {
+        for _ in 0..20 {
+            let shapes = shape_functions::cell(n, [number(), number()]);
+            let sum = |pick: fn(&(f64, [f64; 2])) -> f64| shapes.iter().map(pick).sum::<f64>();
+            assert_abs_diff_eq!(sum(|s| s.0), 1.0, epsilon = 1e-14);
+            assert_abs_diff_eq!(sum(|s| s.1[0]), 0.0, epsilon = 1e-14);
+            assert_abs_diff_eq!(sum(|s| s.1[1]), 0.0, epsilon = 1e-14);
+        }
+    }
+}
+
+#[test]
+fn serendipity_functions_reproduce_every_complete_quadratic() {
+    let mut number = noise(2);
+    let field = |[x, y]: [f64; 2]| 1.0 + 2.0 * x - y + 3.0 * x * x - 0.5 * x * y + 0.7 * y * y;
+    for _ in 0..20 {
+        let at = [number(), number()];
+        let shapes = shape_functions::cell(8, at);
+        let found: f64 = shapes.iter().zip(shape_functions::NODES).map(|((n, _), node)| n * field(node)).sum();
+        assert_abs_diff_eq!(found, field(at), epsilon = 1e-13);
+    }
+}
+
+#[test]
+fn gradients_of_shape_functions_are_their_difference_quotients() {
+    let h = 1e-5;
+    let mut number = noise(3);
+    for n in [4, 8] {
+        for _ in 0..10 {
+            let at = [number(), number()];
+            for k in 0..2 {
+                let moved = |s: f64| {
+                    let mut there = at;
+                    there[k] += s * h;
+                    shape_functions::cell(n, there)
+                };
+                for ((plus, minus), (_, slope)) in moved(1.0).iter().zip(moved(-1.0)).zip(shape_functions::cell(n, at))
+                {
+                    // Central differences err by h² f‴/6 (≈ 1e-10) and ε/h (≈ 1e-11).
+                    assert_abs_diff_eq!((plus.0 - minus.0) / (2.0 * h), slope[k], epsilon = 1e-9);
+                }
+            }
+        }
+    }
+    for n in [2, 3] {
+        let x = 0.37;
+        let (plus, minus) = (shape_functions::edge(n, x + h), shape_functions::edge(n, x - h));
+        for ((plus, minus), (_, slope)) in plus.iter().zip(minus).zip(shape_functions::edge(n, x)) {
+            assert_abs_diff_eq!((plus.0 - minus.0) / (2.0 * h), slope, epsilon = 1e-9);
+        }
+    }
+}
+
+#[test]
+fn edge_functions_are_the_trace_of_the_cells_functions() {
+    for x in [-0.8, -0.1, 0.55] {
+        for (cell, edge) in [(4, 2), (8, 3)] {
+            let inside = shape_functions::cell(cell, [x, -1.0]);
+            let picked = if cell == 4 { vec![0, 1] } else { vec![0, 1, 4] };
+            for (k, (value, slope)) in picked.into_iter().zip(shape_functions::edge(edge, x)) {
+                assert_abs_diff_eq!(inside[k].0, value, epsilon = 1e-15);
+                assert_abs_diff_eq!(inside[k].1[0], slope, epsilon = 1e-15);
+            }
+        }
+    }
+}
+
+/// `∫ xᵏ` over −1 … 1.
+fn monomial(k: i32) -> f64 {
+    if k % 2 == 1 { 0.0 } else { 2.0 / (k as f64 + 1.0) }
+}
+
+#[test]
+fn gauss_rules_are_exact_to_degree_two_n_less_one_and_no_further() {
+    for n in 1..=16 {
+        let integral = |k: i32| quadrature::gauss(n).iter().map(|(x, w)| w * x.powi(k)).sum::<f64>();
+        for k in 0..2 * n as i32 {
+            assert_abs_diff_eq!(integral(k), monomial(k), epsilon = 1e-14 * 10.0);
+        }
+        if n <= 8 {
+            let next = 2 * n as i32;
+            assert!((integral(next) - monomial(next)).abs() > 1e-6, "{n} points integrate degree {next}");
+        }
+        assert!(quadrature::gauss(n).iter().all(|(x, w)| x.abs() < 1.0 && *w > 0.0));
+    }
+}
+
+#[test]
+fn square_and_lobatto_rules_integrate_what_they_promise() {
+    for n in [2, 3] {
+        for (a, b) in [(0, 0), (2, 0), (2, 2), (3, 2), (1, 3)] {
+            let found: f64 = quadrature::gauss_square(n).iter().map(|([x, y], w)| w * x.powi(a) * y.powi(b)).sum();
+            assert_abs_diff_eq!(found, monomial(a) * monomial(b), epsilon = 1e-14);
+        }
+        let first = quadrature::gauss_square(n)[1].0;
+        assert!(first[0] > quadrature::gauss_square(n)[0].0[0]);
+    }
+    for (rule, degree) in [(quadrature::lobatto_two(), 1), (quadrature::lobatto_three(), 3)] {
+        assert_relative_eq!(rule[0].0, -1.0);
+        assert_relative_eq!(rule[rule.len() - 1].0, 1.0);
+        for k in 0..=degree {
+            let found: f64 = rule.iter().map(|(x, w)| w * x.powi(k)).sum();
+            assert_abs_diff_eq!(found, monomial(k), epsilon = 1e-15);
+        }
+    }
+}
+
+#[test]
+fn element_stiffness_is_symmetric_with_exactly_the_three_rigid_motions() {
+    for n in [4, 8] {
+        for plane in [PlaneHypothesis::Strain, PlaneHypothesis::Stress] {
+            let points = distorted(n);
+            let k = element::stiffness(&points, &STEEL.stiffness(plane), 1.3).expect("the sample is convex");
+            let k = DMatrix::from_fn(2 * n, 2 * n, |i, j| k[i][j]);
+            let scale = k.amax();
+
+            assert!((&k - k.transpose()).amax() <= 1e-14 * scale);
+            for motion in [|_: [f64; 2]| [1.0, 0.0], |_: [f64; 2]| [0.0, 1.0], |[x, y]: [f64; 2]| [-y, x]] {
+                let u = DVector::from_iterator(2 * n, points.iter().flat_map(|p| motion(*p)));
+                assert!((&k * u).amax() <= 1e-13 * scale);
+            }
+            let mut eigenvalues: Vec<f64> = SymmetricEigen::new(k).eigenvalues.iter().copied().collect();
+            eigenvalues.sort_by(f64::total_cmp);
+            assert!(eigenvalues[2] <= 1e-13 * scale && eigenvalues[3] >= 1e-3 * scale, "{eigenvalues:?}");
+        }
+    }
+}
+
+#[test]
+fn strain_energy_of_a_uniform_strain_is_half_stress_times_strain_times_volume() {
+    let (thickness, strain) = (1.3, Vector3::new(1e-3, -2e-3, 0.7e-3));
+    for n in [4, 8] {
+        let points = distorted(n);
+        let d = STEEL.stiffness(PlaneHypothesis::Strain);
+        let k = element::stiffness(&points, &d, thickness).expect("the sample is convex");
+        let u: Vec<f64> = points
+            .iter()
+            .flat_map(|[x, y]| [strain[0] * x + 0.2 * strain[2] * y, strain[1] * y + 0.8 * strain[2] * x])
+            .collect();
+        let energy: f64 =
+            (0..2 * n).flat_map(|i| (0..2 * n).map(move |j| (i, j))).map(|(i, j)| 0.5 * u[i] * k[i][j] * u[j]).sum();
+        let density = 0.5 * strain.dot(&(Matrix3::from_fn(|i, j| d[i][j]) * strain));
+        // Area inside four parabolas: the polygon of corners and 2/3 of the triangles at each bulge.
+        let area = green(&points);
+        assert_relative_eq!(energy, density * area * thickness, max_relative = 1e-12);
+    }
+}
+
+/// Area by Green's theorem along straight or parabolic sides.
+fn green(points: &[[f64; 2]]) -> f64 {
+    let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
+    let side = |k: usize| {
+        let (p, q) = (points[k], points[(k + 1) % 4]);
+        let chord = 0.5 * cross(p, q);
+        let Some(&m) = points.get(4 + k) else { return chord };
+        let bulge = [m[0] - p[0], m[1] - p[1]];
+        chord + 2.0 / 3.0 * cross(bulge, [q[0] - p[0], q[1] - p[1]])
+    };
+    (0..4).map(side).sum()
+}
+
+#[test]
+fn gradients_of_a_linear_field_are_constant_on_any_cell() {
+    for n in [4, 8] {
+        let points = distorted(n);
+        for (at, _) in quadrature::gauss_square(3) {
+            let (gradients, determinant) = element::gradients(&points, at).expect("the sample is convex");
+            let slope = |k: usize| -> f64 {
+                gradients.iter().zip(&points).map(|(g, p)| g[k] * (2.0 * p[0] - 3.0 * p[1])).sum()
+            };
+            assert_abs_diff_eq!(slope(0), 2.0, epsilon = 1e-13);
+            assert_abs_diff_eq!(slope(1), -3.0, epsilon = 1e-13);
+            assert!(determinant > 0.0);
+        }
+    }
+}
+
+#[test]
+fn cell_turned_inside_out_is_refused_with_its_determinant() {
+    let clockwise = vec![[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]];
+    let refused = element::stiffness(&clockwise, &STEEL.stiffness(PlaneHypothesis::Stress), 1.0);
+    // The unit square seen from −1 … 1 has the Jacobian 1/4.
+    assert_relative_eq!(refused.expect_err("a clockwise cell has a negative Jacobian"), -0.25);
+}
+
+/// `u = E x + ω × x` with the strains E, at a point.
+fn linear([x, y]: [f64; 2]) -> [f64; 2] {
+    [1e-3 * x + 2e-4 * y, -3e-4 * y + 9e-4 * x]
+}
+
+/// Stress of the linear field.
+fn linear_stress(material: Material, plane: PlaneHypothesis) -> [f64; 3] {
+    let d = Matrix3::from_fn(|i, j| material.stiffness(plane)[i][j]);
+    (d * Vector3::new(1e-3, -3e-4, 11e-4)).into()
+}
+
+/// Scene for a mesh made by hand: only names, material and thickness matter.
+fn patch_scene(plane: PlaneHypothesis, supports: Vec<Support>, loads: Vec<Load>) -> Scene {
+    let mut scene = block([1.0, 1.0], supports, loads);
+    scene.plane = plane;
+    scene
+}
+
+fn all_components(points: &[[f64; 2]], field: impl Fn([f64; 2]) -> [f64; 2]) -> Vec<Support> {
+    let each = |p: &[f64; 2]| {
+        let [u, v] = field(*p);
+        [held_at(*p, Component::X, u), held_at(*p, Component::Y, v)]
+    };
+    points.iter().flat_map(each).collect()
+}
+
+fn on_the_square([x, y]: &[f64; 2]) -> bool {
+    x.min(y.min((1.0 - x).min(1.0 - y))) < 1e-12
+}
+
+#[test]
+fn distorted_patch_with_prescribed_boundary_has_uniform_stress() {
+    for order in ORDERS {
+        for plane in [PlaneHypothesis::Strain, PlaneHypothesis::Stress] {
+            let mesh = distorted_patch(order);
+            let outer: Vec<[f64; 2]> = mesh.points.iter().copied().filter(on_the_square).collect();
+            let scene = patch_scene(plane, all_components(&outer, linear), vec![]);
+            let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+
+            let u = system.nodal_displacements(&[solved(&system.bodies[0])]);
+            let stresses = stress::at_nodes(&scene, &mesh, &u).expect("stress");
+
+            let wanted = linear_stress(STEEL, plane);
+            for ((point, found), stress) in mesh.points.iter().zip(&u).zip(&stresses) {
+                assert!(distance(found, &linear(*point)) <= 1e-16 * 10.0, "{order:?} at {point:?}: {found:?}");
+                assert!(distance(stress, &wanted) <= 1e-11 * 300.0, "{order:?} at {point:?}: {stress:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn distorted_patch_under_tractions_has_uniform_stress() {
+    for order in ORDERS {
+        for plane in [PlaneHypothesis::Strain, PlaneHypothesis::Stress] {
+            let mesh = distorted_patch(order);
+            let [sx, sy, txy] = linear_stress(STEEL, plane);
+            let loads = [("right", [sx, txy]), ("left", [-sx, -txy]), ("top", [txy, sy]), ("bottom", [-txy, -sy])];
+            let loads = loads.map(|(boundary, traction)| Load::Traction { boundary, traction }).to_vec();
+            let corners = all_components(&[[0.0, 0.0]], linear);
+            let supports =
+                corners.into_iter().chain([held_at([1.0, 0.0], Component::Y, linear([1.0, 0.0])[1])]).collect();
+            let scene = patch_scene(plane, supports, loads);
+            let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+
+            let u = system.nodal_displacements(&[solved(&system.bodies[0])]);
+
+            for (point, found) in mesh.points.iter().zip(&u) {
+                assert!(distance(found, &linear(*point)) <= 1e-15 * 10.0, "{order:?} at {point:?}: {found:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn stress_field_load_is_the_traction_it_has_on_each_side() {
+    for order in ORDERS {
+        let mesh = distorted_patch(order);
+        let [sx, sy, txy] = [3.0, -5.0, 2.0];
+        let supports = || {
+            vec![
+                held_at([0.0, 0.0], Component::X, 0.0),
+                held_at([0.0, 0.0], Component::Y, 0.0),
+                held_at([1.0, 0.0], Component::Y, 0.0),
+            ]
+        };
+        let tractions = [("right", [sx, txy]), ("left", [-sx, -txy]), ("top", [txy, sy]), ("bottom", [-txy, -sy])];
+        let loads = tractions.map(|(boundary, traction)| Load::Traction { boundary, traction });
+        let field = StressField(Arc::new(move |_| [sx, sy, txy]));
+        let fields = tractions.map(|(boundary, _)| Load::Stress { boundary, field: field.clone() });
+
+        let force = |loads: Vec<Load>| {
+            let scene = patch_scene(PlaneHypothesis::Strain, supports(), loads);
+            ElasticSystem::assemble(&scene, &mesh).expect("system").bodies[0].force.clone()
+        };
+
+        assert!(distance(&force(loads.to_vec()), &force(fields.to_vec())) <= 1e-14 * 10.0);
+    }
+}
+
+/// `u` of a beam bent by a moment, `σ_x = c y`, in plane stress.
+fn bending([x, y]: [f64; 2]) -> [f64; 2] {
+    let c = 40.0;
+    [c * x * y / STEEL.young, -c * (x * x + STEEL.poisson * y * y) / (2.0 * STEEL.young)]
+}
+
+#[test]
+fn eight_node_rectangles_reproduce_pure_bending() {
+    let mut scene = block([4.0, 2.0], vec![], vec![]);
+    scene.plane = PlaneHypothesis::Stress;
+    let field = StressField(Arc::new(|[_, y]| [40.0 * y, 0.0, 0.0]));
+    scene.bodies[0].loads =
+        ["left", "right", "contact", "far"].map(|boundary| Load::Stress { boundary, field: field.clone() }).to_vec();
+    let mut mesh = Mesh::of(&scene, resolution(3, 0, Order::Quadratic)).expect("mesh");
+    mesh.bodies[0].candidates.clear();
+    scene.bodies[0].supports = all_components(&[[0.0, 0.0]], bending);
+    scene.bodies[0].supports.push(held_at([4.0, 0.0], Component::Y, bending([4.0, 0.0])[1]));
+    let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+
+    let u = system.nodal_displacements(&[solved(&system.bodies[0])]);
+    let stresses = stress::at_nodes(&scene, &mesh, &u).expect("stress");
+
+    for ((point, found), stress) in mesh.points.iter().zip(&u).zip(&stresses) {
+        // Displacements reach 1.5e-3.
+        assert!(distance(found, &bending(*point)) <= 1e-14, "{point:?}: {found:?} {:?}", bending(*point));
+        assert!(distance(stress, &[40.0 * point[1], 0.0, 0.0]) <= 1e-9, "{point:?}: {stress:?}");
+    }
+}
+
+/// Resultant and moment about the origin of a body's load vector, by virtual rigid motions.
+fn resultant(scene: &Scene, mesh: &Mesh) -> [f64; 3] {
+    let system = ElasticSystem::assemble(scene, mesh).expect("system");
+    let body = &system.bodies[0];
+    let mut sums = [0.0; 3];
+    for (node, point) in mesh.points.iter().enumerate() {
+        for (freedom, axis) in body.freedoms.of_node(node).into_iter().zip(body.freedoms.frame(node)) {
+            let Freedom::Equation(equation) = freedom else { continue };
+            let [fx, fy] = axis.map(|a| a * body.force[equation]);
+            sums = [sums[0] + fx, sums[1] + fy, sums[2] + point[0] * fy - point[1] * fx];
+        }
+    }
+    sums
+}
+
+/// A scene whose only support is a rotation that the candidates' normals do not hold; it takes no load here.
+fn loaded(load: Load, order: Order) -> (Scene, Mesh) {
+    let scene = block([4.0, 3.0], vec![], vec![load]);
+    let mesh = Mesh::of(&scene, resolution(2, 0, order)).expect("mesh");
+    let mut scene = scene;
+    // Held sideways at one corner of the contact side only, where no load acts.
+    scene.bodies[0].supports.push(held_at([0.0, 0.0], Component::X, 0.0));
+    (scene, mesh)
+}
+
+#[test]
+fn loads_have_their_resultant_and_their_moment() {
+    let (t, width, height) = (2.5, 4.0, 3.0);
+    for order in ORDERS {
+        let traction = Load::Traction { boundary: "far", traction: [2.0, -7.0] };
+        let (scene, mesh) = loaded(traction, order);
+        let [fx, fy] = [2.0 * width * t, -7.0 * width * t];
+        assert!(distance(&resultant(&scene, &mesh), &[fx, fy, 0.5 * width * fy - height * fx]) <= 1e-12 * 200.0);
+
+        let (scene, mesh) = loaded(Load::Force { at: [4.0, 3.0], force: [5.0, 6.0] }, order);
+        assert!(distance(&resultant(&scene, &mesh), &[5.0, 6.0, 4.0 * 6.0 - 3.0 * 5.0]) <= 1e-13 * 200.0);
+
+        let pull = StressField(Arc::new(|[_, y]| [y * y, 0.0, 3.0]));
+        let (scene, mesh) = loaded(Load::Stress { boundary: "right", field: pull }, order);
+        // ∫ y² = H³/3 and its moment −∫ y³ = −H⁴/4; shear 3 H at x = 4.
+        let wanted = [9.0 * t, 9.0 * t, t * (4.0 * 9.0 - 81.0 / 4.0)];
+        assert!(distance(&resultant(&scene, &mesh), &wanted) <= 1e-12 * 200.0);
+    }
+}
+
+#[test]
+fn body_force_has_the_weight_of_the_body_as_its_resultant() {
+    for order in ORDERS {
+        let (scene, mesh) = loaded(Load::BodyForce([0.0, -2.0]), order);
+        let weight = -2.0 * 4.0 * 3.0 * 2.5;
+        // The held corner takes no vertical force out of the list: only its x component is prescribed.
+        assert!(distance(&resultant(&scene, &mesh), &[0.0, weight, 2.0 * weight]) <= 1e-12 * 200.0);
+        let (scene, mesh) = loaded(Load::BodyForce([1.0, 0.0]), order);
+        let corner = if order == Order::Linear { 1.0 / 4.0 } else { -1.0 / 12.0 };
+        let cells = mesh.cells() as f64;
+        let lost = corner * 30.0 / cells;
+        assert_relative_eq!(resultant(&scene, &mesh)[0], 30.0 - lost, max_relative = 1e-12);
+    }
+}
+
+#[test]
+fn traction_on_a_straight_quadratic_edge_is_shared_one_four_one() {
+    let (scene, mesh) = loaded(Load::Traction { boundary: "far", traction: [0.0, -6.0] }, Order::Quadratic);
+    let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+    let edge = &mesh.boundary(&scene, 0, "far").expect("far")[0];
+    let on = |node: usize| match system.bodies[0].freedoms.of_node(node)[1] {
+        Freedom::Equation(equation) => system.bodies[0].force[equation],
+        Freedom::Prescribed(_) => f64::NAN,
+    };
+    let whole = -6.0 * 2.0 * 2.5;
+    assert_relative_eq!(on(edge[2]), whole * 4.0 / 6.0, max_relative = 1e-12);
+    // The two ends of the first edge: one is the corner of the block, the other is shared with the second edge.
+    assert_relative_eq!(on(edge[0]) + on(edge[1]), whole * 3.0 / 6.0, max_relative = 1e-12);
+}
+
+#[test]
+fn hydrostatic_pressure_on_a_curved_boundary_is_in_balance_with_its_projections() {
+    let scene = Cylinder::default().scene();
+    let mut scene = Scene { thickness: 2.0, ..scene };
+    let field = StressField(Arc::new(|_| [-1.0, -1.0, 0.0]));
+    scene.bodies[0].loads = vec![Load::Stress { boundary: "contact", field }];
+    let mesh = Mesh::of(&scene, resolution(4, 0, Order::Quadratic)).expect("mesh");
+    let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+    // Pressure on the lower quarter pushes upwards with p R t whatever the shape between its ends.
+    assert_relative_eq!(system.bodies[0].applied_vertical(), 50.0 * 2.0, max_relative = 1e-12);
+}
+
+#[test]
+fn stiffness_and_surface_loads_are_proportional_to_thickness() {
+    let (thin, mesh) = loaded(Load::Traction { boundary: "far", traction: [2.0, -7.0] }, Order::Quadratic);
+    let thick = Scene { thickness: 3.0 * thin.thickness, ..thin.clone() };
+    let [one, three] = [&thin, &thick].map(|scene| ElasticSystem::assemble(scene, &mesh).expect("system"));
+    let (one, three) = (&one.bodies[0], &three.bodies[0]);
+    let scale = dense(one).amax();
+    assert!((dense(one) * 3.0 - dense(three)).amax() <= 1e-14 * 3.0 * scale);
+    let tripled: Vec<f64> = one.force.iter().map(|f| 3.0 * f).collect();
+    assert!(distance(&tripled, &three.force) <= 1e-12);
+    assert!(one.force.iter().any(|f| f.abs() > 1.0));
+}
+
+#[test]
+fn bar_in_plane_stress_and_in_plane_strain_shorten_by_their_own_moduli() {
+    let (q, height) = (21.0, 3.0);
+    for (plane, modulus) in [(PlaneHypothesis::Stress, 210e3), (PlaneHypothesis::Strain, 210e3 / (1.0 - 0.09))] {
+        let supports = vec![held("left", Component::X, 0.0), held("contact", Component::Y, 0.0)];
+        let mut scene = block([4.0, height], supports, vec![Load::Traction { boundary: "far", traction: [0.0, -q] }]);
+        scene.plane = plane;
+        let mut mesh = Mesh::of(&scene, resolution(2, 0, Order::Quadratic)).expect("mesh");
+        mesh.bodies[0].candidates.clear();
+        let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+        let u = system.nodal_displacements(&[solved(&system.bodies[0])]);
+        for (point, u) in mesh.points.iter().zip(&u) {
+            assert_abs_diff_eq!(u[1], -q * point[1] / modulus, epsilon = 1e-16 * 10.0);
+        }
+        let stresses = stress::at_nodes(&scene, &mesh, &u).expect("stress");
+        for s in stresses {
+            assert!(distance(&s, &[0.0, -q, 0.0]) <= 1e-10 * q, "{s:?}");
+        }
+    }
+}
+
+#[test]
+fn nodal_stresses_of_eight_node_rectangles_are_exact_for_linear_stress_and_averaged_between_cells() {
+    let scene = block([4.0, 2.0], vec![], vec![]);
+    let mesh = Mesh::of(&scene, resolution(3, 0, Order::Quadratic)).expect("mesh");
+    let scene = Scene { plane: PlaneHypothesis::Stress, ..scene };
+    let u: Vec<[f64; 2]> = mesh.points.iter().map(|p| bending(*p)).collect();
+    for (point, s) in mesh.points.iter().zip(stress::at_nodes(&scene, &mesh, &u).expect("stress")) {
+        assert!(distance(&s, &[40.0 * point[1], 0.0, 0.0]) <= 1e-10 * 80.0, "{point:?}: {s:?}");
+    }
+}
+
+#[test]
+fn frames_along_the_contact_normals_leave_the_solution_unchanged() {
+    let circle = |radius| Circle { centre: [0.0, 0.0], radius };
+    let shape = Shape::Ring {
+        pole: [0.0, 0.0],
+        inner: circle(2.0),
+        outer: circle(4.0),
+        sweep: FRAC_PI_2,
+        contact: Face::Bottom,
+    };
+    let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 1e-3)];
+    let loads = vec![
+        Load::Traction { boundary: "outer", traction: [30.0, -20.0] },
+        Load::Traction { boundary: "contact", traction: [5.0, 8.0] },
+        Load::BodyForce([1.0, 2.0]),
+    ];
+    for order in ORDERS {
+        // Three quarters of the arc, so that no support meets an oblique normal.
+        let scene = of_shape(shape.clone(), Path::Arc(circle(2.0)), 1.2, supports.clone(), loads.clone());
+        let turned = Mesh::of(&scene, resolution(6, 0, order)).expect("mesh");
+        let mut straight = turned.clone();
+        straight.bodies[0].candidates.clear();
+
+        let [a, b] = [&turned, &straight].map(|mesh| {
+            let system = ElasticSystem::assemble(&scene, mesh).expect("system");
+            system.nodal_displacements(&[solved(&system.bodies[0])])
+        });
+
+        let size = a.iter().flatten().fold(0.0_f64, |m, u| m.max(u.abs()));
+        for (one, two) in a.iter().zip(&b) {
+            assert!(distance(one, two) <= 1e-12 * size, "{order:?}: {one:?} {two:?}");
+        }
+        let systems = [&turned, &straight].map(|mesh| ElasticSystem::assemble(&scene, mesh).expect("system"));
+        assert_relative_eq!(
+            systems[0].bodies[0].applied_vertical(),
+            systems[1].bodies[0].applied_vertical(),
+            max_relative = 1e-12
+        );
+    }
+}
+
+#[test]
+fn retained_freedoms_are_displacements_along_the_outward_normals() {
+    let scene = PinRod::default().scene();
+    let mesh = Mesh::of(&scene, resolution(6, 0, Order::Quadratic)).expect("mesh");
+    let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+    for (body, part) in system.bodies.iter().zip(&mesh.bodies) {
+        assert_eq!(body.retained.len(), part.candidates.len());
+        for (candidate, &equation) in part.candidates.iter().zip(&body.retained) {
+            let mut unit = vec![0.0; body.freedoms.equations];
+            unit[equation] = 1.0;
+            let u = body.freedoms.displacements(&unit);
+            let moved = u[candidate.node - body.freedoms.first];
+            assert!(distance(&moved, &candidate.normal) <= 1e-15);
+            let others = u.iter().map(|u| u[0].hypot(u[1])).sum::<f64>();
+            assert_abs_diff_eq!(others, 1.0, epsilon = 1e-14);
+        }
+    }
+}
+
+#[test]
+fn tangent_is_the_normal_turned_counter_clockwise() {
+    let scene = PinRod::default().scene();
+    let mesh = Mesh::of(&scene, resolution(6, 0, Order::Linear)).expect("mesh");
+    let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+    let freedoms = &system.bodies[0].freedoms;
+    for candidate in &mesh.bodies[0].candidates {
+        let [n, t] = freedoms.frame(candidate.node);
+        assert!(distance(&n, &candidate.normal) <= 0.0);
+        assert_relative_eq!(n[0] * t[1] - n[1] * t[0], 1.0, max_relative = 1e-14);
+        assert_abs_diff_eq!(n[0] * t[0] + n[1] * t[1], 0.0, epsilon = 1e-15);
+    }
+}
+
+#[test]
+fn rigid_face_stays_flat_and_takes_the_whole_force() {
+    let supports = vec![held("left", Component::X, 0.0), held("contact", Component::Y, 0.0)];
+    let loads = vec![
+        Load::RigidFace { boundary: "far", component: Component::Y, force: -50.0 },
+        Load::Force { at: [4.0, 3.0], force: [0.0, -7.0] },
+    ];
+    for order in ORDERS {
+        let scene = block([4.0, 3.0], supports.clone(), loads.clone());
+        let mut mesh = Mesh::of(&scene, resolution(3, 0, order)).expect("mesh");
+        mesh.bodies[0].candidates.clear();
+        let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+        let u = system.nodal_displacements(&[solved(&system.bodies[0])]);
+        let far = mesh.nodes_at(&scene, 0, &contact_vv::scene::Place::Boundary("far")).expect("far");
+
+        let common = u[far[0]][1];
+        assert!(common < 0.0);
+        assert!(far.iter().all(|&n| (u[n][1] - common).abs() <= 0.0), "the face is not flat");
+        assert!(far.iter().any(|&n| (u[n][0] - u[far[0]][0]).abs() > 1e-9), "the face must stay free to widen");
+
+        // The reaction on the held side, from the same block without that support, balances face and corner force.
+        let free = Scene {
+            bodies: vec![contact_vv::scene::Body {
+                supports: vec![held_at([0.0, 3.0], Component::X, 0.0)],
+                loads: vec![],
+                ..scene.bodies[0].clone()
+            }],
+            ..scene.clone()
+        };
+        let with_candidates = Mesh::of(&free, resolution(3, 0, order)).expect("mesh");
+        let body = &ElasticSystem::assemble(&free, &with_candidates).expect("system").bodies[0];
+        let internal = internal_forces(body, &u);
+        let reaction: f64 = mesh
+            .nodes_at(&scene, 0, &contact_vv::scene::Place::Boundary("contact"))
+            .expect("contact")
+            .iter()
+            .map(|&n| internal[n][1])
+            .sum();
+        assert_relative_eq!(reaction, 50.0 + 7.0, max_relative = 1e-10);
+    }
+}
+
+/// `K u` in Cartesian components at every node.
+fn internal_forces(body: &contact_vv::elasticity::BodySystem, u: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut unknowns = vec![0.0; body.freedoms.equations];
+    for (node, u) in u.iter().enumerate() {
+        for (freedom, axis) in body.freedoms.of_node(node).into_iter().zip(body.freedoms.frame(node)) {
+            if let Freedom::Equation(equation) = freedom {
+                unknowns[equation] = u[0] * axis[0] + u[1] * axis[1];
+            }
+        }
+    }
+    let product = body.product(&unknowns);
+    (0..u.len())
+        .map(|node| {
+            let mut force = [0.0; 2];
+            for (freedom, axis) in body.freedoms.of_node(node).into_iter().zip(body.freedoms.frame(node)) {
+                if let Freedom::Equation(equation) = freedom {
+                    force = [force[0] + product[equation] * axis[0], force[1] + product[equation] * axis[1]];
+                }
+            }
+            force
+        })
+        .collect()
+}
+
+#[test]
+fn product_is_that_of_the_full_symmetric_matrix() {
+    let scene = PinRod::default().scene();
+    let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
+    let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+    for body in &system.bodies {
+        let mut number = noise(5);
+        let u: Vec<f64> = (0..body.freedoms.equations).map(|_| number()).collect();
+        let wanted = dense(body) * DVector::from_vec(u.clone());
+        let scale = wanted.amax();
+        assert!(distance(&body.product(&u), wanted.as_slice()) <= 1e-13 * scale);
+    }
+}
+
+#[test]
+fn prescribed_displacement_of_a_side_stretches_the_block_by_it() {
+    let supports =
+        vec![held("left", Component::X, 0.0), held("contact", Component::Y, 0.0), held("far", Component::Y, 0.03)];
+    for order in ORDERS {
+        let mut scene = block([4.0, 3.0], supports.clone(), vec![]);
+        scene.plane = PlaneHypothesis::Stress;
+        let mut mesh = Mesh::of(&scene, resolution(2, 0, order)).expect("mesh");
+        mesh.bodies[0].candidates.clear();
+        let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+        let u = system.nodal_displacements(&[solved(&system.bodies[0])]);
+        for (point, u) in mesh.points.iter().zip(&u) {
+            assert_abs_diff_eq!(u[1], 0.01 * point[1], epsilon = 1e-15);
+            assert_abs_diff_eq!(u[0], -0.3 * 0.01 * point[0], epsilon = 1e-15);
+        }
+    }
+}
+
+#[test]
+fn prescribed_displacement_along_a_normal_that_points_downwards_keeps_its_sign() {
+    // On the contact side n = (0, −1) and t = (1, 0); a support along x is one along t, one along y is refused.
+    let supports = vec![held_at([4.0, 0.0], Component::X, 0.02), held("left", Component::X, 0.0)];
+    let scene = block([4.0, 3.0], supports, vec![]);
+    let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
+    let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+    let node = mesh.node_at(&scene, 0, [4.0, 0.0]).expect("corner");
+    let zeros = vec![0.0; system.bodies[0].freedoms.equations];
+    assert_relative_eq!(system.nodal_displacements(&[zeros])[node][0], 0.02);
+    // A mirrored arc: the tangent of a node at 90° is vertical, its sign must not turn the prescribed value.
+    let circle = |radius| Circle { centre: [0.0, 0.0], radius };
+    let shape = Shape::Ring {
+        pole: [0.0, 0.0],
+        inner: circle(2.0),
+        outer: circle(4.0),
+        sweep: FRAC_PI_2,
+        contact: Face::Bottom,
+    };
+    let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 0.01)];
+    let scene = of_shape(shape, Path::Arc(circle(2.0)), FRAC_PI_2, supports, vec![]);
+    for (scene, mesh) in {
+        let mesh = Mesh::of(&scene, resolution(4, 0, Order::Quadratic)).expect("mesh");
+        [(scene.mirrored(), mesh.mirrored()), (scene.clone(), mesh)]
+    } {
+        let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+        let zeros = vec![0.0; system.bodies[0].freedoms.equations];
+        let u = system.nodal_displacements(&[zeros]);
+        for node in mesh.nodes_at(&scene, 0, &contact_vv::scene::Place::Boundary("end")).expect("end") {
+            assert_relative_eq!(u[node][1], 0.01, max_relative = 1e-14);
+        }
+    }
+}
+
+#[test]
+fn thick_ring_under_internal_pressure_follows_lame() {
+    let (a, b, p) = (2.0, 4.0, 50.0);
+    let circle = |radius| Circle { centre: [0.0, 0.0], radius };
+    let shape =
+        Shape::Ring { pole: [0.0, 0.0], inner: circle(a), outer: circle(b), sweep: FRAC_PI_2, contact: Face::Bottom };
+    let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 0.0)];
+    let pressure = StressField(Arc::new(move |_| [-p, -p, 0.0]));
+    let scene = of_shape(
+        shape,
+        Path::Arc(circle(a)),
+        FRAC_PI_2,
+        supports,
+        vec![Load::Stress { boundary: "contact", field: pressure }],
+    );
+    let mesh = Mesh::of(&scene, resolution(16, 0, Order::Quadratic)).expect("mesh");
+    let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+    let u = system.nodal_displacements(&[solved(&system.bodies[0])]);
+    // Lamé (Timoshenko & Goodier, §28) in plane strain: u = (1+ν)/E · a²p/(b²−a²) · [(1−2ν) r + b²/r].
+    let (e, nu) = (STEEL.young, STEEL.poisson);
+    for (point, u) in mesh.points.iter().zip(&u) {
+        let r = point[0].hypot(point[1]);
+        let wanted = (1.0 + nu) / e * a * a * p / (b * b - a * a) * ((1.0 - 2.0 * nu) * r + b * b / r);
+        let radial = (u[0] * point[0] + u[1] * point[1]) / r;
+        // 16 quadratic elements per quarter and over the wall: fourth order.
+        assert_relative_eq!(radial, wanted, max_relative = 1e-4);
+    }
+}
+
+#[test]
+fn scaling_every_cell_scales_the_matrix() {
+    let (scene, mesh) = loaded(Load::Traction { boundary: "far", traction: [2.0, -7.0] }, Order::Linear);
+    let plain = ElasticSystem::assemble(&scene, &mesh).expect("system");
+    let doubled = ElasticSystem::assemble_scaled(&scene, &mesh, &|_| 2.0).expect("system");
+    let [one, two] = [&plain, &doubled].map(|system| dense(&system.bodies[0]));
+    assert!((one.clone() * 2.0 - two).amax() <= 1e-14 * one.amax());
+    assert_eq!(plain.freedoms(), 2 * mesh.points.len() - 1);
+}
+
+#[test]
+fn radial_displacement_of_a_full_turn_has_no_preferred_direction() {
+    // Rotating a cell rotates its stiffness: k(Rx) = R k(x) Rᵀ.
+    for n in [4, 8] {
+        let points = distorted(n);
+        let (sin, cos) = (PI / 5.0).sin_cos();
+        let turned: Vec<[f64; 2]> = points.iter().map(|[x, y]| [cos * x - sin * y, sin * x + cos * y]).collect();
+        let d = STEEL.stiffness(PlaneHypothesis::Strain);
+        let [k, there] = [&points, &turned].map(|p| {
+            let k = element::stiffness(p, &d, 1.0).expect("the sample is convex");
+            DMatrix::from_fn(2 * n, 2 * n, |i, j| k[i][j])
+        });
+        let rotation = DMatrix::from_fn(2 * n, 2 * n, |i, j| match (i / 2 == j / 2, i % 2, j % 2) {
+            (false, ..) => 0.0,
+            (_, 0, 1) => -sin,
+            (_, 1, 0) => sin,
+            _ => cos,
+        });
+        assert!((&rotation * &k * rotation.transpose() - there).amax() <= 1e-13 * k.amax());
+    }
+}

@@ -1,0 +1,239 @@
+//! Wrong input is refused in words that name the place, the key, the value found and the remedy.
+
+use contact_vv::algorithm::StiffnessRule;
+use contact_vv::elasticity::ElasticSystem;
+use contact_vv::error::Error;
+use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::mesh::{Mesh, Order};
+use contact_vv::scene::library::{Cylinder, FlatPunch, Patch, PinRod, PressFit};
+use contact_vv::scene::{Component, Load, Place, Scene, Support};
+
+use crate::workbench::{block, held, held_at, resolution};
+
+/// What every refusal must contain, in its text.
+fn names(error: &Error, parts: &[&str]) {
+    let text = error.to_string();
+    for part in parts {
+        assert!(text.contains(part), "`{part}` is missing in: {text}");
+    }
+}
+
+fn refused(scene: &Scene) -> Error {
+    Mesh::of(scene, resolution(2, 0, Order::Linear)).map(|_| ()).expect_err("the value is invalid")
+}
+
+#[test]
+fn scene_values_that_are_not_positive_and_finite_are_refused() {
+    type Spoil = fn(&mut Scene, f64);
+    let keys: [(&str, Spoil); 6] = [
+        ("thickness", |scene, x| scene.thickness = x),
+        ("reference length", |scene, x| scene.reference.length = x),
+        ("reference pressure", |scene, x| scene.reference.pressure = x),
+        ("reference gap", |scene, x| scene.reference.gap = x),
+        ("candidate stretch", |scene, x| scene.contact.stretch = x),
+        ("young", |scene, x| scene.bodies[1].material.young = x),
+    ];
+    for (key, spoil) in keys {
+        for value in [0.0, -3.5, f64::NAN, f64::INFINITY] {
+            let mut scene = Patch::default().scene();
+            spoil(&mut scene, value);
+            names(&refused(&scene), &["patch", &format!("`{key}` = {value}"), "above 0", "give a positive number"]);
+        }
+    }
+}
+
+#[test]
+fn material_is_refused_by_the_name_of_its_body() {
+    let mut scene = Patch::default().scene();
+    scene.bodies[1].material.young = -1.0;
+    names(&refused(&scene), &["patch, body `lower`", "`young` = -1"]);
+}
+
+#[test]
+fn poisson_ratio_of_one_half_is_refused_in_plane_strain_only() {
+    let with = |poisson: f64, plane| {
+        let mut scene = Patch::default().scene();
+        scene.plane = plane;
+        scene.bodies[0].material.poisson = poisson;
+        Mesh::of(&scene, resolution(2, 0, Order::Linear)).map(|_| ())
+    };
+    use contact_vv::scene::PlaneHypothesis::{Strain, Stress};
+    for (poisson, plane, limit) in
+        [(0.5, Strain, "0.5"), (0.7, Strain, "0.5"), (-1.0, Strain, "-1"), (1.0, Stress, "1"), (f64::NAN, Stress, "1")]
+    {
+        let error = with(poisson, plane).expect_err("out of range");
+        names(&error, &["body `upper`", &format!("`poisson` = {poisson}"), limit, "use for instance 0.3"]);
+    }
+    for (poisson, plane) in [(0.5, Stress), (0.49, Strain), (0.0, Strain), (-0.5, Stress)] {
+        assert!(with(poisson, plane).is_ok(), "{poisson} in {plane:?}");
+    }
+}
+
+#[test]
+fn resolution_out_of_range_is_refused() {
+    let scene = Cylinder::default().scene();
+    for (elements, refinement) in [(0, 0), (5000, 0)] {
+        let error = Mesh::of(&scene, resolution(elements, refinement, Order::Linear)).expect_err("out of range");
+        names(&error, &["cylinder", &format!("`resolution` = {elements}"), "between 1 and 4096", "use 8 to 32"]);
+    }
+    assert!(Mesh::of(&scene, resolution(1, 7, Order::Linear)).is_err());
+}
+
+#[test]
+fn boundary_that_does_not_exist_is_refused_with_those_that_do() {
+    let loads = [
+        Load::Traction { boundary: "roof", traction: [0.0; 2] },
+        Load::Stress { boundary: "roof", field: contact_vv::scene::StressField(std::sync::Arc::new(|_| [0.0; 3])) },
+        Load::RigidFace { boundary: "roof", component: Component::Y, force: 1.0 },
+    ];
+    let mut scenes = vec![block([4.0, 3.0], vec![held("roof", Component::X, 0.0)], vec![])];
+    scenes.extend(loads.map(|load| block([4.0, 3.0], vec![held("left", Component::X, 0.0)], vec![load])));
+    for scene in scenes {
+        let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
+        let error = ElasticSystem::assemble(&scene, &mesh).expect_err("there is no roof");
+        names(&error, &["sample, body `body`", "no boundary `roof`", "contact, far, left, right"]);
+    }
+}
+
+#[test]
+fn node_that_does_not_exist_is_refused_with_its_coordinates() {
+    let forces = vec![Load::Force { at: [1.25, 0.77], force: [1.0, 0.0] }];
+    for scene in [
+        block([4.0, 3.0], vec![held_at([1.25, 0.77], Component::X, 0.0)], vec![]),
+        block([4.0, 3.0], vec![held("left", Component::X, 0.0)], forces),
+    ] {
+        let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
+        let error = ElasticSystem::assemble(&scene, &mesh).expect_err("there is no such node");
+        names(&error, &["sample, body `body`", "no node at `(1.25, 0.77)`", "corners of the outline"]);
+    }
+}
+
+#[test]
+fn support_across_a_contact_normal_is_refused() {
+    let normal = block([4.0, 3.0], vec![held("left", Component::X, 0.0), held("contact", Component::Y, 0.0)], vec![]);
+    let mut oblique = PinRod::default().scene();
+    oblique.bodies[0].supports.push(Support { at: Place::Boundary("contact"), component: Component::X, value: 0.0 });
+    for (scene, body, component) in [(normal, "`body`", "`normal`"), (oblique, "`pin`", "`x`")] {
+        let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
+        let error = ElasticSystem::assemble(&scene, &mesh).expect_err("support meets the contact normal");
+        names(&error, &[body, component, "at node", "end the candidate stretch before that node"]);
+    }
+}
+
+#[test]
+fn degenerate_cell_is_refused_with_its_body_and_determinant() {
+    let scene = block([4.0, 3.0], vec![held("left", Component::X, 0.0)], vec![Load::BodyForce([0.0, -1.0])]);
+    let mut mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
+    mesh.connectivity[4..8].reverse();
+    let error = ElasticSystem::assemble(&scene, &mesh).expect_err("a cell is turned inside out");
+    names(&error, &["cell 1", "`body`", "Jacobian determinant -", "grading gentler"]);
+}
+
+fn discretised(scene: Scene) -> Discretisation {
+    Discretisation::of(scene, resolution(4, 0, Order::Quadratic)).expect("discretisation")
+}
+
+#[test]
+fn formulation_values_out_of_range_are_refused() {
+    type Spoil = fn(&mut Formulation, f64);
+    let keys: [(&str, Spoil); 3] = [
+        ("stiffness", |formulation, x| formulation.stiffness = x),
+        ("tolerance", |formulation, x| formulation.settings.tolerance = x),
+        ("layer thickness", |formulation, x| formulation.layer_thickness = x),
+    ];
+    let patch = discretised(Patch::default().scene());
+    for (key, spoil) in keys {
+        for value in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let mut formulation = Formulation::new(Element::Layer, Iteration::Varying);
+            spoil(&mut formulation, value);
+            let error = patch.solve(&formulation).expect_err("out of range");
+            names(
+                &error,
+                &["patch with layer.varying", &format!("`{key}` = {value}"), "above 0", "give a positive number"],
+            );
+        }
+    }
+}
+
+#[test]
+fn no_load_increment_is_refused() {
+    let mut formulation = Formulation::verification();
+    formulation.settings.increments = 0;
+    let error = discretised(Patch::default().scene()).solve(&formulation).expect_err("no increment");
+    names(&error, &["patch with node.kinematic", "`increments` = 0", "at least 1", "use 1 for the whole load"]);
+}
+
+#[test]
+fn rule_that_an_algorithm_does_not_offer_is_refused_with_those_it_does() {
+    use StiffnessRule::{Correction, Literal, Penalty, Secant, Switching};
+    let scene = Patch::default().scene();
+    for (algorithm, offered) in [
+        (Iteration::Varying, vec![Secant, Correction]),
+        (Iteration::Constant, vec![Correction, Secant, Literal]),
+        (Iteration::Kinematic, vec![Switching, Penalty]),
+    ] {
+        for rule in [Secant, Correction, Literal, Switching, Penalty] {
+            let mut formulation = Formulation::new(Element::Node, algorithm);
+            formulation.rule = rule;
+            match formulation.validate(&scene) {
+                Ok(()) => assert!(offered.contains(&rule), "{algorithm:?} takes {rule:?}"),
+                Err(error) => {
+                    assert!(!offered.contains(&rule), "{algorithm:?} refuses {rule:?}");
+                    let mut parts = vec![algorithm.name(), rule.name(), "choose one of"];
+                    parts.extend(offered.iter().map(|rule| rule.name()));
+                    names(&error, &parts);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn interference_is_refused_where_the_spring_starts_at_the_gap() {
+    let fit = PressFit::default().scene();
+    for algorithm in Iteration::ALL {
+        for &rule in algorithm.rules() {
+            let mut formulation = Formulation::new(Element::Node, algorithm);
+            formulation.rule = rule;
+            let takes = algorithm == Iteration::Kinematic
+                || (algorithm, rule) == (Iteration::Constant, StiffnessRule::Correction);
+            match formulation.validate(&fit) {
+                Ok(()) => assert!(takes, "{}", formulation.name()),
+                Err(error) => {
+                    assert!(!takes, "{}", formulation.name());
+                    names(
+                        &error,
+                        &["press-fit", "interference of 0.02 mm", &formulation.name(), "use the kinematic algorithm"],
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn bodies_pulled_apart_are_named_on_every_mesh() {
+    // What is left of the rigid motion's stiffness is round-off of either sign; neither may pass for a support.
+    for elements in [1, 2, 4, 8, 12] {
+        let mut cylinder = Cylinder::default().scene();
+        cylinder.bodies[0].loads = vec![Load::Traction { boundary: "cut", traction: [0.0, 5.0] }];
+        let mut punch = FlatPunch::default().scene();
+        punch.bodies[0].loads = vec![Load::Traction { boundary: "far", traction: [0.0, 5.0] }];
+        for (scene, body) in [(cylinder, "`cylinder`"), (punch, "`block`")] {
+            let sample = Discretisation::of(scene, resolution(elements, 0, Order::Quadratic)).expect("discretisation");
+            let solution = sample.solve(&Formulation::verification()).map(|solution| solution.outcome);
+            let error = solution.expect_err("the load lifts the body");
+            names(&error, &[body, "no contact spring is left", "reverse the load"]);
+        }
+    }
+}
+
+#[test]
+fn candidate_stretch_shorter_than_an_element_holds_no_contact() {
+    let scene = block([4.0, 3.0], vec![held("left", Component::X, 0.0), held("far", Component::Y, 0.0)], vec![]);
+    let mut mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
+    mesh.bodies[0].candidates.truncate(1);
+    let condensed = ElasticSystem::assemble(&scene, &mesh).expect("system").condense().expect("condensed");
+    let error = contact_vv::contact::Interface::between(&scene, &mesh, &condensed).expect_err("no edge is left");
+    names(&error, &["sample", "`candidate stretch` = 4", "at least one element edge", "refine the mesh"]);
+}

@@ -1,0 +1,584 @@
+//! The mesh: exact areas and curves, nesting, orientation, closed boundaries, spacing laws.
+
+use std::collections::HashMap;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::elasticity::{element, quadrature};
+use contact_vv::mesh::block::{Block, Side};
+use contact_vv::mesh::{Mesh, Order, candidates::candidate_edges, spacing};
+use contact_vv::scene::library::{Cylinder, Patch, PinPlate, PinRod, PressFit};
+use contact_vv::scene::{Path, Place, Profile, Scene, Shape};
+
+use crate::workbench::{ORDERS, library, resolution};
+
+/// Area by quadrature of the Jacobian determinant; 3 × 3 points are exact for 8-node cells.
+fn area(mesh: &Mesh, body: usize) -> f64 {
+    let cells = mesh.bodies[body].cells.clone();
+    cells.map(|cell| determinants(mesh, cell).iter().map(|(d, w)| d * w).sum::<f64>()).sum()
+}
+
+/// Jacobian determinants at the 3 × 3 Gauss points, with the weights; zero where the mapping is refused.
+fn determinants(mesh: &Mesh, cell: usize) -> Vec<(f64, f64)> {
+    let points: Vec<[f64; 2]> = mesh.cell(cell).iter().map(|&n| mesh.points[n]).collect();
+    let at = |(at, weight)| (element::gradients(&points, at).map_or_else(|refused| refused, |(_, d)| d), weight);
+    quadrature::gauss_square(3).into_iter().map(at).collect()
+}
+
+/// Area of the outline in closed form.
+fn exact_area(shape: &Shape) -> f64 {
+    match *shape {
+        Shape::Rectangle { x, y, .. } => (x[1] - x[0]) * (y[1] - y[0]),
+        Shape::Disc { radius, half, .. } => PI * radius * radius / if half { 2.0 } else { 4.0 },
+        Shape::Ring { inner, outer, sweep, .. } => 0.5 * sweep * (outer.radius.powi(2) - inner.radius.powi(2)),
+        Shape::Eye { hole, outer_radius, shank_half_width, shank_end, .. } => {
+            let (w, r) = (shank_half_width, outer_radius);
+            // ∫₀ʷ √(r² − x²) dx
+            let below_arc = 0.5 * (w * (r * r - w * w).sqrt() + r * r * (w / r).asin());
+            FRAC_PI_2 * (r * r - hole.radius.powi(2)) + w * shank_end - below_arc
+        }
+    }
+}
+
+/// Length of the outline in closed form.
+fn exact_perimeter(shape: &Shape) -> f64 {
+    match *shape {
+        Shape::Rectangle { x, y, .. } => 2.0 * (x[1] - x[0] + y[1] - y[0]),
+        Shape::Disc { radius, half, .. } => radius * if half { PI + 2.0 } else { FRAC_PI_2 + 2.0 },
+        // The straight sides of a ring between concentric circles; on the axis also between shifted ones.
+        Shape::Ring { inner, outer, sweep, .. } => {
+            sweep * (inner.radius + outer.radius) + 2.0 * (outer.radius - inner.radius)
+        }
+        Shape::Eye { hole, outer_radius, shank_half_width, shank_end, .. } => {
+            let (w, r) = (shank_half_width, outer_radius);
+            let straight = (r - hole.radius) + (shank_end - hole.radius) + w + (shank_end - (r * r - w * w).sqrt());
+            PI * hole.radius + (PI - (w / r).asin()) * r + straight
+        }
+    }
+}
+
+fn edge_length(mesh: &Mesh, edge: &[usize]) -> f64 {
+    let at = |k: usize| mesh.points[edge[k]];
+    let rule = quadrature::gauss(8);
+    let slope = |xi: f64, c: usize| match edge.len() {
+        2 => 0.5 * (at(1)[c] - at(0)[c]),
+        _ => 0.5 * (at(1)[c] - at(0)[c]) + xi * (at(0)[c] + at(1)[c] - 2.0 * at(2)[c]),
+    };
+    rule.into_iter().map(|(xi, weight)| weight * slope(xi, 0).hypot(slope(xi, 1))).sum()
+}
+
+fn mesh_of(scene: &Scene, elements: usize, refinement: u32, order: Order) -> Mesh {
+    Mesh::of(scene, resolution(elements, refinement, order)).expect("library scenes can be meshed")
+}
+
+#[test]
+fn area_converges_to_the_exact_one_with_the_order_of_the_arcs() {
+    for (scene, elements) in library() {
+        for order in ORDERS {
+            let relative = |refinement: u32| -> Vec<f64> {
+                let mesh = mesh_of(&scene, elements, refinement, order);
+                let bodies = scene.bodies.iter().enumerate();
+                bodies.map(|(b, body)| (area(&mesh, b) / exact_area(&body.shape) - 1.0).abs()).collect()
+            };
+            for ((body, coarse), fine) in scene.bodies.iter().zip(relative(0)).zip(relative(2)) {
+                let what = format!("{}, {}, {order:?}: {coarse:e} then {fine:e}", scene.name, body.name);
+                // Chords err with h², quadratic arcs with h⁴: 16 and 256 times less after two halvings, less what
+                // is left of higher orders on coarse arcs. Straight sides err by round-off only.
+                let (limit, gain) = if order == Order::Linear { (2e-3, 14.0) } else { (1e-6, 120.0) };
+                assert!(fine <= limit, "{what}");
+                assert!(coarse <= 1e-11 || fine <= coarse / gain, "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn area_of_four_node_meshes_is_that_of_the_polygon_through_the_boundary_nodes() {
+    for (scene, elements) in library() {
+        let mesh = mesh_of(&scene, elements, 0, Order::Linear);
+        for (b, body) in mesh.bodies.iter().enumerate() {
+            let shoelace: f64 = (body.boundaries.values().flatten())
+                .map(|edge| {
+                    let (p, q) = (mesh.points[edge[0]], mesh.points[edge[1]]);
+                    0.5 * (p[0] * q[1] - q[0] * p[1])
+                })
+                .sum();
+            // Inner sides cancel only if every cell is oriented and every boundary closed.
+            let whole: f64 = mesh_outline(&mesh, b).iter().map(|[p, q]| 0.5 * (p[0] * q[1] - q[0] * p[1])).sum();
+            assert_relative_eq!(area(&mesh, b), whole, max_relative = 1e-10);
+            assert_relative_eq!(shoelace, whole, max_relative = 1e-10);
+        }
+    }
+}
+
+/// Cell edges that belong to one cell only, as pairs of points.
+fn mesh_outline(mesh: &Mesh, body: usize) -> Vec<[[f64; 2]; 2]> {
+    outer_edges(mesh, body).keys().map(|&(a, b)| [mesh.points[a], mesh.points[b]]).collect()
+}
+
+/// Directed corner pairs of cell edges without a neighbour, with their mid-side node.
+fn outer_edges(mesh: &Mesh, body: usize) -> HashMap<(usize, usize), Option<usize>> {
+    let mut edges = HashMap::new();
+    for cell in mesh.bodies[body].cells.clone() {
+        let nodes = mesh.cell(cell);
+        for k in 0..4 {
+            let (a, b) = (nodes[k], nodes[(k + 1) % 4]);
+            if edges.remove(&(b, a)).is_none() {
+                edges.insert((a, b), nodes.get(4 + k).copied());
+            }
+        }
+    }
+    edges
+}
+
+#[test]
+fn boundaries_are_exactly_the_cell_edges_without_a_neighbour_and_run_counter_clockwise() {
+    for (scene, elements) in library() {
+        for order in ORDERS {
+            let mesh = mesh_of(&scene, elements, 0, order);
+            for (b, body) in mesh.bodies.iter().enumerate() {
+                let mut outer = outer_edges(&mesh, b);
+                for (name, edge) in
+                    body.boundaries.iter().flat_map(|(name, edges)| edges.iter().map(move |e| (name, e)))
+                {
+                    let mid = outer.remove(&(edge[0], edge[1]));
+                    assert_eq!(mid, Some(edge.get(2).copied()), "{}, boundary {name}, edge {edge:?}", scene.name);
+                }
+                assert!(outer.is_empty(), "{}: {} edges without a name", scene.name, outer.len());
+            }
+        }
+    }
+}
+
+#[test]
+fn perimeter_is_that_of_the_outline() {
+    for (scene, elements) in library() {
+        let mesh = mesh_of(&scene, elements, 2, Order::Quadratic);
+        for (body, part) in scene.bodies.iter().zip(&mesh.bodies) {
+            let length: f64 = part.boundaries.values().flatten().map(|edge| edge_length(&mesh, edge)).sum();
+            // Quadratic arcs: fourth order, below 1e-6 at this refinement.
+            assert_relative_eq!(length, exact_perimeter(&body.shape), max_relative = 1e-6);
+        }
+    }
+}
+
+#[test]
+fn named_boundaries_lie_where_their_names_say() {
+    for (scene, elements) in library() {
+        let mesh = mesh_of(&scene, elements, 1, Order::Quadratic);
+        for (b, body) in scene.bodies.iter().enumerate() {
+            for (name, edges) in &mesh.bodies[b].boundaries {
+                for point in edges.iter().flatten().map(|&n| mesh.points[n]) {
+                    let off = distance_from(&body.shape, name, point);
+                    assert!(off <= 1e-12 * size(&body.shape), "{}, {}, {name}: {off:e} off", scene.name, body.name);
+                }
+            }
+        }
+    }
+}
+
+fn size(shape: &Shape) -> f64 {
+    match shape {
+        Shape::Rectangle { x, y, .. } => x[1].abs().max(y[1].abs()).max(y[0].abs()),
+        Shape::Disc { radius, .. } => *radius,
+        Shape::Ring { outer, .. } => outer.radius,
+        Shape::Eye { shank_end, .. } => *shank_end,
+    }
+}
+
+/// Distance of a point from the line or circle that a boundary name stands for [mm].
+fn distance_from(shape: &Shape, name: &str, [x, y]: [f64; 2]) -> f64 {
+    use contact_vv::scene::Face;
+    let circle = |c: [f64; 2], r: f64| ((x - c[0]).hypot(y - c[1]) - r).abs();
+    match (shape, name) {
+        (Shape::Rectangle { x: range, .. }, "left") => (x - range[0]).abs(),
+        (Shape::Rectangle { x: range, .. }, "right") => (x - range[1]).abs(),
+        (Shape::Rectangle { y: range, contact, .. }, "contact" | "far") => {
+            let lower = (*contact == Face::Bottom) == (name == "contact");
+            (y - range[usize::from(!lower)]).abs()
+        }
+        (Shape::Disc { centre, .. }, "axis") => (x - centre[0]).abs(),
+        (Shape::Disc { centre, half: false, .. }, "cut") => (y - centre[1]).abs(),
+        (Shape::Disc { centre, radius, .. }, "contact") if y <= centre[1] + 1e-9 => circle(*centre, *radius),
+        (Shape::Disc { centre, radius, half: true }, "top") if y >= centre[1] - 1e-9 => circle(*centre, *radius),
+        (Shape::Ring { .. }, "start") => x.abs() + y.max(0.0),
+        (Shape::Ring { pole, sweep, .. }, "end") => {
+            let (sin, cos) = sweep.sin_cos();
+            ((x - pole[0]) * cos + (y - pole[1]) * sin).abs()
+        }
+        (Shape::Ring { inner, outer, contact, .. }, _) => {
+            let on_inner = (*contact == Face::Bottom) == (name == "contact");
+            let c = if on_inner { inner } else { outer };
+            circle(c.centre, c.radius)
+        }
+        (Shape::Eye { hole, .. }, "contact") => circle(hole.centre, hole.radius),
+        (Shape::Eye { .. }, "axis") => x.abs(),
+        (Shape::Eye { hole, outer_radius, .. }, "outer") => circle(hole.centre, *outer_radius),
+        (Shape::Eye { shank_half_width, .. }, "shank") => (x - shank_half_width).abs(),
+        (Shape::Eye { hole, shank_end, .. }, "end") => (y - hole.centre[1] - shank_end).abs(),
+        _ => f64::INFINITY,
+    }
+}
+
+#[test]
+fn no_cell_is_degenerate_in_any_library_scene_at_any_usual_resolution() {
+    for (scene, elements) in library() {
+        for order in ORDERS {
+            for (n, refinement) in
+                [(elements, 0), (2 * elements, 0), (3 * elements + 1, 0), (elements, 1), (5 * elements, 0)]
+            {
+                let mesh = mesh_of(&scene, n, refinement, order);
+                for cell in 0..mesh.cells() {
+                    let worst = determinants(&mesh, cell).iter().map(|(d, _)| *d).fold(f64::INFINITY, f64::min);
+                    assert!(worst > 0.0, "{} at {n}/{refinement} {order:?}: cell {cell} has {worst:e}", scene.name);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_node_belongs_to_a_cell_and_no_two_nodes_coincide() {
+    for (scene, elements) in library() {
+        let mesh = mesh_of(&scene, elements, 0, Order::Quadratic);
+        let mut used = vec![false; mesh.points.len()];
+        mesh.connectivity.iter().for_each(|&n| used[n] = true);
+        assert!(used.iter().all(|u| *u), "{}", scene.name);
+        for body in &mesh.bodies {
+            let mut points: Vec<[f64; 2]> = body.nodes.clone().map(|n| mesh.points[n]).collect();
+            let extent = points.iter().fold(0.0_f64, |m, p| m.max(p[0].abs()).max(p[1].abs()));
+            points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            for (i, p) in points.iter().enumerate() {
+                let near = points[i + 1..].iter().take_while(|q| q[0] - p[0] < 1e-8 * extent);
+                for q in near {
+                    assert!((q[1] - p[1]).abs() > 1e-8 * extent, "{}: two nodes at {p:?}", scene.name);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_contact_node_lies_on_the_exact_curve() {
+    for (scene, elements) in library() {
+        for order in ORDERS {
+            let mesh = mesh_of(&scene, elements, 1, order);
+            let pair = &scene.contact;
+            for candidate in &mesh.bodies[pair.first].candidates {
+                let [x, y] = mesh.points[candidate.node];
+                let scale = size(&scene.bodies[pair.first].shape);
+                match (pair.path, pair.profile) {
+                    // The lowest point of the first body touches y = 0, less the uniform gap that the bodies keep.
+                    (Path::Horizontal, Profile::Circle { radius }) => {
+                        assert_abs_diff_eq!(y, radius - (radius * radius - x * x).sqrt(), epsilon = 1e-12 * scale);
+                    }
+                    (Path::Horizontal, _) => {
+                        let gap = if pair.second.is_some() { pair.profile.gap(x) } else { 0.0 };
+                        assert_abs_diff_eq!(y, gap, epsilon = 1e-12 * scale);
+                    }
+                    (Path::Arc(circle), _) => {
+                        let radius = (x - circle.centre[0]).hypot(y - circle.centre[1]);
+                        assert_abs_diff_eq!(radius, circle.radius, epsilon = 1e-12 * circle.radius);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn facing_nodes_lie_on_one_normal_at_the_distance_of_the_gap() {
+    let scenes = [
+        PinRod::default().scene(),
+        PinRod { clearance: 2.0, ..PinRod::default() }.scene(),
+        PinPlate::default().scene(),
+        Patch::default().scene(),
+    ];
+    for scene in scenes {
+        for order in ORDERS {
+            let mesh = mesh_of(&scene, 6, 1, order);
+            let [first, second] = [&mesh.bodies[0].candidates, &mesh.bodies[1].candidates];
+            assert_eq!(first.len(), second.len());
+            for (a, b) in first.iter().zip(second) {
+                let (p, q) = (mesh.points[a.node], mesh.points[b.node]);
+                let scale = 1e-12 * p[0].hypot(p[1]).max(1.0);
+                let gap = scene.contact.profile.gap(a.coordinate);
+                for k in 0..2 {
+                    assert_abs_diff_eq!(q[k], p[k] + gap * a.normal[k], epsilon = scale);
+                    assert_abs_diff_eq!(a.normal[k], -b.normal[k], epsilon = 1e-12);
+                }
+                assert_abs_diff_eq!(a.coordinate, b.coordinate, epsilon = 1e-12);
+            }
+        }
+    }
+}
+
+#[test]
+fn bodies_of_a_press_fit_overlap_by_the_interference_in_the_model_only() {
+    let scene = PressFit::default().scene();
+    let mesh = mesh_of(&scene, 4, 0, Order::Quadratic);
+    for (a, b) in mesh.bodies[0].candidates.iter().zip(&mesh.bodies[1].candidates) {
+        let (p, q) = (mesh.points[a.node], mesh.points[b.node]);
+        assert_abs_diff_eq!((p[0] - q[0]).hypot(p[1] - q[1]), 0.0, epsilon = 1e-12 * 40.0);
+    }
+}
+
+#[test]
+fn candidates_are_sorted_and_fill_the_stretch_with_the_asked_number_of_elements() {
+    for (scene, elements) in library() {
+        for (order, refinement) in [(Order::Linear, 0), (Order::Quadratic, 0), (Order::Quadratic, 1)] {
+            let mesh = mesh_of(&scene, elements, refinement, order);
+            let pair = &scene.contact;
+            let edges = candidate_edges(&mesh, &scene, pair.first).expect("contact exists").len();
+            let wanted = (elements as f64 * pair.stretch * pair.path.metric() / scene.grading.unit).round() as usize;
+            assert_eq!(edges, wanted << refinement, "{}", scene.name);
+            for body in pair.bodies() {
+                let list = &mesh.bodies[body].candidates;
+                assert_eq!(list.len(), edges * order.number() as usize + 1, "{}", scene.name);
+                assert!(list.windows(2).all(|two| two[0].coordinate < two[1].coordinate), "{}", scene.name);
+                assert_abs_diff_eq!(list[0].coordinate, 0.0, epsilon = 1e-12);
+                assert_relative_eq!(list[list.len() - 1].coordinate, pair.stretch, max_relative = 1e-9);
+                for (index, candidate) in list.iter().enumerate() {
+                    assert_eq!(mesh.bodies[body].candidate_index(candidate.node), Some(index));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn normals_are_units_that_leave_their_own_body() {
+    for (scene, elements) in library() {
+        let straight = mesh_of(&scene, elements, 0, Order::Quadratic);
+        for (mesh, scene) in [(straight.mirrored(), scene.mirrored()), (straight, scene)] {
+            for body in scene.contact.bodies() {
+                let part = &mesh.bodies[body];
+                for candidate in &part.candidates {
+                    let [x, y] = mesh.points[candidate.node];
+                    let cells = part.cells.clone().filter(|&c| mesh.cell(c).contains(&candidate.node));
+                    let inside: f64 = cells
+                        .flat_map(|c| &mesh.cell(c)[..4])
+                        .map(|&n| {
+                            (mesh.points[n][0] - x) * candidate.normal[0]
+                                + (mesh.points[n][1] - y) * candidate.normal[1]
+                        })
+                        .sum();
+                    assert!(inside < 0.0, "{}: normal at ({x}, {y}) points into the body", scene.name);
+                    assert_abs_diff_eq!(candidate.normal[0].hypot(candidate.normal[1]), 1.0, epsilon = 1e-14);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn boundary_nodes_of_a_mesh_are_nodes_of_its_refinement() {
+    for (scene, elements) in library() {
+        for order in ORDERS {
+            for level in [0, 1] {
+                let (coarse, fine) =
+                    (mesh_of(&scene, elements, level, order), mesh_of(&scene, elements, level + 1, order));
+                for (b, body) in coarse.bodies.iter().enumerate() {
+                    for (name, edges) in &body.boundaries {
+                        let there = &fine.bodies[b].boundaries[name];
+                        assert_eq!(there.len(), 2 * edges.len());
+                        let found: Vec<[f64; 2]> = there.iter().flatten().map(|&n| fine.points[n]).collect();
+                        for p in edges.iter().flatten().map(|&n| coarse.points[n]) {
+                            let near = found.iter().map(|q| (p[0] - q[0]).hypot(p[1] - q[1])).fold(f64::MAX, f64::min);
+                            let scale = size(&scene.bodies[b].shape);
+                            assert!(near <= 1e-12 * scale, "{}, {name}, level {level}: {near:e}", scene.name);
+                        }
+                    }
+                }
+                assert_eq!(fine.cells(), 4 * coarse.cells(), "{}", scene.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn all_nodes_of_a_rectangle_are_nodes_of_its_refinement() {
+    for scene in [Patch::default().scene(), contact_vv::scene::library::FlatPunch::default().scene()] {
+        for order in ORDERS {
+            let (coarse, fine) = (mesh_of(&scene, 8, 0, order), mesh_of(&scene, 8, 1, order));
+            for (b, body) in coarse.bodies.iter().enumerate() {
+                for p in body.nodes.clone().map(|n| coarse.points[n]) {
+                    let place = Place::Point(p);
+                    assert!(fine.nodes_at(&scene, b, &place).is_ok(), "{}: {p:?}", scene.name);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn mid_side_nodes_of_curved_contact_edges_halve_the_angle() {
+    let scene = PinRod::default().scene();
+    let mesh = mesh_of(&scene, 6, 0, Order::Quadratic);
+    for body in 0..2 {
+        for edge in candidate_edges(&mesh, &scene, body).expect("contact exists") {
+            let at = |k: usize| scene.contact.path.coordinate(mesh.points[edge[k]]);
+            assert_abs_diff_eq!(at(2), 0.5 * (at(0) + at(1)), epsilon = 1e-13);
+        }
+    }
+}
+
+#[test]
+fn mirrored_and_renumbered_meshes_are_the_same_mesh() {
+    for (scene, elements) in library() {
+        for order in ORDERS {
+            let mesh = mesh_of(&scene, elements, 0, order);
+            for (variant, other, sign) in [("mirrored", mesh.mirrored(), -1.0), ("renumbered", mesh.renumbered(), 1.0)]
+            {
+                for b in 0..mesh.bodies.len() {
+                    assert_relative_eq!(area(&other, b), area(&mesh, b), max_relative = 1e-12);
+                    let outer = outer_edges(&other, b);
+                    for edge in other.bodies[b].boundaries.values().flatten() {
+                        let mid = outer.get(&(edge[0], edge[1]));
+                        assert_eq!(mid, Some(&edge.get(2).copied()), "{} {variant}", scene.name);
+                    }
+                    for (one, two) in mesh.bodies[b].candidates.iter().zip(&other.bodies[b].candidates) {
+                        let (p, q) = (mesh.points[one.node], other.points[two.node]);
+                        assert!((p[0] - sign * q[0]).abs() <= 0.0 && (p[1] - q[1]).abs() <= 0.0, "{}", scene.name);
+                        assert_relative_eq!(one.normal[0], sign * two.normal[0]);
+                        assert_relative_eq!(one.normal[1], two.normal[1]);
+                    }
+                }
+            }
+            assert_ne!(mesh.connectivity, mesh.renumbered().connectivity);
+        }
+    }
+}
+
+#[test]
+fn elements_grow_away_from_the_contact_and_no_faster_than_asked() {
+    let scene = Cylinder::default().scene();
+    let mesh = mesh_of(&scene, 12, 0, Order::Linear);
+    let axis = mesh.boundary(&scene, 0, "axis").expect("a disc has an axis");
+    let mut heights: Vec<f64> = axis.iter().flatten().map(|&n| mesh.points[n][1]).collect();
+    heights.sort_by(f64::total_cmp);
+    heights.dedup();
+    let first = heights[1] - heights[0];
+    let along = scene.contact.stretch / 24.0;
+    assert!((0.3..=1.5).contains(&(first / along)), "first element {first} deep and {along} long");
+    let sizes: Vec<f64> = heights.windows(2).map(|two| two[1] - two[0]).collect();
+    assert!(sizes.iter().all(|s| *s >= 0.99 * first));
+}
+
+#[test]
+fn uniform_spacing_has_equal_steps_and_exact_ends() {
+    for n in [1, 2, 7] {
+        let stations = spacing::uniform(0.1, 0.7, n);
+        assert_eq!(stations.len(), n + 1);
+        assert!((stations[0] - 0.1).abs() <= 0.0 && (stations[n] - 0.7).abs() <= 0.0);
+        for two in stations.windows(2) {
+            assert_relative_eq!(two[1] - two[0], 0.6 / n as f64, max_relative = 1e-13);
+        }
+    }
+}
+
+#[test]
+fn stretched_spacing_is_a_geometric_progression_with_the_asked_end_ratio() {
+    for (n, end) in [(2, 3.0), (5, 0.2), (9, 0.02), (12, 1.0)] {
+        let stations = spacing::stretched(-1.0, 2.0, n, end);
+        let sizes: Vec<f64> = stations.windows(2).map(|two| two[1] - two[0]).collect();
+        assert_eq!(sizes.len(), n);
+        assert_relative_eq!(sizes[n - 1] / sizes[0], end, max_relative = 1e-12);
+        assert_relative_eq!(sizes.iter().sum::<f64>(), 3.0, max_relative = 1e-14);
+        for three in sizes.windows(3) {
+            assert_relative_eq!(three[1] / three[0], three[2] / three[1], max_relative = 1e-11);
+        }
+    }
+}
+
+#[test]
+fn growing_spacing_keeps_its_ratio_up_to_the_coarsest_and_ends_exactly() {
+    for (length, first, ratio, coarsest) in
+        [(10.0, 0.1, 1.3, 2.0), (1.0, 0.3, 1.0, 1.0), (5.0, 0.01, 2.0, 0.5), (1.0, 3.0, 1.5, 0.1)]
+    {
+        let stations = spacing::growing(2.0, 2.0 + length, first, ratio, coarsest);
+        let sizes: Vec<f64> = stations.windows(2).map(|two| two[1] - two[0]).collect();
+        assert!((stations[0] - 2.0).abs() <= 0.0 && (stations[stations.len() - 1] - 2.0 - length).abs() <= 0.0);
+        // The law is scaled as a whole so that it ends at the end: all sizes by one factor.
+        let scale = sizes[0] / first;
+        let mut wanted = first;
+        for size in &sizes {
+            assert_relative_eq!(*size, scale * wanted, max_relative = 1e-9);
+            wanted = (wanted * ratio).min(coarsest.max(first));
+        }
+        // At most half of the last interval is squeezed in or stretched away.
+        let last = sizes[sizes.len() - 1];
+        assert!(sizes.len() == 1 || (length - length / scale).abs() <= 0.5 * last / scale + 1e-9, "scale {scale}");
+    }
+}
+
+#[test]
+fn fitted_spacing_starts_with_the_asked_size_and_fills_the_length() {
+    for (n, first) in [(4, 0.05), (6, 0.1), (8, 0.3), (3, 0.6)] {
+        let stations = spacing::fitted(1.0, 2.0, n, first);
+        let sizes: Vec<f64> = stations.windows(2).map(|two| two[1] - two[0]).collect();
+        assert_eq!(sizes.len(), n);
+        assert_relative_eq!(sizes[0], first, max_relative = 1e-9);
+        assert_relative_eq!(sizes.iter().sum::<f64>(), 1.0, max_relative = 1e-14);
+        for three in sizes.windows(3) {
+            assert_relative_eq!(three[1] / three[0], three[2] / three[1], max_relative = 1e-9);
+        }
+    }
+}
+
+#[test]
+fn joined_lists_share_the_station_at_which_they_meet() {
+    assert_eq!(spacing::joined(&[vec![0.0, 1.0], vec![1.0, 3.0], vec![3.0, 4.0]]), vec![0.0, 1.0, 3.0, 4.0]);
+}
+
+#[test]
+fn lattice_halves_every_interval_once_more_than_the_level() {
+    assert_eq!(spacing::lattice(&[0.0, 1.0, 3.0], 0), vec![0.0, 0.5, 1.0, 2.0, 3.0]);
+    let fine = spacing::lattice(&[0.0, 1.0, 3.0], 1);
+    assert_eq!(fine, vec![0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0]);
+}
+
+#[test]
+fn transfinite_block_with_straight_sides_is_the_bilinear_map() {
+    let corners = [[0.0, 0.0], [4.0, 1.0], [3.0, 5.0], [-1.0, 2.0]];
+    let line = |a: [f64; 2], b: [f64; 2], stations: &[f64]| -> Vec<[f64; 2]> {
+        stations.iter().map(|t| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]).collect()
+    };
+    let (xi, eta) = ([0.0, 0.1, 0.35, 0.6, 1.0], [0.0, 0.4, 1.0]);
+    let block = Block {
+        bottom: Side::inner(line(corners[0], corners[1], &xi)),
+        right: Side::named("right", line(corners[1], corners[2], &eta)),
+        top: Side::inner(line(corners[3], corners[2], &xi)),
+        left: Side::inner(line(corners[0], corners[3], &eta)),
+    };
+    let lattice = block.lattice();
+    assert_eq!(block.size(), [5, 3]);
+    for (j, v) in eta.iter().enumerate() {
+        for (i, u) in xi.iter().enumerate() {
+            for k in 0..2 {
+                let wanted = (1.0 - u) * (1.0 - v) * corners[0][k]
+                    + u * (1.0 - v) * corners[1][k]
+                    + u * v * corners[2][k]
+                    + (1.0 - u) * v * corners[3][k];
+                assert_abs_diff_eq!(lattice[j][i][k], wanted, epsilon = 1e-14 * 5.0);
+            }
+        }
+    }
+}
+
+#[test]
+fn transfinite_block_keeps_stations_that_differ_on_opposite_sides_on_straight_lines() {
+    let (lower, upper) = ([0.0, 0.2, 0.5, 1.0], [0.0, 0.5, 0.8, 1.0]);
+    let heights = [0.0, 0.3, 1.0];
+    let block = Block {
+        bottom: Side::inner(lower.map(|x| [x, 0.0]).to_vec()),
+        right: Side::inner(heights.map(|y| [1.0, y]).to_vec()),
+        top: Side::inner(upper.map(|x| [x, 1.0]).to_vec()),
+        left: Side::inner(heights.map(|y| [0.0, y]).to_vec()),
+    };
+    let lattice = block.lattice();
+    for i in 0..4 {
+        assert_abs_diff_eq!(lattice[1][i][1], 0.3, epsilon = 1e-15);
+        assert_abs_diff_eq!(lattice[1][i][0], lower[i] + 0.3 * (upper[i] - lower[i]), epsilon = 1e-15);
+    }
+}

@@ -1,0 +1,150 @@
+//! Scenes, hand-made meshes and dense matrices shared by the claims; nothing here is taken from the code under test.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use contact_vv::elasticity::BodySystem;
+use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
+use contact_vv::scene::library::{
+    Bars, Cylinder, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
+};
+use contact_vv::scene::{
+    Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
+    ReferenceValues, Scene, Shape, StressField, Support,
+};
+use nalgebra::{DMatrix, DVector};
+
+pub const STEEL: Material = Material { young: 210e3, poisson: 0.3 };
+pub const ORDERS: [Order; 2] = [Order::Linear, Order::Quadratic];
+
+pub fn resolution(elements: usize, refinement: u32, order: Order) -> Resolution {
+    Resolution { elements, refinement, order }
+}
+
+/// Every scene of the library, with the coarsest resolution that makes sense for it.
+pub fn library() -> Vec<(Scene, usize)> {
+    let none = StressField(Arc::new(|_| [0.0; 3]));
+    vec![
+        (Patch::default().scene(), 2),
+        (Bars::default().scene(), 2),
+        (OwnWeight::default().scene(), 2),
+        (PressFit::default().scene(), 4),
+        (FlatPunch::default().scene(), 8),
+        (Cylinder::default().scene(), 4),
+        (Cylinder { half: true, ..Cylinder::default() }.scene(), 4),
+        (Cylinder { a_over_r: 0.005, ..Cylinder::default() }.scene(), 4),
+        (Cylinder { a_over_r: 0.2, ..Cylinder::default() }.scene(), 4),
+        (TruncatedHertz::default().scene(none), 4),
+        (PinRod::default().scene(), 6),
+        (PinPlate::default().scene(), 6),
+        (PinPlate { stretch: 1.0, ..PinPlate::default() }.scene(), 6),
+    ]
+}
+
+/// A scene of one rectangle `[0, w] × [0, h]` whose lower side may touch a rigid plane.
+pub fn block(size: [f64; 2], supports: Vec<Support>, loads: Vec<Load>) -> Scene {
+    let shape = Shape::Rectangle { x: [0.0, size[0]], y: [0.0, size[1]], contact: Face::Bottom };
+    of_shape(shape, Path::Horizontal, size[0], supports, loads)
+}
+
+/// A scene of one body in plane strain, 2.5 mm thick, near a rigid profile.
+pub fn of_shape(shape: Shape, path: Path, stretch: f64, supports: Vec<Support>, loads: Vec<Load>) -> Scene {
+    let unit = stretch * path.metric();
+    Scene {
+        name: "sample".into(),
+        plane: PlaneHypothesis::Strain,
+        thickness: 2.5,
+        bodies: vec![Body { name: "body".into(), shape, material: STEEL, supports, loads }],
+        contact: ContactPair {
+            first: 0,
+            second: None,
+            path,
+            profile: Profile::Uniform(0.0),
+            stretch,
+            symmetric: false,
+        },
+        reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },
+        grading: Grading { unit, along: 1.0, depth: 1.0, first: 1.0, coarsest: 1.0, end: 1.0 },
+    }
+}
+
+pub fn held(boundary: &'static str, component: Component, value: f64) -> Support {
+    Support { at: Place::Boundary(boundary), component, value }
+}
+
+pub fn held_at(point: [f64; 2], component: Component, value: f64) -> Support {
+    Support { at: Place::Point(point), component, value }
+}
+
+/// Five distorted cells on the unit square, after MacNeal & Harder (1985); mid-sides bulge for 8-node cells inside.
+pub fn distorted_patch(order: Order) -> Mesh {
+    let mut points: Vec<[f64; 2]> =
+        vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.2, 0.25], [0.75, 0.3], [0.7, 0.65], [0.3, 0.75]];
+    let corners = [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7], [4, 5, 6, 7]];
+    let mut mids: BTreeMap<[usize; 2], usize> = BTreeMap::new();
+    let mut connectivity = Vec::new();
+    for cell in corners {
+        connectivity.extend(cell);
+        if order == Order::Quadratic {
+            for k in 0..4 {
+                let (a, b) = (cell[k], cell[(k + 1) % 4]);
+                let mid = *mids.entry([a.min(b), a.max(b)]).or_insert_with(|| {
+                    points.push([0.5 * (points[a][0] + points[b][0]), 0.5 * (points[a][1] + points[b][1])]);
+                    points.len() - 1
+                });
+                connectivity.push(mid);
+            }
+        }
+    }
+    let side = |a: usize, b: usize| -> Vec<Edge> {
+        let mut edge = vec![a, b];
+        edge.extend(mids.get(&[a.min(b), a.max(b)]));
+        vec![edge]
+    };
+    let boundaries =
+        BTreeMap::from([("bottom", side(0, 1)), ("right", side(1, 2)), ("top", side(2, 3)), ("left", side(3, 0))]);
+    let body = BodyMesh { nodes: 0..points.len(), cells: 0..5, boundaries, candidates: Vec::new() };
+    Mesh { order, points, connectivity, bodies: vec![body] }
+}
+
+/// Full dense stiffness from the stored lower triangle.
+pub fn dense(body: &BodySystem) -> DMatrix<f64> {
+    let n = body.freedoms.equations;
+    let mut matrix = DMatrix::zeros(n, n);
+    let stored = body.stiffness.as_ref();
+    for column in 0..n {
+        for (row, &value) in stored.row_idx_of_col(column).zip(stored.val_of_col(column)) {
+            assert!(row >= column, "only the lower triangle is stored");
+            matrix[(row, column)] = value;
+            matrix[(column, row)] = value;
+        }
+    }
+    matrix
+}
+
+/// `K⁻¹ f` by dense LU.
+pub fn solved(body: &BodySystem) -> Vec<f64> {
+    let solution = dense(body).lu().solve(&DVector::from_vec(body.force.clone()));
+    solution.expect("the sample is supported").iter().copied().collect()
+}
+
+/// Largest absolute difference; NaN if there is one, infinite if the lengths differ.
+pub fn distance(a: &[f64], b: &[f64]) -> f64 {
+    if a.len() != b.len() {
+        return f64::INFINITY;
+    }
+    let worse = |worst: f64, d: f64| if d.is_nan() || worst.is_nan() { f64::NAN } else { worst.max(d) };
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, worse)
+}
+
+/// Numbers in −1 … 1 that look random and are always the same (SplitMix64; Steele, Lea & Flood 2014).
+pub fn noise(seed: u64) -> impl FnMut() -> f64 {
+    let mut state = seed;
+    move || {
+        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        (z ^ (z >> 31)) as f64 / u64::MAX as f64 * 2.0 - 1.0
+    }
+}
