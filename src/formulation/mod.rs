@@ -4,12 +4,13 @@
 
 pub mod discretisation;
 
-use crate::algorithm::problem::LIMITS;
-use crate::algorithm::{Algorithm, Constant, Kinematic, Settings, StiffnessRule, Varying};
+use crate::algorithm::{Algorithm, Constant, Kinematic, StiffnessRule, Varying};
 use crate::contact::{ContactElement, ContactPoint, Interface, Layer, Line, Node, Quadrature};
 use crate::error::Error;
 use crate::scene::Scene;
 
+pub use crate::algorithm::Settings;
+pub use crate::algorithm::problem::LIMITS;
 pub use discretisation::{Discretisation, Fields};
 
 /// Contact element.

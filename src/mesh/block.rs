@@ -8,8 +8,10 @@ pub type Point = [f64; 2];
 pub struct Side {
     /// Lattice points: corner, mid-side, corner, …
     pub points: Vec<Point>,
-    /// Name of the boundary, none for sides inside the body.
-    pub boundary: Option<&'static str>,
+    /// Name of the boundary, or of the line inside the body; none for sides nothing refers to.
+    pub name: Option<&'static str>,
+    /// Whether the side lies inside the body.
+    pub inside: bool,
 }
 
 /// Four sides; `bottom` and `top` run along ξ, `left` and `right` along η, counter-clockwise seen as a whole.
@@ -28,12 +30,17 @@ pub struct Block {
 impl Side {
     /// A side on a named boundary.
     pub fn named(boundary: &'static str, points: Vec<Point>) -> Self {
-        Self { points, boundary: Some(boundary) }
+        Self { points, name: Some(boundary), inside: false }
     }
 
     /// A side inside the body.
     pub fn inner(points: Vec<Point>) -> Self {
-        Self { points, boundary: None }
+        Self { points, name: None, inside: true }
+    }
+
+    /// A named line inside the body, which may carry a load.
+    pub fn line(name: &'static str, points: Vec<Point>) -> Self {
+        Self { points, name: Some(name), inside: true }
     }
 }
 

@@ -14,7 +14,13 @@ impl Mesh {
         let first_node = self.points.len();
         let first_cell = self.cells();
         let mut register = Register::new(blocks);
-        let mut body = BodyMesh { nodes: 0..0, cells: 0..0, boundaries: Default::default(), candidates: Vec::new() };
+        let mut body = BodyMesh {
+            nodes: 0..0,
+            cells: 0..0,
+            boundaries: Default::default(),
+            lines: Default::default(),
+            candidates: Vec::new(),
+        };
         for block in blocks {
             let lattice = block.lattice();
             let [columns, rows] = block.size();
@@ -31,14 +37,15 @@ impl Mesh {
             }
             let quadratic = self.order == Order::Quadratic;
             let sides = [
-                (block.bottom.boundary, (0..columns).map(|i| (i, 0)).collect::<Vec<_>>()),
-                (block.right.boundary, (0..rows).map(|j| (columns - 1, j)).collect()),
-                (block.top.boundary, (0..columns).rev().map(|i| (i, rows - 1)).collect()),
-                (block.left.boundary, (0..rows).rev().map(|j| (0, j)).collect()),
+                (&block.bottom, (0..columns).map(|i| (i, 0)).collect::<Vec<_>>()),
+                (&block.right, (0..rows).map(|j| (columns - 1, j)).collect()),
+                (&block.top, (0..columns).rev().map(|i| (i, rows - 1)).collect()),
+                (&block.left, (0..rows).rev().map(|j| (0, j)).collect()),
             ];
-            for (boundary, stations) in sides {
-                let Some(name) = boundary else { continue };
-                let edges: &mut Vec<Edge> = body.boundaries.entry(name).or_default();
+            for (side, stations) in sides {
+                let Some(name) = side.name else { continue };
+                let named = if side.inside { &mut body.lines } else { &mut body.boundaries };
+                let edges: &mut Vec<Edge> = named.entry(name).or_default();
                 for three in stations.windows(3).step_by(2) {
                     let mut edge = vec![node(three[0].0, three[0].1), node(three[2].0, three[2].1)];
                     if quadratic {

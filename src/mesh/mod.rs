@@ -85,6 +85,8 @@ pub struct BodyMesh {
     pub cells: Range<usize>,
     /// Its boundaries by name.
     pub boundaries: BTreeMap<&'static str, Vec<Edge>>,
+    /// Named lines inside it, which may carry loads.
+    pub lines: BTreeMap<&'static str, Vec<Edge>>,
     /// Its candidate contact nodes, in the order of the contact coordinate.
     pub candidates: Vec<Candidate>,
 }
@@ -136,14 +138,14 @@ impl Mesh {
         }
     }
 
-    /// Edges of a named boundary.
+    /// Edges of a named boundary, or of a named line inside the body.
     pub fn boundary(&self, scene: &Scene, body: usize, name: &str) -> Result<&[Edge], Error> {
-        let boundaries = &self.bodies[body].boundaries;
-        boundaries.get(name).map(Vec::as_slice).ok_or_else(|| Error::Unknown {
+        let (boundaries, lines) = (&self.bodies[body].boundaries, &self.bodies[body].lines);
+        boundaries.get(name).or_else(|| lines.get(name)).map(Vec::as_slice).ok_or_else(|| Error::Unknown {
             place: format!("{}, body `{}`", scene.name, scene.bodies[body].name),
             kind: "boundary",
             name: name.into(),
-            known: boundaries.keys().copied().collect::<Vec<_>>().join(", "),
+            known: boundaries.keys().chain(lines.keys()).copied().collect::<Vec<_>>().join(", "),
         })
     }
 

@@ -13,7 +13,8 @@ impl Mesh {
         };
         mesh.connectivity = (0..self.cells()).flat_map(|cell| order.iter().map(move |&k| self.cell(cell)[k])).collect();
         for body in &mut mesh.bodies {
-            body.boundaries.values_mut().flatten().for_each(|edge: &mut Edge| edge.swap(0, 1));
+            let edges = body.boundaries.values_mut().chain(body.lines.values_mut()).flatten();
+            edges.for_each(|edge: &mut Edge| edge.swap(0, 1));
             body.candidates.iter_mut().for_each(|candidate| candidate.normal[0] = -candidate.normal[0]);
         }
         mesh
@@ -29,7 +30,8 @@ impl Mesh {
         number.iter().enumerate().for_each(|(old, &new)| mesh.points[new] = self.points[old]);
         mesh.connectivity.iter_mut().for_each(|node| *node = number[*node]);
         for body in &mut mesh.bodies {
-            body.boundaries.values_mut().flatten().flatten().for_each(|node| *node = number[*node]);
+            let edges = body.boundaries.values_mut().chain(body.lines.values_mut()).flatten();
+            edges.flatten().for_each(|node| *node = number[*node]);
             body.candidates.iter_mut().for_each(|candidate| candidate.node = number[candidate.node]);
         }
         mesh

@@ -1,7 +1,6 @@
 //! What the paper misprints or leaves open, what is not covered, and the sources: prose whose numbers come from the code.
 
-use crate::algorithm::{Settings, problem::LIMITS};
-use crate::formulation::{Element, Formulation, Iteration};
+use crate::formulation::{Element, Formulation, Iteration, LIMITS, Settings};
 use crate::report::format;
 use crate::scene::library::{Cylinder, PinRod};
 

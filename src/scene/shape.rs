@@ -16,7 +16,8 @@ pub enum Shape {
         contact: Face,
     },
     /// Part of a disc from its lowest point counter-clockwise; boundaries `axis` (x = centre), `cut` (the horizontal
-    /// diameter; inside a half disc) and `contact` (the arc); a half disc also has `top` (its upper arc).
+    /// diameter, quarter only) and `contact` (the arc); a half disc also has `top` (its upper arc) and, inside it, the
+    /// line `middle` (its horizontal diameter).
     Disc {
         /// Centre \[mm\].
         centre: [f64; 2],
@@ -95,7 +96,7 @@ impl Shape {
         match self {
             Self::Rectangle { .. } => &["left", "right", "contact", "far"],
             Self::Disc { half: false, .. } => &["axis", "cut", "contact"],
-            Self::Disc { half: true, .. } => &["axis", "cut", "contact", "top"],
+            Self::Disc { half: true, .. } => &["axis", "contact", "top", "middle"],
             Self::Ring { .. } => &["start", "end", "inner", "outer", "contact"],
             Self::Eye { .. } => &["contact", "axis", "end"],
         }

@@ -694,7 +694,8 @@ fn solution_reports_pressures_gaps_forces_and_edge_means() {
     let mean = |a: f64, b: f64| (1.5 * a + 3.0 * b) / 4.5;
     assert!(distance(&edges[1], &[4.5, mean(4.0, 0.0), mean(-0.02, 0.12), mean(0.1, 0.3)]) <= 1e-14);
     assert_eq!(solution.history[0].active, 1);
-    assert!(distance(&solution.history[0].first_point, &[0.12, 4.0]) <= 0.0);
+    let [approach, pressure, stiffness] = solution.history[0].first_point;
+    assert!(distance(&[approach, pressure, stiffness], &[0.12, 4.0, sample.initial[0]]) <= 0.0);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The condensed system against the same elimination done densely.
 
 use approx::assert_relative_eq;
-use contact_vv::condensation::{Condensed, factor, solve_uncondensed};
+use contact_vv::condensation::{Condensed, CoupledSpring, factor, solve_uncondensed};
 use contact_vv::elasticity::{BodySystem, ElasticSystem};
 use contact_vv::error::Error;
 use contact_vv::mesh::{Mesh, Order};
@@ -155,7 +155,9 @@ fn springs_on_the_condensed_and_on_the_full_system_give_the_same_displacements()
         }
         let wanted = matrix.cholesky().expect("springs hold the bodies").solve(&rhs);
 
-        let unknowns = solve_uncondensed(&system, &springs).expect("full solve");
+        let coupled: Vec<CoupledSpring> =
+            (springs.iter().cloned()).map(|(row, constant, force)| CoupledSpring { row, constant, force }).collect();
+        let unknowns = solve_uncondensed(&system, &coupled).expect("full solve");
 
         let found: Vec<f64> = (system.bodies.iter().zip(&unknowns))
             .flat_map(|(body, u)| body.retained.iter().map(|&equation| u[equation]))

@@ -6,7 +6,7 @@ use contact_vv::elasticity::ElasticSystem;
 use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Scene;
-use contact_vv::scene::library::{Bars, Cylinder, OwnWeight, Patch, PinPlate, PinRod, PressFit};
+use contact_vv::scene::library::{Bars, Cylinder, CylinderModel, OwnWeight, Patch, PinPlate, PinRod, PressFit};
 use contact_vv::solution::Solution;
 
 use crate::workbench::{ORDERS, distance, resolution};
@@ -159,7 +159,7 @@ fn telling_the_problem_differently_leaves_steps_and_pressures_unchanged() {
     let field = contact_vv::scene::StressField(std::sync::Arc::new(move |[x, z]: [f64; 2]| hertz.stress(x, z)));
     let scenes = [
         Cylinder::default().scene(),
-        Cylinder { half: true, ..Cylinder::default() }.scene(),
+        Cylinder { model: CylinderModel::HalfLoadedAbove, ..Cylinder::default() }.scene(),
         contact_vv::scene::library::TruncatedHertz::default().scene(field),
         PinRod::default().scene(),
         PinPlate::default().scene(),

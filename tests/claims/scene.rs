@@ -5,7 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::elasticity::ElasticSystem;
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::library::{Bars, Cylinder, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit};
+use contact_vv::scene::library::{
+    Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit,
+};
 use contact_vv::scene::{Circle, Material, Path, PlaneHypothesis, Profile, Scene};
 
 use crate::workbench::{STEEL, library, resolution};
@@ -171,7 +173,7 @@ fn applied(scene: &Scene, body: usize, elements: usize) -> f64 {
 #[test]
 fn modelled_half_carries_half_of_the_stated_load() {
     let cylinder = Cylinder::default();
-    let half = Cylinder { half: true, ..cylinder };
+    let half = Cylinder { model: CylinderModel::HalfLoadedAbove, ..cylinder };
     let rod = PinRod { force: 700.0, ..PinRod::default() };
     let plate = PinPlate { force: 300.0, ..PinPlate::default() };
     let punch = FlatPunch { load: 123.0, ..FlatPunch::default() };

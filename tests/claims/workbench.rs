@@ -6,7 +6,7 @@ use std::sync::Arc;
 use contact_vv::elasticity::BodySystem;
 use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
 use contact_vv::scene::library::{
-    Bars, Cylinder, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
+    Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
 };
 use contact_vv::scene::{
     Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
@@ -31,7 +31,7 @@ pub fn library() -> Vec<(Scene, usize)> {
         (PressFit::default().scene(), 4),
         (FlatPunch::default().scene(), 8),
         (Cylinder::default().scene(), 4),
-        (Cylinder { half: true, ..Cylinder::default() }.scene(), 4),
+        (Cylinder { model: CylinderModel::HalfLoadedAbove, ..Cylinder::default() }.scene(), 4),
         (Cylinder { a_over_r: 0.005, ..Cylinder::default() }.scene(), 4),
         (Cylinder { a_over_r: 0.2, ..Cylinder::default() }.scene(), 4),
         (TruncatedHertz::default().scene(none), 4),
@@ -103,7 +103,8 @@ pub fn distorted_patch(order: Order) -> Mesh {
     };
     let boundaries =
         BTreeMap::from([("bottom", side(0, 1)), ("right", side(1, 2)), ("top", side(2, 3)), ("left", side(3, 0))]);
-    let body = BodyMesh { nodes: 0..points.len(), cells: 0..5, boundaries, candidates: Vec::new() };
+    let body =
+        BodyMesh { nodes: 0..points.len(), cells: 0..5, boundaries, lines: Default::default(), candidates: Vec::new() };
     Mesh { order, points, connectivity, bodies: vec![body] }
 }
 

@@ -30,7 +30,7 @@ pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, half: bool) ->
                 if k < 2 { "contact" } else { "top" },
                 layout.along(&arcs[k], |angle| polar(centre, radius, angle)),
             ),
-            right: side_on_line(&spokes[k + 1], k + 1, arcs.len()),
+            right: last_side(&spokes[k + 1], k + 1, half),
             top: Side::inner(polygon[k].clone()),
             left: if k == 0 { Side::named("axis", spokes[0].clone()) } else { Side::inner(spokes[k].clone()) },
         })
@@ -92,11 +92,12 @@ fn chord(layout: &Layout, arc: &[f64], from: Point, to: Point) -> Vec<Point> {
     layout.along(&stations, |t| between(from, to, t))
 }
 
-/// The last spoke ends on the axis or on the cut; that of the lower half of a half disc is the cut inside it.
-fn side_on_line(points: &[Point], k: usize, pieces: usize) -> Side {
-    match k {
-        2 => Side::named("cut", points.to_vec()),
-        k if k == pieces => Side::named("axis", points.to_vec()),
+/// The second spoke lies on the cut, or on the line `middle` inside a half disc; the last one on the axis.
+fn last_side(points: &[Point], k: usize, half: bool) -> Side {
+    match (k, half) {
+        (2, false) => Side::named("cut", points.to_vec()),
+        (2, true) => Side::line("middle", points.to_vec()),
+        (4, _) => Side::named("axis", points.to_vec()),
         _ => Side::inner(points.to_vec()),
     }
 }
@@ -111,7 +112,7 @@ fn core(layout: &Layout, arcs: &[Vec<f64>], polygon: &[Vec<Point>], centre: Poin
     let lower = Block {
         bottom: Side::inner(polygon[0].clone()),
         right: Side::inner(polygon[1].clone()),
-        top: Side::named("cut", diameter.clone()),
+        top: if half { Side::line("middle", diameter.clone()) } else { Side::named("cut", diameter.clone()) },
         left: Side::named("axis", straight(low, centre, count(1))),
     };
     if !half {

@@ -61,10 +61,13 @@ impl Cylinder {
     pub fn scene(&self) -> Scene {
         let q = self.load() / (2.0 * self.radius);
         let half = self.model != CylinderModel::Quarter;
-        let load = if self.model == CylinderModel::HalfLoadedAbove {
-            Load::Stress { boundary: "top", field: StressField(std::sync::Arc::new(move |_| [0.0, -q, 0.0])) }
-        } else {
-            Load::Traction { boundary: "cut", traction: [0.0, -q] }
+        let across = [0.0, -q];
+        let load = match self.model {
+            CylinderModel::Quarter => Load::Traction { boundary: "cut", traction: across },
+            CylinderModel::Half => Load::Traction { boundary: "middle", traction: across },
+            CylinderModel::HalfLoadedAbove => {
+                Load::Stress { boundary: "top", field: StressField(std::sync::Arc::new(move |_| [0.0, -q, 0.0])) }
+            }
         };
         Scene {
             name: if half { "cylinder-half" } else { "cylinder" }.into(),
