@@ -11,6 +11,9 @@ pub(super) struct Frame {
     pub bottom: f64,
 }
 
+/// A line this close to the rectangle's edge lies inside, whatever round-off says \[display pixels\].
+const SLACK: f64 = 1e-6;
+
 impl Frame {
     /// Width [display pixels].
     pub fn width(&self) -> f64 {
@@ -59,10 +62,11 @@ impl Frame {
     /// The part of a segment inside the rectangle (Liang & Barsky 1984).
     fn clip_segment(&self, a: Point, b: Point) -> Option<(Point, Point)> {
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-        let sides = [(-dx, a.0 - self.left), (dx, self.right - a.0), (-dy, a.1 - self.top), (dy, self.bottom - a.1)];
+        let rooms = [a.0 - self.left, self.right - a.0, a.1 - self.top, self.bottom - a.1].map(|room| room + SLACK);
+        let sides = [-dx, dx, -dy, dy].into_iter().zip(rooms);
         let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
         for (rate, room) in sides {
-            if rate.abs() < 1e-12 {
+            if rate.abs() < SLACK {
                 if room < 0.0 {
                     return None;
                 }
