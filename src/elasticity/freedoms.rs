@@ -136,6 +136,10 @@ fn marks(scene: &Scene, mesh: &Mesh, body: usize, axes: &[[f64; 2]]) -> Result<V
         for node in mesh.nodes_at(scene, body, at)? {
             let (axis, sign) = aligned(axes[node - first], component)
                 .ok_or_else(|| oblique(scene, body, node, if component == Component::X { "x" } else { "y" }))?;
+            // The tied components of a face share one equation, which must mean the same direction at every node.
+            if matches!(mark, Mark::Tied(_)) && (axis != component.index() || sign < 0.0) {
+                return Err(oblique(scene, body, node, "rigid face"));
+            }
             let slot = &mut marks[node - first][axis];
             match mark {
                 Mark::Prescribed(value) => *slot = Mark::Prescribed(sign * value),

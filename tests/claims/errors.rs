@@ -121,6 +121,16 @@ fn support_across_a_contact_normal_is_refused() {
 }
 
 #[test]
+fn rigid_face_that_meets_the_contact_is_refused() {
+    // The corner belongs to both: its frame follows the contact normal, the face's common freedom the x axis.
+    let face = vec![Load::RigidFace { boundary: "right", component: Component::X, force: 1.0 }];
+    let scene = block([4.0, 3.0], vec![held("left", Component::X, 0.0)], face);
+    let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
+    let error = ElasticSystem::assemble(&scene, &mesh).expect_err("face and contact share a node");
+    names(&error, &["`body`", "`rigid face`", "end the candidate stretch before that node"]);
+}
+
+#[test]
 fn degenerate_cell_is_refused_with_its_body_and_determinant() {
     let scene = block([4.0, 3.0], vec![held("left", Component::X, 0.0)], vec![Load::BodyForce([0.0, -1.0])]);
     let mut mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
