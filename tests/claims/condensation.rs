@@ -6,10 +6,10 @@ use contact_vv::elasticity::{BodySystem, ElasticSystem};
 use contact_vv::error::Error;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::library::{Cylinder, Patch, PinPlate, PinRod};
-use contact_vv::scene::{Component, Load, Scene};
+use contact_vv::scene::{Circle, Component, Load, Path, Scene, Shape};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-use crate::workbench::{ORDERS, block, dense, distance, held, held_at, resolution};
+use crate::workbench::{ORDERS, block, dense, distance, held, held_at, of_shape, resolution};
 
 fn system(scene: &Scene, elements: usize, order: Order) -> ElasticSystem {
     let mesh = Mesh::of(scene, resolution(elements, 0, order)).expect("mesh");
@@ -197,6 +197,21 @@ fn each_free_motion_is_told_apart() {
                 assert!(found.as_ref().is_some_and(|text| text.contains(motion)), "{found:?}, not {motion}")
             }
         }
+    }
+}
+
+#[test]
+fn normals_that_meet_in_one_point_leave_the_rotation_about_it_free() {
+    let circle = Circle { centre: [0.0, 0.0], radius: 5.0 };
+    let disc = Shape::Disc { centre: circle.centre, radius: circle.radius, half: false };
+    let at_centre = vec![held_at([0.0, 0.0], Component::X, 0.0)];
+    let off_centre = vec![held("cut", Component::Y, 0.0)];
+    for (supports, refused) in [(at_centre, true), (off_centre, false)] {
+        let scene = of_shape(disc.clone(), Path::Arc(circle), 1.2, supports, vec![]);
+        let mesh = Mesh::of(&scene, resolution(6, 0, Order::Linear)).expect("mesh");
+        let found = ElasticSystem::assemble(&scene, &mesh).err().map(|error| error.to_string());
+        assert_eq!(found.as_ref().is_some_and(|text| text.contains("rotate")), refused, "{found:?}");
+        assert_eq!(found.is_some(), refused, "{found:?}");
     }
 }
 

@@ -672,6 +672,50 @@ fn prescribed_displacement_of_a_side_stretches_the_block_by_it() {
 }
 
 #[test]
+fn any_load_and_support_told_differently_moves_the_nodes_the_same() {
+    let field = StressField(Arc::new(|[x, y]: [f64; 2]| [x + 2.0, x * y, y - 5.0]));
+    let supports = vec![
+        held("left", Component::X, 0.01),
+        held_at([4.0, 3.0], Component::Y, -0.02),
+        held_at([2.0, 0.0], Component::X, 0.015),
+    ];
+    let loads = vec![
+        Load::Traction { boundary: "far", traction: [3.0, -2.0] },
+        Load::Stress { boundary: "right", field },
+        Load::BodyForce([1.0, 2.0]),
+        Load::Force { at: [4.0, 3.0], force: [50.0, 60.0] },
+        Load::RigidFace { boundary: "right", component: Component::X, force: 70.0 },
+    ];
+    let mut scene = block([4.0, 3.0], supports, loads);
+    // Candidates end before the rigid face.
+    scene.contact.stretch = 2.0;
+    scene.grading.unit = 2.0;
+    let at = resolution(2, 0, Order::Quadratic);
+    let mesh = Mesh::of(&scene, at).expect("mesh");
+    let moved = |scene: &Scene, mesh: &Mesh| {
+        let system = ElasticSystem::assemble(scene, mesh).expect("system");
+        // The candidates' normals are free here: hold them by a soft ground, the same in every telling.
+        let body = &system.bodies[0];
+        let mut matrix = dense(body);
+        let ground = 1e-3 * scene.bodies[0].material.young * scene.thickness;
+        body.retained.iter().for_each(|&equation| matrix[(equation, equation)] += ground);
+        let u = matrix.lu().solve(&DVector::from_vec(body.force.clone())).expect("held");
+        system.nodal_displacements(&[u.iter().copied().collect()])
+    };
+    let wanted = moved(&scene, &mesh);
+    let metres = scene.in_metres();
+
+    let mirrored = moved(&scene.mirrored(), &mesh.mirrored());
+    let scaled = moved(&metres, &Mesh::of(&metres, at).expect("mesh"));
+
+    let size = wanted.iter().flatten().fold(0.0_f64, |m, u| m.max(u.abs()));
+    for ((u, there), thousandth) in wanted.iter().zip(&mirrored).zip(&scaled) {
+        assert!(distance(u, &[-there[0], there[1]]) <= 1e-10 * size, "mirrored: {u:?} {there:?}");
+        assert!(distance(u, &thousandth.map(|u| 1e3 * u)) <= 1e-10 * size, "metres: {u:?} {thousandth:?}");
+    }
+}
+
+#[test]
 fn prescribed_displacement_along_a_normal_that_points_downwards_keeps_its_sign() {
     // On the contact side n = (0, −1) and t = (1, 0); a support along x is one along t, one along y is refused.
     let supports = vec![held_at([4.0, 0.0], Component::X, 0.02), held("left", Component::X, 0.0)];
