@@ -104,6 +104,18 @@ impl Check {
         Self::of_error(requirement, quantity, value, reference, missing, 0.0, because)
     }
 
+    /// A value that must not exceed an upper bound; the error is the excess.
+    pub fn at_most(
+        requirement: impl Into<String>,
+        quantity: impl Into<String>,
+        value: f64,
+        reference: Reference,
+        because: impl Into<String>,
+    ) -> Self {
+        let excess = if value <= reference.value { 0.0 } else { value - reference.value };
+        Self::of_error(requirement, quantity, value, reference, excess, 0.0, because)
+    }
+
     fn of_error(
         requirement: impl Into<String>,
         quantity: impl Into<String>,

@@ -111,6 +111,8 @@ fn sensitivities() -> Result<Finding, Error> {
         rows.push(vec![name.to_string(), format!("{:+.3}", slope(0)), format!("{:+.3}", slope(1))]);
     }
     let head = ["number", "∂ ln p_max / ∂ ln", "∂ ln angle / ∂ ln"].map(String::from).into();
-    let table = Table { title: "Pin–rod: sensitivities at the default scene".into(), head, rows };
+    let Numbers { clearance, eye, shank } = DEFAULT;
+    let title = format!("Pin–rod: sensitivities around E t c/F = {clearance}, eye {eye} R, shank {shank} · 2R");
+    let table = Table { title, head, rows };
     Ok(Finding { tables: vec![table], ..Default::default() })
 }

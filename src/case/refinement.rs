@@ -49,7 +49,7 @@ fn orders_of(order: Order, l2_order: f64) -> Result<Finding, Error> {
         let sizes: Vec<f64> = levels.iter().map(|l| l.size).collect();
         observed(&sizes, &levels.iter().map(of).collect::<Vec<_>>())
     };
-    let bound = |value| Reference::analytic("order of accuracy", value);
+    let bound = |value| Reference::analytic("at least", value);
     let quadrature = levels.iter().map(|l| l.load).fold(0.0, f64::max);
     let checks = vec![
         Check::at_least(
@@ -227,7 +227,7 @@ fn pin_rod() -> Result<Finding, Error> {
             let series = richardson([of(&runs[1]), of(&runs[2]), of(&runs[3])]);
             finding.checks.push(Check::norm(
                 format!("The {name} series shall know its own {quantity}"),
-                format!("u({quantity}) / {quantity}"),
+                format!("u({quantity}) / {quantity}, {name}"),
                 series.uncertainty,
                 Reference::own("Richardson", 0.0),
                 3e-3,

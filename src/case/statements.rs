@@ -115,7 +115,7 @@ fn steps(sweeps: &[(&str, Element, &Series)]) -> [f64; 2] {
 fn agreement(f: &Findings) -> Statement {
     let worst = |case: &str, quantity: &str| {
         let checks = f.case(case).flat_map(|finding| &finding.checks).filter(|check| check.quantity == quantity);
-        100.0 * checks.map(|check| check.error).fold(0.0, f64::max)
+        100.0 * checks.map(|check| check.error).fold(0.0, |a: f64, e| if e.is_nan() { e } else { a.max(e) })
     };
     Statement {
         text: "Every combination of element and algorithm agrees with Hertz, and for the pin–rod with one another (Figs 10, 14, 15)",
@@ -131,23 +131,30 @@ fn agreement(f: &Findings) -> Statement {
 }
 
 fn dependence_on_stiffness(f: &Findings) -> Statement {
-    let describe = |algorithm| {
+    // Within one scene and element: the most a start changes the steps, and the share of starts that fail.
+    let describe = |algorithm: Iteration| {
         let sweeps = f.sweeps(algorithm);
-        let ([low, high], (n, m)) = (steps(&sweeps), share(&sweeps));
-        (format!("{}: {low} to {high} steps, {n} of {m} starts converged", algorithm.name()), high / low, n < m)
+        let ratio = |sweep: &(&str, Element, &Series)| {
+            let [low, high] = steps(std::slice::from_ref(sweep));
+            high / low
+        };
+        let ratios: Vec<f64> = sweeps.iter().map(ratio).collect();
+        let (low, high) = ratios.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), &r| (a.min(r), b.max(r)));
+        let (n, m) = share(&sweeps);
+        let text = format!(
+            "{}: most over fewest steps {low:.1} to {high:.1} by scene and element, {n} of {m} starts converged",
+            algorithm.name()
+        );
+        (text, low > STRONG, n < m)
     };
-    let (varying, varying_ratio, _) = describe(Iteration::Varying);
-    let (constant, constant_ratio, fails) = describe(Iteration::Constant);
-    let judgement = match (varying_ratio > STRONG, constant_ratio > STRONG && fails) {
+    let (varying, varying_strong, varying_fails) = describe(Iteration::Varying);
+    let (constant, constant_strong, constant_fails) = describe(Iteration::Constant);
+    let judgement = match (varying_strong && varying_fails, constant_strong && constant_fails) {
         (true, true) => Judgement::Reproduced,
         (false, true) => Judgement::UnderCondition,
         _ => Judgement::NotReproduced,
     };
-    let condition = if judgement == Judgement::UnderCondition {
-        "; holds for constant stiffness; varying stiffness with the secant rule hardly notices the start, within one scene and element"
-    } else {
-        ""
-    };
+    let condition = if judgement == Judgement::UnderCondition { ". Condition: constant stiffness" } else { "" };
     Statement {
         text: "With varying and with constant stiffness the steps depend strongly on the initial stiffness; in some cases there is no convergence (Fig. 11)",
         measured: format!("{varying}; {constant}{condition}"),
@@ -163,15 +170,22 @@ fn stability(f: &Findings) -> Statement {
     let line: Vec<_> = varying.iter().filter(|(_, element, _)| *element == Element::Line).copied().collect();
     let ((v, of_v), (c, of_c), (l, of_l)) = (share(&varying), share(&constant), share(&line));
     let more_stable = v * of_c > c * of_v;
+    let first_failure = line.iter().flat_map(|(_, _, series)| &series.failed).fold(f64::INFINITY, |a, &x| a.min(x));
+    let below = line.iter().flat_map(|(_, _, series)| &series.points).map(|p| p[0]).filter(|&x| x < first_failure);
     let judgement = match (more_stable, l == of_l) {
         (true, true) => Judgement::Reproduced,
         (true, false) => Judgement::UnderCondition,
         _ => Judgement::NotReproduced,
     };
+    let condition = if judgement == Judgement::UnderCondition {
+        format!(". Condition: with line elements in every case up to κ₀ = {}", below.fold(0.0, f64::max))
+    } else {
+        String::new()
+    };
     Statement {
         text: "Varying stiffness is more stable than constant stiffness; with line elements it converged in every case",
         measured: format!(
-            "converged starts: varying {v} of {of_v}, constant {c} of {of_c}, varying with line elements {l} of {of_l}"
+            "converged starts: varying {v} of {of_v}, constant {c} of {of_c}, varying with line elements {l} of {of_l}{condition}"
         ),
         judgement,
     }
@@ -192,7 +206,7 @@ fn two_steps(f: &Findings) -> Statement {
     Statement {
         text: "Kinematic load with node elements converged in two steps for any initial stiffness, in both examples",
         measured: format!(
-            "candidates wider than the contact: {low} to {high} steps, {n} of {m} starts converged; candidates ending at the contact edge: at most {edge_high} steps, {k} of {of_k}. Each step halves L² − a²"
+            "candidates wider than the contact: {low} to {high} steps, {n} of {m} starts converged; candidates ending at the contact edge (cylinder): at most {edge_high} steps, {k} of {of_k}. Condition: the candidates end where the contact does"
         ),
         judgement,
     }
@@ -282,7 +296,7 @@ fn least_work(f: &Findings) -> Statement {
         _ => Judgement::NotReproduced,
     };
     let condition = if judgement == Judgement::UnderCondition {
-        "; fewest steps in both, least operations not in both"
+        ". Condition: counted in steps; in operations another is cheaper in one of them"
     } else {
         ""
     };
@@ -293,31 +307,43 @@ fn least_work(f: &Findings) -> Statement {
     }
 }
 
-/// The same start stiffnesses converge in both scenes, for the same element and algorithm.
+/// The same start stiffnesses converge in both scenes, for the same element and algorithm; a start next to one where
+/// convergence ends may differ.
 fn pin_rod_converges_alike(f: &Findings) -> Statement {
-    let (mut alike, mut all) = (0, 0);
+    let (mut alike, mut nearly, mut all) = (0, 0, 0);
     for algorithm in Iteration::ALL {
         for element in Element::ALL {
             let of = |scene: &str| f.sweep(scene, element, algorithm);
             let (Some(a), Some(b)) = (of("cylinder"), of("pin-rod")) else { continue };
-            let failed = |series: &Series, x: f64| series.failed.iter().any(|y| (y / x - 1.0).abs() < 1e-9);
-            let starts = a.points.iter().map(|point| point[0]).chain(a.failed.iter().copied());
-            for x in starts {
+            let (a, b) = (outcomes(a), outcomes(b));
+            for (i, ours) in a.iter().enumerate() {
+                let near = b[i.saturating_sub(1)..(i + 2).min(b.len())].contains(ours);
                 all += 1;
-                alike += usize::from(failed(a, x) == failed(b, x));
+                alike += usize::from(b.get(i) == Some(ours));
+                nearly += usize::from(near);
             }
         }
     }
     Statement {
         text: "For the pin–rod the elements and algorithms converge as they do for the cylinder",
-        measured: format!("the same outcome in both scenes at {alike} of {all} starts"),
-        judgement: match all - alike {
-            _ if all == 0 => Judgement::NotJudged,
-            0 => Judgement::Reproduced,
-            n if 10 * n <= all => Judgement::UnderCondition,
+        measured: format!(
+            "the same outcome in both scenes at {alike} of {all} starts; at {nearly} where a neighbouring start, half a decade away, may stand in"
+        ),
+        judgement: match (all, all - alike, all - nearly) {
+            (0, _, _) => Judgement::NotJudged,
+            (_, 0, _) => Judgement::Reproduced,
+            (_, _, 0) => Judgement::UnderCondition,
             _ => Judgement::NotReproduced,
         },
     }
+}
+
+/// Whether each start of a sweep converged, from the softest to the stiffest.
+fn outcomes(series: &Series) -> Vec<bool> {
+    let converged = series.points.iter().map(|point| (point[0], true));
+    let mut all: Vec<(f64, bool)> = converged.chain(series.failed.iter().map(|&x| (x, false))).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.into_iter().map(|(_, converged)| converged).collect()
 }
 
 fn condensation_pays(f: &Findings) -> Statement {

@@ -82,6 +82,9 @@ enum RuleName {
 /// Solves, prints a table unless JSON goes to standard output, and writes what was asked for.
 pub fn run(arguments: &Arguments) -> Result<(), Error> {
     let problem = problem(&arguments.case, arguments.a_over_r)?;
+    if let Some(path) = arguments.plot.as_ref().filter(|path| path.extension().is_none_or(|end| end != "svg")) {
+        return Err(Error::value("solve", "--plot", path.display(), "plots are SVG", "end the file name in .svg"));
+    }
     let formulation = arguments.formulation();
     formulation.validate(&problem.scene)?;
     let resolution = arguments.resolution(&problem)?;

@@ -80,12 +80,11 @@ pub struct CoupledSpring {
 }
 
 /// The same unknowns without condensation: `(K + Σ A k bᵀb) u = f + Σ A c b`, used to check the condensed solve.
-///
 pub fn solve_uncondensed(system: &ElasticSystem, springs: &[CoupledSpring]) -> Result<Vec<Vec<f64>>, Error> {
     factor::solve_coupled(system, springs)
 }
 
-/// Retained equations of a body that carry loads only through others.
+/// Which equations of a body are retained.
 fn is_retained(body: &BodySystem) -> Vec<bool> {
     let mut retained = vec![false; body.freedoms.equations];
     body.retained.iter().for_each(|&equation| retained[equation] = true);

@@ -13,6 +13,9 @@ pub use crate::algorithm::Settings;
 pub use crate::algorithm::problem::LIMITS;
 pub use discretisation::{Discretisation, Fields};
 
+/// Tolerances between round-off and no answer at all.
+const TOLERANCES: [f64; 2] = [1e-13, 0.1];
+
 /// Contact element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Element {
@@ -185,6 +188,11 @@ impl Formulation {
         }
         number("tolerance", self.settings.tolerance)?;
         number("layer thickness", self.layer_thickness)?;
+        let [finest, coarsest] = TOLERANCES;
+        if !(finest..=coarsest).contains(&self.settings.tolerance) {
+            let expected = format!("residuals between {finest:e} (round-off) and {coarsest} can be asked for");
+            return Err(Error::value(&place, "tolerance", self.settings.tolerance, expected, "use 1e-3 to 1e-8"));
+        }
         if self.settings.increments == 0 {
             return Err(Error::value(
                 place,

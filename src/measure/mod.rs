@@ -53,7 +53,7 @@ pub fn relative_error(value: f64, reference: f64) -> f64 {
     (value - reference).abs() / reference.abs()
 }
 
-/// Length along the contact per unit of its coordinate, for axis labels: mm on planes, degrees on arcs.
+/// What turns the contact coordinate into what people read: 1 on planes (mm), degrees per radian on arcs.
 pub fn display_factor(path: &Path) -> f64 {
     match path {
         Path::Horizontal => 1.0,

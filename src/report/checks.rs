@@ -5,8 +5,21 @@ use std::collections::BTreeMap;
 use crate::case::{Check, Finding, Verdict};
 use crate::report::format;
 
-/// Table of the checks of some findings; requirements every run must meet are left to [`universal`].
+/// The requirements of some findings, each once, and the table of their checks; requirements that every run must meet are
+/// left to [`universal`].
 pub fn table(members: &[&Finding]) -> String {
+    let own = || members.iter().flat_map(|finding| &finding.checks).filter(|check| !is_universal(check));
+    let mut requirements: Vec<&str> = Vec::new();
+    for check in own() {
+        if !requirements.contains(&check.requirement.as_str()) {
+            requirements.push(&check.requirement);
+        }
+    }
+    let sentences: String = requirements.iter().map(|requirement| format!("* {requirement}.\n")).collect();
+    format!("{sentences}\n{}", rows(members))
+}
+
+fn rows(members: &[&Finding]) -> String {
     let head = ["formulation", "quantity", "found", "reference", "kind", "error", "tolerance", "because", "verdict"];
     let mut rows = Vec::new();
     for finding in members {
@@ -28,7 +41,7 @@ fn row(name: &str, check: &Check) -> Vec<String> {
         Verdict::NotRun(_) => "–".into(),
         _ => format::error(check.error),
     };
-    let tolerance = if check.tolerance > 0.0 { format::error(check.tolerance) } else { "at least".into() };
+    let tolerance = if check.tolerance > 0.0 { format::error(check.tolerance) } else { "–".into() };
     vec![
         name.into(),
         check.quantity.clone(),
@@ -48,7 +61,8 @@ fn is_universal(check: &Check) -> bool {
 }
 
 /// First words of the requirements every converged run must meet.
-const UNIVERSAL: [&str; 6] = [
+const UNIVERSAL: [&str; 7] = [
+    "Pressures shall not change",
     "The resultant of the reported",
     "Contact shall exert no tangential",
     "The contact forces shall have no moment",

@@ -110,7 +110,7 @@ fn pin_rod(findings: &[Finding]) -> String {
     text += "### Against Gaertner\n\n";
     text += &studies(findings, &["gaertner 1977"]);
     text += "What can be given before the figures are at hand is the dimensionless family, by which any figure can be placed the day it appears.\n\n";
-    text += &picture("family-pin-rod.svg", "Pressure and contact angle against dimensionless clearance");
+    text += &picture("family-pin-rod.svg", "Peak pressure and second-moment angle against dimensionless clearance");
     text += &tables(findings, &["dimensionless family, pin-rod"]);
     text += "### Pin in a wide plate: the same contact with a closed form\n\n";
     let plates: Vec<&str> =
