@@ -3,6 +3,7 @@
 mod workbench;
 
 mod algorithm;
+#[path = "../architecture.rs"]
 mod architecture;
 mod condensation;
 mod contact;
