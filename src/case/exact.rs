@@ -132,7 +132,7 @@ fn lame(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Check>, 
     let scale = problem.reference_pressure(0.0);
     let reference = Reference::analytic("Lamé", scale);
     let error = worst_deviation(problem, run, scale);
-    let because = "8-node cells of 2.8° on the interface: edges are parabolas, not arcs";
+    let because = "edges of 8-node cells are parabolas, not arcs";
     Ok(vec![Check::norm(requirement, "max |p − p_ref| / p_ref", error, reference, 1e-4, because)])
 }
 

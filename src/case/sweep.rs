@@ -3,7 +3,7 @@
 use crate::case::check::{Check, Reference};
 use crate::case::problem::{self, Problem};
 use crate::case::run::Run;
-use crate::case::suite::{Finding, Series, Trial};
+use crate::case::suite::{Finding, Series, Table, Trial};
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration};
 use crate::measure::relative_error;
@@ -26,6 +26,9 @@ pub fn study(scene: &str) -> String {
 /// Name of the study whose candidates end at the contact edge.
 pub const AT_THE_EDGE: &str = "stiffness sweep, candidates end at the edge";
 
+/// Name of the study of the rules.
+pub const RULES: &str = "rules, cylinder";
+
 /// Trials of the sweeps.
 pub fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
@@ -38,6 +41,7 @@ pub fn trials() -> Vec<Trial> {
             }));
         }
     }
+    trials.push(Trial::new(RULES, "all rules", rules));
     trials.push(Trial::new(AT_THE_EDGE, "node.kinematic", || {
         let parts = problem::cylinder(Cylinder { stretch: 1.0, ..Default::default() });
         let problem = Problem::new("cylinder", "cylinder, candidates end at a", parts);
@@ -45,6 +49,30 @@ pub fn trials() -> Vec<Trial> {
         sweep(AT_THE_EDGE, &problem, Resolution { elements: 8, ..problem.resolution }, &formulation)
     }));
     trials
+}
+
+/// Every rule of every algorithm on the cylinder, from three start stiffnesses: outcome, and steps where it converged.
+fn rules() -> Result<Finding, Error> {
+    let starts = [0.1, 1.0, 10.0];
+    let problem = problem::problem("cylinder", None)?;
+    let discretisation = Discretisation::of(problem.scene, Resolution { elements: SCENES[0].1, ..problem.resolution })?;
+    let mut rows = Vec::new();
+    for algorithm in Iteration::ALL {
+        for &rule in algorithm.rules() {
+            let mut row = vec![algorithm.name().to_string(), rule.name().to_string()];
+            for stiffness in starts {
+                let formulation = Formulation { rule, stiffness, ..Formulation::new(Element::Node, algorithm) };
+                let solution = discretisation.solve(&formulation)?;
+                let steps = format!(", {} steps", solution.work.steps);
+                row.push(format!("{}{}", solution.outcome, if solution.converged() { &steps } else { "" }));
+            }
+            rows.push(row);
+        }
+    }
+    let head = ["algorithm", "rule"].map(String::from).into_iter().chain(starts.map(|k| format!("κ₀ = {k}")));
+    let title =
+        "The rules of each algorithm on the cylinder, node element; `penalty` converges to its own springs' law".into();
+    Ok(Finding { tables: vec![Table { title, head: head.collect(), rows }], ..Default::default() })
 }
 
 /// Runs a formulation from every start stiffness; what converges must agree with the verification formulation.

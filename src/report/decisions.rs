@@ -47,7 +47,7 @@ pub fn open_points() -> String {
          "whether and how fast (a) and (b) converge".into()],
         ["Constant stiffness keeps forces".into(),
          "K_cj q in (3.10) is read as the change of the spring force p⁺ − p; the literal sum is the rule `literal`".into(),
-         "the literal sum stalls or drifts".into()],
+         "the literal sum is shown in the table of rules".into()],
         ["Initial stiffness κ₀ = k_n ℓ/E*".into(),
          format!("(a), (b): {soft}; (c): {hard:e} with node elements, {gauss} with line and layer elements; springs within {:e} … {:e} E*/ℓ", LIMITS[0], LIMITS[1]),
          "with line and layer elements, hard springs let an alternating pressure mode grow between Gauss points that no node feels".into()],

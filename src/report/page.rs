@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::case::{Finding, hertz, pin, statements};
+use crate::case::{Finding, hertz, pin, statements, sweep};
 use crate::error::Error;
 use crate::formulation::Formulation;
 use crate::report::{checks, decisions, format, matrix, pictures};
@@ -27,7 +27,7 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
         cylinder(findings),
         pin_rod(findings),
         exact(findings),
-        behaviour(),
+        behaviour(findings),
         silent(),
         closing(),
     ];
@@ -127,7 +127,7 @@ fn exact(findings: &[Finding]) -> String {
     format!("## Exact solutions\n\n{}", case(findings, &names))
 }
 
-fn behaviour() -> String {
+fn behaviour(findings: &[Finding]) -> String {
     let mut text = String::from("## Elements and iterations\n\n");
     text += &picture("contact-elements.svg", "The three contact elements");
     text += &picture("iteration-paths.svg", "The path of the iterations");
@@ -135,6 +135,7 @@ fn behaviour() -> String {
         "steps-against-stiffness.svg",
         "Steps against initial stiffness; runs that do not converge stand hollow above the frame",
     );
+    text += &tables(findings, &[sweep::RULES]);
     text
 }
 
