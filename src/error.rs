@@ -170,6 +170,15 @@ pub enum Error {
         remedy: String,
     },
 
+    /// What the Python side of the oracles said.
+    #[error("python oracles: {said}; {remedy}")]
+    Python {
+        /// The missing module, or the exception with its traceback.
+        said: String,
+        /// What to do.
+        remedy: String,
+    },
+
     /// A picture that could not be drawn.
     #[error("figure `{figure}`: {reason}")]
     Drawing {

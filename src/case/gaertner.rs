@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
 use crate::measure::profile;
 use crate::mesh::{Order, Resolution};
+use crate::oracle::cross_code::root;
 use crate::oracle::digitised::{
     Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, acceptance, compare,
 };
@@ -24,7 +25,7 @@ const ELEMENTS: usize = 24;
 
 /// Where the curves are looked for.
 pub fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles/digitised/gaertner-1977")
+    root().join("oracles/digitised/gaertner-1977")
 }
 
 /// The trial.

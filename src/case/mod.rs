@@ -7,12 +7,16 @@
 //! * [`suite`] — all cases and studies as a flat list of trials.
 //! * [`exact`], [`hertz`], [`pin`] — the cases.
 //! * [`refinement`], [`sweep`], [`family`], [`gaertner`] — studies over meshes, stiffnesses and dimensions.
+//! * [`cross_code`] — the solver against scikit-fem and dolfinx.
+//! * [`faults`] — the record of planted faults.
 //! * [`pictures`] — fields and iteration paths that are shown, not judged.
 //! * [`statements`] — the paper's statements, judged from the findings.
 
 pub mod check;
+pub mod cross_code;
 pub mod exact;
 pub mod family;
+pub mod faults;
 pub mod gaertner;
 pub mod hertz;
 pub mod pictures;

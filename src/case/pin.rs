@@ -80,7 +80,7 @@ fn persson(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Res
 }
 
 /// The same functional of the closed form, by the trapezoidal rule in `φ = ε sin t`, where the integrand is smooth.
-fn exact_second_moment(problem: &Problem, edge: f64) -> f64 {
+pub fn exact_second_moment(problem: &Problem, edge: f64) -> f64 {
     let n = 4000;
     let (mut moment, mut total) = (0.0, 0.0);
     for k in 0..n {

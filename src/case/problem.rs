@@ -77,7 +77,7 @@ pub fn problem(name: &str, a_over_r: Option<f64>) -> Result<Problem, Error> {
             cylinder(Cylinder { a_over_r: ratio, model, ..Default::default() })
         }
         "truncated-hertz" => truncated_hertz(TruncatedHertz { a_over_r: ratio, ..Default::default() }),
-        "pin-rod" => (PinRod::default().scene(), 24, None),
+        "pin-rod" => (PinRod::default().scene(), 32, None),
         "pin-plate" => pin_plate(60.0),
         "patch" => patch(Patch::default()),
         "bars" => bars(Bars::default()),
@@ -90,7 +90,8 @@ pub fn problem(name: &str, a_over_r: Option<f64>) -> Result<Problem, Error> {
     Ok(Problem { name, title, scene, resolution, oracle })
 }
 
-type Parts = (Scene, usize, Option<SharedOracle>);
+/// Scene, elements of the default mesh, oracle.
+pub type Parts = (Scene, usize, Option<SharedOracle>);
 
 /// Cylinder with Hertz's solution.
 pub fn cylinder(numbers: Cylinder) -> Parts {
@@ -107,18 +108,21 @@ pub fn truncated_hertz(numbers: TruncatedHertz) -> Parts {
     (numbers.scene(field), 8, Some(Arc::new(hertz)))
 }
 
-/// Pin in a wide plate whose contact half-angle is `degrees`, with Persson's solution.
-pub fn pin_plate(degrees: f64) -> Parts {
+/// Pin in a wide plate whose contact half-angle is `degrees`, by Persson's load.
+pub fn plate(degrees: f64) -> PinPlate {
     let numbers = PinPlate::default();
-    let modulus = numbers.material.young;
-    let load = PinInHole::load_for(degrees.to_radians(), numbers.clearance, modulus);
-    let stretch = (1.5 * degrees).min(90.0).to_radians();
-    let numbers = PinPlate { force: load * numbers.thickness, stretch, ..numbers };
+    let load = PinInHole::load_for(degrees.to_radians(), numbers.clearance, numbers.material.young);
+    PinPlate { force: load * numbers.thickness, stretch: (1.5 * degrees).min(90.0).to_radians(), ..numbers }
+}
+
+/// The same with Persson's solution.
+pub fn pin_plate(degrees: f64) -> Parts {
+    let numbers = plate(degrees);
     let oracle = PinInHole {
         radius: numbers.pin_radius,
         clearance: numbers.clearance,
-        load,
-        modulus,
+        load: numbers.force / numbers.thickness,
+        modulus: numbers.material.young,
         poisson: numbers.material.poisson,
         plane: Plane::Stress,
     };

@@ -3,7 +3,8 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::case::check::{Check, Verdict};
-use crate::case::{Problem, Run, exact, family, gaertner, hertz, pictures, pin, refinement, sweep, universal};
+use crate::case::cross_code::{self, Answers};
+use crate::case::{Problem, Run, exact, family, faults, gaertner, hertz, pictures, pin, refinement, sweep, universal};
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
 use crate::mesh::Resolution;
@@ -161,6 +162,8 @@ pub fn all() -> Vec<Trial> {
     trials.extend(refinement::trials());
     trials.extend(sweep::trials());
     trials.extend(family::trials());
+    trials.extend(cross_code::trials(Answers::Frozen));
+    trials.extend(faults::trials());
     trials.extend(gaertner::trials());
     trials.extend(pictures::trials());
     trials

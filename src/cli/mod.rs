@@ -38,19 +38,27 @@ enum Command {
     },
     /// Solve one case of the library.
     Solve(Box<solve::Arguments>),
+    /// Solve the suite and print every check with its verdict, a line of JSON each; trials that break off fail too.
+    Verdicts,
     /// Name the cases of the library.
     List,
+    /// Ask the other codes for everything again, write oracles/frozen and show what changed.
+    #[cfg(feature = "python")]
+    Freeze,
 }
 
 /// Runs the command line; failed checks, stale pages and errors exit with a failure.
 pub fn main() -> ExitCode {
     let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false }) {
         Command::Report { check } => report_command(check),
+        Command::Verdicts => Ok(suite::verdicts()),
         Command::Solve(arguments) => solve::run(&arguments).map(|()| true),
         Command::List => {
             PROBLEMS.iter().for_each(|(name, title)| say(format!("{name:18} {title}")));
             Ok(true)
         }
+        #[cfg(feature = "python")]
+        Command::Freeze => freeze().map(|()| true),
     };
     match outcome {
         Ok(true) => ExitCode::SUCCESS,
@@ -98,4 +106,11 @@ fn root() -> Result<PathBuf, Error> {
         reason: "neither this folder nor one above holds Cargo.toml and snapshots/".into(),
         remedy: "run inside a checkout of the project".into(),
     })
+}
+
+/// Renews the frozen results of both codes.
+#[cfg(feature = "python")]
+fn freeze() -> Result<(), Error> {
+    crate::case::cross_code::renewal::freeze()?.into_iter().for_each(say);
+    Ok(())
 }

@@ -3,14 +3,20 @@
 use comfy_table::{ContentArrangement, Table, presets};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
+use serde_json::{Value, json};
 
-use crate::case::{Finding, Verdict, suite};
+use crate::case::{Check, Finding, Verdict, suite};
 use crate::cli::say;
 use crate::error::Error;
 use crate::report::{format, matrix};
 
-/// Runs every trial, two or more at a time, in the order of the page.
+/// Runs every trial, two or more at a time, in the order of the page; the first that breaks off ends it.
 pub fn run() -> Result<Vec<Finding>, Error> {
+    run_all().into_iter().map(|(_, finding)| finding).collect()
+}
+
+/// Every trial's title with what it found.
+fn run_all() -> Vec<(String, Result<Finding, Error>)> {
     let trials = suite::all();
     let bar = ProgressBar::new(trials.len() as u64);
     if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
@@ -22,7 +28,7 @@ pub fn run() -> Result<Vec<Finding>, Error> {
             bar.set_message(trial.title());
             let finding = trial.run();
             bar.inc(1);
-            finding
+            (trial.title(), finding)
         })
         .collect();
     bar.finish_and_clear();
@@ -52,6 +58,34 @@ pub fn print(findings: &[Finding]) {
             ));
         }
     }
+}
+
+/// Prints every check of every trial as a line of JSON, and tells whether none failed.
+pub fn verdicts() -> bool {
+    let mut lines = Vec::new();
+    for (title, finding) in run_all() {
+        match finding {
+            Ok(finding) => lines.extend(finding.checks.iter().map(|check| line(&title, check))),
+            Err(error) => lines.push(json!({ "trial": title, "verdict": "fail", "requirement": error.to_string() })),
+        }
+    }
+    lines.iter().for_each(say);
+    lines.iter().all(|line| line["verdict"] != "fail")
+}
+
+fn line(title: &str, check: &Check) -> Value {
+    let verdict = match check.verdict {
+        Verdict::Pass => "pass",
+        Verdict::Fail => "fail",
+        Verdict::NotRun(_) => "not run",
+    };
+    json!({
+        "trial": title,
+        "requirement": check.requirement,
+        "quantity": check.quantity,
+        "kind": check.reference.kind,
+        "verdict": verdict,
+    })
 }
 
 /// Whether no check failed.

@@ -13,7 +13,8 @@ pub fn observed(sizes: &[f64], errors: &[f64]) -> f64 {
 pub struct Richardson {
     /// Observed order `log₂ (f₄ − f₂)/(f₂ − f₁)`; NaN where the series is not monotone.
     pub order: f64,
-    /// Uncertainty of the finest value relative to it, `1.25 |f₂ − f₁| / (2^p − 1) / |f₁|`, with p kept within 1 … 2.
+    /// Uncertainty of the finest value relative to it: `1.25 |f₂ − f₁| / (2^p − 1) / |f₁|`, with p kept within 1 … 2;
+    /// where the series is not monotone, the range of the three over `|f₁|`.
     pub uncertainty: f64,
     /// Extrapolated value.
     pub limit: f64,
@@ -24,5 +25,10 @@ pub fn richardson([coarse, medium, fine]: [f64; 3]) -> Richardson {
     let order = ((coarse - medium) / (medium - fine)).log2();
     let used = if order.is_nan() { 1.0 } else { order.clamp(1.0, 2.0) };
     let correction = (fine - medium) / (2f64.powf(used) - 1.0);
-    Richardson { order, uncertainty: 1.25 * correction.abs() / fine.abs(), limit: fine + correction }
+    let uncertainty = if order.is_nan() {
+        coarse.max(medium).max(fine) - coarse.min(medium).min(fine)
+    } else {
+        1.25 * correction.abs()
+    };
+    Richardson { order, uncertainty: uncertainty / fine.abs(), limit: fine + correction }
 }

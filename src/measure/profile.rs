@@ -116,6 +116,35 @@ pub fn interpolate(points: &[PointState], position: f64) -> f64 {
     }
 }
 
+/// Mean pressures over stretches of equal length whose middles are the stations; the edges cover `0 … stretch`.
+///
+/// From the force between 0 and s, linear within each edge: a mean feels the square-root end of a contact as force, where
+/// a value would feel how far it lies from the next node.
+pub fn means(edges: &[PointState], stretch: f64, stations: &[f64]) -> Vec<f64> {
+    let mut carried = vec![[0.0, 0.0]];
+    for edge in edges {
+        let [area, force] = carried[carried.len() - 1];
+        carried.push([area + edge.weight, force + edge.weight * edge.pressure]);
+    }
+    let per_length = carried[carried.len() - 1][0] / stretch;
+    let half = match stations {
+        [first, second, ..] => 0.5 * (second - first),
+        _ => 0.5 * stretch,
+    };
+    let force_to = |s: f64| linear(&carried, s * per_length);
+    stations.iter().map(|s| (force_to(s + half) - force_to(s - half)) / (2.0 * half * per_length)).collect()
+}
+
+/// Value of a line through points of growing abscissa, constant beyond its ends.
+fn linear(points: &[[f64; 2]], at: f64) -> f64 {
+    let after = points.partition_point(|point| point[0] < at);
+    match (after.checked_sub(1).map(|i| points[i]), points.get(after)) {
+        (Some([x0, y0]), Some([x1, y1])) => y0 + (y1 - y0) * (at - x0) / (x1 - x0),
+        (Some([_, y]), None) | (None, Some(&[_, y])) => y,
+        (None, None) => f64::NAN,
+    }
+}
+
 fn with_pressure(points: &[PointState], pressure: impl Fn(f64) -> f64) -> Vec<PointState> {
     points.iter().map(|p| PointState { pressure: pressure(p.position), ..*p }).collect()
 }

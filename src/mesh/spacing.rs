@@ -29,6 +29,23 @@ pub fn growing(from: f64, to: f64, first: f64, ratio: f64, coarsest: f64) -> Vec
     stations(from, to, sizes)
 }
 
+/// Intervals growing by `ratio` from `ends[0]` at the start and from `ends[1]` at the end up to `coarsest` between them,
+/// scaled to end at `to` exactly.
+pub fn growing_from_both(from: f64, to: f64, ends: [f64; 2], ratio: f64, coarsest: f64) -> Vec<f64> {
+    let length = (to - from).abs();
+    let [mut first, mut last] = ends;
+    let (mut at_start, mut at_end, mut covered) = (Vec::new(), Vec::new(), 0.0);
+    while covered < length * (1.0 - 1e-9) {
+        let (sizes, size) = if first <= last { (&mut at_start, &mut first) } else { (&mut at_end, &mut last) };
+        sizes.push(*size);
+        covered += *size;
+        *size = (*size * ratio).min(coarsest.max(*size));
+    }
+    at_end.reverse();
+    at_start.extend(at_end);
+    stations(from, to, at_start)
+}
+
 /// `n` intervals in geometric progression, the first as near to `first` as `n` intervals allow.
 pub fn fitted(from: f64, to: f64, n: usize, first: f64) -> Vec<f64> {
     let length = (to - from).abs();

@@ -1,11 +1,13 @@
 //! Independent truth: what a result is held against, where it comes from, and how far it can be trusted.
 //!
 //! * [`analytic`]: closed forms, one file each.
+//! * [`cross_code`]: other finite element codes, run through Python or read from what such a run left.
 //! * [`digitised`]: curves read off published figures, admitted only with their provenance.
 
 use std::fmt;
 
 pub mod analytic;
+pub mod cross_code;
 pub mod digitised;
 
 /// What kind of truth a reference is; only `Analytic` verifies.

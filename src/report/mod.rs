@@ -4,12 +4,14 @@
 //! * [`mod@format`] — how numbers and tables are written.
 //! * [`matrix`] — the verdict matrix and the summary table of the terminal.
 //! * [`checks`] — requirement by requirement.
+//! * [`cross_code`] — against other codes, and the planted faults.
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
 //! * [`figure`] — how a chart or drawing is made.
 //! * [`files`] — writing, and comparing with what is committed.
 
 pub mod checks;
+pub mod cross_code;
 pub mod decisions;
 pub mod figure;
 pub mod files;

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::case::{Finding, hertz, pin, statements, sweep};
 use crate::error::Error;
 use crate::formulation::Formulation;
-use crate::report::{checks, decisions, format, matrix, pictures};
+use crate::report::{checks, cross_code, decisions, format, matrix, pictures};
 
 /// The page and its charts.
 #[derive(Clone, Debug)]
@@ -26,8 +26,10 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
         verdicts(findings),
         cylinder(findings),
         pin_rod(findings),
+        other_codes(findings)?,
         exact(findings),
         behaviour(findings),
+        cross_code::planted()?,
         silent(),
         closing(),
     ];
@@ -42,11 +44,12 @@ fn head(findings: &[Finding]) -> String {
     let runs = findings.iter().filter(|finding| finding.run.is_some()).count();
     format!(
         "# Validation report\n\n\
-         Three contact elements × three iterations for frictionless elastic contact in 2D (Égert 1999), held against closed forms.\n\
+         Three contact elements × three iterations for frictionless elastic contact in 2D (Égert 1999), held against closed forms and other codes.\n\
          **Nothing here has yet been compared with an experiment**: Gaertner's figures are not at hand.\n\n\
          {runs} runs, {} checks: {pass} passed, {fail} failed, {not_run} not run. Generated; do not edit.\n\n\
-         *Verification* holds the code against closed forms and orders of accuracy (kind *analytic*); *self-consistency* asks it \
-         the same in another way; *validation* would compare with measurement.\n\n",
+         *Verification* holds the code against closed forms and orders of accuracy (kind *analytic*); *benchmarking* \
+         holds it against other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* would \
+         compare with measurement.\n\n",
         pass + fail + not_run
     )
 }
@@ -67,8 +70,9 @@ fn paper(findings: &[Finding]) -> String {
 
 fn verdicts(findings: &[Finding]) -> String {
     format!(
-        "## Verdicts\n\nSteps to convergence; ✓ all checks of the run pass, ✗ some fail, · reported only. Several numbers: several load increments.\n\n{}\n{}\n{}\n",
+        "## Verdicts\n\nSteps to convergence; ✓ all checks of the run pass, ✗ some fail, · reported only. Several numbers: several load increments.\n\n{}\n{}\n{}\n{}\n",
         matrix::verdict_matrix(findings),
+        cross_code::by_kind(findings),
         matrix::study_table(findings),
         checks::universal(findings)
     )
@@ -117,6 +121,13 @@ fn pin_rod(findings: &[Finding]) -> String {
         matrix::cases(findings).iter().map(|(name, _)| *name).filter(|name| name.starts_with("pin in plate")).collect();
     text += &case(findings, &plates);
     text
+}
+
+fn other_codes(findings: &[Finding]) -> Result<String, Error> {
+    let mut text = cross_code::section(findings)?;
+    text += &picture("pressure-cross-code.svg", "Contact pressure of the same physical problem in three codes");
+    text += &picture("difference-cross-code.svg", "Difference of each code to the closed form");
+    Ok(text)
 }
 
 fn exact(findings: &[Finding]) -> String {

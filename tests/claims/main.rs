@@ -7,6 +7,7 @@ mod algorithm;
 mod architecture;
 mod condensation;
 mod contact;
+mod cross_code;
 mod digitised;
 mod elasticity;
 mod errors;

@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::measure::order::{observed, richardson};
 use contact_vv::measure::profile::{
-    half_width_of, peak, peak_of, relative_l2, relative_l2_between, resultant, second_moment_half_width, weighted_line,
+    half_width_of, means, peak, peak_of, relative_l2, relative_l2_between, resultant, second_moment_half_width,
+    weighted_line,
 };
 use contact_vv::measure::{Measures, display_factor, relative_error, whole};
 use contact_vv::scene::library::{Cylinder, PinRod};
@@ -230,11 +231,23 @@ fn richardson_trusts_no_order_above_two_and_no_oscillation() {
     assert_relative_eq!(found.uncertainty, 1.25 * (medium - fine) / 3.0 / fine, max_relative = 1e-12);
     let oscillating = richardson([1.0, 2.0, 1.5]);
     assert!(oscillating.order.is_nan());
-    assert_relative_eq!(oscillating.uncertainty, 1.25 * 0.5 / 1.5, max_relative = 1e-12);
+    assert_relative_eq!(oscillating.uncertainty, 1.0 / 1.5, max_relative = 1e-12);
 }
 
 #[test]
 fn relative_error_is_measured_by_the_reference_and_nan_stays_nan() {
     assert_relative_eq!(relative_error(3.0, -2.0), 2.5);
     assert!(relative_error(f64::NAN, 1.0).is_nan());
+}
+
+#[test]
+fn means_over_stretches_are_exact_where_the_pressure_is_constant_on_edges_and_keep_the_force() {
+    let edges = sampled(4.0, 8, |s| if s < 2.5 { 10.0 - s.floor() } else { 0.0 });
+    let stations: Vec<f64> = (0..4).map(|k| k as f64 + 0.5).collect();
+    assert_abs_diff_eq!(means(&edges, 4.0, &stations)[..], [10.0, 9.0, 4.0, 0.0], epsilon = 1e-12);
+    // Stretches that cut through edges keep the force, also where they reach beyond the candidates.
+    let uneven: Vec<f64> = (0..3).map(|k| 1.7 * (k as f64 + 0.5)).collect();
+    let force: f64 = means(&edges, 4.0, &uneven).iter().map(|p| 1.7 * p).sum();
+    assert_relative_eq!(force, 23.0, max_relative = 1e-12);
+    assert!(means(&sampled(4.0, 8, |_| f64::NAN), 4.0, &stations).iter().all(|p| p.is_nan()));
 }

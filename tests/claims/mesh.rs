@@ -527,6 +527,24 @@ fn fitted_spacing_starts_with_the_asked_size_and_fills_the_length() {
 }
 
 #[test]
+fn growing_from_both_ends_is_fine_at_both_and_never_jumps() {
+    for (ends, ratio, coarsest) in [([0.1, 0.02], 1.3, 0.5), ([0.05, 0.05], 1.5, 0.2), ([0.2, 0.1], 1.2, 0.3)] {
+        let stations = spacing::growing_from_both(1.0, 3.0, ends, ratio, coarsest);
+        let sizes: Vec<f64> = stations.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        assert_eq!((stations[0], stations[stations.len() - 1]), (1.0, 3.0));
+        // Scaled to fit: no size is farther from what was asked than one interval allows.
+        let scale = sizes[0] / ends[0];
+        assert!((0.5..=1.0 + 1e-12).contains(&scale), "{scale}");
+        assert_relative_eq!(sizes[sizes.len() - 1] / ends[1], scale, max_relative = 1e-9);
+        for pair in sizes.windows(2) {
+            let jump = (pair[0] / pair[1]).max(pair[1] / pair[0]);
+            assert!(jump <= ratio * ratio + 1e-9, "{jump}");
+        }
+        assert!(sizes.iter().all(|size| *size <= coarsest.max(ends[0]) + 1e-12));
+    }
+}
+
+#[test]
 fn joined_lists_share_the_station_at_which_they_meet() {
     assert_eq!(spacing::joined(&[vec![0.0, 1.0], vec![1.0, 3.0], vec![3.0, 4.0]]), vec![0.0, 1.0, 3.0, 4.0]);
 }

@@ -7,17 +7,28 @@ use crate::mesh::block::{Block, Point, Side};
 use crate::mesh::spacing;
 use crate::scene::Shape;
 
+/// Size of the elements at the re-entrant corner of eye and shank over that of the contact elements.
+///
+/// Coarse there, they cost 0.14 % of the second-moment angle of the contact, however fine the contact itself.
+const CORNER: f64 = 0.5;
+
 pub(super) fn blocks(layout: &Layout, shape: &Shape) -> Vec<Block> {
     let Shape::Eye { pole, hole, outer_radius, shank_half_width, shank_end } = *shape else {
         return Vec::new();
     };
     let corner = PI - (shank_half_width / outer_radius).asin();
-    let angles = layout.arc(hole.radius, &[corner]);
-    let [before, last] = last_two(&angles);
-    let rest =
-        spacing::fitted(corner, PI, ((PI - corner) / (last - before)).ceil().clamp(4.0, 8.0) as usize, last - before);
+    let surface = layout.candidates();
+    let [before, last] = last_two(&surface);
+    let grading = layout.grading;
+    let fine = CORNER * hole.radius * (surface[1] - surface[0]);
+    let (along, coarsest) = (grading.along, 1.6 * grading.coarsest);
+    let towards =
+        spacing::growing_from_both(last, corner, [(last - before) * along, fine / outer_radius], along, coarsest);
+    let angles = spacing::joined(&[surface, towards]);
+    let rest = spacing::growing(corner, PI, fine / outer_radius, along, coarsest);
     let depth = outer_radius - hole.radius;
-    let stations = layout.depth(hole.radius * (angles[1] - angles[0]), depth);
+    let first = hole.radius * (angles[1] - angles[0]) * grading.first;
+    let stations = spacing::growing_from_both(0.0, depth, [first, fine], grading.depth, grading.coarsest * depth);
     let inwards: Vec<f64> = stations.iter().rev().map(|d| 1.0 - d / depth).collect();
 
     let outer = |angle: f64| polar(hole.centre, outer_radius, angle);
@@ -45,8 +56,9 @@ pub(super) fn blocks(layout: &Layout, shape: &Shape) -> Vec<Block> {
 fn shank(layout: &Layout, rest: &[f64], outer: impl Fn(f64) -> Point, [half_width, end]: [f64; 2]) -> Block {
     let backwards: Vec<f64> = rest.iter().rev().copied().collect();
     let [side, axis] = [outer(rest[0]), outer(PI)];
-    let width = half_width / (rest.len() - 1) as f64;
-    let heights = spacing::growing(0.0, end - side[1], width, layout.grading.depth, 2.5 * half_width / 4.0);
+    let [first, second] = [outer(rest[0]), outer(rest[1])];
+    let fine = (first[0] - second[0]).hypot(first[1] - second[1]);
+    let heights = spacing::growing(0.0, end - side[1], fine, layout.grading.depth, 2.5 * half_width / 4.0);
     let total = end - side[1];
     let across = spacing::uniform(0.0, half_width, rest.len() - 1);
     Block {

@@ -4,10 +4,12 @@
 //! * [`convergence`] — steps against initial stiffness, orders, iteration paths.
 //! * [`fields`] — stress on the deformed meshes.
 //! * [`schematics`] — contact elements and scenes.
+//! * [`cross_code`] — profiles of all codes and their differences.
 //! * [`pins`] — hoop stress and displacement along the pin, the dimensionless family.
 
 pub mod contact;
 pub mod convergence;
+pub mod cross_code;
 pub mod fields;
 pub mod pins;
 pub mod schematics;
@@ -34,6 +36,8 @@ pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
         ("field-cylinder.svg", fields::cylinder(findings)?),
         ("field-pin-rod.svg", fields::pin_rod(findings)?),
         ("along-the-pin.svg", pins::along(findings)?),
+        ("pressure-cross-code.svg", cross_code::pressure(findings)?),
+        ("difference-cross-code.svg", cross_code::difference(findings)?),
         ("family-pin-rod.svg", pins::family(findings)?),
     ] {
         charts.push((name.into(), chart));

@@ -1,0 +1,80 @@
+"""The physical contact problems with stiffness and edge functions of dolfinx 0.5, factorised by MUMPS."""
+
+import sys
+
+from mpi4py import MPI  # before PETSc, which would otherwise start it with fewer threads allowed
+
+import basix
+import numpy as np
+import ufl
+from dolfinx import fem
+from dolfinx.fem.petsc import assemble_matrix
+from dolfinx.mesh import create_mesh
+from petsc4py import PETSc
+from scipy.sparse import coo_matrix, csr_matrix
+
+import problem
+
+# Curved elements have rational integrands; this leaves 1e-10 of them.
+QUADRATURE = 6
+# dolfinx: corners, then the middles opposite to corner 0, 1, 2; the mesh: middles of 01, 12, 20.
+ORDER = [0, 1, 2, 4, 5, 3]
+# the same element everywhere, so that the compiled forms are found again
+QUADRATIC = ufl.VectorElement("Lagrange", ufl.triangle, 2, variant="equispaced")
+
+
+def solve(scene: dict, level: int, method: str = "penalty") -> dict:
+    """Half-width, peak, resultant and pressures of a scene; method "penalty"."""
+    if method != "penalty":
+        raise ValueError(f"method {method!r}: dolfinx serves 'penalty'")
+    return problem.solve(scene, level, method, sys.modules[__name__])
+
+
+def stiffness(mesh, plane_matrix):
+    """Stiffness of a mesh of curved 6-node triangles, thickness 1 [N/mm]."""
+    cells = mesh.triangles[:, ORDER].astype(np.int64)
+    solid = create_mesh(MPI.COMM_SELF, cells, mesh.points, ufl.Mesh(QUADRATIC))
+    space = fem.FunctionSpace(solid, QUADRATIC)
+    material = fem.Constant(solid, plane_matrix)
+    u, v = ufl.TrialFunction(space), ufl.TestFunction(space)
+    dx = ufl.dx(metadata={"quadrature_degree": QUADRATURE})
+    matrix = assemble_matrix(fem.form(ufl.inner(material * strain(u), strain(v)) * dx))
+    matrix.assemble()
+    start, column, entry = matrix.getValuesCSR()
+    found = csr_matrix((entry, column, start)).tocoo()
+    # dolfinx numbers anew; cell by cell its freedoms name the nodes of its geometry, and those the given ones
+    nodes = np.asarray(solid.geometry.input_global_indices)[solid.geometry.dofmap.array]
+    own = np.empty(len(mesh.points), int)
+    own[space.dofmap.list.array] = nodes
+    freedom = (2 * own[:, None] + np.arange(2)).ravel()
+    return coo_matrix((found.data, (freedom[found.row], freedom[found.col])), found.shape).tocsr()
+
+
+def strain(u):
+    """(eps_x, eps_y, gamma)."""
+    grad = ufl.grad(u)
+    return ufl.as_vector([grad[0, 0], grad[1, 1], grad[0, 1] + grad[1, 0]])
+
+
+def edge_functions(xi):
+    """Functions and slopes of the 3-node edge at xi in -1..1."""
+    edge = basix.create_element(
+        basix.ElementFamily.P, basix.CellType.interval, 2, basix.LagrangeVariant.equispaced
+    )
+    shape, slope = edge.tabulate(1, 0.5 * (xi[:, None] + 1.0))[..., 0]
+    return shape, 0.5 * slope
+
+
+def linear_solution(matrix, load):
+    """Direct solution by MUMPS, of one load."""
+    matrix = matrix.tocsr()
+    entries = (matrix.indptr, matrix.indices, matrix.data)
+    operator = PETSc.Mat().createAIJ(matrix.shape, csr=entries, comm=MPI.COMM_SELF)
+    solver = PETSc.KSP().create(MPI.COMM_SELF)
+    solver.setOperators(operator)
+    solver.setType("preonly")
+    solver.getPC().setType("lu")
+    solver.getPC().setFactorSolverType("mumps")
+    solution = operator.createVecRight()
+    solver.solve(PETSc.Vec().createWithArray(load, comm=MPI.COMM_SELF), solution)
+    return solution.array.copy()

@@ -1,0 +1,41 @@
+"""Compiles every form of the dolfinx oracles once and says what is installed; run by the set-up script."""
+import sys
+
+import environment
+
+
+def main(installed):
+    environment.prepare(installed)
+    import numpy as np
+
+    import closed_forms
+    import discrete_dolfinx
+    import physical_dolfinx
+    import shapes
+
+    square = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.5, 0], [1, 0.5], [0.5, 1], [0, 0.5]])
+    one_cell = {
+        "body": np.array([0]),
+        "young": np.array([1.0]),
+        "poisson": np.array([0.3]),
+        "plane": "strain",
+        "thickness": 1.0,
+        "load_edges": np.array([[2, 3]]),
+        "traction": np.array([0.0, 1.0]),
+        "length": 1.0,
+        "radius": 1.0,
+    }
+    for nodes in (4, 8):
+        for load in (False, True):
+            mesh = {"points": square[:nodes], "cells": np.arange(nodes)[None], "hertz_load": load}
+            discrete_dolfinx.assembled(one_cell | mesh)
+    matrix = closed_forms.plane_matrix(1.0, 0.3, "strain")
+    physical_dolfinx.stiffness(shapes.rectangle(1.0, 0.5, 1, 0), matrix)
+    print("oracles:", ", ".join(f"{name} {version}" for name, version in environment.versions().items()))
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[1])
+    except ModuleNotFoundError as missing:
+        sys.exit(f"module `{missing.name}` is missing in {sys.executable}: run oracles/setup.sh on Debian 12")

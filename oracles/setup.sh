@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Installs what the Python oracles need, once: dolfinx from Debian, scikit-fem from PyPI; then compiles dolfinx's forms.
+# Serves Debian 12 (bookworm). Everything that is not a Debian package goes to oracles/.python, which git ignores.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+packages=(python3-dolfinx libpython3.11-dev python3-pip libopenblas0-pthread gcc)
+scikit_fem=12.0.2
+python=/usr/bin/python3
+installed=$PWD/.python
+
+fail() {
+    echo "oracles/setup.sh: $1" >&2
+    echo "Without Python the tests use the frozen results: cargo test --release" >&2
+    exit 1
+}
+
+missing=()
+for package in "${packages[@]}"; do
+    dpkg-query --show --showformat='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+done
+if ((${#missing[@]})); then
+    release=$(. /etc/os-release 2>/dev/null && echo "${ID:-unknown} ${VERSION_ID:-}" || echo unknown)
+    [[ $release == "debian 12" ]] ||
+        fail "this serves Debian 12 and is run on $release, where ${missing[*]} are missing; use the container debian:12."
+    if ((EUID == 0)); then as_root=(env); else as_root=(sudo env); fi
+    command -v "${as_root[0]}" >/dev/null ||
+        fail "${missing[*]} are missing, and installing them needs root or sudo."
+    apt=("${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 -q)
+    "${apt[@]}" update || fail "Debian's servers do not answer; ${missing[*]} are missing."
+    "${apt[@]}" install -y --no-install-recommends "${missing[@]}" || fail "Debian did not install ${missing[*]}."
+fi
+
+# Without its dependencies: Debian's numpy and scipy serve it, and a newer numpy would break PETSc. Moved into place when
+# complete, so that an interrupted installation is made again.
+if [[ ! -d $installed/site/scikit_fem-$scikit_fem.dist-info ]]; then
+    rm -rf "$installed/site" "$installed/site.new"
+    PIP_USER=0 "$python" -m pip install --quiet --no-cache-dir --disable-pip-version-check --root-user-action=ignore \
+        --no-deps --target "$installed/site.new" "scikit-fem==$scikit_fem" ||
+        fail "PyPI did not give scikit-fem $scikit_fem."
+    mv "$installed/site.new" "$installed/site"
+fi
+
+# A compile that was killed leaves a source without its mark, for which every later run would wait.
+cache=$installed/cache/fenics
+mkdir -p "$cache"
+for source in "$cache"/*.c; do
+    if [[ -e $source && ! -e $source.cached ]]; then rm -f "$source"; fi
+done
+"$python" -EsB python/prewarm.py "$installed" || fail "the oracles do not run in $python."

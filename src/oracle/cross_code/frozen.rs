@@ -1,0 +1,194 @@
+//! What a live run of the other codes left: values, mesh sizes, versions and the hash of the scripts.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest as _, Sha256};
+
+use crate::error::Error;
+use crate::oracle::cross_code::{Code, DiscreteAnswer, PhysicalAnswer, PhysicalScene, root, scripts};
+
+/// What renews the frozen results.
+pub const REFREEZE: &str = "run `cargo run --release --features python -- freeze` and review its diff";
+
+/// Results of one code.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Frozen {
+    /// SHA-256 of the Python files, one after the other in the order of their names.
+    pub scripts: String,
+    /// Versions by name.
+    pub versions: BTreeMap<String, String>,
+    /// The same discrete problems, by name.
+    pub discrete: BTreeMap<String, Digest>,
+    /// The same physical problems, by name.
+    pub physical: BTreeMap<String, Series>,
+}
+
+/// A refinement series of a scene, coarse to fine.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Series {
+    /// The scene as it was given.
+    pub scene: PhysicalScene,
+    /// By penalty.
+    pub penalty: Vec<PhysicalAnswer>,
+    /// Without penalty; empty where the code does not do it.
+    pub active_set: Vec<PhysicalAnswer>,
+}
+
+/// A discrete answer small enough to be kept: its products with the ten fixed vectors, and all contact pressures.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Digest {
+    /// Nodes of the mesh.
+    pub nodes: usize,
+    /// `v_iᵀ K v_j` [N mm].
+    pub forms: Vec<Vec<f64>>,
+    /// `v_i · f` [N mm].
+    pub work: Vec<f64>,
+    /// Contact pressures for each κ \[MPa\].
+    pub pressure: Vec<Vec<f64>>,
+    /// `v_i · u` for each κ \[mm²\].
+    pub moved: Vec<Vec<f64>>,
+}
+
+impl Digest {
+    /// The digest of an answer; `unknowns` are the fixed vectors in the numbering of its products and load, `vectors` the
+    /// same node by node.
+    pub fn of(answer: &DiscreteAnswer, unknowns: &[Vec<f64>], vectors: &[Vec<f64>]) -> Self {
+        let with_all = |list: &[Vec<f64>], other: &[f64]| list.iter().map(|v| dot(v, other)).collect::<Vec<_>>();
+        Self {
+            nodes: vectors.first().map_or(0, |v| v.len() / 2),
+            forms: answer.products.iter().map(|product| with_all(unknowns, product)).collect(),
+            work: with_all(unknowns, &answer.load),
+            pressure: answer.pressure.clone(),
+            moved: answer.displacement.iter().map(|u| with_all(vectors, u)).collect(),
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+impl Digest {
+    /// All numbers in groups of one unit and scale.
+    pub fn numbers(&self) -> Vec<(String, Vec<f64>)> {
+        let group = |name: &str, list: &[Vec<f64>]| (name.to_owned(), list.concat());
+        let mut groups = vec![group("v K v", &self.forms), ("v f".to_owned(), self.work.clone())];
+        groups.extend(self.pressure.iter().map(|p| ("p".to_owned(), p.clone())));
+        groups.extend(self.moved.iter().map(|m| ("v u".to_owned(), m.clone())));
+        groups
+    }
+}
+
+impl Series {
+    /// All numbers in groups of one unit and scale.
+    pub fn numbers(&self) -> Vec<(String, Vec<f64>)> {
+        let answers = self.penalty.iter().chain(&self.active_set);
+        let groups = answers.flat_map(|answer| {
+            [
+                ("half-width".to_owned(), vec![answer.half_width]),
+                ("peak".to_owned(), vec![answer.peak]),
+                ("resultant".to_owned(), vec![answer.resultant]),
+                ("profile".to_owned(), answer.pressure.clone()),
+                ("freedoms".to_owned(), vec![answer.freedoms as f64, answer.contact_edges as f64]),
+            ]
+        });
+        groups.collect()
+    }
+}
+
+impl Frozen {
+    /// The frozen results of a code; refused where the scripts have changed since.
+    pub fn read(code: Code) -> Result<Self, Error> {
+        Self::load(code)?.of_scripts(code, &script_hash()?)
+    }
+
+    /// Refuses results of scripts with another hash.
+    pub fn of_scripts(self, code: Code, present: &str) -> Result<Self, Error> {
+        if self.scripts == present {
+            return Ok(self);
+        }
+        let found = format!("`{}`, but oracles/python now hashes to `{present}`", self.scripts);
+        Err(Error::Refused { file: file(code), key: "scripts".into(), found, remedy: REFREEZE.into() })
+    }
+
+    /// The same, whatever the scripts are now.
+    pub fn load(code: Code) -> Result<Self, Error> {
+        let file = file(code);
+        let text = fs::read_to_string(&file)
+            .map_err(|_| Error::MissingFile { file: file.clone(), remedy: REFREEZE.into() })?;
+        serde_json::from_str(&text).map_err(|error| Error::Unreadable {
+            file,
+            found: error.to_string(),
+            remedy: REFREEZE.into(),
+        })
+    }
+
+    /// All numbers in groups of one unit and scale, by name.
+    pub fn numbers(&self) -> BTreeMap<String, Vec<f64>> {
+        let discrete = self.discrete.iter().map(|(name, digest)| (name, digest.numbers()));
+        let physical = self.physical.iter().map(|(name, series)| (name, series.numbers()));
+        let mut all = BTreeMap::new();
+        for (name, groups) in discrete.chain(physical) {
+            for (index, (quantity, values)) in groups.into_iter().enumerate() {
+                all.insert(format!("{name}, {quantity} (group {})", index + 1), values);
+            }
+        }
+        all
+    }
+
+    /// Writes the results of a code.
+    pub fn write(&self, code: Code) -> Result<(), Error> {
+        let file = file(code);
+        let unwritable =
+            |reason: String| Error::File { path: file.clone(), reason, remedy: "check that it may be written".into() };
+        let text = serde_json::to_string_pretty(self).map_err(|error| unwritable(error.to_string()))?;
+        fs::create_dir_all(file.parent().unwrap_or(&file)).map_err(|error| unwritable(error.to_string()))?;
+        fs::write(&file, text + "\n").map_err(|error| unwritable(error.to_string()))
+    }
+
+    /// The versions that differ from those of a live run, as `numpy 1.24.2, now 1.26.0`.
+    pub fn changed_versions(&self, now: &BTreeMap<String, String>) -> String {
+        let changed = self.versions.iter().filter(|(name, version)| now.get(*name) != Some(version));
+        let told = changed
+            .map(|(name, version)| format!("{name} {version}, now {}", now.get(name).map_or("absent", String::as_str)));
+        let told: Vec<String> = told.collect();
+        if told.is_empty() { "no version changed".into() } else { told.join("; ") }
+    }
+}
+
+/// The frozen file of a code.
+pub fn file(code: Code) -> PathBuf {
+    root().join("oracles/frozen").join(format!("{}.json", code.name()))
+}
+
+/// SHA-256 of all Python files of the oracles with their names, in the order of these.
+pub fn script_hash() -> Result<String, Error> {
+    let folder = scripts();
+    let unreadable = |file: PathBuf, error: &std::io::Error| Error::Unreadable {
+        file,
+        found: error.to_string(),
+        remedy: "restore oracles/python".into(),
+    };
+    let entries = fs::read_dir(&folder).map_err(|error| unreadable(folder.clone(), &error))?;
+    let entries: Vec<fs::DirEntry> =
+        entries.collect::<Result<_, _>>().map_err(|error| unreadable(folder.clone(), &error))?;
+    let mut files: Vec<PathBuf> = entries.iter().map(|entry| entry.path()).collect();
+    files.retain(|file| file.extension().is_some_and(|extension| extension == "py"));
+    files.sort();
+    let mut all = Vec::new();
+    for file in files {
+        let text = fs::read(&file).map_err(|error| unreadable(file.clone(), &error))?;
+        let name = file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        all.extend(format!("{name}\0{}\0", text.len()).bytes());
+        all.extend(text);
+    }
+    Ok(sha256(&all))
+}
+
+/// SHA-256 in hexadecimal digits.
+pub fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}

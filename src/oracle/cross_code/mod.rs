@@ -1,0 +1,217 @@
+//! Other codes: scikit-fem and dolfinx, asked in two senses that must not be mixed.
+//!
+//! * *The same discrete problem* ([`DiscreteProblem`]): our mesh, assembled and solved by the other code; agreement to
+//!   round-off.
+//! * *The same physical problem* ([`PhysicalScene`]): the other code's own mesh and elements; agreement within the
+//!   discretisation errors of both.
+//!
+//! The codes are called from Python files under `oracles/python`, live in `live` (feature `python`), or read from what
+//! a live run left under `oracles/frozen` ([`frozen`]).
+
+pub mod frozen;
+#[cfg(feature = "python")]
+pub mod interpreter;
+#[cfg(feature = "python")]
+pub mod live;
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+
+/// What installs the Python side.
+pub const SET_UP: &str = "run `bash oracles/setup.sh`";
+
+/// A finite element code that is not ours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Code {
+    /// scikit-fem (Gustafsson & McBain 2020).
+    ScikitFem,
+    /// dolfinx, the solver of FEniCSx (Baratta et al. 2023).
+    Dolfinx,
+}
+
+impl Code {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::ScikitFem, Self::Dolfinx];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ScikitFem => "scikit-fem",
+            Self::Dolfinx => "dolfinx",
+        }
+    }
+
+    fn source(self) -> Source {
+        let citation = match self {
+            Self::ScikitFem => {
+                "T. Gustafsson, G. D. McBain, scikit-fem: A Python package for finite element assembly, 2020"
+            }
+            Self::Dolfinx => {
+                "I. A. Baratta et al., DOLFINx: the next generation FEniCS problem solving environment, 2023"
+            }
+        };
+        Source::new(citation, "run by the files under oracles/python; results under oracles/frozen")
+    }
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// A mesh with everything that makes a discrete contact problem of it, as plain numbers; see `oracles/python/discrete.py`.
+///
+/// The contact is that of line elements with two Gauss points an edge and springs `k_n = κ E*/ℓ` that open and close.
+#[derive(Clone, Debug, Default)]
+pub struct DiscreteProblem {
+    /// Name, as in the frozen files.
+    pub name: String,
+    /// `strain` or `stress`.
+    pub plane: &'static str,
+    /// Thickness \[mm\].
+    pub thickness: f64,
+    /// Node positions \[mm\].
+    pub points: Vec<[f64; 2]>,
+    /// Nodes of each cell: corners counter-clockwise, then mid-sides.
+    pub cells: Vec<Vec<usize>>,
+    /// Body of each cell.
+    pub body: Vec<usize>,
+    /// Young's modulus of each body \[MPa\].
+    pub young: Vec<f64>,
+    /// Poisson's ratio of each body.
+    pub poisson: Vec<f64>,
+    /// Node and component of each displacement at rest.
+    pub held: Vec<[usize; 2]>,
+    /// Nodes whose vertical displacement is common.
+    pub tied: Vec<usize>,
+    /// Total vertical force on them \[N\].
+    pub tied_force: f64,
+    /// Loaded edges: first node, last node, middle; the body lies to their left.
+    pub load_edges: Vec<Vec<usize>>,
+    /// Constant traction on them \[MPa\].
+    pub traction: [f64; 2],
+    /// Load them by the stresses of Hertz's half-space instead.
+    pub hertz_load: bool,
+    /// Candidate edges of the first body.
+    pub contact_first: Vec<Vec<usize>>,
+    /// Candidate edges of the second body; none where it is rigid.
+    pub contact_second: Vec<Vec<usize>>,
+    /// `circle`, `parabola` or `hole`.
+    pub profile: &'static str,
+    /// Radius of the profile \[mm\].
+    pub radius: f64,
+    /// Radial clearance \[mm\].
+    pub clearance: f64,
+    /// Contact along an arc about the origin instead of a horizontal line.
+    pub arc: bool,
+    /// Reference length ℓ \[mm\].
+    pub length: f64,
+    /// Spring stiffnesses κ.
+    pub kappa: Vec<f64>,
+    /// Displacements \[mm\], node by node, to multiply the stiffness with; they respect the supports.
+    pub vectors: Vec<Vec<f64>>,
+}
+
+/// What a code answers to a [`DiscreteProblem`]; vectors are node by node, x before y.
+#[derive(Clone, Debug)]
+pub struct DiscreteAnswer {
+    /// Stiffness times each of the vectors \[N\].
+    pub products: Vec<Vec<f64>>,
+    /// Load vector \[N\].
+    pub load: Vec<f64>,
+    /// Contact pressures at the Gauss points for each κ \[MPa\], in the order of the contact coordinate.
+    pub pressure: Vec<Vec<f64>>,
+    /// Displacements for each κ \[mm\].
+    pub displacement: Vec<Vec<f64>>,
+}
+
+/// A scene in numbers, for a code to mesh in its own way.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PhysicalScene {
+    /// `cylinder`, `truncated-hertz`, `pin-rod` or `pin-plate`.
+    pub case: String,
+    /// Lengths \[mm\], angles \[rad\], moduli \[MPa\] and forces \[N\] by name.
+    pub numbers: BTreeMap<String, f64>,
+    /// Contact coordinates at which the profile is asked \[mm, or rad\].
+    pub stations: Vec<f64>,
+}
+
+/// What a code answers to a [`PhysicalScene`] on one mesh.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PhysicalAnswer {
+    /// Half-width by second moment \[mm, or rad\].
+    pub half_width: f64,
+    /// Peak pressure \[MPa\].
+    pub peak: f64,
+    /// Contact force on the whole contact along the load line \[N\].
+    pub resultant: f64,
+    /// Pressure at the stations \[MPa\].
+    pub pressure: Vec<f64>,
+    /// Displacement components of the mesh.
+    pub freedoms: usize,
+    /// Candidate edges.
+    pub contact_edges: usize,
+}
+
+/// How a code treats the contact conditions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// `p = k_n (w − g)⁺`.
+    Penalty,
+    /// `p ≥ 0`, `h ≥ 0`, `p h = 0` exactly, by a primal–dual active set.
+    ActiveSet,
+}
+
+impl Method {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Penalty => "penalty",
+            Self::ActiveSet => "active-set",
+        }
+    }
+}
+
+/// What another code found for a physical scene, with its own uncertainty.
+#[derive(Clone, Debug)]
+pub struct OtherCode {
+    /// The code.
+    pub code: Code,
+    /// Quantities with their values and standard uncertainties.
+    pub found: Vec<(Quantity, [f64; 2])>,
+}
+
+impl Oracle for OtherCode {
+    fn name(&self) -> &str {
+        self.code.name()
+    }
+
+    fn kind(&self) -> ReferenceKind {
+        ReferenceKind::CrossCode
+    }
+
+    fn source(&self) -> Source {
+        self.code.source()
+    }
+
+    fn read(&self, quantity: Quantity) -> Reading {
+        let found = self.found.iter().find(|(known, _)| *known == quantity);
+        found.map_or(Reading::Silent, |&(_, [value, uncertainty])| Reading::Value { value, uncertainty })
+    }
+}
+
+/// The project's folder.
+pub fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf()
+}
+
+/// Where the Python files are.
+pub fn scripts() -> PathBuf {
+    root().join("oracles/python")
+}

@@ -1,0 +1,141 @@
+//! The section on other codes, and the record of planted faults.
+
+use std::fmt::Write;
+
+use crate::case::cross_code::{DISCRETE, PHYSICAL, physical};
+use crate::case::faults::{self, Fault};
+use crate::case::{Check, Finding, Verdict};
+use crate::error::Error;
+use crate::oracle::ReferenceKind;
+use crate::oracle::cross_code::frozen::Frozen;
+use crate::oracle::cross_code::{Code, SET_UP};
+use crate::report::format;
+
+/// Both senses, with the versions the frozen answers came from.
+pub fn section(findings: &[Finding]) -> Result<String, Error> {
+    let mut text = String::from("## Against other codes\n\n");
+    for code in Code::ALL {
+        let frozen = Frozen::read(code)?;
+        let versions: Vec<String> = frozen.versions.iter().map(|(name, version)| format!("{name} {version}")).collect();
+        let _ = writeln!(
+            text,
+            "* {code}: frozen results under `oracles/frozen`, from {}; scripts {}….",
+            versions.join(", "),
+            &frozen.scripts.chars().take(12).collect::<String>()
+        );
+    }
+    let _ = write!(
+        text,
+        "\nTo ask the codes themselves, {SET_UP} and test with the feature `python`.\n\n\
+         ### The same discrete problem (code check)\n\n\
+         Each code takes our mesh and assembles stiffness, loads and edge functions for itself; supports and penalty line elements \
+         (two Gauss points an edge) are put together from these in Python, condensed nowhere.\n\n{}\n\
+         ### The same physical problem (benchmark)\n\n\
+         Meshes of curved 6-node triangles, loads, contact and measures are Python's own and shared by both codes; stiffness, edge \
+         functions and linear solver are each code's. Bodies in contact have non-matching meshes. Uncertainties by Richardson from \
+         three nested meshes. \
+         *Beyond* says that the uncertainties do not cover a difference; for the cylinder the closed form differs by the model.\n\n{}\n",
+        discrete(findings),
+        benchmark(findings, PHYSICAL, &physical::HEAD),
+    );
+    let _ = write!(
+        text,
+        "What the penalty costs, apart from the mesh (scikit-fem with and without it, both extrapolated):\n\n{}\n",
+        benchmark(findings, physical::PENALTY, &physical::PENALTY_HEAD),
+    );
+    Ok(text)
+}
+
+/// One row per problem and code: the verdict on stiffness, loads and contact, and the tolerance they meet.
+fn discrete(findings: &[Finding]) -> String {
+    let groups = [("stiffness", "the same stiffness"), ("loads", "the same loads"), ("contact", "the same contact")];
+    let head = ["problem, code".to_string()].into_iter().chain(groups.map(|(name, _)| name.to_string()));
+    let rows = findings.iter().filter(|finding| finding.case == DISCRETE).map(|finding| {
+        let cell = |(_, words): (&str, &str)| {
+            let checks: Vec<&Check> = finding.checks.iter().filter(|check| check.requirement.contains(words)).collect();
+            let tolerance = checks.iter().map(|check| check.tolerance).fold(0.0, f64::max);
+            let passed = !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass);
+            format!("{} to {tolerance:.0e}", if passed { "✓" } else { "✗" })
+        };
+        std::iter::once(finding.name.clone()).chain(groups.map(cell)).collect()
+    });
+    format::markdown(&head.collect::<Vec<_>>(), &rows.collect::<Vec<_>>())
+}
+
+/// The rows of one table over all scenes.
+fn benchmark(findings: &[Finding], title: &str, head: &[&str]) -> String {
+    let tables = findings.iter().filter(|finding| finding.case == PHYSICAL).flat_map(|finding| &finding.tables);
+    let rows: Vec<Vec<String>> =
+        tables.filter(|table| table.title == title).flat_map(|table| table.rows.clone()).collect();
+    format::markdown(&head.iter().map(|cell| cell.to_string()).collect::<Vec<_>>(), &rows)
+}
+
+/// Title of a table, the kind of its checks, and the cases that belong to it.
+type Section<'a> = (&'a str, ReferenceKind, &'a dyn Fn(&str) -> bool);
+
+/// Checks by kind of reference, one table each: what is verified, code-checked, benchmarked, validated.
+pub fn by_kind(findings: &[Finding]) -> String {
+    let others = |case: &str| case == DISCRETE || case == PHYSICAL;
+    let tables: [Section<'_>; 4] = [
+        ("Verification: closed forms and orders of accuracy", ReferenceKind::Analytic, &|case| !others(case)),
+        ("Code check: the same discrete problem in other codes", ReferenceKind::CrossCode, &|case| case == DISCRETE),
+        ("Benchmarking: the same physical problem in other codes", ReferenceKind::CrossCode, &|case| case == PHYSICAL),
+        ("Validation: measurements", ReferenceKind::Measured, &|case| !others(case)),
+    ];
+    tables.map(|(title, kind, belongs)| format!("**{title}**\n\n{}\n", of_kind(findings, kind, belongs))).concat()
+}
+
+fn of_kind(findings: &[Finding], kind: ReferenceKind, belongs: &dyn Fn(&str) -> bool) -> String {
+    let mut rows: Vec<(&str, Vec<&Check>)> = Vec::new();
+    for finding in findings.iter().filter(|finding| belongs(&finding.case)) {
+        let checks = finding.checks.iter().filter(|check| check.reference.kind == kind);
+        for check in checks {
+            match rows.iter_mut().find(|(case, _)| *case == finding.case) {
+                Some((_, members)) => members.push(check),
+                None => rows.push((&finding.case, vec![check])),
+            }
+        }
+    }
+    let rows = rows.into_iter().map(|(case, checks)| {
+        let fraction = |check: &&&Check| if check.tolerance > 0.0 { check.error / check.tolerance } else { 0.0 };
+        let worst = checks.iter().max_by(|a, b| fraction(a).total_cmp(&fraction(b)));
+        let worst = worst.filter(|check| fraction(check) > 0.0 && check.verdict == Verdict::Pass);
+        let told = worst.map_or(String::new(), |check| {
+            let (error, tolerance) = (format::error(check.error), bound(check.tolerance));
+            format!("{}: {error}, {tolerance} allowed", check.quantity)
+        });
+        let verdict = checks.iter().map(|check| &check.verdict).find(|verdict| **verdict != Verdict::Pass);
+        vec![case.into(), checks.len().to_string(), told, format::verdict(verdict.unwrap_or(&Verdict::Pass))]
+    });
+    format::markdown(
+        &["case", "checks", "closest to its limit", "verdict"].map(String::from),
+        &rows.collect::<Vec<_>>(),
+    )
+}
+
+/// A tolerance, which may be smaller than what an error is shown as.
+fn bound(tolerance: f64) -> String {
+    if tolerance < 1e-8 { format!("{tolerance:.0e}") } else { format::error(tolerance) }
+}
+
+/// Which check turned red for each planted fault.
+pub fn planted() -> Result<String, Error> {
+    let record = faults::record()?;
+    let count = |fault: &Fault, kind: &str| match fault.red.get(kind) {
+        Some(number) => number.to_string(),
+        None => "–".into(),
+    };
+    let rows = record.iter().map(|fault| {
+        let kinds = ["analytic", "cross-code", "self-consistency", "broken off"];
+        let example = kinds.iter().find_map(|kind| fault.examples.get(*kind)).or(fault.ended.as_ref());
+        let counts = kinds.map(|kind| count(fault, kind));
+        let example = example.map_or("**nothing**", String::as_str).chars().take(160).collect();
+        let first = [fault.name.clone(), format!("`{}`", fault.file)];
+        first.into_iter().chain(counts).chain([example]).collect()
+    });
+    let head = ["planted fault", "in", "closed forms", "other codes", "self-consistency", "broken off", "for instance"];
+    Ok(format!(
+        "## Does it bite?\n\nFaults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red.\n\n{}\n",
+        format::markdown(&head.map(String::from), &rows.collect::<Vec<_>>())
+    ))
+}

@@ -1,0 +1,204 @@
+//! The comparison with other codes bites: spoiled answers, spoiled scenes, changed scripts.
+
+use contact_vv::case::cross_code::answers::{changes, largest_change, relative_difference};
+use contact_vv::case::cross_code::discrete::{Twin, against, problems};
+use contact_vv::case::cross_code::physical::{Found, agreement};
+use contact_vv::case::cross_code::{Answers, benchmark};
+use contact_vv::case::problem::problem;
+use contact_vv::case::{Check, Verdict};
+use contact_vv::formulation::Discretisation;
+use contact_vv::mesh::{Order, Resolution};
+use contact_vv::oracle::cross_code::frozen::{Digest, Frozen, script_hash};
+use contact_vv::oracle::cross_code::{Code, PhysicalAnswer};
+use contact_vv::scene::{Load, Path, PlaneHypothesis, Profile, Scene};
+
+fn all_pass(checks: &[Check]) -> bool {
+    !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)
+}
+
+fn frozen(name: &str) -> Digest {
+    Frozen::read(Code::Dolfinx).expect("frozen results").discrete[name].clone()
+}
+
+#[test]
+fn a_spoiled_number_anywhere_in_an_answer_turns_red() {
+    let sound = frozen("pin-rod, 8-node");
+    assert!(all_pass(&against(Code::Dolfinx, &sound, &sound)));
+    type Spoil = (&'static str, fn(&mut Digest));
+    let spoils: [Spoil; 9] = [
+        ("a form", |d| d.forms[3][7] += 1e-9 * d.forms[3][3]),
+        ("work", |d| d.work[2] *= 1.0 + 1e-9),
+        ("a pressure", |d| d.pressure[0][1] *= 1.0 + 1e-6),
+        ("a pressure at the second κ", |d| d.pressure[1][0] *= 1.0 + 1e-6),
+        ("a displacement", |d| d.moved[1][4] *= 1.0 + 1e-6),
+        ("NaN", |d| d.forms[0][0] = f64::NAN),
+        ("NaN pressure", |d| d.pressure[0][0] = f64::NAN),
+        ("a missing point", |d| d.pressure[1].truncate(1)),
+        ("a missing κ", |d| d.moved.truncate(1)),
+    ];
+    for (name, spoil) in spoils {
+        let mut spoiled = sound.clone();
+        spoil(&mut spoiled);
+        assert!(!all_pass(&against(Code::Dolfinx, &spoiled, &sound)), "{name} in ours");
+        assert!(!all_pass(&against(Code::Dolfinx, &sound, &spoiled)), "{name} in theirs");
+    }
+}
+
+#[test]
+fn a_spoiled_scene_is_not_what_the_other_codes_solved() {
+    type Spoil = (&'static str, &'static str, fn(&mut Scene));
+    let spoils: [Spoil; 13] = [
+        ("cylinder", "E by 0.1 %", |s| s.bodies[0].material.young *= 1.001),
+        ("cylinder", "ν by 0.01", |s| s.bodies[0].material.poisson += 0.01),
+        ("cylinder", "plane stress", |s| s.plane = PlaneHypothesis::Stress),
+        ("cylinder", "thickness", |s| s.thickness *= 1.001),
+        ("cylinder", "a dropped load", |s| s.bodies[0].loads.clear()),
+        ("cylinder", "a flatter gap", |s| s.contact.profile = Profile::Circle { radius: 50.5 }),
+        ("cylinder", "a parabola for the circle", |s| s.contact.profile = Profile::Parabola { radius: 50.0 }),
+        ("truncated-hertz", "E by 0.1 %", |s| s.bodies[0].material.young *= 1.001),
+        ("truncated-hertz", "a dropped side load", |s| s.bodies[0].loads.truncate(1)),
+        ("pin-rod", "E of the rod by 0.1 %", |s| s.bodies[1].material.young *= 1.001),
+        ("pin-rod", "ν of the pin by 0.01", |s| s.bodies[0].material.poisson += 0.01),
+        ("pin-rod", "clearance by 1 %", |s| s.contact.profile = Profile::Hole { radius: 10.0, clearance: 0.0505 }),
+        ("pin-rod", "force by 0.1 %", |s| {
+            for load in &mut s.bodies[1].loads {
+                if let Load::RigidFace { force, .. } = load {
+                    *force *= 1.001;
+                }
+            }
+        }),
+    ];
+    for (name, what, spoil) in spoils {
+        let mut scene = problem(name, None).expect("a scene of the library").scene;
+        spoil(&mut scene);
+        let elements = if matches!(scene.contact.path, Path::Arc(_)) { 6 } else { 8 };
+        let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
+        let twin = Discretisation::of(scene, resolution).and_then(Twin::on);
+        if what == "a dropped load" {
+            assert!(twin.is_err_and(|error| error.to_string().contains("load")), "{name}, {what}");
+            continue;
+        }
+        let twin = twin.unwrap_or_else(|error| panic!("{name}, {what}: {error}"));
+        let digest = frozen(&format!("{name}, 8-node"));
+        assert!(!all_pass(&against(Code::Dolfinx, &twin.digest(), &digest)), "{name}: {what}");
+    }
+}
+
+#[test]
+fn the_sound_scenes_are_what_both_codes_solved() {
+    for (name, order) in problems() {
+        let twin = Twin::of(name, order).expect("a solvable scene");
+        for code in Code::ALL {
+            let frozen = Frozen::read(code).expect("frozen results");
+            assert!(all_pass(&against(code, &twin.digest(), &frozen.discrete[&twin.problem.name])), "{name}, {code}");
+        }
+    }
+}
+
+#[test]
+fn frozen_results_of_other_scripts_are_refused_with_the_remedy() {
+    let frozen = Frozen::load(Code::ScikitFem).expect("frozen results");
+    assert!(frozen.clone().of_scripts(Code::ScikitFem, &script_hash().expect("scripts")).is_ok());
+    let refused = frozen.of_scripts(Code::ScikitFem, "0123").expect_err("another hash").to_string();
+    assert!(refused.contains("scikit-fem.json") && refused.contains("freeze"), "{refused}");
+}
+
+#[test]
+fn a_scene_with_other_numbers_than_the_frozen_one_is_refused_by_key() {
+    for given in benchmark::benchmarks().expect("benchmarks") {
+        let mut scene = given.physical.clone();
+        assert!(Answers::Frozen.physical(Code::Dolfinx, given.name, &scene).is_ok());
+        let key = scene.numbers.keys().next().expect("a scene has numbers").clone();
+        scene.numbers.entry(key.clone()).and_modify(|number| *number *= 1.0 + 1e-9);
+        let refused = Answers::Frozen.physical(Code::Dolfinx, given.name, &scene).expect_err("another scene");
+        assert!(refused.to_string().contains(&key), "{refused}");
+        let mut fewer = given.physical.clone();
+        fewer.stations.pop();
+        assert!(Answers::Frozen.physical(Code::Dolfinx, given.name, &fewer).is_err());
+        let mut unknown = given.physical.clone();
+        unknown.numbers.remove(&key);
+        assert!(Answers::Frozen.physical(Code::Dolfinx, given.name, &unknown).is_err());
+    }
+}
+
+#[test]
+fn changed_versions_and_numbers_are_named() {
+    let old = Frozen::load(Code::Dolfinx).expect("frozen results");
+    let mut new = old.clone();
+    assert_eq!(changes(Code::Dolfinx, &old, &new).len(), 1);
+    new.versions.insert("numpy".into(), "9.9".into());
+    let series = new.physical.get_mut("pin-rod").expect("the pin–rod is frozen");
+    series.penalty[2].peak *= 1.01;
+    let told = changes(Code::Dolfinx, &old, &new);
+    assert!(told[0].contains("numpy") && told[0].contains("9.9"), "{told:?}");
+    assert_eq!(told.len(), 2, "{told:?}");
+    assert!(told[1].contains("pin-rod") && told[1].contains("peak"), "{told:?}");
+}
+
+#[test]
+fn differences_are_not_a_number_where_nothing_can_be_compared() {
+    let group = |values: &[f64]| vec![("p".to_string(), values.to_vec())];
+    assert!(relative_difference(&[1.0], &[1.0, 2.0]).is_nan());
+    assert!(relative_difference(&[], &[]).is_nan());
+    assert!(largest_change(&[], &[]).is_nan());
+    assert!(relative_difference(&[f64::NAN, 1.0], &[1.0, 1.0]).is_nan());
+    assert!(relative_difference(&[1.0, f64::NAN], &[1.0, 1.0]).is_nan());
+    assert!(largest_change(&group(&[1.0]), &[]).is_nan());
+    assert!(largest_change(&group(&[1.0, 2.0]), &group(&[1.0])).is_nan());
+    approx::assert_relative_eq!(largest_change(&group(&[1.0, 2.2]), &group(&[1.0, 2.0])), 0.1, epsilon = 1e-12);
+}
+
+#[test]
+fn a_code_that_differs_by_more_than_demanded_turns_red() {
+    type Spoil = (&'static str, fn(&mut PhysicalAnswer));
+    let spoils: [Spoil; 8] = [
+        ("peak", |a| a.peak *= 1.006),
+        ("width", |a| a.half_width *= 0.994),
+        ("resultant", |a| a.resultant *= 1.0 + 1e-5),
+        ("profile", |a| a.pressure.iter_mut().for_each(|p| *p *= 1.02)),
+        ("a shifted profile", |a| a.pressure.rotate_right(1)),
+        ("NaN peak", |a| a.peak = f64::NAN),
+        ("NaN in the profile", |a| a.pressure[3] = f64::NAN),
+        ("a missing station", |a| a.pressure.truncate(39)),
+    ];
+    for given in benchmark::benchmarks().expect("benchmarks") {
+        let levels = &Frozen::read(Code::Dolfinx).expect("frozen results").physical[given.name].penalty;
+        let sound = Found::of("sound", levels).expect("three meshes");
+        assert!(all_pass(&agreement(&given, &sound, &sound, Code::Dolfinx)));
+        for (what, spoil) in spoils {
+            let mut spoiled = levels.clone();
+            spoil(&mut spoiled[2]);
+            let spoiled = Found::of("spoiled", &spoiled).expect("three meshes");
+            assert!(!all_pass(&agreement(&given, &spoiled, &sound, Code::Dolfinx)), "{}: {what} in ours", given.name);
+            assert!(!all_pass(&agreement(&given, &sound, &spoiled, Code::Dolfinx)), "{}: {what} in theirs", given.name);
+        }
+    }
+    assert!(Found::of("two meshes", &[]).is_err());
+}
+
+#[test]
+fn the_fixed_vectors_are_independent() {
+    let twin = Twin::of("truncated-hertz", Order::Linear).expect("a solvable scene");
+    let vectors = &twin.unknowns;
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+    let gram = nalgebra::DMatrix::from_fn(vectors.len(), vectors.len(), |i, j| {
+        dot(&vectors[i], &vectors[j]) / (dot(&vectors[i], &vectors[i]) * dot(&vectors[j], &vectors[j])).sqrt()
+    });
+    let smallest = gram.symmetric_eigenvalues().min();
+    assert!(vectors.len() == 10 && smallest > 0.5, "{smallest}");
+}
+
+#[test]
+fn every_planted_fault_finds_the_line_it_spoils_exactly_once() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |file: &str| std::fs::read_to_string(root.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
+    let list: toml::Table = read("tests/faults/faults.toml").parse().expect("the list is TOML");
+    let faults = list["fault"].as_array().expect("a list of faults");
+    assert!(faults.len() >= 20);
+    for fault in faults {
+        let text = |key: &str| fault[key].as_str().unwrap_or_else(|| panic!("{fault:?}: no {key}"));
+        let found = read(text("file")).matches(text("was")).count();
+        assert_eq!(found, 1, "{}: found {found} times in {}", text("name"), text("file"));
+        assert_ne!(text("was"), text("is"));
+    }
+}

@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""Plants the faults of faults.toml one at a time on a copy of the tree and records which checks turn red.
+
+Run as `python3 tests/faults/plant.py` (about one minute a fault); writes snapshots/faults.json, which the page prints.
+Names given on the command line select the faults whose name contains one of them; nothing is then written.
+"""
+import collections
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tomllib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LIST = ROOT / "tests/faults/faults.toml"
+RECORD = ROOT / "snapshots/faults.json"
+TREE = ROOT / "target/faults/tree"
+# Only what a fault touches is compiled again.
+QUICK = ["--config", "profile.release.incremental=true"]
+PATIENCE = 600
+
+
+def copy_tree():
+    shutil.rmtree(TREE, ignore_errors=True)
+    listed = subprocess.run(
+        ["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True, capture_output=True, text=True
+    )
+    for name in filter(lambda name: (ROOT / name).is_file(), listed.stdout.splitlines()):
+        (TREE / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(ROOT / name, TREE / name)  # with new times: cargo compiles what was left over
+
+
+def failures():
+    """The checks that fail on the copy, and how the run ended if not by itself."""
+    environment = os.environ | {"CARGO_TARGET_DIR": str(ROOT / "target/faults/build")}
+    build = ["cargo", *QUICK, "build", "--release", "--quiet", "--bin", "contact-vv"]
+    subprocess.run(build, cwd=TREE, env=environment, check=True)
+    program = ROOT / "target/faults/build/release/contact-vv"
+    try:
+        run = subprocess.run([program, "verdicts"], cwd=TREE, capture_output=True, text=True, timeout=PATIENCE)
+    except subprocess.TimeoutExpired:
+        return [], f"no end within {PATIENCE} s"
+    checks = [json.loads(line) for line in run.stdout.splitlines()]
+    if not checks:
+        return [], run.stderr.strip().splitlines()[0] if run.stderr.strip() else "no answer"
+    # The trial that reads the record written here says nothing about the code.
+    told = [check for check in checks if not check["trial"].startswith("planted faults")]
+    return [check for check in told if check["verdict"] == "fail"], None
+
+
+def plant(fault):
+    path = TREE / fault["file"]
+    sound = path.read_text()
+    if sound.count(fault["was"]) != 1:
+        sys.exit(f"{fault['file']} holds `{fault['was']}` {sound.count(fault['was'])} times, not once: update {LIST.name}")
+    path.write_text(sound.replace(fault["was"], fault["is"]))
+    try:
+        red, ended = failures()
+    finally:
+        path.write_text(sound)
+    kinds = collections.Counter(check.get("kind", "broken off") for check in red)
+    # One example of each kind of reference, truths first.
+    examples = {}
+    for check in red:
+        examples.setdefault(check.get("kind", "broken off"), f"{check['trial']}: {check['requirement']}")
+    return {"name": fault["name"], "file": fault["file"], "red": kinds, "examples": examples, "ended": ended}
+
+
+def main(wanted):
+    text = LIST.read_text()
+    faults = tomllib.loads(text)["fault"]
+    chosen = [fault for fault in faults if not wanted or any(word in fault["name"] for word in wanted)]
+    copy_tree()
+    sound, ended = failures()
+    if sound or ended:
+        sys.exit(f"the tree without a fault is not green: {ended or sound[0]}")
+    record = []
+    for number, fault in enumerate(chosen, 1):
+        record.append(plant(fault))
+        print(f"{number}/{len(chosen)} {fault['name']}: {dict(record[-1]['red']) or record[-1]['ended'] or 'NOT CAUGHT'}", flush=True)
+    if not wanted:
+        known = hashlib.sha256(text.encode()).hexdigest()
+        RECORD.write_text(json.dumps({"faults_toml": known, "record": record}, indent=1, ensure_ascii=False) + "\n")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
