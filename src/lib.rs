@@ -9,6 +9,7 @@
 //! * [`contact`] — how bodies touch: line, layer and node elements as lists of contact points.
 //! * [`algorithm`] — how to find it: varying stiffness, constant stiffness, kinematic load.
 //! * [`solution`] — what came out.
+//! * [`stability`] — where it must fail, before it is run.
 //! * [`formulation`] — one point of the grid element × algorithm × rule × stiffness, on a discretised scene.
 //! * [`measure`] — the numbers one quotes.
 //! * [`oracle`] — independent truth.
@@ -49,3 +50,4 @@ pub mod oracle;
 pub mod report;
 pub mod scene;
 pub mod solution;
+pub mod stability;

@@ -9,6 +9,7 @@
 //! * [`refinement`], [`sweep`], [`family`], [`gaertner`] — studies over meshes, stiffnesses and dimensions.
 //! * [`cross_code`] — the solver against scikit-fem and dolfinx.
 //! * [`faults`] — the record of planted faults.
+//! * [`stability`] — predicted rates and steps against measured ones.
 //! * [`pictures`] — fields and iteration paths that are shown, not judged.
 //! * [`statements`] — the paper's statements, judged from the findings.
 
@@ -24,6 +25,7 @@ pub mod pin;
 pub mod problem;
 pub mod refinement;
 pub mod run;
+pub mod stability;
 pub mod statements;
 pub mod suite;
 pub mod sweep;

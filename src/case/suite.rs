@@ -4,7 +4,9 @@ use std::sync::{Arc, OnceLock};
 
 use crate::case::check::{Check, Verdict};
 use crate::case::cross_code::{self, Answers};
-use crate::case::{Problem, Run, exact, family, faults, gaertner, hertz, pictures, pin, refinement, sweep, universal};
+use crate::case::{
+    Problem, Run, exact, family, faults, gaertner, hertz, pictures, pin, refinement, stability, sweep, universal,
+};
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
 use crate::mesh::Resolution;
@@ -161,6 +163,7 @@ pub fn all() -> Vec<Trial> {
     trials.extend(pin::trials());
     trials.extend(refinement::trials());
     trials.extend(sweep::trials());
+    trials.extend(stability::trials());
     trials.extend(family::trials());
     trials.extend(cross_code::trials(Answers::Frozen));
     trials.extend(faults::trials());

@@ -16,3 +16,4 @@ mod measure;
 mod mesh;
 mod oracles;
 mod scene;
+mod stability;

@@ -1,0 +1,186 @@
+//! Predicted against measured: rates of the iterations, and steps of kinematic load.
+
+use crate::algorithm::StiffnessRule;
+use crate::case::check::{Check, Reference};
+use crate::case::problem::{self, Problem};
+use crate::case::run::Run;
+use crate::case::suite::{Finding, Table, Trial};
+use crate::contact::ContactPoint;
+use crate::error::Error;
+use crate::formulation::{Discretisation, Element, Formulation, Iteration};
+use crate::measure::profile::weighted_line;
+use crate::mesh::{Order, Resolution};
+use crate::scene::library::{Cylinder, TruncatedHertz};
+use crate::solution::{Residuals, Solution};
+use crate::stability::{halving, rate};
+
+/// Initial stiffnesses of the rate studies: constant stiffness depends on them, varying stiffness does not.
+const STARTS: [f64; 9] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0];
+const FEW_STARTS: [f64; 3] = [0.1, 3.0, 100.0];
+/// Rates between which prediction and measurement are compared: faster ones leave no steps to measure.
+const MEASURABLE: [f64; 2] = [0.05, 0.999];
+/// Residuals between which the rate is measured, in the latter half of the steps: below the first the contact set is
+/// final, above the last is no round-off.
+const WINDOW: [f64; 2] = [1e-5, 2e-12];
+/// Steps that half must hold.
+const STEPS: usize = 20;
+/// Node elements with constant stiffness below this κ₀ go up to 8 % faster in ln ρ than predicted, before the slowest mode
+/// prevails: reported, not gated.
+const REPORTED_BELOW: f64 = 10.0;
+/// Error of ln ρ that is accepted.
+const ACCEPTED: f64 = 0.05;
+
+/// Trials of the predictions.
+pub fn trials() -> Vec<Trial> {
+    let mut trials: Vec<Trial> = Vec::new();
+    for element in Element::ALL {
+        let name = format!("{}.constant.correction", element.name());
+        trials.push(Trial::new(RATES, name, move || rates(element, Iteration::Constant)));
+        let name = format!("{}.varying.secant", element.name());
+        trials.push(Trial::new(RATES, name, move || rates(element, Iteration::Varying)));
+    }
+    for (name, cylinder) in [("cylinder", true), ("truncated hertz", false)] {
+        trials.push(Trial::new(HALVING, name, move || halving_law(cylinder)));
+    }
+    trials
+}
+
+/// Columns of the tables of rates.
+pub const RATES_HEAD: [&str; 5] = ["formulation", "κ₀", "predicted ρ", "measured ρ", "outcome"];
+/// Name of the trials of rates.
+pub const RATES: &str = "predicted rate of convergence";
+/// Name of the trials of the halving law.
+pub const HALVING: &str = "predicted steps of kinematic load";
+
+/// Truncated Hertz whose contact edge lies on no node: on one, a point neither open nor closed converges at no rate at all.
+fn truncated() -> Problem {
+    let numbers = TruncatedHertz { stretch: 1.9, ..Default::default() };
+    Problem::new("truncated-hertz", "truncated Hertz", problem::truncated_hertz(numbers))
+}
+
+fn rates(element: Element, algorithm: Iteration) -> Result<Finding, Error> {
+    let problem = truncated();
+    let discretisation = Discretisation::of(problem.scene.clone(), problem.resolution)?;
+    let (mut rows, mut checks) = (Vec::new(), Vec::new());
+    let starts: &[f64] = if algorithm == Iteration::Varying { &FEW_STARTS } else { &STARTS };
+    for &stiffness in starts {
+        let mut formulation = Formulation { stiffness, ..Formulation::new(element, algorithm) }.tolerance(1e-12);
+        formulation.settings.max_steps = 6000;
+        let run = Run::of(&discretisation, &formulation)?;
+        let predicted = predicted(&discretisation, &formulation, &run.solution);
+        let measured = measured(algorithm, &run.solution);
+        let error = (measured.ln() - predicted.ln()).abs() / predicted.ln().abs();
+        rows.push(vec![
+            formulation.name(),
+            stiffness.to_string(),
+            format!("{predicted:.4}"),
+            if measured.is_nan() { "–".into() } else { format!("{measured:.4}") },
+            run.solution.outcome.to_string(),
+        ]);
+        let [fast, slow] = MEASURABLE;
+        let reported = (element, algorithm) == (Element::Node, Iteration::Constant) && stiffness < REPORTED_BELOW;
+        if (fast..=slow).contains(&predicted) && !measured.is_nan() && !reported {
+            checks.push(Check::norm(
+                "The rate of convergence shall be what the condensed matrices predict",
+                format!("ln ρ, κ₀ = {stiffness}"),
+                error,
+                Reference::own("spectral radius", 0.0),
+                ACCEPTED,
+                "asymptotic: slope of the last residuals against the spectral radius on the final contact set",
+            ));
+        }
+    }
+    let head = RATES_HEAD.map(String::from).into();
+    let table = Table { title: RATES.into(), head, rows };
+    Ok(Finding { checks, tables: vec![table], ..Default::default() })
+}
+
+/// The predicted rate, with the final contact set of the solution.
+fn predicted(discretisation: &Discretisation, formulation: &Formulation, solution: &Solution) -> f64 {
+    let points: Vec<ContactPoint> = discretisation.points(formulation);
+    let problem = discretisation.problem(formulation, &points);
+    let approach: Vec<f64> = points.iter().zip(&solution.points).map(|(point, state)| point.gap - state.gap).collect();
+    let found = match formulation.rule {
+        StiffnessRule::Correction => {
+            // At the limit an open point carries no force but for round-off: the larger of the two pure numbers decides.
+            let scale = &problem.scale;
+            let closed: Vec<bool> =
+                solution.points.iter().map(|p| p.pressure / scale.pressure > p.gap / scale.gap).collect();
+            rate::correction(&problem, &closed)
+        }
+        _ => {
+            let stiffness: Vec<f64> = solution
+                .spring_pressures
+                .iter()
+                .zip(&approach)
+                .map(|(p, w)| p / problem.scale.above_zero(*w))
+                .collect();
+            rate::secant(&problem, &stiffness, &approach)
+        }
+    };
+    found.unwrap_or(f64::NAN)
+}
+
+/// What shrinks at the predicted rate. With varying stiffness that is the complementarity of the points outside the contact:
+/// penetration stands still where a gap is zero, as its spring is at the ceiling.
+fn residual(algorithm: Iteration, residuals: &Residuals) -> f64 {
+    if algorithm == Iteration::Varying { residuals.complementarity } else { residuals.largest() }
+}
+
+/// Slope of the residuals within the window; NaN where it holds too few steps.
+fn measured(algorithm: Iteration, solution: &Solution) -> f64 {
+    let [from, to] = WINDOW;
+    let residuals: Vec<f64> = solution.history.iter().map(|step| residual(algorithm, &step.residuals)).collect();
+    let first = residuals.iter().rposition(|r| *r > from).map_or(0, |index| index + 1);
+    let within: Vec<[f64; 3]> = residuals[first..]
+        .iter()
+        .take_while(|r| **r > to)
+        .enumerate()
+        .map(|(step, r)| [step as f64, r.ln(), 1.0])
+        .collect();
+    let latter = &within[within.len() / 2..];
+    if latter.len() < STEPS { f64::NAN } else { weighted_line(latter).1.exp() }
+}
+
+/// Candidate stretch over the half-width, elements per half-width and initial stiffnesses of the halving law.
+const STRETCHES: [f64; 4] = [1.0, 1.5, 2.0, 3.0];
+const ELEMENTS: [usize; 3] = [5, 8, 16];
+const SOFT_AND_HARD: [f64; 2] = [1.0, 1e6];
+
+fn halving_law(cylinder: bool) -> Result<Finding, Error> {
+    let (mut rows, mut checks) = (Vec::new(), Vec::new());
+    for stretch in STRETCHES {
+        for elements in ELEMENTS {
+            let (scene, _, _) = if cylinder {
+                problem::cylinder(Cylinder { stretch, ..Default::default() })
+            } else {
+                problem::truncated_hertz(TruncatedHertz { stretch, ..Default::default() })
+            };
+            let half_width = scene.reference.length;
+            let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
+            let discretisation = Discretisation::of(scene, resolution)?;
+            let spacing = half_width / (2.0 * elements as f64);
+            let mut cells = vec![stretch.to_string(), elements.to_string()];
+            for stiffness in SOFT_AND_HARD {
+                let formulation = Formulation { stiffness, ..Formulation::new(Element::Node, Iteration::Kinematic) };
+                let run = Run::of(&discretisation, &formulation)?;
+                let steps = if run.solution.converged() { run.solution.work.steps as f64 } else { f64::NAN };
+                let predicted = halving::steps(stretch * half_width, half_width, spacing, stiffness);
+                cells.push(format!("{predicted} / {steps}"));
+                checks.push(Check::norm(
+                    "Kinematic load shall take the steps of the halving law",
+                    format!("steps off, L/a = {stretch}, {elements} per half-width, κ₀ = {stiffness:e}"),
+                    (steps - predicted as f64).abs(),
+                    Reference::own("halving of L² − a²", 0.0),
+                    1.0,
+                    "the law counts halvings; the last one may end anywhere within a node spacing",
+                ));
+            }
+            rows.push(cells);
+        }
+    }
+    let head = ["L/a", "elements per a", "predicted / measured, κ₀ = 1", "predicted / measured, κ₀ = 1e6"];
+    let title = format!("{HALVING}: {}", if cylinder { "cylinder" } else { "truncated Hertz" });
+    let table = Table { title, head: head.map(String::from).into(), rows };
+    Ok(Finding { checks, tables: vec![table], ..Default::default() })
+}

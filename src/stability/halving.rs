@@ -1,0 +1,9 @@
+//! Kinematic load started with every candidate closed: the contact shrinks from L to a by halving `L² − a²` at each step.
+
+/// Steps `1 + ⌈log₂ max(1, (L² − a²)/(2 a h))⌉` until `L` is within a node spacing `h` of `a`, and one more where the start is
+/// soft (`κ₀ < 1e3`).
+pub fn steps(stretch: f64, half_width: f64, spacing: f64, stiffness: f64) -> usize {
+    let excess = (stretch * stretch - half_width * half_width) / (2.0 * half_width * spacing);
+    let soft = usize::from(stiffness < 1e3);
+    1 + excess.max(1.0).log2().ceil() as usize + soft
+}

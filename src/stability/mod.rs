@@ -1,0 +1,7 @@
+//! Where an iteration must fail, and how fast it goes, before it is run: read off the condensed matrices.
+//!
+//! * [`rate`] — asymptotic rates of the iterations on their final contact set.
+//! * [`halving`] — steps of kinematic load started with every candidate closed.
+
+pub mod halving;
+pub mod rate;
