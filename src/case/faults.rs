@@ -66,7 +66,8 @@ pub fn trials() -> Vec<Trial> {
     })]
 }
 
-fn is_caught(fault: &Fault) -> bool {
+/// Whether a check against a truth turned red; a run that broke off shows none.
+pub fn is_caught(fault: &Fault) -> bool {
     TRUTHS.iter().any(|kind| fault.red.get(*kind).is_some_and(|&number| number > 0))
 }
 

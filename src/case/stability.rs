@@ -1,7 +1,7 @@
 //! Predicted against measured: rates of the iterations, and steps of kinematic load.
 
 use crate::algorithm::StiffnessRule;
-use crate::case::check::{Check, Reference};
+use crate::case::check::{Check, Reference, Verdict};
 use crate::case::problem::{self, Problem};
 use crate::case::run::Run;
 use crate::case::suite::{Finding, Table, Trial};
@@ -24,9 +24,11 @@ const MEASURABLE: [f64; 2] = [0.05, 0.999];
 const WINDOW: [f64; 2] = [1e-5, 2e-12];
 /// Steps that half must hold.
 const STEPS: usize = 20;
-/// Node elements with constant stiffness below this κ₀ go up to 8 % faster in ln ρ than predicted, before the slowest mode
-/// prevails: reported, not gated.
-const REPORTED_BELOW: f64 = 10.0;
+/// Between these κ₀ node elements with constant stiffness go faster than predicted as far as they were followed, for a
+/// reason not understood: reported, not gated.
+const REPORTED: [f64; 2] = [2.0, 5.0];
+/// Starts that must be compared for each element and algorithm.
+const COMPARED: f64 = 3.0;
 /// Error of ln ρ that is accepted.
 const ACCEPTED: f64 = 0.05;
 
@@ -46,7 +48,8 @@ pub fn trials() -> Vec<Trial> {
 }
 
 /// Columns of the tables of rates.
-pub const RATES_HEAD: [&str; 5] = ["formulation", "κ₀", "predicted ρ", "measured ρ", "outcome"];
+pub const RATES_HEAD: [&str; 7] =
+    ["formulation", "κ₀", "predicted ρ", "measured ρ", "difference of ln ρ", "outcome", "verdict"];
 /// Name of the trials of rates.
 pub const RATES: &str = "predicted rate of convergence";
 /// Name of the trials of the halving law.
@@ -69,30 +72,53 @@ fn rates(element: Element, algorithm: Iteration) -> Result<Finding, Error> {
         let run = Run::of(&discretisation, &formulation)?;
         let predicted = predicted(&discretisation, &formulation, &run.solution);
         let measured = measured(algorithm, &run.solution);
-        let error = (measured.ln() - predicted.ln()).abs() / predicted.ln().abs();
+        let check = rate_check(stiffness, predicted, measured);
+        let [fast, slow] = MEASURABLE;
+        let judgement = match () {
+            _ if predicted < fast || predicted > slow || measured.is_nan() => "not measurable",
+            _ if (element, algorithm) == (Element::Node, Iteration::Constant)
+                && (REPORTED[0]..REPORTED[1]).contains(&stiffness) =>
+            {
+                "reported"
+            }
+            _ if check.verdict == Verdict::Pass => "✓",
+            _ => "✗",
+        };
         rows.push(vec![
             formulation.name(),
             stiffness.to_string(),
             format!("{predicted:.4}"),
             if measured.is_nan() { "–".into() } else { format!("{measured:.4}") },
+            if measured.is_nan() { "–".into() } else { format!("{:.1} %", 100.0 * check.error) },
             run.solution.outcome.to_string(),
+            judgement.into(),
         ]);
-        let [fast, slow] = MEASURABLE;
-        let reported = (element, algorithm) == (Element::Node, Iteration::Constant) && stiffness < REPORTED_BELOW;
-        if (fast..=slow).contains(&predicted) && !measured.is_nan() && !reported {
-            checks.push(Check::norm(
-                "The rate of convergence shall be what the condensed matrices predict",
-                format!("ln ρ, κ₀ = {stiffness}"),
-                error,
-                Reference::own("spectral radius", 0.0),
-                ACCEPTED,
-                "asymptotic: slope of the last residuals against the spectral radius on the final contact set",
-            ));
+        if ["✓", "✗"].contains(&judgement) {
+            checks.push(check);
         }
     }
+    checks.push(Check::at_least(
+        "Enough starts shall be compared with the prediction",
+        "starts compared",
+        checks.len() as f64,
+        Reference::own("at least", COMPARED),
+        "a prediction that is compared with nothing predicts nothing",
+    ));
     let head = RATES_HEAD.map(String::from).into();
     let table = Table { title: RATES.into(), head, rows };
     Ok(Finding { checks, tables: vec![table], ..Default::default() })
+}
+
+/// Measured against predicted rate, by their logarithms: the steps a decade takes.
+pub fn rate_check(stiffness: f64, predicted: f64, measured: f64) -> Check {
+    Check::norm(
+        "The rate of convergence shall be what the condensed matrices predict",
+        format!("ln ρ, κ₀ = {stiffness}"),
+        (measured.ln() - predicted.ln()).abs() / predicted.ln().abs(),
+        Reference::own("spectral radius", 0.0),
+        ACCEPTED,
+        "asymptotic: slope of the last residuals against the spectral radius on the final contact set",
+    )
 }
 
 /// The predicted rate, with the final contact set of the solution.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::case::cross_code::{DISCRETE, PHYSICAL, physical};
+use crate::case::cross_code::{DISCRETE, PHYSICAL, shown};
 use crate::case::faults::{self, Fault};
 use crate::case::{Check, Finding, Verdict};
 use crate::error::Error;
@@ -36,12 +36,12 @@ pub fn section(findings: &[Finding]) -> Result<String, Error> {
          three nested meshes. \
          *Beyond* says that the uncertainties do not cover a difference; for the cylinder the closed form differs by the model.\n\n{}\n",
         discrete(findings),
-        benchmark(findings, PHYSICAL, &physical::HEAD),
+        benchmark(findings, PHYSICAL, &shown::HEAD),
     );
     let _ = write!(
         text,
         "What the penalty costs, apart from the mesh (scikit-fem with and without it, both extrapolated):\n\n{}\n",
-        benchmark(findings, physical::PENALTY, &physical::PENALTY_HEAD),
+        benchmark(findings, shown::PENALTY, &shown::PENALTY_HEAD),
     );
     Ok(text)
 }

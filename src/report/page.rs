@@ -106,7 +106,8 @@ fn pin_rod(findings: &[Finding]) -> String {
     text +=
         &picture("scene-pin-rod.svg", "The scene: pin held on its horizontal diameter, rod pulled by a rigid end face");
     text += &picture("field-pin-rod.svg", "Mesh and vertical stress on the deformed shape");
-    text += "No closed form: the nine formulations are held against one another, and the refinement series gives its own uncertainty.\n\n";
+    text += "No closed form: the nine formulations are held against one another, the refinement series gives its own uncertainty, and \
+         other codes solve the same problem below.\n\n";
     text += &case(findings, &[pin::PIN_ROD]);
     text += &measures(findings, pin::PIN_ROD, 180.0 / std::f64::consts::PI, "°");
     text += &picture("pressure-pin-rod.svg", "Pressure against angle; the place of the measured curves is empty");
@@ -156,8 +157,8 @@ fn predicted(findings: &[Finding]) -> String {
         "## Predicted before it is measured\n\n\
          The asymptotic rate of an iteration is the spectral radius of its error's matrix on the final contact set, made of the \
          flexibility of the contact and of its springs; – where too few steps lie between the final contact set and round-off. \
-         Truncated Hertz, contact edge between two nodes. Node elements with constant stiffness and soft starts go somewhat \
-         faster than predicted, as far as they were followed: a finding, reported and not gated.\n\n",
+         Truncated Hertz, contact edge between two nodes. Rows marked *reported* are not gated: a \
+         difference that is not understood.\n\n",
     );
     let all = findings.iter().filter(|f| f.case == stability::RATES).flat_map(|f| &f.tables);
     let rows: Vec<Vec<String>> = all.flat_map(|table| table.rows.clone()).collect();

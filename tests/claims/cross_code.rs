@@ -1,9 +1,10 @@
 //! The comparison with other codes bites: spoiled answers, spoiled scenes, changed scripts.
 
-use contact_vv::case::cross_code::answers::{changes, largest_change, relative_difference};
+use contact_vv::case::cross_code::answers::{changes, largest_change, relative_difference, reproduced};
 use contact_vv::case::cross_code::discrete::{Twin, against, problems};
 use contact_vv::case::cross_code::physical::{Found, agreement};
 use contact_vv::case::cross_code::{Answers, benchmark};
+use contact_vv::case::faults::{Fault, is_caught};
 use contact_vv::case::problem::problem;
 use contact_vv::case::{Check, Verdict};
 use contact_vv::formulation::Discretisation;
@@ -201,4 +202,39 @@ fn every_planted_fault_finds_the_line_it_spoils_exactly_once() {
         assert_eq!(found, 1, "{}: found {found} times in {}", text("name"), text("file"));
         assert_ne!(text("was"), text("is"));
     }
+}
+
+#[test]
+fn a_live_answer_that_is_not_what_was_frozen_turns_red_and_names_the_version() {
+    let old = Frozen::read(Code::ScikitFem).expect("frozen results");
+    let kept = old.physical["truncated Hertz"].numbers();
+    let mut versions = old.versions.clone();
+    versions.insert("scipy".into(), "9.9".into());
+    let judged = |now: &[(String, Vec<f64>)]| reproduced(Code::ScikitFem, now, &kept, old.changed_versions(&versions));
+    assert!(all_pass(&[judged(&kept)]));
+    for spoiled in [1.0 + 1e-5, f64::NAN] {
+        let mut now = kept.clone();
+        now[1].1[0] *= spoiled;
+        let check = judged(&now);
+        assert!(check.verdict == Verdict::Fail && check.because.contains("scipy"), "{}", check.because);
+    }
+    assert_eq!(judged(&kept[1..]).verdict, Verdict::Fail);
+}
+
+#[test]
+fn a_fault_is_caught_by_a_truth_and_by_nothing_else() {
+    let fault = |red: &[(&str, usize)], ended: Option<&str>| Fault {
+        name: "planted".into(),
+        file: "src/lib.rs".into(),
+        red: red.iter().map(|(kind, number)| (kind.to_string(), *number)).collect(),
+        examples: Default::default(),
+        ended: ended.map(String::from),
+    };
+    for kind in ["analytic", "cross-code", "self-consistency"] {
+        assert!(is_caught(&fault(&[(kind, 1)], None)), "{kind}");
+        assert!(!is_caught(&fault(&[(kind, 0)], None)), "{kind}");
+    }
+    assert!(!is_caught(&fault(&[], None)));
+    assert!(!is_caught(&fault(&[("broken off", 9)], None)));
+    assert!(!is_caught(&fault(&[], Some("no end within 600 s"))));
 }

@@ -2,7 +2,9 @@
 
 use approx::assert_relative_eq;
 use contact_vv::algorithm::{ContactProblem, Springs};
+use contact_vv::case::Verdict;
 use contact_vv::case::problem::problem;
+use contact_vv::case::stability::rate_check;
 use contact_vv::contact::ContactPoint;
 use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::mesh::{Order, Resolution};
@@ -85,4 +87,16 @@ fn halving_takes_one_step_where_the_candidates_end_at_the_edge_and_one_more_by_e
     // (4 − 1)/(2 · 1/16) = 24, between 2⁴ and 2⁵; halving the spacing adds one.
     assert_eq!(halving::steps(2.0, 1.0, 1.0 / 16.0, 1e6), 6);
     assert_eq!(halving::steps(2.0, 1.0, 1.0 / 32.0, 1e6), 7);
+}
+
+#[test]
+fn a_rate_that_is_not_the_predicted_one_turns_red() {
+    let verdict = |predicted, measured| rate_check(1.0, predicted, measured).verdict;
+    assert_eq!(verdict(0.98, 0.98), Verdict::Pass);
+    assert_eq!(verdict(0.98, 0.9795), Verdict::Pass);
+    for (predicted, measured) in
+        [(0.98, 0.97), (0.98, 0.99), (0.98, f64::NAN), (f64::NAN, 0.98), (0.98, 1.0), (1.0, 0.98)]
+    {
+        assert_eq!(verdict(predicted, measured), Verdict::Fail, "{predicted}, {measured}");
+    }
 }

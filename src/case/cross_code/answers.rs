@@ -1,11 +1,14 @@
 //! Where the other codes' answers come from: frozen files, or the codes themselves.
 
-use crate::case::check::Check;
+use crate::case::check::{Check, Reference};
 use crate::case::cross_code::discrete::Twin;
 #[cfg(feature = "python")]
 use crate::case::cross_code::renewal;
 use crate::error::Error;
+use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, Series, file};
+#[cfg(feature = "python")]
+use crate::oracle::cross_code::live;
 use crate::oracle::cross_code::{Code, DiscreteAnswer, PhysicalScene};
 
 /// Frozen or live.
@@ -31,7 +34,8 @@ impl Answers {
     /// A code's answer to our discrete problem, whole where it is live, and whether it is what was frozen.
     pub fn discrete(self, code: Code, twin: &Twin) -> Result<(Digest, Option<DiscreteAnswer>, Vec<Check>), Error> {
         let name = &twin.problem.name;
-        let kept = Frozen::read(code)?.discrete.remove(name).ok_or_else(|| absent(code, name))?;
+        let frozen = Frozen::read(code)?;
+        let kept = frozen.discrete.get(name).cloned().ok_or_else(|| absent(code, name))?;
         let nodes = twin.problem.points.len();
         if kept.nodes != nodes {
             let found = format!("of a mesh with {} nodes, but ours has {nodes}", kept.nodes);
@@ -41,9 +45,10 @@ impl Answers {
             Self::Frozen => Ok((kept, None, Vec::new())),
             #[cfg(feature = "python")]
             Self::Live => {
-                let answer = crate::oracle::cross_code::live::discrete(code, &twin.problem)?;
+                let answer = live::discrete(code, &twin.problem)?;
                 let digest = twin.digest_of_other(&answer);
-                let check = renewal::reproduced(code, &digest.numbers(), &kept.numbers())?;
+                let changed = frozen.changed_versions(&live::versions()?);
+                let check = reproduced(code, &digest.numbers(), &kept.numbers(), changed);
                 Ok((digest, Some(answer), vec![check]))
             }
         }
@@ -51,7 +56,8 @@ impl Answers {
 
     /// A code's refinement series of a scene, and whether it is what was frozen.
     pub fn physical(self, code: Code, name: &str, scene: &PhysicalScene) -> Result<(Series, Vec<Check>), Error> {
-        let kept = Frozen::read(code)?.physical.remove(name).ok_or_else(|| absent(code, name))?;
+        let frozen = Frozen::read(code)?;
+        let kept = frozen.physical.get(name).cloned().ok_or_else(|| absent(code, name))?;
         if let Some((key, ours, theirs)) = other_scene(scene, &kept.scene) {
             let found = format!("{theirs} in the frozen scene, but {ours} in ours");
             return Err(Error::Refused {
@@ -71,7 +77,8 @@ impl Answers {
             #[cfg(feature = "python")]
             Self::Live => {
                 let series = renewal::ask(code, scene)?;
-                let check = renewal::reproduced(code, &series.numbers(), &kept.numbers())?;
+                let changed = frozen.changed_versions(&live::versions()?);
+                let check = reproduced(code, &series.numbers(), &kept.numbers(), changed);
                 Ok((series, vec![check]))
             }
         }
@@ -104,6 +111,21 @@ fn other_scene(ours: &PhysicalScene, theirs: &PhysicalScene) -> Option<(String, 
         !same
     })
 }
+
+/// A live answer is what was frozen; the versions that changed since are named.
+pub fn reproduced(code: Code, now: &Groups, kept: &Groups, changed: String) -> Check {
+    Check::norm(
+        format!("{code}, run live, shall find what was frozen"),
+        "largest relative change",
+        largest_change(now, kept),
+        Reference { name: "frozen results".into(), kind: ReferenceKind::CrossCode, value: 0.0 },
+        REPRODUCED,
+        format!("solvers and libraries differ in round-off; {changed}"),
+    )
+}
+
+/// Relative difference from the frozen answer that a live one may have.
+const REPRODUCED: f64 = 1e-6;
 
 /// Numbers in groups of one unit and scale.
 pub type Groups = [(String, Vec<f64>)];

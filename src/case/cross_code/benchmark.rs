@@ -52,14 +52,7 @@ pub fn benchmarks() -> Result<Vec<Benchmark>, Error> {
         cylinder(NAMES[1], 0.1),
         benchmark(NAMES[2], "truncated-hertz", given, 1.25 * half_width, block, 8),
         benchmark(NAMES[3], "pin-rod", rod_numbers(&rod), rod.stretch, (rod.scene(), 32, None), 16),
-        benchmark(
-            "pin in plate",
-            "pin-plate",
-            plate_numbers(&plate),
-            plate.stretch,
-            problem::pin_plate(PLATE_ANGLE),
-            12,
-        ),
+        benchmark(NAMES[4], "pin-plate", plate_numbers(&plate), plate.stretch, problem::pin_plate(PLATE_ANGLE), 12),
     ])
 }
 

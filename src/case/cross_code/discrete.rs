@@ -67,7 +67,9 @@ impl Twin {
     /// A scene of the library on a mesh of an order, solved by us.
     pub fn of(name: &str, order: Order) -> Result<Self, Error> {
         let problem = problem::problem(name, None)?;
-        let elements = SCENES.iter().find(|(known, _)| *known == name).map_or(8, |(_, elements)| *elements);
+        let Some((_, elements)) = SCENES.into_iter().find(|(known, _)| *known == name) else {
+            return Err(not_handed_over(name, "this scene"));
+        };
         let resolution = Resolution { elements, refinement: 0, order };
         Self::on(Discretisation::of(problem.scene, resolution)?)
     }

@@ -2,6 +2,7 @@
 //!
 //! * [`discrete`] — the same discrete problem: agreement to round-off, a code check.
 //! * [`physical`] — the same physical problem on another mesh: a benchmark; [`benchmark`] — its scenes.
+//! * [`shown`] — what the page shows of it.
 //! * [`answers`] — where the other codes' answers come from: frozen files, or the codes themselves.
 //! * `renewal` — asking the codes now, and freezing what they answer (feature `python`).
 
@@ -11,6 +12,7 @@ pub mod discrete;
 pub mod physical;
 #[cfg(feature = "python")]
 pub mod renewal;
+pub mod shown;
 
 use crate::case::suite::Trial;
 

@@ -1,16 +1,11 @@
-//! Asking the codes now: live answers, whether they are what was frozen, and the frozen files made anew.
+//! Asking the codes now, and making the frozen files anew.
 
-use crate::case::check::{Check, Reference};
-use crate::case::cross_code::answers::{Groups, changes, largest_change};
+use crate::case::cross_code::answers::changes;
 use crate::case::cross_code::discrete::{Twin, problems};
 use crate::case::cross_code::{benchmark, physical};
 use crate::error::Error;
-use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::{Frozen, Series, script_hash};
 use crate::oracle::cross_code::{Code, Method, PhysicalScene, live};
-
-/// Relative difference from the frozen answer that a live one may have: solvers and libraries differ in round-off.
-const REPRODUCED: f64 = 1e-6;
 
 /// The series of a scene, asked now.
 pub fn ask(code: Code, scene: &PhysicalScene) -> Result<Series, Error> {
@@ -21,20 +16,6 @@ pub fn ask(code: Code, scene: &PhysicalScene) -> Result<Series, Error> {
         Code::Dolfinx => Vec::new(),
     };
     Ok(Series { scene: scene.clone(), penalty, active_set })
-}
-
-/// A live run finds what was frozen; otherwise the versions that changed are named.
-pub fn reproduced(code: Code, now: &Groups, kept: &Groups) -> Result<Check, Error> {
-    let changed = Frozen::read(code)?.changed_versions(&live::versions()?);
-    let reference = Reference { name: "frozen results".into(), kind: ReferenceKind::CrossCode, value: 0.0 };
-    Ok(Check::norm(
-        format!("{code}, run live, shall find what was frozen"),
-        "largest relative change",
-        largest_change(now, kept),
-        reference,
-        REPRODUCED,
-        changed,
-    ))
 }
 
 /// Asks both codes for everything, writes the frozen files once both have answered, and tells what changed.

@@ -2,7 +2,7 @@
 
 use super::{curve, of_picture, with};
 use crate::case::Finding;
-use crate::case::cross_code::physical::PROFILES;
+use crate::case::cross_code::shown::PROFILES;
 use crate::error::Error;
 use crate::report::figure::palette::{self, Dash, Marker, Style};
 use crate::report::figure::{Axis, Chart, panels};
