@@ -14,7 +14,7 @@ const ALLOWED: [(&str, &[&str]); 16] = [
     ("contact", &["error", "scene", "mesh", "condensation", "elasticity"]),
     ("solution", &[]),
     ("algorithm", &["error", "condensation", "contact", "solution"]),
-    ("stability", &["condensation", "contact", "algorithm", "solution"]),
+    ("stability", &["error", "condensation", "contact", "algorithm", "solution"]),
     ("formulation", &["error", "scene", "mesh", "elasticity", "condensation", "contact", "algorithm", "solution"]),
     ("measure", &["scene", "mesh", "solution"]),
     ("oracle", &["error", "scene"]),

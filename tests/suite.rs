@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::sync::{Arc, Mutex};
 
+use contact_vv::case::atlas::{Chart, Plane, record};
 #[cfg(feature = "python")]
 use contact_vv::case::cross_code;
 use contact_vv::case::problem::{PROBLEMS, problem};
@@ -34,6 +35,9 @@ fn main() {
     let trials: Vec<suite::Trial> = trials.into_iter().chain(cross_code::trials(cross_code::Answers::Live)).collect();
     let mut tests: Vec<Trial> = trials.into_iter().map(|trial| truth(trial, counts.clone(), origins.clone())).collect();
     tests.extend(FROZEN.into_iter().flat_map(frozen));
+    tests.extend(
+        Plane::ALL.map(|plane| Trial::test(format!("snapshot, atlas × {}", plane.name()), move || charted(plane))),
+    );
     tests.push(Trial::test("every snapshot belongs to a run of the suite", no_stray_snapshot));
     let conclusion = libtest_mimic::run(&arguments, tests);
     if arguments.list {
@@ -101,6 +105,18 @@ fn frozen(scene: &'static str) -> Vec<Trial> {
     Formulation::nine().into_iter().map(test).collect()
 }
 
+/// Drift lock: classes near a boundary of the recorded atlas, and steps elsewhere, are what they were.
+fn charted(plane: Plane) -> Result<(), Failed> {
+    let records = record::read(plane).map_err(|error| error.to_string())?;
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(SNAPSHOTS);
+    settings.set_snapshot_suffix(plane.name());
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!("atlas", Chart::of(plane, &records).frozen()));
+    Ok(())
+}
+
 /// What is frozen of a run; of one that did not converge, the outcome only.
 fn summary(run: &Run) -> String {
     let (solution, measures) = (&run.solution, &run.measures);
@@ -147,6 +163,7 @@ fn no_stray_snapshot() -> Result<(), Failed> {
     let expected: Vec<String> = FROZEN
         .iter()
         .flat_map(|scene| Formulation::nine().into_iter().map(move |f| format!("{scene}@{}.snap", f.name())))
+        .chain(Plane::ALL.map(|plane| format!("atlas@{}.snap", plane.name())))
         .collect();
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");
     for entry in std::fs::read_dir(&folder).map_err(|error| error.to_string())?.flatten() {

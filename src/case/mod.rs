@@ -9,10 +9,12 @@
 //! * [`refinement`], [`sweep`], [`family`], [`gaertner`] — studies over meshes, stiffnesses and dimensions.
 //! * [`cross_code`] — the solver against scikit-fem and dolfinx.
 //! * [`faults`] — the record of planted faults.
+//! * [`atlas`] — where each formulation converges, and where it was predicted to.
 //! * [`stability`] — predicted rates and steps against measured ones.
 //! * [`pictures`] — fields and iteration paths that are shown, not judged.
 //! * [`statements`] — the paper's statements, judged from the findings.
 
+pub mod atlas;
 pub mod check;
 pub mod cross_code;
 pub mod exact;

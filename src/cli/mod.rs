@@ -1,9 +1,11 @@
 //! What the user types.
 //!
+//! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`suite`] — runs all trials with a progress bar.
 //! * [`solve`] — one case, with its outputs.
 //! * [`json`] — the result of a solve as JSON.
 
+pub mod atlas;
 pub mod json;
 pub mod solve;
 pub mod suite;
@@ -13,6 +15,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::case::problem::PROBLEMS;
 use crate::error::Error;
@@ -40,6 +43,8 @@ enum Command {
     Solve(Box<solve::Arguments>),
     /// Solve the suite and print every check with its verdict, a line of JSON each; trials that break off fail too.
     Verdicts,
+    /// Survey the stability atlas and write snapshots/atlas; broken off, it goes on where it stopped.
+    Atlas,
     /// Name the cases of the library.
     List,
     /// Ask the other codes for everything again, write oracles/frozen and show what changed.
@@ -52,6 +57,7 @@ pub fn main() -> ExitCode {
     let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false }) {
         Command::Report { check } => report_command(check),
         Command::Verdicts => Ok(suite::verdicts()),
+        Command::Atlas => atlas::run().map(|()| true),
         Command::Solve(arguments) => solve::run(&arguments).map(|()| true),
         Command::List => {
             PROBLEMS.iter().for_each(|(name, title)| say(format!("{name:18} {title}")));
@@ -73,6 +79,15 @@ pub fn main() -> ExitCode {
 /// Prints a line; a reader who has gone away (a closed pipe) is no error.
 fn say(line: impl std::fmt::Display) {
     let _ = writeln!(std::io::stdout(), "{line}");
+}
+
+/// A bar over so many pieces of work, on a terminal.
+fn progress(pieces: usize) -> ProgressBar {
+    let bar = ProgressBar::new(pieces as u64);
+    match ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
 }
 
 /// Whether all checks pass and, with `check`, the committed page is up to date.

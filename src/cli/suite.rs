@@ -1,12 +1,11 @@
 //! Runs all trials with a progress bar and prints what they found.
 
 use comfy_table::{ContentArrangement, Table, presets};
-use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use crate::case::{Check, Finding, Verdict, suite};
-use crate::cli::say;
+use crate::cli::{progress, say};
 use crate::error::Error;
 use crate::report::{format, matrix};
 
@@ -18,10 +17,7 @@ pub fn run() -> Result<Vec<Finding>, Error> {
 /// Every trial's title with what it found.
 fn run_all() -> Vec<(String, Result<Finding, Error>)> {
     let trials = suite::all();
-    let bar = ProgressBar::new(trials.len() as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
-        bar.set_style(style);
-    }
+    let bar = progress(trials.len());
     let findings = trials
         .par_iter()
         .map(|trial| {

@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use crate::case::{Finding, hertz, pin, stability, statements, sweep};
+use crate::case::{Finding, hertz, pin, statements, sweep};
 use crate::error::Error;
 use crate::formulation::Formulation;
-use crate::report::{checks, cross_code, decisions, format, matrix, pictures};
+use crate::report::{atlas, checks, cross_code, decisions, format, matrix, pictures};
 
 /// The page and its charts.
 #[derive(Clone, Debug)]
@@ -29,7 +29,7 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
         other_codes(findings)?,
         exact(findings),
         behaviour(findings),
-        predicted(findings),
+        atlas::section(findings)?,
         cross_code::planted()?,
         silent(),
         closing(),
@@ -149,22 +149,6 @@ fn behaviour(findings: &[Finding]) -> String {
         "Steps against initial stiffness; runs that do not converge stand hollow above the frame",
     );
     text += &tables(findings, &[sweep::RULES]);
-    text
-}
-
-fn predicted(findings: &[Finding]) -> String {
-    let mut text = String::from(
-        "## Predicted before it is measured\n\n\
-         The asymptotic rate of an iteration is the spectral radius of its error's matrix on the final contact set, made of the \
-         flexibility of the contact and of its springs; – where too few steps lie between the final contact set and round-off. \
-         Truncated Hertz, contact edge between two nodes. Rows marked *reported* are not gated: a \
-         difference that is not understood.\n\n",
-    );
-    let all = findings.iter().filter(|f| f.case == stability::RATES).flat_map(|f| &f.tables);
-    let rows: Vec<Vec<String>> = all.flat_map(|table| table.rows.clone()).collect();
-    text += &format::markdown(&stability::RATES_HEAD.map(String::from), &rows);
-    text += "\nKinematic load started with every candidate closed shrinks the contact by halving L² − a².\n\n";
-    text += &tables(findings, &[stability::HALVING]);
     text
 }
 

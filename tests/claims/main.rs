@@ -5,6 +5,7 @@ mod workbench;
 mod algorithm;
 #[path = "../architecture.rs"]
 mod architecture;
+mod atlas;
 mod condensation;
 mod contact;
 mod cross_code;

@@ -1,15 +1,16 @@
 //! Predictions from the condensed matrices, held against iterations written out here.
 
 use approx::assert_relative_eq;
-use contact_vv::algorithm::{ContactProblem, Springs};
+use contact_vv::algorithm::{Algorithm, Constant, ContactProblem, Springs, StiffnessRule, Varying};
 use contact_vv::case::Verdict;
-use contact_vv::case::problem::problem;
-use contact_vv::case::stability::rate_check;
+use contact_vv::case::problem::{problem, truncated_hertz};
+use contact_vv::case::stability::rates::rate_check;
 use contact_vv::contact::ContactPoint;
 use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::mesh::{Order, Resolution};
+use contact_vv::scene::library::TruncatedHertz;
 use contact_vv::solution::Work;
-use contact_vv::stability::{halving, rate};
+use contact_vv::stability::{Limit, halving, linear, rate, release};
 
 fn discretisation() -> Discretisation {
     let scene = problem("truncated-hertz", None).expect("a scene of the library").scene;
@@ -77,7 +78,7 @@ fn rates_of_a_problem_without_springs_are_none() {
     let problem = discretisation.problem(&formulation, &points);
     let none = vec![0.0; points.len()];
     assert!(rate::fixed_target(&problem, &none, &none).is_none());
-    assert!(rate::secant(&problem, &none, &none).is_none());
+    assert!(rate::secant(&problem, &none, &none, 0.0).is_none());
 }
 
 #[test]
@@ -98,5 +99,169 @@ fn a_rate_that_is_not_the_predicted_one_turns_red() {
         [(0.98, 0.97), (0.98, 0.99), (0.98, f64::NAN), (f64::NAN, 0.98), (0.98, 1.0), (1.0, 0.98)]
     {
         assert_eq!(verdict(predicted, measured), Verdict::Fail, "{predicted}, {measured}");
+    }
+}
+
+/// Truncated Hertz without a node on the contact edge.
+fn between_nodes() -> Discretisation {
+    let (scene, _, _) = truncated_hertz(TruncatedHertz { stretch: 1.9, ..Default::default() });
+    Discretisation::of(scene, Resolution { elements: 4, refinement: 0, order: Order::Quadratic }).expect("a scene")
+}
+
+/// Spectral radius of the derivative of one real step, by central differences around the limit.
+///
+/// `state` makes the springs of a state; `read` takes the state from the springs after the step.
+fn derivative(
+    problem: &ContactProblem,
+    limit: &[f64],
+    mut step: impl FnMut(&mut Springs),
+    state: impl Fn(&[f64]) -> Springs,
+    read: impl Fn(&Springs) -> Vec<f64>,
+) -> f64 {
+    let n = problem.points.len();
+    let mut matrix = nalgebra::DMatrix::<f64>::zeros(n, n);
+    for j in 0..n {
+        let nudge = 1e-6 * limit[j].abs().max(1e-3 * problem.scale.pressure);
+        let mut after = [1.0, -1.0].map(|sign| {
+            let mut moved = limit.to_vec();
+            moved[j] += sign * nudge;
+            let mut springs = state(&moved);
+            step(&mut springs);
+            read(&springs)
+        });
+        for i in 0..n {
+            matrix[(i, j)] = (after[0][i] - after[1][i]) / (2.0 * nudge);
+        }
+        after[0].clear();
+    }
+    matrix.complex_eigenvalues().iter().map(|value| value.norm()).fold(0.0, f64::max)
+}
+
+/// Carried forces of constant stiffness at the limit, `r = p − k₀ w`.
+fn carried(problem: &ContactProblem, limit: &Limit) -> Vec<f64> {
+    let each = limit.pressure.iter().zip(&problem.initial).zip(&limit.approach);
+    each.zip(&limit.closed).map(|(((p, k), w), closed)| if *closed { p - k * w } else { -k * w }).collect()
+}
+
+#[test]
+fn the_rates_of_constant_stiffness_are_the_derivatives_of_its_steps() {
+    let discretisation = between_nodes();
+    // Line elements have no point with g = 0, where the secant rule has no derivative.
+    for (element, rule) in [
+        (Element::Node, StiffnessRule::Correction),
+        (Element::Line, StiffnessRule::Correction),
+        (Element::Layer, StiffnessRule::Secant),
+        (Element::Line, StiffnessRule::Secant),
+    ] {
+        for stiffness in [0.3, 5.0] {
+            let formulation = Formulation { rule, stiffness, ..Formulation::new(element, Iteration::Constant) };
+            let points: Vec<ContactPoint> = discretisation.points(&formulation);
+            let problem = discretisation.problem(&formulation, &points);
+            let limit = Limit::of(&problem).expect("a limit").expect("converged");
+            let predicted = match rule {
+                StiffnessRule::Correction => rate::correction(&problem, &limit.closed),
+                _ => rate::secant_force(&problem, &limit),
+            };
+            let measured = derivative(
+                &problem,
+                &carried(&problem, &limit),
+                |springs| {
+                    let load = problem.load;
+                    Constant::new(rule).step(&problem, load, springs, &mut Work::default()).expect("springs hold");
+                },
+                |force| Springs { stiffness: problem.initial.clone(), force: force.to_vec() },
+                |springs| springs.force.clone(),
+            );
+            assert_relative_eq!(predicted.expect("a rate"), measured, max_relative = 1e-3);
+        }
+    }
+}
+
+#[test]
+fn the_rate_of_varying_stiffness_with_correction_is_the_derivative_of_its_step() {
+    let discretisation = between_nodes();
+    for element in [Element::Line, Element::Layer] {
+        for stiffness in [0.5, 2.0, 8.0, 50.0] {
+            let rule = StiffnessRule::Correction;
+            let formulation = Formulation { rule, stiffness, ..Formulation::new(element, Iteration::Varying) };
+            let points: Vec<ContactPoint> = discretisation.points(&formulation);
+            let problem = discretisation.problem(&formulation, &points);
+            let limit = Limit::of(&problem).expect("a limit").expect("converged");
+            let target = limit.target(&problem);
+            let closed: Vec<usize> = (0..target.len()).filter(|&i| limit.closed[i]).collect();
+            let measured = derivative(
+                &problem,
+                &target,
+                |springs| {
+                    let load = problem.load;
+                    Varying { rule }.step(&problem, load, springs, &mut Work::default()).expect("springs hold");
+                },
+                |stiffness| Springs { stiffness: stiffness.to_vec(), force: vec![0.0; stiffness.len()] },
+                // Open points stop at once: what they hand on is cut off.
+                |springs| {
+                    (0..target.len()).map(|i| if closed.contains(&i) { springs.stiffness[i] } else { 0.0 }).collect()
+                },
+            );
+            let predicted = rate::varying_correction(&problem, &limit).expect("a rate");
+            assert_relative_eq!(predicted, measured, max_relative = 2e-3);
+        }
+    }
+}
+
+#[test]
+fn linear_steps_are_those_of_the_linear_iteration_taken_one_by_one() {
+    let discretisation = between_nodes();
+    for stiffness in [0.05, 0.7, 20.0] {
+        let formulation = Formulation { stiffness, ..Formulation::new(Element::Node, Iteration::Constant) };
+        let points: Vec<ContactPoint> = discretisation.points(&formulation);
+        let problem = discretisation.problem(&formulation, &points);
+        let limit = Limit::of(&problem).expect("a limit").expect("converged");
+        let run = discretisation.solve(&formulation).expect("solved").work.steps as f64;
+        let predicted = linear::steps(&problem, &limit, 1e-3).expect("a prediction");
+        assert!((predicted / run).max(run / predicted) < 1.5, "κ₀ = {stiffness}: {predicted} against {run}");
+        // Each decade of the tolerance takes what the rate says, once the slowest mode is alone.
+        let rate = rate::correction(&problem, &limit.closed).expect("a rate");
+        let [fine, finer] = [1e-11, 1e-12].map(|tau| linear::steps(&problem, &limit, tau).expect("a prediction"));
+        assert_relative_eq!(finer - fine, -std::f64::consts::LN_10 / rate.ln(), max_relative = 0.05, epsilon = 1.5);
+    }
+}
+
+#[test]
+fn points_outside_the_contact_let_go_as_slowly_as_predicted() {
+    let discretisation = between_nodes();
+    for (rule, stiffness) in
+        [(StiffnessRule::Secant, 1.0), (StiffnessRule::Correction, 1e-4), (StiffnessRule::Correction, 0.3)]
+    {
+        let formulation = Formulation { rule, stiffness, ..Formulation::new(Element::Node, Iteration::Varying) };
+        let points: Vec<ContactPoint> = discretisation.points(&formulation);
+        let problem = discretisation.problem(&formulation, &points);
+        let limit = Limit::of(&problem).expect("a limit").expect("converged");
+        let predicted = release::steps(&problem, &limit, rule, 1e-3).expect("a prediction");
+        let run = discretisation.solve(&formulation).expect("solved").work.steps as f64;
+        assert!(
+            (predicted / run).max(run / predicted) < 2.0,
+            "{}, {stiffness}: {predicted} against {run}",
+            rule.name()
+        );
+    }
+}
+
+#[test]
+fn the_limit_is_the_contact_that_kinematic_load_finds() {
+    let discretisation = between_nodes();
+    let solution = discretisation.solve(&Formulation::verification()).expect("solved");
+    let points: Vec<ContactPoint> = discretisation.points(&Formulation::verification());
+    let problem = discretisation.problem(&Formulation::verification(), &points);
+    let limit = Limit::of(&problem).expect("a limit").expect("converged");
+    let pressed: Vec<bool> = solution.points.iter().map(|point| point.pressure > 0.0).collect();
+    assert_eq!(limit.closed, pressed);
+    for ((p, state), point) in limit.pressure.iter().zip(&solution.points).zip(&points) {
+        assert_relative_eq!(p.max(0.0), state.pressure, epsilon = 1e-5 * problem.scale.pressure);
+        assert!(point.position <= limit.edge(&problem) || state.pressure <= 0.0);
+    }
+    for ((k, p), w) in limit.target(&problem).iter().zip(&limit.pressure).zip(&limit.approach) {
+        if *k > 0.0 && *w > 1e-6 * problem.scale.gap {
+            assert_relative_eq!(k * w, *p, max_relative = 1e-12);
+        }
     }
 }

@@ -12,10 +12,11 @@ const SAMPLE: f64 = 44.0;
 const GAP: f64 = 8.0;
 const MARKER: f64 = 3.8;
 
-/// One line of the legend; without a style it explains the hollow signs.
+/// One line of the legend; without a style it explains the hollow signs, which a series of only such explains itself.
 struct Entry {
     label: String,
     style: Option<Style>,
+    hollow: bool,
 }
 
 /// The entries of one chart or of several.
@@ -31,11 +32,13 @@ impl Legend {
         for series in all() {
             let known = entries.iter().any(|entry| entry.label == series.label);
             if !known && !series.label.is_empty() {
-                entries.push(Entry { label: series.label.clone(), style: Some(series.style) });
+                let hollow = series.points.is_empty() && !series.hollow.is_empty();
+                entries.push(Entry { label: series.label.clone(), style: Some(series.style), hollow });
             }
         }
-        if all().any(|series: &Series| !series.hollow.is_empty()) {
-            entries.push(Entry { label: "hollow: not converged".to_string(), style: None });
+        let explained = entries.iter().any(|entry| entry.hollow);
+        if !explained && all().any(|series: &Series| !series.hollow.is_empty()) {
+            entries.push(Entry { label: "hollow: not converged".to_string(), style: None, hollow: true });
         }
         Legend { entries }
     }
@@ -69,17 +72,20 @@ impl Legend {
         for (place, entry) in self.entries.iter().enumerate() {
             let x = left + pitch * (place / rows) as f64;
             let y = top + ROW * ((place % rows) as f64 + 0.5);
-            sample(canvas, (x, y), entry.style);
+            sample(canvas, (x, y), entry);
             canvas.label((x + SAMPLE + GAP, y), &entry.label, Lettering::start(SIZE));
         }
     }
 }
 
-fn sample(canvas: &mut Canvas, (x, y): Point, style: Option<Style>) {
+fn sample(canvas: &mut Canvas, (x, y): Point, entry: &Entry) {
     let centre = (x + 0.5 * SAMPLE, y);
-    let Some(style) = style else {
+    let Some(style) = entry.style else {
         return hollow_marker(canvas, centre, Marker::Circle, MARKER, GREY);
     };
+    if entry.hollow {
+        return hollow_marker(canvas, centre, style.marker, MARKER, style.colour);
+    }
     if style.dash != Dash::Absent {
         let pen = Pen { colour: style.colour, width: LINE_WIDTH, dash: style.dash };
         canvas.line(&[(x, y), (x + SAMPLE, y)], pen);

@@ -5,6 +5,7 @@
 //! did not converge stand hollow above the upper frame.
 //!
 //! * [`chart`]: curves over linear or logarithmic axes.
+//! * [`class_map`]: how runs ended, over two numbers.
 //! * [`multiples`]: charts side by side over one legend.
 //! * [`field`]: a scalar on the deformed mesh, in bands.
 //! * [`mod@contact_elements`]: what the three contact elements are.
@@ -23,6 +24,7 @@ mod bands;
 mod canvas;
 mod cell_grid;
 pub mod chart;
+pub mod class_map;
 mod colour_bar;
 pub mod contact_elements;
 mod curves;
@@ -44,6 +46,7 @@ mod sketch;
 mod view;
 
 pub use chart::{Axis, Band, Chart, Direction, Guide, Scale, Series};
+pub use class_map::{Cell, ClassMap, MapPanel};
 pub use contact_elements::contact_elements;
 pub use field::{Field, Window};
 pub use iteration_path::{IterationPaths, Path, State};

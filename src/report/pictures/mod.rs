@@ -1,5 +1,6 @@
 //! The charts by name, each from the findings that made it.
 //!
+//! * [`atlas`] — steps with their predictions, and the maps of the stability atlas.
 //! * [`contact`] — pressure of all nine against the reference.
 //! * [`convergence`] — steps against initial stiffness, orders, iteration paths.
 //! * [`fields`] — stress on the deformed meshes.
@@ -7,6 +8,7 @@
 //! * [`cross_code`] — profiles of all codes and their differences.
 //! * [`pins`] — hoop stress and displacement along the pin, the dimensionless family.
 
+pub mod atlas;
 pub mod contact;
 pub mod convergence;
 pub mod cross_code;
@@ -14,6 +16,7 @@ pub mod fields;
 pub mod pins;
 pub mod schematics;
 
+use crate::case::atlas::{Chart as Plane, Plane as Name, record};
 use crate::case::{Finding, Series};
 use crate::error::Error;
 use crate::formulation::{Element, Formulation, Iteration};
@@ -41,6 +44,13 @@ pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
         ("family-pin-rod.svg", pins::family(findings)?),
     ] {
         charts.push((name.into(), chart));
+    }
+    for plane in atlas::PLANES {
+        let recorded = Plane::of(plane, &record::read(plane)?);
+        charts.push((format!("atlas-{}.svg", plane.name()), atlas::map(&recorded)?));
+        if plane == Name::Stretch {
+            charts.push(("steps-predicted.svg".into(), atlas::steps(&recorded)?));
+        }
     }
     Ok(charts)
 }

@@ -1,18 +1,15 @@
-//! Predicted against measured: rates of the iterations, and steps of kinematic load.
+//! Rates of constant stiffness with `correction` and varying stiffness with `secant`: predicted against measured.
 
 use crate::algorithm::StiffnessRule;
 use crate::case::check::{Check, Reference, Verdict};
-use crate::case::problem::{self, Problem};
 use crate::case::run::Run;
 use crate::case::suite::{Finding, Table, Trial};
 use crate::contact::ContactPoint;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration};
 use crate::measure::profile::weighted_line;
-use crate::mesh::{Order, Resolution};
-use crate::scene::library::{Cylinder, TruncatedHertz};
 use crate::solution::{Residuals, Solution};
-use crate::stability::{halving, rate};
+use crate::stability::rate;
 
 /// Initial stiffnesses of the rate studies: constant stiffness depends on them, varying stiffness does not.
 const STARTS: [f64; 9] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0];
@@ -32,17 +29,14 @@ const COMPARED: f64 = 3.0;
 /// Error of ln ρ that is accepted.
 const ACCEPTED: f64 = 0.05;
 
-/// Trials of the predictions.
-pub fn trials() -> Vec<Trial> {
+/// Trials of the rates.
+pub(super) fn trials() -> Vec<Trial> {
     let mut trials: Vec<Trial> = Vec::new();
     for element in Element::ALL {
         let name = format!("{}.constant.correction", element.name());
         trials.push(Trial::new(RATES, name, move || rates(element, Iteration::Constant)));
         let name = format!("{}.varying.secant", element.name());
         trials.push(Trial::new(RATES, name, move || rates(element, Iteration::Varying)));
-    }
-    for (name, cylinder) in [("cylinder", true), ("truncated hertz", false)] {
-        trials.push(Trial::new(HALVING, name, move || halving_law(cylinder)));
     }
     trials
 }
@@ -52,17 +46,9 @@ pub const RATES_HEAD: [&str; 7] =
     ["formulation", "κ₀", "predicted ρ", "measured ρ", "difference of ln ρ", "outcome", "verdict"];
 /// Name of the trials of rates.
 pub const RATES: &str = "predicted rate of convergence";
-/// Name of the trials of the halving law.
-pub const HALVING: &str = "predicted steps of kinematic load";
-
-/// Truncated Hertz whose contact edge lies on no node: on one, a point neither open nor closed converges at no rate at all.
-fn truncated() -> Problem {
-    let numbers = TruncatedHertz { stretch: 1.9, ..Default::default() };
-    Problem::new("truncated-hertz", "truncated Hertz", problem::truncated_hertz(numbers))
-}
 
 fn rates(element: Element, algorithm: Iteration) -> Result<Finding, Error> {
-    let problem = truncated();
+    let problem = super::truncated();
     let discretisation = Discretisation::of(problem.scene.clone(), problem.resolution)?;
     let (mut rows, mut checks) = (Vec::new(), Vec::new());
     let starts: &[f64] = if algorithm == Iteration::Varying { &FEW_STARTS } else { &STARTS };
@@ -141,7 +127,7 @@ fn predicted(discretisation: &Discretisation, formulation: &Formulation, solutio
                 .zip(&approach)
                 .map(|(p, w)| p / problem.scale.above_zero(*w))
                 .collect();
-            rate::secant(&problem, &stiffness, &approach)
+            rate::secant(&problem, &stiffness, &approach, 0.0)
         }
     };
     found.unwrap_or(f64::NAN)
@@ -166,47 +152,4 @@ fn measured(algorithm: Iteration, solution: &Solution) -> f64 {
         .collect();
     let latter = &within[within.len() / 2..];
     if latter.len() < STEPS { f64::NAN } else { weighted_line(latter).1.exp() }
-}
-
-/// Candidate stretch over the half-width, elements per half-width and initial stiffnesses of the halving law.
-const STRETCHES: [f64; 4] = [1.0, 1.5, 2.0, 3.0];
-const ELEMENTS: [usize; 3] = [5, 8, 16];
-const SOFT_AND_HARD: [f64; 2] = [1.0, 1e6];
-
-fn halving_law(cylinder: bool) -> Result<Finding, Error> {
-    let (mut rows, mut checks) = (Vec::new(), Vec::new());
-    for stretch in STRETCHES {
-        for elements in ELEMENTS {
-            let (scene, _, _) = if cylinder {
-                problem::cylinder(Cylinder { stretch, ..Default::default() })
-            } else {
-                problem::truncated_hertz(TruncatedHertz { stretch, ..Default::default() })
-            };
-            let half_width = scene.reference.length;
-            let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
-            let discretisation = Discretisation::of(scene, resolution)?;
-            let spacing = half_width / (2.0 * elements as f64);
-            let mut cells = vec![stretch.to_string(), elements.to_string()];
-            for stiffness in SOFT_AND_HARD {
-                let formulation = Formulation { stiffness, ..Formulation::new(Element::Node, Iteration::Kinematic) };
-                let run = Run::of(&discretisation, &formulation)?;
-                let steps = if run.solution.converged() { run.solution.work.steps as f64 } else { f64::NAN };
-                let predicted = halving::steps(stretch * half_width, half_width, spacing, stiffness);
-                cells.push(format!("{predicted} / {steps}"));
-                checks.push(Check::norm(
-                    "Kinematic load shall take the steps of the halving law",
-                    format!("steps off, L/a = {stretch}, {elements} per half-width, κ₀ = {stiffness:e}"),
-                    (steps - predicted as f64).abs(),
-                    Reference::own("halving of L² − a²", 0.0),
-                    1.0,
-                    "the law counts halvings; the last one may end anywhere within a node spacing",
-                ));
-            }
-            rows.push(cells);
-        }
-    }
-    let head = ["L/a", "elements per a", "predicted / measured, κ₀ = 1", "predicted / measured, κ₀ = 1e6"];
-    let title = format!("{HALVING}: {}", if cylinder { "cylinder" } else { "truncated Hertz" });
-    let table = Table { title, head: head.map(String::from).into(), rows };
-    Ok(Finding { checks, tables: vec![table], ..Default::default() })
 }

@@ -1,0 +1,191 @@
+//! What the atlas must hold: a twentieth recomputed is what was recorded, and the predictions are right.
+
+use rayon::prelude::*;
+
+use crate::case::atlas::chart::Chart;
+use crate::case::atlas::plan::{Plane, Row};
+use crate::case::atlas::point::Ground;
+use crate::case::atlas::record::{self, Class, Record};
+use crate::case::atlas::survey::grounds;
+use crate::case::check::{Check, Reference};
+use crate::case::suite::{Finding, Trial};
+use crate::error::Error;
+use crate::formulation::Settings;
+
+/// Name of the trials.
+pub const ATLAS: &str = "stability atlas";
+/// Of the grounds every third is entered again, and on it three of twenty points: a twentieth of all.
+const GROUNDS: usize = 3;
+const POINTS: [usize; 2] = [3, 20];
+/// A recomputed error or prediction may differ by this share: the records hold four digits.
+const DIGITS: f64 = 2e-3;
+/// Factor within which steps on nodes are predicted, and factor off the limit of steps from which a class is.
+pub const FACTOR: f64 = 2.0;
+/// Fewer steps than this are over before a rate matters.
+const FEW: usize = 20;
+/// Candidates that end here end on the contact edge: the last point is neither open nor closed.
+const AT_THE_EDGE: f64 = 1.0;
+/// A rule that can die on its way: a point whose force is once zero stays there, and may pass for open within the tolerance.
+const MORTAL: &str = "constant.secant";
+
+/// One trial a plane.
+pub fn trials() -> Vec<Trial> {
+    let each = |plane: Plane| Trial::new(ATLAS, plane.name(), move || judge(plane));
+    Plane::ALL.into_iter().map(each).collect()
+}
+
+fn judge(plane: Plane) -> Result<Finding, Error> {
+    let chart = Chart::of(plane, &record::read(plane)?);
+    let mut checks = vec![recomputed(&chart)?];
+    checks.extend(predicted(&chart));
+    checks.extend(halved(&chart));
+    checks.push(honest(&chart));
+    Ok(Finding { checks, ..Default::default() })
+}
+
+/// The fixed twentieth once more: row and column of each point.
+fn recomputed(chart: &Chart) -> Result<Check, Error> {
+    let rows = chart.plane.rows();
+    let stiffnesses = chart.plane.stiffnesses();
+    let entered: Vec<Vec<Row>> = grounds(chart.plane).into_iter().step_by(GROUNDS).collect();
+    let [some, of] = POINTS;
+    let chosen = |row: usize, column: usize| (7 * row + 3 * column) % of < some;
+    let moved = entered.par_iter().map(|group| -> Result<[usize; 2], Error> {
+        let (ground, mut count) = (Ground::of(&group[0])?, [0, 0]);
+        for row in group {
+            let r = rows.iter().position(|other| other == row).unwrap_or(0);
+            for (c, &stiffness) in stiffnesses.iter().enumerate().filter(|(c, _)| chosen(r, *c)) {
+                let fresh = ground.record(row, stiffness)?;
+                count[0] += 1;
+                count[1] += usize::from(!is_as_recorded(chart, r, c, &fresh));
+            }
+        }
+        Ok(count)
+    });
+    let counts: Vec<[usize; 2]> = moved.collect::<Result<_, _>>()?;
+    let [points, moved] = [0, 1].map(|k| counts.iter().map(|count| count[k]).sum::<usize>());
+    let moved = if points == 0 { f64::NAN } else { moved as f64 };
+    Ok(Check::at_most(
+        "A recomputed twentieth of the stability atlas shall be what was recorded",
+        format!("points that moved, of {points}"),
+        moved,
+        Reference::own("snapshots/atlas", 0.0),
+        "classes near a boundary, steps, errors and predictions elsewhere; `atlas` renews the record",
+    ))
+}
+
+fn is_as_recorded(chart: &Chart, row: usize, column: usize, fresh: &Record) -> bool {
+    let kept = &chart.rows[row][column];
+    let alike = |a: f64, b: f64| (a.is_nan() && b.is_nan()) || a == b || (a - b).abs() <= DIGITS * a.abs().max(b.abs());
+    let predictions =
+        alike(kept.predicted_rate, fresh.predicted_rate) && alike(kept.predicted_steps, fresh.predicted_steps);
+    let exact = kept.class == Class::Converged && !chart.is_near_a_boundary(row, column);
+    kept.class == fresh.class
+        && predictions
+        && (!exact || (kept.steps == fresh.steps && alike(kept.error, fresh.error)))
+}
+
+/// Whether a record's rule has a prediction of steps by rates.
+pub fn is_predicted(record: &Record) -> bool {
+    !record.predicted_steps.is_nan() && !record.formulation.contains("kinematic")
+}
+
+/// Three predictions: what fails, what converges, and in how many steps.
+fn predicted(chart: &Chart) -> Vec<Check> {
+    let limit = Settings::default().max_steps as f64;
+    let records = || chart.rows.iter().flatten().filter(|r| is_predicted(r) && !r.formulation.contains(MORTAL));
+    let failing: Vec<&Record> = records().filter(|r| r.predicted_steps > FACTOR * limit).collect();
+    let on_nodes = || records().filter(|r| r.formulation.starts_with("node"));
+    let ending = |r: &&Record| r.predicted_steps * FACTOR <= limit && !r.formulation.ends_with("varying.correction");
+    let ending: Vec<&Record> = on_nodes().filter(ending).filter(|r| !is_at_the_edge(chart, r)).collect();
+    let ratios: Vec<f64> = on_nodes().filter(|r| is_long(r) && !is_at_the_edge(chart, r)).map(ratio).collect();
+    let mut checks = Vec::new();
+    if !failing.is_empty() {
+        checks.push(Check::at_most(
+            "Where the condensed matrices predict failure, no run shall converge",
+            format!("converged, of {} predicted to fail", failing.len()),
+            failing.iter().filter(|r| r.class == Class::Converged).count() as f64,
+            Reference::own("predicted", 0.0),
+            "spectral radius above 1, or more than twice the limit of steps; `secant` with constant stiffness is reported",
+        ));
+    }
+    if !ending.is_empty() {
+        checks.push(Check::at_most(
+            "On nodes every run that is predicted to converge shall",
+            format!("not converged, of {} predicted to", ending.len()),
+            ending.iter().filter(|r| r.class != Class::Converged).count() as f64,
+            Reference::own("predicted", 0.0),
+            "less than half the limit of steps; varying stiffness with correction is attracted from nearby only",
+        ));
+    }
+    if !ratios.is_empty() {
+        checks.push(Check::at_most(
+            "On nodes the steps shall be predicted within a factor of two",
+            format!("largest factor between predicted and measured steps, {} points", ratios.len()),
+            ratios.iter().fold(0.0, |worst: f64, r| if r.is_nan() { f64::NAN } else { worst.max(*r) }),
+            Reference::own("factor", FACTOR),
+            "constant stiffness linearised on the final contact set; varying stiffness by its points near the edge",
+        ));
+    }
+    checks
+}
+
+/// A converged run long enough to be judged.
+pub fn is_long(record: &Record) -> bool {
+    record.class == Class::Converged && record.steps >= FEW && record.predicted_steps.is_finite()
+}
+
+fn is_at_the_edge(chart: &Chart, record: &Record) -> bool {
+    chart.plane == Plane::Stretch && record::same(record.ordinate, AT_THE_EDGE)
+}
+
+/// Measured over predicted steps or the inverse, whichever is above 1.
+pub fn ratio(record: &Record) -> f64 {
+    let ratio = record.steps as f64 / record.predicted_steps;
+    ratio.max(1.0 / ratio)
+}
+
+/// Kinematic load on nodes against the halving law, on the Hertz scenes.
+fn halved(chart: &Chart) -> Option<Check> {
+    let hertz = [Plane::Stretch, Plane::Mesh, Plane::Cylinder].contains(&chart.plane);
+    let switching = chart.of_formulation("node.kinematic.switching").flatten();
+    // Fewer than five elements per half-width and a soft start: one step more.
+    let coarse = |r: &Record| chart.plane == Plane::Mesh && r.ordinate < 5.0 && r.stiffness < 1e3;
+    let off = switching.map(|r| steps_off(r) - if coarse(r) { 1.0 } else { 0.0 });
+    let worst = off.fold(f64::NEG_INFINITY, |worst: f64, o| if o.is_nan() { f64::NAN } else { worst.max(o) });
+    hertz.then(|| {
+        Check::at_most(
+            "On nodes kinematic load shall take the steps of the halving law at every start",
+            "steps off",
+            worst,
+            Reference::own("halving of L² − a²", 1.0),
+            "within one; two on meshes of fewer than five elements per half-width with a soft start, whose step more is not always taken",
+        )
+    })
+}
+
+/// Steps outside the halving law, the step more of a soft start taken or not; NaN where a run did not converge.
+pub fn steps_off(record: &Record) -> f64 {
+    if record.class != Class::Converged {
+        return f64::NAN;
+    }
+    let (steps, law) = (record.steps as f64, record.predicted_steps);
+    let soft = if record.stiffness < 1e3 { 1.0 } else { 0.0 };
+    (steps - law).max(law - soft - steps).max(if law.is_nan() { f64::NAN } else { 0.0 })
+}
+
+/// No run shall be called converged with a pressure that is not the contact's. The springs of `penalty` are their own law; as
+/// many Gauss points as nodes leave no pressure unique, which is why they are no default.
+fn honest(chart: &Chart) -> Check {
+    let unique = |r: &&Record| chart.plane != Plane::Quadrature || r.ordinate <= 0.0;
+    let converged = chart.rows.iter().flatten().filter(|r| r.class == Class::Converged).filter(unique);
+    let errors: Vec<f64> = converged.filter(|r| !r.formulation.ends_with("penalty")).map(|r| r.error).collect();
+    let worst = errors.iter().fold(0.0, |worst: f64, e| if e.is_nan() { f64::NAN } else { worst.max(*e) });
+    Check::at_most(
+        "No run shall be called converged with pressures that are not the contact's",
+        format!("largest L2 of edge means, {} converged runs", errors.len()),
+        if errors.is_empty() { f64::NAN } else { worst },
+        Reference::own("engineering tolerance", 0.1),
+        "residuals of 1e-3 and the mesh leave a few per cent near the contact edge",
+    )
+}

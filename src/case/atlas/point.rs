@@ -1,0 +1,148 @@
+//! One point: predicted from the condensed matrices, then run.
+
+use crate::algorithm::StiffnessRule;
+use crate::case::atlas::plan::{Plane, Row};
+use crate::case::atlas::record::{Class, Record};
+use crate::case::problem::Problem;
+use crate::contact::ContactPoint;
+use crate::error::Error;
+use crate::formulation::{Discretisation, Formulation, Iteration};
+use crate::measure::profile::{relative_l2_between, weighted_line};
+use crate::solution::{PointState, Solution};
+use crate::stability::{Limit, halving, linear, rate, release};
+
+/// A spectral radius up to here is 1 to round-off: pressures that no displacement feels stay as they are, and hurt nobody.
+const INDIFFERENT: f64 = 1.0 + 1e-6;
+
+/// What the points of one scene, mesh and contact element share.
+pub struct Ground {
+    problem: Problem,
+    discretisation: Discretisation,
+    points: Vec<ContactPoint>,
+    limit: Option<Limit>,
+    /// Edge means of the verification formulation, where there is no closed form.
+    verified: Vec<PointState>,
+}
+
+impl Ground {
+    /// Mesh, condensation, contact points and limit of a row.
+    pub fn of(row: &Row) -> Result<Self, Error> {
+        let (problem, resolution) = row.problem()?;
+        let discretisation = Discretisation::of(problem.scene.clone(), resolution)?;
+        let formulation = row.formulation(1.0);
+        let points = discretisation.points(&formulation);
+        let limit = Limit::of(&discretisation.problem(&formulation, &points))?;
+        let verified = if row.plane == Plane::PinRod {
+            discretisation.solve(&Formulation::verification())?.edges
+        } else {
+            Vec::new()
+        };
+        Ok(Self { problem, discretisation, points, limit, verified })
+    }
+
+    /// Predicts and runs a row at an initial stiffness.
+    pub fn record(&self, row: &Row, stiffness: f64) -> Result<Record, Error> {
+        let formulation = row.formulation(stiffness);
+        let [predicted_rate, predicted_steps] = self.predicted(row, &formulation);
+        let record = |class, steps, residual, rate, error| Record {
+            formulation: row.name(),
+            ordinate: row.ordinate,
+            stiffness: rounded(stiffness),
+            class,
+            steps,
+            residual: rounded(residual),
+            rate: rounded(rate),
+            error: rounded(error),
+            predicted_rate: rounded(predicted_rate),
+            predicted_steps: rounded(predicted_steps),
+        };
+        match self.discretisation.solve(&formulation) {
+            Ok(solution) => {
+                let class = Class::of(solution.outcome);
+                let error = self.error(&solution);
+                Ok(record(class, solution.work.steps, solution.residual(), observed_rate(&solution), error))
+            }
+            Err(Error::NoSpringLeft { steps, .. }) => {
+                Ok(record(Class::Unsupported, steps, f64::NAN, f64::NAN, f64::NAN))
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Spectral radius on the limit's contact set and the steps it asks for; the halving law for kinematic load.
+    fn predicted(&self, row: &Row, formulation: &Formulation) -> [f64; 2] {
+        let Some(limit) = &self.limit else { return [f64::NAN; 2] };
+        if formulation.settings.increments > 1 {
+            return [f64::NAN; 2];
+        }
+        let problem = self.discretisation.problem(formulation, &self.points);
+        let tolerance = formulation.settings.tolerance;
+        let found = match (row.algorithm, row.rule) {
+            (Iteration::Kinematic, StiffnessRule::Switching) => {
+                let stretch = self.discretisation.scene.contact.stretch;
+                let spacing = stretch / (self.discretisation.interface.stations.len() - 1) as f64;
+                let edge = limit.edge(&problem).max(spacing);
+                return [f64::NAN, halving::steps(stretch, edge, spacing, formulation.stiffness) as f64];
+            }
+            (Iteration::Constant, StiffnessRule::Correction) => {
+                rate::correction(&problem, &limit.closed).zip(linear::steps(&problem, limit, tolerance))
+            }
+            (Iteration::Constant, StiffnessRule::Secant) => {
+                rate::secant_force(&problem, limit).map(|rate| (rate, rate::steps(rate, tolerance)))
+            }
+            (Iteration::Varying, rule) => {
+                let rate = match rule {
+                    StiffnessRule::Correction => rate::varying_correction(&problem, limit),
+                    _ => {
+                        rate::secant(&problem, &limit.target(&problem), &limit.approach, tolerance * problem.scale.gap)
+                    }
+                };
+                rate.zip(release::steps(&problem, limit, rule, tolerance))
+            }
+            _ => None,
+        };
+        let [rate, steps] = found.map_or([f64::NAN; 2], |(rate, steps)| [rate, steps]);
+        [rate, if rate > INDIFFERENT { f64::INFINITY } else { steps }]
+    }
+
+    /// L2 of the means over the edges, which no alternating mode of the points disturbs.
+    fn error(&self, solution: &Solution) -> f64 {
+        if !self.verified.is_empty() {
+            return relative_l2_between(&solution.edges, &self.verified);
+        }
+        let length = self.problem.scene.contact.stretch / solution.edges.len() as f64;
+        let reference: Vec<PointState> = (solution.edges.iter())
+            .map(|edge| PointState { pressure: self.mean_reference(edge.position, length), ..*edge })
+            .collect();
+        relative_l2_between(&solution.edges, &reference)
+    }
+
+    /// Mean of the closed form over an edge, from its values in the middles of equal parts.
+    fn mean_reference(&self, middle: f64, length: f64) -> f64 {
+        const PARTS: usize = 32;
+        let place = |part: usize| middle + length * ((part as f64 + 0.5) / PARTS as f64 - 0.5);
+        (0..PARTS).map(|part| self.problem.reference_pressure(place(part))).sum::<f64>() / PARTS as f64
+    }
+}
+
+/// Slope of the residual's logarithm over the latter half of the steps.
+fn observed_rate(solution: &Solution) -> f64 {
+    let residuals: Vec<f64> = solution.history.iter().map(|step| step.residuals.largest()).collect();
+    let latter = &residuals[residuals.len() / 2..];
+    if latter.len() < 5 {
+        return f64::NAN;
+    }
+    let points: Vec<[f64; 3]> = latter.iter().enumerate().map(|(step, r)| [step as f64, r.ln(), 1.0]).collect();
+    weighted_line(&points).1.exp()
+}
+
+/// Four significant digits: what a reviewer reads.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(f64::NAN)
+}
+
+/// Whether two rows share their ground.
+pub fn share_ground(a: &Row, b: &Row) -> bool {
+    let key = |row: &Row| (row.plane, row.element, row.ordinate.to_bits());
+    key(a) == key(b)
+}

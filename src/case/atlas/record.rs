@@ -1,0 +1,146 @@
+//! What was measured at each point, as it is kept under `snapshots/atlas`.
+
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::case::atlas::plan::{Plane, Row};
+use crate::error::Error;
+use crate::oracle::cross_code::root;
+use crate::solution::Outcome;
+
+/// What renews the records.
+pub const RENEW: &str = "run `cargo run --release -- atlas` and review the diff of snapshots/atlas";
+
+/// Where the records are.
+pub const FOLDER: &str = "snapshots/atlas";
+
+/// How a run ended, as the maps colour it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Class {
+    /// Within the limit of steps.
+    Converged,
+    /// Still on its way at the limit.
+    Slow,
+    /// Returned to an earlier state.
+    Cycling,
+    /// Residuals beyond 1e6, or no number.
+    Diverged,
+    /// No spring left to hold a body: the named error.
+    Unsupported,
+}
+
+/// One point.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Record {
+    /// `element.algorithm.rule`.
+    pub formulation: String,
+    /// The plane's other number.
+    pub ordinate: f64,
+    /// Initial stiffness κ₀.
+    pub stiffness: f64,
+    /// How it ended.
+    pub class: Class,
+    /// Steps made.
+    pub steps: usize,
+    /// Largest residual after the last step.
+    pub residual: f64,
+    /// Factor by which the residual shrank at each of the latter half of the steps; NaN where these are fewer than five.
+    pub rate: f64,
+    /// L2 of the edges' mean pressures against the reference: Hertz, or on the pin-rod the verification formulation.
+    pub error: f64,
+    /// Spectral radius predicted; NaN where none is.
+    pub predicted_rate: f64,
+    /// Steps predicted; NaN where none are, infinite where it shall not converge.
+    pub predicted_steps: f64,
+}
+
+impl Class {
+    /// All, from good to bad.
+    pub const ALL: [Self; 5] = [Self::Converged, Self::Slow, Self::Cycling, Self::Diverged, Self::Unsupported];
+
+    /// The class of an outcome.
+    pub fn of(outcome: Outcome) -> Self {
+        match outcome {
+            Outcome::Converged => Self::Converged,
+            Outcome::Exhausted => Self::Slow,
+            Outcome::Cycling { .. } => Self::Cycling,
+            Outcome::Diverged => Self::Diverged,
+        }
+    }
+
+    /// Name in records and legends.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::Slow => "slow",
+            Self::Cycling => "cycling",
+            Self::Diverged => "diverged",
+            Self::Unsupported => "unsupported",
+        }
+    }
+}
+
+impl Record {
+    /// Whether the record is of this point.
+    pub fn is_at(&self, row: &Row, stiffness: f64) -> bool {
+        self.formulation == row.name() && same(self.ordinate, row.ordinate) && same(self.stiffness, stiffness)
+    }
+}
+
+/// Equal but for the digits a text file leaves out.
+pub fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-3 * a.abs().max(b.abs())
+}
+
+/// The folder of the records.
+pub fn folder() -> PathBuf {
+    root().join(FOLDER)
+}
+
+/// The record of a plane; refused where it does not hold exactly the points of the plan.
+pub fn read(plane: Plane) -> Result<Vec<Record>, Error> {
+    read_from(&folder(), plane)
+}
+
+/// The same from another folder.
+pub fn read_from(folder: &Path, plane: Plane) -> Result<Vec<Record>, Error> {
+    let path = folder.join(plane.name()).with_extension("csv");
+    let records = read_file(&path)?;
+    let stiffnesses = plane.stiffnesses();
+    let planned: Vec<(Row, f64)> =
+        plane.rows().into_iter().flat_map(|row| stiffnesses.iter().map(move |&stiffness| (row, stiffness))).collect();
+    let complete = planned.len() == records.len()
+        && planned.iter().zip(&records).all(|((row, stiffness), record)| record.is_at(row, *stiffness));
+    if !complete {
+        let found = format!("{} points that are not the {} of the plan", records.len(), planned.len());
+        return Err(Error::Refused { file: path, key: "points".into(), found, remedy: RENEW.into() });
+    }
+    Ok(records)
+}
+
+/// The records of a file, whatever they are.
+pub fn read_file(path: &Path) -> Result<Vec<Record>, Error> {
+    let missing = |_| Error::MissingFile { file: path.into(), remedy: RENEW.into() };
+    let text = std::fs::read_to_string(path).map_err(missing)?;
+    csv::Reader::from_reader(text.as_bytes())
+        .deserialize()
+        .collect::<Result<_, _>>()
+        .map_err(|error| Error::Unreadable { file: path.into(), found: error.to_string(), remedy: RENEW.into() })
+}
+
+/// Writes records to a file, a line each.
+pub fn write_file(path: &Path, records: &[Record]) -> Result<(), Error> {
+    let failed =
+        |reason: String| Error::File { path: path.into(), reason, remedy: "check that it may be written".into() };
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for record in records {
+        writer.serialize(record).map_err(|error| failed(error.to_string()))?;
+    }
+    let text = writer.into_inner().map_err(|error| failed(error.to_string()))?;
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).map_err(|error| failed(error.to_string()))?;
+    }
+    std::fs::write(path, text).map_err(|error| failed(error.to_string()))
+}

@@ -1,0 +1,100 @@
+//! The whole atlas, row by row; a survey that was broken off goes on where it stopped.
+
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+use rayon::prelude::*;
+
+use crate::case::atlas::plan::{Plane, Row};
+use crate::case::atlas::point::{Ground, share_ground};
+use crate::case::atlas::record::{self, Record};
+use crate::error::Error;
+use crate::oracle::cross_code::frozen::sha256;
+use crate::oracle::cross_code::root;
+
+/// Rows that share a scene, mesh and contact element.
+pub fn grounds(plane: Plane) -> Vec<Vec<Row>> {
+    let mut groups: Vec<Vec<Row>> = Vec::new();
+    for row in plane.rows() {
+        match groups.last_mut() {
+            Some(group) if share_ground(&group[0], &row) => group.push(row),
+            _ => groups.push(vec![row]),
+        }
+    }
+    groups
+}
+
+/// Points of all planes.
+pub fn size() -> usize {
+    Plane::ALL.iter().map(|plane| plane.rows().len() * plane.stiffnesses().len()).sum()
+}
+
+/// Surveys planes and writes their records into a folder; `done` is told how many points more are ready.
+///
+/// Finished rows are kept in the folder `unfinished`, from which a survey that was broken off goes on.
+pub fn survey(planes: &[Plane], unfinished: &Path, records: &Path, done: impl Fn(usize) + Sync) -> Result<(), Error> {
+    let groups: Vec<Vec<Row>> = planes.iter().flat_map(|plane| grounds(*plane)).collect();
+    let writing = Mutex::new(());
+    groups.par_iter().try_for_each(|rows| rows_of_a_ground(rows, unfinished, &writing, &done))?;
+    for plane in planes {
+        let found = kept(&file(unfinished, *plane))?;
+        let points = plane.rows().into_iter().flat_map(|row| plane.stiffnesses().into_iter().map(move |k| (row, k)));
+        let ordered: Vec<Record> =
+            points.filter_map(|(row, k)| found.iter().find(|record| record.is_at(&row, k)).cloned()).collect();
+        record::write_file(&file(records, *plane), &ordered)?;
+    }
+    Ok(())
+}
+
+/// The rows that are not yet kept, one after the other on their common ground.
+fn rows_of_a_ground(
+    rows: &[Row],
+    unfinished: &Path,
+    writing: &Mutex<()>,
+    done: &(impl Fn(usize) + Sync),
+) -> Result<(), Error> {
+    let lock = || writing.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let mut ground = None;
+    for row in rows {
+        let (path, stiffnesses) = (file(unfinished, row.plane), row.plane.stiffnesses());
+        let before = {
+            let _alone = lock();
+            kept(&path)?
+        };
+        if stiffnesses.iter().all(|k| before.iter().any(|record| record.is_at(row, *k))) {
+            done(stiffnesses.len());
+            continue;
+        }
+        let ground = match &mut ground {
+            Some(ground) => ground,
+            none => none.insert(Ground::of(row)?),
+        };
+        let mut fresh = Vec::new();
+        for k in stiffnesses {
+            fresh.push(ground.record(row, k)?);
+            done(1);
+        }
+        let _alone = lock();
+        record::write_file(&path, &[kept(&path)?, fresh].concat())?;
+    }
+    Ok(())
+}
+
+fn kept(path: &Path) -> Result<Vec<Record>, Error> {
+    if path.is_file() { record::read_file(path) } else { Ok(Vec::new()) }
+}
+
+fn file(folder: &Path, plane: Plane) -> PathBuf {
+    folder.join(plane.name()).with_extension("csv")
+}
+
+/// Folder of the running program's unfinished survey: another program starts afresh.
+pub fn unfinished() -> Result<PathBuf, Error> {
+    let unreadable = |error: std::io::Error| Error::File {
+        path: "the running program".into(),
+        reason: error.to_string(),
+        remedy: "run it from a file that may be read".into(),
+    };
+    let program = std::env::current_exe().and_then(std::fs::read).map_err(unreadable)?;
+    Ok(root().join("target/atlas").join(&sha256(&program)[..16]))
+}

@@ -1,0 +1,130 @@
+//! Maps of classes: small panels of coloured cells, with a boundary drawn between cells that were predicted apart.
+
+use super::canvas::Canvas;
+use super::frame::Frame;
+use super::page::{EDGE, TITLE, heading, notes_height, small_print, wrapped};
+use super::palette::{Colour, GREY, INK};
+use super::pen::{Lettering, Pen};
+use crate::error::Error;
+
+/// One cell: how it ended, and which side of the predicted boundary it is on, if there is one.
+#[derive(Clone, Copy, Debug)]
+pub struct Cell {
+    /// Colour of its class.
+    pub colour: Colour,
+    /// Side of the predicted boundary.
+    pub predicted: Option<bool>,
+}
+
+/// Rows of cells, the first at the bottom.
+#[derive(Clone, Debug)]
+pub struct MapPanel {
+    /// What is mapped.
+    pub title: String,
+    /// Label and cells of each row.
+    pub rows: Vec<(String, Vec<Cell>)>,
+}
+
+/// Panels side by side over one legend.
+#[derive(Clone, Debug)]
+pub struct ClassMap {
+    /// What is shown, in a few words.
+    pub title: String,
+    /// Panels, row by row.
+    pub panels: Vec<MapPanel>,
+    /// Panels in a row.
+    pub columns: usize,
+    /// Column numbers that carry a tick, with its text.
+    pub ticks: Vec<(usize, String)>,
+    /// Classes and their colours.
+    pub legend: Vec<(String, Colour)>,
+    /// Small print below.
+    pub notes: Vec<String>,
+}
+
+const WIDTH: f64 = 880.0;
+const ROW: f64 = 13.0;
+const LABELS: f64 = 30.0;
+const HEAD: f64 = 20.0;
+const FOOT: f64 = 28.0;
+const LEGEND: f64 = 26.0;
+
+impl ClassMap {
+    /// The maps as SVG.
+    pub fn svg(&self) -> Result<String, Error> {
+        let columns = self.columns.max(1);
+        let pitch = (WIDTH - 2.0 * EDGE) / columns as f64;
+        let tallest = self.panels.iter().map(|panel| panel.rows.len()).max().unwrap_or(0);
+        let height = HEAD + ROW * tallest as f64 + FOOT;
+        let legend_top = TITLE + height * self.panels.len().div_ceil(columns) as f64;
+        let notes = wrapped(&self.notes, WIDTH - 2.0 * EDGE);
+        let mut canvas = Canvas::new(WIDTH, legend_top + LEGEND + notes_height(&notes));
+        heading(&mut canvas, &self.title);
+        for (place, panel) in self.panels.iter().enumerate() {
+            let left = EDGE + pitch * (place % columns) as f64 + LABELS;
+            let top = TITLE + height * (place / columns) as f64 + HEAD;
+            let bottom = top + ROW * panel.rows.len() as f64;
+            let frame = Frame { left, top, right: left + pitch - LABELS - 12.0, bottom };
+            self.panel(&mut canvas, panel, frame);
+        }
+        self.legend(&mut canvas, legend_top);
+        small_print(&mut canvas, &notes, legend_top + LEGEND);
+        canvas.svg(&self.title)
+    }
+
+    fn panel(&self, canvas: &mut Canvas, panel: &MapPanel, frame: Frame) {
+        canvas.label((frame.left, frame.top - 9.0), &panel.title, Lettering::start(11.5).bold());
+        let count = panel.rows.first().map_or(1, |(_, cells)| cells.len().max(1));
+        let x = |column: usize| frame.left + frame.width() * column as f64 / count as f64;
+        let y = |row: usize| frame.bottom - ROW * row as f64;
+        for (row, (label, cells)) in panel.rows.iter().enumerate() {
+            for (column, cell) in cells.iter().enumerate() {
+                let square = Frame { left: x(column), right: x(column + 1), top: y(row + 1), bottom: y(row) };
+                canvas.area(&square.corners(), cell.colour);
+            }
+            canvas.label((frame.left - 5.0, y(row) - 0.5 * ROW), label, Lettering::end(10.0));
+        }
+        canvas.line(&frame.outline(), Pen::solid(GREY, 0.8));
+        for (column, text) in &self.ticks {
+            let middle = 0.5 * (x(*column) + x(column + 1));
+            canvas.line(&[(middle, frame.bottom), (middle, frame.bottom + 3.5)], Pen::solid(GREY, 0.8));
+            canvas.label((middle, frame.bottom + 11.0), text, Lettering::middle(10.0));
+        }
+        let rows: Vec<&[Cell]> = panel.rows.iter().map(|(_, cells)| cells.as_slice()).collect();
+        for [from, to] in boundary(&rows) {
+            let ends = [from, to].map(|(column, row)| (x(column), y(row)));
+            canvas.line(&ends, Pen::solid(INK, 1.8));
+        }
+    }
+
+    fn legend(&self, canvas: &mut Canvas, top: f64) {
+        let pitch = (WIDTH - 2.0 * EDGE) / self.legend.len().max(1) as f64;
+        for (place, (text, colour)) in self.legend.iter().enumerate() {
+            let left = EDGE + pitch * place as f64;
+            let sample = Frame { left, right: left + 16.0, top: top + 4.0, bottom: top + 16.0 };
+            canvas.area(&sample.corners(), *colour);
+            canvas.line(&sample.outline(), Pen::solid(GREY, 0.6));
+            canvas.label((left + 21.0, top + 10.0), text, Lettering::start(10.5));
+        }
+    }
+}
+
+/// Corner of a cell: column and row.
+type Corner = (usize, usize);
+
+/// Cell edges between neighbours on different sides of the prediction.
+fn boundary(rows: &[&[Cell]]) -> Vec<[Corner; 2]> {
+    let apart = |a: &Cell, b: &Cell| a.predicted.zip(b.predicted).is_some_and(|(a, b)| a != b);
+    let mut edges = Vec::new();
+    for (row, cells) in rows.iter().enumerate() {
+        for column in 0..cells.len() {
+            if column > 0 && apart(&cells[column - 1], &cells[column]) {
+                edges.push([(column, row), (column, row + 1)]);
+            }
+            if row > 0 && apart(&rows[row - 1][column], &cells[column]) {
+                edges.push([(column, row), (column + 1, row)]);
+            }
+        }
+    }
+    edges
+}

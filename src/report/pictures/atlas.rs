@@ -1,0 +1,123 @@
+//! Steps against initial stiffness with their prediction (Fig. 11), and the maps of the stability atlas.
+
+use crate::case::atlas::{Chart as Plane, Class, Plane as Name, Record};
+use crate::error::Error;
+use crate::formulation::{Element, Iteration};
+use crate::report::figure::palette::{self, Colour, Dash, Marker, Style};
+use crate::report::figure::{Axis, Cell, Chart, ClassMap, MapPanel, Series, panels};
+
+/// Steps up to which a converged run is quick, and ordinary.
+const QUICK: [usize; 2] = [20, 200];
+/// Where the maps carry ticks: every third decade of twelve, by halves.
+const TICKS: [(usize, &str); 5] = [(0, "1e-6"), (6, "1e-3"), (12, "1"), (18, "1e3"), (24, "1e6")];
+/// Ordinate of the panels of steps: the centre of the atlas.
+const CENTRE: f64 = 1.9;
+
+/// Steps against initial stiffness, one panel per algorithm and element: measured points over the predicted curve.
+pub fn steps(stretch: &Plane) -> Result<String, Error> {
+    let mut charts = Vec::new();
+    for algorithm in Iteration::ALL {
+        for element in Element::ALL {
+            let title = format!("{} · {}", element.name(), algorithm.name());
+            let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-6, 1e6), Axis::log("steps").over(1.0, 3000.0));
+            let colours = [palette::LINE, palette::LAYER, palette::PURPLE].into_iter();
+            for (colour, rule) in colours.zip(algorithm.rules().iter().map(|rule| rule.name())) {
+                let name = format!("{}.{}.{rule}", element.name(), algorithm.name());
+                if let Some(row) = stretch.of_formulation(&name).find(|row| (row[0].ordinate - CENTRE).abs() < 1e-3) {
+                    chart.series.extend(curves(row, rule, colour));
+                }
+            }
+            charts.push(chart);
+        }
+    }
+    panels("Steps against initial stiffness: measured points on predicted curves", &charts, 3)
+}
+
+/// Predicted curve, measured points, and the failures by their cause.
+fn curves(row: &[Record], rule: &str, colour: Colour) -> Vec<Series> {
+    let points = |of: &dyn Fn(&Record) -> f64| row.iter().map(|r| (r.stiffness, of(r))).collect::<Vec<_>>();
+    let predicted = points(&|r| if r.predicted_steps.is_finite() { r.predicted_steps } else { f64::NAN });
+    let measured = points(&|r| if r.class == Class::Converged { r.steps as f64 } else { f64::NAN });
+    let series = |label: String, points, style, hollow| Series { label, points, style, hollow };
+    let shown = |points: &[(f64, f64)]| points.iter().any(|(_, steps)| steps.is_finite());
+    let mut curves = Vec::new();
+    if shown(&predicted) {
+        let style = Style::run(colour, Dash::Solid, Marker::Absent);
+        curves.push(series(format!("{rule}: predicted"), predicted, style, vec![]));
+    }
+    if shown(&measured) {
+        let style = Style::run(colour, Dash::Absent, Marker::Circle);
+        curves.push(series(format!("{rule}: measured"), measured, style, vec![]));
+    }
+    let causes = [
+        (Class::Slow, Marker::Circle),
+        (Class::Cycling, Marker::Diamond),
+        (Class::Diverged, Marker::Triangle),
+        (Class::Unsupported, Marker::Square),
+    ];
+    for (class, marker) in causes {
+        let hollow: Vec<f64> = row.iter().filter(|r| r.class == class).map(|r| r.stiffness).collect();
+        if !hollow.is_empty() {
+            let label = format!("{rule}: {}", class.name());
+            curves.push(series(label, vec![], Style::run(colour, Dash::Absent, marker), hollow));
+        }
+    }
+    curves
+}
+
+/// How every run of a plane ended, one panel per rule and element, with the predicted boundary.
+pub fn map(plane: &Plane) -> Result<String, Error> {
+    let mut panels = Vec::new();
+    let rules = Iteration::ALL.into_iter().flat_map(|a| a.rules().iter().map(move |rule| (a.name(), rule.name())));
+    for (algorithm, rule) in rules {
+        for element in Element::ALL {
+            let name = format!("{}.{algorithm}.{rule}", element.name());
+            let rows =
+                plane.of_formulation(&name).map(|row| (row[0].ordinate.to_string(), row.iter().map(cell).collect()));
+            panels.push(MapPanel { rows: rows.collect(), title: name.replace('.', " · ") });
+        }
+    }
+    let colours = palette::ENDS;
+    let [quick, ordinary] = QUICK;
+    let names = [
+        format!("≤ {quick} steps"),
+        format!("≤ {ordinary} steps"),
+        "converged".into(),
+        "slow".into(),
+        "cycling".into(),
+        "diverged".into(),
+        "no spring left".into(),
+    ];
+    let other = plane.plane.label();
+    ClassMap {
+        title: format!("How runs end on truncated Hertz: {other} (upwards) against initial stiffness κ₀"),
+        panels,
+        columns: 3,
+        ticks: TICKS.map(|(column, text)| (column, text.to_string())).into(),
+        legend: names.into_iter().zip(colours).collect(),
+        notes: vec![NOTE.into()],
+    }
+    .svg()
+}
+
+const NOTE: &str = "The black line is predicted: on its one side the condensed matrices say that a run ends within 2000 steps, on \
+    the other that it does not. Slow: not at the tolerance after 2000 steps. No spring left: the named error. Nothing is predicted for `literal`.";
+
+fn cell(record: &Record) -> Cell {
+    let [quick, ordinary] = QUICK;
+    let place = match record.class {
+        Class::Converged if record.steps <= quick => 0,
+        Class::Converged if record.steps <= ordinary => 1,
+        Class::Converged => 2,
+        Class::Slow => 3,
+        Class::Cycling => 4,
+        Class::Diverged => 5,
+        Class::Unsupported => 6,
+    };
+    let limit = crate::formulation::Settings::default().max_steps as f64;
+    let predicted = (!record.predicted_steps.is_nan()).then_some(record.predicted_steps <= limit);
+    Cell { colour: palette::ENDS[place], predicted }
+}
+
+/// The two full planes.
+pub const PLANES: [Name; 2] = [Name::Stretch, Name::Mesh];

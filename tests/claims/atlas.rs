@@ -1,0 +1,101 @@
+//! The stability atlas: what is recorded, frozen, resumed and refused.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use contact_vv::case::atlas::{Chart, Class, Plane, Record, record, survey};
+use contact_vv::error::Error;
+
+fn point(formulation: &str, ordinate: f64, stiffness: f64, class: Class, steps: usize) -> Record {
+    let [residual, rate, error] = [1e-4, 0.5, 0.01];
+    let (formulation, predicted_rate, predicted_steps) = (formulation.to_string(), 0.5, f64::INFINITY);
+    Record { formulation, ordinate, stiffness, class, steps, residual, rate, error, predicted_rate, predicted_steps }
+}
+
+/// A plane of converged points.
+fn flat(plane: Plane) -> Vec<Record> {
+    let points = plane.rows().into_iter().flat_map(|row| plane.stiffnesses().into_iter().map(move |k| (row, k)));
+    points.map(|(row, k)| point(&row.name(), row.ordinate, k, Class::Converged, 17)).collect()
+}
+
+#[test]
+fn every_element_algorithm_and_rule_is_on_both_full_planes() {
+    for plane in [Plane::Stretch, Plane::Mesh] {
+        let rows = plane.rows();
+        assert_eq!(rows.len(), 3 * 7 * plane.ordinates().len(), "{}", plane.name());
+        let stiffnesses = plane.stiffnesses();
+        let decades = (stiffnesses[stiffnesses.len() - 1] / stiffnesses[0]).log10();
+        assert!((decades - 12.0).abs() < 1e-9, "{decades}");
+    }
+    let stretches = Plane::Stretch.ordinates();
+    assert_eq!((stretches[0], stretches[stretches.len() - 1]), (1.0, 4.0));
+}
+
+#[test]
+fn records_come_back_from_a_file_as_they_went() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("some.csv");
+    let mut kept = vec![point("node.varying.secant", 1.9, 0.1, Class::Slow, 2000)];
+    kept[0].rate = f64::NAN;
+    record::write_file(&path, &kept).expect("written");
+    let read = record::read_file(&path).expect("read");
+    assert_eq!(format!("{read:?}"), format!("{kept:?}"));
+}
+
+#[test]
+fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let plane = Plane::Thickness;
+    let refused = |records: &[Record]| {
+        record::write_file(&folder.path().join("thickness.csv"), records).expect("written");
+        record::read_from(folder.path(), plane).expect_err("refused").to_string()
+    };
+    let whole = flat(plane);
+    let mut moved = whole.clone();
+    moved[3].stiffness *= 2.0;
+    for message in [refused(&whole[1..]), refused(&moved)] {
+        assert!(message.contains("thickness.csv") && message.contains("-- atlas"), "{message}");
+    }
+    record::write_file(&folder.path().join("thickness.csv"), &whole).expect("written");
+    assert_eq!(record::read_from(folder.path(), plane).expect("complete").len(), whole.len());
+    let missing = record::read_from(folder.path(), Plane::Mesh).expect_err("missing");
+    assert!(matches!(missing, Error::MissingFile { .. }), "{missing}");
+}
+
+#[test]
+fn counts_are_frozen_away_from_boundaries_and_classes_beside_them() {
+    let plane = Plane::Thickness;
+    let mut records = flat(plane);
+    let columns = plane.stiffnesses().len();
+    records[5].class = Class::Diverged;
+    let chart = Chart::of(plane, &records);
+    let line = chart.frozen().lines().nth(1).expect("the first row").to_string();
+    let cells: Vec<&str> = line.split(": ").nth(1).expect("cells").split(' ').collect();
+    assert_eq!(cells.len(), columns);
+    assert_eq!(cells[3..8], ["17", "converged", "diverged", "converged", "17"]);
+    // The same formulation at the next ordinate feels the boundary, at the one after it no more.
+    let rows_an_ordinate = plane.rows().len() / plane.ordinates().len();
+    assert!(chart.is_near_a_boundary(rows_an_ordinate, 5) && !chart.is_near_a_boundary(2 * rows_an_ordinate, 5));
+    assert!(!chart.is_near_a_boundary(1, 5));
+}
+
+#[test]
+fn a_survey_goes_on_where_it_stopped() {
+    let (unfinished, records) = (tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder"));
+    let plane = Plane::Thickness;
+    let stiffnesses = plane.stiffnesses();
+    // The first row was finished before, with a mark that no run could leave.
+    let first = plane.rows()[0];
+    let kept: Vec<Record> =
+        stiffnesses.iter().map(|&k| point(&first.name(), first.ordinate, k, Class::Cycling, 123_456)).collect();
+    record::write_file(&unfinished.path().join("thickness.csv"), &kept).expect("written");
+    let done = AtomicUsize::new(0);
+    let count = |points| {
+        done.fetch_add(points, Ordering::Relaxed);
+    };
+    survey::survey(&[plane], unfinished.path(), records.path(), count).expect("surveyed");
+    let found = record::read_from(records.path(), plane).expect("complete");
+    assert_eq!(done.into_inner(), found.len());
+    let (resumed, fresh) = found.split_at(stiffnesses.len());
+    assert!(resumed.iter().all(|record| record.steps == 123_456));
+    assert!(fresh.iter().all(|record| record.steps <= 2000));
+}
