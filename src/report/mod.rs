@@ -5,6 +5,7 @@
 //! * [`matrix`] — the verdict matrix and the summary table of the terminal.
 //! * [`checks`] — requirement by requirement.
 //! * [`cross_code`] — against other codes, and the planted faults.
+//! * [`limits`] — where everything else breaks.
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
 //! * [`figure`] — how a chart or drawing is made.
@@ -16,6 +17,7 @@ pub mod decisions;
 pub mod figure;
 pub mod files;
 pub mod format;
+pub mod limits;
 pub mod matrix;
 pub mod page;
 pub mod pictures;
