@@ -1,13 +1,13 @@
 //! Where everything else breaks: one trial for each thing that is pushed until it fails, with the onset that was measured.
 //!
-//! * [`points`] — three Gauss points on an edge.
-//! * [`springs`] — stiffness against digits.
-//! * [`rules`] — layer thickness, cycling.
-//! * [`loads`] — no load, the wrong sign, too little for the mesh.
-//! * [`surfaces`] — candidates that end too early, bodies that do.
-//! * [`cells`] — near incompressibility, distorted cells.
-//! * [`interface`] — unequal sizes on the two sides.
-//! * [`theory`] — a/R, where it is the reference that fails.
+//! * `points` — three Gauss points on an edge.
+//! * `springs` — stiffness against digits.
+//! * `rules` — layer thickness, cycling.
+//! * `loads` — no load, the wrong sign, too little for the mesh.
+//! * `surfaces` — candidates that end too early, bodies that do.
+//! * `cells` — near incompressibility, distorted cells.
+//! * `interface` — unequal sizes on the two sides.
+//! * `theory` — a/R, where it is the reference that fails.
 
 mod cells;
 mod interface;
