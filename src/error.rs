@@ -107,6 +107,30 @@ pub enum Error {
         steps: usize,
     },
 
+    /// Nothing presses a body that only contact holds.
+    #[error(
+        "{bodies}: held by contact alone and nothing presses on: the pressure is zero and the position undetermined; apply a load or add a support"
+    )]
+    NothingPresses {
+        /// The bodies in contact.
+        bodies: String,
+    },
+
+    /// Contact that does not end where the candidates end.
+    #[error(
+        "{bodies}: contact goes on beyond the candidates, which end at s = {end:.6}: at s = {position:.6} the surfaces penetrate by {penetration:.3e} mm, and the pressure found is that of a shorter contact; widen the candidate stretch"
+    )]
+    ContactBeyondCandidates {
+        /// The bodies in contact.
+        bodies: String,
+        /// Contact coordinate of the last candidate \[mm, or rad on an arc\].
+        end: f64,
+        /// Contact coordinate of the deepest penetration \[mm, or rad on an arc\].
+        position: f64,
+        /// Penetration there \[mm\].
+        penetration: f64,
+    },
+
     /// A combination of element, algorithm, rule and scene that is not defined.
     #[error("{what}; {remedy}")]
     Combination {

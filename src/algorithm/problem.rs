@@ -36,6 +36,9 @@ pub struct Scale {
 /// Softest and stiffest spring, in units of `E*/ℓ`.
 pub const LIMITS: [f64; 2] = [1e-12, 1e6];
 
+/// A load below this fraction of the reference pressure on all points is round-off of the condensation.
+const UNLOADED: f64 = 1e-14;
+
 impl Scale {
     /// Stiffness of a closed point, `k_hard = 1e6 E*/ℓ` [MPa/mm].
     pub fn hard(&self) -> f64 {
@@ -59,8 +62,8 @@ impl ContactProblem<'_> {
         Springs { stiffness: self.initial.clone(), force: vec![0.0; self.points.len()] }
     }
 
-    /// Factor of `S + Σ A k bᵀb`; none where that is not positive definite.
-    pub fn factorise(&self, stiffness: &[f64], work: &mut Work) -> Option<DenseFactor> {
+    /// `S + Σ A k bᵀb` [N/mm].
+    pub fn matrix(&self, stiffness: &[f64]) -> Mat<f64> {
         let mut matrix = self.stiffness.clone();
         for (point, k) in self.points.iter().zip(stiffness) {
             for &(i, b_i) in &point.row {
@@ -69,8 +72,13 @@ impl ContactProblem<'_> {
                 }
             }
         }
+        matrix
+    }
+
+    /// Factor of `S + Σ A k bᵀb`; none where that is not positive definite.
+    pub fn factorise(&self, stiffness: &[f64], work: &mut Work) -> Option<DenseFactor> {
         work.factorisations += 1;
-        dense(&matrix)
+        dense(&self.matrix(stiffness))
     }
 
     /// Equilibrium of `S u + Σ A p b = load` with springs `p = r + k (w − γ)`, refined once.
@@ -102,6 +110,17 @@ impl ContactProblem<'_> {
         Iterate { approach: self.points.iter().map(|point| point.approach(&u)).collect(), displacement: u, pressure }
     }
 
+    /// Whether the condensed load is no more than round-off.
+    pub fn is_unloaded(&self) -> bool {
+        self.is_round_off(self.load.iter().map(|f| f.abs()).sum())
+    }
+
+    /// Whether a force is no more than round-off of the reference pressure on all points \[N\].
+    fn is_round_off(&self, force: f64) -> bool {
+        let reference: f64 = self.points.iter().map(|point| point.weight * self.scale.pressure).sum();
+        force <= UNLOADED * reference
+    }
+
     /// `load − S u − Σ A p b` \[N\].
     pub fn imbalance(&self, load: &[f64], u: &[f64], pressure: &[f64]) -> Vec<f64> {
         let n = u.len();
@@ -130,7 +149,11 @@ impl ContactProblem<'_> {
         let total: f64 = self.points.iter().zip(&reported).map(|(point, p)| point.weight * p).sum();
         let applied: f64 = load.iter().map(|f| f.abs()).sum();
         let missing: f64 = self.imbalance(load, &iterate.displacement, &reported).iter().map(|r| r.abs()).sum();
-        let balance = if missing > 0.0 || missing.is_nan() { missing / total.max(applied) } else { 0.0 };
+        // Where nothing presses, what springs pull by turns the imbalance into a pure number.
+        let pulling = self.points.iter().zip(&iterate.pressure).map(|(point, p)| point.weight * p.abs());
+        let pressing = total.max(applied);
+        let scale = if self.is_round_off(pressing) { pulling.sum() } else { pressing };
+        let balance = if missing > 0.0 || missing.is_nan() { missing / scale } else { 0.0 };
         Residuals { penetration, tension, complementarity, balance }
     }
 }

@@ -8,6 +8,7 @@
 //! * [`exact`], [`hertz`], [`pin`] — the cases.
 //! * [`refinement`], [`sweep`], [`family`], [`gaertner`] — studies over meshes, stiffnesses and dimensions.
 //! * [`cross_code`] — the solver against scikit-fem and dolfinx.
+//! * [`limits`] — where everything else breaks.
 //! * [`faults`] — the record of planted faults.
 //! * [`atlas`] — where each formulation converges, and where it was predicted to.
 //! * [`stability`] — predicted rates and steps against measured ones.
@@ -22,6 +23,7 @@ pub mod family;
 pub mod faults;
 pub mod gaertner;
 pub mod hertz;
+pub mod limits;
 pub mod pictures;
 pub mod pin;
 pub mod problem;

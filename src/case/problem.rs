@@ -60,12 +60,12 @@ pub fn problem(name: &str, a_over_r: Option<f64>) -> Result<Problem, Error> {
             let remedy = "leave it out, or solve cylinder, cylinder-half or truncated-hertz";
             return Err(Error::Combination { what: format!("`{name}` has no a/R"), remedy: remedy.into() });
         }
-        if !(ratio > 0.0 && ratio <= 0.4) {
+        if !(ratio > 0.0 && ratio <= 0.5) {
             return Err(Error::value(
                 name,
                 "a-over-r",
                 ratio,
-                "it must lie between 0 and 0.4",
+                "it must lie between 0 and 0.5, where the candidates reach the side of the cylinder",
                 "use for instance 0.05",
             ));
         }

@@ -4,8 +4,16 @@ use std::time::Instant;
 
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
-use crate::measure::{Measures, whole};
+use crate::measure::{Measures, profile, whole};
 use crate::solution::Solution;
+
+/// Active points from which on the half-width is worth quoting.
+pub const RESOLVED: usize = 4;
+
+/// Part of the contact in which oscillation is looked for: nearer its end a smooth pressure bends as strongly.
+pub const INSIDE: f64 = 0.8;
+/// Departure of a pressure from its neighbours' line, over the peak, that no smooth contact on a usable mesh shows.
+const ROUGH: f64 = 0.1;
 
 /// A finished run.
 #[derive(Clone, Debug)]
@@ -54,6 +62,25 @@ impl Run {
         let m = self.retained as f64;
         let work = &self.solution.work;
         work.factorisations as f64 * m.powi(3) / 3.0 + work.back_substitutions as f64 * 2.0 * m * m
+    }
+
+    /// What a user must know before quoting a converged run: no contact, contact on too few points, pressures that oscillate.
+    pub fn note(&self) -> Option<String> {
+        let points = &self.solution.points;
+        let all = points.len();
+        let rough = profile::oscillation(points, INSIDE * self.measures.edge) / self.measures.peak.pressure;
+        match self.measures.active {
+            _ if !self.solution.converged() => None,
+            0 => Some("no contact: every candidate is open".into()),
+            n if n < RESOLVED.min(all) => {
+                Some(format!("contact rests on {n} of {all} candidate points: refine before quoting it"))
+            }
+            _ if rough > ROUGH => Some(format!(
+                "pressures depart from their neighbours by {:.0} % of the peak: quote means over edges",
+                100.0 * rough
+            )),
+            _ => None,
+        }
     }
 
     /// Decades between the last residual and the tolerance, and between the last but one and the tolerance.

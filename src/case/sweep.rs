@@ -9,6 +9,7 @@ use crate::formulation::{Discretisation, Element, Formulation, Iteration};
 use crate::measure::relative_error;
 use crate::mesh::Resolution;
 use crate::scene::library::Cylinder;
+use crate::solution::Solution;
 
 /// Start stiffnesses: half decades from 1e-3 to 1e6.
 fn stiffnesses() -> Vec<f64> {
@@ -62,9 +63,11 @@ fn rules() -> Result<Finding, Error> {
             let mut row = vec![algorithm.name().to_string(), rule.name().to_string()];
             for stiffness in starts {
                 let formulation = Formulation { rule, stiffness, ..Formulation::new(Element::Node, algorithm) };
-                let solution = discretisation.solve(&formulation)?;
-                let steps = format!(", {} steps", solution.work.steps);
-                row.push(format!("{}{}", solution.outcome, if solution.converged() { &steps } else { "" }));
+                row.push(match discretisation.solve(&formulation) {
+                    // Soft springs of a penalty spread the contact beyond any candidates.
+                    Err(Error::ContactBeyondCandidates { .. }) => "refused: contact beyond the candidates".into(),
+                    solution => ended(&solution?),
+                });
             }
             rows.push(row);
         }
@@ -73,6 +76,12 @@ fn rules() -> Result<Finding, Error> {
     let title =
         "The rules of each algorithm on the cylinder, node element; `penalty` converges to its own springs' law".into();
     Ok(Finding { tables: vec![Table { title, head: head.collect(), rows }], ..Default::default() })
+}
+
+/// How a solution ended, with its steps where it converged.
+fn ended(solution: &Solution) -> String {
+    let steps = format!(", {} steps", solution.work.steps);
+    format!("{}{}", solution.outcome, if solution.converged() { &steps } else { "" })
 }
 
 /// Runs a formulation from every start stiffness; what converges must agree with the verification formulation.

@@ -28,6 +28,9 @@ struct Document<'a> {
     seconds: BTreeMap<&'static str, f64>,
     half_width: f64,
     half_width_nodes: f64,
+    active_points: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<String>,
     peak_pressure: f64,
     resultant: f64,
     residuals: Residuals,
@@ -95,6 +98,8 @@ pub fn text(problem: &Problem, resolution: Resolution, run: &Run) -> String {
         seconds: run.seconds.iter().copied().collect(),
         half_width: measures.half_width,
         half_width_nodes: measures.half_width_nodes,
+        active_points: measures.active,
+        note: run.note(),
         peak_pressure: measures.peak.pressure,
         resultant: run.transmitted,
         residuals,

@@ -176,6 +176,9 @@ fn print(problem: &Problem, resolution: Resolution, run: &Run) {
         format::value(factor * run.measures.peak.position),
         format::value(run.transmitted)
     ));
+    if let Some(note) = run.note() {
+        say(format!("note: {note}"));
+    }
     for oracle in json::oracles(problem, run) {
         say(format!(
             "{} ({}) {}: {}, error {}",

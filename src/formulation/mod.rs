@@ -1,8 +1,10 @@
 //! One point of the grid: contact element × algorithm × rule × stiffness.
 //!
 //! * [`discretisation`] — a scene meshed, assembled and condensed, on which formulations solve.
+//! * [`spill`] — contact that goes on beyond the candidates.
 
 pub mod discretisation;
+pub mod spill;
 
 use crate::algorithm::{Algorithm, Constant, Kinematic, StiffnessRule, Varying};
 use crate::contact::{ContactElement, ContactPoint, Interface, Layer, Line, Node, Quadrature};
@@ -11,7 +13,7 @@ use crate::scene::Scene;
 
 pub use crate::algorithm::Settings;
 pub use crate::algorithm::problem::LIMITS;
-pub use discretisation::{Discretisation, Fields};
+pub use discretisation::{Discretisation, Fields, INCOMPRESSIBLE};
 
 /// Tolerances between round-off and no answer at all.
 const TOLERANCES: [f64; 2] = [1e-13, 0.1];

@@ -18,6 +18,8 @@ pub struct Measures {
     pub half_width: f64,
     /// Half-width by counting active points: `Σ A / thickness` over them \[mm, or rad\].
     pub half_width_nodes: f64,
+    /// Active points.
+    pub active: usize,
     /// Contact coordinate of the last active point \[mm, or rad\].
     pub edge: f64,
     /// Peak pressure and where it lies.
@@ -36,6 +38,7 @@ impl Measures {
         Self {
             half_width,
             half_width_nodes: active().map(|p| p.weight).sum::<f64>() / length,
+            active: active().count(),
             edge: active().map(|p| p.position).fold(0.0, f64::max),
             peak: profile::peak(points, half_width),
             resultant: whole(&scene.contact) * profile::resultant(points, &scene.contact.path),

@@ -103,6 +103,17 @@ pub fn relative_l2_between(points: &[PointState], reference: &[PointState]) -> f
     (error / scale).sqrt()
 }
 
+/// Largest departure of a pressure from the line through its two neighbours, over the points with `s ≤ limit` \[MPa\].
+pub fn oscillation(points: &[PointState], limit: f64) -> f64 {
+    let within: Vec<&PointState> = points.iter().filter(|p| p.position <= limit).collect();
+    let departures = within.windows(3).map(|three| {
+        let t = (three[1].position - three[0].position) / (three[2].position - three[0].position);
+        let line = three[0].pressure + t * (three[2].pressure - three[0].pressure);
+        (three[1].pressure - line).abs()
+    });
+    departures.fold(0.0, |worst: f64, d| if worst.is_nan() || d.is_nan() { f64::NAN } else { worst.max(d) })
+}
+
 /// Pressure of a profile between its points, linear; constant before the first point, zero beyond the last.
 pub fn interpolate(points: &[PointState], position: f64) -> f64 {
     let after = points.partition_point(|p| p.position < position);

@@ -4,7 +4,7 @@
 //! * [`block`] — transfinite interpolation inside four sides.
 //! * `outline` — from the scene's shapes to blocks.
 //! * [`candidates`] — the contact nodes with their normals.
-//! * [`variant`] — the same mesh mirrored or renumbered.
+//! * [`variant`] — the same mesh mirrored, renumbered or shaken.
 
 pub mod block;
 pub mod candidates;

@@ -1,4 +1,7 @@
-//! The same mesh told differently: mirrored, or with its nodes renumbered. Results must not notice.
+//! The same mesh told differently: mirrored, or with its nodes renumbered, which results must not notice; or shaken.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::PI;
 
 use crate::mesh::{Edge, Mesh, Order};
 
@@ -20,6 +23,40 @@ impl Mesh {
         mesh
     }
 
+    /// The mesh with every inner corner moved by a fraction of its shortest edge, in a direction that looks random and is
+    /// always the same; edges between the moved corners become straight.
+    pub fn shaken(&self, fraction: f64) -> Self {
+        let mut mesh = self.clone();
+        let sides = |cell: usize| (0..4).map(move |k| (self.cell(cell)[k], self.cell(cell)[(k + 1) % 4]));
+        let outer: BTreeSet<usize> =
+            self.bodies.iter().flat_map(|body| body.boundaries.values().flatten().flatten().copied()).collect();
+        let mut shortest = BTreeMap::new();
+        for (a, b) in (0..self.cells()).flat_map(sides) {
+            let (p, q) = (self.points[a], self.points[b]);
+            let length = (p[0] - q[0]).hypot(p[1] - q[1]);
+            for node in [a, b].into_iter().filter(|node| !outer.contains(node)) {
+                let known = shortest.entry(node).or_insert(length);
+                *known = length.min(*known);
+            }
+        }
+        for (node, length) in shortest {
+            let (sin, cos) = (PI * noise(node)).sin_cos();
+            mesh.points[node][0] += fraction * length * cos;
+            mesh.points[node][1] += fraction * length * sin;
+        }
+        if self.order == Order::Quadratic {
+            for cell in 0..self.cells() {
+                for (k, (a, b)) in
+                    sides(cell).enumerate().filter(|(_, (a, b))| !outer.contains(a) || !outer.contains(b))
+                {
+                    let (p, q) = (mesh.points[a], mesh.points[b]);
+                    mesh.points[self.cell(cell)[4 + k]] = [0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])];
+                }
+            }
+        }
+        mesh
+    }
+
     /// The mesh with the nodes of each body numbered backwards.
     pub fn renumbered(&self) -> Self {
         let mut mesh = self.clone();
@@ -36,4 +73,12 @@ impl Mesh {
         }
         mesh
     }
+}
+
+/// A number in −1 … 1 from an index (SplitMix64; Steele, Lea & Flood 2014).
+fn noise(index: usize) -> f64 {
+    let mut z = (index as u64).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    (z ^ (z >> 31)) as f64 / u64::MAX as f64 * 2.0 - 1.0
 }

@@ -93,7 +93,11 @@ const INSTEAD: [(&str, &str, &str); 7] = [
     ("constant.secant", "stiffest spring asked for grows with the mesh; residuals stand", "`correction`"),
     ("constant.literal", "forces left in open points; residuals stand or grow", "`correction`, which keeps forces"),
     ("kinematic.switching", "more steps than the halving law on line and layer elements", "node elements"),
-    ("kinematic.penalty", "penetration p/k remains: the converged problem is the springs' own", "`switching`"),
+    (
+        "kinematic.penalty",
+        "soft springs let the contact spread beyond the candidates; else penetration p/k remains, which is their own law",
+        "`switching`",
+    ),
 ];
 
 /// Method → where it fails → how one sees it → what to do instead.

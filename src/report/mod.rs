@@ -6,6 +6,7 @@
 //! * [`atlas`] — where methods fail, from the records and the predictions.
 //! * [`checks`] — requirement by requirement.
 //! * [`cross_code`] — against other codes, and the planted faults.
+//! * [`limits`] — where everything else breaks.
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
 //! * [`figure`] — how a chart or drawing is made.
@@ -18,6 +19,7 @@ pub mod decisions;
 pub mod figure;
 pub mod files;
 pub mod format;
+pub mod limits;
 pub mod matrix;
 pub mod page;
 pub mod pictures;

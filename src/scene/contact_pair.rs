@@ -33,6 +33,11 @@ pub enum Path {
 pub enum Profile {
     /// The same gap everywhere \[mm\]; negative is interference.
     Uniform(f64),
+    /// Flat punch with sharp corners: no gap up to its half-width, no other side beyond it.
+    Punch {
+        /// Half-width \[mm\].
+        half_width: f64,
+    },
     /// Circle of radius `R` on a plane: `g = R − √(R² − x²)` \[mm\].
     Circle {
         /// Radius \[mm\].
@@ -116,10 +121,12 @@ impl Path {
 }
 
 impl Profile {
-    /// Initial gap at the contact coordinate `s` \[mm\].
+    /// Initial gap at the contact coordinate `s` \[mm\]; infinite where there is no other side.
     pub fn gap(&self, s: f64) -> f64 {
         match *self {
             Self::Uniform(gap) => gap,
+            Self::Punch { half_width } if s <= half_width * (1.0 + 1e-9) => 0.0,
+            Self::Punch { .. } => f64::INFINITY,
             Self::Circle { radius } => s * s / (radius + (radius * radius - s * s).sqrt()),
             Self::Parabola { radius } => s * s / (2.0 * radius),
             Self::Hole { radius, clearance } => hole_gap(radius, clearance, s),

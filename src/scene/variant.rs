@@ -108,6 +108,7 @@ fn scaled_circle(circle: Circle, length: f64) -> Circle {
 fn scaled_profile(profile: Profile, length: f64) -> Profile {
     match profile {
         Profile::Uniform(gap) => Profile::Uniform(gap * length),
+        Profile::Punch { half_width } => Profile::Punch { half_width: half_width * length },
         Profile::Circle { radius } => Profile::Circle { radius: radius * length },
         Profile::Parabola { radius } => Profile::Parabola { radius: radius * length },
         Profile::Hole { radius, clearance } => Profile::Hole { radius: radius * length, clearance: clearance * length },

@@ -13,6 +13,7 @@ mod digitised;
 mod elasticity;
 mod errors;
 mod formulation;
+mod limits;
 mod measure;
 mod mesh;
 mod oracles;

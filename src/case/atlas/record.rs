@@ -29,6 +29,8 @@ pub enum Class {
     Diverged,
     /// No spring left to hold a body: the named error.
     Unsupported,
+    /// Converged with contact beyond the candidates: the named error.
+    Spilled,
 }
 
 /// One point.
@@ -42,7 +44,7 @@ pub struct Record {
     pub stiffness: f64,
     /// How it ended.
     pub class: Class,
-    /// Steps made.
+    /// Steps made; zero where an error keeps them.
     pub steps: usize,
     /// Largest residual after the last step.
     pub residual: f64,
@@ -58,7 +60,8 @@ pub struct Record {
 
 impl Class {
     /// All, from good to bad.
-    pub const ALL: [Self; 5] = [Self::Converged, Self::Slow, Self::Cycling, Self::Diverged, Self::Unsupported];
+    pub const ALL: [Self; 6] =
+        [Self::Converged, Self::Slow, Self::Cycling, Self::Diverged, Self::Unsupported, Self::Spilled];
 
     /// The class of an outcome.
     pub fn of(outcome: Outcome) -> Self {
@@ -78,6 +81,7 @@ impl Class {
             Self::Cycling => "cycling",
             Self::Diverged => "diverged",
             Self::Unsupported => "unsupported",
+            Self::Spilled => "spilled",
         }
     }
 }

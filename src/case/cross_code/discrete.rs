@@ -168,7 +168,7 @@ fn handed_over(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Resul
         Profile::Circle { radius } => ("circle", radius, 0.0),
         Profile::Parabola { radius } => ("parabola", radius, 0.0),
         Profile::Hole { radius, clearance } => ("hole", radius, clearance),
-        Profile::Uniform(_) => return Err(not_handed_over(&scene.name, "a uniform gap")),
+        Profile::Uniform(_) | Profile::Punch { .. } => return Err(not_handed_over(&scene.name, "a uniform gap")),
     };
     let mut problem = DiscreteProblem {
         name: format!("{}, {}-node", scene.name, mesh.order.nodes_per_cell()),

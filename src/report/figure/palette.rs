@@ -26,8 +26,8 @@ pub const PALE: Colour = RGBColor(0xE4, 0xE4, 0xE0);
 /// The card every figure stands on, so that it reads on light and on dark pages.
 pub const CARD: Colour = RGBColor(0xFD, 0xFD, 0xFC);
 
-/// Runs on maps, by how they ended: quick, ordinary, long; then slow, cycling, diverged, unsupported.
-pub const ENDS: [Colour; 7] = [
+/// Runs on maps, by how they ended: quick, ordinary, long; then slow, cycling, diverged, unsupported, spilled.
+pub const ENDS: [Colour; 8] = [
     RGBColor(0x00, 0x6D, 0x4F),
     RGBColor(0x5F, 0xC0, 0x92),
     RGBColor(0xCB, 0xE9, 0xD5),
@@ -35,6 +35,7 @@ pub const ENDS: [Colour; 7] = [
     RGBColor(0xE6, 0x9F, 0x00),
     RGBColor(0xD5, 0x5E, 0x00),
     RGBColor(0x5A, 0x2A, 0x6B),
+    RGBColor(0x56, 0xB4, 0xE9),
 ];
 
 /// How a curve is dashed: names the algorithm.

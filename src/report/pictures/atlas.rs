@@ -54,6 +54,7 @@ fn curves(row: &[Record], rule: &str, colour: Colour) -> Vec<Series> {
         (Class::Cycling, Marker::Diamond),
         (Class::Diverged, Marker::Triangle),
         (Class::Unsupported, Marker::Square),
+        (Class::Spilled, Marker::Wedge),
     ];
     for (class, marker) in causes {
         let hollow: Vec<f64> = row.iter().filter(|r| r.class == class).map(|r| r.stiffness).collect();
@@ -87,6 +88,7 @@ pub fn map(plane: &Plane) -> Result<String, Error> {
         "cycling".into(),
         "diverged".into(),
         "no spring left".into(),
+        "spilled".into(),
     ];
     let other = plane.plane.label();
     ClassMap {
@@ -101,7 +103,7 @@ pub fn map(plane: &Plane) -> Result<String, Error> {
 }
 
 const NOTE: &str = "The black line is predicted: on its one side the condensed matrices say that a run ends within 2000 steps, on \
-    the other that it does not. Slow: not at the tolerance after 2000 steps. No spring left: the named error. Nothing is predicted for `literal`.";
+    the other that it does not. Slow: not at the tolerance after 2000 steps. No spring left: the named error. Spilled: contact beyond the candidates, the named error. Nothing is predicted for `literal`.";
 
 fn cell(record: &Record) -> Cell {
     let [quick, ordinary] = QUICK;
@@ -113,6 +115,7 @@ fn cell(record: &Record) -> Cell {
         Class::Cycling => 4,
         Class::Diverged => 5,
         Class::Unsupported => 6,
+        Class::Spilled => 7,
     };
     let limit = crate::formulation::Settings::default().max_steps as f64;
     let predicted = (!record.predicted_steps.is_nan()).then_some(record.predicted_steps <= limit);

@@ -261,7 +261,7 @@ impl FlatPunch {
             plane: PlaneHypothesis::Strain,
             thickness: 1.0,
             bodies: vec![block("block", [0.0, side], [0.0, side], Face::Bottom, self.material, vec![], vec![load])],
-            contact: flat_contact(None, 0.0, a),
+            contact: ContactPair { profile: Profile::Punch { half_width: a }, ..flat_contact(None, 0.0, a) },
             reference: ReferenceValues { length: a, pressure, gap: pressure * a / modulus },
             grading: Grading { unit: a, along: 1.4, depth: 1.4, first: 1.0, coarsest: 0.1, end: 0.02 },
         }

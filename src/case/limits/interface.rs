@@ -1,0 +1,141 @@
+//! Limits of the interface: nodes that do not face each other, elements of unequal depth on its two sides.
+
+use std::sync::Arc;
+
+use super::cells::unchecked;
+use super::{Limit, bracket, hertz_errors, number, percent, range, refusal, said, seen, size, table, worse};
+use crate::case::check::{Check, Reference};
+use crate::case::problem;
+use crate::case::run::Run;
+use crate::case::suite::Finding;
+use crate::error::Error;
+use crate::mesh::{Mesh, Order, Resolution};
+use crate::scene::library::{Patch, TruncatedHertz};
+use crate::scene::{Component, Face, Load, Place, Profile, Scene, Shape, StressField, Support};
+
+/// Depth of the elements at the interface, second body over first.
+const RATIOS: [f64; 7] = [0.05, 0.2, 1.0, 2.0, 5.0, 10.0, 20.0];
+/// Error that counts as wrong.
+const WRONG: f64 = 0.01;
+
+/// Elements of up to 1:20 across the interface; nodes that do not face each other.
+pub(super) fn across() -> Result<Finding, Error> {
+    let (mut rows, mut errors, mut patch) = (Vec::new(), Vec::new(), 0.0_f64);
+    let mut last = String::new();
+    for ratio in RATIOS {
+        let mut worst = [f64::NAN; 2];
+        let mut cells = vec![number(ratio)];
+        for (slot, order) in worst.iter_mut().zip([Order::Linear, Order::Quadratic]) {
+            let (run, scene) = curved(ratio, order)?;
+            let [peak, width] = hertz_errors(&scene, &run);
+            *slot = worse(peak, width);
+            cells.extend([percent(peak), percent(width)]);
+            last = seen(&Ok(run));
+            let uniform = patch_error(ratio, order)?;
+            patch = worse(patch, uniform);
+        }
+        rows.push(cells);
+        errors.push(worst);
+    }
+    let moderate = RATIOS.iter().position(|ratio| *ratio > 5.0).unwrap_or(0);
+    let checks = vec![
+        Check::norm(
+            "The patch test shall hold whatever the sizes across the interface",
+            "largest |p − q| / q, ratios 1/20 to 20",
+            patch,
+            Reference::analytic("uniform pressure", 0.0),
+            1e-9,
+            "exact but for round-off: tributary areas come from the interface alone",
+        ),
+        Check::norm(
+            "8-node cells up to five times as deep on one side shall find the contact",
+            "largest error of p₀ and a",
+            errors[..moderate].iter().fold(0.0, |worst, [_, eight]| worse(worst, *eight)),
+            Reference::analytic("Hertz", 0.0),
+            WRONG,
+            "engineering tolerance of the paper's comparison, 8 cells per half-width along the contact",
+        ),
+    ];
+    let (told, remedy) = said(&not_facing()?);
+    let onset = |k: usize| bracket(&RATIOS, |i| errors[i][k] > WRONG, "ratio").0;
+    let limit = Limit {
+        pushed: "element sizes across the interface",
+        range: range(&RATIOS, "depth of the elements, second body over first"),
+        onset: format!(
+            "error beyond {}: 4-node {}; 8-node {}; patch test exact throughout",
+            size(WRONG),
+            onset(0),
+            onset(1)
+        ),
+        seen: format!("{last}; only a finer mesh shows the error; nodes that do not face: {told}"),
+        instead: format!("8-node cells, at most five to one; {remedy}"),
+    };
+    let head = ["depth, second / first", "4-node: p₀", "a", "8-node: p₀", "a"];
+    let title = "Two blocks with Hertz's tractions, the second stretched in depth (errors against Hertz)";
+    Ok(limit.finding(vec![table(title, &head, rows)], checks))
+}
+
+/// The mesh with the nodes of its second body moved to `ratio` times their depth.
+fn stretched(scene: &Scene, ratio: f64, resolution: Resolution) -> Result<Mesh, Error> {
+    let mut mesh = Mesh::of(scene, resolution)?;
+    let nodes = mesh.bodies[1].nodes.clone();
+    mesh.points[nodes].iter_mut().for_each(|point| point[1] *= ratio);
+    Ok(mesh)
+}
+
+/// Run of two blocks with the scene it belongs to.
+fn curved(ratio: f64, order: Order) -> Result<(Run, Scene), Error> {
+    let resolution = Resolution { elements: 8, refinement: 0, order };
+    let scene = two_blocks(ratio);
+    Ok((unchecked(&scene, stretched(&two_blocks(1.0), ratio, resolution)?, resolution)?, scene))
+}
+
+/// Truncated Hertz and its mirror image, `ratio` times as high: each carries Hertz's tractions, and with twice the
+/// curvature between them each does what it does on the rigid parabola.
+fn two_blocks(ratio: f64) -> Scene {
+    let numbers = TruncatedHertz::default();
+    let side = numbers.size * numbers.half_width();
+    let radius = 0.5 * numbers.radius;
+    let (mut scene, _, _) = problem::truncated_hertz(numbers);
+    let mut lower = scene.bodies[0].clone();
+    lower.name = "lower block".into();
+    lower.shape = Shape::Rectangle { x: [0.0, side], y: [-ratio * side, 0.0], contact: Face::Top };
+    let corner = Place::Point([0.0, -ratio * side]);
+    lower.supports.push(Support { at: corner, component: Component::Y, value: 0.0 });
+    for load in &mut lower.loads {
+        if let Load::Stress { field, .. } = load {
+            let upper = field.0.clone();
+            *field = StressField(Arc::new(move |[x, y]: [f64; 2]| {
+                let [along, across, shear] = upper([x, -y]);
+                [along, across, -shear]
+            }));
+        }
+    }
+    scene.bodies.push(lower);
+    scene.contact.second = Some(1);
+    scene.contact.profile = Profile::Parabola { radius };
+    scene.reference.gap *= 2.0;
+    scene
+}
+
+/// Largest departure from the uniform pressure of the patch test.
+fn patch_error(ratio: f64, order: Order) -> Result<f64, Error> {
+    let numbers = Patch::default();
+    let resolution = Resolution { elements: 3, refinement: 0, order };
+    let scene = numbers.scene();
+    let run = unchecked(&scene, stretched(&scene, ratio, resolution)?, resolution)?;
+    let departures = run.solution.points.iter().map(|point| point.pressure / numbers.pressure - 1.0);
+    Ok(departures.fold(0.0, worse))
+}
+
+/// What is said of a node of the second body that lies a thousandth of an element aside.
+fn not_facing() -> Result<Error, Error> {
+    let scene = Patch::default().scene();
+    let resolution = Resolution { elements: 3, refinement: 0, order: Order::Linear };
+    let mut mesh = Mesh::of(&scene, resolution)?;
+    let size = scene.contact.stretch / resolution.elements as f64;
+    let aside = &mut mesh.bodies[1].candidates[1];
+    aside.coordinate += 1e-3 * size;
+    mesh.points[aside.node][0] = aside.coordinate;
+    refusal(unchecked(&scene, mesh, resolution), "a node aside")
+}

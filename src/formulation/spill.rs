@@ -1,0 +1,94 @@
+//! Contact that goes on beyond the last candidate: the pressure found is that of a shorter body, and is refused.
+
+use crate::error::Error;
+use crate::formulation::Discretisation;
+use crate::solution::Solution;
+
+/// How deep the surfaces penetrate beyond the last candidate, at the worst node.
+#[derive(Clone, Copy, Debug)]
+pub struct Spill {
+    /// Contact coordinate of the last candidate \[mm, or rad on an arc\].
+    pub end: f64,
+    /// Contact coordinate of the node \[mm, or rad on an arc\].
+    pub position: f64,
+    /// Penetration `w − g` there \[mm\]; negative is a gap.
+    pub penetration: f64,
+}
+
+/// The deepest penetration beyond the candidates of a solution whose last point is closed.
+///
+/// None where the last point is open, and where the surface of either body ends with the candidates: a patch, a ring, a punch.
+pub fn deepest(discretisation: &Discretisation, solution: &Solution) -> Result<Option<Spill>, Error> {
+    let pair = &discretisation.scene.contact;
+    let closed = solution.points.last().is_some_and(|point| point.pressure > 0.0);
+    let Some(end) = discretisation.interface.stations.last().map(|station| station.coordinate).filter(|_| closed)
+    else {
+        return Ok(None);
+    };
+    let surfaces: Vec<Vec<Surface>> =
+        pair.bodies().map(|body| surface(discretisation, body, end)).collect::<Result<_, _>>()?;
+    if surfaces.iter().any(|surface| surface.len() < 2) {
+        return Ok(None);
+    }
+    let unknowns =
+        discretisation.condensed.recover(&discretisation.system, &solution.displacement, &solution.contact_force);
+    let displacement = discretisation.system.nodal_displacements(&unknowns);
+    let outward =
+        |node: &Surface| node.normal[0] * displacement[node.node][0] + node.normal[1] * displacement[node.node][1];
+    let depth = |node: &Surface| {
+        let facing = match surfaces.get(1) {
+            None => Some(0.0),
+            // Both normals are those of the first body: the second body's outward one is their opposite.
+            Some(other) => between(other, node.coordinate, outward).map(|u| -u),
+        };
+        facing.map(|u| Spill {
+            end,
+            position: node.coordinate,
+            penetration: outward(node) + u - pair.profile.gap(node.coordinate),
+        })
+    };
+    let beyond = surfaces[0].iter().skip(1).filter_map(depth);
+    Ok(beyond.max_by(|a, b| a.penetration.total_cmp(&b.penetration)))
+}
+
+/// Refuses a solution whose contact goes on beyond the candidates, by the criterion of the candidates themselves:
+/// penetration over `g_ref` within the tolerance.
+pub(super) fn refuse(discretisation: &Discretisation, solution: &Solution, tolerance: f64) -> Result<(), Error> {
+    let accepted = tolerance * discretisation.scene.reference.gap;
+    match deepest(discretisation, solution)? {
+        Some(Spill { end, position, penetration }) if penetration.is_nan() || penetration > accepted => {
+            Err(Error::ContactBeyondCandidates { bodies: discretisation.names(), end, position, penetration })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A node of a body's contact boundary at or beyond the last candidate.
+struct Surface {
+    node: usize,
+    coordinate: f64,
+    normal: [f64; 2],
+}
+
+/// Nodes of the contact boundary of a body from the last candidate on.
+fn surface(discretisation: &Discretisation, body: usize, end: f64) -> Result<Vec<Surface>, Error> {
+    let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
+    let path = &scene.contact.path;
+    let mut nodes: Vec<usize> = mesh.boundary(scene, body, "contact")?.iter().flatten().copied().collect();
+    nodes.sort_unstable();
+    nodes.dedup();
+    let all = nodes.into_iter().map(|node| {
+        let point = mesh.points[node];
+        Surface { node, coordinate: path.coordinate(point), normal: path.direction(point) }
+    });
+    let mut from_end: Vec<Surface> = all.filter(|node| node.coordinate >= end * (1.0 - 1e-9)).collect();
+    from_end.sort_by(|a, b| a.coordinate.total_cmp(&b.coordinate));
+    Ok(from_end)
+}
+
+/// A nodal value between the nodes of a surface, linear; none beyond its last node.
+fn between(nodes: &[Surface], at: f64, value: impl Fn(&Surface) -> f64) -> Option<f64> {
+    let pair = nodes.windows(2).find(|pair| at <= pair[1].coordinate)?;
+    let t = (at - pair[0].coordinate) / (pair[1].coordinate - pair[0].coordinate);
+    Some(value(&pair[0]) + t * (value(&pair[1]) - value(&pair[0])))
+}

@@ -1,0 +1,26 @@
+//! Where everything else breaks: one row a limit, then the tables that show more, then the requirements.
+
+use std::fmt::Write;
+
+use crate::case::{Finding, Table, limits};
+use crate::report::{checks, format};
+
+/// The section of the page.
+pub fn section(findings: &[Finding]) -> String {
+    let members: Vec<&Finding> = findings.iter().filter(|finding| finding.case == limits::CASE).collect();
+    let tables = |summary: bool| {
+        let all = members.iter().flat_map(|finding| &finding.tables);
+        all.filter(move |table| (table.title == limits::SUMMARY) == summary).collect::<Vec<&Table>>()
+    };
+    let rows: Vec<Vec<String>> = tables(true).iter().flat_map(|table| table.rows.clone()).collect();
+    let mut text = String::from(
+        "## Where everything else breaks\n\n\
+         Each row pushes one thing until something gives. What the user sees is what the program said in that run.\n\n",
+    );
+    text += &format::markdown(&limits::HEAD.map(String::from), &rows);
+    for table in tables(false) {
+        let _ = write!(text, "\n{}", format::titled(table));
+    }
+    let _ = write!(text, "\n{}\n", checks::table(&members));
+    text
+}

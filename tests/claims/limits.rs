@@ -1,0 +1,241 @@
+//! What used to be called converged and was wrong is refused or noted; what is right is not.
+
+use contact_vv::case::run::RESOLVED;
+use contact_vv::case::{Run, Verdict, limits};
+use contact_vv::error::Error;
+use contact_vv::formulation::{Discretisation, Element, Formulation, INCOMPRESSIBLE, Iteration, spill};
+use contact_vv::mesh::{Mesh, Order};
+use contact_vv::scene::library::{Bars, Cylinder, FlatPunch, Patch, PinRod};
+use contact_vv::scene::{Load, PlaneHypothesis, Profile, Scene};
+use contact_vv::solution::PointState;
+use contact_vv::stability::conditioning;
+
+use crate::workbench::{distorted_patch, resolution};
+
+fn run(scene: Scene, elements: usize, order: Order, formulation: &Formulation) -> Result<Run, Error> {
+    Run::of(&Discretisation::of(scene, resolution(elements, 0, order))?, formulation)
+}
+
+fn cylinder(stretch: f64) -> Scene {
+    Cylinder { stretch, ..Cylinder::default() }.scene()
+}
+
+#[test]
+fn contact_beyond_the_candidates_is_refused_by_every_formulation_with_place_depth_and_remedy() {
+    for formulation in Formulation::nine() {
+        let result = run(cylinder(0.7), 8, Order::Quadratic, &formulation);
+        let Err(Error::ContactBeyondCandidates { end, position, penetration, .. }) = &result else {
+            // Not converging claims nothing.
+            assert!(result.is_ok_and(|run| !run.solution.converged()), "{}", formulation.name());
+            continue;
+        };
+        let a = Cylinder::default().half_width();
+        assert!((end / (0.7 * a) - 1.0).abs() < 1e-9);
+        assert!(*position > 0.7 * a && *position < 1.3 * a, "{}: {position}", formulation.name());
+        assert!(*penetration > 1e-3 * a * a / 100.0 && *penetration < 1e-2 * a, "{penetration}");
+        let text = result.map(|_| ()).expect_err("refused").to_string();
+        for part in ["`cylinder`", "1.75", "penetrate by", "widen the candidate stretch"] {
+            assert!(text.contains(part), "`{part}` is missing in: {text}");
+        }
+    }
+}
+
+#[test]
+fn candidates_that_end_at_the_edge_or_beyond_are_accepted_at_every_mesh_and_tolerance() {
+    for stretch in [1.0, 1.5, 2.0] {
+        for (elements, order) in [(4, Order::Linear), (5, Order::Quadratic), (16, Order::Quadratic)] {
+            for tolerance in [1e-3, 1e-8] {
+                let formulation = Formulation::verification().tolerance(tolerance);
+                let run = run(cylinder(stretch), elements, order, &formulation).expect("a legitimate stretch");
+                assert!(run.solution.converged());
+            }
+        }
+    }
+}
+
+#[test]
+fn two_bodies_that_touch_beyond_the_candidates_are_refused() {
+    let rod = |degrees: f64| PinRod { stretch: degrees.to_radians(), ..PinRod::default() }.scene();
+    let verification = Formulation::verification();
+    let error = run(rod(30.0), 8, Order::Quadratic, &verification).map(|_| ()).expect_err("contact reaches 55°");
+    assert!(error.to_string().contains("`pin` and `rod`"), "{error}");
+    assert!(matches!(error, Error::ContactBeyondCandidates { .. }));
+    assert!(run(rod(75.0), 8, Order::Quadratic, &verification).is_ok());
+}
+
+#[test]
+fn contact_up_to_the_end_of_body_or_punch_is_no_spill() {
+    for (scene, elements) in [(Patch::default().scene(), 3), (FlatPunch::default().scene(), 8)] {
+        let discretisation = Discretisation::of(scene, resolution(elements, 0, Order::Quadratic)).expect("solvable");
+        let solution = discretisation.solve(&Formulation::verification()).expect("no spill");
+        assert!(solution.points.last().is_some_and(|point| point.pressure > 0.0));
+        let deepest = spill::deepest(&discretisation, &solution).expect("recovered");
+        assert!(deepest.is_none_or(|spill| spill.penetration < 0.0), "{deepest:?}");
+    }
+}
+
+#[test]
+fn punch_has_no_other_side_beyond_its_corner() {
+    let punch = Profile::Punch { half_width: 2.0 };
+    for s in [0.0, 1.0, 2.0, 2.0 * (1.0 + 1e-12)] {
+        assert!(punch.gap(s).abs() <= 0.0, "{s}");
+    }
+    for s in [2.001, 5.0] {
+        assert!(punch.gap(s).is_infinite() && punch.gap(s) > 0.0, "{s}");
+    }
+    assert!(matches!(FlatPunch::default().scene().contact.profile, Profile::Punch { .. }));
+    // Told in metres, it ends at the same place.
+    let metres = FlatPunch::default().scene().in_metres().contact.profile;
+    assert!(metres.gap(0.99e-3).abs() <= 0.0 && metres.gap(1.01e-3).is_infinite());
+}
+
+/// The scene without its tractions and prescribed displacements.
+fn unloaded(mut scene: Scene) -> Scene {
+    for body in &mut scene.bodies {
+        body.loads.retain(|load| !matches!(load, Load::Traction { .. }));
+        body.supports.iter_mut().for_each(|support| support.value = 0.0);
+    }
+    scene
+}
+
+#[test]
+fn without_a_load_bodies_held_by_contact_alone_are_refused_and_held_ones_carry_nothing() {
+    for formulation in Formulation::nine() {
+        for scene in [Cylinder::default().scene(), Patch::default().scene()] {
+            let result = run(unloaded(scene), 4, Order::Quadratic, &formulation).map(|_| ());
+            assert!(matches!(result, Err(Error::NothingPresses { .. })), "{}: {result:?}", formulation.name());
+        }
+        let held = run(unloaded(Bars::default().scene()), 2, Order::Quadratic, &formulation).expect("held");
+        assert!(held.solution.converged(), "{}: {}", formulation.name(), held.solution.outcome);
+        assert!(held.solution.points.iter().all(|point| point.pressure.abs() <= 0.0));
+        assert!(held.note().is_some_and(|note| note.contains("no contact")));
+    }
+}
+
+#[test]
+fn contact_on_too_few_points_is_noted_and_contact_on_enough_is_not() {
+    let verification = Formulation::verification();
+    let coarse = run(Cylinder::default().scene(), 1, Order::Linear, &verification).expect("solvable");
+    assert!(coarse.solution.converged() && coarse.measures.active < RESOLVED);
+    let note = coarse.note().expect("a note");
+    assert!(note.contains(&format!("rests on {} of", coarse.measures.active)), "{note}");
+    let fine = run(Cylinder::default().scene(), 8, Order::Quadratic, &verification).expect("solvable");
+    assert!(fine.measures.active >= RESOLVED && fine.note().is_none(), "{:?}", fine.note());
+    // A patch of two edges rests on all it has.
+    let patch = run(Patch::default().scene(), 2, Order::Linear, &verification).expect("solvable");
+    assert!(patch.measures.active < RESOLVED && patch.note().is_none(), "{:?}", patch.note());
+}
+
+#[test]
+fn pressures_that_oscillate_are_noted() {
+    let spoiled = |departure: f64| {
+        let verification = Formulation::verification();
+        let mut run = run(Cylinder::default().scene(), 8, Order::Quadratic, &verification).expect("solvable");
+        run.solution.points[5].pressure += departure * run.measures.peak.pressure;
+        run.note()
+    };
+    assert!(spoiled(0.02).is_none());
+    assert!(spoiled(0.2).is_some_and(|note| note.contains("quote means over edges")));
+}
+
+#[test]
+fn departure_from_the_neighbours_line_is_measured_within_the_limit() {
+    let point = |position: f64, pressure: f64| PointState { position, weight: 1.0, pressure, gap: 0.0 };
+    let line: Vec<PointState> = [0.0, 1.0, 3.0, 4.0, 9.0].map(|s| point(s, 10.0 - s)).into();
+    let departure = |points: &[PointState], limit: f64| contact_vv::measure::profile::oscillation(points, limit);
+    assert!(departure(&line, 9.0) < 1e-14);
+    let mut bent = line;
+    bent[3].pressure += 6.0;
+    // Point 3 leaves the line through its neighbours by 6; point 2 is 4 from the line through (1, 9) and (4, 12).
+    assert!((departure(&bent, 9.0) - 6.0).abs() < 1e-12);
+    assert!((departure(&bent, 4.0) - 4.0).abs() < 1e-12);
+    assert!(departure(&bent, 3.0) < 1e-14);
+    bent[1].pressure = f64::NAN;
+    assert!(departure(&bent, 9.0).is_nan());
+}
+
+#[test]
+fn nearly_incompressible_bodies_are_refused_in_plane_strain_by_the_cells_that_cannot_follow() {
+    for (order, limit) in [(Order::Linear, INCOMPRESSIBLE[0]), (Order::Quadratic, INCOMPRESSIBLE[1])] {
+        for plane in [PlaneHypothesis::Strain, PlaneHypothesis::Stress] {
+            for poisson in [limit, 0.5 * (limit + 0.5)] {
+                let mut scene = Patch::default().scene();
+                scene.plane = plane;
+                scene.bodies[1].material.poisson = poisson;
+                let result = Discretisation::of(scene, resolution(2, 0, order)).map(|_| ());
+                let expected = plane == PlaneHypothesis::Stress || poisson <= limit;
+                assert_eq!(result.is_ok(), expected, "{order:?}, {plane:?}, {poisson}");
+                if let Err(error) = result {
+                    let text = error.to_string();
+                    assert!(text.contains("body `lower`") && text.contains(&limit.to_string()), "{text}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn stiff_springs_cost_one_solve_the_digits_that_refinement_wins_back() {
+    let discretisation =
+        Discretisation::of(cylinder(1.0), resolution(6, 0, Order::Quadratic)).expect("a solvable scene");
+    let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+    let points = discretisation.points(&formulation);
+    let problem = discretisation.problem(&formulation, &points);
+    let at = |kappa: f64| {
+        let mut springs = vec![kappa * problem.scale.stiffness; points.len()];
+        springs[points.len() - 1] = 0.0;
+        conditioning::of(&problem, &springs).expect("eigenvalues")
+    };
+    let (soft, stiff) = (at(1e2), at(1e12));
+    assert!(soft.plain < 1e-10 && stiff.plain > 1e-6, "{} and {}", soft.plain, stiff.plain);
+    assert!(stiff.refined < 1e-10, "{}", stiff.refined);
+    assert!((stiff.condition / soft.condition).log10() > 9.0);
+    assert!(conditioning::of(&problem, &vec![0.0; points.len()]).is_some_and(|none| none.refined.is_nan()));
+}
+
+#[test]
+fn shaken_mesh_moves_inner_nodes_only_and_keeps_edges_straight() {
+    for order in [Order::Linear, Order::Quadratic] {
+        let scene = Patch::default().scene();
+        let mesh = Mesh::of(&scene, resolution(4, 0, order)).expect("a mesh");
+        let shaken = mesh.shaken(0.3);
+        let outer: Vec<usize> =
+            mesh.bodies.iter().flat_map(|b| b.boundaries.values().flatten().flatten().copied()).collect();
+        let moved: Vec<usize> = (0..mesh.points.len()).filter(|&n| mesh.points[n] != shaken.points[n]).collect();
+        assert!(!moved.is_empty() && moved.iter().all(|node| !outer.contains(node)));
+        let side = scene.contact.stretch / 4.0;
+        for &node in &moved {
+            let (p, q) = (mesh.points[node], shaken.points[node]);
+            assert!((p[0] - q[0]).hypot(p[1] - q[1]) <= 0.3 * side * (1.0 + 1e-9), "{node}");
+        }
+        for cell in 0..shaken.cells() {
+            let nodes = shaken.cell(cell);
+            for k in 0..nodes.len().saturating_sub(4) {
+                let (p, q) = (shaken.points[nodes[k]], shaken.points[nodes[(k + 1) % 4]]);
+                let mid = shaken.points[nodes[4 + k]];
+                assert!((mid[0] - 0.5 * (p[0] + q[0])).hypot(mid[1] - 0.5 * (p[1] + q[1])) < 1e-12);
+            }
+        }
+        for (p, q) in mesh.shaken(0.0).points.iter().zip(&mesh.points) {
+            assert!((p[0] - q[0]).hypot(p[1] - q[1]) < 1e-12);
+        }
+    }
+    let mesh = distorted_patch(Order::Linear);
+    assert_eq!(mesh.shaken(0.1).points, mesh.shaken(0.1).points);
+}
+
+#[test]
+fn every_limit_gives_one_full_row_of_the_summary_and_passes() {
+    let trials = limits::trials();
+    assert_eq!(trials.len(), 13);
+    for trial in trials {
+        let finding = trial.run().unwrap_or_else(|error| panic!("{}: {error}", trial.title()));
+        let summaries: Vec<_> = finding.tables.iter().filter(|table| table.title == limits::SUMMARY).collect();
+        assert_eq!(summaries.len(), 1, "{}", trial.title());
+        assert_eq!(summaries[0].rows.len(), 1);
+        let row = &summaries[0].rows[0];
+        assert_eq!(row.len(), limits::HEAD.len());
+        assert!(row.iter().all(|cell| !cell.is_empty() && !cell.contains("NaN")), "{}: {row:?}", trial.title());
+        assert!(!finding.checks.is_empty() && finding.verdict() == Verdict::Pass, "{}", trial.title());
+    }
+}
