@@ -185,8 +185,8 @@ fn predictions(findings: &[Finding]) -> String {
         "### Rates of constant and varying stiffness\n\n\
          The asymptotic rate of an iteration is the spectral radius of its error's matrix on the final contact set, made of the \
          flexibility of the contact and of its springs; – where too few steps lie between the final contact set and round-off. \
-         Truncated Hertz, contact edge between two nodes. Rows marked *reported* are not gated: a \
-         difference that is not understood.\n\n"
+         Truncated Hertz, contact edge between two nodes. Where a start hardly holds the slowest mode, round-off comes before that is \
+         alone: there the iteration linearised on the final contact set, followed from its start over the same residuals, is the prediction.\n\n"
             .into(),
         joined(rates::RATES, &rates::RATES_HEAD),
         "\n### Why `secant` and `literal` fail with constant stiffness\n\n\

@@ -4,9 +4,9 @@ use rayon::prelude::*;
 
 use crate::case::atlas::chart::Chart;
 use crate::case::atlas::plan::{Plane, Row};
-use crate::case::atlas::point::Ground;
+use crate::case::atlas::point::{Ground, Site, share_ground};
 use crate::case::atlas::record::{self, Class, Record};
-use crate::case::atlas::survey::grounds;
+use crate::case::atlas::survey::sites;
 use crate::case::check::{Check, Reference};
 use crate::case::suite::{Finding, Trial};
 use crate::error::Error;
@@ -14,8 +14,8 @@ use crate::formulation::Settings;
 
 /// Name of the trials.
 pub const ATLAS: &str = "stability atlas";
-/// Of the grounds every third is entered again, and on it three of twenty points: a twentieth of all.
-const GROUNDS: usize = 3;
+/// Of the scenes and meshes every third is entered again, and on it three of twenty points: a twentieth of all.
+const SITES: usize = 3;
 const POINTS: [usize; 2] = [3, 20];
 /// A recomputed error or prediction may differ by this share: the records hold four digits.
 const DIGITS: f64 = 2e-3;
@@ -47,12 +47,18 @@ fn judge(plane: Plane) -> Result<Finding, Error> {
 fn recomputed(chart: &Chart) -> Result<Check, Error> {
     let rows = chart.plane.rows();
     let stiffnesses = chart.plane.stiffnesses();
-    let entered: Vec<Vec<Row>> = grounds(chart.plane).into_iter().step_by(GROUNDS).collect();
     let [some, of] = POINTS;
     let chosen = |row: usize, column: usize| (7 * row + 3 * column) % of < some;
-    let moved = entered.par_iter().map(|group| -> Result<[usize; 2], Error> {
-        let (ground, mut count) = (Ground::of(&group[0])?, [0, 0]);
-        for row in group {
+    let entered = sites(chart.plane).into_iter().step_by(SITES);
+    let entered: Vec<(Row, Vec<Row>)> = entered.map(|grounds| (grounds[0][0], grounds.concat())).collect();
+    let moved = entered.par_iter().map(|(first, all)| -> Result<[usize; 2], Error> {
+        let (site, mut count) = (Site::of(first)?, [0, 0]);
+        let mut ground: Option<(Row, Ground)> = None;
+        for row in all {
+            if ground.as_ref().is_none_or(|(other, _)| !share_ground(other, row)) {
+                ground = Some((*row, Ground::of(&site, row)?));
+            }
+            let Some((_, ground)) = &ground else { continue };
             let r = rows.iter().position(|other| other == row).unwrap_or(0);
             for (c, &stiffness) in stiffnesses.iter().enumerate().filter(|(c, _)| chosen(r, *c)) {
                 let fresh = ground.record(row, stiffness)?;

@@ -1,7 +1,7 @@
 //! One point: predicted from the condensed matrices, then run.
 
 use crate::algorithm::StiffnessRule;
-use crate::case::atlas::plan::{Plane, Row};
+use crate::case::atlas::plan::Row;
 use crate::case::atlas::record::{Class, Record};
 use crate::case::problem::Problem;
 use crate::contact::ContactPoint;
@@ -14,30 +14,41 @@ use crate::stability::{Limit, halving, linear, rate, release};
 /// A spectral radius up to here is 1 to round-off: pressures that no displacement feels stay as they are, and hurt nobody.
 const INDIFFERENT: f64 = 1.0 + 1e-6;
 
-/// What the points of one scene, mesh and contact element share.
-pub struct Ground {
+/// A scene on a mesh, condensed once for all its points.
+pub struct Site {
     problem: Problem,
     discretisation: Discretisation,
-    points: Vec<ContactPoint>,
-    limit: Option<Limit>,
     /// Edge means of the verification formulation, where there is no closed form.
     verified: Vec<PointState>,
 }
 
-impl Ground {
-    /// Mesh, condensation, contact points and limit of a row.
+/// What the points of one contact element on a site share.
+pub struct Ground<'a> {
+    site: &'a Site,
+    points: Vec<ContactPoint>,
+    limit: Option<Limit>,
+}
+
+impl Site {
+    /// Mesh and condensation of a row, and the reference where there is no closed form.
     pub fn of(row: &Row) -> Result<Self, Error> {
         let (problem, resolution) = row.problem()?;
         let discretisation = Discretisation::of(problem.scene.clone(), resolution)?;
-        let formulation = row.formulation(1.0);
-        let points = discretisation.points(&formulation);
-        let limit = Limit::of(&discretisation.problem(&formulation, &points))?;
-        let verified = if row.plane == Plane::PinRod {
-            discretisation.solve(&Formulation::verification())?.edges
-        } else {
-            Vec::new()
+        let verified = match problem.oracle {
+            Some(_) => Vec::new(),
+            None => discretisation.solve(&Formulation::verification())?.edges,
         };
-        Ok(Self { problem, discretisation, points, limit, verified })
+        Ok(Self { problem, discretisation, verified })
+    }
+}
+
+impl<'a> Ground<'a> {
+    /// Contact points and limit of a row on its site.
+    pub fn of(site: &'a Site, row: &Row) -> Result<Self, Error> {
+        let formulation = row.formulation(1.0);
+        let points = site.discretisation.points(&formulation);
+        let limit = Limit::of(&site.discretisation.problem(&formulation, &points))?;
+        Ok(Self { site, points, limit })
     }
 
     /// Predicts and runs a row at an initial stiffness.
@@ -56,7 +67,7 @@ impl Ground {
             predicted_rate: rounded(predicted_rate),
             predicted_steps: rounded(predicted_steps),
         };
-        match self.discretisation.solve(&formulation) {
+        match self.site.discretisation.solve(&formulation) {
             Ok(solution) => {
                 let class = Class::of(solution.outcome);
                 let error = self.error(&solution);
@@ -76,12 +87,12 @@ impl Ground {
         if formulation.settings.increments > 1 {
             return [f64::NAN; 2];
         }
-        let problem = self.discretisation.problem(formulation, &self.points);
+        let problem = self.site.discretisation.problem(formulation, &self.points);
         let tolerance = formulation.settings.tolerance;
         let found = match (row.algorithm, row.rule) {
             (Iteration::Kinematic, StiffnessRule::Switching) => {
-                let stretch = self.discretisation.scene.contact.stretch;
-                let spacing = stretch / (self.discretisation.interface.stations.len() - 1) as f64;
+                let stretch = self.site.discretisation.scene.contact.stretch;
+                let spacing = stretch / (self.site.discretisation.interface.stations.len() - 1) as f64;
                 let edge = limit.edge(&problem).max(spacing);
                 return [f64::NAN, halving::steps(stretch, edge, spacing, formulation.stiffness) as f64];
             }
@@ -108,10 +119,10 @@ impl Ground {
 
     /// L2 of the means over the edges, which no alternating mode of the points disturbs.
     fn error(&self, solution: &Solution) -> f64 {
-        if !self.verified.is_empty() {
-            return relative_l2_between(&solution.edges, &self.verified);
+        if !self.site.verified.is_empty() {
+            return relative_l2_between(&solution.edges, &self.site.verified);
         }
-        let length = self.problem.scene.contact.stretch / solution.edges.len() as f64;
+        let length = self.site.problem.scene.contact.stretch / solution.edges.len() as f64;
         let reference: Vec<PointState> = (solution.edges.iter())
             .map(|edge| PointState { pressure: self.mean_reference(edge.position, length), ..*edge })
             .collect();
@@ -122,7 +133,7 @@ impl Ground {
     fn mean_reference(&self, middle: f64, length: f64) -> f64 {
         const PARTS: usize = 32;
         let place = |part: usize| middle + length * ((part as f64 + 0.5) / PARTS as f64 - 0.5);
-        (0..PARTS).map(|part| self.problem.reference_pressure(place(part))).sum::<f64>() / PARTS as f64
+        (0..PARTS).map(|part| self.site.problem.reference_pressure(place(part))).sum::<f64>() / PARTS as f64
     }
 }
 
@@ -142,8 +153,13 @@ fn rounded(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(f64::NAN)
 }
 
-/// Whether two rows share their ground.
+/// Whether two rows share their ground: scene, mesh and contact points.
 pub fn share_ground(a: &Row, b: &Row) -> bool {
-    let key = |row: &Row| (row.plane, row.element, row.ordinate.to_bits());
+    a.element == b.element && share_site(a, b)
+}
+
+/// Whether two rows share their scene and mesh.
+pub fn share_site(a: &Row, b: &Row) -> bool {
+    let key = |row: &Row| (row.plane, row.ordinate.to_bits());
     key(a) == key(b)
 }

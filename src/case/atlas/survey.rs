@@ -1,23 +1,29 @@
 //! The whole atlas, row by row; a survey that was broken off goes on where it stopped.
 
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::sync::{Mutex, OnceLock};
 
 use rayon::prelude::*;
 
 use crate::case::atlas::plan::{Plane, Row};
-use crate::case::atlas::point::{Ground, share_ground};
+use crate::case::atlas::point::{Ground, Site, share_ground, share_site};
 use crate::case::atlas::record::{self, Record};
 use crate::error::Error;
 use crate::oracle::cross_code::frozen::sha256;
 use crate::oracle::cross_code::root;
 
-/// Rows that share a scene, mesh and contact element.
-pub fn grounds(plane: Plane) -> Vec<Vec<Row>> {
+/// Rows that share a scene and its mesh, in groups that also share their contact points.
+pub fn sites(plane: Plane) -> Vec<Vec<Vec<Row>>> {
+    let sites = groups(plane.rows(), share_site);
+    sites.into_iter().map(|rows| groups(rows, share_ground)).collect()
+}
+
+/// Neighbours that belong together.
+fn groups(rows: Vec<Row>, together: impl Fn(&Row, &Row) -> bool) -> Vec<Vec<Row>> {
     let mut groups: Vec<Vec<Row>> = Vec::new();
-    for row in plane.rows() {
+    for row in rows {
         match groups.last_mut() {
-            Some(group) if share_ground(&group[0], &row) => group.push(row),
+            Some(group) if together(&group[0], &row) => group.push(row),
             _ => groups.push(vec![row]),
         }
     }
@@ -33,9 +39,13 @@ pub fn size() -> usize {
 ///
 /// Finished rows are kept in the folder `unfinished`, from which a survey that was broken off goes on.
 pub fn survey(planes: &[Plane], unfinished: &Path, records: &Path, done: impl Fn(usize) + Sync) -> Result<(), Error> {
-    let groups: Vec<Vec<Row>> = planes.iter().flat_map(|plane| grounds(*plane)).collect();
+    let sites: Vec<Vec<Vec<Row>>> = planes.iter().flat_map(|plane| sites(*plane)).collect();
     let writing = Mutex::new(());
-    groups.par_iter().try_for_each(|rows| rows_of_a_ground(rows, unfinished, &writing, &done))?;
+    sites.par_iter().try_for_each(|grounds| -> Result<(), Error> {
+        // Entered by the first ground that is not finished: what was surveyed before needs no condensation.
+        let site = OnceLock::new();
+        grounds.par_iter().try_for_each(|rows| rows_of_a_ground(rows, &site, unfinished, &writing, &done))
+    })?;
     for plane in planes {
         let found = kept(&file(unfinished, *plane))?;
         let points = plane.rows().into_iter().flat_map(|row| plane.stiffnesses().into_iter().map(move |k| (row, k)));
@@ -49,6 +59,7 @@ pub fn survey(planes: &[Plane], unfinished: &Path, records: &Path, done: impl Fn
 /// The rows that are not yet kept, one after the other on their common ground.
 fn rows_of_a_ground(
     rows: &[Row],
+    site: &OnceLock<Result<Site, Error>>,
     unfinished: &Path,
     writing: &Mutex<()>,
     done: &(impl Fn(usize) + Sync),
@@ -67,7 +78,7 @@ fn rows_of_a_ground(
         }
         let ground = match &mut ground {
             Some(ground) => ground,
-            none => none.insert(Ground::of(row)?),
+            none => none.insert(Ground::of(entered(site, row)?, row)?),
         };
         let mut fresh = Vec::new();
         for k in stiffnesses {
@@ -78,6 +89,12 @@ fn rows_of_a_ground(
         record::write_file(&path, &[kept(&path)?, fresh].concat())?;
     }
     Ok(())
+}
+
+/// The site, condensed by whoever comes first.
+fn entered<'a>(site: &'a OnceLock<Result<Site, Error>>, row: &Row) -> Result<&'a Site, Error> {
+    let again = |error: &Error| Error::Combination { what: error.to_string(), remedy: "see the message before".into() };
+    site.get_or_init(|| Site::of(row)).as_ref().map_err(again)
 }
 
 fn kept(path: &Path) -> Result<Vec<Record>, Error> {
