@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use crate::algorithm::{ContactProblem, Scale, iterate};
+use crate::algorithm::{ContactProblem, Scale};
 use crate::condensation::{self, Condensed, CoupledSpring};
 use crate::contact::{ContactPoint, Interface};
 use crate::elasticity::{ElasticSystem, stress};
@@ -64,12 +64,11 @@ impl Discretisation {
     /// Solves the contact problem by one formulation.
     pub fn solve(&self, formulation: &Formulation) -> Result<Solution, Error> {
         formulation.validate(&self.scene)?;
-        let points = formulation.points(&self.interface);
-        let problem = self.problem(formulation, &points);
-        iterate(&problem, formulation.algorithm().as_mut(), formulation.settings).map_err(|error| match error {
+        let (solution, _, _) = self.solve_from_start(formulation).map_err(|error| match error {
             Error::NoSpringLeft { steps, .. } => Error::NoSpringLeft { bodies: self.names(), steps },
             other => other,
-        })
+        })?;
+        Ok(solution)
     }
 
     /// What the algorithms see of this scene under a formulation.
