@@ -1,5 +1,6 @@
 //! A scene meshed, assembled and condensed: what all nine formulations share.
 
+use std::sync::OnceLock;
 use std::time::Instant;
 
 use crate::algorithm::{ContactProblem, Scale};
@@ -29,6 +30,8 @@ pub struct Discretisation {
     pub interface: Interface,
     /// Seconds by stage.
     pub seconds: Vec<(&'static str, f64)>,
+    /// The same scene half as fine, built when a nested start first asks for it.
+    pub(super) coarser: OnceLock<Box<Discretisation>>,
 }
 
 impl Discretisation {
@@ -58,7 +61,16 @@ impl Discretisation {
         clock.lap("condensation");
         let interface = Interface::between(&scene, &mesh, &condensed)?;
         clock.lap("interface");
-        Ok(Self { scene, resolution, mesh, system, condensed, interface, seconds: clock.laps })
+        Ok(Self {
+            scene,
+            resolution,
+            mesh,
+            system,
+            condensed,
+            interface,
+            seconds: clock.laps,
+            coarser: OnceLock::new(),
+        })
     }
 
     /// Solves the contact problem by one formulation.

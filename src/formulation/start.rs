@@ -37,48 +37,50 @@ impl Discretisation {
     ) -> Result<(Solution, Vec<ContactPoint>, Springs), Error> {
         let points = formulation.points(&self.interface);
         let problem = self.problem(formulation, &points);
-        let (mut springs, coarser) = match (formulation.start, coarser(self.resolution)) {
-            (Start::Nested, Some(resolution)) => self.nested(formulation, &problem, resolution)?,
-            _ => (problem.initial_springs(), Work::default()),
+        let (mut springs, coarser) = match self.coarser(formulation)? {
+            Some(coarse) => coarse.carried(formulation, &problem)?,
+            None => (problem.initial_springs(), Work::default()),
         };
         let mut algorithm = formulation.algorithm();
         let solution = iterate_from(&mut springs, &problem, algorithm.as_mut(), formulation.settings);
         Ok((Solution { coarser, ..solution? }, points, springs))
     }
 
-    /// Springs carried over from a coarser mesh of the same scene, and the work they took.
-    fn nested(
-        &self,
-        formulation: &Formulation,
-        problem: &ContactProblem,
-        resolution: Resolution,
-    ) -> Result<(Springs, Work), Error> {
-        let coarse = Self::of(self.scene.clone(), resolution)?;
-        let (solution, points, ended) = coarse.solve_from_start(formulation)?;
-        let mut work = solution.coarser;
-        work.steps += solution.work.steps;
-        work.factorisations += solution.work.factorisations;
-        work.back_substitutions += solution.work.back_substitutions;
-        let mut springs = problem.initial_springs();
-        for (k, point) in springs.stiffness.iter_mut().zip(problem.points) {
+    /// The same scene half as fine, where the start is nested; none below one element per half-width.
+    fn coarser(&self, formulation: &Formulation) -> Result<Option<&Self>, Error> {
+        let Resolution { elements, refinement, .. } = self.resolution;
+        let halved = match refinement {
+            0 => Resolution { elements: elements / 2, ..self.resolution },
+            _ => Resolution { refinement: refinement - 1, ..self.resolution },
+        };
+        if formulation.start == Start::Closed || halved.elements == 0 {
+            return Ok(None);
+        }
+        if self.coarser.get().is_none() {
+            let coarse = Self::of(self.scene.clone(), halved)?;
+            return Ok(Some(self.coarser.get_or_init(|| Box::new(coarse))));
+        }
+        Ok(self.coarser.get().map(Box::as_ref))
+    }
+
+    /// Springs of a finer mesh's points as they ended on this one, and the work that took.
+    fn carried(&self, formulation: &Formulation, finer: &ContactProblem) -> Result<(Springs, Work), Error> {
+        let (solution, points, ended) = self.solve_from_start(formulation)?;
+        let (own, mut work) = (solution.work, solution.coarser);
+        work.steps += own.steps;
+        work.factorisations += own.factorisations;
+        work.back_substitutions += own.back_substitutions;
+        let mut springs = finer.initial_springs();
+        for (k, point) in springs.stiffness.iter_mut().zip(finer.points) {
             let apart = |at: &usize| (points[*at].position - point.position).abs();
             let nearest = (0..points.len()).min_by(|a, b| apart(a).total_cmp(&apart(b)));
             *k = match nearest.map_or(0.0, |at| ended.stiffness[at]) {
                 open if open <= 0.0 => 0.0,
-                hard if hard >= problem.scale.hard() => hard,
+                hard if hard >= finer.scale.hard() => hard,
                 _ => *k,
             };
         }
         let lost = !solution.converged() || springs.stiffness.iter().all(|k| *k <= 0.0);
-        Ok((if lost { problem.initial_springs() } else { springs }, work))
+        Ok((if lost { finer.initial_springs() } else { springs }, work))
     }
-}
-
-/// Half as fine; none below one element per half-width.
-fn coarser(resolution: Resolution) -> Option<Resolution> {
-    if resolution.refinement > 0 {
-        return Some(Resolution { refinement: resolution.refinement - 1, ..resolution });
-    }
-    let elements = resolution.elements / 2;
-    (elements > 0).then_some(Resolution { elements, ..resolution })
 }
