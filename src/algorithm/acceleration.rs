@@ -53,9 +53,10 @@ const SAFEGUARD: (f64, f64) = (100.0, 1.1);
 /// The last states of a fixed-point iteration, and what is made of them.
 ///
 /// Three safeguards. A state reached by acceleration is given up for the plain step before it where
-/// `‖f‖ > 100 F (n + 1)^−1.1`, n accelerated steps so far, F the residual of p_ref in tension and g_ref in penetration everywhere: a summable bound, which
-/// with nonexpansive plain steps leaves no way but to converge (Zhang, O'Donoghue & Boyd 2020). A plain step follows where
-/// the residual rose, and after every Anderson step. A step that is not finite is not made.
+/// `‖f‖ > 100 F (n + 1)^−1.1`, n accelerated steps so far, F the residual of a tension p_ref and a penetration g_ref
+/// everywhere: a summable bound, which with nonexpansive plain steps leaves no way but to converge (Zhang, O'Donoghue &
+/// Boyd 2020). A plain step follows where the residual rose, and after every Anderson step. A step that is not finite is
+/// not made.
 #[derive(Clone, Debug)]
 pub struct Accelerator {
     /// How.

@@ -10,11 +10,13 @@
 //! * [`cross_code`] — the solver against scikit-fem and dolfinx.
 //! * [`faults`] — the record of planted faults.
 //! * [`stability`] — predicted rates and steps against measured ones.
+//! * [`cures`] — acceleration of constant stiffness, nested starts of kinematic load.
 //! * [`pictures`] — fields and iteration paths that are shown, not judged.
 //! * [`statements`] — the paper's statements, judged from the findings.
 
 pub mod check;
 pub mod cross_code;
+pub mod cures;
 pub mod exact;
 pub mod family;
 pub mod faults;

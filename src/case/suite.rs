@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use crate::case::check::{Check, Verdict};
 use crate::case::cross_code::{self, Answers};
 use crate::case::{
-    Problem, Run, exact, family, faults, gaertner, hertz, pictures, pin, refinement, stability, sweep, universal,
+    Problem, Run, cures, exact, family, faults, gaertner, hertz, pictures, pin, refinement, stability, sweep, universal,
 };
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
@@ -164,6 +164,7 @@ pub fn all() -> Vec<Trial> {
     trials.extend(refinement::trials());
     trials.extend(sweep::trials());
     trials.extend(stability::trials());
+    trials.extend(cures::trials());
     trials.extend(family::trials());
     trials.extend(cross_code::trials(Answers::Frozen));
     trials.extend(faults::trials());

@@ -14,6 +14,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use crate::case::cures::record;
 use crate::case::problem::PROBLEMS;
 use crate::error::Error;
 use crate::report;
@@ -40,6 +41,8 @@ enum Command {
     Solve(Box<solve::Arguments>),
     /// Solve the suite and print every check with its verdict, a line of JSON each; trials that break off fail too.
     Verdicts,
+    /// Measure the reach of accelerated constant stiffness and write snapshots/reach.json.
+    Record,
     /// Name the cases of the library.
     List,
     /// Ask the other codes for everything again, write oracles/frozen and show what changed.
@@ -53,6 +56,7 @@ pub fn main() -> ExitCode {
         Command::Report { check } => report_command(check),
         Command::Verdicts => Ok(suite::verdicts()),
         Command::Solve(arguments) => solve::run(&arguments).map(|()| true),
+        Command::Record => record::write().map(|()| true),
         Command::List => {
             PROBLEMS.iter().for_each(|(name, title)| say(format!("{name:18} {title}")));
             Ok(true)
