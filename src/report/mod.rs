@@ -5,6 +5,7 @@
 //! * [`matrix`] — the verdict matrix and the summary table of the terminal.
 //! * [`checks`] — requirement by requirement.
 //! * [`cross_code`] — against other codes, and the planted faults.
+//! * [`cures`] — options that are not the paper's.
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
 //! * [`figure`] — how a chart or drawing is made.
@@ -12,6 +13,7 @@
 
 pub mod checks;
 pub mod cross_code;
+pub mod cures;
 pub mod decisions;
 pub mod figure;
 pub mod files;
