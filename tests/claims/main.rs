@@ -8,6 +8,7 @@ mod architecture;
 mod condensation;
 mod contact;
 mod cross_code;
+mod cures;
 mod digitised;
 mod elasticity;
 mod errors;
