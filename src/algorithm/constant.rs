@@ -45,21 +45,19 @@ impl Algorithm for Constant {
         }
         let factor = self.factor.as_ref()?;
         let iterate = problem.equilibrium(factor, load, springs, |_| 0.0, work);
-        let mut change = vec![0.0; problem.points.len()];
+        let before = springs.force.clone();
         for (i, point) in problem.points.iter().enumerate() {
             let (w, p) = (iterate.approach[i], iterate.pressure[i]);
-            change[i] = match self.rule {
+            springs.force[i] += match self.rule {
                 StiffnessRule::Literal => self.literal_change(problem, i, w),
                 StiffnessRule::Secant => secant_force(problem, p, w, point.gap) - p,
                 _ => rule::correction(p, problem.initial[i], w, point.gap) - p,
             };
         }
-        match self.acceleration {
-            Acceleration::None => springs.force.iter_mut().zip(&change).for_each(|(r, change)| *r += change),
-            kind => {
-                let accelerator = self.accelerator.get_or_insert_with(|| accelerator(problem, kind));
-                springs.force = accelerator.next(&springs.force, &change, &mut work.rejected);
-            }
+        if self.acceleration != Acceleration::None {
+            let change: Vec<f64> = springs.force.iter().zip(&before).map(|(after, before)| after - before).collect();
+            let accelerator = self.accelerator.get_or_insert_with(|| accelerator(problem, self.acceleration));
+            springs.force = accelerator.next(&before, &change, &mut work.rejected);
         }
         Some(iterate)
     }

@@ -122,7 +122,9 @@ fn series(runs: &Runs) -> Series {
     Series { picture: PICTURE.into(), label: runs.formulation.clone(), points, failed }
 }
 
-/// Every rule of constant stiffness with every acceleration on the drawn plane, node element: outcome within 200 steps.
+/// Every rule of constant stiffness with every acceleration on the drawn plane, node element: steps, where within 200.
+///
+/// Whether the others exhaust their steps or diverge hangs on round-off.
 pub fn rules() -> Result<Finding, Error> {
     let discretisation = discretised(PLANES[DRAWN])?;
     let base = Formulation::new(Element::Node, Iteration::Constant);
@@ -135,7 +137,7 @@ pub fn rules() -> Result<Finding, Error> {
                 let formulation = Formulation { rule, stiffness, acceleration, settings, ..base.clone() };
                 let solution = discretisation.solve(&formulation)?;
                 let steps = format!("{} steps", solution.work.steps);
-                row.push(if solution.converged() { steps } else { solution.outcome.to_string() });
+                row.push(if solution.converged() { steps } else { "not".into() });
             }
             rows.push(row);
         }
