@@ -57,6 +57,8 @@ pub struct Work {
     pub factorisations: usize,
     /// Back-substitutions with such a factor, the refinement of each step included.
     pub back_substitutions: usize,
+    /// Accelerated steps given up for the plain one; they count as steps.
+    pub rejected: usize,
 }
 
 /// The state of one contact point, or the mean over one edge, at the end.
@@ -104,6 +106,8 @@ pub struct Solution {
     pub history: Vec<Step>,
     /// Work done.
     pub work: Work,
+    /// Work done on coarser meshes to find the start.
+    pub coarser: Work,
 }
 
 impl Solution {

@@ -1,5 +1,6 @@
 //! Iteration with constant stiffness, equations (3.6)–(3.10): one factorisation, changing forces.
 
+use crate::algorithm::acceleration::{Acceleration, Accelerator};
 use crate::algorithm::rule::{self, StiffnessRule};
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
 use crate::condensation::factor::DenseFactor;
@@ -10,15 +11,23 @@ use crate::solution::Work;
 pub struct Constant {
     /// `Correction` with κ = k_0, `Secant` on the spring force, or `Literal`.
     pub rule: StiffnessRule,
+    /// How the fixed point of the carried forces is approached.
+    pub acceleration: Acceleration,
+    accelerator: Option<Accelerator>,
     factor: Option<DenseFactor>,
     /// Stiffnesses stored by the literal reading of (3.10).
     stored: Vec<f64>,
 }
 
 impl Constant {
-    /// The algorithm before its first step.
+    /// The paper's algorithm before its first step.
     pub fn new(rule: StiffnessRule) -> Self {
-        Self { rule, factor: None, stored: Vec::new() }
+        Self::accelerated(rule, Acceleration::None)
+    }
+
+    /// The same with an acceleration.
+    pub fn accelerated(rule: StiffnessRule, acceleration: Acceleration) -> Self {
+        Self { rule, acceleration, accelerator: None, factor: None, stored: Vec::new() }
     }
 }
 
@@ -36,6 +45,7 @@ impl Algorithm for Constant {
         }
         let factor = self.factor.as_ref()?;
         let iterate = problem.equilibrium(factor, load, springs, |_| 0.0, work);
+        let before = springs.force.clone();
         for (i, point) in problem.points.iter().enumerate() {
             let (w, p) = (iterate.approach[i], iterate.pressure[i]);
             springs.force[i] += match self.rule {
@@ -44,8 +54,28 @@ impl Algorithm for Constant {
                 _ => rule::correction(p, problem.initial[i], w, point.gap) - p,
             };
         }
+        if self.acceleration != Acceleration::None {
+            let change: Vec<f64> = springs.force.iter().zip(&before).map(|(after, before)| after - before).collect();
+            let accelerator = self.accelerator.get_or_insert_with(|| accelerator(problem, self.acceleration));
+            springs.force = accelerator.next(&before, &change, &mut work.rejected);
+        }
         Some(iterate)
     }
+
+    fn reload(&mut self) {
+        self.accelerator = None;
+    }
+}
+
+/// Inner product `Σ A x y/k₀`, in which the rule `correction` is nonexpansive, and the residual of `p_ref + k₀ g_ref`
+/// everywhere: a tension of `p_ref` at open points and a penetration of `g_ref` at closed ones.
+fn accelerator(problem: &ContactProblem, kind: Acceleration) -> Accelerator {
+    let terms = problem.points.iter().zip(&problem.initial);
+    let weights: Vec<f64> = terms.map(|(point, k)| point.weight / k).collect();
+    let residual = |k: &f64| problem.scale.pressure + k * problem.scale.gap;
+    let scale =
+        problem.initial.iter().zip(&weights).map(|(k, weight)| weight * residual(k).powi(2)).sum::<f64>().sqrt();
+    Accelerator::new(kind, weights, scale)
 }
 
 impl Constant {

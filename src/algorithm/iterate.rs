@@ -38,11 +38,20 @@ const MEMORY: usize = 64;
 ///
 /// Increment n of N applies `(n/N) f̂` and starts from the springs of the one before; the gap enters whole, once.
 pub fn iterate(problem: &ContactProblem, algorithm: &mut dyn Algorithm, settings: Settings) -> Result<Solution, Error> {
+    iterate_from(&mut problem.initial_springs(), problem, algorithm, settings)
+}
+
+/// The same from given springs, which are left as they stand after the last step.
+pub fn iterate_from(
+    springs: &mut Springs,
+    problem: &ContactProblem,
+    algorithm: &mut dyn Algorithm,
+    settings: Settings,
+) -> Result<Solution, Error> {
     let mut run = Run { problem, settings, work: Work::default(), history: Vec::new(), last: None };
-    let mut springs = problem.initial_springs();
     let mut outcome = Outcome::Exhausted;
     for increment in 1..=settings.increments {
-        outcome = run.increment(increment, algorithm, &mut springs)?;
+        outcome = run.increment(increment, algorithm, springs)?;
         if outcome != Outcome::Converged {
             break;
         }
@@ -68,6 +77,7 @@ impl Run<'_> {
         let fraction = increment as f64 / self.settings.increments as f64;
         let load: Vec<f64> = self.problem.load.iter().map(|f| f * fraction).collect();
         let mut earlier = VecDeque::new();
+        algorithm.reload();
         while self.work.steps < self.settings.max_steps {
             let stiffness = springs.stiffness[0];
             let Some(iterate) = algorithm.step(self.problem, &load, springs, &mut self.work) else {
@@ -139,6 +149,7 @@ impl Run<'_> {
             contact_force,
             history: self.history,
             work: self.work,
+            coarser: Work::default(),
         }
     }
 }

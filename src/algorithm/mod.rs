@@ -3,8 +3,10 @@
 //! * [`problem`] — what an algorithm sees: matrices, points and scales, no geometry.
 //! * [`rule`] — how the springs' strain drives their stiffness or force.
 //! * [`varying`], [`constant`], [`kinematic`] — equations (3.2)–(3.14), one step each.
+//! * [`acceleration`] — of the fixed point of constant stiffness; an option.
 //! * [`mod@iterate`] — the loop.
 
+pub mod acceleration;
 pub mod constant;
 pub mod iterate;
 pub mod kinematic;
@@ -14,8 +16,9 @@ pub mod varying;
 
 use crate::solution::Work;
 
+pub use acceleration::Acceleration;
 pub use constant::Constant;
-pub use iterate::{Settings, iterate};
+pub use iterate::{Settings, iterate, iterate_from};
 pub use kinematic::Kinematic;
 pub use problem::{ContactProblem, Scale};
 pub use rule::StiffnessRule;
@@ -53,6 +56,9 @@ pub trait Algorithm {
         springs: &mut Springs,
         work: &mut Work,
     ) -> Option<Iterate>;
+
+    /// Told before the first step of each load increment: the load is no longer what it was.
+    fn reload(&mut self) {}
 
     /// Whether penetration is the springs' own law (penalty) instead of an error to be iterated away.
     fn is_elastic(&self) -> bool {

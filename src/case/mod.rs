@@ -12,12 +12,14 @@
 //! * [`faults`] — the record of planted faults.
 //! * [`atlas`] — where each formulation converges, and where it was predicted to.
 //! * [`stability`] — predicted rates and steps against measured ones.
+//! * [`cures`] — acceleration of constant stiffness, nested starts of kinematic load.
 //! * [`pictures`] — fields and iteration paths that are shown, not judged.
 //! * [`statements`] — the paper's statements, judged from the findings.
 
 pub mod atlas;
 pub mod check;
 pub mod cross_code;
+pub mod cures;
 pub mod exact;
 pub mod family;
 pub mod faults;

@@ -5,8 +5,8 @@ use std::sync::{Arc, OnceLock};
 use crate::case::check::{Check, Verdict};
 use crate::case::cross_code::{self, Answers};
 use crate::case::{
-    Problem, Run, atlas, exact, family, faults, gaertner, hertz, limits, pictures, pin, refinement, stability, sweep,
-    universal,
+    Problem, Run, atlas, cures, exact, family, faults, gaertner, hertz, limits, pictures, pin, refinement, stability,
+    sweep, universal,
 };
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
@@ -167,6 +167,7 @@ pub fn all() -> Vec<Trial> {
     trials.extend(stability::trials());
     trials.extend(atlas::trials());
     trials.extend(limits::trials());
+    trials.extend(cures::trials());
     trials.extend(family::trials());
     trials.extend(cross_code::trials(Answers::Frozen));
     trials.extend(faults::trials());

@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use crate::algorithm::StiffnessRule;
+use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::case::Run;
 use crate::case::problem::{Problem, problem};
 use crate::cli::{json, say};
 use crate::error::Error;
-use crate::formulation::{Discretisation, Element, Formulation, Iteration};
+use crate::formulation::{Discretisation, Element, Formulation, Iteration, Start};
 use crate::measure::display_factor;
 use crate::mesh::{Order, Resolution};
 use crate::report::figure::palette::{self, Dash, Marker, Style};
@@ -30,6 +30,12 @@ pub struct Arguments {
     /// Rule; the algorithm's own by default.
     #[arg(long, value_enum)]
     rule: Option<RuleName>,
+    /// Acceleration of the constant algorithm; not the paper's.
+    #[arg(long, value_enum, default_value = "none")]
+    acceleration: AccelerationName,
+    /// Start of the kinematic algorithm: every candidate closed (the paper's) or the contact set of coarser meshes.
+    #[arg(long, value_enum, default_value = "closed")]
+    start: StartName,
     /// Initial stiffness κ₀ = k_n ℓ/E*.
     #[arg(long, value_name = "KAPPA", allow_negative_numbers = true)]
     stiffness: Option<f64>,
@@ -79,6 +85,19 @@ enum RuleName {
     Penalty,
 }
 
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum AccelerationName {
+    None,
+    CrossedSecant,
+    Anderson,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum StartName {
+    Closed,
+    Nested,
+}
+
 /// Solves, prints a table unless JSON goes to standard output, and writes what was asked for.
 pub fn run(arguments: &Arguments) -> Result<(), Error> {
     let problem = problem(&arguments.case, arguments.a_over_r)?;
@@ -118,6 +137,15 @@ impl Arguments {
         };
         let mut formulation = Formulation::new(element, algorithm).tolerance(self.tolerance);
         formulation.settings.increments = self.increments;
+        formulation.acceleration = match self.acceleration {
+            AccelerationName::None => Acceleration::None,
+            AccelerationName::CrossedSecant => Acceleration::CrossedSecant,
+            AccelerationName::Anderson => Acceleration::Anderson,
+        };
+        formulation.start = match self.start {
+            StartName::Closed => Start::Closed,
+            StartName::Nested => Start::Nested,
+        };
         if let Some(rule) = self.rule {
             formulation.rule = match rule {
                 RuleName::Secant => StiffnessRule::Secant,
@@ -165,6 +193,16 @@ fn print(problem: &Problem, resolution: Resolution, run: &Run) {
         work.factorisations,
         format::error(run.solution.residual())
     ));
+    if run.formulation.acceleration != Acceleration::None {
+        say(format!("{} accelerated steps given up for the plain one", work.rejected));
+    }
+    if run.formulation.start == Start::Nested {
+        let coarser = &run.solution.coarser;
+        say(format!(
+            "start found by {} steps and {} factorisations on coarser meshes",
+            coarser.steps, coarser.factorisations
+        ));
+    }
     say(format!(
         "half-width by second moment {} {unit}, by counting {} {unit}",
         format::value(factor * run.measures.half_width),

@@ -1,8 +1,9 @@
 //! A scene meshed, assembled and condensed: what all nine formulations share.
 
+use std::sync::OnceLock;
 use std::time::Instant;
 
-use crate::algorithm::{ContactProblem, Scale, iterate};
+use crate::algorithm::{ContactProblem, Scale};
 use crate::condensation::{self, Condensed, CoupledSpring};
 use crate::contact::{ContactPoint, Interface};
 use crate::elasticity::{ElasticSystem, stress};
@@ -29,6 +30,8 @@ pub struct Discretisation {
     pub interface: Interface,
     /// Seconds by stage.
     pub seconds: Vec<(&'static str, f64)>,
+    /// The same scene half as fine, built when a nested start first asks for it.
+    pub(super) coarser: OnceLock<Box<Discretisation>>,
 }
 
 impl Discretisation {
@@ -59,19 +62,23 @@ impl Discretisation {
         clock.lap("condensation");
         let interface = Interface::between(&scene, &mesh, &condensed)?;
         clock.lap("interface");
-        Ok(Self { scene, resolution, mesh, system, condensed, interface, seconds: clock.laps })
+        Ok(Self {
+            scene,
+            resolution,
+            mesh,
+            system,
+            condensed,
+            interface,
+            seconds: clock.laps,
+            coarser: OnceLock::new(),
+        })
     }
 
     /// Solves the contact problem by one formulation.
     pub fn solve(&self, formulation: &Formulation) -> Result<Solution, Error> {
         formulation.validate(&self.scene)?;
-        let points = formulation.points(&self.interface);
-        let problem = self.problem(formulation, &points);
-        if problem.is_unloaded() && problem.factorise(&vec![0.0; points.len()], &mut Work::default()).is_none() {
-            return Err(Error::NothingPresses { bodies: self.names() });
-        }
-        let iterated = iterate(&problem, formulation.algorithm().as_mut(), formulation.settings);
-        let solution = iterated.map_err(|error| match error {
+        self.refuse_unloaded(formulation)?;
+        let (solution, _, _) = self.solve_from_start(formulation).map_err(|error| match error {
             Error::NoSpringLeft { steps, .. } => Error::NoSpringLeft { bodies: self.names(), steps },
             other => other,
         })?;
@@ -79,6 +86,17 @@ impl Discretisation {
             spill::refuse(self, &solution, formulation.settings.tolerance)?;
         }
         Ok(solution)
+    }
+
+    /// Refuses bodies that contact alone would hold, and nothing presses.
+    fn refuse_unloaded(&self, formulation: &Formulation) -> Result<(), Error> {
+        let points = formulation.points(&self.interface);
+        let problem = self.problem(formulation, &points);
+        let held = || problem.factorise(&vec![0.0; points.len()], &mut Work::default()).is_some();
+        if problem.is_unloaded() && !held() {
+            return Err(Error::NothingPresses { bodies: self.names() });
+        }
+        Ok(())
     }
 
     /// What the algorithms see of this scene under a formulation.

@@ -2,11 +2,13 @@
 //!
 //! * [`discretisation`] — a scene meshed, assembled and condensed, on which formulations solve.
 //! * [`spill`] — contact that goes on beyond the candidates.
+//! * [`start`] — where kinematic load starts.
 
 pub mod discretisation;
 pub mod spill;
+pub mod start;
 
-use crate::algorithm::{Algorithm, Constant, Kinematic, StiffnessRule, Varying};
+use crate::algorithm::{Acceleration, Algorithm, Constant, Kinematic, StiffnessRule, Varying};
 use crate::contact::{ContactElement, ContactPoint, Interface, Layer, Line, Node, Quadrature};
 use crate::error::Error;
 use crate::scene::Scene;
@@ -14,6 +16,7 @@ use crate::scene::Scene;
 pub use crate::algorithm::Settings;
 pub use crate::algorithm::problem::LIMITS;
 pub use discretisation::{Discretisation, Fields, INCOMPRESSIBLE};
+pub use start::Start;
 
 /// Tolerances between round-off and no answer at all.
 const TOLERANCES: [f64; 2] = [1e-13, 0.1];
@@ -107,6 +110,10 @@ pub struct Formulation {
     pub quadrature: Quadrature,
     /// Thickness `t₀` of the layer element over the length of its edge.
     pub layer_thickness: f64,
+    /// Acceleration of constant stiffness; the paper has none.
+    pub acceleration: Acceleration,
+    /// Where kinematic load starts; in the paper with every candidate closed.
+    pub start: Start,
     /// When to stop.
     pub settings: Settings,
 }
@@ -122,6 +129,8 @@ impl Formulation {
             stiffness_pattern: Vec::new(),
             quadrature: Quadrature::Gauss,
             layer_thickness: 0.05,
+            acceleration: Acceleration::None,
+            start: Start::Closed,
             settings: Settings::default(),
         }
     }
@@ -143,10 +152,19 @@ impl Formulation {
         self
     }
 
-    /// `element.algorithm`, and the rule where it is not the default.
+    /// `element.algorithm`, and the rule, the acceleration and the start where they are not the default.
     pub fn name(&self) -> String {
-        let base = format!("{}.{}", self.element.name(), self.algorithm.name());
-        if self.rule == self.algorithm.rules()[0] { base } else { format!("{base}.{}", self.rule.name()) }
+        let mut name = format!("{}.{}", self.element.name(), self.algorithm.name());
+        if self.rule != self.algorithm.rules()[0] {
+            name += &format!(".{}", self.rule.name());
+        }
+        if self.acceleration != Acceleration::None {
+            name += &format!("+{}", self.acceleration.name());
+        }
+        if self.start != Start::Closed {
+            name += &format!("+{}", self.start.name());
+        }
+        name
     }
 
     /// Whether the paper itself shows results of this element with this algorithm.
@@ -168,7 +186,7 @@ impl Formulation {
     fn algorithm(&self) -> Box<dyn Algorithm> {
         match self.algorithm {
             Iteration::Varying => Box::new(Varying { rule: self.rule }),
-            Iteration::Constant => Box::new(Constant::new(self.rule)),
+            Iteration::Constant => Box::new(Constant::accelerated(self.rule, self.acceleration)),
             Iteration::Kinematic => Box::new(Kinematic { rule: self.rule, tolerance: self.settings.tolerance }),
         }
     }
@@ -212,6 +230,7 @@ impl Formulation {
                 remedy: format!("choose one of {}", names.join(", ")),
             });
         }
+        self.validate_options()?;
         let gap = scene.contact.profile.gap(0.0);
         let takes_interference = matches!(
             (self.algorithm, self.rule),
@@ -226,6 +245,24 @@ impl Formulation {
                     self.name()
                 ),
                 remedy: "use the kinematic algorithm, or constant with the rule correction".into(),
+            });
+        }
+        Ok(())
+    }
+
+    /// Refuses an acceleration or a start that the algorithm does not have.
+    fn validate_options(&self) -> Result<(), Error> {
+        let algorithm = self.algorithm.name();
+        if self.acceleration != Acceleration::None && self.algorithm != Iteration::Constant {
+            return Err(Error::Combination {
+                what: format!("the {algorithm} algorithm has no fixed point for `{}`", self.acceleration.name()),
+                remedy: "accelerate the constant algorithm, or choose the acceleration `none`".into(),
+            });
+        }
+        if self.start != Start::Closed && self.algorithm != Iteration::Kinematic {
+            return Err(Error::Combination {
+                what: format!("the {algorithm} algorithm has no contact set to start `{}` from", self.start.name()),
+                remedy: "start the kinematic algorithm so, or choose the start `closed`".into(),
             });
         }
         Ok(())

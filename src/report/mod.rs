@@ -7,6 +7,7 @@
 //! * [`checks`] — requirement by requirement.
 //! * [`cross_code`] — against other codes, and the planted faults.
 //! * [`limits`] — where everything else breaks.
+//! * [`cures`] — options that are not the paper's.
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
 //! * [`figure`] — how a chart or drawing is made.
@@ -15,6 +16,7 @@
 pub mod atlas;
 pub mod checks;
 pub mod cross_code;
+pub mod cures;
 pub mod decisions;
 pub mod figure;
 pub mod files;

@@ -9,6 +9,7 @@ mod atlas;
 mod condensation;
 mod contact;
 mod cross_code;
+mod cures;
 mod digitised;
 mod elasticity;
 mod errors;

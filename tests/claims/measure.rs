@@ -164,6 +164,7 @@ fn solution(points: Vec<PointState>) -> Solution {
         displacement: vec![],
         contact_force: vec![],
         history: vec![],
+        coarser: Work::default(),
         work: Work::default(),
     }
 }

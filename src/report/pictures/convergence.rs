@@ -1,7 +1,7 @@
 //! Steps against initial stiffness (Fig. 11), orders of accuracy, and the path of the iterations (Figs 6, 7).
 
 use super::{curve, label, of_picture, style};
-use crate::case::{Finding, pictures, sweep};
+use crate::case::{Finding, cures, pictures, sweep};
 use crate::error::Error;
 use crate::formulation::{Element, Formulation, Iteration};
 use crate::report::figure::palette::{self, Dash, Marker, Style};
@@ -25,6 +25,26 @@ pub fn steps(findings: &[Finding]) -> Result<String, Error> {
         }
     }
     panels("Steps against initial stiffness", &charts, 3)
+}
+
+/// Steps of constant stiffness against initial stiffness, plain and accelerated, one panel per element.
+pub fn cures(findings: &[Finding]) -> Result<String, Error> {
+    let mut charts = Vec::new();
+    for element in Element::ALL {
+        let mut chart =
+            Chart::new(element.name(), Axis::log("κ₀").over(1e-3, 1e3), Axis::log("steps").over(5.0, 200.0));
+        let own = format!("{}.", element.name());
+        for (k, series) in of_picture(findings, cures::PICTURE).filter(|s| s.label.starts_with(&own)).enumerate() {
+            let (name, colour, dash, marker) = [
+                ("plain", palette::INK, Dash::Dashed, Marker::Square),
+                ("crossed secant", palette::ORANGE, Dash::DashDot, Marker::Triangle),
+                ("Anderson", palette::SKY, Dash::Solid, Marker::Circle),
+            ][k.min(2)];
+            chart.series.push(curve(series, name.into(), Style::run(colour, dash, marker)));
+        }
+        charts.push(chart);
+    }
+    panels("Steps of constant stiffness, plain and accelerated", &charts, 3)
 }
 
 /// Errors of truncated Hertz on nested meshes.

@@ -35,6 +35,7 @@ pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
         ("pressure-pin-rod.svg", contact::pin_rod(findings)?),
         ("orders.svg", convergence::orders(findings).svg()?),
         ("steps-against-stiffness.svg", convergence::steps(findings)?),
+        ("cures.svg", convergence::cures(findings)?),
         ("iteration-paths.svg", convergence::paths(findings)?),
         ("field-cylinder.svg", fields::cylinder(findings)?),
         ("field-pin-rod.svg", fields::pin_rod(findings)?),
