@@ -177,10 +177,10 @@ fn edge_means(points: &[ContactPoint], states: &[PointState]) -> Vec<PointState>
 
 /// Period after which the state has returned, while the last step itself was a real one.
 fn returned(earlier: &VecDeque<Vec<f64>>, state: &[f64]) -> Option<usize> {
-    let distance = |other: &Vec<f64>| other.iter().zip(state).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let size = state.iter().map(|x| x.abs()).fold(1.0, f64::max);
-    if distance(earlier.front()?) <= MOVING * size {
+    let within = |other: &Vec<f64>, share: f64| other.iter().zip(state).all(|(a, b)| (a - b).abs() <= share * size);
+    if within(earlier.front()?, MOVING) {
         return None;
     }
-    earlier.iter().position(|other| distance(other) <= SAME * size).map(|index| index + 1).filter(|&period| period >= 2)
+    earlier.iter().position(|other| within(other, SAME)).map(|index| index + 1).filter(|&period| period >= 2)
 }

@@ -123,9 +123,12 @@ impl ContactProblem<'_> {
 
     /// `load − S u − Σ A p b` \[N\].
     pub fn imbalance(&self, load: &[f64], u: &[f64], pressure: &[f64]) -> Vec<f64> {
-        let n = u.len();
-        let mut residual: Vec<f64> =
-            (0..n).map(|i| load[i] - (0..n).map(|j| self.stiffness[(i, j)] * u[j]).sum::<f64>()).collect();
+        // Column by column, as the matrix is stored.
+        let mut internal = vec![0.0; u.len()];
+        for (j, u_j) in u.iter().enumerate() {
+            internal.iter_mut().zip(self.stiffness.col_as_slice(j)).for_each(|(sum, s)| *sum += s * u_j);
+        }
+        let mut residual: Vec<f64> = load.iter().zip(&internal).map(|(f, s)| f - s).collect();
         for (point, p) in self.points.iter().zip(pressure) {
             point.add_row(-point.weight * p, &mut residual);
         }
