@@ -3,12 +3,12 @@
 use std::fmt::Write;
 
 use crate::case::atlas::summary::{self, Digest};
-use crate::case::atlas::{Chart, Plane};
+use crate::case::atlas::{ATLAS, Chart, Class, Plane, Record};
 use crate::case::stability::{basin, failing, fixed_target, halving, rates};
 use crate::case::{Finding, Table};
 use crate::error::Error;
 use crate::formulation::{Element, Iteration};
-use crate::report::format;
+use crate::report::{checks, format};
 
 /// The whole section.
 pub fn section(findings: &[Finding]) -> Result<String, Error> {
@@ -18,8 +18,8 @@ pub fn section(findings: &[Finding]) -> Result<String, Error> {
     text += &recommendation(&digests);
     text += "\n![Steps against initial stiffness with the predicted curves](snapshots/charts/steps-predicted.svg)\n\
          *Fig. 11 once more: measured points on curves predicted from the condensed matrices; truncated Hertz, candidates to 1.9 \
-         half-widths. Hollow signs above the frame: how the others ended.*\n\n";
-    let _ = write!(text, "{}\n", methods(&digests));
+         half-widths; colours tell the rules apart. Hollow signs above the frame: how the others ended.*\n\n";
+    let _ = writeln!(text, "{}", methods(&digests));
     text += "![Maps over the candidate surface](snapshots/charts/atlas-stretch.svg)\n\
          *How every run ends over initial stiffness and candidate surface, with the predicted boundary.*\n\n\
          ![Maps over the mesh](snapshots/charts/atlas-mesh.svg)\n\
@@ -28,8 +28,13 @@ pub fn section(findings: &[Finding]) -> Result<String, Error> {
     text += &predictions(findings);
     let _ = write!(text, "\n{}\n", format::titled(&summary::findings(&charts)));
     text += EXPLAINED;
-    Ok(text)
+    let own = |finding: &&Finding| CASES.contains(&finding.case.as_str());
+    Ok(text + &checks::table(&findings.iter().filter(own).collect::<Vec<_>>()))
 }
+
+/// Trials of the section.
+const CASES: [&str; 6] =
+    [ATLAS, fixed_target::FIXED_TARGET, rates::RATES, failing::FAILING, basin::BASIN, halving::HALVING];
 
 /// Which element and algorithm to use, and from which initial stiffness, from the records.
 fn recommendation(digests: &[Digest]) -> String {
@@ -145,14 +150,13 @@ fn slices(charts: &[Chart]) -> String {
             for algorithm in Iteration::ALL {
                 let rule = algorithm.rules()[0].name();
                 let name = format!("{}.{}.{rule}", element.name(), algorithm.name());
-                let near = |record: &&crate::case::atlas::Record| {
-                    (record.stiffness / algorithm.default_stiffness(element)).log10().abs() < 0.5
-                };
+                let near =
+                    |record: &&Record| (record.stiffness / algorithm.default_stiffness(element)).log10().abs() < 0.5;
                 let cells: Vec<String> = chart
                     .of_formulation(&name)
                     .filter_map(|row| row.iter().find(near))
                     .map(|r| match r.class {
-                        crate::case::atlas::Class::Converged => {
+                        Class::Converged => {
                             format!("{} steps, L2 {}", r.steps, format::error(r.error))
                         }
                         class => class.name().into(),
@@ -177,7 +181,7 @@ fn predictions(findings: &[Finding]) -> String {
         let rows: Vec<Vec<String>> = of(case).into_iter().flat_map(|table| table.rows.clone()).collect();
         format::markdown(&head.iter().map(|text| text.to_string()).collect::<Vec<_>>(), &rows)
     };
-    let each = |case: &str| of(case).into_iter().map(|table| format::titled(table) + "\n").collect::<String>();
+    let each = |case: &str| of(case).into_iter().map(format::folded_table).collect::<String>();
     [
         "### Constant stiffness towards fixed springs\n\n`(S + K₀) u⁺ = f̂ + (K₀ − K*) u` converges if and only if S + K* and S + 2K₀ − K* are positive definite: in effect k₀ ≥ k*/2. \
          Softer springs diverge, stiffer ones crawl. Target springs carry the contact's own pressure without a gap, cut off at the κ* given.\n\n".to_string(),

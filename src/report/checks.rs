@@ -19,6 +19,18 @@ pub fn table(members: &[&Finding]) -> String {
     format!("{sentences}\n{}", rows(members))
 }
 
+/// How many of the checks passed; what did not is said first.
+fn counted(members: &[&Finding]) -> (String, bool) {
+    let own = || members.iter().flat_map(|finding| &finding.checks).filter(|check| !is_universal(check));
+    let (all, passed) = (own().count(), own().filter(|check| check.verdict == Verdict::Pass).count());
+    let text = if passed == all {
+        format!("✓ {all} checks passed")
+    } else {
+        format!("✗ {} of {all} checks did not pass", all - passed)
+    };
+    (text, passed == all)
+}
+
 fn rows(members: &[&Finding]) -> String {
     let head = ["formulation", "quantity", "found", "reference", "kind", "error", "tolerance", "because", "verdict"];
     let mut rows = Vec::new();
@@ -27,7 +39,8 @@ fn rows(members: &[&Finding]) -> String {
             rows.push(row(&finding.name, check));
         }
     }
-    format::markdown(&head.map(String::from), &rows)
+    let (summary, passed) = counted(members);
+    format::folded(&summary, &format::markdown(&head.map(String::from), &rows), !passed)
 }
 
 fn row(name: &str, check: &Check) -> Vec<String> {

@@ -2,7 +2,7 @@
 
 use crate::case::cures::{self, nested, reach};
 use crate::case::{Finding, Table};
-use crate::report::format;
+use crate::report::{checks, format};
 
 /// The section.
 pub fn section(findings: &[Finding]) -> String {
@@ -24,9 +24,8 @@ pub fn section(findings: &[Finding]) -> String {
     };
     text += &format::markdown(&reach::SHARES_HEAD.map(String::from), &of(cures::REACH, "shares"));
     text += "\n![Steps of constant stiffness, plain and accelerated](snapshots/charts/cures.svg)\n*Steps of constant stiffness, plain and accelerated; runs that take more than 200 stand hollow above the frame.*\n\n";
-    text += "Lowest and highest κ₀ that converge, on each plane:\n\n";
-    text += &format::markdown(&reach::PLANES_HEAD.map(String::from), &of(cures::REACH, "planes"));
-    text += "\n";
+    let planes = format::markdown(&reach::PLANES_HEAD.map(String::from), &of(cures::REACH, "planes"));
+    text += &format::folded("Lowest and highest κ₀ that converge, on each plane", &planes, false);
     for table in tables(findings, cures::RULES) {
         text += &(format::titled(table) + "\n");
     }
@@ -36,7 +35,9 @@ pub fn section(findings: &[Finding]) -> String {
              one element. Steps with every candidate closed → steps from the nested start (+ all steps on \
              coarser meshes).\n\n";
     let rows: Vec<Vec<String>> = tables(findings, cures::NESTED).flat_map(|table| table.rows.clone()).collect();
-    text + &format::markdown(&nested::head(), &rows) + "\n"
+    text += &format::folded("Steps by scene, element and mesh", &format::markdown(&nested::head(), &rows), false);
+    let own = |finding: &&Finding| [cures::REACH, cures::RULES, cures::NESTED].contains(&finding.case.as_str());
+    text + &checks::table(&findings.iter().filter(own).collect::<Vec<_>>())
 }
 
 fn tables<'a>(findings: &'a [Finding], case: &'a str) -> impl Iterator<Item = &'a Table> {

@@ -67,6 +67,17 @@ pub fn titled(table: &Table) -> String {
     format!("**{}**\n\n{}", table.title, markdown(&table.head, &table.rows))
 }
 
+/// A text behind a line that opens it; open from the start where that is asked for.
+pub fn folded(summary: &str, text: &str, open: bool) -> String {
+    let open = if open { " open" } else { "" };
+    format!("<details{open}><summary>{summary}</summary>\n\n{text}\n</details>\n\n")
+}
+
+/// A study's table behind its title.
+pub fn folded_table(table: &Table) -> String {
+    folded(&table.title, &markdown(&table.head, &table.rows), false)
+}
+
 fn escape(cell: &str) -> String {
     cell.replace('|', "\\|")
 }

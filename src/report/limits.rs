@@ -1,7 +1,5 @@
 //! Where everything else breaks: one row a limit, then the tables that show more, then the requirements.
 
-use std::fmt::Write;
-
 use crate::case::{Finding, Table, limits};
 use crate::report::{checks, format};
 
@@ -19,8 +17,7 @@ pub fn section(findings: &[Finding]) -> String {
     );
     text += &format::markdown(&limits::HEAD.map(String::from), &rows);
     for table in tables(false) {
-        let _ = write!(text, "\n{}", format::titled(table));
+        text += &format!("\n{}", format::folded_table(table));
     }
-    let _ = write!(text, "\n{}\n", checks::table(&members));
-    text
+    text + &checks::table(&members)
 }
