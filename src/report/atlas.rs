@@ -19,6 +19,7 @@ pub fn section(findings: &[Finding]) -> Result<String, Error> {
     text += "\n![Steps against initial stiffness with the predicted curves](snapshots/charts/steps-predicted.svg)\n\
          *Fig. 11 once more: measured points on curves predicted from the condensed matrices; truncated Hertz, candidates to 1.9 \
          half-widths; colours tell the rules apart. Hollow signs above the frame: how the others ended.*\n\n";
+    text += LAWS;
     let _ = writeln!(text, "{}", methods(&digests));
     text += "![Maps over the candidate surface](snapshots/charts/atlas-stretch.svg)\n\
          *How every run ends over initial stiffness and candidate surface, with the predicted boundary.*\n\n\
@@ -214,9 +215,15 @@ fn predictions(findings: &[Finding]) -> String {
     .concat()
 }
 
+const LAWS: &str = "\
+The curves, from the condensed matrices and the final contact set alone: *constant stiffness with correction* is followed as a \
+linear iteration from its start to the tolerance, and takes no fewer steps than hard springs need to work off their gaps, \
+k₀ g/p̄; *varying stiffness* is as slow as the slowest point near the contact edge, whose force falls by w/g, or by κ (w − g), a step; \
+*kinematic load* halves L² − a². Derivations stand beside the formulas in `src/stability`.\n\n";
+
 const EXPLAINED: &str = "\
 What is behind the rows: *line and layer elements* have an alternating pressure mode that hard springs raise and soft ones \
 hardly feel, so that their runs end earlier or later than the limit's rates say, and varying stiffness does not converge from \
 hard starts. *Varying stiffness with correction* falls into its cycle from afar where the contact itself still attracts. \
-*Constant stiffness with secant* may pass within the tolerance where points next to the centre have died: a force that is once \
-zero stays zero. *Candidates that end at the contact edge* (L/a = 1) leave a last point neither open nor closed, which opens on the way.\n\n";
+*Constant stiffness with secant* may pass where the whole gap of the point nearest the centre, in which \
+its instability sits, is below the tolerance: the residual does not see it swing.\n\n";

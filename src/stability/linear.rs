@@ -1,4 +1,5 @@
-//! Steps of constant stiffness, linearised on the final contact set: from the error of its start, not only its rate.
+//! Steps of constant stiffness: linearised on the final contact set, from the error of its start and not only its rate; and
+//! what the projection of hard springs costs before that.
 
 use faer::Mat;
 
@@ -39,6 +40,17 @@ pub fn steps(problem: &ContactProblem, limit: &Limit, tolerance: f64) -> Option<
         }
     }
     Some((taken + 2) as f64)
+}
+
+/// Steps `max k₀ g/p̄` over the closed points in which hard springs work off their gaps; p̄ is the mean pressure of the candidates.
+///
+/// Hard springs without a gap hold every candidate at w ≈ 0 with about p̄. As long as `k₀ g > p`, the rule wants less than
+/// no force, and the projection `max(0, ·)` lets the carried force fall by no more than p a step: the gap opens by p/k₀.
+pub fn worked_off(problem: &ContactProblem, limit: &Limit) -> f64 {
+    let weights = || problem.points.iter().map(|point| point.weight);
+    let mean = weights().zip(&limit.pressure).map(|(a, p)| a * p).sum::<f64>() / weights().sum::<f64>();
+    let closed = (0..limit.closed.len()).filter(|&i| limit.closed[i]);
+    closed.map(|i| problem.initial[i] * problem.points[i].gap / mean).fold(1.0, f64::max)
 }
 
 /// Largest penetration of a closed point over `g_ref`, or force of an open one over `p_ref`, that an error `δr` makes; open

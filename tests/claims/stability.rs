@@ -265,3 +265,20 @@ fn the_limit_is_the_contact_that_kinematic_load_finds() {
         }
     }
 }
+
+#[test]
+fn hard_springs_work_off_their_gaps_step_by_step_where_every_candidate_stays_closed() {
+    let (scene, _, _) = truncated_hertz(TruncatedHertz { stretch: 1.0, ..Default::default() });
+    let resolution = Resolution { elements: 4, refinement: 0, order: Order::Quadratic };
+    let discretisation = Discretisation::of(scene, resolution).expect("a scene");
+    for stiffness in [50.0, 500.0] {
+        let formulation = Formulation { stiffness, ..Formulation::new(Element::Node, Iteration::Constant) };
+        let points: Vec<ContactPoint> = discretisation.points(&formulation);
+        let problem = discretisation.problem(&formulation, &points);
+        let limit = Limit::of(&problem).expect("a limit").expect("converged");
+        assert!(linear::steps(&problem, &limit, 1e-3).expect("a prediction") < 10.0);
+        let run = discretisation.solve(&formulation).expect("solved").work.steps as f64;
+        let predicted = linear::worked_off(&problem, &limit);
+        assert!((predicted / run).max(run / predicted) < 2.0, "κ₀ = {stiffness}: {predicted} against {run}");
+    }
+}

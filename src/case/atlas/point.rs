@@ -97,7 +97,9 @@ impl<'a> Ground<'a> {
                 return [f64::NAN, halving::steps(stretch, edge, spacing, formulation.stiffness) as f64];
             }
             (Iteration::Constant, StiffnessRule::Correction) => {
-                rate::correction(&problem, &limit.closed).zip(linear::steps(&problem, limit, tolerance))
+                let steps = linear::steps(&problem, limit, tolerance);
+                let steps = steps.map(|steps| steps.max(linear::worked_off(&problem, limit)));
+                rate::correction(&problem, &limit.closed).zip(steps)
             }
             (Iteration::Constant, StiffnessRule::Secant) => {
                 rate::secant_force(&problem, limit).map(|rate| (rate, rate::steps(rate, tolerance)))
