@@ -265,6 +265,12 @@ impl Formulation {
                 remedy: "start the kinematic algorithm so, or choose the start `closed`".into(),
             });
         }
+        if self.start != Start::Closed && self.settings.increments > 1 {
+            return Err(Error::Combination {
+                what: "a nested start carries the contact of the whole load, which increments do not begin with".into(),
+                remedy: "use 1 increment, or choose the start `closed`".into(),
+            });
+        }
         Ok(())
     }
 }

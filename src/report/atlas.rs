@@ -54,8 +54,9 @@ fn recommendation(digests: &[Digest]) -> String {
     };
     let pick = |algorithm: &str| reliable.iter().find(|(digest, ..)| digest.name.contains(algorithm));
     let points: usize = digests.iter().flat_map(|digest| &digest.ends).map(|(_, count)| count).sum();
+    let predicted: usize = digests.iter().map(|digest| digest.predicted).sum();
     let mut text = format!(
-        "From {points} runs over candidate surface, mesh and both paper scenes, each predicted before it was run:\n\n"
+        "From {points} runs over candidate surface, mesh and both paper scenes, {predicted} of them predicted before they were run:\n\n"
     );
     if let Some(first) = reliable.first() {
         let _ = writeln!(text, "* **Use** {}.", sentence(first));
@@ -90,11 +91,15 @@ const INSTEAD: [(&str, &str, &str); 7] = [
         "steps grow as w/g → 1 just outside the contact",
         "kinematic load; or a looser tolerance, as the points outside decide",
     ),
-    ("varying.correction", "a cycle of period 2, 4, 8 … as κ₀ grows", "κ₀ ≤ 1, or `secant`"),
+    (
+        "varying.correction",
+        "the error that no spring is left, or a cycle of period 2, 4, 8 … as κ₀ grows",
+        "the range before this, or `secant`",
+    ),
     (
         "constant.correction",
         "residuals that fall by the same small factor at each step",
-        "κ₀ near 1 to 3, or an acceleration",
+        "the range before this, at best near its middle; or an acceleration",
     ),
     ("constant.secant", "stiffest spring asked for grows with the mesh; residuals stand", "`correction`"),
     ("constant.literal", "forces left in open points; residuals stand or grow", "`correction`, which keeps forces"),
@@ -141,7 +146,9 @@ fn methods(digests: &[Digest]) -> String {
 
 /// Steps along the slices, at the default initial stiffness of each algorithm.
 fn slices(charts: &[Chart]) -> String {
-    let mut text = String::from("Slices through the centre, at each algorithm's own initial stiffness:\n\n");
+    let mut text = String::from(
+        "Slices through the centre, at the surveyed initial stiffness next to each algorithm's own (kinematic load on line and layer elements: 1e3):\n\n",
+    );
     for chart in
         charts.iter().filter(|chart| [Plane::Increments, Plane::Thickness, Plane::Quadrature].contains(&chart.plane))
     {
@@ -191,7 +198,7 @@ fn predictions(findings: &[Finding]) -> String {
          The asymptotic rate of an iteration is the spectral radius of its error's matrix on the final contact set, made of the \
          flexibility of the contact and of its springs; – where too few steps lie between the final contact set and round-off. \
          Truncated Hertz, contact edge between two nodes. Where a start hardly holds the slowest mode, round-off comes before that is \
-         alone: there the iteration linearised on the final contact set, followed from its start over the same residuals, is the prediction.\n\n"
+         alone: there the spectral radius fails, and what holds is the iteration linearised on the final contact set and followed from its start over the same residuals.\n\n"
             .into(),
         joined(rates::RATES, &rates::RATES_HEAD),
         "\n### Why `secant` and `literal` fail with constant stiffness\n\n\
@@ -208,7 +215,8 @@ fn predictions(findings: &[Finding]) -> String {
         joined(basin::BASIN, &basin::HEAD),
         "\n### Kinematic load: the halving law\n\n\
          Started with every candidate closed it shrinks the contact by halving L² − a². The paper's *two steps for any initial \
-         stiffness* hold exactly where the candidates end at the contact edge, L = a; elsewhere each halving of the mesh costs one more.\n\n"
+         stiffness* hold exactly where the candidates end at the contact edge, L = a; elsewhere each halving of the mesh costs one more. \
+         The law is one of nodes: on the Gauss points of line and layer elements their alternating mode costs more steps (table below).\n\n"
             .into(),
         each(halving::HALVING),
     ]

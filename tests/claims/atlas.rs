@@ -2,7 +2,8 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use contact_vv::case::atlas::{Chart, Class, Plane, Record, record, survey};
+use contact_vv::case::atlas::judge::is_as_recorded;
+use contact_vv::case::atlas::{Chart, Class, Plane, Record, record, summary, survey};
 use contact_vv::error::Error;
 
 fn point(formulation: &str, ordinate: f64, stiffness: f64, class: Class, steps: usize) -> Record {
@@ -98,4 +99,60 @@ fn a_survey_goes_on_where_it_stopped() {
     let (resumed, fresh) = found.split_at(stiffnesses.len());
     assert!(resumed.iter().all(|record| record.steps == 123_456));
     assert!(fresh.iter().all(|record| record.steps <= 2000));
+}
+
+#[test]
+fn a_point_is_as_recorded_only_if_class_counts_measures_and_predictions_are() {
+    let plane = Plane::Thickness;
+    let mut records = flat(plane);
+    records[5].class = Class::Diverged;
+    let chart = Chart::of(plane, &records);
+    let spoiled = |change: &dyn Fn(&mut Record), column: usize| {
+        let mut fresh = records[column].clone();
+        change(&mut fresh);
+        is_as_recorded(&chart, 0, column, &fresh)
+    };
+    assert!(spoiled(&|_| (), 0) && spoiled(&|_| (), 4) && spoiled(&|_| (), 5));
+    let changes: [&dyn Fn(&mut Record); 7] = [
+        &|r| r.class = Class::Slow,
+        &|r| r.steps += 1,
+        &|r| r.error *= 1.01,
+        &|r| r.residual *= 1.01,
+        &|r| r.rate = f64::NAN,
+        &|r| r.predicted_rate *= 1.01,
+        &|r| r.predicted_steps = 5000.0,
+    ];
+    for (k, change) in changes.iter().enumerate() {
+        assert!(!spoiled(change, 0), "change {k} far from a boundary");
+        // Beside a boundary what was measured may move, the class and the predictions may not.
+        assert_eq!(spoiled(change, 4), (1..5).contains(&k), "change {k} beside a boundary");
+    }
+}
+
+#[test]
+fn rows_on_the_same_mesh_share_one_condensation() {
+    let sites = survey::sites(&Plane::ALL);
+    let on_the_centre =
+        |rows: &&Vec<Vec<contact_vv::case::atlas::Row>>| rows[0][0].mesh() == Plane::Increments.rows()[0].mesh();
+    assert_eq!(sites.iter().filter(on_the_centre).count(), 1);
+    // Seven stretches and five meshes, the centre in both, and the two scenes of the paper.
+    assert_eq!(sites.len(), 7 + 5 - 1 + 2);
+}
+
+#[test]
+fn a_digest_takes_what_converges_everywhere_and_the_best_of_the_worst() {
+    let mut charts = summary::charts().expect("records");
+    let name = "node.constant.correction";
+    let of = |charts: &[Chart]| summary::digests(charts).into_iter().find(|d| d.name == name).expect("a digest");
+    let before = of(&charts);
+    let ([from, to], (best, steps)) = (before.safe.expect("a range"), before.best.expect("a start"));
+    assert!(from <= best && best <= to && from < to);
+    let row = charts[0].rows.iter_mut().find(|row| row[0].formulation == name).expect("a row");
+    let point = row.iter_mut().find(|r| record::same(r.stiffness, best)).expect("the best start");
+    point.steps = 10 * steps;
+    let after = of(&charts);
+    assert!(after.best.is_some_and(|(stiffness, steps_now)| !record::same(stiffness, best) && steps_now >= steps));
+    let row = charts[0].rows.iter_mut().find(|row| row[0].formulation == name).expect("a row");
+    row.iter_mut().filter(|r| r.stiffness >= best).for_each(|r| r.class = Class::Slow);
+    assert!(of(&charts).safe.is_none_or(|[_, to]| to < best));
 }

@@ -213,3 +213,32 @@ fn share_below_three_times_the_plain_one_turns_red() {
     assert_eq!(reach::times(plain, &spoiled).verdict, Verdict::Fail);
     assert_eq!(reach::times(plain, plain).verdict, Verdict::Fail);
 }
+
+/// What follows a state of residual 10 after so many quiet evaluations: times it was given up, and the plain step before it.
+fn after_a_jump(quiet: usize) -> (usize, Vec<f64>, Vec<f64>) {
+    let mut accelerator = Accelerator::new(Acceleration::CrossedSecant, vec![1.0], 1.0);
+    let (mut x, mut plain, mut rejected) = (vec![0.0], vec![0.0], 0);
+    for k in 0..quiet {
+        let f = vec![1e-6 * 0.99_f64.powi(k as i32)];
+        plain = vec![x[0] + f[0]];
+        x = accelerator.next(&x, &f, &mut rejected);
+    }
+    assert_eq!(rejected, 0, "quiet evaluations are accepted");
+    let next = accelerator.next(&x, &[10.0], &mut rejected);
+    (rejected, next, plain)
+}
+
+#[test]
+fn the_safeguard_tightens_with_every_accelerated_step_and_falls_back_to_the_plain_one() {
+    assert_eq!(after_a_jump(3).0, 0);
+    let (rejected, next, plain) = after_a_jump(60);
+    assert_eq!((rejected, next), (1, plain));
+}
+
+#[test]
+fn a_nested_start_with_increments_is_refused() {
+    let mut formulation = Formulation { start: Start::Nested, ..Formulation::new(Element::Node, Iteration::Kinematic) };
+    formulation.settings.increments = 2;
+    let refused = truncated(2).solve(&formulation).expect_err("refused").to_string();
+    assert!(refused.contains("increment") && refused.contains("closed"), "{refused}");
+}

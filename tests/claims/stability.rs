@@ -84,7 +84,9 @@ fn rates_of_a_problem_without_springs_are_none() {
 #[test]
 fn halving_takes_one_step_where_the_candidates_end_at_the_edge_and_one_more_by_each_doubling() {
     assert_eq!(halving::steps(1.0, 1.0, 0.1, 1e6), 1);
-    assert_eq!(halving::steps(1.0, 1.0, 0.1, 1.0), 2);
+    assert_eq!(halving::steps(1.0, 1.0, 0.1, 0.1), 2);
+    assert_eq!(halving::steps(1.0, 1.0, 0.1, 2e3), 1);
+    assert_eq!(halving::steps(1.0, 1.0, 0.1, 1.0), 1);
     // (4 − 1)/(2 · 1/16) = 24, between 2⁴ and 2⁵; halving the spacing adds one.
     assert_eq!(halving::steps(2.0, 1.0, 1.0 / 16.0, 1e6), 6);
     assert_eq!(halving::steps(2.0, 1.0, 1.0 / 32.0, 1e6), 7);

@@ -145,22 +145,39 @@ impl Row {
         formulation
     }
 
+    /// Candidate stretch over the half-width, where the plane says it.
+    fn stretch(&self) -> f64 {
+        if self.plane == Plane::Stretch { self.ordinate } else { STRETCH }
+    }
+
+    /// Elements per half-width or per 10 mm.
+    fn elements(&self) -> usize {
+        match self.plane {
+            Plane::Mesh | Plane::Cylinder | Plane::PinRod => self.ordinate as usize,
+            _ => ELEMENTS,
+        }
+    }
+
+    /// What rows on the same mesh share: scene, candidate stretch, elements.
+    pub fn mesh(&self) -> (&'static str, u64, usize) {
+        let (scene, stretch) = match self.plane {
+            Plane::Cylinder | Plane::PinRod => (self.plane.name(), 0.0),
+            _ => ("truncated-hertz", self.stretch()),
+        };
+        (scene, stretch.to_bits(), self.elements())
+    }
+
     /// The scene and its mesh.
     pub fn problem(&self) -> Result<(Problem, Resolution), crate::error::Error> {
         let problem = match self.plane {
             Plane::Cylinder => problem::problem("cylinder", None)?,
             Plane::PinRod => problem::problem("pin-rod", None)?,
             _ => {
-                let stretch = if self.plane == Plane::Stretch { self.ordinate } else { STRETCH };
-                let numbers = TruncatedHertz { stretch, ..Default::default() };
+                let numbers = TruncatedHertz { stretch: self.stretch(), ..Default::default() };
                 Problem::new("truncated-hertz", "truncated Hertz", problem::truncated_hertz(numbers))
             }
         };
-        let elements = match self.plane {
-            Plane::Mesh | Plane::Cylinder | Plane::PinRod => self.ordinate as usize,
-            _ => ELEMENTS,
-        };
-        let resolution = Resolution { elements, ..problem.resolution };
+        let resolution = Resolution { elements: self.elements(), ..problem.resolution };
         Ok((problem, resolution))
     }
 }

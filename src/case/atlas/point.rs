@@ -157,11 +157,6 @@ fn rounded(value: f64) -> f64 {
 
 /// Whether two rows share their ground: scene, mesh and contact points.
 pub fn share_ground(a: &Row, b: &Row) -> bool {
-    a.element == b.element && share_site(a, b)
-}
-
-/// Whether two rows share their scene and mesh.
-pub fn share_site(a: &Row, b: &Row) -> bool {
-    let key = |row: &Row| (row.plane, row.ordinate.to_bits());
+    let key = |row: &Row| (row.plane, row.ordinate.to_bits(), row.element);
     key(a) == key(b)
 }

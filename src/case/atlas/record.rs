@@ -146,5 +146,7 @@ pub fn write_file(path: &Path, records: &[Record]) -> Result<(), Error> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder).map_err(|error| failed(error.to_string()))?;
     }
-    std::fs::write(path, text).map_err(|error| failed(error.to_string()))
+    // Whoever is broken off leaves the old file or the new one, never half of it.
+    let fresh = path.with_extension("csv.new");
+    std::fs::write(&fresh, text).and_then(|()| std::fs::rename(&fresh, path)).map_err(|error| failed(error.to_string()))
 }

@@ -22,8 +22,8 @@ pub struct Digest {
     pub best: Option<(f64, usize)>,
     /// Runs by how they ended.
     pub ends: Vec<(Class, usize)>,
-    /// Largest L2 of edge means among the converged.
-    pub worst_error: f64,
+    /// Runs that had a prediction.
+    pub predicted: usize,
 }
 
 /// All recorded planes.
@@ -38,14 +38,14 @@ pub fn digests(charts: &[Chart]) -> Vec<Digest> {
         for algorithm in Iteration::ALL {
             for rule in algorithm.rules() {
                 let name = format!("{}.{}.{}", element.name(), algorithm.name(), rule.name());
-                digests.push(digest(charts, name));
+                digests.push(digest(charts, name, algorithm.default_stiffness(element)));
             }
         }
     }
     digests
 }
 
-fn digest(charts: &[Chart], name: String) -> Digest {
+fn digest(charts: &[Chart], name: String, usual: f64) -> Digest {
     let scenes = charts.iter().filter(|chart| SCENES.contains(&chart.plane));
     let rows: Vec<&[Record]> = scenes.flat_map(|chart| chart.of_formulation(&name)).collect();
     let columns = rows.first().map_or(0, |row| row.len());
@@ -53,16 +53,17 @@ fn digest(charts: &[Chart], name: String) -> Digest {
     let holds = |c: usize| column(c).all(|record| record.class == Class::Converged);
     let safe = longest_run(columns, holds);
     let worst = |c: usize| column(c).map(|record| record.steps).max().unwrap_or(0);
-    let best =
-        safe.and_then(|[from, to]| (from..=to).min_by_key(|&c| worst(c))).map(|c| (rows[0][c].stiffness, worst(c)));
+    // Of equals the one nearest to the algorithm's own start.
+    let away = |c: usize| (rows[0][c].stiffness / usual).ln().abs();
+    let better = |a: &usize, b: &usize| worst(*a).cmp(&worst(*b)).then(away(*a).total_cmp(&away(*b)));
+    let best = safe.and_then(|[from, to]| (from..=to).min_by(better)).map(|c| (rows[0][c].stiffness, worst(c)));
     let all = || rows.iter().flat_map(|row| row.iter());
     let count = |class: Class| (class, all().filter(|record| record.class == class).count());
-    let converged = all().filter(|record| record.class == Class::Converged);
     Digest {
         safe: safe.map(|ends| ends.map(|c| rows[0][c].stiffness)),
         best,
         ends: Class::ALL.map(count).into_iter().filter(|(_, number)| *number > 0).collect(),
-        worst_error: converged.map(|record| record.error).fold(f64::NAN, f64::max),
+        predicted: all().filter(|record| !record.predicted_steps.is_nan()).count(),
         name,
     }
 }

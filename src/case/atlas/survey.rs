@@ -6,24 +6,30 @@ use std::sync::{Mutex, OnceLock};
 use rayon::prelude::*;
 
 use crate::case::atlas::plan::{Plane, Row};
-use crate::case::atlas::point::{Ground, Site, share_ground, share_site};
+use crate::case::atlas::point::{Ground, Site, share_ground};
 use crate::case::atlas::record::{self, Record};
 use crate::error::Error;
 use crate::oracle::cross_code::frozen::sha256;
 use crate::oracle::cross_code::root;
 
-/// Rows that share a scene and its mesh, in groups that also share their contact points.
-pub fn sites(plane: Plane) -> Vec<Vec<Vec<Row>>> {
-    let sites = groups(plane.rows(), share_site);
-    sites.into_iter().map(|rows| groups(rows, share_ground)).collect()
+/// Rows of some planes by the mesh they share, in groups that also share their contact points.
+pub fn sites(planes: &[Plane]) -> Vec<Vec<Vec<Row>>> {
+    let mut sites: Vec<Vec<Row>> = Vec::new();
+    for row in planes.iter().flat_map(|plane| plane.rows()) {
+        match sites.iter_mut().find(|rows| rows[0].mesh() == row.mesh()) {
+            Some(rows) => rows.push(row),
+            None => sites.push(vec![row]),
+        }
+    }
+    sites.into_iter().map(grounds).collect()
 }
 
-/// Neighbours that belong together.
-fn groups(rows: Vec<Row>, together: impl Fn(&Row, &Row) -> bool) -> Vec<Vec<Row>> {
+/// Neighbours that share their contact points.
+fn grounds(rows: Vec<Row>) -> Vec<Vec<Row>> {
     let mut groups: Vec<Vec<Row>> = Vec::new();
     for row in rows {
         match groups.last_mut() {
-            Some(group) if together(&group[0], &row) => group.push(row),
+            Some(group) if share_ground(&group[0], &row) => group.push(row),
             _ => groups.push(vec![row]),
         }
     }
@@ -39,7 +45,7 @@ pub fn size() -> usize {
 ///
 /// Finished rows are kept in the folder `unfinished`, from which a survey that was broken off goes on.
 pub fn survey(planes: &[Plane], unfinished: &Path, records: &Path, done: impl Fn(usize) + Sync) -> Result<(), Error> {
-    let sites: Vec<Vec<Vec<Row>>> = planes.iter().flat_map(|plane| sites(*plane)).collect();
+    let sites = sites(planes);
     let writing = Mutex::new(());
     sites.par_iter().try_for_each(|grounds| -> Result<(), Error> {
         // Entered by the first ground that is not finished: what was surveyed before needs no condensation.
@@ -47,7 +53,7 @@ pub fn survey(planes: &[Plane], unfinished: &Path, records: &Path, done: impl Fn
         grounds.par_iter().try_for_each(|rows| rows_of_a_ground(rows, &site, unfinished, &writing, &done))
     })?;
     for plane in planes {
-        let found = kept(&file(unfinished, *plane))?;
+        let found = kept(&file(unfinished, *plane));
         let points = plane.rows().into_iter().flat_map(|row| plane.stiffnesses().into_iter().map(move |k| (row, k)));
         let ordered: Vec<Record> =
             points.filter_map(|(row, k)| found.iter().find(|record| record.is_at(&row, k)).cloned()).collect();
@@ -70,7 +76,7 @@ fn rows_of_a_ground(
         let (path, stiffnesses) = (file(unfinished, row.plane), row.plane.stiffnesses());
         let before = {
             let _alone = lock();
-            kept(&path)?
+            kept(&path)
         };
         if stiffnesses.iter().all(|k| before.iter().any(|record| record.is_at(row, *k))) {
             done(stiffnesses.len());
@@ -86,7 +92,7 @@ fn rows_of_a_ground(
             done(1);
         }
         let _alone = lock();
-        record::write_file(&path, &[kept(&path)?, fresh].concat())?;
+        record::write_file(&path, &[kept(&path), fresh].concat())?;
     }
     Ok(())
 }
@@ -97,8 +103,9 @@ fn entered<'a>(site: &'a OnceLock<Result<Site, Error>>, row: &Row) -> Result<&'a
     site.get_or_init(|| Site::of(row)).as_ref().map_err(again)
 }
 
-fn kept(path: &Path) -> Result<Vec<Record>, Error> {
-    if path.is_file() { record::read_file(path) } else { Ok(Vec::new()) }
+/// Finished rows; a file that cannot be read holds none, and is surveyed anew.
+fn kept(path: &Path) -> Vec<Record> {
+    record::read_file(path).unwrap_or_default()
 }
 
 fn file(folder: &Path, plane: Plane) -> PathBuf {
@@ -107,6 +114,13 @@ fn file(folder: &Path, plane: Plane) -> PathBuf {
 
 /// Folder of the running program's unfinished survey: another program starts afresh.
 pub fn unfinished() -> Result<PathBuf, Error> {
+    if !root().join("Cargo.toml").is_file() {
+        return Err(Error::File {
+            path: root(),
+            reason: "the checkout this program was built in is no longer there".into(),
+            remedy: "build it again where the checkout is now".into(),
+        });
+    }
     let unreadable = |error: std::io::Error| Error::File {
         path: "the running program".into(),
         reason: error.to_string(),

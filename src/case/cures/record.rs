@@ -75,7 +75,8 @@ fn runs(
 ) -> Result<Runs, Error> {
     let settings = Settings { tolerance: TOLERANCES[1], max_steps: STEPS, ..Settings::default() };
     let base = Formulation { acceleration, settings, ..Formulation::new(element, Iteration::Constant) };
-    let mut runs = Runs { formulation: base.name(), steps: Default::default(), rejected: 0, apart: 0.0 };
+    let mut runs = Runs { formulation: base.name(), steps: Default::default(), rejected: 0, apart: f64::NAN };
+    let mut apart = Vec::new();
     for (index, plane) in planes.iter().enumerate() {
         let mut steps = [Vec::new(), Vec::new()];
         for stiffness in stiffnesses() {
@@ -86,17 +87,19 @@ fn runs(
                 steps.push(history.position(|step| step.residuals.largest() <= tolerance).map(|at| at + 1));
             }
             if index == DRAWN && solution.converged() {
-                let apart = apart(&solution, exact) / plane.scene.reference.pressure;
-                runs.apart = if apart.is_nan() { f64::NAN } else { runs.apart.max(apart) };
+                apart.push(difference(&solution, exact) / plane.scene.reference.pressure);
             }
         }
         runs.steps.iter_mut().zip(steps).for_each(|(all, steps)| all.push(steps));
     }
+    // None that converges on the drawn plane is no agreement.
+    let larger = |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) };
+    runs.apart = apart.into_iter().reduce(larger).unwrap_or(f64::NAN);
     Ok(runs)
 }
 
 /// Largest difference of mean edge pressures \[MPa\].
-fn apart(one: &Solution, other: &Solution) -> f64 {
+fn difference(one: &Solution, other: &Solution) -> f64 {
     let differences = one.edges.iter().zip(&other.edges).map(|(a, b)| (a.pressure - b.pressure).abs());
     differences.fold(0.0, |worst: f64, d| if d.is_nan() { d } else { worst.max(d) })
 }

@@ -18,8 +18,6 @@ const STARTS: [f64; 10] = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
 const NUDGE: f64 = 1e-3;
 const STEPS: usize = 3000;
 const LEFT: f64 = 1e-2;
-/// Nearer to ρ = 1 than this a start is not judged.
-const NEAR: f64 = 0.02;
 
 /// One trial an element.
 pub(super) fn trials() -> Vec<Trial> {
@@ -38,10 +36,8 @@ fn near_and_far(element: Element) -> Result<Finding, Error> {
         let limit = Limit::of(&problem)?;
         let rate = limit.as_ref().and_then(|limit| rate::varying_correction(&problem, limit)).unwrap_or(f64::NAN);
         let stays = limit.is_some_and(|limit| stays(&problem, &limit));
-        if (rate - 1.0).abs() > NEAR || stays == (rate < 1.0) {
-            judged += 1;
-            wrong += usize::from(rate.is_nan() || stays != (rate < 1.0));
-        }
+        judged += 1;
+        wrong += usize::from(rate.is_nan() || stays != (rate < 1.0));
         let far = match discretisation.solve(&formulation) {
             Ok(solution) => format!("{} after {}", solution.outcome, solution.work.steps),
             Err(error @ Error::NoSpringLeft { .. }) => error.to_string(),

@@ -18,7 +18,7 @@ const TARGETS: [f64; 7] = [-0.1, 0.1, 1.0, 3.0, 10.0, 1e2, 1e4];
 /// Nearer to the boundary than this a point is not judged.
 const NEAR: f64 = 1.02;
 /// Neither is one that ends about where the limit of steps is: [`progress`] between these.
-const CRAWLING: std::ops::Range<f64> = 0.5..2.0;
+const CRAWLING: std::ops::Range<f64> = 0.98..1.02;
 /// Rates between which prediction and measurement are compared.
 const MEASURABLE: [f64; 2] = [0.05, 0.999];
 /// Steps of a window, relative difference of ln ρ between two of them at which the slowest mode is alone, most windows.

@@ -20,11 +20,10 @@ pub fn steps(stretch: &Plane) -> Result<String, Error> {
         for element in Element::ALL {
             let title = format!("{} · {}", element.name(), algorithm.name());
             let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-6, 1e6), Axis::log("steps").over(1.0, 3000.0));
-            let colours = [palette::LINE, palette::LAYER, palette::PURPLE].into_iter();
-            for (colour, rule) in colours.zip(algorithm.rules().iter().map(|rule| rule.name())) {
+            for rule in algorithm.rules().iter().map(|rule| rule.name()) {
                 let name = format!("{}.{}.{rule}", element.name(), algorithm.name());
                 if let Some(row) = stretch.of_formulation(&name).find(|row| (row[0].ordinate - CENTRE).abs() < 1e-3) {
-                    chart.series.extend(curves(row, rule, colour));
+                    chart.series.extend(curves(row, rule));
                 }
             }
             charts.push(chart);
@@ -33,8 +32,20 @@ pub fn steps(stretch: &Plane) -> Result<String, Error> {
     panels("Steps against initial stiffness: measured points on predicted curves", &charts, 3)
 }
 
+/// One colour a rule, whatever the algorithm.
+fn colour(rule: &str) -> Colour {
+    match rule {
+        "secant" => palette::LINE,
+        "correction" => palette::LAYER,
+        "literal" => palette::PURPLE,
+        "switching" => palette::NODE,
+        _ => palette::SKY,
+    }
+}
+
 /// Predicted curve, measured points, and the failures by their cause.
-fn curves(row: &[Record], rule: &str, colour: Colour) -> Vec<Series> {
+fn curves(row: &[Record], rule: &str) -> Vec<Series> {
+    let colour = colour(rule);
     let points = |of: &dyn Fn(&Record) -> f64| row.iter().map(|r| (r.stiffness, of(r))).collect::<Vec<_>>();
     let predicted = points(&|r| if r.predicted_steps.is_finite() { r.predicted_steps } else { f64::NAN });
     let measured = points(&|r| if r.class == Class::Converged { r.steps as f64 } else { f64::NAN });
@@ -103,7 +114,7 @@ pub fn map(plane: &Plane) -> Result<String, Error> {
 }
 
 const NOTE: &str = "The black line is predicted: on its one side the condensed matrices say that a run ends within 2000 steps, on \
-    the other that it does not. Slow: not at the tolerance after 2000 steps. No spring left: the named error. Spilled: contact beyond the candidates, the named error. Nothing is predicted for `literal`.";
+    the other that it does not. Slow: not at the tolerance after 2000 steps. No spring left: the named error. Spilled: contact beyond the candidates, the named error. Nothing is predicted for `literal` and `penalty`.";
 
 fn cell(record: &Record) -> Cell {
     let [quick, ordinary] = QUICK;
