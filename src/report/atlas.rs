@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::case::atlas::plan::STRETCH;
 use crate::case::atlas::summary::{self, Digest};
 use crate::case::atlas::{ATLAS, Chart, Class, Plane, Record};
 use crate::case::stability::{basin, failing, fixed_target, halving, rates};
@@ -16,9 +17,12 @@ pub fn section(findings: &[Finding]) -> Result<String, Error> {
     let digests = summary::digests(&charts);
     let mut text = String::from("## Where methods fail\n\n");
     text += &recommendation(&digests);
-    text += "\n![Steps against initial stiffness with the predicted curves](snapshots/charts/steps-predicted.svg)\n\
-         *Fig. 11 once more: measured points on curves predicted from the condensed matrices; truncated Hertz, candidates to 1.9 \
-         half-widths; colours tell the rules apart. Hollow signs above the frame: how the others ended.*\n\n";
+    let _ = write!(
+        text,
+        "\n![Steps against initial stiffness with the predicted curves](snapshots/charts/steps-predicted.svg)\n\
+         *Fig. 11 once more: measured points on curves predicted from the condensed matrices; truncated Hertz, candidates to {STRETCH} \
+         half-widths; colours tell the rules apart. Hollow signs above the frame: how the others ended.*\n\n"
+    );
     text += LAWS;
     let _ = writeln!(text, "{}", methods(&digests));
     text += "![Maps over the candidate surface](snapshots/charts/atlas-stretch.svg)\n\
@@ -146,9 +150,8 @@ fn methods(digests: &[Digest]) -> String {
 
 /// Steps along the slices, at the default initial stiffness of each algorithm.
 fn slices(charts: &[Chart]) -> String {
-    let mut text = String::from(
-        "Slices through the centre, at the surveyed initial stiffness next to each algorithm's own (kinematic load on line and layer elements: 1e3):\n\n",
-    );
+    let mut text =
+        String::from("Slices through the centre, at the surveyed initial stiffness next to each algorithm's own:\n\n");
     for chart in
         charts.iter().filter(|chart| [Plane::Increments, Plane::Thickness, Plane::Quadrature].contains(&chart.plane))
     {
@@ -171,6 +174,8 @@ fn slices(charts: &[Chart]) -> String {
                     })
                     .collect();
                 if !cells.is_empty() {
+                    let at = chart.of_formulation(&name).flat_map(|row| row.iter().find(near)).next();
+                    let name = at.map_or(name.clone(), |record| format!("{name}, κ₀ = {:e}", record.stiffness));
                     rows.push(std::iter::once(name).chain(cells).collect());
                 }
             }

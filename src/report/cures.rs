@@ -1,19 +1,21 @@
 //! Cures of what fails or is slow: options that are not the paper's.
 
-use crate::case::cures::{self, nested, reach};
+use crate::case::cures::{self, nested, reach, record};
 use crate::case::{Finding, Table};
 use crate::report::{checks, format};
 
 /// The section.
 pub fn section(findings: &[Finding]) -> String {
-    let mut text = String::from(
+    let (starts, planes) = (record::stiffnesses(), record::PLANES.len());
+    let [least, most] = [starts[0], starts[starts.len() - 1]];
+    let mut text = format!(
         "## Cures\n\n\
          Options beside the paper's algorithms, off by default.\n\n\
          **Constant stiffness, accelerated.** With the rule `correction` its step is Douglas–Rachford splitting (Lions & Mercier \
          1979): converging whatever κ₀, but slowly away from the best one. Crossed secant (Ramière & Helfer 2015; \
          for Uzawa's iteration of contact Koliesnikova & Ramière, arXiv:2603.12205) and Anderson acceleration (Walker & Ni \
          2011) with the safeguard of Zhang, O'Donoghue & Boyd 2020, on truncated Hertz: initial stiffnesses in third decades \
-         from 1e-3 to 1e3, on seven planes of candidate stretch and mesh. Where the plain share exceeds a third, no share can be \
+         from {least:e} to {most:e}, on {planes} planes of candidate stretch and mesh. Where the plain share exceeds a third, no share can be \
          three times as large: at the engineering tolerance the possible factor stands in brackets, and the \
          requirement is gated at the tight one. Step counts of long accelerated runs depend on round-off: these are \
          the recorded ones, held live within the drift that noise causes.\n\n",
@@ -23,7 +25,11 @@ pub fn section(findings: &[Finding]) -> String {
         all.filter(|table| table.title == title).flat_map(|table| table.rows.clone()).collect::<Vec<_>>()
     };
     text += &format::markdown(&reach::SHARES_HEAD.map(String::from), &of(cures::REACH, "shares"));
-    text += "\n![Steps of constant stiffness, plain and accelerated](snapshots/charts/cures.svg)\n*Steps of constant stiffness, plain and accelerated; runs that take more than 200 stand hollow above the frame.*\n\n";
+    text += &format!(
+        "\n![Steps of constant stiffness, plain and accelerated](snapshots/charts/cures.svg)\n\
+         *Steps of constant stiffness, plain and accelerated; runs that take more than {} stand hollow above the frame.*\n\n",
+        record::STEPS
+    );
     let planes = format::markdown(&reach::PLANES_HEAD.map(String::from), &of(cures::REACH, "planes"));
     text += &format::folded("Lowest and highest κ₀ that converge, on each plane", &planes, false);
     for table in tables(findings, cures::RULES) {

@@ -8,7 +8,7 @@ use crate::mesh::Resolution;
 use crate::scene::library::TruncatedHertz;
 
 /// Candidate stretch over the half-width at the centre: no node lies on the contact edge.
-const STRETCH: f64 = 1.9;
+pub const STRETCH: f64 = 1.9;
 /// Elements per half-width at the centre.
 const ELEMENTS: usize = 8;
 /// Elements per 10 mm of arc of the pin-rod.

@@ -1,8 +1,9 @@
 //! Steps against initial stiffness with their prediction (Fig. 11), and the maps of the stability atlas.
 
+use crate::case::atlas::plan::STRETCH;
 use crate::case::atlas::{Chart as Plane, Class, Plane as Name, Record};
 use crate::error::Error;
-use crate::formulation::{Element, Iteration};
+use crate::formulation::{Element, Iteration, Settings};
 use crate::report::figure::palette::{self, Colour, Dash, Marker, Style};
 use crate::report::figure::{Axis, Cell, Chart, ClassMap, MapPanel, Series, panels};
 
@@ -10,8 +11,6 @@ use crate::report::figure::{Axis, Cell, Chart, ClassMap, MapPanel, Series, panel
 const QUICK: [usize; 2] = [20, 200];
 /// Where the maps carry ticks: every third decade of twelve, by halves.
 const TICKS: [(usize, &str); 5] = [(0, "1e-6"), (6, "1e-3"), (12, "1"), (18, "1e3"), (24, "1e6")];
-/// Ordinate of the panels of steps: the centre of the atlas.
-const CENTRE: f64 = 1.9;
 
 /// Steps against initial stiffness, one panel per algorithm and element: measured points over the predicted curve.
 pub fn steps(stretch: &Plane) -> Result<String, Error> {
@@ -22,7 +21,7 @@ pub fn steps(stretch: &Plane) -> Result<String, Error> {
             let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-6, 1e6), Axis::log("steps").over(1.0, 3000.0));
             for rule in algorithm.rules().iter().map(|rule| rule.name()) {
                 let name = format!("{}.{}.{rule}", element.name(), algorithm.name());
-                if let Some(row) = stretch.of_formulation(&name).find(|row| (row[0].ordinate - CENTRE).abs() < 1e-3) {
+                if let Some(row) = stretch.of_formulation(&name).find(|row| (row[0].ordinate - STRETCH).abs() < 1e-3) {
                     chart.series.extend(curves(row, rule));
                 }
             }
@@ -108,13 +107,19 @@ pub fn map(plane: &Plane) -> Result<String, Error> {
         columns: 3,
         ticks: TICKS.map(|(column, text)| (column, text.to_string())).into(),
         legend: names.into_iter().zip(colours).collect(),
-        notes: vec![NOTE.into()],
+        notes: vec![note()],
     }
     .svg()
 }
 
-const NOTE: &str = "The black line is predicted: on its one side the condensed matrices say that a run ends within 2000 steps, on \
-    the other that it does not. Slow: not at the tolerance after 2000 steps. No spring left: the named error. Spilled: contact beyond the candidates, the named error. Nothing is predicted for `literal` and `penalty`.";
+fn note() -> String {
+    let limit = Settings::default().max_steps;
+    format!(
+        "The black line is predicted: on its one side the condensed matrices say that a run ends within {limit} steps, on \
+         the other that it does not. Slow: not at the tolerance after {limit} steps. No spring left: the named error. Spilled: \
+         contact beyond the candidates, the named error. Nothing is predicted for `literal` and `penalty`."
+    )
+}
 
 fn cell(record: &Record) -> Cell {
     let [quick, ordinary] = QUICK;
@@ -128,7 +133,7 @@ fn cell(record: &Record) -> Cell {
         Class::Unsupported => 6,
         Class::Spilled => 7,
     };
-    let limit = crate::formulation::Settings::default().max_steps as f64;
+    let limit = Settings::default().max_steps as f64;
     let predicted = (!record.predicted_steps.is_nan()).then_some(record.predicted_steps <= limit);
     Cell { colour: palette::ENDS[place], predicted }
 }
