@@ -1,0 +1,149 @@
+"""Work and precision of the Python oracles on truncated Hertz: work_precision.py CODE < request; JSON lines.
+
+CODE is scikit-fem or dolfinx. Request, one JSON object:
+    scene        numbers of a truncated-hertz scene as in oracles/frozen; its a_over_r is nominal: it grades the mesh,
+                 places the candidates (stretch) and starts the iteration
+    half_widths  a_k [mm], below the last candidate: load P_k = pi a_k^2 E*/4R, as Hertz's tractions on the far sides
+    meshes       sizes n, or [n, level]: cells are at most stretch/n long at the candidates, within 5 %, and grow away
+                 as the oracle's do; `level` cuts every triangle into four. Triangles are bisected, so that the
+                 candidates have 2^m >= n edges, and the sizes in between differ in how soon the cells grow
+    repeats      solutions a load (3)
+    method       "penalty" or "active-set" (optional; scikit-fem alone offers the latter)
+Answer, a line a mesh as soon as done: code, version, method, mesh (as asked), freedoms, contact_edges, and over loads:
+    seconds           median over the repeats, from meshes to pressures: assembly, contact points, factorisations, all
+                      steps, coarser meshes included; not imports, compiled forms, mesh generation
+    steps             iterations, each mesh of the chain apart
+    peak_error        |peak/p0 - 1|, p0 = E* a_k/2R, peak by measures.peak
+    half_width_error  |a/a_k - 1|, a = 2 sqrt(int p x^2 / int p)
+    l2_error          |p - p_H|/|p_H| in L2, p_H = p0 sqrt(1 - x^2/a_k^2): p linear on each edge through its two
+                      points, not cut at zero; 12 Gauss points an edge; |p_H|^2 = 2 a_k p0^2/3
+
+Methods by default: scikit-fem exact active sets, one factorisation in all, cheaper there than the penalty for equal
+error; dolfinx penalty, one factorisation a step. Both start from the nominal contact: active sets on the mesh itself,
+the penalty, unless that is SMALL, on one with a quarter of the contact edges; on a fine mesh it would take 38 steps.
+"""
+
+import importlib
+import json
+import os
+import statistics
+import sys
+import time
+from dataclasses import replace
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, os.pardir, "python"))
+sys.dont_write_bytecode = True  # nothing is written beside the oracles
+
+import environment  # noqa: E402, a file of the oracles
+
+METHOD = {"scikit-fem": "active-set", "dolfinx": "penalty"}
+COARSEST = 8  # contact edges of the coarsest mesh of a chain
+SMALL = 1200  # nodes up to which a coarser mesh costs as much as the steps it saves
+MISSING = 3  # exit code
+
+
+def main(name):
+    """Answers the request on stdin."""
+    if name not in METHOD:
+        sys.exit(f"usage: work_precision.py CODE < request.json, CODE one of {', '.join(METHOD)}")
+    try:
+        environment.prepare(os.path.join(HERE, os.pardir, ".python"))
+    except ModuleNotFoundError as lacking:
+        print(f"{name}: module {lacking.name} is missing: bash oracles/setup.sh", file=sys.stderr)
+        sys.exit(MISSING)
+    import hertz_scenes
+
+    request = json.load(sys.stdin)
+    scene, method = request["scene"], request.get("method", METHOD[name])
+    if name == "dolfinx" and method != "penalty":
+        sys.exit("dolfinx serves the method 'penalty'")
+    last = scene["stretch"] * hertz_scenes.hertz(scene)["half_width"]
+    if not all(0.0 < half_width < last for half_width in request["half_widths"]):
+        sys.exit(f"half-widths must lie between 0 and the last candidate, {last} mm")
+    code = importlib.import_module("physical_" + name.replace("-", "_"))
+    solved([model(scene, COARSEST, 0)], method, code)  # warm-up
+    for mesh in request["meshes"]:
+        size, level = mesh if isinstance(mesh, list) else (mesh, 0)
+        chain, edges = models(scene, size, level, method)
+        rows = [row(scene, half_width, chain, method, code, request) for half_width in request["half_widths"]]
+        answer = {"code": name, "version": environment.versions()[name], "method": method, "mesh": mesh}
+        answer |= {"freedoms": rows[0]["freedoms"], "contact_edges": edges}
+        answer |= {key: [found[key] for found in rows] for key in rows[0] if key != "freedoms"}
+        print(json.dumps(answer), flush=True)
+
+
+def model(scene, size, level):
+    """Truncated Hertz with a number of edges on the candidates at level 0; the oracle has it as a constant."""
+    import hertz_scenes
+
+    hertz_scenes.EDGES = size
+    return hertz_scenes.truncated_hertz(scene, level)
+
+
+def models(scene, size, level, method):
+    """The chain of models, coarsest first, and the contact edges of the last; active sets need no other."""
+    chain = [model(scene, size, level)]
+    edges = len(chain[0].pair.edges(chain[0].bodies[0].mesh, chain[0].pair.stretch))
+    coarser = edges // 4
+    while method == "penalty" and coarser >= COARSEST and len(chain[0].bodies[0].mesh.points) > SMALL:
+        chain.insert(0, model(scene, coarser, 0))
+        coarser //= 4
+    return chain, edges
+
+
+def solved(chain, method, code):
+    """Contact points, pressures and freedoms of the last model, steps of all."""
+    import problem
+
+    start, steps = chain[0].start, []
+    for each in chain:
+        points, pressure, freedoms, taken = problem.closed(each, method, start, code)
+        start = problem.contact_edge(points, pressure)
+        steps.append(taken)
+    return points, pressure, freedoms, steps
+
+
+def row(scene, half_width, chain, method, code, request):
+    """Times and errors under the load of one half-width, on meshes that do not know it."""
+    import hertz_scenes
+    import measures
+
+    ratio = half_width / hertz_scenes.hertz(scene)["half_width"]
+    # the same block in millimetres: only its tractions are used
+    loaded = {"a_over_r": scene["a_over_r"] * ratio} | {key: scene[key] / ratio for key in ("stretch", "size")}
+    tractions = model(scene | loaded, COARSEST, 0).tractions
+    chain = [replace(each, tractions=tractions) for each in chain]
+    seconds = []
+    for _ in range(request.get("repeats", 3)):
+        begin = time.perf_counter()
+        points, pressure, freedoms, steps = solved(chain, method, code)
+        seconds.append(time.perf_counter() - begin)
+    peak = hertz_scenes.hertz(scene)["modulus"] * half_width / (2.0 * scene["radius"])
+    width = measures.half_width(points, pressure)
+    return {
+        "freedoms": int(freedoms),
+        "seconds": statistics.median(seconds),
+        "steps": [int(taken) for taken in steps],
+        "peak_error": float(abs(measures.peak(points, pressure, width) / peak - 1.0)),
+        "half_width_error": float(abs(width / half_width - 1.0)),
+        "l2_error": float(l2_error(points, pressure, half_width, peak)),
+    }
+
+
+def l2_error(points, pressure, half_width, peak):
+    """Relative L2 distance from Hertz's pressure; the contact is straight, so x is linear on each edge."""
+    import numpy as np
+
+    xi, weight = np.polynomial.legendre.leggauss(12)
+    place, x, p = (values.reshape(-1, 2) for values in (points.local, points.position, pressure))
+    share = (xi - place[:, :1]) / (place[:, 1:] - place[:, :1])
+    position, found = (value[:, :1] + share * (value[:, 1:] - value[:, :1]) for value in (x, p))
+    exact = peak * np.sqrt(np.maximum(1.0 - (position / half_width) ** 2, 0.0))
+    rate = (x[:, 1:] - x[:, :1]) / (place[:, 1:] - place[:, :1])
+    squared = ((found - exact) ** 2 * rate * weight).sum()
+    return np.sqrt(squared / (2.0 / 3.0 * half_width * peak**2))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1] if len(sys.argv) == 2 else "")
