@@ -17,6 +17,8 @@
 //! * [`report`] — the page.
 //! * [`cli`] — what the user types.
 //!
+//! Beside the chain stand [`error`], what was wrong, and [`clock`], what each stage took.
+//!
 //! # Signs and units
 //!
 //! | symbol | meaning | sign, unit |
@@ -39,6 +41,7 @@
 pub mod algorithm;
 pub mod case;
 pub mod cli;
+pub mod clock;
 pub mod condensation;
 pub mod contact;
 pub mod elasticity;

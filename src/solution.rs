@@ -55,6 +55,8 @@ pub struct Work {
     pub steps: usize,
     /// Factorisations of the dense system `S + K_c`.
     pub factorisations: usize,
+    /// Terms of rank one by which such a factor was updated instead.
+    pub updates: usize,
     /// Back-substitutions with such a factor, the refinement of each step included.
     pub back_substitutions: usize,
     /// Accelerated steps given up for the plain one; they count as steps.

@@ -3,7 +3,7 @@
 use crate::algorithm::acceleration::{Acceleration, Accelerator};
 use crate::algorithm::rule::{self, StiffnessRule};
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
-use crate::condensation::factor::DenseFactor;
+use crate::condensation::dense::DenseFactor;
 use crate::solution::Work;
 
 /// `(S + K_c0) u_j = f̂ − Σ A r_j b`, spring force `p_j = k_0 w_j + r_j`, `r_{j+1} = r_j + (p⁺ − p_j)`.

@@ -1,5 +1,6 @@
 //! Iteration with kinematic load, equations (3.11)–(3.14): the springs' unstrained length is the gap.
 
+use crate::algorithm::kept::KeptFactor;
 use crate::algorithm::rule::StiffnessRule;
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
 use crate::solution::Work;
@@ -9,12 +10,20 @@ use crate::solution::Work;
 /// Tension opens a point; an open point that penetrates closes at `k_hard`; a closed point that penetrates by more than
 /// the tolerance goes to `k_hard`. Where one is already there, all hard springs pass their force on to the carried force,
 /// `r ← p`, so that the penetration `p/k_hard ≈ 1e-6 g_ref` falls below any tolerance (never needed at the default one).
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Kinematic {
     /// `Switching`, or `Penalty`: springs closed where w > g keep their initial stiffness.
     pub rule: StiffnessRule,
     /// Penetration over `g_ref` that is tolerated.
     pub tolerance: f64,
+    kept: KeptFactor,
+}
+
+impl Kinematic {
+    /// The algorithm before its first step.
+    pub fn new(rule: StiffnessRule, tolerance: f64) -> Self {
+        Self { rule, tolerance, kept: KeptFactor::default() }
+    }
 }
 
 impl Algorithm for Kinematic {
@@ -25,8 +34,8 @@ impl Algorithm for Kinematic {
         springs: &mut Springs,
         work: &mut Work,
     ) -> Option<Iterate> {
-        let factor = problem.factorise(&springs.stiffness, work)?;
-        let iterate = problem.equilibrium(&factor, load, springs, |point| point.gap, work);
+        let factor = self.kept.renew(problem, &springs.stiffness, work)?;
+        let iterate = problem.equilibrium(factor, load, springs, |point| point.gap, work);
         let depth = |i: usize| iterate.approach[i] - problem.points[i].gap;
         if self.rule == StiffnessRule::Penalty {
             for (i, k) in springs.stiffness.iter_mut().enumerate() {

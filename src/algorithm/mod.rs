@@ -9,6 +9,7 @@
 pub mod acceleration;
 pub mod constant;
 pub mod iterate;
+pub mod kept;
 pub mod kinematic;
 pub mod problem;
 pub mod rule;

@@ -1,9 +1,9 @@
 //! What an algorithm sees: the condensed system, the contact points, and scales that make residuals pure numbers.
 
-use faer::Mat;
+use faer::{Mat, MatMut};
 
 use crate::algorithm::{Iterate, Springs};
-use crate::condensation::factor::{DenseFactor, dense};
+use crate::condensation::dense::{DenseFactor, Padded};
 use crate::contact::ContactPoint;
 use crate::solution::{Residuals, Work};
 
@@ -65,6 +65,24 @@ impl ContactProblem<'_> {
     /// `S + Σ A k bᵀb` [N/mm].
     pub fn matrix(&self, stiffness: &[f64]) -> Mat<f64> {
         let mut matrix = self.stiffness.clone();
+        self.add_springs(stiffness, matrix.as_mut());
+        matrix
+    }
+
+    /// Factor of `S + Σ A k bᵀb`; none where that is not positive definite.
+    pub fn factorise(&self, stiffness: &[f64], work: &mut Work) -> Option<DenseFactor> {
+        self.factorise_in(Padded::default(), stiffness, work)
+    }
+
+    /// The same in memory at hand.
+    pub fn factorise_in(&self, memory: Padded, stiffness: &[f64], work: &mut Work) -> Option<DenseFactor> {
+        work.factorisations += 1;
+        let mut matrix = Padded::copy_of(self.stiffness, memory);
+        self.add_springs(stiffness, matrix.as_mut());
+        DenseFactor::of(matrix)
+    }
+
+    fn add_springs(&self, stiffness: &[f64], mut matrix: MatMut<'_, f64>) {
         for (point, k) in self.points.iter().zip(stiffness) {
             for &(i, b_i) in &point.row {
                 for &(j, b_j) in &point.row {
@@ -72,13 +90,6 @@ impl ContactProblem<'_> {
                 }
             }
         }
-        matrix
-    }
-
-    /// Factor of `S + Σ A k bᵀb`; none where that is not positive definite.
-    pub fn factorise(&self, stiffness: &[f64], work: &mut Work) -> Option<DenseFactor> {
-        work.factorisations += 1;
-        dense(&self.matrix(stiffness))
     }
 
     /// Equilibrium of `S u + Σ A p b = load` with springs `p = r + k (w − γ)`, refined once.

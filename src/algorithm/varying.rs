@@ -1,14 +1,23 @@
 //! Iteration with varying stiffness, equations (3.2)–(3.5): the system is factorised at every step.
 
+use crate::algorithm::kept::KeptFactor;
 use crate::algorithm::rule::{self, StiffnessRule};
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
 use crate::solution::Work;
 
 /// `(S + K_c(k^j)) u_j = f̂`, `p_j = k^j w_j`; the rule gives k^{j+1}.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Varying {
     /// `Secant`, or `Correction` with `κ_j = max(k^j, k_0)` and `k^{j+1} = p⁺ / w`.
     pub rule: StiffnessRule,
+    kept: KeptFactor,
+}
+
+impl Varying {
+    /// The algorithm before its first step.
+    pub fn new(rule: StiffnessRule) -> Self {
+        Self { rule, kept: KeptFactor::default() }
+    }
 }
 
 impl Algorithm for Varying {
@@ -19,8 +28,8 @@ impl Algorithm for Varying {
         springs: &mut Springs,
         work: &mut Work,
     ) -> Option<Iterate> {
-        let factor = problem.factorise(&springs.stiffness, work)?;
-        let iterate = problem.equilibrium(&factor, load, springs, |_| 0.0, work);
+        let factor = self.kept.renew(problem, &springs.stiffness, work)?;
+        let iterate = problem.equilibrium(factor, load, springs, |_| 0.0, work);
         let scale = &problem.scale;
         for (i, point) in problem.points.iter().enumerate() {
             let (k, w, p) = (springs.stiffness[i], iterate.approach[i], iterate.pressure[i]);

@@ -9,6 +9,7 @@ use crate::formulation::{Discretisation, Formulation};
 use crate::measure::profile;
 use crate::mesh::Resolution;
 use crate::oracle::Quantity;
+use crate::oracle::analytic::hertz::Hertz;
 use crate::scene::library::{Cylinder, TruncatedHertz};
 
 /// Name of the case of all nine on the cylinder.
@@ -43,6 +44,24 @@ pub fn trials() -> Vec<Trial> {
     all.extend(trials_of("cylinder, a/R = 0.005", small, fine, verification(), Some(small_cylinder)));
     all.extend(trials_of(CYLINDER, cylinder.clone(), cylinder.resolution, Formulation::nine(), Some(nine)));
     all
+}
+
+/// Relative errors of p₀, of a, and L2(p) over one and a half half-widths, against Hertz; NaN where the run did not converge.
+///
+/// The peak is compared with what the same functional makes of the exact pressures at the same points.
+pub fn errors(run: &Run, exact: &Hertz) -> [f64; 3] {
+    if !run.solution.converged() {
+        return [f64::NAN; 3];
+    }
+    let (points, measures) = (&run.solution.points, &run.measures);
+    let pressure = |x: f64| exact.pressure(x);
+    let peak = profile::peak_of(points, measures.half_width, pressure).pressure;
+    let away = |value: f64, reference: f64| (value - reference).abs() / reference;
+    [
+        away(measures.peak.pressure, peak),
+        away(measures.half_width, exact.half_width()),
+        profile::relative_l2(points, pressure, 1.5 * exact.half_width()),
+    ]
 }
 
 /// Peak and half-width against the oracle.

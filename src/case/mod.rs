@@ -13,6 +13,7 @@
 //! * [`atlas`] — where each formulation converges, and where it was predicted to.
 //! * [`stability`] — predicted rates and steps against measured ones.
 //! * [`cures`] — acceleration of constant stiffness, nested starts of kinematic load.
+//! * [`timings`] — what each accuracy costs.
 //! * [`pictures`] — fields and iteration paths that are shown, not judged.
 //! * [`statements`] — the paper's statements, judged from the findings.
 
@@ -35,6 +36,7 @@ pub mod stability;
 pub mod statements;
 pub mod suite;
 pub mod sweep;
+pub mod timings;
 pub mod universal;
 
 pub use check::{Check, Reference, Verdict};

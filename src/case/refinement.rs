@@ -1,6 +1,7 @@
 //! Studies over meshes: observed orders, the cylinder's model error, half against quarter, the pin–rod's own uncertainty.
 
 use crate::case::check::{Check, Reference};
+use crate::case::hertz;
 use crate::case::problem::{self, Problem};
 use crate::case::run::Run;
 use crate::case::suite::{Finding, Series, Table, Trial};
@@ -9,6 +10,7 @@ use crate::formulation::{Discretisation, Formulation};
 use crate::measure::order::{observed, richardson};
 use crate::measure::{profile, whole};
 use crate::mesh::{Order, Resolution};
+use crate::oracle::analytic::hertz::Hertz;
 use crate::scene::library::{Cylinder, CylinderModel, TruncatedHertz};
 
 /// Elements per half-width of the coarsest of the nested meshes on truncated Hertz.
@@ -116,21 +118,16 @@ fn errors(problem: &Problem, numbers: &TruncatedHertz, order: Order, refinement:
     let resolution = Resolution { elements: COARSEST, refinement, order };
     let discretisation = Discretisation::of(problem.scene.clone(), resolution)?;
     let run = Run::of(&discretisation, &Formulation::verification())?;
-    let points = &run.solution.points;
-    let a = numbers.half_width();
-    let exact = |x: f64| problem.reference_pressure(x);
-    let peak = profile::peak_of(points, run.measures.half_width, exact).pressure;
+    let exact = Hertz { load: numbers.load(), radius: numbers.radius, modulus: problem.scene.contact_modulus() };
+    let [peak, half_width, l2] = hertz::errors(&run, &exact);
     let load = whole(&problem.scene.contact) * discretisation.system.bodies[0].applied_vertical().abs();
-    let error = |value: f64, reference: f64| {
-        if run.solution.converged() { (value - reference).abs() / reference } else { f64::NAN }
-    };
     Ok(Errors {
         size: 1.0 / (COARSEST << refinement) as f64,
         freedoms: run.freedoms,
-        peak: error(run.measures.peak.pressure, peak),
-        half_width: error(run.measures.half_width, a),
-        l2: profile::relative_l2(points, exact, 1.5 * a),
-        load: error(load, numbers.load()),
+        peak,
+        half_width,
+        l2,
+        load: (load - numbers.load()).abs() / numbers.load(),
     })
 }
 

@@ -6,7 +6,7 @@ use crate::case::check::{Check, Verdict};
 use crate::case::cross_code::{self, Answers};
 use crate::case::{
     Problem, Run, atlas, cures, exact, family, faults, gaertner, hertz, limits, pictures, pin, refinement, stability,
-    sweep, universal,
+    sweep, timings, universal,
 };
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
@@ -168,6 +168,7 @@ pub fn all() -> Vec<Trial> {
     trials.extend(atlas::trials());
     trials.extend(limits::trials());
     trials.extend(cures::trials());
+    trials.extend(timings::trials());
     trials.extend(family::trials());
     trials.extend(cross_code::trials(Answers::Frozen));
     trials.extend(faults::trials());

@@ -1,6 +1,7 @@
 //! What the user types.
 //!
 //! * [`atlas`] — surveys the stability atlas with a progress bar.
+//! * [`timings`] — measures speed against accuracy.
 //! * [`suite`] — runs all trials with a progress bar.
 //! * [`solve`] — one case, with its outputs.
 //! * [`json`] — the result of a solve as JSON.
@@ -9,6 +10,7 @@ pub mod atlas;
 pub mod json;
 pub mod solve;
 pub mod suite;
+pub mod timings;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -18,6 +20,7 @@ use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::case::problem::PROBLEMS;
+use crate::case::timings::growth;
 use crate::error::Error;
 use crate::report;
 
@@ -45,6 +48,12 @@ enum Command {
     Verdicts,
     /// Survey the stability atlas and write snapshots/atlas; broken off, it goes on where it stopped.
     Atlas,
+    /// Measure speed against accuracy on one thread and write snapshots/timings; other codes are asked where installed.
+    Timings {
+        /// Solve one mesh, elements per half-width and refinement, and print the largest memory of the process in bytes.
+        #[arg(long, hide = true, num_args = 2)]
+        memory: Option<Vec<u32>>,
+    },
     /// Name the cases of the library.
     List,
     /// Ask the other codes for everything again, write oracles/frozen and show what changed.
@@ -58,6 +67,10 @@ pub fn main() -> ExitCode {
         Command::Report { check } => report_command(check),
         Command::Verdicts => Ok(suite::verdicts()),
         Command::Atlas => atlas::run().map(|()| true),
+        Command::Timings { memory: Some(mesh) } => {
+            growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| true)
+        }
+        Command::Timings { memory: None } => timings::run().map(|()| true),
         Command::Solve(arguments) => solve::run(&arguments).map(|()| true),
         Command::List => {
             PROBLEMS.iter().for_each(|(name, title)| say(format!("{name:18} {title}")));

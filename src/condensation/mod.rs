@@ -1,15 +1,26 @@
 //! What the contact sees of the bodies: the condensed stiffness `S` and load `f̂` on the normal freedoms of the candidates.
 //!
-//! * [`factor`] — sparse Cholesky with the retained freedoms last; its trailing block is the Schur complement.
+//! * [`factor`] — sparse Cholesky factorisation in the order of elimination.
+//! * [`eliminated`] — one body: S is the trailing block of its factor.
+//! * [`dense`] — dense Cholesky factorisation, for the algorithms.
+//! * [`plain`] — one solve by the library alone, the unit of all timings.
+//! * [`uncondensed`] — the same without condensation, for checks.
 
+pub mod dense;
+pub mod eliminated;
 pub mod factor;
+pub mod plain;
+pub mod uncondensed;
 
 use faer::Mat;
 
-use crate::elasticity::{BodySystem, ElasticSystem};
+use crate::clock::Clock;
+use crate::elasticity::ElasticSystem;
 use crate::error::Error;
 
-use factor::Factor;
+use eliminated::Eliminated;
+pub use plain::Plain;
+pub use uncondensed::{CoupledSpring, solve_uncondensed};
 
 /// `S u = f̂` on the retained freedoms of all bodies, body after body.
 #[derive(Debug)]
@@ -20,27 +31,29 @@ pub struct Condensed {
     pub load: Vec<f64>,
     /// First retained freedom of each body.
     pub offsets: Vec<usize>,
-    factors: Vec<Factor>,
+    /// Seconds by stage, body after body.
+    pub seconds: Vec<(&'static str, f64)>,
+    bodies: Vec<Eliminated>,
 }
 
 impl ElasticSystem {
     /// Condenses every body on its candidate contact normals, out of one sparse Cholesky factorisation each.
     pub fn condense(&self) -> Result<Condensed, Error> {
-        let factors = self.bodies.iter().map(Factor::new).collect::<Result<Vec<_>, _>>()?;
+        let mut clock = Clock::start();
+        let bodies = self.bodies.iter().map(|body| Eliminated::of(body, &mut clock)).collect::<Result<Vec<_>, _>>()?;
         let mut offsets = vec![0];
         for body in &self.bodies {
             offsets.push(offsets[offsets.len() - 1] + body.retained.len());
         }
         let total = offsets[offsets.len() - 1];
         let mut stiffness = Mat::zeros(total, total);
-        let mut load = Vec::with_capacity(total);
-        for ((body, factor), &at) in self.bodies.iter().zip(&factors).zip(&offsets) {
-            let (schur, condensed) = factor.schur(body);
-            let m = body.retained.len();
-            stiffness.submatrix_mut(at, at, m, m).copy_from(&schur);
-            load.extend(condensed);
+        for (body, ends) in bodies.iter().zip(offsets.windows(2)) {
+            let m = ends[1] - ends[0];
+            stiffness.submatrix_mut(ends[0], ends[0], m, m).copy_from(body.stiffness());
         }
-        Ok(Condensed { stiffness, load, offsets, factors })
+        let load = bodies.iter().flat_map(Eliminated::load).collect();
+        clock.lap("Schur complement");
+        Ok(Condensed { stiffness, load, offsets, seconds: clock.laps, bodies })
     }
 }
 
@@ -52,41 +65,22 @@ impl Condensed {
 
     /// Operations of the sparse factorisations, `Σ (column length)²`.
     pub fn operations(&self) -> f64 {
-        self.factors.iter().map(Factor::operations).sum()
+        self.bodies.iter().map(|body| body.factor().operations()).sum()
     }
 
-    /// All unknowns of each body from the retained ones and the forces the contact exerts on them, by one
-    /// back-substitution: `(K + σ I_c) u = f + λ + σ u_c`.
-    pub fn recover(&self, system: &ElasticSystem, retained: &[f64], contact_force: &[f64]) -> Vec<Vec<f64>> {
-        let bodies = system.bodies.iter().zip(&self.factors).zip(&self.offsets);
-        bodies
-            .map(|((body, factor), &at)| {
-                let range = at..at + body.retained.len();
-                factor.recover(body, &retained[range.clone()], &contact_force[range])
-            })
-            .collect()
+    /// Entries of the sparse factors.
+    pub fn factor_entries(&self) -> usize {
+        self.bodies.iter().map(|body| body.factor().entries()).sum()
     }
-}
 
-/// A spring between retained freedoms.
-#[derive(Clone, Debug)]
-pub struct CoupledSpring {
-    /// Sparse row `b` on the retained freedoms.
-    pub row: Vec<(usize, f64)>,
-    /// Spring constant `A k` [N/mm].
-    pub constant: f64,
-    /// Force `A c` along `b` at rest \[N\].
-    pub force: f64,
-}
+    /// All unknowns of each body from the retained ones, by one back-substitution: `K_ii u_i = f_i − K_ic u_c`.
+    pub fn recover(&self, retained: &[f64]) -> Vec<Vec<f64>> {
+        self.recover_under(1.0, retained)
+    }
 
-/// The same unknowns without condensation: `(K + Σ A k bᵀb) u = f + Σ A c b`, used to check the condensed solve.
-pub fn solve_uncondensed(system: &ElasticSystem, springs: &[CoupledSpring]) -> Result<Vec<Vec<f64>>, Error> {
-    factor::solve_coupled(system, springs)
-}
-
-/// Which equations of a body are retained.
-fn is_retained(body: &BodySystem) -> Vec<bool> {
-    let mut retained = vec![false; body.freedoms.equations];
-    body.retained.iter().for_each(|&equation| retained[equation] = true);
-    retained
+    /// The same under `factor` times the load.
+    pub fn recover_under(&self, factor: f64, retained: &[f64]) -> Vec<Vec<f64>> {
+        let parts = self.bodies.iter().zip(self.offsets.windows(2));
+        parts.map(|(body, ends)| body.recover(factor, &retained[ends[0]..ends[1]])).collect()
+    }
 }

@@ -1,56 +1,150 @@
 //! Element stiffness of the isoparametric quadrilaterals.
 
-use nalgebra::{Matrix2, Matrix3, SMatrix};
+use nalgebra::Matrix2;
 
 use crate::elasticity::{quadrature, shape_functions};
+use crate::mesh::Order;
 
-/// `k = ∫ Bᵀ D B t dA` [N/mm] of a 4-node (2×2 Gauss) or an 8-node cell (3×3 Gauss); freedoms are u_x, u_y node by node.
+/// `k = ∫ Bᵀ D B t dA` [N/mm] of 4-node (2×2 Gauss) or 8-node cells (3×3 Gauss); freedoms are u_x, u_y node by node.
 ///
-/// A Jacobian determinant that is not positive is returned as the error.
-pub fn stiffness(points: &[[f64; 2]], elasticity: &[[f64; 3]; 3], thickness: f64) -> Result<Vec<Vec<f64>>, f64> {
-    if points.len() == 4 {
-        integrate::<8>(points, elasticity, thickness, 2)
-    } else {
-        integrate::<16>(points, elasticity, thickness, 3)
+/// The slopes of the shape functions at the Gauss points are the same for all cells and tabulated once.
+#[derive(Clone, Debug)]
+pub struct CellStiffness {
+    /// Slopes `[∂N_a/∂ξ, ∂N_a/∂η]` and weight at each Gauss point.
+    rule: Vec<(Vec<[f64; 2]>, f64)>,
+    elasticity: [[f64; 3]; 3],
+    thickness: f64,
+    order: Order,
+    processor: pulp::Arch,
+}
+
+impl CellStiffness {
+    /// For cells of an order, with the plane stiffness D \[MPa\] and the thickness \[mm\].
+    pub fn new(order: Order, elasticity: &[[f64; 3]; 3], thickness: f64) -> Self {
+        let points = match order {
+            Order::Linear => 2,
+            Order::Quadratic => 3,
+        };
+        let at = |(at, weight)| (slopes(order.nodes_per_cell(), at), weight);
+        let rule = quadrature::gauss_square(points).into_iter().map(at).collect();
+        Self { rule, elasticity: *elasticity, thickness, order, processor: pulp::Arch::new() }
+    }
+
+    /// Entries of the matrix of a cell: 8² or 16².
+    pub fn entries(&self) -> usize {
+        4 * self.order.nodes_per_cell().pow(2)
+    }
+
+    /// Writes `k` row by row for the nodes at some points.
+    ///
+    /// A Jacobian determinant that is not positive is returned as the error.
+    pub fn integrate(&self, points: impl Iterator<Item = [f64; 2]>, k: &mut [f64]) -> Result<(), f64> {
+        match self.order {
+            Order::Linear => self.integrate_pairs::<4>(points, k),
+            Order::Quadratic => self.integrate_pairs::<8>(points, k),
+        }
+    }
+
+    fn integrate_pairs<const N: usize>(
+        &self,
+        mut points: impl Iterator<Item = [f64; 2]>,
+        k: &mut [f64],
+    ) -> Result<(), f64> {
+        let points: [[f64; 2]; N] = std::array::from_fn(|_| points.next().unwrap_or([f64::NAN; 2]));
+        let mut pairs = [[[[0.0; N]; 2]; 2]; N];
+        // In registers as wide as the processor's own.
+        self.processor.dispatch(
+            #[inline(always)]
+            || self.add_pairs(&points, &mut pairs),
+        )?;
+        for (row, pair) in k.chunks_exact_mut(2 * N).zip(pairs.as_flattened()) {
+            for (entries, b) in row.chunks_exact_mut(2).zip(0..N) {
+                (entries[0], entries[1]) = (pair[0][b], pair[1][b]);
+            }
+        }
+        Ok(())
+    }
+
+    /// `k_ab = Σ B_aᵀ D B_b t w det J` as `pairs[a][component of a][component of b][b]`:
+    /// the stresses `σ = D B_b` of a unit displacement of b along x or y work on the strains of one of a,
+    /// `k_a· = (N_a,x σ_x + N_a,y τ, N_a,y σ_y + N_a,x τ)`.
+    #[inline(always)]
+    fn add_pairs<const N: usize>(
+        &self,
+        points: &[[f64; 2]; N],
+        pairs: &mut [[[[f64; N]; 2]; 2]; N],
+    ) -> Result<(), f64> {
+        let [[dxx, dxy, dxs], [dyx, dyy, dys], [dsx, dsy, dss]] = self.elasticity;
+        let mut at_points = [AtPoint { x: [0.0; N], y: [0.0; N], stresses: [[[0.0; N]; 3]; 2] }; MOST_POINTS];
+        for ((slopes, weight), at) in self.rule.iter().zip(&mut at_points) {
+            let (inverse, determinant) = jacobian(slopes, points)?;
+            let scale = weight * determinant * self.thickness;
+            for ((x, y), slope) in at.x.iter_mut().zip(&mut at.y).zip(slopes) {
+                [*x, *y] = gradient(&inverse, slope);
+            }
+            let row = |a: f64, b: f64| -> [f64; N] { std::array::from_fn(|i| scale * (a * at.x[i] + b * at.y[i])) };
+            at.stresses =
+                [[row(dxx, dxs), row(dyx, dys), row(dsx, dss)], [row(dxs, dxy), row(dys, dyy), row(dss, dsy)]];
+        }
+        for (a, pair) in pairs.iter_mut().enumerate() {
+            let mut sums = [[[0.0; N]; 2]; 2];
+            for at in &at_points[..self.rule.len()] {
+                for (b, [sx, sy, shear]) in at.stresses.iter().enumerate() {
+                    add_sum(&mut sums[0][b], (at.x[a], sx), (at.y[a], shear));
+                    add_sum(&mut sums[1][b], (at.y[a], sy), (at.x[a], shear));
+                }
+            }
+            *pair = sums;
+        }
+        Ok(())
     }
 }
 
-fn integrate<const F: usize>(
-    points: &[[f64; 2]],
-    elasticity: &[[f64; 3]; 3],
-    thickness: f64,
-    rule: usize,
-) -> Result<Vec<Vec<f64>>, f64> {
-    let d = Matrix3::from_fn(|i, j| elasticity[i][j]);
-    let mut k = SMatrix::<f64, F, F>::zeros();
-    for (at, weight) in quadrature::gauss_square(rule) {
-        let (gradients, determinant) = gradients(points, at)?;
-        let mut b = SMatrix::<f64, 3, F>::zeros();
-        for (a, [x, y]) in gradients.into_iter().enumerate() {
-            b[(0, 2 * a)] = x;
-            b[(1, 2 * a + 1)] = y;
-            b[(2, 2 * a)] = y;
-            b[(2, 2 * a + 1)] = x;
-        }
-        k += b.transpose() * (d * b) * (weight * determinant * thickness);
-    }
-    Ok((0..F).map(|i| k.row(i).iter().copied().collect()).collect())
+/// Gauss points of the largest rule.
+const MOST_POINTS: usize = 9;
+
+/// At a Gauss point: gradients `N_a,x`, `N_a,y`, and the stresses of unit displacements of each node along x and along y.
+#[derive(Clone, Copy)]
+struct AtPoint<const N: usize> {
+    x: [f64; N],
+    y: [f64; N],
+    stresses: [[[f64; N]; 3]; 2],
+}
+
+/// `z ← z + a x + b y`.
+#[inline(always)]
+fn add_sum<const N: usize>(z: &mut [f64; N], (a, x): (f64, &[f64; N]), (b, y): (f64, &[f64; N])) {
+    *z = std::array::from_fn(|i| z[i] + (a * x[i] + b * y[i]));
 }
 
 /// Gradients `[∂N_a/∂x, ∂N_a/∂y]` and the Jacobian determinant at (ξ, η); a determinant ≤ 0 or NaN is the error.
 pub fn gradients(points: &[[f64; 2]], at: [f64; 2]) -> Result<(Vec<[f64; 2]>, f64), f64> {
-    let shapes = shape_functions::cell(points.len(), at);
+    let slopes = slopes(points.len(), at);
+    let (inverse, determinant) = jacobian(&slopes, points)?;
+    Ok((slopes.iter().map(|slope| gradient(&inverse, slope)).collect(), determinant))
+}
+
+/// `[∂N_a/∂ξ, ∂N_a/∂η]`.
+fn slopes(nodes: usize, at: [f64; 2]) -> Vec<[f64; 2]> {
+    shape_functions::cell(nodes, at).into_iter().map(|(_, slope)| slope).collect()
+}
+
+/// Inverse and determinant of `J = [∂x/∂ξ, ∂y/∂ξ; ∂x/∂η, ∂y/∂η]`.
+#[inline(always)]
+fn jacobian(slopes: &[[f64; 2]], points: &[[f64; 2]]) -> Result<(Matrix2<f64>, f64), f64> {
     let mut jacobian = Matrix2::zeros();
-    for ((_, slope), point) in shapes.iter().zip(points) {
+    for (slope, point) in slopes.iter().zip(points) {
         jacobian += Matrix2::new(slope[0] * point[0], slope[0] * point[1], slope[1] * point[0], slope[1] * point[1]);
     }
     let determinant = jacobian.determinant();
-    let inverse = match jacobian.try_inverse() {
-        Some(inverse) if determinant > 0.0 => inverse,
-        _ => return Err(determinant),
-    };
-    let gradients = shapes.iter().map(|(_, s)| {
-        [inverse[(0, 0)] * s[0] + inverse[(0, 1)] * s[1], inverse[(1, 0)] * s[0] + inverse[(1, 1)] * s[1]]
-    });
-    Ok((gradients.collect(), determinant))
+    match jacobian.try_inverse() {
+        Some(inverse) if determinant > 0.0 => Ok((inverse, determinant)),
+        _ => Err(determinant),
+    }
+}
+
+/// `∇N = J⁻¹ [∂N/∂ξ, ∂N/∂η]`.
+#[inline(always)]
+fn gradient(inverse: &Matrix2<f64>, slope: &[f64; 2]) -> [f64; 2] {
+    [inverse[(0, 0)] * slope[0] + inverse[(0, 1)] * slope[1], inverse[(1, 0)] * slope[0] + inverse[(1, 1)] * slope[1]]
 }

@@ -1,5 +1,8 @@
 //! Which displacement components are unknown, in which frame, under which number.
 
+use std::ops::Range;
+
+use crate::elasticity::NodeGraph;
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::{Component, Load, Place, Scene};
@@ -11,6 +14,16 @@ pub enum Freedom {
     Equation(usize),
     /// Prescribed value \[mm\].
     Prescribed(f64),
+}
+
+impl Freedom {
+    /// The equation number, if it is unknown.
+    pub fn equation(&self) -> Option<usize> {
+        match self {
+            Self::Equation(equation) => Some(*equation),
+            Self::Prescribed(_) => None,
+        }
+    }
 }
 
 /// Frames and numbering of the nodes of one body.
@@ -27,8 +40,8 @@ pub struct Freedoms {
     pub components: Vec<[Freedom; 2]>,
     /// Number of unknowns.
     pub equations: usize,
-    /// Equation of each candidate's normal displacement.
-    pub retained: Vec<usize>,
+    /// Equations of the candidates' normal displacements, in the order of the contact coordinate: the last ones.
+    pub retained: Range<usize>,
 }
 
 /// A component of a node while numbering goes on.
@@ -40,38 +53,50 @@ enum Mark {
 }
 
 impl Freedoms {
-    /// Numbers the unknowns of a body: prescribed components have none, the components of a rigid face share one.
-    pub fn number(scene: &Scene, mesh: &Mesh, body: usize) -> Result<Self, Error> {
+    /// Numbers the unknowns of a body in the order in which they are eliminated: node by node in the graph's order of
+    /// minimum degree, then the components that the nodes of a rigid face share, last the candidates' normals.
+    ///
+    /// Prescribed components have no number.
+    pub fn number(scene: &Scene, mesh: &Mesh, body: usize, graph: &NodeGraph) -> Result<Self, Error> {
         let nodes = mesh.bodies[body].nodes.clone();
+        let candidates = &mesh.bodies[body].candidates;
         let mut axes = vec![[1.0, 0.0]; nodes.len()];
-        for candidate in &mesh.bodies[body].candidates {
+        let mut is_candidate = vec![false; nodes.len()];
+        for candidate in candidates {
             axes[candidate.node - nodes.start] = candidate.normal;
+            is_candidate[candidate.node - nodes.start] = true;
         }
         let marks = marks(scene, mesh, body, &axes)?;
-        let mut equations = 0;
-        let mut tied: Vec<Option<usize>> = vec![None; scene.bodies[body].loads.len()];
-        let mut next = || {
-            equations += 1;
-            equations - 1
-        };
-        let components: Vec<[Freedom; 2]> = marks
-            .iter()
-            .map(|pair| {
-                pair.map(|mark| match mark {
-                    Mark::Free => Freedom::Equation(next()),
-                    Mark::Prescribed(value) => Freedom::Prescribed(value),
-                    Mark::Tied(face) => Freedom::Equation(*tied[face].get_or_insert_with(&mut next)),
-                })
-            })
-            .collect();
-        let mut freedoms = Self { first: nodes.start, axes, components, equations, retained: Vec::new() };
-        for candidate in &mesh.bodies[body].candidates {
-            match freedoms.of_node(candidate.node)[0] {
-                Freedom::Equation(equation) => freedoms.retained.push(equation),
-                Freedom::Prescribed(_) => return Err(oblique(scene, body, candidate.node, "normal")),
+        let eliminated = |node: usize, k: usize| marks[node][k] == Mark::Free && !(k == 0 && is_candidate[node]);
+        let takes_part: Vec<bool> = (0..nodes.len()).map(|node| (0..2).any(|k| eliminated(node, k))).collect();
+        let value = |mark| if let Mark::Prescribed(value) = mark { value } else { f64::NAN };
+        let mut components: Vec<[Freedom; 2]> =
+            marks.iter().map(|pair| pair.map(|mark| Freedom::Prescribed(value(mark)))).collect();
+        let mut numbers = 0..;
+        let mut next = || Freedom::Equation(numbers.next().unwrap_or(usize::MAX));
+        for node in graph.minimum_degree(&takes_part) {
+            for k in (0..2).filter(|&k| eliminated(node, k)) {
+                components[node][k] = next();
             }
         }
-        Ok(freedoms)
+        let mut tied: Vec<Option<Freedom>> = vec![None; scene.bodies[body].loads.len()];
+        for (pair, marks) in components.iter_mut().zip(&marks) {
+            for (component, mark) in pair.iter_mut().zip(marks) {
+                if let Mark::Tied(face) = *mark {
+                    *component = *tied[face].get_or_insert_with(&mut next);
+                }
+            }
+        }
+        for candidate in candidates {
+            match marks[candidate.node - nodes.start][0] {
+                Mark::Free => components[candidate.node - nodes.start][0] = next(),
+                Mark::Tied(_) => return Err(oblique(scene, body, candidate.node, "rigid face")),
+                Mark::Prescribed(_) => return Err(oblique(scene, body, candidate.node, "normal")),
+            }
+        }
+        let equations = numbers.start;
+        let retained = equations - candidates.len()..equations;
+        Ok(Self { first: nodes.start, axes, components, equations, retained })
     }
 
     /// The two components of a node of the mesh.
@@ -85,21 +110,21 @@ impl Freedoms {
         [n, [-n[1], n[0]]]
     }
 
-    /// `k ← Tᵀ k T`: from Cartesian components to the frames of the nodes.
-    pub fn rotate(&self, nodes: &[usize], k: &mut [Vec<f64>]) {
+    /// `k ← Tᵀ k T`, row by row: from Cartesian components to the frames of the nodes.
+    pub fn rotate(&self, nodes: &[usize], k: &mut [f64]) {
+        let side = 2 * nodes.len();
         for (a, &node) in nodes.iter().enumerate() {
             let [n, t] = self.frame(node);
             if n[1].abs() < f64::MIN_POSITIVE && n[0] > 0.0 {
                 continue;
             }
-            for row in k.iter_mut() {
-                let (x, y) = (row[2 * a], row[2 * a + 1]);
-                (row[2 * a], row[2 * a + 1]) = (x * n[0] + y * n[1], x * t[0] + y * t[1]);
+            let turned = |x: f64, y: f64| (x * n[0] + y * n[1], x * t[0] + y * t[1]);
+            for row in k.chunks_exact_mut(side) {
+                (row[2 * a], row[2 * a + 1]) = turned(row[2 * a], row[2 * a + 1]);
             }
-            let [first, second] = k.get_disjoint_mut([2 * a, 2 * a + 1]).expect("a cell has two freedoms a node");
-            for (u, v) in first.iter_mut().zip(second) {
-                let (x, y) = (*u, *v);
-                (*u, *v) = (x * n[0] + y * n[1], x * t[0] + y * t[1]);
+            for j in 0..side {
+                let (first, second) = (2 * a * side + j, (2 * a + 1) * side + j);
+                (k[first], k[second]) = turned(k[first], k[second]);
             }
         }
     }
@@ -111,6 +136,13 @@ impl Freedoms {
                 out[equation] += force[0] * axis[0] + force[1] * axis[1];
             }
         }
+    }
+
+    /// The equations in the order of the mesh: node by node, the component that the nodes of a face share at its first one.
+    pub fn in_mesh_order(&self) -> Vec<usize> {
+        let mut seen = vec![false; self.equations];
+        let equations = self.components.iter().flatten().filter_map(Freedom::equation);
+        equations.filter(|&equation| !std::mem::replace(&mut seen[equation], true)).collect()
     }
 
     /// Cartesian displacement of every node of the body \[mm\].

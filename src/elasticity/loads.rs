@@ -12,12 +12,13 @@ const EDGE_POINTS: usize = 16;
 /// Load vector of a body \[N\].
 pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms) -> Result<Vec<f64>, Error> {
     let mut force = vec![0.0; freedoms.equations];
+    let rule = quadrature::gauss(EDGE_POINTS);
     for load in &scene.bodies[body].loads {
         match load {
             Load::Traction { boundary, traction } => {
                 let constant = |_: [f64; 2], _: [f64; 2], length: f64| traction.map(|t| t * length);
                 for edge in mesh.boundary(scene, body, boundary)? {
-                    integrate_edge(mesh, edge, scene.thickness, &constant, freedoms, &mut force);
+                    integrate_edge(mesh, edge, &rule, scene.thickness, &constant, freedoms, &mut force);
                 }
             }
             Load::Stress { boundary, field } => {
@@ -26,7 +27,7 @@ pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms
                     [x * normal[0] + xy * normal[1], xy * normal[0] + y * normal[1]]
                 };
                 for edge in mesh.boundary(scene, body, boundary)? {
-                    integrate_edge(mesh, edge, scene.thickness, &stress, freedoms, &mut force);
+                    integrate_edge(mesh, edge, &rule, scene.thickness, &stress, freedoms, &mut force);
                 }
             }
             Load::BodyForce(density) => body_force(scene, mesh, body, *density, freedoms, &mut force)?,
@@ -48,12 +49,13 @@ pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms
 fn integrate_edge(
     mesh: &Mesh,
     edge: &Edge,
+    rule: &[(f64, f64)],
     thickness: f64,
     traction: &dyn Fn([f64; 2], [f64; 2], f64) -> [f64; 2],
     freedoms: &Freedoms,
     force: &mut [f64],
 ) {
-    for (xi, weight) in quadrature::gauss(EDGE_POINTS) {
+    for &(xi, weight) in rule {
         let shapes = shape_functions::edge(edge.len(), xi);
         let (mut point, mut slope) = ([0.0; 2], [0.0; 2]);
         for (&node, (value, derivative)) in edge.iter().zip(&shapes) {
@@ -77,10 +79,11 @@ fn body_force(
     freedoms: &Freedoms,
     force: &mut [f64],
 ) -> Result<(), Error> {
+    let rule = quadrature::gauss_square(3);
     for cell in mesh.bodies[body].cells.clone() {
         let nodes = mesh.cell(cell);
         let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();
-        for (at, weight) in quadrature::gauss_square(3) {
+        for &(at, weight) in &rule {
             let (_, determinant) = element::gradients(&points, at).map_err(|jacobian| Error::DegenerateCell {
                 cell,
                 body: scene.bodies[body].name.clone(),

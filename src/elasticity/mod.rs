@@ -3,26 +3,36 @@
 //! * [`shape_functions`] — 4-node and 8-node quadrilaterals, and their edges.
 //! * [`quadrature`] — Gauss rules.
 //! * [`element`] — element stiffness.
-//! * [`freedoms`] — which displacement components are unknown.
+//! * [`graph`] — which nodes share a cell, and the order in which they are eliminated.
+//! * [`freedoms`] — which displacement components are unknown, numbered in that order.
+//! * [`assembly`] — the stiffness matrix.
 //! * [`loads`] — consistent nodal forces.
 //! * [`rigid_motion`] — refuses bodies that are free to move.
 //! * [`stress`] — nodal stresses.
 
+pub mod assembly;
 pub mod element;
 pub mod freedoms;
+pub mod graph;
 pub mod loads;
 pub mod quadrature;
 pub mod rigid_motion;
 pub mod shape_functions;
 pub mod stress;
 
-use faer::sparse::{SparseColMat, Triplet};
+use std::ops::Range;
+
+use faer::sparse::SparseColMat;
 
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 
 pub use freedoms::{Freedom, Freedoms};
+pub use graph::NodeGraph;
+
+/// Equation numbers inside sparse matrices: half the memory of `usize`, and more equations than fit any memory here.
+pub type Index = u32;
 
 /// `K q = f` for every body, with the normal freedoms of the candidate contact nodes known.
 #[derive(Clone, Debug)]
@@ -37,24 +47,55 @@ pub struct BodySystem {
     /// Name of the body.
     pub name: String,
     /// Lower triangle of the stiffness matrix `K` [N/mm].
-    pub stiffness: SparseColMat<usize, f64>,
+    pub stiffness: SparseColMat<Index, f64>,
     /// Load vector `f`, prescribed displacements included \[N\].
     pub force: Vec<f64>,
     /// Numbering.
     pub freedoms: Freedoms,
-    /// Equations of the outward normal displacements of the candidate nodes.
-    pub retained: Vec<usize>,
+    /// Equations of the outward normal displacements of the candidate nodes: the last ones.
+    pub retained: Range<usize>,
+}
+
+/// The unknowns of every body, numbered in the order in which they are eliminated.
+#[derive(Clone, Debug)]
+pub struct Numbering {
+    bodies: Vec<(NodeGraph, Freedoms)>,
+}
+
+impl Numbering {
+    /// Orders and numbers the unknowns of every body; refuses bodies that could move as a whole.
+    pub fn of(scene: &Scene, mesh: &Mesh) -> Result<Self, Error> {
+        let number = |body: usize| {
+            let graph = NodeGraph::of(mesh, body);
+            let freedoms = Freedoms::number(scene, mesh, body, &graph)?;
+            rigid_motion::refuse_free(scene, mesh, body, &freedoms)?;
+            Ok((graph, freedoms))
+        };
+        Ok(Self { bodies: (0..scene.bodies.len()).map(number).collect::<Result<_, Error>>()? })
+    }
 }
 
 impl ElasticSystem {
     /// Assembles stiffness and loads of every body of the mesh of a scene.
     pub fn assemble(scene: &Scene, mesh: &Mesh) -> Result<Self, Error> {
-        Self::assemble_scaled(scene, mesh, &|_| 1.0)
+        Self::assemble_numbered(scene, mesh, Numbering::of(scene, mesh)?, &|_| 1.0)
     }
 
     /// The same with the stiffness of every cell times a factor of its index.
-    pub fn assemble_scaled(scene: &Scene, mesh: &Mesh, factor: &dyn Fn(usize) -> f64) -> Result<Self, Error> {
-        let bodies = (0..scene.bodies.len()).map(|body| BodySystem::assemble(scene, mesh, body, factor));
+    pub fn assemble_scaled(scene: &Scene, mesh: &Mesh, factor: &(dyn Fn(usize) -> f64 + Sync)) -> Result<Self, Error> {
+        Self::assemble_numbered(scene, mesh, Numbering::of(scene, mesh)?, factor)
+    }
+
+    /// The same with unknowns that are already numbered.
+    pub fn assemble_numbered(
+        scene: &Scene,
+        mesh: &Mesh,
+        numbering: Numbering,
+        factor: &(dyn Fn(usize) -> f64 + Sync),
+    ) -> Result<Self, Error> {
+        let bodies = numbering.bodies.into_iter().enumerate();
+        let bodies =
+            bodies.map(|(body, (graph, freedoms))| BodySystem::assemble(scene, mesh, body, &graph, freedoms, factor));
         Ok(Self { bodies: bodies.collect::<Result<_, _>>()? })
     }
 
@@ -71,11 +112,16 @@ impl ElasticSystem {
 }
 
 impl BodySystem {
-    fn assemble(scene: &Scene, mesh: &Mesh, body: usize, factor: &dyn Fn(usize) -> f64) -> Result<Self, Error> {
-        let freedoms = Freedoms::number(scene, mesh, body)?;
-        rigid_motion::refuse_free(scene, mesh, body, &freedoms)?;
+    fn assemble(
+        scene: &Scene,
+        mesh: &Mesh,
+        body: usize,
+        graph: &NodeGraph,
+        freedoms: Freedoms,
+        factor: &(dyn Fn(usize) -> f64 + Sync),
+    ) -> Result<Self, Error> {
         let mut force = loads::nodal_forces(scene, mesh, body, &freedoms)?;
-        let stiffness = assemble_stiffness(scene, mesh, body, &freedoms, factor, &mut force)?;
+        let stiffness = assembly::stiffness(scene, mesh, body, (graph, &freedoms), factor, &mut force)?;
         let retained = freedoms.retained.clone();
         Ok(Self { name: scene.bodies[body].name.clone(), stiffness, force, freedoms, retained })
     }
@@ -107,52 +153,5 @@ impl BodySystem {
             }
         }
         out
-    }
-}
-
-/// Lower triangle of `K = Σ Tᵀ k T`; prescribed displacements move to the load, `f ← f − k u_p`.
-fn assemble_stiffness(
-    scene: &Scene,
-    mesh: &Mesh,
-    body: usize,
-    freedoms: &Freedoms,
-    factor: &dyn Fn(usize) -> f64,
-    force: &mut [f64],
-) -> Result<SparseColMat<usize, f64>, Error> {
-    let elasticity = scene.bodies[body].material.stiffness(scene.plane);
-    let per_cell = mesh.order.nodes_per_cell() * 2;
-    let cells = mesh.bodies[body].cells.clone();
-    let mut triplets = Vec::with_capacity(cells.len() * per_cell * (per_cell + 1) / 2);
-    for cell in cells {
-        let nodes = mesh.cell(cell);
-        let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();
-        let mut k = element::stiffness(&points, &elasticity, scene.thickness)
-            .map_err(|jacobian| Error::DegenerateCell { cell, body: scene.bodies[body].name.clone(), jacobian })?;
-        k.iter_mut().flatten().for_each(|entry| *entry *= factor(cell));
-        freedoms.rotate(nodes, &mut k);
-        let of_cell: Vec<Freedom> = nodes.iter().flat_map(|&n| freedoms.of_node(n)).collect();
-        scatter(&of_cell, &k, &mut triplets, force);
-    }
-    SparseColMat::try_new_from_triplets(freedoms.equations, freedoms.equations, &triplets).map_err(|error| {
-        Error::value(
-            &scene.name,
-            "stiffness",
-            format!("{error:?}"),
-            "a sparse matrix must fit in memory",
-            "lower the resolution",
-        )
-    })
-}
-
-fn scatter(of_cell: &[Freedom], k: &[Vec<f64>], triplets: &mut Vec<Triplet<usize, usize, f64>>, force: &mut [f64]) {
-    for (i, &row) in of_cell.iter().enumerate() {
-        let Freedom::Equation(row) = row else { continue };
-        for (j, &column) in of_cell.iter().enumerate() {
-            match column {
-                Freedom::Equation(column) if row >= column => triplets.push(Triplet::new(row, column, k[i][j])),
-                Freedom::Equation(_) => {}
-                Freedom::Prescribed(value) => force[row] -= k[i][j] * value,
-            }
-        }
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
-use crate::elasticity::freedoms::{Freedom, Freedoms};
+use crate::elasticity::freedoms::Freedoms;
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::{Load, Scene};
@@ -26,9 +26,8 @@ pub fn refuse_free(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms)
     let mut gram = Matrix3::zeros();
     let mut hold = |row: Vector3<f64>| gram += row * row.transpose();
     for node in nodes {
-        let candidate = mesh.bodies[body].candidate_index(node).is_some();
-        for (k, (freedom, axis)) in freedoms.of_node(node).into_iter().zip(freedoms.frame(node)).enumerate() {
-            if matches!(freedom, Freedom::Prescribed(_)) || (candidate && k == 0) {
+        for (freedom, axis) in freedoms.of_node(node).into_iter().zip(freedoms.frame(node)) {
+            if freedom.equation().is_none_or(|equation| freedoms.retained.contains(&equation)) {
                 hold(held(node, axis));
             }
         }

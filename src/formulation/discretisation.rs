@@ -1,14 +1,14 @@
 //! A scene meshed, assembled and condensed: what all nine formulations share.
 
 use std::sync::OnceLock;
-use std::time::Instant;
 
 use crate::algorithm::{ContactProblem, Scale};
+use crate::clock::Clock;
 use crate::condensation::{self, Condensed, CoupledSpring};
 use crate::contact::{ContactPoint, Interface};
-use crate::elasticity::{ElasticSystem, stress};
+use crate::elasticity::{ElasticSystem, Numbering, stress};
 use crate::error::Error;
-use crate::formulation::{Formulation, spill};
+use crate::formulation::{Change, Formulation, spill};
 use crate::mesh::{Mesh, Order, Resolution};
 use crate::scene::{PlaneHypothesis, Scene};
 use crate::solution::{Solution, Work};
@@ -41,7 +41,9 @@ impl Discretisation {
         refuse_locking(&scene, resolution.order)?;
         let mesh = Mesh::of(&scene, resolution)?;
         clock.lap("mesh");
-        let system = ElasticSystem::assemble(&scene, &mesh)?;
+        let numbering = Numbering::of(&scene, &mesh)?;
+        clock.lap("ordering");
+        let system = ElasticSystem::assemble_numbered(&scene, &mesh, numbering, &|_| 1.0)?;
         clock.lap("assembly");
         Self::from_parts(scene, resolution, mesh, system, clock)
     }
@@ -59,7 +61,7 @@ impl Discretisation {
         mut clock: Clock,
     ) -> Result<Self, Error> {
         let condensed = system.condense()?;
-        clock.lap("condensation");
+        clock.take(&condensed.seconds);
         let interface = Interface::between(&scene, &mesh, &condensed)?;
         clock.lap("interface");
         Ok(Self {
@@ -78,12 +80,9 @@ impl Discretisation {
     pub fn solve(&self, formulation: &Formulation) -> Result<Solution, Error> {
         formulation.validate(&self.scene)?;
         self.refuse_unloaded(formulation)?;
-        let (solution, _, _) = self.solve_from_start(formulation).map_err(|error| match error {
-            Error::NoSpringLeft { steps, .. } => Error::NoSpringLeft { bodies: self.names(), steps },
-            other => other,
-        })?;
+        let (solution, _, _) = self.solve_from_start(formulation).map_err(|error| self.named(error))?;
         if solution.converged() {
-            spill::refuse(self, &solution, formulation.settings.tolerance)?;
+            spill::refuse(self, &solution, Change::NONE, formulation.settings.tolerance)?;
         }
         Ok(solution)
     }
@@ -126,7 +125,7 @@ impl Discretisation {
 
     /// Displacement \[mm\] and stress \[MPa\] at every node, by one back-substitution per body.
     pub fn recover(&self, solution: &Solution) -> Result<Fields, Error> {
-        let unknowns = self.condensed.recover(&self.system, &solution.displacement, &solution.contact_force);
+        let unknowns = self.condensed.recover(&solution.displacement);
         let displacement = self.system.nodal_displacements(&unknowns);
         let stress = stress::at_nodes(&self.scene, &self.mesh, &displacement)?;
         Ok(Fields { displacement, stress, unknowns })
@@ -151,9 +150,17 @@ impl Discretisation {
             .collect();
         let unknowns = condensation::solve_uncondensed(&self.system, &springs)?;
         let retained: Vec<f64> = (self.system.bodies.iter().zip(&unknowns))
-            .flat_map(|(body, u)| body.retained.iter().map(|&equation| u[equation]))
+            .flat_map(|(body, u)| u[body.retained.clone()].iter().copied())
             .collect();
         Ok((points.iter().zip(states)).map(|(point, (w, p, k))| p + k * (point.approach(&retained) - w)).collect())
+    }
+
+    /// An error of the iteration, which sees matrices only, with the names of the bodies.
+    pub(super) fn named(&self, error: Error) -> Error {
+        match error {
+            Error::NoSpringLeft { steps, .. } => Error::NoSpringLeft { bodies: self.names(), steps },
+            other => other,
+        }
     }
 
     /// Names of the bodies, as messages give them.
@@ -202,22 +209,4 @@ pub struct Fields {
     pub stress: Vec<[f64; 3]>,
     /// Unknowns of each body in its own frames and numbering \[mm\].
     pub unknowns: Vec<Vec<f64>>,
-}
-
-/// Seconds by stage.
-#[derive(Debug)]
-struct Clock {
-    last: Instant,
-    laps: Vec<(&'static str, f64)>,
-}
-
-impl Clock {
-    fn start() -> Self {
-        Self { last: Instant::now(), laps: Vec::new() }
-    }
-
-    fn lap(&mut self, stage: &'static str) {
-        self.laps.push((stage, self.last.elapsed().as_secs_f64()));
-        self.last = Instant::now();
-    }
 }

@@ -1,9 +1,11 @@
 //! One point of the grid: contact element × algorithm × rule × stiffness.
 //!
+//! * [`again`] — another load or clearance on a condensation at hand.
 //! * [`discretisation`] — a scene meshed, assembled and condensed, on which formulations solve.
 //! * [`spill`] — contact that goes on beyond the candidates.
 //! * [`start`] — where kinematic load starts.
 
+pub mod again;
 pub mod discretisation;
 pub mod spill;
 pub mod start;
@@ -15,6 +17,7 @@ use crate::scene::Scene;
 
 pub use crate::algorithm::Settings;
 pub use crate::algorithm::problem::LIMITS;
+pub use again::Change;
 pub use discretisation::{Discretisation, Fields, INCOMPRESSIBLE};
 pub use start::Start;
 
@@ -185,9 +188,9 @@ impl Formulation {
 
     fn algorithm(&self) -> Box<dyn Algorithm> {
         match self.algorithm {
-            Iteration::Varying => Box::new(Varying { rule: self.rule }),
+            Iteration::Varying => Box::new(Varying::new(self.rule)),
             Iteration::Constant => Box::new(Constant::accelerated(self.rule, self.acceleration)),
-            Iteration::Kinematic => Box::new(Kinematic { rule: self.rule, tolerance: self.settings.tolerance }),
+            Iteration::Kinematic => Box::new(Kinematic::new(self.rule, self.settings.tolerance)),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Contact that goes on beyond the last candidate: the pressure found is that of a shorter body, and is refused.
 
 use crate::error::Error;
-use crate::formulation::Discretisation;
+use crate::formulation::{Change, Discretisation};
 use crate::solution::Solution;
 
 /// How deep the surfaces penetrate beyond the last candidate, at the worst node.
@@ -18,7 +18,7 @@ pub struct Spill {
 /// The deepest penetration beyond the candidates of a solution whose last point is closed.
 ///
 /// None where the last point is open, and where the surface of either body ends with the candidates: a patch, a ring, a punch.
-pub fn deepest(discretisation: &Discretisation, solution: &Solution) -> Result<Option<Spill>, Error> {
+pub fn deepest(discretisation: &Discretisation, solution: &Solution, change: Change) -> Result<Option<Spill>, Error> {
     let pair = &discretisation.scene.contact;
     let closed = solution.points.last().is_some_and(|point| point.pressure > 0.0);
     let Some(end) = discretisation.interface.stations.last().map(|station| station.coordinate).filter(|_| closed)
@@ -30,8 +30,7 @@ pub fn deepest(discretisation: &Discretisation, solution: &Solution) -> Result<O
     if surfaces.iter().any(|surface| surface.len() < 2) {
         return Ok(None);
     }
-    let unknowns =
-        discretisation.condensed.recover(&discretisation.system, &solution.displacement, &solution.contact_force);
+    let unknowns = discretisation.condensed.recover_under(change.load, &solution.displacement);
     let displacement = discretisation.system.nodal_displacements(&unknowns);
     let outward =
         |node: &Surface| node.normal[0] * displacement[node.node][0] + node.normal[1] * displacement[node.node][1];
@@ -44,7 +43,7 @@ pub fn deepest(discretisation: &Discretisation, solution: &Solution) -> Result<O
         facing.map(|u| Spill {
             end,
             position: node.coordinate,
-            penetration: outward(node) + u - pair.profile.gap(node.coordinate),
+            penetration: outward(node) + u - pair.profile.gap(node.coordinate) - change.clearance,
         })
     };
     let beyond = surfaces[0].iter().skip(1).filter_map(depth);
@@ -53,9 +52,14 @@ pub fn deepest(discretisation: &Discretisation, solution: &Solution) -> Result<O
 
 /// Refuses a solution whose contact goes on beyond the candidates, by the criterion of the candidates themselves:
 /// penetration over `g_ref` within the tolerance.
-pub(super) fn refuse(discretisation: &Discretisation, solution: &Solution, tolerance: f64) -> Result<(), Error> {
+pub(super) fn refuse(
+    discretisation: &Discretisation,
+    solution: &Solution,
+    change: Change,
+    tolerance: f64,
+) -> Result<(), Error> {
     let accepted = tolerance * discretisation.scene.reference.gap;
-    match deepest(discretisation, solution)? {
+    match deepest(discretisation, solution, change)? {
         Some(Spill { end, position, penetration }) if penetration.is_nan() || penetration > accepted => {
             Err(Error::ContactBeyondCandidates { bodies: discretisation.names(), end, position, penetration })
         }

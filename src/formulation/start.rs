@@ -69,6 +69,7 @@ impl Discretisation {
         let (own, mut work) = (solution.work, solution.coarser);
         work.steps += own.steps;
         work.factorisations += own.factorisations;
+        work.updates += own.updates;
         work.back_substitutions += own.back_substitutions;
         let mut springs = finer.initial_springs();
         for (k, point) in springs.stiffness.iter_mut().zip(finer.points) {

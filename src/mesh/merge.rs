@@ -24,7 +24,18 @@ impl Mesh {
         for block in blocks {
             let lattice = block.lattice();
             let [columns, rows] = block.size();
-            let mut node = |i: usize, j: usize| register.node(lattice[j][i], &mut self.points);
+            let mut known = vec![None; columns * rows];
+            // Inside a block no point coincides with another.
+            let mut node = |i: usize, j: usize| {
+                let inside = i > 0 && j > 0 && i + 1 < columns && j + 1 < rows;
+                *known[j * columns + i].get_or_insert_with(|| match inside {
+                    true => {
+                        self.points.push(lattice[j][i]);
+                        self.points.len() - 1
+                    }
+                    false => register.node(lattice[j][i], &mut self.points),
+                })
+            };
             for j in (0..rows - 1).step_by(2) {
                 for i in (0..columns - 1).step_by(2) {
                     let corners = [(i, j), (i + 2, j), (i + 2, j + 2), (i, j + 2)];

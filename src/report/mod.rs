@@ -7,6 +7,7 @@
 //! * [`checks`] — requirement by requirement.
 //! * [`cross_code`] — against other codes, and the planted faults.
 //! * [`limits`] — where everything else breaks.
+//! * [`timings`] — speed against accuracy.
 //! * [`cures`] — options that are not the paper's.
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
@@ -25,6 +26,7 @@ pub mod limits;
 pub mod matrix;
 pub mod page;
 pub mod pictures;
+pub mod timings;
 
 pub use files::{differences, write};
 pub use page::{Page, compose};

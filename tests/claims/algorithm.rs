@@ -104,11 +104,11 @@ fn tight(max_steps: usize) -> Settings {
 /// Every algorithm and rule that iterates to the contact conditions.
 fn solvers() -> Vec<(&'static str, Box<dyn Algorithm>)> {
     vec![
-        ("varying secant", Box::new(Varying { rule: StiffnessRule::Secant })),
-        ("varying correction", Box::new(Varying { rule: StiffnessRule::Correction })),
+        ("varying secant", Box::new(Varying::new(StiffnessRule::Secant))),
+        ("varying correction", Box::new(Varying::new(StiffnessRule::Correction))),
         ("constant correction", Box::new(Constant::new(StiffnessRule::Correction))),
         ("constant secant", Box::new(Constant::new(StiffnessRule::Secant))),
-        ("kinematic", Box::new(Kinematic { rule: StiffnessRule::Switching, tolerance: 1e-9 })),
+        ("kinematic", Box::new(Kinematic::new(StiffnessRule::Switching, 1e-9))),
     ]
 }
 
@@ -166,7 +166,7 @@ fn two_coupled_springs_find_every_closed_set_with_every_algorithm() {
 fn penalty_rule_solves_the_problem_of_elastic_springs() {
     // (s + A k) u = f + A k g, p = k (u − g).
     let sample = one(90.0);
-    let mut penalty = Kinematic { rule: StiffnessRule::Penalty, tolerance: 1e-9 };
+    let mut penalty = Kinematic::new(StiffnessRule::Penalty, 1e-9);
     let solution = sample.solve(&mut penalty, tight(10));
     let u = (90.0 + 2.0 * 100.0 * 0.1) / (300.0 + 2.0 * 100.0);
     assert_eq!(solution.outcome, Outcome::Converged);
@@ -183,7 +183,7 @@ fn penalty_rule_solves_the_problem_of_elastic_springs() {
 fn penalty_springs_keep_their_initial_stiffness_and_reopen_and_close() {
     let sample = one(90.0);
     let problem = sample.problem();
-    let mut penalty = Kinematic { rule: StiffnessRule::Penalty, tolerance: 1e-9 };
+    let mut penalty = Kinematic::new(StiffnessRule::Penalty, 1e-9);
     let mut work = Work::default();
     let mut springs = Springs { stiffness: vec![0.0], force: vec![0.0] };
     penalty.step(&problem, &[90.0], &mut springs, &mut work);
@@ -197,10 +197,8 @@ fn interference_is_resolved_by_kinematic_load_and_by_correction() {
     // w = g = −0.1 and p = (f − s g)/A.
     let mut sample = one(0.0);
     sample.points[0].gap = -0.1;
-    let solvers: [Box<dyn Algorithm>; 2] = [
-        Box::new(Kinematic { rule: StiffnessRule::Switching, tolerance: 1e-9 }),
-        Box::new(Constant::new(StiffnessRule::Correction)),
-    ];
+    let solvers: [Box<dyn Algorithm>; 2] =
+        [Box::new(Kinematic::new(StiffnessRule::Switching, 1e-9)), Box::new(Constant::new(StiffnessRule::Correction))];
     for mut algorithm in solvers {
         let solution = sample.solve(algorithm.as_mut(), tight(1000));
         assert_eq!(solution.outcome, Outcome::Converged);
@@ -239,7 +237,7 @@ fn first_step_of_varying_stiffness_is_equation_three_two() {
         (StiffnessRule::Correction, 26.0 / 0.18),
     ] {
         let mut springs = sample.problem().initial_springs();
-        let iterate = step(&mut Varying { rule }, &sample, &mut springs);
+        let iterate = step(&mut Varying::new(rule), &sample, &mut springs);
         assert_relative_eq!(iterate.displacement[0], 0.18, max_relative = 1e-14);
         assert_relative_eq!(iterate.pressure[0], 18.0, max_relative = 1e-14);
         assert_relative_eq!(springs.stiffness[0], wanted, max_relative = 1e-13);
@@ -252,7 +250,7 @@ fn correction_of_varying_stiffness_uses_the_larger_of_present_and_initial_stiffn
     let sample = one(90.0);
     for (present, kappa) in [(400.0, 400.0), (10.0, 100.0)] {
         let mut springs = Springs { stiffness: vec![present], force: vec![0.0] };
-        step(&mut Varying { rule: StiffnessRule::Correction }, &sample, &mut springs);
+        step(&mut Varying::new(StiffnessRule::Correction), &sample, &mut springs);
         let w = 90.0 / (300.0 + 2.0 * present);
         let wanted = (present * w + kappa * (w - 0.1)) / w;
         assert_relative_eq!(springs.stiffness[0], wanted.max(1e-12 * 100.0), max_relative = 1e-12);
@@ -310,7 +308,7 @@ fn literal_reading_does_not_find_the_solution() {
 fn first_step_of_kinematic_load_is_equation_three_eleven() {
     let sample = one(90.0);
     let mut springs = sample.problem().initial_springs();
-    let iterate = step(&mut Kinematic { rule: StiffnessRule::Switching, tolerance: 1e-3 }, &sample, &mut springs);
+    let iterate = step(&mut Kinematic::new(StiffnessRule::Switching, 1e-3), &sample, &mut springs);
     // (300 + 200) u = 90 + 2·100·0.1; p = 100 (u − 0.1) = 12; deeper than 1e-3 g_ref, so that it hardens.
     assert_relative_eq!(iterate.displacement[0], 0.22, max_relative = 1e-14);
     assert_relative_eq!(iterate.pressure[0], 12.0, max_relative = 1e-12);
@@ -319,7 +317,7 @@ fn first_step_of_kinematic_load_is_equation_three_eleven() {
 
 #[test]
 fn kinematic_springs_open_under_tension_close_at_full_hardness_and_stay_otherwise() {
-    let kinematic = || Kinematic { rule: StiffnessRule::Switching, tolerance: 1e-3 };
+    let kinematic = || Kinematic::new(StiffnessRule::Switching, 1e-3);
     let after = |load: f64, k: f64| {
         let mut springs = Springs { stiffness: vec![k], force: vec![0.0] };
         step(&mut kinematic(), &one(load), &mut springs);
@@ -337,7 +335,7 @@ fn kinematic_springs_open_under_tension_close_at_full_hardness_and_stay_otherwis
 fn hard_springs_hand_their_force_over_when_they_still_penetrate() {
     let sample = one(90.0);
     let hard = 1e6 * SCALE.stiffness;
-    let mut kinematic = Kinematic { rule: StiffnessRule::Switching, tolerance: 1e-9 };
+    let mut kinematic = Kinematic::new(StiffnessRule::Switching, 1e-9);
     let mut springs = Springs { stiffness: vec![hard], force: vec![0.0] };
     let first = step(&mut kinematic, &sample, &mut springs);
     // 30/1e8 = 3e-7 mm deep, more than 1e-9 of 0.1 mm.
@@ -608,7 +606,7 @@ fn convergence_is_residuals_within_the_tolerance() {
 fn no_spring_left_is_an_error_that_says_what_to_do() {
     let mut sample = one(-12.0);
     sample.stiffness = matrix(&[&[0.0]]);
-    let mut kinematic = Kinematic { rule: StiffnessRule::Switching, tolerance: 1e-3 };
+    let mut kinematic = Kinematic::new(StiffnessRule::Switching, 1e-3);
     let error = iterate(&sample.problem(), &mut kinematic, tight(10)).expect_err("the load pulls the body off");
     let text = error.to_string();
     assert!(matches!(error, Error::NoSpringLeft { steps: 1, .. }), "{text}");
@@ -628,10 +626,8 @@ fn constant_stiffness_factorises_once_over_all_increments() {
 #[test]
 fn varying_stiffness_and_kinematic_load_factorise_at_every_step() {
     let settings = Settings { tolerance: 1e-9, increments: 4, max_steps: 2000 };
-    let algorithms: [Box<dyn Algorithm>; 2] = [
-        Box::new(Varying { rule: StiffnessRule::Secant }),
-        Box::new(Kinematic { rule: StiffnessRule::Switching, tolerance: 1e-9 }),
-    ];
+    let algorithms: [Box<dyn Algorithm>; 2] =
+        [Box::new(Varying::new(StiffnessRule::Secant)), Box::new(Kinematic::new(StiffnessRule::Switching, 1e-9))];
     for mut algorithm in algorithms {
         let solution = one(90.0).solve(algorithm.as_mut(), settings);
         assert_eq!(solution.outcome, Outcome::Converged);
@@ -701,7 +697,7 @@ fn solution_reports_pressures_gaps_forces_and_edge_means() {
 #[test]
 fn contact_force_acts_on_all_freedoms_of_a_row() {
     let sample = two([200.0, 300.0], [0.1, 0.1]);
-    let solution = sample.solve(&mut Kinematic { rule: StiffnessRule::Switching, tolerance: 1e-9 }, tight(100));
+    let solution = sample.solve(&mut Kinematic::new(StiffnessRule::Switching, 1e-9), tight(100));
     let p: Vec<f64> = solution.points.iter().map(|p| p.pressure).collect();
     let wanted = [-2.0 * p[0] - 0.25 * 3.0 * p[1], -0.75 * 3.0 * p[1]];
     assert!(distance(&solution.contact_force, &wanted) <= 1e-12 * 300.0);

@@ -3,7 +3,7 @@
 use contact_vv::case::run::RESOLVED;
 use contact_vv::case::{Run, Verdict, limits};
 use contact_vv::error::Error;
-use contact_vv::formulation::{Discretisation, Element, Formulation, INCOMPRESSIBLE, Iteration, spill};
+use contact_vv::formulation::{Change, Discretisation, Element, Formulation, INCOMPRESSIBLE, Iteration, spill};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::library::{Bars, Cylinder, FlatPunch, Patch, PinRod};
 use contact_vv::scene::{Load, PlaneHypothesis, Profile, Scene};
@@ -69,7 +69,7 @@ fn contact_up_to_the_end_of_body_or_punch_is_no_spill() {
         let discretisation = Discretisation::of(scene, resolution(elements, 0, Order::Quadratic)).expect("solvable");
         let solution = discretisation.solve(&Formulation::verification()).expect("no spill");
         assert!(solution.points.last().is_some_and(|point| point.pressure > 0.0));
-        let deepest = spill::deepest(&discretisation, &solution).expect("recovered");
+        let deepest = spill::deepest(&discretisation, &solution, Change::NONE).expect("recovered");
         assert!(deepest.is_none_or(|spill| spill.penetration < 0.0), "{deepest:?}");
     }
 }

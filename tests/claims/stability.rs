@@ -196,7 +196,7 @@ fn the_rate_of_varying_stiffness_with_correction_is_the_derivative_of_its_step()
                 &target,
                 |springs| {
                     let load = problem.load;
-                    Varying { rule }.step(&problem, load, springs, &mut Work::default()).expect("springs hold");
+                    Varying::new(rule).step(&problem, load, springs, &mut Work::default()).expect("springs hold");
                 },
                 |stiffness| Springs { stiffness: stiffness.to_vec(), force: vec![0.0; stiffness.len()] },
                 // Open points stop at once: what they hand on is cut off.

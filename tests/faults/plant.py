@@ -2,7 +2,7 @@
 """Plants the faults of faults.toml one at a time on a copy of the tree and records which checks turn red.
 
 Run as `python3 tests/faults/plant.py` (about one minute a fault); writes snapshots/faults.json, which the page prints.
-Names given on the command line select the faults whose name contains one of them; nothing is then written.
+Names given on the command line select the faults whose name contains one of them; the record keeps the others.
 """
 import collections
 import hashlib
@@ -77,13 +77,16 @@ def main(wanted):
     sound, ended = failures()
     if sound or ended:
         sys.exit(f"the tree without a fault is not green: {ended or sound[0]}")
-    record = []
+    known = {old["name"]: old for old in json.loads(RECORD.read_text())["record"]} if wanted else {}
     for number, fault in enumerate(chosen, 1):
-        record.append(plant(fault))
-        print(f"{number}/{len(chosen)} {fault['name']}: {dict(record[-1]['red']) or record[-1]['ended'] or 'NOT CAUGHT'}", flush=True)
-    if not wanted:
-        known = hashlib.sha256(text.encode()).hexdigest()
-        RECORD.write_text(json.dumps({"faults_toml": known, "record": record}, indent=1, ensure_ascii=False) + "\n")
+        planted = known[fault["name"]] = plant(fault)
+        print(f"{number}/{len(chosen)} {fault['name']}: {dict(planted['red']) or planted['ended'] or 'NOT CAUGHT'}", flush=True)
+    missing = [fault["name"] for fault in faults if fault["name"] not in known]
+    if missing:
+        sys.exit(f"never planted, so nothing is recorded: {', '.join(missing)}")
+    record = [known[fault["name"]] for fault in faults]
+    listed = hashlib.sha256(text.encode()).hexdigest()
+    RECORD.write_text(json.dumps({"faults_toml": listed, "record": record}, indent=1, ensure_ascii=False) + "\n")
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ use crate::case::cross_code::answers::{Answers, relative_difference, worst_diffe
 use crate::case::problem;
 use crate::case::suite::{Finding, Trial};
 use crate::contact::Quadrature;
+use crate::elasticity::Freedoms;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration};
 use crate::mesh::{Order, Resolution, candidates};
@@ -78,7 +79,7 @@ impl Twin {
     pub fn on(discretisation: Discretisation) -> Result<Self, Error> {
         let bodies = &discretisation.system.bodies;
         let vectors: Vec<Vec<Vec<f64>>> =
-            PRIMES.iter().map(|p| bodies.iter().map(|body| fixed_vector(*p, body.force.len())).collect()).collect();
+            PRIMES.iter().map(|p| bodies.iter().map(|body| fixed_vector(*p, &body.freedoms)).collect()).collect();
         let on_nodes = |v: &Vec<Vec<f64>>| discretisation.system.nodal_displacements(v).as_flattened().to_vec();
         let problem = handed_over(&discretisation, vectors.iter().map(on_nodes).collect())?;
         let product = |v: &Vec<Vec<f64>>| bodies.iter().zip(v).flat_map(|(body, x)| body.product(x)).collect();
@@ -155,8 +156,24 @@ fn penalty(kappa: f64, order: Order) -> Formulation {
 
 /// Weyl's sequence `2 {i √p} − 1`: equally distributed between −1 and 1, independent for different primes, the same on
 /// every machine.
-fn fixed_vector(prime: f64, length: usize) -> Vec<f64> {
-    (1..=length).map(|i| 2.0 * (i as f64 * prime.sqrt()).fract() - 1.0).collect()
+fn fixed_vector(prime: f64, freedoms: &Freedoms) -> Vec<f64> {
+    let mut vector = vec![f64::NAN; freedoms.equations];
+    for (i, equation) in freedoms.in_mesh_order().into_iter().enumerate() {
+        vector[equation] = 2.0 * ((i + 1) as f64 * prime.sqrt()).fract() - 1.0;
+    }
+    vector
+}
+
+/// Writes our discretisation to a file, for codes in processes of their own.
+pub fn export(discretisation: &Discretisation, file: &std::path::Path) -> Result<(), Error> {
+    let failed =
+        |reason: String| Error::File { path: file.into(), reason, remedy: "check that it may be written".into() };
+    let problem = handed_over(discretisation, Vec::new())?;
+    let text = serde_json::to_string(&problem).map_err(|error| failed(error.to_string()))?;
+    if let Some(folder) = file.parent() {
+        std::fs::create_dir_all(folder).map_err(|error| failed(error.to_string()))?;
+    }
+    std::fs::write(file, text).map_err(|error| failed(error.to_string()))
 }
 
 /// Our discretisation as plain numbers.

@@ -84,7 +84,7 @@ fn peak_of_any(discretisation: &Discretisation) -> Result<f64, Error> {
     let points = discretisation.points(&formulation);
     let problem = discretisation.problem(&formulation, &points);
     let settings = formulation.settings;
-    let mut algorithm = Kinematic { rule: formulation.rule, tolerance: settings.tolerance };
+    let mut algorithm = Kinematic::new(formulation.rule, settings.tolerance);
     let solution = iterate(&problem, &mut algorithm, settings)?;
     let reference = &discretisation.scene.reference;
     let width = profile::second_moment_half_width(&solution.points);

@@ -66,7 +66,7 @@ fn stays(problem: &ContactProblem, limit: &Limit) -> bool {
         |(i, k): (usize, &f64)| problem.scale.clip(k * (1.0 + NUDGE * ((0.618 * (i + 1) as f64).fract() - 0.5)));
     let stiffness: Vec<f64> = limit.target(problem).iter().enumerate().map(nudge).collect();
     let mut springs = Springs { force: vec![0.0; stiffness.len()], stiffness };
-    let mut algorithm = Varying { rule: StiffnessRule::Correction };
+    let mut algorithm = Varying::new(StiffnessRule::Correction);
     let mut residual = f64::NAN;
     for _ in 0..STEPS {
         let Some(iterate) = algorithm.step(problem, problem.load, &mut springs, &mut Work::default()) else {

@@ -68,7 +68,7 @@ impl fmt::Display for Code {
 /// A mesh with everything that makes a discrete contact problem of it, as plain numbers; see `oracles/python/discrete.py`.
 ///
 /// The contact is that of line elements with two Gauss points an edge and springs `k_n = κ E*/ℓ` that open and close.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct DiscreteProblem {
     /// Name, as in the frozen files.
     pub name: String,

@@ -6,6 +6,7 @@
 //! * [`fields`] — stress on the deformed meshes.
 //! * [`schematics`] — contact elements and scenes.
 //! * [`cross_code`] — profiles of all codes and their differences.
+//! * [`timings`] — error against seconds and work, growth.
 //! * [`pins`] — hoop stress and displacement along the pin, the dimensionless family.
 
 pub mod atlas;
@@ -15,6 +16,7 @@ pub mod cross_code;
 pub mod fields;
 pub mod pins;
 pub mod schematics;
+pub mod timings;
 
 use crate::case::atlas::{Chart as Plane, Plane as Name, record};
 use crate::case::{Finding, Series};
@@ -53,6 +55,7 @@ pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
             charts.push(("steps-predicted.svg".into(), atlas::steps(&recorded)?));
         }
     }
+    charts.extend(timings::all()?);
     Ok(charts)
 }
 

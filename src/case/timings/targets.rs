@@ -1,0 +1,139 @@
+//! What was asked of the speed, and what was measured.
+
+use crate::case::timings::others::{OtherPoint, PEERS};
+use crate::case::timings::precision::{self, Family, Point, TOLERANCE};
+use crate::case::timings::record::Record;
+use crate::case::timings::statistics::exponent;
+use crate::error::Error;
+use crate::formulation::{Element, Formulation, Iteration};
+use crate::mesh::Order;
+use crate::oracle::cross_code::Code;
+
+/// One row.
+#[derive(Clone, Debug)]
+pub struct Target {
+    /// What is measured.
+    pub what: String,
+    /// What was asked for.
+    pub asked: String,
+    /// What came out, with its spread where it is a ratio of repeated runs.
+    pub measured: String,
+    /// Whether it is met; none where it could not be measured.
+    pub met: Option<bool>,
+}
+
+/// Freedoms for which the ratios are asked.
+const SIZES: [f64; 3] = [1e4, 1e5, 1e6];
+/// Error of p₀ and a to which codes are compared.
+const COMPARED: f64 = 1e-3;
+/// How often our own solve is measured before and after each code's.
+const REPEATS: usize = 10;
+
+/// All rows.
+pub fn targets(record: &Record) -> Vec<Target> {
+    let growth = &record.measured.growth;
+    let near = |freedoms: f64| {
+        let apart = |n: usize| (n as f64 / freedoms).ln().abs();
+        growth.iter().min_by(|a, b| apart(a.counts.freedoms).total_cmp(&apart(b.counts.freedoms)))
+    };
+    let mut all = Vec::new();
+    for one in SIZES.into_iter().filter_map(near) {
+        let n = one.counts.freedoms;
+        all.push(at_most(format!("contact solve ÷ plain solve, {n} freedoms"), 1.1, one.ratio.median));
+        all.push(at_most(
+            format!("assembly ÷ plain solve, {n} freedoms, one thread"),
+            0.25,
+            one.assembly_ratio[0].median,
+        ));
+        all.push(at_most(format!("the same on all threads, {n} freedoms"), 0.25, one.assembly_ratio[1].median));
+        all.push(at_most(format!("one more solve ÷ the first, {n} freedoms"), 0.02, one.again_ratio.median));
+    }
+    let nine = &record.measured.nine;
+    let freedoms = nine.counts.freedoms;
+    all.push(at_most(format!("all nine formulations ÷ one, {freedoms} freedoms"), 2.0, nine.all.median));
+    let without = format!("the same without varying stiffness, whose {} steps factorise each", nine.varying_steps);
+    all.push(at_most(without, 2.0, nine.without_varying.median));
+    let whole: Vec<[f64; 2]> = (growth.iter())
+        .filter(|one| one.counts.freedoms as f64 >= 0.7 * SIZES[0])
+        .map(|one| [one.counts.freedoms as f64, one.stages.values().map(|stage| stage.median).sum()])
+        .collect();
+    all.push(at_most("exponent of the whole time, 1e4 to 1e6 freedoms".into(), 1.25, exponent(&whole)));
+    for one in growth.iter().filter(|one| one.counts.freedoms as f64 >= 0.7 * SIZES[1]) {
+        let what = format!("peak memory ÷ bytes of the factor, {} freedoms", one.counts.freedoms);
+        all.push(match one.memory_ratio {
+            Some(ratio) => at_most(what, 2.0, ratio),
+            None => absent(what, "≤ 2".into()),
+        });
+    }
+    all.extend(Code::ALL.into_iter().zip([20.0, 10.0]).map(|(code, asked)| to_accuracy(record, code, asked)));
+    all.extend(PEERS.into_iter().zip([10.0, 50.0]).map(|((name, _), asked)| peer(record, name, asked)));
+    all.push(at_most("whole report from nothing [s]".into(), 60.0, record.measured.report));
+    all
+}
+
+/// Our cheapest mesh within the compared accuracy: node elements with kinematic load on truncated Hertz.
+pub fn cheapest(points: &[Point]) -> Option<&Point> {
+    let enough = |point: &&Point| {
+        point.family != Family::Cylinder.name() && point.formulation == "node.kinematic" && point.error() <= COMPARED
+    };
+    points.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds))
+}
+
+/// Seconds of that solve as they are now, several times under each load.
+pub fn cheapest_seconds(points: &[Point]) -> Result<Vec<f64>, Error> {
+    let Some(point) = cheapest(points) else { return Ok(Vec::new()) };
+    let order = if point.cell_nodes == 4 { Order::Linear } else { Order::Quadratic };
+    let family = Family::ALL.into_iter().find(|family| family.name() == point.family);
+    let formulation = Formulation::new(Element::Node, Iteration::Kinematic).tolerance(TOLERANCE);
+    let mut seconds = Vec::new();
+    for family in family.into_iter().cycle().take(REPEATS) {
+        seconds.extend(precision::seconds(family, order, point.elements, &formulation)?);
+    }
+    Ok(seconds)
+}
+
+fn to_accuracy(record: &Record, code: Code, asked: f64) -> Target {
+    let what = format!("time to 0.1 % in p₀ and a, truncated Hertz: {code} ÷ ours");
+    let enough = |point: &&OtherPoint| point.code == code.name() && point.peak.max(point.half_width) <= COMPARED;
+    let theirs = record.measured.others.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds));
+    let beside = record.measured.beside.iter().find(|(name, _)| name == code.name());
+    match (theirs, beside, cheapest(&record.points)) {
+        (Some(theirs), Some((_, ours)), Some(own)) => {
+            let ratio = theirs.seconds / ours.median;
+            let measured = format!(
+                "{ratio:.1} ({:.1} ms with {} freedoms against {:.2} ms with {})",
+                1e3 * theirs.seconds,
+                theirs.freedoms,
+                1e3 * ours.median,
+                own.freedoms
+            );
+            Target { measured, ..at_least(what, asked, ratio) }
+        }
+        _ => absent(what, format!("≥ {asked}")),
+    }
+}
+
+fn peer(record: &Record, name: &str, asked: f64) -> Target {
+    let what = format!("contact solve of the same cylinder mesh: {name} ÷ ours");
+    let ratios: Vec<f64> = (record.measured.peers.iter())
+        .filter(|point| point.code == name)
+        .map(|point| point.seconds.median / point.ours.median)
+        .collect();
+    let told: Vec<String> = ratios.iter().map(|ratio| format!("{ratio:.0}")).collect();
+    match ratios.iter().copied().reduce(|a, b| if a.is_nan() || a < b { a } else { b }) {
+        Some(least) => Target { measured: told.join(", ") + " on three meshes", ..at_least(what, asked, least) },
+        None => absent(what, format!("≥ {asked}")),
+    }
+}
+
+fn at_most(what: String, limit: f64, value: f64) -> Target {
+    Target { what, asked: format!("≤ {limit}"), measured: format!("{value:.3}"), met: Some(value <= limit) }
+}
+
+fn at_least(what: String, limit: f64, value: f64) -> Target {
+    Target { what, asked: format!("≥ {limit}"), measured: format!("{value:.1}"), met: Some(value >= limit) }
+}
+
+fn absent(what: String, asked: String) -> Target {
+    Target { what, asked, measured: "not installed where this was measured".into(), met: None }
+}

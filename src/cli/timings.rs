@@ -1,0 +1,103 @@
+//! Measures speed against accuracy with a progress bar.
+
+use std::process::Command;
+use std::time::Instant;
+
+use indicatif::ProgressBar;
+
+use crate::case::timings::machine::Machine;
+use crate::case::timings::others::{self, PEERS};
+use crate::case::timings::record::{FOLDER, Measured, Record};
+use crate::case::timings::statistics::Spread;
+use crate::case::timings::{growth, precision, targets};
+use crate::cli::{progress, say};
+use crate::error::Error;
+use crate::oracle::cross_code::Code;
+
+/// Repeats of the comparison of nine formulations with one.
+const REPEATS: usize = 5;
+
+/// Measures everything on one thread and writes the record.
+pub fn run() -> Result<(), Error> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    let pool = pool.map_err(|error| Error::Combination {
+        what: format!("no thread could be started: {error}"),
+        remedy: "free memory, or raise the limit of threads".into(),
+    })?;
+    let record = pool.install(measure)?;
+    record.write()?;
+    for target in targets::targets(&record) {
+        let met = target.met.map_or("—", |met| if met { "✓" } else { "✗" });
+        say(format!("{met} {}: {} (asked: {})", target.what, target.measured, target.asked));
+    }
+    record.measured.absent.iter().for_each(|what| say(format!("skipped: {what}")));
+    say(format!("written: {FOLDER}; `cargo run --release` draws it"));
+    Ok(())
+}
+
+fn measure() -> Result<Record, Error> {
+    let meshes = precision::meshes();
+    let bar = progress(growth::MESHES.len() + meshes.len() + Code::ALL.len() + PEERS.len() + 2);
+    let step = |what: &str| {
+        bar.inc(1);
+        bar.set_message(what.to_owned());
+    };
+    bar.set_message("nine formulations");
+    let nine = growth::nine(REPEATS)?;
+    let mut measured = Vec::new();
+    for mesh in growth::MESHES {
+        step(&format!("growth, {} × 2^{}", mesh.0, mesh.1));
+        measured.push(growth::measure(mesh, memory(mesh.0, mesh.1)?)?);
+    }
+    let mut points = Vec::new();
+    for (family, order, elements) in meshes {
+        step(&format!("{}, {}-node, {elements} elements", family.name(), order.nodes_per_cell()));
+        points.extend(precision::measure(family, order, elements)?);
+    }
+    let (mut others, mut peers, mut absent) = (Vec::new(), Vec::new(), Vec::new());
+    let mut beside = Vec::new();
+    for code in Code::ALL {
+        step(code.name());
+        let mut own = targets::cheapest_seconds(&points)?;
+        others::precision(code)?.map_or_else(|why| absent.push(why), |found| others.extend(found));
+        own.extend(targets::cheapest_seconds(&points)?);
+        beside.push((code.name().to_owned(), Spread::of(&own)));
+    }
+    for peer in PEERS {
+        step(peer.0);
+        others::cylinder(peer)?.map_or_else(|why| absent.push(why), |found| peers.extend(found));
+    }
+    step("the report");
+    let report = report_seconds(&bar)?;
+    bar.finish_and_clear();
+    let floor = precision::floor()?;
+    let measured =
+        Measured { machine: Machine::here(), growth: measured, nine, report, floor, others, beside, peers, absent };
+    Ok(Record { measured, points })
+}
+
+/// Largest memory of a process that solves this mesh and does nothing else [bytes]; none where it does not tell.
+fn memory(elements: usize, refinement: u32) -> Result<Option<f64>, Error> {
+    let output = itself(&["timings", "--memory", &elements.to_string(), &refinement.to_string()])?;
+    Ok(output.trim().parse().ok().filter(|bytes: &f64| bytes.is_finite()))
+}
+
+/// Seconds of the whole report in a process of its own; it writes nothing.
+fn report_seconds(bar: &ProgressBar) -> Result<f64, Error> {
+    let clock = Instant::now();
+    bar.tick();
+    itself(&["verdicts"])?;
+    Ok(clock.elapsed().as_secs_f64())
+}
+
+/// What this program prints when it is started with some arguments.
+fn itself(arguments: &[&str]) -> Result<String, Error> {
+    let failed = |reason: String| Error::File {
+        path: "contact-vv".into(),
+        reason,
+        remedy: "the program measures itself: it must stay where it was started".into(),
+    };
+    let program = std::env::current_exe().map_err(|error| failed(error.to_string()))?;
+    let output = Command::new(program).args(arguments).output().map_err(|error| failed(error.to_string()))?;
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+}

@@ -1,0 +1,74 @@
+//! The bodies and their springs as one sparse system, ordered and solved by the library alone: what checks the condensation.
+
+use faer::prelude::Solve;
+use faer::sparse::{SparseColMat, Triplet};
+use faer::{Mat, Side};
+
+use crate::elasticity::ElasticSystem;
+use crate::error::Error;
+
+/// A spring between retained freedoms.
+#[derive(Clone, Debug)]
+pub struct CoupledSpring {
+    /// Sparse row `b` on the retained freedoms.
+    pub row: Vec<(usize, f64)>,
+    /// Spring constant `A k` [N/mm].
+    pub constant: f64,
+    /// Force `A c` along `b` at rest \[N\].
+    pub force: f64,
+}
+
+/// The unknowns of each body without condensation: `(K + Σ A k bᵀb) u = f + Σ A c b`, refined once.
+pub fn solve_uncondensed(system: &ElasticSystem, springs: &[CoupledSpring]) -> Result<Vec<Vec<f64>>, Error> {
+    let singular = || Error::SingularStiffness { body: "coupled system".into(), pivot: 0 };
+    let Coupled { triplets, rhs, offsets } = Coupled::of(system, springs);
+    let n = rhs.len();
+    let matrix = SparseColMat::try_new_from_triplets(n, n, &triplets).map_err(|_| singular())?;
+    let factor = matrix.sp_cholesky(Side::Lower).map_err(|_| singular())?;
+    let solve = |b: &[f64]| -> Vec<f64> {
+        let mut x = Mat::from_fn(n, 1, |i, _| b[i]);
+        factor.solve_in_place(x.as_mut());
+        (0..n).map(|i| x[(i, 0)]).collect()
+    };
+    let mut x = solve(&rhs);
+    let mut residual = rhs;
+    for &Triplet { row, col, val } in &triplets {
+        residual[row] -= val * x[col];
+        if row != col {
+            residual[col] -= val * x[row];
+        }
+    }
+    x.iter_mut().zip(solve(&residual)).for_each(|(x, change)| *x += change);
+    Ok(offsets.windows(2).map(|pair| x[pair[0]..pair[1]].to_vec()).collect())
+}
+
+/// The coupled system: lower triangle, right-hand side, and the first unknown of each body.
+struct Coupled {
+    triplets: Vec<Triplet<usize, usize, f64>>,
+    rhs: Vec<f64>,
+    offsets: Vec<usize>,
+}
+
+impl Coupled {
+    fn of(system: &ElasticSystem, springs: &[CoupledSpring]) -> Self {
+        let (mut triplets, mut retained, mut rhs, mut offsets) = (Vec::new(), Vec::new(), Vec::new(), vec![0]);
+        for body in &system.bodies {
+            let (matrix, offset) = (body.stiffness.as_ref(), rhs.len());
+            for column in 0..matrix.ncols() {
+                let entries = matrix.row_idx_of_col(column).zip(matrix.val_of_col(column));
+                triplets.extend(entries.map(|(row, &value)| Triplet::new(offset + row, offset + column, value)));
+            }
+            retained.extend(body.retained.clone().map(|equation| offset + equation));
+            rhs.extend_from_slice(&body.force);
+            offsets.push(rhs.len());
+        }
+        for CoupledSpring { row, constant, force } in springs {
+            for &(i, b_i) in row {
+                rhs[retained[i]] += b_i * force;
+                let lower = row.iter().filter(|(j, _)| retained[i] >= retained[*j]);
+                triplets.extend(lower.map(|&(j, b_j)| Triplet::new(retained[i], retained[j], constant * b_i * b_j)));
+            }
+        }
+        Self { triplets, rhs, offsets }
+    }
+}

@@ -1,0 +1,216 @@
+//! Error against seconds and work, what finer meshes pay, and growth with the number of freedoms.
+
+use super::{label, style};
+use crate::case::timings::growth::{Growth, STAGES};
+use crate::case::timings::others::OtherPoint;
+use crate::case::timings::precision::{Family, Point};
+use crate::case::timings::record::Record;
+use crate::case::timings::statistics::exponent;
+use crate::error::Error;
+use crate::formulation::Formulation;
+use crate::report::figure::palette::{self, Colour, Dash, Marker, Style};
+use crate::report::figure::{Axis, Chart, Direction, Guide, Series, panels};
+
+/// What a run costs.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Cost {
+    Seconds,
+    Operations,
+}
+
+/// Charts with all nine formulations: scene, nodes of a cell, and their file names without the cost.
+const NINE: [(Family, usize, &str); 4] = [
+    (Family::Truncated, 8, "precision-truncated-8-node"),
+    (Family::Truncated, 4, "precision-truncated-4-node"),
+    (Family::Cylinder, 8, "precision-cylinder-8-node"),
+    (Family::Cylinder, 4, "precision-cylinder-4-node"),
+];
+
+/// All charts of the record.
+pub fn all() -> Result<Vec<(String, String)>, Error> {
+    let record = Record::read()?;
+    let mut charts = Vec::new();
+    for (family, nodes, file) in NINE {
+        for (cost, name) in [(Cost::Seconds, "seconds"), (Cost::Operations, "work")] {
+            charts.push((format!("{file}-{name}.svg"), precision(&record, family, nodes, cost)?));
+        }
+    }
+    charts.push(("what-pays.svg".into(), what_pays(&record)?));
+    charts.push(("growth.svg".into(), growth(&record.measured.growth)?));
+    Ok(charts)
+}
+
+/// Quantities with their median and worst errors, ours and of other codes.
+type Quantity = (&'static str, [fn(&Point) -> f64; 2], [fn(&OtherPoint) -> f64; 2]);
+
+const QUANTITIES: [Quantity; 3] = [
+    ("p₀", [|p| p.peak, |p| p.peak_worst], [|p| p.peak, |p| p.peak_worst]),
+    ("a", [|p| p.half_width, |p| p.half_width_worst], [|p| p.half_width, |p| p.half_width_worst]),
+    ("L2(p)", [|p| p.l2, |p| p.l2_worst], [|p| p.l2, |p| p.l2_worst]),
+];
+
+fn precision(record: &Record, family: Family, nodes: usize, cost: Cost) -> Result<String, Error> {
+    let axis = if cost == Cost::Seconds { "seconds" } else { "operations" };
+    let mut charts = Vec::new();
+    for (row, (quantity, ours, theirs)) in QUANTITIES.into_iter().enumerate() {
+        for (column, which) in ["median", "worst"].into_iter().enumerate() {
+            let title = format!("{quantity}, {which} of eight loads");
+            let mut chart = Chart::new(&title, Axis::log(axis), Axis::log("relative error"));
+            for formulation in family.formulations() {
+                let of = |p: &&Point| {
+                    p.family == family.name() && p.cell_nodes == nodes && p.formulation == formulation.name()
+                };
+                let points: Vec<&Point> = record.points.iter().filter(of).collect();
+                chart.series.push(curve(&points, cost, ours[column], label(&formulation), style(&formulation)));
+            }
+            if family == Family::Truncated && cost == Cost::Seconds {
+                chart.series.extend(other_codes(record, theirs[column]));
+            }
+            if let (Family::Cylinder, Some(&floor)) = (family, record.measured.floor.get(row)) {
+                chart.guides.push(Guide { direction: Direction::Horizontal, at: floor, label: "model".into() });
+            }
+            charts.push(chart);
+        }
+    }
+    panels(&format!("{}, {nodes}-node cells: error against {axis}", family.name()), &charts, 2)
+}
+
+fn price(point: &Point, cost: Cost) -> f64 {
+    if cost == Cost::Seconds { point.seconds } else { point.operations() }
+}
+
+fn curve(points: &[&Point], cost: Cost, error: fn(&Point) -> f64, label: String, style: Style) -> Series {
+    let (sound, failed): (Vec<&&Point>, Vec<&&Point>) = points.iter().partition(|point| !error(point).is_nan());
+    Series {
+        label,
+        points: sound.iter().map(|point| (price(point, cost), error(point))).collect(),
+        style,
+        hollow: failed.iter().map(|point| price(point, cost)).collect(),
+    }
+}
+
+fn other_codes(record: &Record, error: fn(&OtherPoint) -> f64) -> Vec<Series> {
+    let styles = [
+        ("scikit-fem", Style::run(palette::PURPLE, Dash::DashDot, Marker::Triangle)),
+        ("dolfinx", Style::run(palette::ORANGE, Dash::DashDot, Marker::Wedge)),
+    ];
+    let of = |(code, style): (&str, Style)| {
+        let own = record.measured.others.iter().filter(|point| point.code == code);
+        let mut points: Vec<(f64, f64)> = own.map(|point| (point.seconds, error(point))).collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Series { label: code.into(), points, style, hollow: Vec::new() }
+    };
+    styles.into_iter().map(of).collect()
+}
+
+/// Graded, steep and uniform meshes of 4-node and 8-node cells, and the three elements, by freedoms and by seconds.
+fn what_pays(record: &Record) -> Result<String, Error> {
+    let families = [
+        (Family::Truncated, "graded", Dash::Solid),
+        (Family::Steep, "steep", Dash::DashDot),
+        (Family::Uniform, "uniform", Dash::Dashed),
+    ];
+    let cells = [(4, palette::ORANGE, Marker::Square), (8, palette::PURPLE, Marker::Circle)];
+    let mut charts = Vec::new();
+    let axes = [("freedoms", (|p| p.freedoms as f64) as fn(&Point) -> f64), ("seconds", |p| p.seconds)];
+    for (axis, cost) in axes {
+        let mut chart = Chart::new("Cells and grading, node", Axis::log(axis), Axis::log("larger error of p₀ and a"));
+        for (nodes, colour, marker) in cells {
+            for (family, grading, dash) in families {
+                let points = of_mesh(record, family, nodes, "node.kinematic");
+                let style = Style::run(colour, dash, marker);
+                chart.series.push(by(&points, cost, format!("{nodes}-node, {grading}"), style));
+            }
+        }
+        charts.push(chart);
+    }
+    for (axis, cost) in axes {
+        let mut chart = Chart::new("Elements, 8-node graded", Axis::log(axis), Axis::log("larger error of p₀ and a"));
+        for formulation in kinematic() {
+            let points = of_mesh(record, Family::Truncated, 8, &formulation.name());
+            chart.series.push(by(&points, cost, label(&formulation), style(&formulation)));
+        }
+        charts.push(chart);
+    }
+    panels("What pays: truncated Hertz, kinematic load, median of eight loads", &charts, 2)
+}
+
+fn kinematic() -> impl Iterator<Item = Formulation> {
+    Family::Steep.formulations().into_iter()
+}
+
+fn of_mesh<'a>(record: &'a Record, family: Family, nodes: usize, formulation: &str) -> Vec<&'a Point> {
+    let of = |p: &&Point| p.family == family.name() && p.cell_nodes == nodes && p.formulation == formulation;
+    record.points.iter().filter(of).collect()
+}
+
+fn by(points: &[&Point], cost: fn(&Point) -> f64, label: String, style: Style) -> Series {
+    let points = points.iter().map(|point| (cost(point), point.error())).collect();
+    Series { label, points, style, hollow: Vec::new() }
+}
+
+/// Seconds by stage, whole solves, and memory against freedoms.
+fn growth(growth: &[Growth]) -> Result<String, Error> {
+    let freedoms = || Axis::log("freedoms");
+    let colours = [
+        palette::LINE,
+        palette::ORANGE,
+        palette::LAYER,
+        palette::PURPLE,
+        palette::NODE,
+        palette::SKY,
+        palette::GREY,
+        palette::PALE,
+        palette::INK,
+        palette::LINE,
+    ];
+    let mut stages = Chart::new("Seconds by stage", freedoms(), Axis::log("seconds"));
+    for (k, stage) in STAGES.into_iter().enumerate().filter(|(_, stage)| *stage != "interface") {
+        let seconds = |one: &Growth| one.stages.get(stage).map_or(f64::NAN, |spread| spread.median);
+        let dash = if k % 2 == 0 { Dash::Solid } else { Dash::Dashed };
+        let marker = [Marker::Circle, Marker::Square, Marker::Diamond, Marker::Triangle, Marker::Wedge][k % 5];
+        stages.series.push(grown(growth, stage, &seconds, Style::run(colours[k], dash, marker)));
+    }
+    let mut whole = Chart::new("Whole solves", freedoms(), Axis::log("seconds"));
+    let sum = |one: &Growth, which: &[&str]| -> f64 {
+        which.iter().map(|stage| one.stages.get(*stage).map_or(f64::NAN, |spread| spread.median)).sum()
+    };
+    let run = |colour: Colour, dash, marker| Style::run(colour, dash, marker);
+    let plain_ours = ["ordering", "analysis", "factorisation", "forward elimination", "recovery"];
+    whole.series = vec![
+        grown(growth, "contact solve", &|g| g.contact.median, run(palette::NODE, Dash::Solid, Marker::Circle)),
+        grown(
+            growth,
+            "plain Cholesky, its own ordering",
+            &|g| g.plain.median,
+            run(palette::INK, Dash::Dashed, Marker::Square),
+        ),
+        grown(
+            growth,
+            "plain Cholesky, our ordering",
+            &|g| sum(g, &plain_ours),
+            run(palette::GREY, Dash::Dotted, Marker::Diamond),
+        ),
+        grown(growth, "from nothing", &|g| sum(g, &STAGES), run(palette::LAYER, Dash::DashDot, Marker::Triangle)),
+    ];
+    let mut memory = Chart::new("Memory", freedoms(), Axis::log("bytes"));
+    let factor = |g: &Growth| 8.0 * g.counts.factor_entries as f64;
+    let peak = |g: &Growth| g.memory_ratio.map_or(f64::NAN, |ratio| ratio * factor(g));
+    memory.series = vec![
+        grown(growth, "whole process, at most", &peak, run(palette::LAYER, Dash::Solid, Marker::Circle)),
+        grown(growth, "sparse factor", &factor, run(palette::INK, Dash::Dashed, Marker::Square)),
+    ];
+    panels("Growth: cylinder, node + kinematic load, one thread", &[stages, whole, memory], 2)
+}
+
+/// A curve with its fitted exponent from 10⁴ freedoms on in the legend.
+fn grown(growth: &[Growth], name: &str, of: &dyn Fn(&Growth) -> f64, style: Style) -> Series {
+    let points: Vec<[f64; 2]> = growth.iter().map(|g| [g.counts.freedoms as f64, of(g)]).collect();
+    let large: Vec<[f64; 2]> = points.iter().copied().filter(|p| p[0] >= 7e3 && p[1] > 0.0).collect();
+    Series {
+        label: format!("{name}: ∝ n^{:.2}", exponent(&large)),
+        points: points.into_iter().map(|[x, y]| (x, y)).collect(),
+        style,
+        hollow: Vec::new(),
+    }
+}

@@ -1,0 +1,301 @@
+//! The fast ways give what the plain ones give, on meshes and systems that look random.
+
+use contact_vv::algorithm::ContactProblem;
+use contact_vv::algorithm::kept::KeptFactor;
+use contact_vv::condensation::Plain;
+use contact_vv::condensation::dense::DenseFactor;
+use contact_vv::elasticity::element::CellStiffness;
+use contact_vv::elasticity::{ElasticSystem, Freedom, Numbering};
+use contact_vv::formulation::{Change, Discretisation, Element, Formulation, Iteration};
+use contact_vv::mesh::{Mesh, Order};
+use contact_vv::scene::library::{Cylinder, PinRod};
+use contact_vv::scene::{Component, Scene};
+use contact_vv::solution::Work;
+use faer::Mat;
+use nalgebra::{DMatrix, DVector};
+
+use crate::workbench::{ORDERS, block, dense, distance, held, library, noise, resolution};
+
+/// Every scene of the library on a mesh that is shaken, mirrored or numbered backwards by turns.
+fn samples() -> Vec<(String, Scene, Mesh)> {
+    let mut samples = Vec::new();
+    let mut number = noise(20);
+    for (scene, elements) in library() {
+        for order in ORDERS {
+            let elements = elements + (1.5 * (number() + 1.0)) as usize;
+            let mesh = Mesh::of(&scene, resolution(elements, 0, order)).expect("mesh");
+            let name = |how: &str| format!("{}, {how}, {order:?}, {elements} elements", scene.name);
+            samples.push((name("shaken"), scene.clone(), mesh.shaken(0.1 * (number() + 1.0))));
+            samples.push((name("numbered backwards"), scene.clone(), mesh.renumbered()));
+            samples.push((name("mirrored"), scene.mirrored(), mesh.mirrored()));
+        }
+    }
+    samples
+}
+
+/// `K` and the forces of prescribed displacements, added cell by cell into a full matrix.
+fn added_densely(scene: &Scene, mesh: &Mesh, body: usize, system: &ElasticSystem) -> (DMatrix<f64>, DVector<f64>) {
+    let freedoms = &system.bodies[body].freedoms;
+    let kernel = CellStiffness::new(mesh.order, &scene.bodies[body].material.stiffness(scene.plane), scene.thickness);
+    let mut matrix = DMatrix::zeros(freedoms.equations, freedoms.equations);
+    let mut force = DVector::zeros(freedoms.equations);
+    for cell in mesh.bodies[body].cells.clone() {
+        let nodes = mesh.cell(cell);
+        let mut k = vec![0.0; kernel.entries()];
+        kernel.integrate(nodes.iter().map(|&n| mesh.points[n]), &mut k).expect("sound cell");
+        freedoms.rotate(nodes, &mut k);
+        let of_cell: Vec<Freedom> = nodes.iter().flat_map(|&n| freedoms.of_node(n)).collect();
+        for (i, row) in of_cell.iter().enumerate() {
+            let Freedom::Equation(row) = *row else { continue };
+            for (j, column) in of_cell.iter().enumerate() {
+                match *column {
+                    Freedom::Equation(column) => matrix[(row, column)] += k[i * of_cell.len() + j],
+                    Freedom::Prescribed(u) => force[row] -= k[i * of_cell.len() + j] * u,
+                }
+            }
+        }
+    }
+    (matrix, force)
+}
+
+#[test]
+fn matrix_assembled_into_compressed_columns_is_the_one_added_densely() {
+    for (name, scene, mesh) in samples() {
+        let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+        for (index, body) in system.bodies.iter().enumerate() {
+            let (wanted, _) = added_densely(&scene, &mesh, index, &system);
+            let difference = (dense(body) - &wanted).amax();
+            assert!(difference <= 1e-13 * wanted.amax(), "{name}: {difference:e}");
+        }
+    }
+}
+
+#[test]
+fn prescribed_displacements_reach_the_load_through_the_same_cells() {
+    for (name, mut scene, mesh) in samples() {
+        scene.bodies.iter_mut().for_each(|body| body.loads.retain(is_tie));
+        scene.bodies.iter_mut().for_each(|body| body.supports.iter_mut().for_each(|support| support.value = 0.01));
+        let Ok(system) = ElasticSystem::assemble(&scene, &mesh) else { continue };
+        for (index, body) in system.bodies.iter().enumerate() {
+            let (_, wanted) = added_densely(&scene, &mesh, index, &system);
+            let loaded = body.freedoms.equations - usize::from(body.force.len() < wanted.len());
+            let apart: f64 = (0..loaded)
+                .filter(|&e| !is_tied(body, e))
+                .map(|e| (body.force[e] - wanted[e]).abs())
+                .fold(0.0, |worst, d| if d.is_nan() { d } else { f64::max(worst, d) });
+            assert!(apart <= 1e-12 * wanted.amax().max(1.0), "{name}: {apart:e}");
+        }
+    }
+}
+
+fn is_tie(load: &contact_vv::scene::Load) -> bool {
+    matches!(load, contact_vv::scene::Load::RigidFace { .. })
+}
+
+/// Whether several components share an equation; a rigid face carries its own load there.
+fn is_tied(body: &contact_vv::elasticity::BodySystem, equation: usize) -> bool {
+    body.freedoms.components.iter().flatten().filter(|freedom| freedom.equation() == Some(equation)).count() > 1
+}
+
+#[test]
+fn every_unknown_has_one_number_and_the_candidates_have_the_last_ones() {
+    for (name, scene, mesh) in samples() {
+        let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+        for (body, part) in system.bodies.iter().zip(&mesh.bodies) {
+            let freedoms = &body.freedoms;
+            let mut numbers = freedoms.in_mesh_order();
+            numbers.sort_unstable();
+            assert!(numbers.iter().copied().eq(0..freedoms.equations), "{name}");
+            let normals = part.candidates.iter().map(|candidate| freedoms.of_node(candidate.node)[0].equation());
+            let last = freedoms.equations - part.candidates.len()..freedoms.equations;
+            assert!(normals.eq(last.map(Some)), "{name}");
+        }
+    }
+}
+
+#[test]
+fn elimination_and_recovery_solve_what_the_library_solves_by_itself() {
+    for (name, scene, mesh) in samples() {
+        let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+        let condensed = system.condense().expect("condensed");
+        let plain: Vec<Vec<f64>> = (system.bodies.iter())
+            .map(|body| Plain::of(body).and_then(|plain| plain.solve()).expect("definite"))
+            .collect();
+        let retained: Vec<f64> =
+            (system.bodies.iter().zip(&plain)).flat_map(|(body, u)| u[body.retained.clone()].to_vec()).collect();
+        for (found, wanted) in condensed.recover(&retained).iter().zip(&plain) {
+            let size = wanted.iter().fold(1e-30, |a: f64, u| a.max(u.abs()));
+            assert!(distance(found, wanted) <= 1e-9 * size, "{name}: {:e}", distance(found, wanted) / size);
+        }
+    }
+}
+
+#[test]
+fn one_thread_and_two_assemble_the_same_bits() {
+    let (scene, _) = &library()[5];
+    for order in ORDERS {
+        // Large enough to be assembled in halves.
+        let mesh = Mesh::of(scene, resolution(10, 2, order)).expect("mesh");
+        let [one, two] = [1, 2].map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            pool.install(|| ElasticSystem::assemble(scene, &mesh).expect("system"))
+        });
+        assert!(mesh.cells() > 2000, "{}", mesh.cells());
+        assert!(distance(one.bodies[0].stiffness.val(), two.bodies[0].stiffness.val()) <= 0.0);
+        assert!(distance(&one.bodies[0].force, &two.bodies[0].force) <= 0.0);
+    }
+}
+
+#[test]
+fn halves_of_a_large_body_add_up_to_the_matrix_that_is_added_densely() {
+    let supports = vec![held("left", Component::X, 0.01), held("far", Component::Y, -0.02)];
+    let scene = block([4.0, 3.0], supports, vec![]);
+    let mesh = Mesh::of(&scene, resolution(40, 0, Order::Linear)).expect("mesh");
+    assert!(mesh.cells() > 1024, "too small to be halved: {} cells", mesh.cells());
+    let numbering = Numbering::of(&scene, &mesh).expect("numbered");
+    let system = ElasticSystem::assemble_numbered(&scene, &mesh, numbering, &|_| 1.0).expect("system");
+    for index in 0..system.bodies.len() {
+        let (wanted, force) = added_densely(&scene, &mesh, index, &system);
+        assert!((dense(&system.bodies[index]) - &wanted).amax() <= 1e-13 * wanted.amax());
+        assert!(distance(&system.bodies[index].force, force.as_slice()) <= 1e-13 * force.amax() && force.amax() > 0.0);
+    }
+}
+
+#[test]
+fn updated_factor_is_that_of_the_updated_matrix() {
+    let mut number = noise(7);
+    for m in [1, 2, 5, 17, 40] {
+        let root = DMatrix::from_fn(m, m, |_, _| number());
+        let spd = &root * root.transpose() + DMatrix::identity(m, m) * m as f64;
+        let matrix = |a: &DMatrix<f64>| Mat::from_fn(m, m, |i, j| a[(i, j)]);
+        for terms in 0..=m.min(6) {
+            let mut changed = spd.clone();
+            let mut changes: Vec<(f64, Vec<(usize, f64)>)> = Vec::new();
+            for _ in 0..terms {
+                let at = |x: f64| (((x + 1.0) / 2.0 * m as f64) as usize).min(m - 1);
+                let (i, j, delta) = (at(number()), at(number()), 0.4 * number() * m as f64 / 6.0);
+                let row = if i == j { vec![(i, 1.0)] } else { vec![(i, 1.0), (j, 0.5)] };
+                for &(a, x) in &row {
+                    for &(b, y) in &row {
+                        changed[(a, b)] += delta * x * y;
+                    }
+                }
+                changes.push((delta, row));
+            }
+            let changes: Vec<_> = changes.iter().map(|(delta, row)| (*delta, row.as_slice())).collect();
+            let b: Vec<f64> = (0..m).map(|_| number()).collect();
+
+            let fresh = DenseFactor::new(&matrix(&changed)).expect("definite").solve(&b);
+            let updated = DenseFactor::new(&matrix(&spd)).and_then(|f| f.updated(&changes)).expect("definite");
+
+            let size = fresh.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
+            assert!(distance(&updated.solve(&b), &fresh) <= 1e-11 * size, "m = {m}, {terms} terms");
+        }
+    }
+}
+
+#[test]
+fn update_that_leaves_nothing_of_a_pivot_gives_no_factor() {
+    let factor = DenseFactor::new(&Mat::from_fn(2, 2, |i, j| if i == j { 1.0 } else { 0.0 })).expect("definite");
+    assert!(factor.clone().updated(&[(-1.0, &[(1, 1.0)])]).is_none());
+    assert!(factor.clone().updated(&[(-2.0, &[(0, 1.0)])]).is_none());
+    assert!(factor.clone().updated(&[(f64::NAN, &[(0, 1.0)])]).is_none());
+    assert!(factor.updated(&[(-0.5, &[(0, 1.0)])]).is_some());
+}
+
+/// A contact with more than 256 retained freedoms, where factors are updated.
+fn large() -> Discretisation {
+    let scene = Cylinder::default().scene();
+    Discretisation::of(scene, resolution(10, 3, Order::Quadratic)).expect("discretised")
+}
+
+#[test]
+fn springs_that_open_and_close_a_few_at_a_time_are_solved_as_if_factorised_anew() {
+    let discretisation = large();
+    let formulation = Formulation::verification();
+    let points = discretisation.points(&formulation);
+    let problem: ContactProblem = discretisation.problem(&formulation, &points);
+    let (mut springs, mut kept, mut number) = (problem.initial_springs(), KeptFactor::default(), noise(3));
+    let mut work = Work::default();
+    for step in 0..12 {
+        for _ in 0..=step {
+            let at = ((number() + 1.0) / 2.0 * (points.len() - 1) as f64) as usize;
+            let k = &mut springs.stiffness[at];
+            *k = if *k > 0.0 { 0.0 } else { problem.scale.hard() };
+        }
+        let fresh = problem.factorise(&springs.stiffness, &mut Work::default()).expect("held");
+        let wanted = problem.equilibrium(&fresh, problem.load, &springs, |p| p.gap, &mut Work::default());
+        let factor = kept.renew(&problem, &springs.stiffness, &mut work).expect("held");
+        let found = problem.equilibrium(factor, problem.load, &springs, |p| p.gap, &mut Work::default());
+        let largest = wanted.pressure.iter().fold(0.0, |a: f64, p| a.max(p.abs()));
+        let apart = distance(&found.pressure, &wanted.pressure);
+        assert!(apart <= 1e-7 * largest, "step {step}: {:e}", apart / largest);
+    }
+    assert!(work.updates > 40 && work.factorisations < 6, "{work:?}");
+}
+
+#[test]
+fn kinematic_load_on_a_large_interface_updates_its_factor_and_keeps_its_steps() {
+    let discretisation = large();
+    for element in Element::ALL {
+        let formulation = Formulation::new(element, Iteration::Kinematic);
+        let solution = discretisation.solve(&formulation).expect("solved");
+        assert!(solution.converged());
+        assert!(solution.work.updates > 0, "{element:?}: {:?}", solution.work);
+        assert!(solution.work.factorisations < solution.work.steps, "{element:?}: {:?}", solution.work);
+    }
+}
+
+#[test]
+fn another_load_and_clearance_are_solved_as_the_changed_scene_is() {
+    for (scene, elements) in [(Cylinder::default().scene(), 8), (PinRod::default().scene(), 12)] {
+        for formulation in Formulation::nine().into_iter().map(|f| f.tolerance(1e-6)) {
+            let Ok(discretisation) = Discretisation::of(scene.clone(), resolution(elements, 0, Order::Quadratic))
+            else {
+                panic!("{} is sound", scene.name)
+            };
+            let earlier = discretisation.solve(&formulation).expect("solved");
+            for (load, clearance) in [(1.0, 0.0), (0.8, 0.0), (1.1, 0.02 * scene.reference.gap)] {
+                let again = discretisation.solve_again(&formulation, Change { load, clearance }, &earlier);
+                let again = again.expect("solved again");
+                let changed = resolved(&scene, elements, load, clearance, &formulation);
+                let size = changed.iter().fold(0.0, |a: f64, p| a.max(p.abs()));
+                let found: Vec<f64> = again.points.iter().map(|point| point.pressure).collect();
+                let name = format!("{} × {}, {load}, {clearance}", scene.name, formulation.name());
+                // Two runs to 1e-6 from different starts; what converges slowly stops further away.
+                let apart = distance(&found, &changed) / size;
+                if again.converged() && changed.iter().all(|p| p.is_finite()) {
+                    assert!(apart <= 2e-2, "{name}: {apart:e}");
+                }
+                // Hard springs may penetrate by 1e-6 of the reference gap, from either side.
+                if formulation.name() == "node.kinematic" && !changed[0].is_nan() {
+                    assert!(again.converged() && apart <= 1e-5, "{name}: {apart:e}");
+                }
+            }
+        }
+    }
+}
+
+/// Pressures of a scene whose loads are multiplied and whose gap is widened before anything is assembled.
+fn resolved(scene: &Scene, elements: usize, load: f64, clearance: f64, formulation: &Formulation) -> Vec<f64> {
+    use contact_vv::scene::Load;
+    let mut changed = scene.clone();
+    for body in &mut changed.bodies {
+        for applied in &mut body.loads {
+            match applied {
+                Load::Traction { traction, .. } => traction.iter_mut().for_each(|t| *t *= load),
+                Load::RigidFace { force, .. } => *force *= load,
+                other => panic!("{other:?} is not expected here"),
+            }
+        }
+    }
+    let mut discretisation =
+        Discretisation::of(changed, resolution(elements, 0, Order::Quadratic)).expect("discretised");
+    discretisation.interface.stations.iter_mut().for_each(|station| station.gap += clearance);
+    if clearance > 0.0 && formulation.element != Element::Node {
+        // Line and layer elements take their gaps from the profile, which has no room for a clearance of its own.
+        return vec![f64::NAN];
+    }
+    let solution = discretisation.solve(formulation).expect("solved");
+    solution.points.iter().map(|point| if solution.converged() { point.pressure } else { f64::NAN }).collect()
+}

@@ -1,0 +1,91 @@
+//! What is said about speed: medians, exponents, targets, and that recorded errors and counts are still the code's.
+
+use approx::assert_relative_eq;
+use contact_vv::case::timings::growth;
+use contact_vv::case::timings::judge::moved;
+use contact_vv::case::timings::precision::{self, Family, LOADS, Point, half_widths};
+use contact_vv::case::timings::record::Record;
+use contact_vv::case::timings::statistics::{Spread, exponent};
+use contact_vv::case::timings::targets::targets;
+use contact_vv::mesh::Order;
+
+#[test]
+fn spread_is_median_least_and_most_and_a_broken_value_spoils_it() {
+    assert_eq!(Spread::of(&[3.0, 1.0, 2.0]), Spread { median: 2.0, least: 1.0, most: 3.0 });
+    assert_eq!(Spread::of(&[4.0, 1.0, 2.0, 3.0]), Spread { median: 2.5, least: 1.0, most: 4.0 });
+    assert_eq!(Spread::of_ratios(&[2.0, 9.0, 8.0], &[1.0, 3.0, 2.0]), Spread { median: 3.0, least: 2.0, most: 4.0 });
+    for broken in [Spread::of(&[]), Spread::of(&[1.0, f64::NAN])] {
+        assert!(broken.median.is_nan() && broken.least.is_nan() && broken.most.is_nan());
+    }
+}
+
+#[test]
+fn exponent_of_a_power_law_is_its_power() {
+    let points: Vec<[f64; 2]> = [1e3, 2e4, 3e5].iter().map(|n: &f64| [*n, 3.0 * n.powf(1.25)]).collect();
+    assert_relative_eq!(exponent(&points), 1.25, max_relative = 1e-12);
+}
+
+#[test]
+fn loads_move_the_edge_across_one_element_and_no_further() {
+    let widths = half_widths(2.5, 5);
+    assert_eq!(widths.len(), LOADS);
+    assert_relative_eq!(widths[0], 2.5);
+    assert!(widths.windows(2).all(|pair| pair[1] > pair[0]));
+    assert!(widths[LOADS - 1] < 2.5 + 2.5 / 5.0);
+}
+
+#[test]
+fn every_recorded_number_but_the_seconds_is_compared() {
+    let recorded = Record::read().expect("the committed record").points;
+    let fresh = precision::measure(Family::Steep, Order::Linear, 3).expect("measured");
+    assert_eq!((fresh.len(), moved(&recorded, &fresh)), (3, 0));
+    let spoiled = |spoil: &dyn Fn(&mut Point)| {
+        let mut points = fresh.clone();
+        spoil(&mut points[1]);
+        moved(&recorded, &points)
+    };
+    assert_eq!(spoiled(&|point| point.seconds *= 2.0), 0);
+    let spoils: [&dyn Fn(&mut Point); 13] = [
+        &|point| point.elements += 1,
+        &|point| point.freedoms += 1,
+        &|point| point.converged -= 1,
+        &|point| point.sparse_operations *= 1.01,
+        &|point| point.dense_operations *= 1.01,
+        &|point| point.steps += 1.0,
+        &|point| point.peak *= 1.01,
+        &|point| point.peak_worst *= 1.01,
+        &|point| point.half_width *= 1.01,
+        &|point| point.half_width_worst *= 1.01,
+        &|point| point.l2 *= 1.01,
+        &|point| point.l2_worst *= 1.01,
+        &|point| point.peak = f64::NAN,
+    ];
+    for (index, spoil) in spoils.into_iter().enumerate() {
+        assert_eq!(spoiled(spoil), 1, "spoil {index}");
+    }
+}
+
+#[test]
+fn counts_of_the_growth_tell_one_mesh_from_another() {
+    let recorded = Record::read().expect("the committed record").measured.growth;
+    let kept = &recorded[0].counts;
+    assert_eq!(growth::counts(kept.elements, kept.refinement).expect("counted"), *kept);
+    assert_ne!(growth::counts(kept.elements + 1, kept.refinement).expect("counted"), *kept);
+}
+
+#[test]
+fn target_that_is_missed_or_not_a_number_is_not_met() {
+    let mut record = Record::read().expect("the committed record");
+    let met = |record: &Record, start: &str| {
+        let found = targets(record).into_iter().find(|target| target.what.starts_with(start));
+        found.expect("a row of the table").met
+    };
+    for (value, wanted) in [(0.9, true), (1.2, false), (f64::NAN, false)] {
+        record.measured.growth.iter_mut().for_each(|one| one.ratio.median = value);
+        record.measured.nine.all.median = 2.0 * value;
+        assert_eq!(met(&record, "contact solve ÷ plain solve"), Some(wanted), "{value}");
+        assert_eq!(met(&record, "all nine"), Some(wanted), "{value}");
+    }
+    record.measured.others.clear();
+    assert_eq!(met(&record, "time to 0.1 %"), None);
+}
