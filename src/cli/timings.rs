@@ -76,7 +76,7 @@ fn measure() -> Result<Record, Error> {
     Ok(Record { measured, points })
 }
 
-/// Largest memory of a process that solves this mesh and does nothing else [bytes]; none where it does not tell.
+/// Largest memory of a process that solves this mesh and does nothing else \[bytes\]; none where it does not tell.
 fn memory(elements: usize, refinement: u32) -> Result<Option<f64>, Error> {
     let output = itself(&["timings", "--memory", &elements.to_string(), &refinement.to_string()])?;
     Ok(output.trim().parse().ok().filter(|bytes: &f64| bytes.is_finite()))

@@ -190,7 +190,7 @@ fn assembly_on_all_threads(scene: &crate::scene::Scene, mesh: &Mesh) -> Result<f
     }
 }
 
-/// Solves once and returns the largest memory of this process so far [bytes]; NaN where the system does not tell.
+/// Solves once and returns the largest memory of this process so far \[bytes\]; NaN where the system does not tell.
 pub fn memory_of_one_solve(elements: usize, refinement: u32) -> Result<f64, Error> {
     let (scene, _, _) = problem::cylinder(Cylinder::default());
     let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;

@@ -154,7 +154,7 @@ impl Family {
         scene.grading.unit = self.nominal();
         match self {
             Self::Truncated | Self::Cylinder => {}
-            Self::Steep => scene.grading = Grading { along: 2.0, depth: 1.6, coarsest: 0.4, ..scene.grading },
+            Self::Steep => scene.grading = Grading { along: 2.0, depth: 1.8, coarsest: 0.5, ..scene.grading },
             Self::Uniform => scene.grading = Grading { along: 1.0, depth: 1.0, ..scene.grading },
         }
         ((scene, elements, oracle), Hertz { load, radius, modulus: young / (1.0 - poisson * poisson) })
