@@ -66,7 +66,7 @@ fn precision() -> String {
     text += &chart("precision-truncated-8-node-seconds", "Truncated Hertz, 8-node cells: error against seconds");
     text += &chart(
         "precision-cylinder-8-node-seconds",
-        "Cylinder, 8-node cells: error against seconds, with Hertz's model error",
+        "Cylinder, 8-node cells: error against seconds, with Hertz's model error; GetFEM and CalculiX on our meshes under the nominal load",
     );
     let mut rest = chart("precision-truncated-4-node-seconds", "Truncated Hertz, 4-node cells: error against seconds");
     rest += &chart("precision-cylinder-4-node-seconds", "Cylinder, 4-node cells: error against seconds");

@@ -66,6 +66,9 @@ fn precision(record: &Record, family: Family, nodes: usize, cost: Cost) -> Resul
             if family == Family::Truncated && cost == Cost::Seconds {
                 chart.series.extend(other_codes(record, theirs[column]));
             }
+            if family == Family::Cylinder && nodes == 8 && cost == Cost::Seconds {
+                chart.series.extend(peers(record, row));
+            }
             if let (Family::Cylinder, Some(&floor)) = (family, record.measured.floor.get(row)) {
                 chart.guides.push(Guide { direction: Direction::Horizontal, at: floor, label: "model".into() });
             }
@@ -101,6 +104,20 @@ fn other_codes(record: &Record, error: fn(&OtherPoint) -> f64) -> Vec<Series> {
         Series { label: code.into(), points, style, hollow: Vec::new() }
     };
     styles.into_iter().map(of).collect()
+}
+
+/// Codes on our own meshes of the cylinder, under its nominal load; they give p₀ and a.
+fn peers(record: &Record, quantity: usize) -> Vec<Series> {
+    let styles = [
+        ("GetFEM", Style::run(palette::PURPLE, Dash::DashDot, Marker::Triangle)),
+        ("CalculiX", Style::run(palette::ORANGE, Dash::DashDot, Marker::Wedge)),
+    ];
+    let of = |(code, style): (&str, Style)| {
+        let own = record.measured.peers.iter().filter(|point| point.code == code);
+        let points = own.filter_map(|point| Some((point.seconds.median, *point.errors.get(quantity)?))).collect();
+        Series { label: code.into(), points, style, hollow: Vec::new() }
+    };
+    styles.into_iter().map(of).filter(|series| !series.points.is_empty()).collect()
 }
 
 /// Graded, steep and uniform meshes of 4-node and 8-node cells, and the three elements, by freedoms and by seconds.
