@@ -4,8 +4,8 @@ use crate::algorithm::ContactProblem;
 use crate::condensation::dense::{DenseFactor, RankOne};
 use crate::solution::Work;
 
-/// Systems from this size on are updated where few springs change. A term costs about 4 m² operations against m³/3: with m = 256
-/// one in thirty-two springs is a saving of half and more; below, the small matrix is as quickly factorised.
+/// Systems from this size on are updated where few springs change. A term costs 2 m² operations against m³/3 of a
+/// factorisation, though slower ones; below, the small matrix is as quickly factorised.
 const PAYS_FROM: usize = 256;
 /// Springs that may change, as a fraction of the size.
 const FEW: usize = 32;

@@ -30,10 +30,12 @@ impl Discretisation {
         earlier: &Solution,
     ) -> Result<Solution, Error> {
         formulation.validate(&self.scene)?;
+        self.refuse_change(formulation, change)?;
         let mut points = formulation.points(&self.interface);
         points.iter_mut().for_each(|point| point.gap += change.clearance);
         let load: Vec<f64> = self.condensed.load.iter().map(|f| f * change.load).collect();
         let problem = ContactProblem { load: &load, ..self.problem(formulation, &points) };
+        self.refuse_nothing(&problem)?;
         let mut springs = problem.initial_springs();
         let closed = |point: &PointState| point.pressure > 0.0;
         let carries = formulation.algorithm == Iteration::Kinematic && formulation.settings.increments == 1;
@@ -48,5 +50,15 @@ impl Discretisation {
             spill::refuse(self, &solution, change, formulation.settings.tolerance)?;
         }
         Ok(solution)
+    }
+
+    /// Refuses numbers that are none, and an interference that the formulation cannot take.
+    fn refuse_change(&self, formulation: &Formulation, change: Change) -> Result<(), Error> {
+        for (key, value) in [("load factor", change.load), ("clearance", change.clearance)] {
+            if !value.is_finite() {
+                return Err(Error::value(&self.scene.name, key, value, "a finite number is needed", "give a number"));
+            }
+        }
+        formulation.refuse_interference(&self.scene, change.clearance)
     }
 }

@@ -90,8 +90,12 @@ impl Discretisation {
     /// Refuses bodies that contact alone would hold, and nothing presses.
     fn refuse_unloaded(&self, formulation: &Formulation) -> Result<(), Error> {
         let points = formulation.points(&self.interface);
-        let problem = self.problem(formulation, &points);
-        let held = || problem.factorise(&vec![0.0; points.len()], &mut Work::default()).is_some();
+        self.refuse_nothing(&self.problem(formulation, &points))
+    }
+
+    /// Refuses a problem in which nothing presses and springs alone would hold the bodies.
+    pub(super) fn refuse_nothing(&self, problem: &ContactProblem) -> Result<(), Error> {
+        let held = || problem.factorise(&vec![0.0; problem.points.len()], &mut Work::default()).is_some();
         if problem.is_unloaded() && !held() {
             return Err(Error::NothingPresses { bodies: self.names() });
         }

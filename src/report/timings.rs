@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::case::Finding;
-use crate::case::timings::growth::STAGES;
+use crate::case::timings::growth::{LARGE, STAGES};
 use crate::case::timings::judge::TIMINGS;
 use crate::case::timings::precision::{ASKED, Family, LOADS, Point, TOLERANCE};
 use crate::case::timings::record::Record;
@@ -25,9 +25,12 @@ pub fn section(findings: &[Finding]) -> Result<String, Error> {
     text += &format::markdown(&["what", "asked for", "measured", "met"].map(String::from), &rows);
     text += &precision();
     text += &what_pays(&record);
-    text += "### Growth\n\n![Growth with the number of freedoms](snapshots/charts/growth.svg)\n\
-             *Seconds by stage, whole solves and memory; exponents fitted from 10⁴ freedoms on. A boundary method needs far fewer \
-             unknowns for Hertz itself: this is the price of a method that takes any body.*\n\n";
+    let _ = write!(
+        text,
+        "### Growth\n\n![Growth with the number of freedoms](snapshots/charts/growth.svg)\n\
+         *Seconds by stage, whole solves and memory; exponents fitted from {LARGE} freedoms on. A boundary method needs far fewer \
+         unknowns for Hertz itself: this is the price of a method that takes any body.*\n\n"
+    );
     text += &stages(&record);
     text += &peers(&record);
     let own = |finding: &&Finding| finding.case == TIMINGS;
@@ -161,8 +164,8 @@ fn peers(record: &Record) -> String {
         }
     }
     format!(
-        "### The same mesh in codes one would pick instead\n\nThe cylinder on our 8-node mesh, handed over; errors against Hertz, whose model error \
-         is part of them. {}.\n\n{}\n",
+        "### The same mesh in codes one would pick instead\n\nThe cylinder on our 8-node mesh, handed over; ours is the contact solve from the \
+         assembled matrix on; errors against Hertz, whose model error is part of them. {}.\n\n{}\n",
         counted.join(". "),
         format::markdown(&head.map(String::from), &rows)
     )

@@ -20,6 +20,8 @@ pub const MESHES: [(usize, u32, usize); 8] =
     [(4, 0, 15), (8, 0, 15), (9, 1, 15), (8, 2, 9), (6, 3, 7), (14, 3, 5), (8, 4, 3), (16, 4, 3)];
 /// Freedoms up to which steps and entries of the factor are counted again whenever the suite runs.
 pub const RECOUNTED: usize = 50_000;
+/// Freedoms from which exponents are fitted: below, starting costs as much as solving.
+pub const LARGE: f64 = 7e3;
 /// Where nine formulations are solved on one mesh.
 pub const NINE: (usize, u32) = (6, 3);
 

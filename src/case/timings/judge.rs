@@ -45,7 +45,10 @@ fn recomputed(family: Family, order: Order) -> Result<Finding, Error> {
             format!("points that moved, of {compared}"),
             moved,
             Reference::own("snapshots/timings", 0.0),
-            "meshes of up to 5 elements a half-width are computed again; `timings` renews the record",
+            format!(
+                "meshes of up to {RECOMPUTED} elements a half-width are computed again; errors within {DIGITS:e}, which the \
+                 tolerance of the runs leaves; `timings` renews the record"
+            ),
         )],
         ..Default::default()
     })

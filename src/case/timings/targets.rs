@@ -1,5 +1,6 @@
 //! What was asked of the speed, and what was measured.
 
+use crate::case::timings::growth::LARGE;
 use crate::case::timings::others::{OtherPoint, PEERS};
 use crate::case::timings::precision::{self, Family, Point, TOLERANCE};
 use crate::case::timings::record::Record;
@@ -54,10 +55,12 @@ pub fn targets(record: &Record) -> Vec<Target> {
     let without = format!("the same without varying stiffness, whose {} steps factorise each", nine.varying_steps);
     all.push(at_most(without, 2.0, nine.without_varying.median));
     let whole: Vec<[f64; 2]> = (growth.iter())
-        .filter(|one| one.counts.freedoms as f64 >= 0.7 * SIZES[0])
+        .filter(|one| one.counts.freedoms as f64 >= LARGE)
         .map(|one| [one.counts.freedoms as f64, one.stages.values().map(|stage| stage.median).sum()])
         .collect();
-    all.push(at_most("exponent of the whole time, 1e4 to 1e6 freedoms".into(), 1.25, exponent(&whole)));
+    let ends = whole.first().zip(whole.last()).map_or([f64::NAN; 2], |(first, last)| [first[0], last[0]]);
+    let what = format!("exponent of the whole time, {} to {} freedoms", ends[0], ends[1]);
+    all.push(at_most(what, 1.25, exponent(&whole)));
     for one in growth.iter().filter(|one| one.counts.freedoms as f64 >= 0.7 * SIZES[1]) {
         let what = format!("peak memory ÷ bytes of the factor, {} freedoms", one.counts.freedoms);
         all.push(match one.memory_ratio {
@@ -93,7 +96,7 @@ pub fn cheapest_seconds(points: &[Point]) -> Result<Vec<f64>, Error> {
 }
 
 fn to_accuracy(record: &Record, code: Code, asked: f64) -> Target {
-    let what = format!("time to 0.1 % in p₀ and a, truncated Hertz: {code} ÷ ours");
+    let what = format!("time to {} % in p₀ and a, truncated Hertz: {code} ÷ ours", 100.0 * COMPARED);
     let enough = |point: &&OtherPoint| point.code == code.name() && point.peak.max(point.half_width) <= COMPARED;
     let theirs = record.measured.others.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds));
     let beside = record.measured.beside.iter().find(|(name, _)| name == code.name());
@@ -121,7 +124,9 @@ fn peer(record: &Record, name: &str, asked: f64) -> Target {
         .collect();
     let told: Vec<String> = ratios.iter().map(|ratio| format!("{ratio:.0}")).collect();
     match ratios.iter().copied().reduce(|a, b| if a.is_nan() || a < b { a } else { b }) {
-        Some(least) => Target { measured: told.join(", ") + " on three meshes", ..at_least(what, asked, least) },
+        Some(least) => {
+            Target { measured: format!("{} on {} meshes", told.join(", "), told.len()), ..at_least(what, asked, least) }
+        }
         None => absent(what, format!("≥ {asked}")),
     }
 }

@@ -1,9 +1,9 @@
 //! Error against seconds and work, what finer meshes pay, and growth with the number of freedoms.
 
 use super::{label, style};
-use crate::case::timings::growth::{Growth, STAGES};
+use crate::case::timings::growth::{Growth, LARGE, STAGES};
 use crate::case::timings::others::OtherPoint;
-use crate::case::timings::precision::{Family, Point};
+use crate::case::timings::precision::{Family, LOADS, Point};
 use crate::case::timings::record::Record;
 use crate::case::timings::statistics::exponent;
 use crate::error::Error;
@@ -54,7 +54,7 @@ fn precision(record: &Record, family: Family, nodes: usize, cost: Cost) -> Resul
     let mut charts = Vec::new();
     for (row, (quantity, ours, theirs)) in QUANTITIES.into_iter().enumerate() {
         for (column, which) in ["median", "worst"].into_iter().enumerate() {
-            let title = format!("{quantity}, {which} of eight loads");
+            let title = format!("{quantity}, {which} of {LOADS} loads");
             let mut chart = Chart::new(&title, Axis::log(axis), Axis::log("relative error"));
             for formulation in family.formulations() {
                 let of = |p: &&Point| {
@@ -149,7 +149,7 @@ fn what_pays(record: &Record) -> Result<String, Error> {
         }
         charts.push(chart);
     }
-    panels("What pays: truncated Hertz, kinematic load, median of eight loads", &charts, 2)
+    panels(&format!("What pays: truncated Hertz, kinematic load, median of {LOADS} loads"), &charts, 2)
 }
 
 fn kinematic() -> impl Iterator<Item = Formulation> {
@@ -220,10 +220,10 @@ fn growth(growth: &[Growth]) -> Result<String, Error> {
     panels("Growth: cylinder, node + kinematic load, one thread", &[stages, whole, memory], 2)
 }
 
-/// A curve with its fitted exponent from 10⁴ freedoms on in the legend.
+/// A curve with its exponent, fitted to the larger meshes, in the legend.
 fn grown(growth: &[Growth], name: &str, of: &dyn Fn(&Growth) -> f64, style: Style) -> Series {
     let points: Vec<[f64; 2]> = growth.iter().map(|g| [g.counts.freedoms as f64, of(g)]).collect();
-    let large: Vec<[f64; 2]> = points.iter().copied().filter(|p| p[0] >= 7e3 && p[1] > 0.0).collect();
+    let large: Vec<[f64; 2]> = points.iter().copied().filter(|p| p[0] >= LARGE && p[1] > 0.0).collect();
     Series {
         label: format!("{name}: ∝ n^{:.2}", exponent(&large)),
         points: points.into_iter().map(|[x, y]| (x, y)).collect(),
