@@ -12,6 +12,7 @@ CODE is scikit-fem or dolfinx. Request, one JSON object:
 Answer, a line a mesh as soon as done: code, version, method, mesh (as asked), freedoms, contact_edges, and over loads:
     seconds           median over the repeats, from meshes to pressures: assembly, contact points, factorisations, all
                       steps, coarser meshes included; not imports, compiled forms, mesh generation
+    stiffness, linear medians of what of these went into the code's stiffness and into its linear solutions
     steps             iterations, each mesh of the chain apart
     peak_error        |peak/p0 - 1|, p0 = E* a_k/2R, peak by measures.peak
     half_width_error  |a/a_k - 1|, a = 2 sqrt(int p x^2 / int p)
@@ -61,7 +62,7 @@ def main(name):
     last = scene["stretch"] * hertz_scenes.hertz(scene)["half_width"]
     if not all(0.0 < half_width < last for half_width in request["half_widths"]):
         sys.exit(f"half-widths must lie between 0 and the last candidate, {last} mm")
-    code = importlib.import_module("physical_" + name.replace("-", "_"))
+    code = Timed(importlib.import_module("physical_" + name.replace("-", "_")))
     solved([model(scene, COARSEST, 0)], method, code)  # warm-up
     for mesh in request["meshes"]:
         size, level = mesh if isinstance(mesh, list) else (mesh, 0)
@@ -71,6 +72,29 @@ def main(name):
         answer |= {"freedoms": rows[0]["freedoms"], "contact_edges": edges}
         answer |= {key: [found[key] for found in rows] for key in rows[0] if key != "freedoms"}
         print(json.dumps(answer), flush=True)
+
+
+class Timed:
+    """A code that adds up the seconds of its stages."""
+
+    def __init__(self, code):
+        self.code, self.seconds = code, {}
+        self.edge_functions = code.edge_functions
+
+    def stiffness(self, *arguments):
+        """Stiffness of a mesh."""
+        return self.timed("stiffness", *arguments)
+
+    def linear_solution(self, *arguments):
+        """Solution of a linear system."""
+        return self.timed("linear_solution", *arguments)
+
+    def timed(self, stage, *arguments):
+        """A stage, its seconds counted."""
+        begin = time.perf_counter()
+        result = getattr(self.code, stage)(*arguments)
+        self.seconds[stage] = self.seconds.get(stage, 0.0) + time.perf_counter() - begin
+        return result
 
 
 def model(scene, size, level):
@@ -114,16 +138,20 @@ def row(scene, half_width, chain, method, code, request):
     loaded = {"a_over_r": scene["a_over_r"] * ratio} | {key: scene[key] / ratio for key in ("stretch", "size")}
     tractions = model(scene | loaded, COARSEST, 0).tractions
     chain = [replace(each, tractions=tractions) for each in chain]
-    seconds = []
+    seconds, stages = [], []
     for _ in range(request.get("repeats", 3)):
+        code.seconds = {}
         begin = time.perf_counter()
         points, pressure, freedoms, steps = solved(chain, method, code)
         seconds.append(time.perf_counter() - begin)
+        stages.append(code.seconds)
     peak = hertz_scenes.hertz(scene)["modulus"] * half_width / (2.0 * scene["radius"])
     width = measures.half_width(points, pressure)
     return {
         "freedoms": int(freedoms),
         "seconds": statistics.median(seconds),
+        "stiffness": statistics.median(stage["stiffness"] for stage in stages),
+        "linear": statistics.median(stage["linear_solution"] for stage in stages),
         "steps": [int(taken) for taken in steps],
         "peak_error": float(abs(measures.peak(points, pressure, width) / peak - 1.0)),
         "half_width_error": float(abs(width / half_width - 1.0)),

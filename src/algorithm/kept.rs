@@ -55,6 +55,7 @@ impl KeptFactor {
         let changes: Vec<RankOne> = changed.iter().map(change).collect();
         let factor = self.factor.take()?.updated(&changes)?;
         work.updates += changes.len();
+        work.operations += 2.0 * changes.len() as f64 * (m as f64).powi(2);
         Some(factor)
     }
 }

@@ -13,6 +13,7 @@ pub mod kept;
 pub mod kinematic;
 pub mod problem;
 pub mod rule;
+pub mod settling;
 pub mod varying;
 
 use crate::solution::Work;

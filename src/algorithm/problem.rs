@@ -1,6 +1,6 @@
 //! What an algorithm sees: the condensed system, the contact points, and scales that make residuals pure numbers.
 
-use faer::{Mat, MatMut};
+use faer::{ColRef, Mat, MatMut};
 
 use crate::algorithm::{Iterate, Springs};
 use crate::condensation::dense::{DenseFactor, Padded};
@@ -76,7 +76,7 @@ impl ContactProblem<'_> {
 
     /// The same in memory at hand.
     pub fn factorise_in(&self, memory: Padded, stiffness: &[f64], work: &mut Work) -> Option<DenseFactor> {
-        work.factorisations += 1;
+        work.count_factorisation(self.load.len());
         let mut matrix = Padded::copy_of(self.stiffness, memory);
         self.add_springs(stiffness, matrix.as_mut());
         DenseFactor::of(matrix)
@@ -118,6 +118,7 @@ impl ContactProblem<'_> {
             *p += k * point.approach(&change);
         }
         work.back_substitutions += 2;
+        work.operations += 2.0 * 2.0 * (rhs.len() as f64).powi(2);
         Iterate { approach: self.points.iter().map(|point| point.approach(&u)).collect(), displacement: u, pressure }
     }
 
@@ -134,12 +135,8 @@ impl ContactProblem<'_> {
 
     /// `load − S u − Σ A p b` \[N\].
     pub fn imbalance(&self, load: &[f64], u: &[f64], pressure: &[f64]) -> Vec<f64> {
-        // Column by column, as the matrix is stored.
-        let mut internal = vec![0.0; u.len()];
-        for (j, u_j) in u.iter().enumerate() {
-            internal.iter_mut().zip(self.stiffness.col_as_slice(j)).for_each(|(sum, s)| *sum += s * u_j);
-        }
-        let mut residual: Vec<f64> = load.iter().zip(&internal).map(|(f, s)| f - s).collect();
+        let internal = self.stiffness * ColRef::from_slice(u);
+        let mut residual: Vec<f64> = load.iter().zip(internal.iter()).map(|(f, s)| f - s).collect();
         for (point, p) in self.points.iter().zip(pressure) {
             point.add_row(-point.weight * p, &mut residual);
         }

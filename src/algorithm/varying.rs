@@ -1,7 +1,7 @@
 //! Iteration with varying stiffness, equations (3.2)–(3.5): the system is factorised at every step.
 
-use crate::algorithm::kept::KeptFactor;
 use crate::algorithm::rule::{self, StiffnessRule};
+use crate::algorithm::settling::Settling;
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
 use crate::solution::Work;
 
@@ -10,13 +10,13 @@ use crate::solution::Work;
 pub struct Varying {
     /// `Secant`, or `Correction` with `κ_j = max(k^j, k_0)` and `k^{j+1} = p⁺ / w`.
     pub rule: StiffnessRule,
-    kept: KeptFactor,
+    kept: Settling,
 }
 
 impl Varying {
     /// The algorithm before its first step.
     pub fn new(rule: StiffnessRule) -> Self {
-        Self { rule, kept: KeptFactor::default() }
+        Self { rule, kept: Settling::default() }
     }
 }
 

@@ -57,14 +57,6 @@ impl Run {
         })
     }
 
-    /// Operations of the iteration on the m retained freedoms: `m³/3` a factorisation, `2m²` an updated term and a
-    /// back-substitution.
-    pub fn dense_operations(&self) -> f64 {
-        let m = self.retained as f64;
-        let work = &self.solution.work;
-        work.factorisations as f64 * m.powi(3) / 3.0 + (work.updates + work.back_substitutions) as f64 * 2.0 * m * m
-    }
-
     /// What a user must know before quoting a converged run: no contact, contact on too few points, pressures that oscillate.
     pub fn note(&self) -> Option<String> {
         let points = &self.solution.points;

@@ -257,7 +257,7 @@ const QUARTER_CASE: &str = "half cylinder against quarter";
 /// Pairs of runs (varying, constant) of both scenes and all elements, as ratios of their operations.
 fn constant_saves(f: &Findings) -> Statement {
     let ratio = |case: &str, element| {
-        let of = |algorithm| f.run(case, element, algorithm).map(Run::dense_operations);
+        let of = |algorithm| f.run(case, element, algorithm).map(|run| run.solution.work.operations);
         Some(of(Iteration::Varying)? / of(Iteration::Constant)?)
     };
     let cases = [hertz::CYLINDER, pin::PIN_ROD];
@@ -282,7 +282,7 @@ fn least_work(f: &Findings) -> Statement {
             continue;
         };
         let steps = [a, b, c].map(|run| run.solution.work.steps);
-        let operations = [a, b, c].map(|run| run.dense_operations() / c.dense_operations());
+        let operations = [a, b, c].map(|run| run.solution.work.operations / c.solution.work.operations);
         least_steps &= steps[2] < steps[0].min(steps[1]);
         least_operations &= operations[2] <= operations[0].min(operations[1]);
         described.push(format!(
@@ -351,7 +351,7 @@ fn condensation_pays(f: &Findings) -> Statement {
     // Without condensation every factorisation would be the sparse one; with it there is one, and dense small ones.
     let gain = |run: &&Run| {
         run.sparse_operations * run.solution.work.factorisations as f64
-            / (run.sparse_operations + run.dense_operations())
+            / (run.sparse_operations + run.solution.work.operations)
     };
     let single = |run: &&&Run| run.formulation.algorithm == Iteration::Constant;
     let refactoring: Vec<f64> = runs.iter().filter(|run| !single(run)).map(gain).collect();

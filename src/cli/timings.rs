@@ -7,8 +7,7 @@ use indicatif::ProgressBar;
 
 use crate::case::timings::machine::Machine;
 use crate::case::timings::others::{self, PEERS};
-use crate::case::timings::record::{FOLDER, Measured, Record};
-use crate::case::timings::statistics::Spread;
+use crate::case::timings::record::{Beside, FOLDER, Measured, Record};
 use crate::case::timings::{growth, precision, targets};
 use crate::cli::{progress, say};
 use crate::error::Error;
@@ -43,7 +42,7 @@ fn measure() -> Result<Record, Error> {
         bar.set_message(what.to_owned());
     };
     bar.set_message("nine formulations");
-    let nine = growth::nine(REPEATS)?;
+    let nine = growth::NINE.map(|mesh| growth::nine(mesh, REPEATS)).into_iter().collect::<Result<_, _>>()?;
     let mut measured = Vec::new();
     for mesh in growth::MESHES {
         step(&format!("growth, {} × 2^{}", mesh.0, mesh.1));
@@ -58,10 +57,10 @@ fn measure() -> Result<Record, Error> {
     let mut beside = Vec::new();
     for code in Code::ALL {
         step(code.name());
-        let mut own = targets::cheapest_seconds(&points)?;
+        let mut own = targets::cheapest_laps(&points)?;
         others::precision(code)?.map_or_else(|why| absent.push(why), |found| others.extend(found));
-        own.extend(targets::cheapest_seconds(&points)?);
-        beside.push((code.name().to_owned(), Spread::of(&own)));
+        own.extend(targets::cheapest_laps(&points)?);
+        beside.push(Beside::of(code.name(), &own));
     }
     for peer in PEERS {
         step(peer.0);

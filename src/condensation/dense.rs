@@ -12,8 +12,10 @@ const VANISHED: f64 = 1e-10;
 #[derive(Clone, Debug)]
 pub struct DenseFactor {
     l: Padded,
-    /// Diagonal of A.
+    /// Diagonal of A, as L has its rows.
     diagonal: Vec<f64>,
+    /// Row of A that each row of L belongs to; empty where that is the same one.
+    order: Vec<usize>,
 }
 
 /// A square matrix with rows of zeros below it, up to a multiple of the widest register.
@@ -30,12 +32,17 @@ impl Default for Padded {
 }
 
 impl Padded {
+    /// A square matrix of zeros.
+    pub fn zeros(m: usize) -> Self {
+        Self(Mat::zeros(m.next_multiple_of(16), m))
+    }
+
     /// A copy of a square matrix, in memory at hand where that fits.
     pub fn copy_of(matrix: &Mat<f64>, memory: Self) -> Self {
         let m = matrix.ncols();
-        let mut copy = if memory.0.ncols() == m { memory.0 } else { Mat::zeros(m.next_multiple_of(16), m) };
-        copy.as_mut().submatrix_mut(0, 0, m, m).copy_from(matrix);
-        Self(copy)
+        let mut copy = if memory.0.ncols() == m { memory } else { Self::zeros(m) };
+        copy.as_mut().copy_from(matrix);
+        copy
     }
 
     /// The matrix.
@@ -62,12 +69,31 @@ impl DenseFactor {
 
     /// The same in the memory of the matrix itself.
     pub fn of(mut matrix: Padded) -> Option<Self> {
-        let diagonal: Vec<f64> = matrix.as_ref().diagonal().column_vector().iter().copied().collect();
-        let m = diagonal.len();
-        let mut memory = MemBuffer::new(factor::cholesky_in_place_scratch::<f64>(m, Par::Seq, Spec::default()));
-        let stack = MemStack::new(&mut memory);
-        factor::cholesky_in_place(matrix.as_mut(), Default::default(), Par::Seq, stack, Spec::default()).ok()?;
-        Self { l: matrix, diagonal }.sound()
+        let diagonal = matrix.as_ref().diagonal().column_vector().iter().copied().collect();
+        in_place(matrix.as_mut())?;
+        Some(Self { l: matrix, diagonal, order: Vec::new() }).filter(Self::is_sound)
+    }
+
+    /// The factor of a matrix whose row `order[i]` stands in row i of what was factorised.
+    pub(super) fn in_order(self, order: Vec<usize>) -> Self {
+        Self { order, ..self }
+    }
+
+    /// L, with whatever its upper triangle holds.
+    pub(super) fn lower(&self) -> MatRef<'_, f64> {
+        self.l.as_ref()
+    }
+
+    /// The same, to be changed.
+    pub(super) fn lower_mut(&mut self) -> MatMut<'_, f64> {
+        self.l.as_mut()
+    }
+
+    /// Factorises the rows and columns of L from `first` on, which hold a matrix by now, and whose diagonal of A is given;
+    /// false where it is not positive definite, round-off apart.
+    pub(super) fn factorise_again(&mut self, first: usize, diagonal: &[f64]) -> bool {
+        self.diagonal[first..].copy_from_slice(diagonal);
+        in_place(self.l.as_mut().get_mut(first.., first..)).is_some() && self.is_sound()
     }
 
     /// Factor of `A + Σ δ b bᵀ` out of that of A, at `O(m²)` a term; `None` where round-off leaves nothing of a pivot.
@@ -87,14 +113,13 @@ impl DenseFactor {
         // Columns before the first change stay as they are.
         let trailing = self.l.as_mut().submatrix_mut(first, first, m - first, m - first);
         update::rank_r_update_clobber(trailing, w.as_mut(), alpha.as_mut().as_diagonal_mut()).ok()?;
-        self.sound()
+        Some(self).filter(Self::is_sound)
     }
 
-    fn sound(self) -> Option<Self> {
+    fn is_sound(&self) -> bool {
         let l = self.l.as_ref();
         let holds = |(i, a): (usize, &f64)| l[(i, i)].powi(2) > VANISHED * a;
-        let sound = self.diagonal.iter().enumerate().all(holds);
-        sound.then_some(self)
+        self.diagonal.iter().enumerate().all(holds)
     }
 
     /// The memory of a factor that is no longer needed.
@@ -104,10 +129,28 @@ impl DenseFactor {
 
     /// `x = A⁻¹ b`.
     pub fn solve(&self, b: &[f64]) -> Vec<f64> {
-        let (m, mut x) = (b.len(), b.to_vec());
+        if self.order.is_empty() {
+            return self.solve_as_factorised(b.to_vec());
+        }
+        let permuted = self.solve_as_factorised(self.order.iter().map(|&row| b[row]).collect());
+        let mut x = vec![0.0; b.len()];
+        self.order.iter().zip(permuted).for_each(|(&row, value)| x[row] = value);
+        x
+    }
+
+    fn solve_as_factorised(&self, mut x: Vec<f64>) -> Vec<f64> {
+        let m = x.len();
         let mut memory = MemBuffer::new(solve::solve_in_place_scratch::<f64>(m, 1, Par::Seq));
         let rhs = MatMut::from_column_major_slice_mut(&mut x, m, 1);
         solve::solve_in_place(self.l.as_ref(), rhs, Par::Seq, MemStack::new(&mut memory));
         x
     }
+}
+
+/// Factorises the lower triangle of a matrix in its memory; none where a pivot is not positive.
+fn in_place(matrix: MatMut<'_, f64>) -> Option<()> {
+    let scratch = factor::cholesky_in_place_scratch::<f64>(matrix.ncols(), Par::Seq, Spec::default());
+    let mut memory = MemBuffer::new(scratch);
+    let stack = MemStack::new(&mut memory);
+    factor::cholesky_in_place(matrix, Default::default(), Par::Seq, stack, Spec::default()).ok().map(|_| ())
 }

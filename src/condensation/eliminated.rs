@@ -62,17 +62,22 @@ impl Eliminated {
         load
     }
 
-    /// All unknowns from the retained ones, backwards: `Lᵀ u = (y_i, L_ccᵀ u_c)`, so that `K_ii u_i = f_i − K_ic u_c`.
+    /// All unknowns from the retained ones, backwards: `Lᵀ u = (y_i, L_ccᵀ u_c)`, so that `K_ii u_i = f_i − K_ic u_c`; for
+    /// each of several sets of retained ones.
     ///
     /// The load is `factor` times the one that was eliminated.
-    pub fn recover(&self, factor: f64, retained: &[f64]) -> Vec<f64> {
-        let mut u: Vec<f64> = self.forward.iter().map(|y| factor * y).collect();
-        let first = u.len() - retained.len();
-        for (j, value) in u[first..].iter_mut().enumerate() {
-            *value = self.trailing.col_as_slice(j).iter().zip(retained).map(|(l, u)| l * u).sum();
-        }
-        self.factor.solve_upper(&mut u);
-        u
+    pub fn recover(&self, factor: f64, retained: &[&[f64]]) -> Vec<Vec<f64>> {
+        let right = |retained: &&[f64]| {
+            let mut u: Vec<f64> = self.forward.iter().map(|y| factor * y).collect();
+            let first = u.len() - retained.len();
+            for (j, value) in u[first..].iter_mut().enumerate() {
+                *value = self.trailing.col_as_slice(j).iter().zip(*retained).map(|(l, u)| l * u).sum();
+            }
+            u
+        };
+        let mut all: Vec<Vec<f64>> = retained.iter().map(right).collect();
+        self.factor.solve_upper(&mut all);
+        all
     }
 
     /// The factor.

@@ -3,6 +3,7 @@
 //! * [`factor`] — sparse Cholesky factorisation in the order of elimination.
 //! * [`eliminated`] — one body: S is the trailing block of its factor.
 //! * [`dense`] — dense Cholesky factorisation, for the algorithms.
+//! * [`trailing`] — the same where only the last rows change.
 //! * [`plain`] — one solve by the library alone, the unit of all timings.
 //! * [`uncondensed`] — the same without condensation, for checks.
 
@@ -10,6 +11,7 @@ pub mod dense;
 pub mod eliminated;
 pub mod factor;
 pub mod plain;
+pub mod trailing;
 pub mod uncondensed;
 
 use faer::Mat;
@@ -80,7 +82,17 @@ impl Condensed {
 
     /// The same under `factor` times the load.
     pub fn recover_under(&self, factor: f64, retained: &[f64]) -> Vec<Vec<f64>> {
+        self.recovered(factor, &[retained]).into_iter().flatten().collect()
+    }
+
+    /// The same for several solutions in one pass through the factors: body after body, solution after solution.
+    pub fn recover_all(&self, retained: &[&[f64]]) -> Vec<Vec<Vec<f64>>> {
+        self.recovered(1.0, retained)
+    }
+
+    fn recovered(&self, factor: f64, retained: &[&[f64]]) -> Vec<Vec<Vec<f64>>> {
         let parts = self.bodies.iter().zip(self.offsets.windows(2));
-        parts.map(|(body, ends)| body.recover(factor, &retained[ends[0]..ends[1]])).collect()
+        let of_body = |ends: &[usize]| -> Vec<&[f64]> { retained.iter().map(|u| &u[ends[0]..ends[1]]).collect() };
+        parts.map(|(body, ends)| body.recover(factor, &of_body(ends))).collect()
     }
 }

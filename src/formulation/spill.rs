@@ -15,12 +15,18 @@ pub struct Spill {
     pub penetration: f64,
 }
 
-/// The deepest penetration beyond the candidates of a solution whose last point is closed.
+/// The deepest penetration beyond the candidates of a solution whose last point is closed: its gap is no more than the
+/// length accepted.
 ///
 /// None where the last point is open, and where the surface of either body ends with the candidates: a patch, a ring, a punch.
-pub fn deepest(discretisation: &Discretisation, solution: &Solution, change: Change) -> Result<Option<Spill>, Error> {
+pub fn deepest(
+    discretisation: &Discretisation,
+    solution: &Solution,
+    change: Change,
+    accepted: f64,
+) -> Result<Option<Spill>, Error> {
     let pair = &discretisation.scene.contact;
-    let closed = solution.points.last().is_some_and(|point| point.pressure > 0.0);
+    let closed = solution.points.last().is_some_and(|point| point.gap <= accepted);
     let Some(end) = discretisation.interface.stations.last().map(|station| station.coordinate).filter(|_| closed)
     else {
         return Ok(None);
@@ -59,7 +65,7 @@ pub(super) fn refuse(
     tolerance: f64,
 ) -> Result<(), Error> {
     let accepted = tolerance * discretisation.scene.reference.gap;
-    match deepest(discretisation, solution, change)? {
+    match deepest(discretisation, solution, change, accepted)? {
         Some(Spill { end, position, penetration }) if penetration.is_nan() || penetration > accepted => {
             Err(Error::ContactBeyondCandidates { bodies: discretisation.names(), end, position, penetration })
         }

@@ -71,6 +71,7 @@ impl Discretisation {
         work.factorisations += own.factorisations;
         work.updates += own.updates;
         work.back_substitutions += own.back_substitutions;
+        work.operations += own.operations;
         let mut springs = finer.initial_springs();
         for (k, point) in springs.stiffness.iter_mut().zip(finer.points) {
             let apart = |at: &usize| (points[*at].position - point.position).abs();

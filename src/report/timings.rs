@@ -5,10 +5,12 @@ use std::fmt::Write;
 use crate::case::Finding;
 use crate::case::timings::growth::{LARGE, STAGES};
 use crate::case::timings::judge::TIMINGS;
+use crate::case::timings::others::Stages;
 use crate::case::timings::precision::{ASKED, Family, LOADS, Point, TOLERANCE};
 use crate::case::timings::record::Record;
-use crate::case::timings::targets::targets;
+use crate::case::timings::targets::{cheapest, targets, theirs};
 use crate::error::Error;
+use crate::oracle::cross_code::Code;
 use crate::report::{checks, format};
 
 /// The whole section.
@@ -25,6 +27,7 @@ pub fn section(findings: &[Finding]) -> Result<String, Error> {
     text += &format::markdown(&["what", "asked for", "measured", "met"].map(String::from), &rows);
     text += &precision();
     text += &what_pays(&record);
+    text += &default_meshes(findings);
     let _ = write!(
         text,
         "### Growth\n\n![Growth with the number of freedoms](snapshots/charts/growth.svg)\n\
@@ -32,6 +35,7 @@ pub fn section(findings: &[Finding]) -> Result<String, Error> {
          unknowns for Hertz itself: this is the price of a method that takes any body.*\n\n"
     );
     text += &stages(&record);
+    text += &stage_for_stage(&record);
     text += &peers(&record);
     let own = |finding: &&Finding| finding.case == TIMINGS;
     Ok(text + &checks::table(&findings.iter().filter(own).collect::<Vec<_>>()))
@@ -111,6 +115,46 @@ fn what_pays(record: &Record) -> String {
          against line and layer elements.*\n\nFreedoms and milliseconds of the cheapest mesh whose median errors of p₀ and a are \
          both within:\n\n{}\n",
         format::markdown(&head, &rows)
+    )
+}
+
+/// What growth the scenes have by default, and what others would change.
+fn default_meshes(findings: &[Finding]) -> String {
+    let mut text = String::from(
+        "### The default meshes\n\nThe scene's own growth stands first. It is the fastest of those tried with which every row that judges the \
+         scene still holds: faster growth costs truncated Hertz the order of its half-width on 4-node cells, the cylinder the predicted \
+         rates and steps, and the plate the hoop stress of its rim opposite the pin.\n\n",
+    );
+    for table in findings.iter().filter(|finding| finding.case == TIMINGS).flat_map(|finding| &finding.tables) {
+        let _ = write!(text, "{}:\n\n{}\n", table.title, format::markdown(&table.head, &table.rows));
+    }
+    text
+}
+
+/// Where other codes spend their time on the way to 0.1 %, and where we do.
+fn stage_for_stage(record: &Record) -> String {
+    let mut rows = Vec::new();
+    let mut row = |code: String, freedoms: usize, stages: &Stages| {
+        let milliseconds = [stages.stiffness, stages.linear, stages.rest].map(|s| format::significant(1e3 * s, 2));
+        rows.push([vec![code, freedoms.to_string()], milliseconds.into()].concat());
+    };
+    for beside in &record.measured.beside {
+        let theirs =
+            Code::ALL.into_iter().find(|code| code.name() == beside.code).and_then(|code| theirs(record, code));
+        if let (Some(theirs), Some(own)) = (theirs, cheapest(&record.points)) {
+            row(format!("{} {}", theirs.code, theirs.version), theirs.freedoms, &theirs.stages);
+            row(format!("ours beside {}", beside.code), own.freedoms, &beside.stages);
+        }
+    }
+    if rows.is_empty() {
+        return String::new();
+    }
+    let head = ["code", "freedoms", "stiffness [ms]", "linear solutions [ms]", "contact and all else [ms]"];
+    format!(
+        "### Stage for stage\n\nTruncated Hertz to 0.1 % in p₀ and a, each code on its own cheapest mesh, one thread. Stiffness: \
+         cells integrated and assembled. Linear solutions: ordering, factorisation, elimination, as often as a code does them. Ours count \
+         the mesh too, theirs do not.\n\n{}\n",
+        format::markdown(&head.map(String::from), &rows)
     )
 }
 

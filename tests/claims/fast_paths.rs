@@ -2,8 +2,10 @@
 
 use contact_vv::algorithm::ContactProblem;
 use contact_vv::algorithm::kept::KeptFactor;
+use contact_vv::algorithm::settling::Settling;
 use contact_vv::condensation::Plain;
 use contact_vv::condensation::dense::DenseFactor;
+use contact_vv::condensation::trailing::Trailing;
 use contact_vv::elasticity::element::CellStiffness;
 use contact_vv::elasticity::{ElasticSystem, Freedom, Numbering};
 use contact_vv::formulation::{Change, Discretisation, Element, Formulation, Iteration};
@@ -203,6 +205,114 @@ fn update_that_leaves_nothing_of_a_pivot_gives_no_factor() {
     assert!(factor.clone().updated(&[(-2.0, &[(0, 1.0)])]).is_none());
     assert!(factor.clone().updated(&[(f64::NAN, &[(0, 1.0)])]).is_none());
     assert!(factor.updated(&[(-0.5, &[(0, 1.0)])]).is_some());
+}
+
+#[test]
+fn factor_of_which_the_last_rows_change_is_that_of_the_changed_matrix() {
+    let mut number = noise(11);
+    for m in [1, 2, 6, 19, 40] {
+        let root = DMatrix::from_fn(m, m, |_, _| number());
+        let spd = &root * root.transpose() + DMatrix::identity(m, m) * m as f64;
+        let matrix = |a: &DMatrix<f64>| Mat::from_fn(m, m, |i, j| a[(i, j)]);
+        let changing: Vec<bool> = (0..m).map(|row| row == m - 1 || number() > 0.2).collect();
+        let rows: Vec<usize> = (0..m).filter(|&row| changing[row]).collect();
+        let places: Vec<Vec<(usize, f64)>> =
+            rows.windows(2).map(|pair| vec![(pair[0], 1.0), (pair[1], 0.5)]).chain([vec![(rows[0], 2.0)]]).collect();
+        let mut terms = |size: f64| -> Vec<f64> { places.iter().map(|_| size * (1.0 + number())).collect() };
+        let (first, second) = (terms(1.0), terms(1e3));
+        let with = |deltas: &[f64]| {
+            let mut changed = spd.clone();
+            for (delta, b) in deltas.iter().zip(&places) {
+                for &(i, x) in b {
+                    b.iter().for_each(|&(j, y)| changed[(i, j)] += delta * x * y);
+                }
+            }
+            DenseFactor::new(&matrix(&changed)).expect("definite")
+        };
+        let pairs = |deltas: &[f64]| -> Vec<(f64, Vec<(usize, f64)>)> {
+            deltas.iter().copied().zip(places.iter().cloned()).collect()
+        };
+        let b: Vec<f64> = (0..m).map(|row| 1.0 + row as f64).collect();
+        let same = |found: &[f64], wanted: &[f64]| {
+            let size = wanted.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
+            assert!(distance(found, wanted) <= 1e-12 * size, "m = {m}: {:e}", distance(found, wanted) / size);
+        };
+        let list = pairs(&first);
+        let terms = list.iter().map(|(delta, b)| (*delta, b.as_slice()));
+        let mut trailing = Trailing::of(&matrix(&spd), &changing, terms).expect("definite");
+        assert_eq!(trailing.changing(), rows.len());
+        same(&trailing.factor().solve(&b), &with(&first).solve(&b));
+        for deltas in [&second, &first] {
+            let list = pairs(deltas);
+            assert!(trailing.renew(list.iter().map(|(delta, b)| (*delta, b.as_slice()))));
+            same(&trailing.factor().solve(&b), &with(deltas).solve(&b));
+        }
+        // What is not definite, or no number, is no factor.
+        for spoiled in [-1e3, f64::NAN] {
+            assert!(!trailing.renew([(spoiled, places[0].as_slice())].into_iter()), "{spoiled}");
+            let terms = [(spoiled, places[0].as_slice())].into_iter();
+            assert!(Trailing::of(&matrix(&spd), &changing, terms).is_none(), "{spoiled}");
+        }
+    }
+}
+
+#[test]
+fn springs_that_come_to_rest_are_eliminated_once_and_solved_as_if_factorised_anew() {
+    let discretisation = large();
+    for element in Element::ALL {
+        let formulation = Formulation::new(element, Iteration::Varying);
+        let points = discretisation.points(&formulation);
+        let problem: ContactProblem = discretisation.problem(&formulation, &points);
+        let (mut springs, mut kept, mut number) = (problem.initial_springs(), Settling::default(), noise(5));
+        let mut work = Work::default();
+        for step in 0..60 {
+            // Those of the far half come to rest one after the other; the others move, and one of the first stirs again.
+            let moving = points.len().saturating_sub(step * points.len() / 40).max(points.len() / 4);
+            springs.stiffness[..moving].iter_mut().for_each(|k| *k *= 1.0 + 0.3 * number());
+            if step % 17 == 16 {
+                *springs.stiffness.last_mut().expect("points") *= 0.5;
+            }
+            let fresh = problem.factorise(&springs.stiffness, &mut Work::default()).expect("held");
+            let wanted = problem.equilibrium(&fresh, problem.load, &springs, |_| 0.0, &mut Work::default());
+            let factor = kept.renew(&problem, &springs.stiffness, &mut work).expect("held");
+            let found = problem.equilibrium(factor, problem.load, &springs, |_| 0.0, &mut Work::default());
+            let largest = wanted.pressure.iter().fold(0.0, |a: f64, p| a.max(p.abs()));
+            let apart = distance(&found.pressure, &wanted.pressure);
+            assert!(apart <= 1e-10 * largest, "{element:?}, step {step}: {:e}", apart / largest);
+        }
+        assert_eq!(work.factorisations, 60);
+        let whole = 60.0 * (problem.load.len() as f64).powi(3) / 3.0;
+        assert!(work.operations < 0.6 * whole, "{element:?}: {:.2} of {whole:e}", work.operations / whole);
+        // The last spring opened: nothing is left to hold the body.
+        assert!(kept.renew(&problem, &vec![0.0; points.len()], &mut work).is_none());
+    }
+}
+
+#[test]
+fn varying_stiffness_on_a_large_interface_factorises_what_still_moves() {
+    let discretisation = large();
+    let formulation = Formulation::new(Element::Node, Iteration::Varying).tolerance(1e-2);
+    let solution = discretisation.solve(&formulation).expect("solved");
+    assert!(solution.converged() && solution.work.factorisations == solution.work.steps);
+    let m = discretisation.condensed.retained() as f64;
+    let whole = solution.work.factorisations as f64 * m.powi(3) / 3.0;
+    assert!(solution.work.operations < 0.6 * whole, "{:.2}", solution.work.operations / whole);
+}
+
+#[test]
+fn several_solutions_are_recovered_at_once_as_one_by_one() {
+    for (scene, elements) in [(Cylinder::default().scene(), 6), (PinRod::default().scene(), 8)] {
+        let discretisation = Discretisation::of(scene, resolution(elements, 0, Order::Quadratic)).expect("discretised");
+        let condensed = &discretisation.condensed;
+        let mut number = noise(13);
+        let retained: Vec<Vec<f64>> = (0..4).map(|_| (0..condensed.retained()).map(|_| number()).collect()).collect();
+        let all = condensed.recover_all(&retained.iter().map(Vec::as_slice).collect::<Vec<_>>());
+        for (k, one) in retained.iter().enumerate() {
+            for (body, wanted) in all.iter().zip(condensed.recover(one)) {
+                assert!(distance(&body[k], &wanted) <= 0.0, "solution {k}");
+            }
+        }
+    }
 }
 
 /// A contact with more than 256 retained freedoms, where factors are updated.

@@ -80,7 +80,7 @@ fn area_converges_to_the_exact_one_with_the_order_of_the_arcs() {
                 let bodies = scene.bodies.iter().enumerate();
                 bodies.map(|(b, body)| (area(&mesh, b) / exact_area(&body.shape) - 1.0).abs()).collect()
             };
-            for ((body, coarse), fine) in scene.bodies.iter().zip(relative(0)).zip(relative(2)) {
+            for ((body, coarse), fine) in scene.bodies.iter().zip(relative(1)).zip(relative(3)) {
                 let what = format!("{}, {}, {order:?}: {coarse:e} then {fine:e}", scene.name, body.name);
                 // Chords err with h², quadratic arcs with h⁴: 16 and 256 times less after two halvings, less what
                 // is left of higher orders on coarse arcs. Straight sides err by round-off only.

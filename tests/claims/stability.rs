@@ -223,7 +223,7 @@ fn linear_steps_are_those_of_the_linear_iteration_taken_one_by_one() {
         assert!((predicted / run).max(run / predicted) < 1.5, "κ₀ = {stiffness}: {predicted} against {run}");
         // Each decade of the tolerance takes what the rate says, once the slowest mode is alone.
         let rate = rate::correction(&problem, &limit.closed).expect("a rate");
-        let [fine, finer] = [1e-11, 1e-12].map(|tau| linear::steps(&problem, &limit, tau).expect("a prediction"));
+        let [fine, finer] = [1e-13, 1e-14].map(|tau| linear::steps(&problem, &limit, tau).expect("a prediction"));
         assert_relative_eq!(finer - fine, -std::f64::consts::LN_10 / rate.ln(), max_relative = 0.05, epsilon = 1.5);
     }
 }

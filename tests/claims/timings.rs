@@ -82,7 +82,7 @@ fn target_that_is_missed_or_not_a_number_is_not_met() {
     };
     for (value, wanted) in [(0.9, true), (1.2, false), (f64::NAN, false)] {
         record.measured.growth.iter_mut().for_each(|one| one.ratio.median = value);
-        record.measured.nine.all.median = 2.0 * value;
+        record.measured.nine[0].all[0].median = 2.0 * value;
         assert_eq!(met(&record, "contact solve ÷ plain solve"), Some(wanted), "{value}");
         assert_eq!(met(&record, "all nine"), Some(wanted), "{value}");
     }

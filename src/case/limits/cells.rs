@@ -13,13 +13,20 @@ use crate::error::Error;
 use crate::formulation::{Discretisation, INCOMPRESSIBLE};
 use crate::measure::profile;
 use crate::mesh::{Mesh, Order, Resolution};
-use crate::scene::Scene;
 use crate::scene::library::TruncatedHertz;
+use crate::scene::{Grading, Scene};
 
 /// Poisson's ratios.
 const RATIOS: [f64; 8] = [0.3, 0.45, 0.49, 0.499, 0.4999, 0.49999, 0.499999, 0.4999999];
 /// Error that counts as wrong.
 const WRONG: f64 = 0.03;
+
+/// Truncated Hertz on cells that hardly grow: what fails is then the cells' doing, not their sizes'.
+fn on_even_cells(numbers: TruncatedHertz) -> Scene {
+    let mut scene = problem::truncated_hertz(numbers).0;
+    scene.grading = Grading { along: 1.3, depth: 1.25, ..scene.grading };
+    scene
+}
 
 /// Assembled and solved past the checks of the scene.
 pub(super) fn unchecked(scene: &Scene, mesh: Mesh, resolution: Resolution) -> Result<Run, Error> {
@@ -31,7 +38,7 @@ pub(super) fn unchecked(scene: &Scene, mesh: Mesh, resolution: Resolution) -> Re
 pub(super) fn incompressible() -> Result<Finding, Error> {
     let (mut rows, mut linear, mut widths, mut rough) = (Vec::new(), Vec::new(), 0.0_f64, Vec::new());
     for poisson in RATIOS {
-        let scene = problem::truncated_hertz(TruncatedHertz { poisson, ..Default::default() }).0;
+        let scene = on_even_cells(TruncatedHertz { poisson, ..Default::default() });
         let run = |elements, order| {
             let resolution = Resolution { elements, refinement: 0, order };
             unchecked(&scene, Mesh::of(&scene, resolution)?, resolution)
@@ -113,7 +120,7 @@ const FRACTIONS: [f64; 8] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8];
 /// Inner nodes moved about until cells turn inside out.
 pub(super) fn distorted() -> Result<Finding, Error> {
     let orders = [("4-node", Order::Linear), ("8-node", Order::Quadratic)];
-    let scene = problem::truncated_hertz(TruncatedHertz::default()).0;
+    let scene = on_even_cells(TruncatedHertz::default());
     let mut rows: Vec<Vec<String>> = FRACTIONS.iter().map(|fraction| vec![number(*fraction)]).collect();
     let (mut worst, mut others, mut onsets, mut told) = (0.0_f64, 0, Vec::new(), (String::new(), String::new()));
     for (name, order) in orders {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Instant;
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::case::problem;
@@ -14,16 +15,17 @@ use crate::error::Error;
 use crate::formulation::{Change, Discretisation, Formulation, Iteration};
 use crate::mesh::{Mesh, Order, Resolution};
 use crate::scene::library::Cylinder;
+use crate::solution::Solution;
 
 /// Elements per half-width and refinement of the meshes, and how often each is measured.
 pub const MESHES: [(usize, u32, usize); 8] =
-    [(4, 0, 15), (8, 0, 15), (9, 1, 15), (8, 2, 9), (6, 3, 7), (14, 3, 5), (8, 4, 3), (16, 4, 3)];
+    [(4, 0, 15), (8, 0, 15), (12, 1, 15), (8, 2, 9), (8, 3, 7), (16, 3, 5), (8, 4, 3), (20, 4, 3)];
 /// Freedoms up to which steps and entries of the factor are counted again whenever the suite runs.
 pub const RECOUNTED: usize = 50_000;
 /// Freedoms from which exponents are fitted: below, starting costs as much as solving.
 pub const LARGE: f64 = 7e3;
-/// Where nine formulations are solved on one mesh.
-pub const NINE: (usize, u32) = (6, 3);
+/// Where nine formulations are solved on one mesh: as many freedoms with fewer and with more of them retained.
+pub const NINE: [(usize, u32); 2] = [(2, 4), (8, 3)];
 
 /// Stages of a solve in their order.
 pub const STAGES: [&str; 10] = [
@@ -204,51 +206,71 @@ pub fn memory_of_one_solve(elements: usize, refinement: u32) -> Result<f64, Erro
     Ok(kilobytes.map_or(f64::NAN, |kilobytes| 1024.0 * kilobytes))
 }
 
-/// Several formulations on one condensation over the single node + kinematic solve: all nine at their own defaults, and
-/// those six of them that do not factorise at every step until springs die out.
+/// Several formulations on one condensation over the single node + kinematic solve, on one thread and on all.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Nine {
     /// Counts of the mesh.
     pub counts: Counts,
     /// All nine.
-    pub all: Spread,
-    /// Without varying stiffness.
-    pub without_varying: Spread,
+    pub all: [Spread; 2],
+    /// Those six of them that do not factorise at every step until springs die out.
+    pub without_varying: [Spread; 2],
     /// Steps of varying stiffness with its three elements.
     pub varying_steps: usize,
 }
 
-/// Measures the nine so many times.
-pub fn nine(repeats: usize) -> Result<Nine, Error> {
-    let (elements, refinement) = NINE;
-    let (mut all, mut six, mut last) = (Vec::new(), Vec::new(), None);
+/// Measures the nine at their own defaults on one mesh, so many times.
+pub fn nine((elements, refinement): (usize, u32), repeats: usize) -> Result<Nine, Error> {
+    let (scene, _, _) = problem::cylinder(Cylinder::default());
+    let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
+    let (mut all, mut six, mut last) = ([vec![], vec![]], [vec![], vec![]], None);
     for _ in 0..repeats {
-        let (scene, _, _) = problem::cylinder(Cylinder::default());
-        let whole = Instant::now();
-        let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
-        let shared = whole.elapsed().as_secs_f64();
-        let timed = |formulation: &Formulation| -> Result<(f64, usize), Error> {
-            let clock = Instant::now();
-            let solution = discretisation.solve(formulation)?;
-            std::hint::black_box(discretisation.condensed.recover(&solution.displacement));
-            Ok((clock.elapsed().as_secs_f64(), solution.work.steps))
-        };
-        let (single, steps) = timed(&Formulation::verification())?;
-        let (mut varying, mut others, mut varying_steps) = (0.0, 0.0, 0);
-        for formulation in Formulation::nine() {
-            let (seconds, steps) = timed(&formulation)?;
-            if formulation.algorithm == Iteration::Varying {
-                varying += seconds;
-                varying_steps += steps;
-            } else {
-                others += seconds;
-            }
+        for (threads, (all, six)) in all.iter_mut().zip(&mut six).enumerate() {
+            let once = match rayon::ThreadPoolBuilder::new().num_threads(1 - threads.min(1)).build() {
+                Ok(pool) => pool.install(|| once_all_nine(elements, refinement))?,
+                Err(_) => once_all_nine(elements, refinement)?,
+            };
+            all.push((once.shared + once.others + once.varying) / (once.shared + once.single));
+            six.push((once.shared + once.others) / (once.shared + once.single));
+            last = Some(once);
         }
-        all.push((shared + others + varying) / (shared + single));
-        six.push((shared + others) / (shared + single));
-        last = Some((counted(&discretisation, NINE, steps), varying_steps));
     }
     let none = || Error::Combination { what: "nothing was measured".into(), remedy: "repeat at least once".into() };
-    let (counts, varying_steps) = last.ok_or_else(none)?;
-    Ok(Nine { counts, all: Spread::of(&all), without_varying: Spread::of(&six), varying_steps })
+    let OnceNine { steps, varying_steps, .. } = last.ok_or_else(none)?;
+    let spreads = |lists: [Vec<f64>; 2]| lists.map(|list| Spread::of(&list));
+    let counts = counted(&discretisation, (elements, refinement), steps);
+    Ok(Nine { counts, all: spreads(all), without_varying: spreads(six), varying_steps })
+}
+
+/// Seconds of the condensation that all share, of the single solve, and of the nine.
+struct OnceNine {
+    shared: f64,
+    single: f64,
+    others: f64,
+    varying: f64,
+    steps: usize,
+    varying_steps: usize,
+}
+
+/// Mesh to displacements by the single formulation and by the nine, these side by side on the threads at hand.
+fn once_all_nine(elements: usize, refinement: u32) -> Result<OnceNine, Error> {
+    let (scene, _, _) = problem::cylinder(Cylinder::default());
+    let clock = Instant::now();
+    let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
+    let shared = clock.elapsed().as_secs_f64();
+    let solved = |formulations: &[Formulation]| -> Result<(f64, Vec<Solution>), Error> {
+        let clock = Instant::now();
+        let each = formulations.par_iter().with_max_len(1).map(|formulation| discretisation.solve(formulation));
+        let solutions = each.collect::<Result<Vec<_>, Error>>()?;
+        let retained: Vec<&[f64]> = solutions.iter().map(|solution| solution.displacement.as_slice()).collect();
+        std::hint::black_box(discretisation.condensed.recover_all(&retained));
+        Ok((clock.elapsed().as_secs_f64(), solutions))
+    };
+    let steps = |solutions: &[Solution]| solutions.iter().map(|solution| solution.work.steps).sum();
+    let (varying, others): (Vec<_>, Vec<_>) =
+        Formulation::nine().into_iter().partition(|formulation| formulation.algorithm == Iteration::Varying);
+    let (single, one) = solved(&[Formulation::verification()])?;
+    let (others, _) = solved(&others)?;
+    let (varying, three) = solved(&varying)?;
+    Ok(OnceNine { shared, single, others, varying, steps: steps(&one), varying_steps: steps(&three) })
 }

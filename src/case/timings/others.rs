@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use crate::case::cross_code::discrete;
 use crate::case::timings::growth;
-use crate::case::timings::precision::{Family, half_widths};
+use crate::case::timings::precision::{Family, Laps, half_widths};
 use crate::case::timings::statistics::Spread;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
@@ -41,6 +41,8 @@ pub struct OtherPoint {
     pub freedoms: usize,
     /// Seconds, median over the loads.
     pub seconds: f64,
+    /// What of them went where.
+    pub stages: Stages,
     /// Error of p₀, median and worst.
     pub peak: f64,
     /// Worst.
@@ -53,6 +55,35 @@ pub struct OtherPoint {
     pub l2: f64,
     /// Worst.
     pub l2_worst: f64,
+}
+
+/// Seconds of what every code does, medians over the loads.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Stages {
+    /// Cells integrated and assembled.
+    pub stiffness: f64,
+    /// Ordering, factorisation and solution of the sparse system, as often as it is done.
+    pub linear: f64,
+    /// Contact rows, steps, and all else; with us the mesh too.
+    pub rest: f64,
+}
+
+impl Stages {
+    /// Of our own stages, load by load.
+    pub fn of(laps: &[Laps]) -> Self {
+        let linear = ["ordering", "analysis", "factorisation", "forward elimination", "Schur complement"];
+        let median = |wanted: &dyn Fn(&str) -> bool| {
+            let of = |laps: &Laps| -> f64 {
+                laps.iter().filter(|(stage, _)| wanted(stage)).map(|(_, seconds)| seconds).sum()
+            };
+            Spread::of(&laps.iter().map(of).collect::<Vec<_>>()).median
+        };
+        Self {
+            stiffness: median(&|stage| stage == "assembly"),
+            linear: median(&|stage| linear.contains(&stage)),
+            rest: median(&|stage| stage != "assembly" && !linear.contains(&stage)),
+        }
+    }
 }
 
 /// One mesh of the cylinder by a peer.
@@ -144,12 +175,14 @@ pub fn precision(code: Code) -> Result<Result<Vec<OtherPoint>, String>, Error> {
     let point = |line: &Value| {
         let of = |key: &str| Spread::of(&list(line, key));
         let [peak, half_width, l2] = ["peak_error", "half_width_error", "l2_error"].map(of);
+        let [seconds, stiffness, linear] = ["seconds", "stiffness", "linear"].map(|key| of(key).median);
         OtherPoint {
             code: code.name().into(),
             version: line["version"].as_str().unwrap_or("unknown").into(),
             mesh: line["mesh"].to_string(),
             freedoms: line["freedoms"].as_u64().unwrap_or(0) as usize,
-            seconds: of("seconds").median,
+            seconds,
+            stages: Stages { stiffness, linear, rest: seconds - stiffness - linear },
             peak: peak.median,
             peak_worst: peak.most,
             half_width: half_width.median,

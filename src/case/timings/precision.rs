@@ -200,7 +200,7 @@ fn point(family: Family, order: Order, elements: usize, formulation: &Formulatio
         formulation: formulation.name(),
         freedoms: first.freedoms,
         sparse_operations: first.sparse_operations,
-        dense_operations: over(&|one| one.run.dense_operations()).median,
+        dense_operations: over(&|one| one.run.solution.work.operations).median,
         steps: over(&|one| one.run.solution.work.steps as f64).median,
         converged: loaded.iter().filter(|one| one.run.solution.converged()).count(),
         seconds: over(&|one| one.run.seconds.iter().map(|(_, seconds)| seconds).sum()).median,
@@ -213,15 +213,17 @@ fn point(family: Family, order: Order, elements: usize, formulation: &Formulatio
     }
 }
 
-/// Seconds of one formulation on one mesh under each of the loads.
-pub fn seconds(family: Family, order: Order, elements: usize, formulation: &Formulation) -> Result<Vec<f64>, Error> {
+/// Seconds by stage of one formulation on one mesh, under each of the loads.
+pub fn laps(family: Family, order: Order, elements: usize, formulation: &Formulation) -> Result<Vec<Laps>, Error> {
     let one = |half_width: f64| {
         let ((scene, _, _), _) = family.loaded(half_width);
-        let run = Run::of(&Discretisation::of(scene, Resolution { elements, refinement: 0, order })?, formulation)?;
-        Ok(run.seconds.iter().map(|(_, seconds)| seconds).sum())
+        Ok(Run::of(&Discretisation::of(scene, Resolution { elements, refinement: 0, order })?, formulation)?.seconds)
     };
     half_widths(family.nominal(), elements).into_iter().map(one).collect()
 }
+
+/// Seconds by stage.
+pub type Laps = Vec<(&'static str, f64)>;
 
 /// All meshes of the charts.
 pub fn meshes() -> Vec<(Family, Order, usize)> {

@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::case::timings::growth::{Growth, Nine};
 use crate::case::timings::machine::Machine;
-use crate::case::timings::others::{OtherPoint, PeerPoint};
-use crate::case::timings::precision::Point;
+use crate::case::timings::others::{OtherPoint, PeerPoint, Stages};
+use crate::case::timings::precision::{Laps, Point};
 use crate::case::timings::statistics::Spread;
 use crate::error::Error;
 use crate::oracle::cross_code::root;
@@ -24,20 +24,40 @@ pub struct Measured {
     pub machine: Machine,
     /// Mesh by mesh.
     pub growth: Vec<Growth>,
-    /// All nine formulations over one.
-    pub nine: Nine,
+    /// All nine formulations over one, mesh by mesh.
+    pub nine: Vec<Nine>,
     /// Seconds of the whole report.
     pub report: f64,
     /// Model error of the cylinder's p₀ and a.
     pub floor: [f64; 2],
     /// Other codes on truncated Hertz.
     pub others: Vec<OtherPoint>,
-    /// Our cheapest solve of truncated Hertz within 0.1 % \[s\], measured before and after each of them.
-    pub beside: Vec<(String, Spread)>,
+    /// Our cheapest solve of truncated Hertz within 0.1 %, measured before and after each of them.
+    pub beside: Vec<Beside>,
     /// Other codes on the cylinder.
     pub peers: Vec<PeerPoint>,
     /// What was not installed.
     pub absent: Vec<String>,
+}
+
+/// Our own solve as it was beside another code's.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Beside {
+    /// The other code.
+    pub code: String,
+    /// Our seconds.
+    pub seconds: Spread,
+    /// What of them went where.
+    pub stages: Stages,
+}
+
+impl Beside {
+    /// From our stages, load by load.
+    pub fn of(code: &str, laps: &[Laps]) -> Self {
+        let whole = |laps: &Laps| laps.iter().map(|(_, seconds)| seconds).sum();
+        let seconds = Spread::of(&laps.iter().map(whole).collect::<Vec<f64>>());
+        Self { code: code.into(), seconds, stages: Stages::of(laps) }
+    }
 }
 
 /// The whole record.

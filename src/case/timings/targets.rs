@@ -2,8 +2,8 @@
 
 use crate::case::timings::growth::LARGE;
 use crate::case::timings::others::{OtherPoint, PEERS};
-use crate::case::timings::precision::{self, Family, Point, TOLERANCE};
-use crate::case::timings::record::Record;
+use crate::case::timings::precision::{self, Family, Laps, Point, TOLERANCE};
+use crate::case::timings::record::{Beside, Record};
 use crate::case::timings::statistics::exponent;
 use crate::error::Error;
 use crate::formulation::{Element, Formulation, Iteration};
@@ -49,11 +49,15 @@ pub fn targets(record: &Record) -> Vec<Target> {
         all.push(at_most(format!("the same on all threads, {n} freedoms"), 0.25, one.assembly_ratio[1].median));
         all.push(at_most(format!("one more solve ÷ the first, {n} freedoms"), 0.02, one.again_ratio.median));
     }
-    let nine = &record.measured.nine;
-    let freedoms = nine.counts.freedoms;
-    all.push(at_most(format!("all nine formulations ÷ one, {freedoms} freedoms"), 2.0, nine.all.median));
-    let without = format!("the same without varying stiffness, whose {} steps factorise each", nine.varying_steps);
-    all.push(at_most(without, 2.0, nine.without_varying.median));
+    for nine in &record.measured.nine {
+        let mesh = format!("{} freedoms, {} retained", nine.counts.freedoms, nine.counts.retained);
+        for (threads, k) in [("one thread", 0), ("all threads", 1)] {
+            let what = format!("all nine formulations ÷ one, {mesh}, {threads}");
+            all.push(at_most(what, 2.0, nine.all[k].median));
+        }
+        let without = format!("the same without varying stiffness and its {} steps, one thread", nine.varying_steps);
+        all.push(at_most(without, 2.0, nine.without_varying[0].median));
+    }
     let whole: Vec<[f64; 2]> = (growth.iter())
         .filter(|one| one.counts.freedoms as f64 >= LARGE)
         .map(|one| [one.counts.freedoms as f64, one.stages.values().map(|stage| stage.median).sum()])
@@ -82,26 +86,30 @@ pub fn cheapest(points: &[Point]) -> Option<&Point> {
     points.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds))
 }
 
-/// Seconds of that solve as they are now, several times under each load.
-pub fn cheapest_seconds(points: &[Point]) -> Result<Vec<f64>, Error> {
+/// Seconds by stage of that solve as they are now, several times under each load.
+pub fn cheapest_laps(points: &[Point]) -> Result<Vec<Laps>, Error> {
     let Some(point) = cheapest(points) else { return Ok(Vec::new()) };
     let order = if point.cell_nodes == 4 { Order::Linear } else { Order::Quadratic };
     let family = Family::ALL.into_iter().find(|family| family.name() == point.family);
     let formulation = Formulation::new(Element::Node, Iteration::Kinematic).tolerance(TOLERANCE);
-    let mut seconds = Vec::new();
+    let mut laps = Vec::new();
     for family in family.into_iter().cycle().take(REPEATS) {
-        seconds.extend(precision::seconds(family, order, point.elements, &formulation)?);
+        laps.extend(precision::laps(family, order, point.elements, &formulation)?);
     }
-    Ok(seconds)
+    Ok(laps)
+}
+
+/// The cheapest solve of another code within that accuracy.
+pub fn theirs(record: &Record, code: Code) -> Option<&OtherPoint> {
+    let enough = |point: &&OtherPoint| point.code == code.name() && point.peak.max(point.half_width) <= COMPARED;
+    record.measured.others.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds))
 }
 
 fn to_accuracy(record: &Record, code: Code, asked: f64) -> Target {
     let what = format!("time to {} % in p₀ and a, truncated Hertz: {code} ÷ ours", 100.0 * COMPARED);
-    let enough = |point: &&OtherPoint| point.code == code.name() && point.peak.max(point.half_width) <= COMPARED;
-    let theirs = record.measured.others.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds));
-    let beside = record.measured.beside.iter().find(|(name, _)| name == code.name());
-    match (theirs, beside, cheapest(&record.points)) {
-        (Some(theirs), Some((_, ours)), Some(own)) => {
+    let beside = record.measured.beside.iter().find(|beside| beside.code == code.name());
+    match (theirs(record, code), beside, cheapest(&record.points)) {
+        (Some(theirs), Some(Beside { seconds: ours, .. }), Some(own)) => {
             let ratio = theirs.seconds / ours.median;
             let measured = format!(
                 "{ratio:.1} ({:.1} ms with {} freedoms against {:.2} ms with {})",

@@ -89,7 +89,7 @@ impl Cylinder {
                 symmetric: true,
             },
             reference: hertz_reference(self.half_width(), self.load(), self.radius),
-            grading: Grading { unit: self.half_width(), along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
+            grading: Grading { unit: self.half_width(), along: 1.7, depth: 1.6, first: 1.0, coarsest: 0.3, end: 1.0 },
         }
     }
 }
@@ -160,7 +160,7 @@ impl TruncatedHertz {
                 symmetric: true,
             },
             reference: hertz_reference(a, self.load(), self.radius),
-            grading: Grading { unit: a, along: 1.3, depth: 1.25, first: 1.0, coarsest: 0.2, end: 1.0 },
+            grading: Grading { unit: a, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
         }
     }
 }

@@ -95,7 +95,7 @@ impl PinRod {
                 self.clearance,
                 [self.pin, self.rod],
             ),
-            grading: Grading { unit: self.unit, along: 1.25, depth: 1.35, first: 1.0, coarsest: 0.12, end: 1.0 },
+            grading: Grading { unit: self.unit, along: 1.7, depth: 1.6, first: 1.0, coarsest: 0.3, end: 1.0 },
         }
     }
 }

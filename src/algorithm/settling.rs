@@ -1,0 +1,87 @@
+//! The factor of a system whose springs come to rest one by one: rows without a moving spring are eliminated once.
+
+use crate::algorithm::ContactProblem;
+use crate::condensation::dense::{DenseFactor, RankOne};
+use crate::condensation::trailing::Trailing;
+use crate::solution::Work;
+
+/// Systems from this size on are split; smaller ones are as quickly factorised.
+const PAYS_FROM: usize = 128;
+/// Springs that may still move for a split to pay, as a share of those that moved before.
+const FEWER: f64 = 0.95;
+
+/// The last factor of `S + Σ A k bᵀb` and the springs it belongs to.
+#[derive(Clone, Debug, Default)]
+pub struct Settling {
+    kept: Option<Kept>,
+    stiffness: Vec<f64>,
+}
+
+#[derive(Clone, Debug)]
+enum Kept {
+    Whole(DenseFactor),
+    /// Split, with the springs that may move.
+    Split(Trailing, Vec<usize>),
+}
+
+impl Settling {
+    /// The factor for some springs: only of the rows whose springs still move, where all others stand as they stood; none
+    /// where `S + K_c` is not positive definite.
+    pub fn renew(&mut self, problem: &ContactProblem, stiffness: &[f64], work: &mut Work) -> Option<&DenseFactor> {
+        let moved = self.moved(stiffness);
+        self.stiffness.clear();
+        self.stiffness.extend_from_slice(stiffness);
+        let kept = self.kept.take();
+        let could_move = match &kept {
+            Some(Kept::Split(_, moving)) => moving.len(),
+            _ => stiffness.len(),
+        };
+        let pays = problem.load.len() >= PAYS_FROM && moved.len() as f64 <= FEWER * could_move as f64;
+        self.kept = Some(match kept {
+            Some(Kept::Split(mut part, moving)) if !pays && is_subset(&moved, &moving) => {
+                work.count_factorisation(part.changing());
+                part.renew(terms(problem, stiffness, &moving)).then_some(Kept::Split(part, moving))?
+            }
+            Some(_) if pays => split(problem, stiffness, moved, work)?,
+            Some(Kept::Whole(factor)) => Kept::Whole(problem.factorise_in(factor.into_memory(), stiffness, work)?),
+            _ => Kept::Whole(problem.factorise(stiffness, work)?),
+        });
+        self.kept.as_ref().map(|kept| match kept {
+            Kept::Whole(factor) => factor,
+            Kept::Split(part, _) => part.factor(),
+        })
+    }
+
+    /// Springs that are not what they were; all at the first time.
+    fn moved(&self, stiffness: &[f64]) -> Vec<usize> {
+        let same = |i: usize| self.stiffness.get(i).is_some_and(|before| (stiffness[i] - before).abs() <= 0.0);
+        (0..stiffness.len()).filter(|&i| !same(i)).collect()
+    }
+}
+
+/// Eliminates the rows without a moving spring.
+fn split(problem: &ContactProblem, stiffness: &[f64], moving: Vec<usize>, work: &mut Work) -> Option<Kept> {
+    work.count_factorisation(problem.load.len());
+    let mut at_rest = stiffness.to_vec();
+    let mut changing = vec![false; problem.load.len()];
+    for &i in &moving {
+        at_rest[i] = 0.0;
+        problem.points[i].row.iter().for_each(|&(row, _)| changing[row] = true);
+    }
+    let part = Trailing::of(&problem.matrix(&at_rest), &changing, terms(problem, stiffness, &moving))?;
+    Some(Kept::Split(part, moving))
+}
+
+/// `A k bᵀb` of some springs.
+fn terms<'a>(
+    problem: &'a ContactProblem,
+    stiffness: &'a [f64],
+    springs: &'a [usize],
+) -> impl Iterator<Item = RankOne<'a>> {
+    springs.iter().map(|&i| (problem.points[i].weight * stiffness[i], problem.points[i].row.as_slice()))
+}
+
+/// Whether every member of one ascending list is in another.
+fn is_subset(of: &[usize], all: &[usize]) -> bool {
+    of.iter().all(|i| all.binary_search(i).is_ok())
+}
