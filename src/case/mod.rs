@@ -11,6 +11,7 @@
 //! * [`limits`] — where everything else breaks.
 //! * [`faults`] — the record of planted faults.
 //! * [`atlas`] — where each formulation converges, and where it was predicted to.
+//! * [`scene_file`] — a user's own scene, with its checks.
 //! * [`stability`] — predicted rates and steps against measured ones.
 //! * [`cures`] — acceleration of constant stiffness, nested starts of kinematic load.
 //! * [`timings`] — what each accuracy costs.
@@ -32,6 +33,7 @@ pub mod pin;
 pub mod problem;
 pub mod refinement;
 pub mod run;
+pub mod scene_file;
 pub mod stability;
 pub mod statements;
 pub mod suite;
@@ -42,4 +44,5 @@ pub mod universal;
 pub use check::{Check, Reference, Verdict};
 pub use problem::Problem;
 pub use run::Run;
+pub use scene_file::SceneFile;
 pub use suite::{FieldData, Finding, Series, Table, Trial};

@@ -18,9 +18,9 @@ pub type SharedOracle = Arc<dyn Oracle + Send + Sync>;
 #[derive(Clone)]
 pub struct Problem {
     /// Name on the command line.
-    pub name: &'static str,
+    pub name: String,
     /// What it is, in a sentence.
-    pub title: &'static str,
+    pub title: String,
     /// The scene.
     pub scene: Scene,
     /// Default mesh.
@@ -87,7 +87,7 @@ pub fn problem(name: &str, a_over_r: Option<f64>) -> Result<Problem, Error> {
         _ => flat_punch(FlatPunch::default()),
     };
     let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
-    Ok(Problem { name, title, scene, resolution, oracle })
+    Ok(Problem { name: name.into(), title: title.into(), scene, resolution, oracle })
 }
 
 /// Scene, elements of the default mesh, oracle.
@@ -182,9 +182,9 @@ pub fn flat_punch(numbers: FlatPunch) -> Parts {
 
 impl Problem {
     /// A problem from its parts.
-    pub fn new(name: &'static str, title: &'static str, (scene, elements, oracle): Parts) -> Self {
+    pub fn new(name: &str, title: &str, (scene, elements, oracle): Parts) -> Self {
         let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
-        Self { name, title, scene, resolution, oracle }
+        Self { name: name.into(), title: title.into(), scene, resolution, oracle }
     }
 
     /// The oracle's pressure at a contact coordinate; NaN where there is no oracle or it cannot say.

@@ -86,7 +86,7 @@ pub fn text(problem: &Problem, resolution: Resolution, run: &Run) -> String {
         });
     let point = |p: &crate::solution::PointState| Point { position: p.position, pressure: p.pressure, gap: p.gap };
     let document = Document {
-        case: problem.name,
+        case: &problem.name,
         element: run.formulation.element.name(),
         algorithm: run.formulation.algorithm.name(),
         rule: run.formulation.rule.name(),

@@ -4,6 +4,7 @@
 //! * [`timings`] — measures speed against accuracy.
 //! * [`suite`] — runs all trials with a progress bar.
 //! * [`solve`] — one case, with its outputs.
+//! * [`verify`] — every scene file of a folder.
 //! * [`json`] — the result of a solve as JSON.
 
 pub mod atlas;
@@ -11,6 +12,7 @@ pub mod json;
 pub mod solve;
 pub mod suite;
 pub mod timings;
+pub mod verify;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -18,6 +20,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
+use miette::GraphicalReportHandler;
 
 use crate::case::problem::PROBLEMS;
 use crate::case::timings::growth;
@@ -42,8 +45,13 @@ enum Command {
         #[arg(long)]
         check: bool,
     },
-    /// Solve one case of the library.
+    /// Solve one case of the library, or a scene file of your own.
     Solve(Box<solve::Arguments>),
+    /// Solve every scene file of a folder and judge it by its own checks; fails where one fails.
+    Verify {
+        /// Folder with scene files (*.toml).
+        folder: PathBuf,
+    },
     /// Solve the suite and print every check with its verdict, a line of JSON each; trials that break off fail too.
     Verdicts,
     /// Survey the stability atlas and write snapshots/atlas; broken off, it goes on where it stopped.
@@ -71,6 +79,7 @@ pub fn main() -> ExitCode {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| true)
         }
         Command::Timings { memory: None } => timings::run().map(|()| true),
+        Command::Verify { folder } => verify::run(&folder),
         Command::Solve(arguments) => solve::run(&arguments).map(|()| true),
         Command::List => {
             PROBLEMS.iter().for_each(|(name, title)| say(format!("{name:18} {title}")));
@@ -83,10 +92,20 @@ pub fn main() -> ExitCode {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
-            eprintln!("error: {error}");
+            show(&error);
             ExitCode::FAILURE
         }
     }
+}
+
+/// Prints an error; one in a file with the lines around it.
+fn show(error: &Error) {
+    let mut text = String::new();
+    let drawn = match error {
+        Error::Located(located) => GraphicalReportHandler::new().render_report(&mut text, located.as_ref()).is_ok(),
+        _ => false,
+    };
+    eprintln!("{}", if drawn { text } else { format!("error: {error}") });
 }
 
 /// Prints a line; a reader who has gone away (a closed pipe) is no error.

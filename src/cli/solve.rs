@@ -1,12 +1,12 @@
-//! `solve CASE`: one case by one formulation, with its outputs.
+//! `solve CASE` or `solve SCENE.toml`: one scene by one formulation, with its outputs.
 
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
 use crate::algorithm::{Acceleration, StiffnessRule};
-use crate::case::Run;
 use crate::case::problem::{Problem, problem};
+use crate::case::{Run, SceneFile};
 use crate::cli::{json, say};
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration, Start};
@@ -19,23 +19,23 @@ use crate::report::format;
 /// Arguments of `solve`.
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// Case of the library; `list` names them.
+    /// Case of the library (`list` names them), or a scene file (tests/scenes/README.md describes its keys).
     case: String,
-    /// Contact element.
-    #[arg(long, value_enum, default_value = "node")]
-    element: ElementName,
-    /// Iteration algorithm.
-    #[arg(long, value_enum, default_value = "kinematic")]
-    algorithm: AlgorithmName,
+    /// Contact element: node unless the file says otherwise.
+    #[arg(long, value_enum)]
+    element: Option<ElementName>,
+    /// Iteration algorithm: kinematic unless the file says otherwise.
+    #[arg(long, value_enum)]
+    algorithm: Option<AlgorithmName>,
     /// Rule; the algorithm's own by default.
     #[arg(long, value_enum)]
     rule: Option<RuleName>,
     /// Acceleration of the constant algorithm; not the paper's.
-    #[arg(long, value_enum, default_value = "none")]
-    acceleration: AccelerationName,
+    #[arg(long, value_enum)]
+    acceleration: Option<AccelerationName>,
     /// Start of the kinematic algorithm: every candidate closed (the paper's) or the contact set of coarser meshes.
-    #[arg(long, value_enum, default_value = "closed")]
-    start: StartName,
+    #[arg(long, value_enum)]
+    start: Option<StartName>,
     /// Initial stiffness κ₀ = k_n ℓ/E*.
     #[arg(long, value_name = "KAPPA", allow_negative_numbers = true)]
     stiffness: Option<f64>,
@@ -43,20 +43,23 @@ pub struct Arguments {
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     a_over_r: Option<f64>,
     /// Element order: 1 (4-node) or 2 (8-node).
-    #[arg(long, default_value_t = 2)]
-    order: u8,
-    /// Elements per half-width, or per 10 mm of arc on pins.
+    #[arg(long)]
+    order: Option<u8>,
+    /// Elements per half-width, or per 10 mm of arc on pins; in a scene file per the length it names.
     #[arg(long, value_name = "N")]
     resolution: Option<usize>,
     /// Load increments.
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    increments: usize,
+    #[arg(long, value_name = "N")]
+    increments: Option<usize>,
     /// Largest residual accepted.
-    #[arg(long, value_name = "T", default_value_t = 1e-3, allow_negative_numbers = true)]
-    tolerance: f64,
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    tolerance: Option<f64>,
     /// Write the result as JSON to a file, or to standard output with `-`.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Write the profile as CSV: position, pressure, gap, area.
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
     /// Draw the pressure profile as SVG.
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
@@ -100,11 +103,11 @@ enum StartName {
 
 /// Solves, prints a table unless JSON goes to standard output, and writes what was asked for.
 pub fn run(arguments: &Arguments) -> Result<(), Error> {
-    let problem = problem(&arguments.case, arguments.a_over_r)?;
+    let (problem, base) = arguments.problem()?;
     if let Some(path) = arguments.plot.as_ref().filter(|path| path.extension().is_none_or(|end| end != "svg")) {
         return Err(Error::value("solve", "--plot", path.display(), "plots are SVG", "end the file name in .svg"));
     }
-    let formulation = arguments.formulation();
+    let formulation = arguments.formulation(base);
     formulation.validate(&problem.scene)?;
     let resolution = arguments.resolution(&problem)?;
     let discretisation = Discretisation::of(problem.scene.clone(), resolution)?;
@@ -113,6 +116,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Error> {
     if let Some(path) = &arguments.json {
         let text = json::text(&problem, resolution, &run);
         if to_stdout { say(&text) } else { write(path, &text)? }
+    }
+    if let Some(path) = &arguments.csv {
+        write(path, &profile(&run, path)?)?;
     }
     if let Some(path) = &arguments.plot {
         write(path, &plot(&problem, &run).svg()?)?;
@@ -124,28 +130,54 @@ pub fn run(arguments: &Arguments) -> Result<(), Error> {
 }
 
 impl Arguments {
-    fn formulation(&self) -> Formulation {
-        let element = match self.element {
+    /// The problem of the library or of a file, and the formulation that it names.
+    fn problem(&self) -> Result<(Problem, Formulation), Error> {
+        let path = Path::new(&self.case);
+        if path.extension().is_none_or(|end| end != "toml") {
+            let problem = problem(&self.case, self.a_over_r)?;
+            return Ok((problem, Formulation::new(Element::Node, Iteration::Kinematic)));
+        }
+        if self.a_over_r.is_some() {
+            let remedy = "leave it out, and set the load in the file";
+            return Err(Error::Combination { what: "a scene file has no a/R".into(), remedy: remedy.into() });
+        }
+        let file = SceneFile::read(path)?;
+        Ok((file.problem, file.formulation))
+    }
+
+    /// What the options change in a formulation; another element or algorithm begins from its own defaults.
+    fn formulation(&self, base: Formulation) -> Formulation {
+        let element = self.element.map_or(base.element, |element| match element {
             ElementName::Line => Element::Line,
             ElementName::Layer => Element::Layer,
             ElementName::Node => Element::Node,
-        };
-        let algorithm = match self.algorithm {
+        });
+        let algorithm = self.algorithm.map_or(base.algorithm, |algorithm| match algorithm {
             AlgorithmName::Varying => Iteration::Varying,
             AlgorithmName::Constant => Iteration::Constant,
             AlgorithmName::Kinematic => Iteration::Kinematic,
+        });
+        let mut formulation = if (element, algorithm) == (base.element, base.algorithm) {
+            base
+        } else {
+            Formulation { settings: base.settings, ..Formulation::new(element, algorithm) }
         };
-        let mut formulation = Formulation::new(element, algorithm).tolerance(self.tolerance);
-        formulation.settings.increments = self.increments;
-        formulation.acceleration = match self.acceleration {
-            AccelerationName::None => Acceleration::None,
-            AccelerationName::CrossedSecant => Acceleration::CrossedSecant,
-            AccelerationName::Anderson => Acceleration::Anderson,
-        };
-        formulation.start = match self.start {
-            StartName::Closed => Start::Closed,
-            StartName::Nested => Start::Nested,
-        };
+        let settings = &mut formulation.settings;
+        settings.tolerance = self.tolerance.unwrap_or(settings.tolerance);
+        settings.increments = self.increments.unwrap_or(settings.increments);
+        if let Some(acceleration) = self.acceleration {
+            formulation.acceleration = match acceleration {
+                AccelerationName::None => Acceleration::None,
+                AccelerationName::CrossedSecant => Acceleration::CrossedSecant,
+                AccelerationName::Anderson => Acceleration::Anderson,
+            };
+        }
+        if let Some(start) = self.start {
+            formulation.start = match start {
+                StartName::Closed => Start::Closed,
+                StartName::Nested => Start::Nested,
+            };
+        }
         if let Some(rule) = self.rule {
             formulation.rule = match rule {
                 RuleName::Secant => StiffnessRule::Secant,
@@ -155,17 +187,16 @@ impl Arguments {
                 RuleName::Penalty => StiffnessRule::Penalty,
             };
         }
-        if let Some(stiffness) = self.stiffness {
-            formulation.stiffness = stiffness;
-        }
+        formulation.stiffness = self.stiffness.unwrap_or(formulation.stiffness);
         formulation
     }
 
     fn resolution(&self, problem: &Problem) -> Result<Resolution, Error> {
         let order = match self.order {
-            1 => Order::Linear,
-            2 => Order::Quadratic,
-            other => {
+            None => problem.resolution.order,
+            Some(1) => Order::Linear,
+            Some(2) => Order::Quadratic,
+            Some(other) => {
                 return Err(Error::value("solve", "--order", other, "it must be 1 or 2", "use 2 for 8-node cells"));
             }
         };
@@ -227,6 +258,20 @@ fn print(problem: &Problem, resolution: Resolution, run: &Run) {
             format::error(oracle.error)
         ));
     }
+}
+
+/// Position, pressure, gap and area of every contact point.
+fn profile(run: &Run, path: &Path) -> Result<String, Error> {
+    let failed = |reason: String| Error::File { path: path.into(), reason, remedy: "try another file".into() };
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let head = ["position [mm or rad]", "pressure [MPa]", "gap [mm]", "area [mm2]"];
+    writer.write_record(head).map_err(|error| failed(error.to_string()))?;
+    for point in &run.solution.points {
+        let numbers = [point.position, point.pressure, point.gap, point.weight].map(|number| number.to_string());
+        writer.write_record(numbers).map_err(|error| failed(error.to_string()))?;
+    }
+    let bytes = writer.into_inner().map_err(|error| failed(error.to_string()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 /// Pressure against the contact coordinate, with the oracle's curve where there is one.

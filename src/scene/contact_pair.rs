@@ -48,6 +48,23 @@ pub enum Profile {
         /// Radius of curvature at the vertex \[mm\].
         radius: f64,
     },
+    /// Even polynomial `g = Σ c_k s^{2k+2}`, k from 0.
+    Even {
+        /// `c_k` [mm^{−1−2k}].
+        coefficients: [f64; 4],
+    },
+    /// Wedge, `g = s tan β`.
+    Wedge {
+        /// `tan β`.
+        slope: f64,
+    },
+    /// Waves, `g = Δ (1 − cos 2π s/λ)` \[mm\].
+    Cosine {
+        /// Δ \[mm\].
+        amplitude: f64,
+        /// λ \[mm\].
+        wavelength: f64,
+    },
     /// Pin in a hole that it touches at its lowest point: the distance along the pin's radius,
     /// `g = √((R+c)² − c² sin²θ) − c cos θ − R`, to first order `c (1 − cos θ)` \[mm\].
     Hole {
@@ -129,6 +146,12 @@ impl Profile {
             Self::Punch { .. } => f64::INFINITY,
             Self::Circle { radius } => s * s / (radius + (radius * radius - s * s).sqrt()),
             Self::Parabola { radius } => s * s / (2.0 * radius),
+            Self::Even { coefficients } => coefficients.iter().rev().fold(0.0, |sum, c| c + sum * s * s) * s * s,
+            Self::Wedge { slope } => slope * s,
+            // 1 − cos x = 2 sin² x/2, without lost digits.
+            Self::Cosine { amplitude, wavelength } => {
+                2.0 * amplitude * (std::f64::consts::PI * s / wavelength).sin().powi(2)
+            }
             Self::Hole { radius, clearance } => hole_gap(radius, clearance, s),
         }
     }

@@ -4,11 +4,13 @@
 //! * [`shape`] — the outlines the mesher knows.
 //! * [`contact_pair`] — who touches whom, along which path, with which initial gap.
 //! * [`library`] — the scenes of the suite, each one struct of numbers in one place.
+//! * [`mod@file`] — a scene as a user writes it, in TOML.
 //! * [`variant`] — the same scene in other units, mirrored, or with its bodies swapped.
 //!
 //! Units are millimetre, newton and megapascal throughout.
 
 pub mod contact_pair;
+pub mod file;
 pub mod library;
 pub mod material;
 pub mod shape;

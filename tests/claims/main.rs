@@ -20,5 +20,6 @@ mod measure;
 mod mesh;
 mod oracles;
 mod scene;
+mod scene_file;
 mod stability;
 mod timings;

@@ -1,6 +1,10 @@
 //! What was wrong, with the numbers and the remedy.
 
+pub mod located;
+
 use std::path::PathBuf;
+
+pub use located::Located;
 
 /// Wrong input or broken numerics; not converging is an [`Outcome`](crate::solution::Outcome), never an error.
 #[derive(Debug, thiserror::Error)]
@@ -193,6 +197,10 @@ pub enum Error {
         /// What to do.
         remedy: String,
     },
+
+    /// Something wrong at a place in a file that a user wrote.
+    #[error("{}", _0.in_one_line())]
+    Located(Box<Located>),
 
     /// What the Python side of the oracles said.
     #[error("python oracles: {said}; {remedy}")]

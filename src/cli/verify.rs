@@ -1,0 +1,68 @@
+//! `verify DIR`: every scene file of a folder, with its own checks.
+
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+
+use crate::case::{Finding, Run, SceneFile};
+use crate::cli::{progress, say, show, suite};
+use crate::error::Error;
+use crate::formulation::Discretisation;
+
+/// Solves the scene files of a folder in the order of their names, prints the verdicts and tells whether none failed.
+///
+/// A file that cannot be read or solved fails; the others are solved all the same.
+pub fn run(folder: &Path) -> Result<bool, Error> {
+    let files = scene_files(folder)?;
+    let bar = progress(files.len());
+    let judged: Vec<Result<Finding, Error>> = files
+        .par_iter()
+        .map(|file| {
+            bar.set_message(file.display().to_string());
+            let finding = judge(file);
+            bar.inc(1);
+            finding
+        })
+        .collect();
+    bar.finish_and_clear();
+    let (mut findings, mut broken) = (Vec::new(), 0);
+    for (file, finding) in files.iter().zip(judged) {
+        match finding {
+            Ok(finding) => findings.push(finding),
+            Err(error) => {
+                broken += 1;
+                show(&error);
+                say(format!("{}: not solved", file.display()));
+            }
+        }
+    }
+    suite::print(&findings);
+    if broken > 0 {
+        say(format!("{broken} of {} files not solved", files.len()));
+    }
+    Ok(broken == 0 && suite::all_pass(&findings))
+}
+
+fn judge(file: &Path) -> Result<Finding, Error> {
+    let scene_file = SceneFile::read(file)?;
+    let problem = &scene_file.problem;
+    let discretisation = Discretisation::of(problem.scene.clone(), problem.resolution)?;
+    let run = Run::of(&discretisation, &scene_file.formulation)?;
+    let checks = scene_file.checks(&discretisation, &run)?;
+    let name = scene_file.formulation.name();
+    Ok(Finding { case: problem.name.clone(), name, run: Some(run), checks, ..Default::default() })
+}
+
+fn scene_files(folder: &Path) -> Result<Vec<PathBuf>, Error> {
+    let failed = |reason: String| Error::File {
+        path: folder.into(),
+        reason,
+        remedy: "give a folder with scene files, *.toml".into(),
+    };
+    let entries = std::fs::read_dir(folder).map_err(|error| failed(error.to_string()))?;
+    let paths = entries.map(|entry| entry.map(|entry| entry.path())).collect::<Result<Vec<_>, _>>();
+    let mut files = paths.map_err(|error| failed(error.to_string()))?;
+    files.retain(|path| path.extension().is_some_and(|end| end == "toml"));
+    files.sort();
+    if files.is_empty() { Err(failed("no scene file is in it".into())) } else { Ok(files) }
+}

@@ -1,0 +1,126 @@
+//! Bodies from their tables.
+
+use toml::Spanned;
+
+use crate::error::Error;
+use crate::scene::file::Source;
+use crate::scene::file::tables::{BodyTable, LoadTable, PlaceTable, RingTable, ShapeTable, SupportTable};
+use crate::scene::file::units::Units;
+use crate::scene::{Body, Circle, Component, Face, Load, Material, Place, PlaneHypothesis, Shape, Support};
+
+/// A body with its supports and loads.
+pub fn body(source: Source, units: &Units, plane: PlaneHypothesis, table: &BodyTable) -> Result<Body, Error> {
+    let shape = shape(source, units, &table.shape)?;
+    let supports = table.supports.iter().map(|support| self::support(source, units, &shape, support));
+    let loads = table.loads.iter().map(|load| self::load(source, units, &shape, load));
+    Ok(Body {
+        name: table.name.get_ref().clone(),
+        material: material(source, units, plane, table)?,
+        supports: supports.collect::<Result<_, _>>()?,
+        loads: loads.collect::<Result<_, _>>()?,
+        shape,
+    })
+}
+
+/// Refuses two bodies of one name.
+pub fn refuse_equal_names(source: Source, bodies: &[BodyTable]) -> Result<(), Error> {
+    for (k, body) in bodies.iter().enumerate() {
+        if bodies[..k].iter().any(|other| other.name.get_ref() == body.name.get_ref()) {
+            let message = format!("a second body is called `{}`", body.name.get_ref());
+            return Err(source.refused(body.name.span(), message, "give every body a name of its own"));
+        }
+    }
+    Ok(())
+}
+
+fn material(source: Source, units: &Units, plane: PlaneHypothesis, table: &BodyTable) -> Result<Material, Error> {
+    let limit = match plane {
+        PlaneHypothesis::Strain => 0.5,
+        PlaneHypothesis::Stress => 1.0,
+    };
+    let expected = format!("a ratio between -1 and {limit}, both excluded");
+    let poisson = source.number("poisson", &table.poisson, &expected, |nu| nu > -1.0 && nu < limit)?;
+    Ok(Material { young: units.stress * source.positive("young", &table.young)?, poisson })
+}
+
+fn shape(source: Source, units: &Units, table: &Spanned<ShapeTable>) -> Result<Shape, Error> {
+    let span = table.span();
+    let length = |pair: [f64; 2]| pair.map(|x| units.length * x);
+    Ok(match table.get_ref() {
+        ShapeTable::Rectangle(table) => {
+            let (x, y) = (length(source.pair("x", &table.x)?), length(source.pair("y", &table.y)?));
+            if x[0] >= x[1] || y[0] >= y[1] {
+                return Err(source.refused(span, "the rectangle has no area", "give `x` and `y` as [smaller, larger]"));
+            }
+            let faces = [("bottom", Face::Bottom), ("top", Face::Top)];
+            Shape::Rectangle { x, y, contact: source.choice("side of a rectangle", &table.contact, &faces)? }
+        }
+        ShapeTable::Disc(table) => Shape::Disc {
+            centre: length(source.pair("centre", &table.centre)?),
+            radius: units.length * source.positive("radius", &table.radius)?,
+            half: table.half,
+        },
+        ShapeTable::Ring(table) => ring(source, units, table)?,
+    })
+}
+
+fn ring(source: Source, units: &Units, table: &RingTable) -> Result<Shape, Error> {
+    let centre = source.pair("centre", &table.centre)?.map(|x| units.length * x);
+    let inner = source.positive("inner", &table.inner)?;
+    let outer = source.number("outer", &table.outer, &format!("a radius above {inner}"), |outer| outer > inner)?;
+    let circle = |radius: f64| Circle { centre, radius: units.length * radius };
+    let faces = [("inner", Face::Bottom), ("outer", Face::Top)];
+    let sweep = source.number("sweep", &table.sweep, "an angle from 1 to 180", |x| (1.0..=180.0).contains(&x))?;
+    Ok(Shape::Ring {
+        pole: centre,
+        inner: circle(inner),
+        outer: circle(outer),
+        sweep: sweep.to_radians(),
+        contact: source.choice("side of a ring", &table.contact, &faces)?,
+    })
+}
+
+fn component(source: Source, name: &Spanned<String>) -> Result<Component, Error> {
+    source.choice("component", name, &[("x", Component::X), ("y", Component::Y)])
+}
+
+/// A boundary that the shape has.
+fn boundary(source: Source, shape: &Shape, name: &Spanned<String>) -> Result<&'static str, Error> {
+    let known: Vec<_> = shape.boundaries().iter().map(|name| (*name, *name)).collect();
+    source.choice("boundary", name, &known)
+}
+
+fn support(source: Source, units: &Units, shape: &Shape, table: &SupportTable) -> Result<Support, Error> {
+    let span = table.at.span();
+    let at = match table.at.get_ref() {
+        PlaceTable::Boundary(name) => Place::Boundary(boundary(source, shape, &Spanned::new(span, name.clone()))?),
+        PlaceTable::Point(point) => {
+            let pair = point.map(|x| Spanned::new(span.clone(), x));
+            Place::Point(source.pair("at", &pair)?.map(|x| units.length * x))
+        }
+    };
+    let value = table.value.as_ref().map_or(Ok(0.0), |value| source.finite("value", value))?;
+    Ok(Support { at, component: component(source, &table.component)?, value: units.length * value })
+}
+
+fn load(source: Source, units: &Units, shape: &Shape, table: &LoadTable) -> Result<Load, Error> {
+    Ok(match table {
+        LoadTable::Traction(table) => Load::Traction {
+            boundary: boundary(source, shape, &table.at)?,
+            traction: source.pair("value", &table.value)?.map(|t| units.stress * t),
+        },
+        LoadTable::BodyForce(pair) => {
+            let density = units.force / units.length.powi(3);
+            Load::BodyForce(source.pair("body-force", pair)?.map(|f| density * f))
+        }
+        LoadTable::Force(table) => Load::Force {
+            at: source.pair("at", &table.at)?.map(|x| units.length * x),
+            force: source.pair("value", &table.value)?.map(|f| units.force * f),
+        },
+        LoadTable::RigidFace(table) => Load::RigidFace {
+            boundary: boundary(source, shape, &table.at)?,
+            component: component(source, &table.component)?,
+            force: units.force * source.finite("force", &table.force)?,
+        },
+    })
+}

@@ -1,0 +1,148 @@
+//! The contact pair from its table.
+
+use std::ops::Range;
+
+use toml::Spanned;
+
+use crate::error::Error;
+use crate::scene::file::Source;
+use crate::scene::file::tables::{BodyTable, ContactTable, GapTable, ReferenceTable};
+use crate::scene::file::units::Units;
+use crate::scene::{Body, Circle, ContactPair, Path, Profile, ReferenceValues, Scene, Shape};
+
+/// Largest stretch on an arc \[°\].
+const QUARTER: f64 = 90.0;
+
+/// The pair, its path and its gap.
+pub fn pair(
+    source: Source,
+    units: &Units,
+    tables: &[BodyTable],
+    bodies: &[Body],
+    table: &ContactTable,
+) -> Result<ContactPair, Error> {
+    let known: Vec<_> = tables.iter().enumerate().map(|(k, body)| (body.name.get_ref().as_str(), k)).collect();
+    let first = source.choice("body", &table.first, &known)?;
+    let second = table.second.as_ref().map(|name| source.choice("body", name, &known)).transpose()?;
+    if let Some(name) = table.second.as_ref().filter(|_| second == Some(first)) {
+        let message = format!("`{}` would touch itself", name.get_ref());
+        return Err(source.refused(name.span(), message, "name another body, or leave `second` out for a rigid one"));
+    }
+    if let Some((_, other)) = known.iter().find(|(_, k)| *k != first && Some(*k) != second) {
+        let name = &tables[*other].name;
+        let message = format!("body `{}` takes no part in the contact", name.get_ref());
+        return Err(source.refused(name.span(), message, "leave it out, or name it in `contact`"));
+    }
+    let path = match &table.arc {
+        None => Path::Horizontal,
+        Some(arc) => Path::Arc(Circle {
+            centre: source.pair("centre", &arc.centre)?.map(|x| units.length * x),
+            radius: units.length * source.positive("radius", &arc.radius)?,
+        }),
+    };
+    let stretch = match path {
+        Path::Horizontal => units.length * source.positive("stretch", &table.stretch)?,
+        Path::Arc(_) => {
+            let expected = format!("an angle above 0 and up to {QUARTER}");
+            source.number("stretch", &table.stretch, &expected, |x| x > 0.0 && x <= QUARTER)?.to_radians()
+        }
+    };
+    for body in [Some(first), second].into_iter().flatten() {
+        let misfit = match (&bodies[body].shape, matches!(path, Path::Horizontal)) {
+            (Shape::Ring { .. } | Shape::Eye { .. }, true) => Some("name the circle the contact runs along, as `arc`"),
+            (Shape::Rectangle { .. }, false) => Some("leave `arc` out: the contact of a rectangle is straight"),
+            _ => None,
+        };
+        if let Some(remedy) = misfit {
+            let message = format!("the contact of `{}` does not run along this path", bodies[body].name);
+            return Err(source.refused(table.first.span(), message, remedy));
+        }
+        let (longest, angle) = (longest(&bodies[body].shape), matches!(path, Path::Arc(_)));
+        let fits = |length: f64| angle || stretch <= length * (1.0 + 1e-9);
+        if let Some(length) = longest.filter(|length| !fits(*length)) {
+            let shown = length / units.length;
+            let message =
+                format!("the candidates reach beyond `{}`, whose contact side ends at {shown}", bodies[body].name);
+            return Err(source.refused(table.stretch.span(), message, format!("give at most {shown}")));
+        }
+    }
+    let profile = profile(source, units, &table.gap)?;
+    if let Profile::Circle { radius } = profile
+        && stretch >= radius
+    {
+        return Err(source.refused(table.gap.span(), "the circle ends before the candidates do", "shorten `stretch`"));
+    }
+    Ok(ContactPair { first, second, path, profile, stretch, symmetric: table.symmetric.unwrap_or(true) })
+}
+
+/// How far a contact side goes along x from the symmetry line; none on arcs.
+fn longest(shape: &Shape) -> Option<f64> {
+    match *shape {
+        Shape::Rectangle { x, .. } => Some(x[1] - x[0]),
+        // Beyond 45° the radial candidates of a quarter are hardly pressed.
+        Shape::Disc { radius, .. } => Some(radius * std::f64::consts::FRAC_1_SQRT_2),
+        Shape::Ring { .. } | Shape::Eye { .. } => None,
+    }
+}
+
+fn profile(source: Source, units: &Units, table: &Spanned<GapTable>) -> Result<Profile, Error> {
+    let length = |key: &str, value: &Spanned<f64>| Ok::<f64, Error>(units.length * source.positive(key, value)?);
+    Ok(match table.get_ref() {
+        GapTable::Uniform(gap) => Profile::Uniform(units.length * source.finite("uniform", gap)?),
+        GapTable::Punch(half_width) => Profile::Punch { half_width: length("punch", half_width)? },
+        GapTable::Circle(radius) => Profile::Circle { radius: length("circle", radius)? },
+        GapTable::Parabola(radius) => Profile::Parabola { radius: length("parabola", radius)? },
+        GapTable::Even(list) => even(source, units, table.span(), list)?,
+        GapTable::Wedge(slope) => Profile::Wedge { slope: source.positive("wedge", slope)? },
+        GapTable::Cosine(cosine) => Profile::Cosine {
+            amplitude: length("amplitude", &cosine.amplitude)?,
+            wavelength: length("wavelength", &cosine.wavelength)?,
+        },
+        GapTable::Hole(hole) => {
+            Profile::Hole { radius: length("radius", &hole.radius)?, clearance: length("clearance", &hole.clearance)? }
+        }
+    })
+}
+
+/// Even polynomial; the coefficient of s^n has the unit of length^(1−n).
+fn even(source: Source, units: &Units, place: Range<usize>, list: &[Spanned<f64>]) -> Result<Profile, Error> {
+    let mut coefficients = [0.0; 4];
+    if list.is_empty() || list.len() > coefficients.len() {
+        let message = format!("`even` has {} coefficients", list.len());
+        return Err(source.refused(place, message, "give one to four: of s², s⁴, s⁶, s⁸"));
+    }
+    for (k, (coefficient, given)) in coefficients.iter_mut().zip(list).enumerate() {
+        *coefficient = source.finite("even", given)? / units.length.powi(1 + 2 * k as i32);
+    }
+    Ok(Profile::Even { coefficients })
+}
+
+/// Reference values, those not given by the scene itself: ℓ half the candidate stretch, `g_ref = |g(ℓ)|` and
+/// `p_ref = E* g_ref/ℓ`, which on Hertz scenes is p₀ for a = ℓ.
+///
+/// Where the gap vanishes at ℓ nothing tells a pressure, and one must be given.
+pub fn reference(
+    source: Source,
+    units: &Units,
+    scene: &Scene,
+    table: Option<&ReferenceTable>,
+    gap: &Spanned<GapTable>,
+) -> Result<ReferenceValues, Error> {
+    let none = ReferenceTable::default();
+    let table = table.unwrap_or(&none);
+    let given = |key: &str, value: &Option<Spanned<f64>>, unit: f64| {
+        value.as_ref().map(|value| Ok::<f64, Error>(unit * source.positive(key, value)?)).transpose()
+    };
+    let (pair, modulus) = (&scene.contact, scene.contact_modulus());
+    let half = 0.5 * pair.stretch;
+    let length = given("length", &table.length, units.length)?.unwrap_or(half * pair.path.metric());
+    let pressure = given("pressure", &table.pressure, units.stress)?;
+    let own = pair.profile.gap(half).abs();
+    let own = if own.is_finite() && own > 0.0 { Some(own) } else { None };
+    let opening = given("gap", &table.gap, units.length)?.or_else(|| pressure.map(|p| p * length / modulus)).or(own);
+    let Some(opening) = opening else {
+        let remedy = "give the pressure to expect: [reference] pressure = …";
+        return Err(source.refused(gap.span(), "the gap vanishes and tells no reference pressure", remedy));
+    };
+    Ok(ReferenceValues { length, pressure: pressure.unwrap_or(modulus * opening / length), gap: opening })
+}

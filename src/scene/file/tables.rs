@@ -1,0 +1,262 @@
+//! The keys of a scene file.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+/// A number and its place.
+pub type Number = Spanned<f64>;
+/// A name and its place.
+pub type Name = Spanned<String>;
+/// Two numbers and their places.
+pub type Pair = [Number; 2];
+
+/// `[units]`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct UnitsTable {
+    /// Of lengths: m, cm, mm, um, in.
+    pub length: Option<Name>,
+    /// Of forces: N, kN, MN.
+    pub force: Option<Name>,
+    /// Of stresses and moduli: Pa, kPa, MPa, GPa.
+    pub stress: Option<Name>,
+}
+
+/// `[[body]]`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BodyTable {
+    /// Name in messages and in the contact.
+    pub name: Name,
+    /// Young's modulus.
+    pub young: Number,
+    /// Poisson's ratio.
+    pub poisson: Number,
+    /// Outline.
+    pub shape: Spanned<ShapeTable>,
+    /// Prescribed displacements.
+    #[serde(default)]
+    pub supports: Vec<SupportTable>,
+    /// Loads.
+    #[serde(default)]
+    pub loads: Vec<LoadTable>,
+}
+
+/// `shape = { rectangle = { … } }`.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum ShapeTable {
+    /// Axis-parallel rectangle.
+    Rectangle(RectangleTable),
+    /// Lower quarter of a disc, or its right half.
+    Disc(DiscTable),
+    /// Sector of a ring from the downward vertical.
+    Ring(RingTable),
+}
+
+/// `rectangle = { x = [left, right], y = [lower, upper], contact = "bottom" }`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RectangleTable {
+    /// Left and right end.
+    pub x: Pair,
+    /// Lower and upper end.
+    pub y: Pair,
+    /// Side that carries the contact: bottom or top.
+    pub contact: Name,
+}
+
+/// `disc = { centre = [x, y], radius = R, half = false }`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DiscTable {
+    /// Centre.
+    pub centre: Pair,
+    /// Radius.
+    pub radius: Number,
+    /// The right half instead of the lower quarter.
+    #[serde(default)]
+    pub half: bool,
+}
+
+/// `ring = { centre = [x, y], inner = R₁, outer = R₂, sweep = 180, contact = "inner" }`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RingTable {
+    /// Centre of both circles.
+    pub centre: Pair,
+    /// Inner radius.
+    pub inner: Number,
+    /// Outer radius.
+    pub outer: Number,
+    /// Angle swept from the downward vertical, counter-clockwise \[°\].
+    pub sweep: Number,
+    /// Side that carries the contact: inner or outer.
+    pub contact: Name,
+}
+
+/// `{ at = "left", component = "x", value = 0.0 }`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SupportTable {
+    /// Where.
+    pub at: Spanned<PlaceTable>,
+    /// x or y.
+    pub component: Name,
+    /// Prescribed displacement; zero where it is left out.
+    pub value: Option<Number>,
+}
+
+/// A boundary's name, or a point.
+#[derive(Debug, Deserialize)]
+#[serde(untagged)]
+pub enum PlaceTable {
+    /// Boundary.
+    Boundary(String),
+    /// The node at a point.
+    Point([f64; 2]),
+}
+
+/// One load.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum LoadTable {
+    /// `{ traction = { at = "far", value = [tx, ty] } }`.
+    Traction(VectorTable),
+    /// `{ body-force = [fx, fy] }`, force per volume.
+    BodyForce(Pair),
+    /// `{ force = { at = [x, y], value = [fx, fy] } }`.
+    Force(ForceTable),
+    /// `{ rigid-face = { at = "far", component = "y", force = -100 } }`: the face stays flat and takes a total force.
+    RigidFace(RigidFaceTable),
+}
+
+/// A vector on a boundary.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct VectorTable {
+    /// Boundary.
+    pub at: Name,
+    /// Components.
+    pub value: Pair,
+}
+
+/// A force at a point.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ForceTable {
+    /// The point.
+    pub at: Pair,
+    /// Components.
+    pub value: Pair,
+}
+
+/// A total force on a face that stays flat.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RigidFaceTable {
+    /// Boundary.
+    pub at: Name,
+    /// x or y.
+    pub component: Name,
+    /// Total force on the modelled part.
+    pub force: Number,
+}
+
+/// `[contact]`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ContactTable {
+    /// Body on which positions and areas are measured.
+    pub first: Name,
+    /// Facing body; a rigid one where it is left out.
+    pub second: Option<Name>,
+    /// Initial gap along the path.
+    pub gap: Spanned<GapTable>,
+    /// The path is an arc: contact coordinates are angles from the downward vertical \[°\].
+    pub arc: Option<CircleTable>,
+    /// Candidates lie from 0 to here: a length, or degrees on an arc.
+    pub stretch: Number,
+    /// The scene shows half of a symmetric problem; true where it is left out.
+    pub symmetric: Option<bool>,
+}
+
+/// `arc = { centre = [x, y], radius = R }`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CircleTable {
+    /// Centre.
+    pub centre: Pair,
+    /// Radius.
+    pub radius: Number,
+}
+
+/// `gap = { … }`, as a function of the contact coordinate s.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum GapTable {
+    /// The same everywhere; negative is interference.
+    Uniform(Number),
+    /// Flat punch of this half-width, nothing beyond.
+    Punch(Number),
+    /// Circle of this radius on a plane.
+    Circle(Number),
+    /// Parabola s²/2R of this radius.
+    Parabola(Number),
+    /// Even polynomial, up to four coefficients of s², s⁴, s⁶, s⁸.
+    Even(Vec<Number>),
+    /// Wedge of this slope.
+    Wedge(Number),
+    /// Waves.
+    Cosine(CosineTable),
+    /// Pin in a hole.
+    Hole(HoleTable),
+}
+
+/// `cosine = { amplitude = Δ, wavelength = λ }`: Δ (1 − cos 2πs/λ).
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CosineTable {
+    /// Half the height of the waves.
+    pub amplitude: Number,
+    /// From crest to crest.
+    pub wavelength: Number,
+}
+
+/// `hole = { radius = R, clearance = c }`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HoleTable {
+    /// Radius of the pin.
+    pub radius: Number,
+    /// Radial clearance.
+    pub clearance: Number,
+}
+
+/// `[reference]`: what makes residuals and stiffnesses pure numbers.
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ReferenceTable {
+    /// ℓ.
+    pub length: Option<Number>,
+    /// p_ref.
+    pub pressure: Option<Number>,
+    /// g_ref.
+    pub gap: Option<Number>,
+}
+
+/// `[mesh.growth]`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct GrowthTable {
+    /// Size ratio of neighbours beyond the candidates.
+    pub along: Option<Number>,
+    /// Size ratio of neighbours into the depth.
+    pub depth: Option<Number>,
+    /// Coarsest element over the size of the body.
+    pub coarsest: Option<Number>,
+    /// Height of the first element over its width.
+    pub first: Option<Number>,
+    /// Last candidate element over the first.
+    pub end: Option<Number>,
+}

@@ -1,0 +1,405 @@
+//! A user's scene file is read exactly, refused clearly, and judged by its own checks.
+
+use std::path::{Path, PathBuf};
+
+use approx::assert_relative_eq;
+use contact_vv::case::scene_file::MOST;
+use contact_vv::case::{Run, SceneFile, Verdict};
+use contact_vv::formulation::{Discretisation, Formulation};
+use contact_vv::mesh::Mesh;
+use contact_vv::scene::Profile;
+use contact_vv::scene::library::Cylinder;
+
+use crate::workbench::noise;
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenes")
+}
+
+fn files() -> Vec<(PathBuf, String)> {
+    let entries = std::fs::read_dir(folder()).expect("the folder").map(|entry| entry.expect("an entry").path());
+    let mut paths: Vec<PathBuf> = entries.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect();
+    paths.sort();
+    paths.into_iter().map(|path| (path.clone(), std::fs::read_to_string(path).expect("text"))).collect()
+}
+
+fn text_of(name: &str) -> String {
+    std::fs::read_to_string(folder().join(name)).expect("text")
+}
+
+fn solved(file: &SceneFile) -> (Discretisation, Run) {
+    let discretisation = Discretisation::of(file.problem.scene.clone(), file.problem.resolution).expect("meshed");
+    let run = Run::of(&discretisation, &file.formulation).expect("solved");
+    (discretisation, run)
+}
+
+#[test]
+fn every_scene_file_passes_its_own_checks() {
+    let files = files();
+    assert!(files.len() >= 6, "{} files", files.len());
+    for (path, text) in files {
+        let file = SceneFile::parse(&path, &text).expect("sound");
+        let (discretisation, run) = solved(&file);
+        let checks = file.checks(&discretisation, &run).expect("judged");
+        let own = checks.iter().filter(|check| check.requirement.starts_with("The file's own")).count();
+        assert!(own > 0, "{} asks nothing", path.display());
+        for check in checks {
+            assert_eq!(check.verdict, Verdict::Pass, "{}: {} {:e}", path.display(), check.quantity, check.error);
+        }
+    }
+}
+
+#[test]
+fn check_of_another_value_fails_and_so_does_a_run_that_does_not_converge() {
+    let text = text_of("blocks.toml");
+    for (was, is, failing) in [
+        ("value = 4000", "value = 4001", 1),
+        ("at = 3\nvalue = 100", "at = 3\nvalue = 100.001", 1),
+        ("tolerance = 1e-8\n\n[[check]]", "tolerance = 1e-8\nmax-steps = 1\n\n[[check]]", 3),
+    ] {
+        assert_eq!(text.matches(was).count(), 1, "{was}");
+        let file = SceneFile::parse(Path::new("blocks.toml"), &text.replace(was, is)).expect("sound");
+        let (discretisation, run) = solved(&file);
+        let checks = file.checks(&discretisation, &run).expect("judged");
+        let failed = checks.iter().filter(|check| check.verdict == Verdict::Fail).count();
+        assert_eq!(failed, failing, "{is}");
+    }
+}
+
+#[test]
+fn scene_in_metres_is_the_librarys_cylinder() {
+    let file = SceneFile::parse(Path::new("m.toml"), &text_of("cylinder-in-metres.toml")).expect("sound");
+    let formulation = Formulation::verification();
+    let own = Discretisation::of(Cylinder::default().scene(), file.problem.resolution).expect("meshed");
+    let read = Discretisation::of(file.problem.scene.clone(), file.problem.resolution).expect("meshed");
+    let [own, read] = [own, read].map(|one| Run::of(&one, &formulation).expect("solved"));
+    assert_eq!(own.freedoms, read.freedoms);
+    assert_relative_eq!(read.measures.peak.pressure, own.measures.peak.pressure, max_relative = 1e-9);
+    assert_relative_eq!(read.measures.half_width, own.measures.half_width, max_relative = 1e-9);
+    assert_relative_eq!(read.transmitted, own.transmitted, max_relative = 1e-9);
+}
+
+#[test]
+fn every_unit_has_its_factor() {
+    let text = text_of("blocks.toml");
+    let scaled = |units: &str| {
+        let file = format!("units = {units}\n{text}");
+        SceneFile::parse(Path::new("u.toml"), &file).expect("sound").problem.scene
+    };
+    for (name, millimetres) in [("m", 1e3), ("cm", 10.0), ("mm", 1.0), ("um", 1e-3), ("in", 25.4)] {
+        let scene = scaled(&format!("{{ length = \"{name}\" }}"));
+        assert_relative_eq!(scene.thickness, 2.0 * millimetres, max_relative = 1e-14);
+        assert_relative_eq!(scene.contact.stretch, 10.0 * millimetres, max_relative = 1e-14);
+        assert_relative_eq!(scene.contact.profile.gap(0.0), 0.01 * millimetres, max_relative = 1e-14);
+    }
+    for (name, megapascals) in [("Pa", 1e-6), ("kPa", 1e-3), ("MPa", 1.0), ("GPa", 1e3)] {
+        let scene = scaled(&format!("{{ stress = \"{name}\" }}"));
+        assert_relative_eq!(scene.bodies[0].material.young, 210e3 * megapascals, max_relative = 1e-14);
+        assert_relative_eq!(scene.reference.pressure, 100.0 * megapascals, max_relative = 1e-14);
+    }
+}
+
+#[test]
+fn rigid_profiles_are_their_formulas_in_any_unit() {
+    let cases = [
+        (
+            "{ even = [0.1, 0.02, 0.003, 0.0004] }",
+            (|s: f64| 0.1 * s * s + 0.02 * s.powi(4) + 0.003 * s.powi(6) + 4e-4 * s.powi(8)) as fn(f64) -> f64,
+        ),
+        ("{ wedge = 0.05 }", |s| 0.05 * s),
+        ("{ cosine = { amplitude = 0.3, wavelength = 7 } }", |s| 0.3 * (1.0 - (std::f64::consts::TAU * s / 7.0).cos())),
+        ("{ parabola = 9 }", |s| s * s / 18.0),
+        ("{ circle = 9 }", |s| 9.0 - (81.0 - s * s).sqrt()),
+    ];
+    let text = text_of("rigid-cosine.toml");
+    let (was, stretch) = ("{ cosine = { amplitude = 0.01, wavelength = 40 } }", "stretch = 16");
+    assert!(text.contains(was) && text.contains(stretch));
+    for (gap, wanted) in cases {
+        for (unit, factor) in [("mm", 1.0), ("m", 1e3), ("in", 25.4)] {
+            let file = text.replace(was, gap).replace(stretch, "stretch = 4");
+            let file = format!("units = {{ length = \"{unit}\" }}\n{file}");
+            let profile = SceneFile::parse(Path::new("p.toml"), &file).expect("sound").problem.scene.contact.profile;
+            for s in [0.0, 0.3, 1.0, 2.9] {
+                assert_relative_eq!(profile.gap(factor * s), factor * wanted(s), max_relative = 1e-11, epsilon = 1e-15);
+            }
+        }
+    }
+    assert!(Profile::Punch { half_width: 1.0 }.gap(1.1).is_infinite());
+}
+
+/// What is spoiled in which file; what stands in the line that the message must name, what it must say was found, and what to do.
+const MISTAKES: [(&str, &str, &str, [&str; 3]); 25] = [
+    ("cylinder-on-block", "stretch = 5.0", "strech = 5.0", ["strech = 5.0", "unknown field `strech`", "`stretch`"]),
+    ("cylinder-on-block", "thickness = 1.0\n", "", ["# A long", "missing field `thickness`", "page on scene files"]),
+    ("cylinder-on-block", "young = 70e3", "young = -70e3", ["young = -70e3", "`young` is -70000", "above 0"]),
+    ("cylinder-on-block", "young = 70e3", "young = nan", ["young = nan", "`young` is NaN", "above 0"]),
+    ("cylinder-on-block", "young = 70e3", "young = \"70 GPa\"", ["young = \"70 GPa\"", "invalid type: string", "key"]),
+    (
+        "cylinder-on-block",
+        "poisson = 0.33",
+        "poisson = 0.5",
+        ["poisson = 0.5", "`poisson` is 0.5", "between -1 and 0.5"],
+    ),
+    (
+        "cylinder-on-block",
+        "plane = \"strain\"",
+        "plane = \"strian\"",
+        ["plane = \"strian\"", "no plane hypothesis `strian`", "`strain`, `stress`"],
+    ),
+    (
+        "cylinder-on-block",
+        "at = \"cut\"",
+        "at = \"cutt\"",
+        ["at = \"cutt\"", "no boundary `cutt`", "`axis`, `cut`, `contact`"],
+    ),
+    ("cylinder-on-block", "at = \"far\"", "at = \"top\"", ["at = \"top\"", "no boundary `top`", "`far`"]),
+    (
+        "cylinder-on-block",
+        "\"axis\", component = \"x\"",
+        "\"axis\", component = \"z\"",
+        ["\"axis\", component = \"z\"", "no component `z`", "`x`, `y`"],
+    ),
+    (
+        "cylinder-on-block",
+        "second = \"block\"",
+        "second = \"bloc\"",
+        ["second = \"bloc\"", "no body `bloc`", "`cylinder`, `block`"],
+    ),
+    (
+        "cylinder-on-block",
+        "second = \"block\"",
+        "second = \"cylinder\"",
+        ["second = \"cylinder\"", "would touch itself", "leave `second` out"],
+    ),
+    ("cylinder-on-block", "second = \"block\"\n", "", ["name = \"block\"", "`block` takes no part", "leave it out"]),
+    (
+        "cylinder-on-block",
+        "name = \"block\"",
+        "name = \"cylinder\"",
+        ["name = \"cylinder\"", "second body", "name of its own"],
+    ),
+    ("cylinder-on-block", "x = [0, 80]", "x = [80, 0]", ["x = [80, 0]", "no area", "[smaller, larger]"]),
+    ("cylinder-on-block", "stretch = 5.0", "stretch = 0", ["stretch = 0", "`stretch` is 0", "above 0"]),
+    ("cylinder-on-block", "stretch = 5.0", "stretch = 90", ["stretch = 90", "beyond `cylinder`", "give at most 35.3"]),
+    (
+        "cylinder-on-block",
+        "gap = { circle = 50 }",
+        "gap = { sphere = 50 }",
+        ["gap = { sphere = 50 }", "unknown variant `sphere`", "`circle`"],
+    ),
+    ("cylinder-on-block", "elements = 24", "elements = 0", ["elements = 0", "`elements` is 0", "8 to 32"]),
+    ("cylinder-on-block", "per = 2.5", "per = 1e-7", ["elements = 24", "candidate elements", "fewer `elements`"]),
+    ("cylinder-on-block", "order = 1", "order = 3", ["order = 3", "`order` is 3", "4-node"]),
+    (
+        "cylinder-on-block",
+        "kind = \"analytic\"",
+        "kind = \"gut feeling\"",
+        ["kind = \"gut feeling\"", "no kind of reference", "`measured`"],
+    ),
+    (
+        "cylinder-in-metres",
+        "stress = \"GPa\"",
+        "stress = \"psi\"",
+        ["stress = \"psi\"", "no unit of stress `psi`", "`GPa`"],
+    ),
+    (
+        "cylinder-in-metres",
+        "element = \"line\"",
+        "element = \"mortar\"",
+        ["element = \"mortar\"", "no contact element `mortar`", "`layer`"],
+    ),
+    ("press-fit", "at = 45\n", "", ["quantity = \"pressure\"", "without a place", "add `at`"]),
+];
+
+#[test]
+fn every_mistake_names_file_line_finding_and_remedy() {
+    for (name, was, is, wanted) in &MISTAKES {
+        let text = text_of(&format!("{name}.toml"));
+        assert!(text.contains(was), "{name}: {was}");
+        let file = PathBuf::from(format!("{name}.toml"));
+        let spoiled = text.replacen(was, is, 1);
+        let error = SceneFile::parse(&file, &spoiled).map(|_| ()).expect_err(is).to_string();
+        let [anchor, found, remedy] = wanted;
+        let place = if anchor == is && !is.is_empty() { text.find(was) } else { spoiled.find(anchor) };
+        let line = 1 + spoiled[..place.expect("a place")].matches('\n').count();
+        assert!(error.starts_with(&format!("{name}.toml:{line}: ")), "line {line}: {error}");
+        for part in [found, remedy] {
+            assert!(error.contains(part), "{is}: `{part}` is not in: {error}");
+        }
+    }
+}
+
+#[test]
+fn page_on_scene_files_is_true() {
+    let page = std::fs::read_to_string(folder().join("README.md")).expect("the page");
+    let example = page.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");
+    SceneFile::parse(Path::new("README.toml"), example).expect("the example is sound");
+    let commented = example.replace("# second", "second");
+    let error = SceneFile::parse(Path::new("README.toml"), &commented).map(|_| ()).expect_err("no such body");
+    assert!(error.to_string().contains("no body `block`"));
+    // Every row of the tables is a value that is read.
+    let rows = |key: &str| -> Vec<String> {
+        let table =
+            page.split(&format!("## {key}")).nth(1).and_then(|rest| rest.split("\n## ").next()).expect("a table");
+        let quoted =
+            table.lines().filter(|line| line.starts_with('|')).flat_map(|line| line.split('`').skip(1).step_by(2));
+        quoted.filter(|text| text.starts_with('{')).map(String::from).collect()
+    };
+    let gaps = rows("Gaps");
+    assert_eq!(gaps.len(), 8);
+    let number = |text: &str| {
+        let named = [
+            ("R1", "20"),
+            ("R2", "30"),
+            ("R", "50"),
+            ("D", "0.1"),
+            ("l", "40"),
+            ("t", "0.1"),
+            ("c", "0.01"),
+            ("a", "9"),
+        ];
+        let coefficient = text.replace("c1, c2, c3, c4", "1e-3, 0, 0, 0").replace("[x, y]", "[0, 50]");
+        let spans = coefficient.replace("[left, right]", "[0, 80]").replace("[lower, upper]", "[0, 50]");
+        named.iter().fold(spans, |text, (name, value)| {
+            text.replace(&format!("= {name} "), &format!("= {value} "))
+                .replace(&format!("= {name},"), &format!("= {value},"))
+        })
+    };
+    for gap in gaps {
+        let file = example.replace("gap = { circle = 50 }", &format!("gap = {}", number(&gap)));
+        SceneFile::parse(Path::new("gap.toml"), &file).unwrap_or_else(|error| panic!("{gap}: {error}"));
+    }
+    let block = text_of("rigid-cosine.toml");
+    let supports = "supports = [{ at = \"left\", component = \"x\" }, { at = \"right\", component = \"x\" }]";
+    assert!(block.contains(supports));
+    let list = rows("Supports and loads");
+    assert_eq!(list.len(), 6);
+    for line in list {
+        let key = if line.contains("component") && !line.contains("rigid-face") { "supports" } else { "loads" };
+        let start = block.find(&format!("{key} = ")).expect("the key");
+        let end = start + block[start..].find('\n').expect("a line");
+        let file = format!("{}{key} = [{line}]{}", &block[..start], &block[end..]);
+        SceneFile::parse(Path::new("load.toml"), &file).unwrap_or_else(|error| panic!("{line}: {error}"));
+    }
+    for shape in rows("Shapes and their boundaries") {
+        let key = "shape = { disc = { centre = [0, 50], radius = 50 } }";
+        let file = example.replace(key, &format!("shape = {}", number(&shape)));
+        // The boundaries of other shapes have other names.
+        let file = file.replace("supports = [{ at = \"axis\", component = \"x\" }]", "");
+        let file = file.replace("loads = [{ traction = { at = \"cut\", value = [0, -57.5] } }]", "");
+        let arc = "stretch = 5.0\narc = { centre = [0, 50], radius = 20 }";
+        let file = if shape.contains("ring") { file.replace("stretch = 5.0", arc) } else { file };
+        SceneFile::parse(Path::new("shape.toml"), &file).unwrap_or_else(|error| panic!("{shape}: {error}"));
+    }
+}
+
+/// Pieces that a careless or hostile hand may put anywhere.
+const PIECES: [&str; 24] = [
+    "",
+    "0",
+    "-1",
+    "1e308",
+    "1e-308",
+    "nan",
+    "inf",
+    "-inf",
+    "9999999999999999999",
+    "\"",
+    "[",
+    "]",
+    "{",
+    "}",
+    "=",
+    "\n",
+    "#",
+    "[[body]]",
+    "[contact]",
+    "true",
+    "x",
+    "\u{e9}",
+    "\0",
+    "1e9",
+];
+
+/// A file with a few places cut out, doubled, exchanged or overwritten.
+fn mutated(text: &str, number: &mut impl FnMut() -> f64) -> String {
+    let mut bytes = text.as_bytes().to_vec();
+    let mut below = |n: usize| (((number() + 1.0) / 2.0 * n as f64) as usize).min(n.saturating_sub(1));
+    for _ in 0..=below(3) {
+        if bytes.is_empty() {
+            break;
+        }
+        let at = below(bytes.len());
+        let length = below(1 + (bytes.len() - at).min(24));
+        let piece = PIECES[below(PIECES.len())];
+        match below(6) {
+            0 => drop(bytes.drain(at..at + length)),
+            1 => drop(bytes.splice(at..at + length, piece.bytes())),
+            2 => bytes.truncate(at),
+            3 => {
+                let copy = bytes[at..at + length].to_vec();
+                let to = below(bytes.len());
+                drop(bytes.splice(to..to, copy));
+            }
+            // A digit becomes another: most such files can still be read.
+            _ => {
+                let digits: Vec<usize> = (0..bytes.len()).filter(|&k| bytes[k].is_ascii_digit()).collect();
+                if !digits.is_empty() {
+                    let k = digits[below(digits.len())];
+                    drop(
+                        bytes.splice(
+                            k..=k,
+                            [&b"0"[..], b"9", b"-1", b"1e5", b"e-9", b".", b"7"][below(7)].iter().copied(),
+                        ),
+                    );
+                }
+            }
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// Reads, validates and meshes so many mutated files, and solves the small ones up to a number: how many were read, solved.
+fn fuzz(seed: u64, files_to_try: usize, solves: usize) -> (usize, usize) {
+    let (sound, mut number) = (files(), noise(seed));
+    let (mut read, mut solved) = (0, 0);
+    for k in 0..files_to_try {
+        let (path, text) = &sound[k % sound.len()];
+        let spoiled = mutated(text, &mut number);
+        let tried = std::panic::catch_unwind(|| {
+            let Ok(file) = SceneFile::parse(path, &spoiled) else { return (false, false) };
+            let Ok(mesh) = Mesh::of(&file.problem.scene, file.problem.resolution) else { return (true, false) };
+            assert!((mesh.cells() as f64) < 4.0 * MOST[0], "{} cells", mesh.cells());
+            if solved >= solves || mesh.cells() > 3000 {
+                return (true, false);
+            }
+            let discretisation = Discretisation::of(file.problem.scene.clone(), file.problem.resolution);
+            let run = discretisation.and_then(|discretisation| {
+                let mut formulation = file.formulation.clone();
+                formulation.settings.max_steps = formulation.settings.max_steps.min(200);
+                Run::of(&discretisation, &formulation)
+            });
+            if let Err(error) = run {
+                assert!(!error.to_string().is_empty());
+            }
+            (true, true)
+        });
+        let Ok((was_read, was_solved)) = tried else { panic!("file {k} of seed {seed}:\n{spoiled}") };
+        read += usize::from(was_read);
+        solved += usize::from(was_solved);
+    }
+    (read, solved)
+}
+
+#[test]
+fn five_thousand_mutated_files_are_read_or_refused_and_two_hundred_solved() {
+    let (read, solved) = fuzz(17, 5000, 200);
+    assert!(read > 500 && read < 4500, "{read} of 5000 were read");
+    assert_eq!(solved, 200);
+}
+
+#[test]
+#[ignore = "100,000 files: cargo test --release --test claims -- --ignored mutated"]
+fn a_hundred_thousand_mutated_files_are_read_or_refused() {
+    fuzz(18, 100_000, 2000);
+}
