@@ -6,6 +6,7 @@
 //! * [`solve`] — one case, with its outputs.
 //! * [`verify`] — every scene file of a folder.
 //! * [`json`] — the result of a solve as JSON.
+//! * [`vtu`] — its fields for ParaView.
 
 pub mod atlas;
 pub mod json;
@@ -13,6 +14,7 @@ pub mod solve;
 pub mod suite;
 pub mod timings;
 pub mod verify;
+pub mod vtu;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::case::problem::{Problem, problem};
 use crate::case::{Run, SceneFile};
-use crate::cli::{json, say};
+use crate::cli::{json, say, vtu};
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration, Start};
 use crate::measure::display_factor;
@@ -60,6 +60,9 @@ pub struct Arguments {
     /// Write the profile as CSV: position, pressure, gap, area.
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// Write displacement, stress, pressure and gap on the mesh as VTK for ParaView.
+    #[arg(long, value_name = "FILE.vtu")]
+    vtu: Option<PathBuf>,
     /// Draw the pressure profile as SVG.
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
@@ -107,6 +110,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Error> {
     if let Some(path) = arguments.plot.as_ref().filter(|path| path.extension().is_none_or(|end| end != "svg")) {
         return Err(Error::value("solve", "--plot", path.display(), "plots are SVG", "end the file name in .svg"));
     }
+    if let Some(path) = arguments.vtu.as_ref().filter(|path| path.extension().is_none_or(|end| end != "vtu")) {
+        let remedy = "end the file name in .vtu, by which ParaView knows the format";
+        return Err(Error::value("solve", "--vtu", path.display(), "fields are VTK unstructured grids", remedy));
+    }
     let formulation = arguments.formulation(base);
     formulation.validate(&problem.scene)?;
     let resolution = arguments.resolution(&problem)?;
@@ -119,6 +126,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Error> {
     }
     if let Some(path) = &arguments.csv {
         write(path, &profile(&run, path)?)?;
+    }
+    if let Some(path) = &arguments.vtu {
+        write(path, &vtu::text(&discretisation, &run)?)?;
     }
     if let Some(path) = &arguments.plot {
         write(path, &plot(&problem, &run).svg()?)?;

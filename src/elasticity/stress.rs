@@ -3,7 +3,7 @@
 use crate::elasticity::{element, shape_functions};
 use crate::error::Error;
 use crate::mesh::Mesh;
-use crate::scene::Scene;
+use crate::scene::{PlaneHypothesis, Scene};
 
 /// Mean over the adjoining cells of `σ = D B q`, taken at the 2×2 Gauss points (where it is most accurate; Barlow 1976)
 /// and extrapolated bilinearly to the nodes: `[σ_x, σ_y, τ_xy]` at every node \[MPa\], tension positive.
@@ -49,4 +49,14 @@ fn gauss_stresses(
         *stress = std::array::from_fn(|i| (0..3).map(|j| d[i][j] * strain[j]).sum());
     }
     Ok(stresses)
+}
+
+/// Von Mises stress `√(½ ((σ_x − σ_y)² + (σ_y − σ_z)² + (σ_z − σ_x)²) + 3 τ²)` \[MPa\] of `[σ_x, σ_y, τ]`, with `σ_z = 0` in
+/// plane stress and `ν (σ_x + σ_y)` in plane strain.
+pub fn von_mises([x, y, shear]: [f64; 3], plane: PlaneHypothesis, poisson: f64) -> f64 {
+    let z = match plane {
+        PlaneHypothesis::Stress => 0.0,
+        PlaneHypothesis::Strain => poisson * (x + y),
+    };
+    (0.5 * ((x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2)) + 3.0 * shear * shear).sqrt()
 }

@@ -19,6 +19,7 @@ mod limits;
 mod measure;
 mod mesh;
 mod oracles;
+mod outputs;
 mod scene;
 mod scene_file;
 mod stability;

@@ -1,0 +1,89 @@
+//! Displacement, stress, pressure and gap as a VTK unstructured grid (`.vtu`), which ParaView opens.
+
+use vtkio::model::{
+    Attribute, Attributes, ByteOrder, CellType, Cells, DataSet, UnstructuredGridPiece, Version, VertexNumbers, Vtk,
+};
+
+use crate::case::Run;
+use crate::elasticity::stress::von_mises;
+use crate::error::Error;
+use crate::formulation::Discretisation;
+use crate::measure::profile;
+use crate::mesh::Order;
+use crate::solution::PointState;
+
+/// The text of the file. Lengths in mm, stresses in MPa, tension positive; pressure is 0 and the gap NaN away from the candidates.
+pub fn text(discretisation: &Discretisation, run: &Run) -> Result<String, Error> {
+    let mesh = &discretisation.mesh;
+    let fields = discretisation.recover(&run.solution)?;
+    let in_space = |plane: &[[f64; 2]]| -> Vec<f64> { plane.iter().flat_map(|[x, y]| [*x, *y, 0.0]).collect() };
+    let [pressure, gap] = on_candidates(discretisation, run);
+    let nodes = mesh.order.nodes_per_cell();
+    let count = mesh.cells();
+    let kind = match mesh.order {
+        Order::Linear => CellType::Quad,
+        Order::Quadratic => CellType::QuadraticQuad,
+    };
+    let bodies = mesh.bodies.iter().enumerate().flat_map(|(k, body)| vec![k as u32; body.cells.len()]);
+    let piece = UnstructuredGridPiece {
+        points: in_space(&mesh.points).into(),
+        cells: Cells {
+            cell_verts: VertexNumbers::XML {
+                connectivity: mesh.connectivity.iter().map(|&node| node as u64).collect(),
+                offsets: (1..=count).map(|k| (k * nodes) as u64).collect(),
+            },
+            types: vec![kind; count],
+        },
+        data: Attributes {
+            point: vec![
+                Attribute::vectors("displacement [mm]").with_data(in_space(&fields.displacement)),
+                Attribute::generic("stress x, y, xy [MPa]", 3).with_data(fields.stress.as_flattened().to_vec()),
+                Attribute::scalars("von Mises [MPa]", 1).with_data(equivalent(discretisation, &fields.stress)),
+                Attribute::scalars("pressure [MPa]", 1).with_data(pressure),
+                Attribute::scalars("gap [mm]", 1).with_data(gap),
+            ],
+            cell: vec![Attribute::scalars("body", 1).with_data(bodies.collect::<Vec<u32>>())],
+        },
+    };
+    let file = Vtk {
+        version: Version { major: 1, minor: 0 },
+        title: discretisation.scene.name.clone(),
+        byte_order: ByteOrder::LittleEndian,
+        file_path: None,
+        data: DataSet::inline(piece),
+    };
+    let mut text = Vec::new();
+    file.write_xml(&mut text).map_err(|error| Error::Combination {
+        what: format!("the fields could not be written: {error}"),
+        remedy: "leave --vtu out".into(),
+    })?;
+    Ok(String::from_utf8_lossy(&text).into_owned())
+}
+
+/// Von Mises stress at every node \[MPa\].
+fn equivalent(discretisation: &Discretisation, stress: &[[f64; 3]]) -> Vec<f64> {
+    let scene = &discretisation.scene;
+    let mut equivalent = vec![0.0; stress.len()];
+    for (body, mesh) in scene.bodies.iter().zip(&discretisation.mesh.bodies) {
+        for node in mesh.nodes.clone() {
+            equivalent[node] = von_mises(stress[node], scene.plane, body.material.poisson);
+        }
+    }
+    equivalent
+}
+
+/// Pressure and gap at the candidate nodes of all bodies, linear between the contact points.
+fn on_candidates(discretisation: &Discretisation, run: &Run) -> [Vec<f64>; 2] {
+    let mesh = &discretisation.mesh;
+    let (mut pressure, mut gap) = (vec![0.0; mesh.points.len()], vec![f64::NAN; mesh.points.len()]);
+    let points = &run.solution.points;
+    let gaps: Vec<PointState> = points.iter().map(|point| PointState { pressure: point.gap, ..*point }).collect();
+    for body in discretisation.scene.contact.bodies() {
+        for candidate in &mesh.bodies[body].candidates {
+            let s = discretisation.scene.contact.path.coordinate(mesh.points[candidate.node]);
+            pressure[candidate.node] = profile::interpolate(points, s);
+            gap[candidate.node] = profile::interpolate(&gaps, s);
+        }
+    }
+    [pressure, gap]
+}

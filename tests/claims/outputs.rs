@@ -1,0 +1,143 @@
+//! What `solve` writes is what was solved, and asking for it changes nothing.
+
+use approx::assert_relative_eq;
+use contact_vv::case::{Run, SceneFile};
+use contact_vv::cli::vtu;
+use contact_vv::elasticity::stress::von_mises;
+use contact_vv::formulation::Discretisation;
+use contact_vv::scene::PlaneHypothesis;
+use std::path::Path;
+use std::process::Command;
+use vtkio::model::{Attribute, CellType, DataSet, IOBuffer, Piece, UnstructuredGridPiece, Vtk};
+
+fn scene(name: &str) -> String {
+    format!("{}/tests/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn contact_vv(arguments: &[&str]) -> (bool, String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_contact-vv")).args(arguments).output().expect("started");
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (output.status.success(), text(&output.stdout), text(&output.stderr))
+}
+
+fn numbers(piece: &UnstructuredGridPiece, name: &str) -> Vec<f64> {
+    let found = piece.data.point.iter().find_map(|attribute| match attribute {
+        Attribute::DataArray(array) if array.name == name => array.data.clone().cast_into(),
+        _ => None,
+    });
+    found.unwrap_or_else(|| panic!("no `{name}`"))
+}
+
+#[test]
+fn fields_written_for_paraview_are_those_of_the_solution() {
+    for name in ["blocks", "cylinder-on-block", "press-fit"] {
+        let file = SceneFile::read(Path::new(&scene(name))).expect("sound");
+        let discretisation = Discretisation::of(file.problem.scene.clone(), file.problem.resolution).expect("meshed");
+        let run = Run::of(&discretisation, &file.formulation).expect("solved");
+        let text = vtu::text(&discretisation, &run).expect("written");
+        let grid = Vtk::parse_xml(text.as_bytes()).expect("read");
+        let DataSet::UnstructuredGrid { pieces, .. } = grid.data else { panic!("no grid") };
+        let [Piece::Inline(piece)] = pieces.as_slice() else { panic!("one piece") };
+
+        let mesh = &discretisation.mesh;
+        let kind = if mesh.order.nodes_per_cell() == 4 { CellType::Quad } else { CellType::QuadraticQuad };
+        assert!(piece.cells.types.iter().all(|cell| *cell == kind) && piece.cells.types.len() == mesh.cells());
+        let fields = discretisation.recover(&run.solution).expect("fields");
+        let (u, p) = (numbers(piece, "displacement [mm]"), numbers(piece, "pressure [MPa]"));
+        let IOBuffer::F64(points) = &piece.points else { panic!("no points") };
+        for (node, at) in mesh.points.iter().enumerate() {
+            for k in 0..2 {
+                assert_eq!(points[3 * node + k].to_bits(), at[k].to_bits());
+                assert_eq!(u[3 * node + k].to_bits(), fields.displacement[node][k].to_bits());
+            }
+        }
+        // With node elements every candidate is a contact point.
+        let pair = &discretisation.scene.contact;
+        let nodes = run.formulation.name().starts_with("node");
+        for point in run.solution.points.iter().filter(|_| nodes) {
+            let candidates = &mesh.bodies[pair.first].candidates;
+            let near = |node: usize| (pair.path.coordinate(mesh.points[node]) - point.position).abs() < 1e-9;
+            let node = candidates.iter().map(|candidate| candidate.node).find(|&node| near(node)).expect("a node");
+            assert_relative_eq!(p[node], point.pressure, max_relative = 1e-6, epsilon = 1e-9);
+            assert_relative_eq!(numbers(piece, "gap [mm]")[node], point.gap, max_relative = 1e-6, epsilon = 1e-9);
+        }
+    }
+}
+
+#[test]
+fn von_mises_stress_of_plain_states() {
+    let (stress, strain) = (PlaneHypothesis::Stress, PlaneHypothesis::Strain);
+    assert_relative_eq!(von_mises([-7.0, 0.0, 0.0], stress, 0.3), 7.0);
+    assert_relative_eq!(von_mises([0.0, 0.0, 2.0], strain, 0.3), 2.0 * 3f64.sqrt());
+    assert_relative_eq!(von_mises([5.0, 5.0, 0.0], stress, 0.3), 5.0);
+    // All sides alike in the plane, σ_z = 2νσ: what is left is (1 − 2ν) σ.
+    assert_relative_eq!(von_mises([5.0, 5.0, 0.0], strain, 0.3), 5.0 * 0.4, max_relative = 1e-14);
+    assert_relative_eq!(von_mises([1.0, -3.0, 0.5], strain, 0.0), von_mises([1.0, -3.0, 0.5], stress, 0.0));
+}
+
+#[test]
+fn asking_for_outputs_does_not_change_the_run() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let file = scene("cylinder-in-metres");
+    let plain = contact_vv(&["solve", &file, "--json", "-"]);
+    let (csv, vtu, svg) = (path("p.csv"), path("f.vtu"), path("p.svg"));
+    let all = contact_vv(&["solve", &file, "--json", "-", "--csv", &csv, "--vtu", &vtu, "--plot", &svg]);
+    assert!(plain.0 && all.0, "{}", all.2);
+    let without_seconds = |text: &str| {
+        let mut document: serde_json::Value = serde_json::from_str(text).expect("JSON");
+        document["seconds"] = serde_json::Value::Null;
+        document
+    };
+    let document = without_seconds(&plain.1);
+    assert_eq!(document, without_seconds(&all.1));
+    let mut rows = csv::Reader::from_path(&csv).expect("a table");
+    let profile = document["profile"].as_array().expect("a profile");
+    for (row, point) in rows.deserialize::<[f64; 4]>().zip(profile) {
+        let [position, pressure, gap, area] = row.expect("numbers");
+        let same = |key: &str, value: f64| point[key].as_f64().is_some_and(|own| own.to_bits() == value.to_bits());
+        assert!(same("position", position) && same("pressure", pressure) && same("gap", gap) && area > 0.0);
+    }
+    assert_eq!(csv::Reader::from_path(&csv).expect("a table").records().count(), profile.len());
+}
+
+#[test]
+fn options_change_what_the_file_says_and_only_that() {
+    let file = scene("cylinder-in-metres");
+    let solve = |options: &[&str]| -> serde_json::Value {
+        let (sound, text, error) = contact_vv(&[&["solve", &file, "--json", "-"], options].concat());
+        assert!(sound, "{error}");
+        serde_json::from_str(&text).expect("JSON")
+    };
+    let own = solve(&[]);
+    assert_eq!((own["element"].as_str(), own["algorithm"].as_str()), (Some("line"), Some("constant")));
+    let other = solve(&["--element", "node", "--resolution", "6", "--order", "1"]);
+    assert_eq!((other["element"].as_str(), other["algorithm"].as_str()), (Some("node"), Some("constant")));
+    assert_eq!((other["resolution"].as_u64(), other["order"].as_u64()), (Some(6), Some(1)));
+    let (sound, _, error) = contact_vv(&["solve", &file, "--a-over-r", "0.1"]);
+    assert!(!sound && error.contains("a scene file has no a/R"), "{error}");
+    for option in ["--plot", "--vtu"] {
+        let (sound, _, error) = contact_vv(&["solve", &file, option, "out.txt"]);
+        assert!(!sound && error.contains("end the file name in"), "{error}");
+    }
+}
+
+#[test]
+fn a_folder_is_verified_file_by_file_and_fails_with_its_worst() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let add = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("written");
+    let verify = || contact_vv(&["verify", &folder.path().display().to_string()]);
+    let (sound, _, error) = verify();
+    assert!(!sound && error.contains("no scene file is in it"), "{error}");
+    let text = std::fs::read_to_string(scene("blocks")).expect("text");
+    add("a.toml", &text);
+    let (sound, table, error) = verify();
+    assert!(sound && table.contains("0 failed"), "{table}{error}");
+    add("b.toml", &text.replace("value = 4000", "value = 4100"));
+    let (sound, table, _) = verify();
+    assert!(!sound && table.contains("1 failed"), "{table}");
+    add("b.toml", &text.replace("young = 70e3", "young = 0"));
+    let (sound, table, error) = verify();
+    assert!(!sound && table.contains("1 of 2 files not solved") && table.contains("0 failed"), "{table}");
+    assert!(error.contains("b.toml:16") && error.contains("above 0"), "{error}");
+}
