@@ -82,7 +82,7 @@ pub fn main() -> ExitCode {
         }
         Command::Timings { memory: None } => timings::run().map(|()| true),
         Command::Verify { folder } => verify::run(&folder),
-        Command::Solve(arguments) => solve::run(&arguments).map(|()| true),
+        Command::Solve(arguments) => solve::run(&arguments),
         Command::List => {
             PROBLEMS.iter().for_each(|(name, title)| say(format!("{name:18} {title}")));
             Ok(true)

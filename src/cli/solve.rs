@@ -11,6 +11,7 @@ use crate::cli::{json, say, vtu};
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration, Start};
 use crate::measure::display_factor;
+use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
 use crate::report::figure::palette::{self, Dash, Marker, Style};
 use crate::report::figure::{Axis, Chart, Series};
@@ -104,8 +105,8 @@ enum StartName {
     Nested,
 }
 
-/// Solves, prints a table unless JSON goes to standard output, and writes what was asked for.
-pub fn run(arguments: &Arguments) -> Result<(), Error> {
+/// Solves, prints a table unless JSON goes to standard output, and writes what was asked for; tells whether it converged.
+pub fn run(arguments: &Arguments) -> Result<bool, Error> {
     let (problem, base) = arguments.problem()?;
     if let Some(path) = arguments.plot.as_ref().filter(|path| path.extension().is_none_or(|end| end != "svg")) {
         return Err(Error::value("solve", "--plot", path.display(), "plots are SVG", "end the file name in .svg"));
@@ -136,14 +137,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Error> {
     if !to_stdout {
         print(&problem, resolution, &run);
     }
-    Ok(())
+    if !run.solution.converged() {
+        eprintln!(
+            "not converged: these numbers are those of the last step; allow more steps, or choose another algorithm or start"
+        );
+    }
+    Ok(run.solution.converged())
 }
 
 impl Arguments {
     /// The problem of the library or of a file, and the formulation that it names.
     fn problem(&self) -> Result<(Problem, Formulation), Error> {
         let path = Path::new(&self.case);
-        if path.extension().is_none_or(|end| end != "toml") {
+        let is_file = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) || path.exists();
+        if !is_file {
             let problem = problem(&self.case, self.a_over_r)?;
             return Ok((problem, Formulation::new(Element::Node, Iteration::Kinematic)));
         }
@@ -211,7 +218,11 @@ impl Arguments {
             }
         };
         let elements = self.resolution.unwrap_or(problem.resolution.elements);
-        Ok(Resolution { elements, refinement: 0, order })
+        let resolution = Resolution { elements, refinement: 0, order };
+        match solvable(&problem.scene, resolution) {
+            Ok(()) => Ok(resolution),
+            Err((message, remedy)) => Err(Error::value("solve", "--resolution", elements, message, remedy)),
+        }
     }
 }
 

@@ -62,7 +62,7 @@ fn scene_files(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let entries = std::fs::read_dir(folder).map_err(|error| failed(error.to_string()))?;
     let paths = entries.map(|entry| entry.map(|entry| entry.path())).collect::<Result<Vec<_>, _>>();
     let mut files = paths.map_err(|error| failed(error.to_string()))?;
-    files.retain(|path| path.extension().is_some_and(|end| end == "toml"));
+    files.retain(|path| path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")));
     files.sort();
     if files.is_empty() { Err(failed("no scene file is in it".into())) } else { Ok(files) }
 }

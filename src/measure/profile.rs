@@ -70,7 +70,9 @@ fn local_peak(points: &[PointState], highest: usize) -> Peak {
         rhs += row * (p.pressure * p.weight);
     }
     let Some(fit) = normal.lu().solve(&rhs) else { return Peak { position: centre, pressure: f64::NAN } };
-    let top = if fit[2] < 0.0 { (-fit[1] / (2.0 * fit[2])).clamp(-0.5, 0.5) } else { 0.0 };
+    // Between the outermost of the five: beyond the last point there is no surface.
+    let [low, high] = [five[0], five[five.len() - 1]].map(|end| (end.position - centre) / width);
+    let top = if fit[2] < 0.0 { (-fit[1] / (2.0 * fit[2])).clamp(low, high) } else { 0.0 };
     Peak { position: centre + width * top, pressure: fit[0] + fit[1] * top + fit[2] * top * top }
 }
 

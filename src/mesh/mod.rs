@@ -4,10 +4,12 @@
 //! * [`block`] — transfinite interpolation inside four sides.
 //! * `outline` — from the scene's shapes to blocks.
 //! * [`candidates`] — the contact nodes with their normals.
+//! * [`size`] — how large a mesh would be.
 //! * [`variant`] — the same mesh mirrored, renumbered or shaken.
 
 pub mod block;
 pub mod candidates;
+pub mod size;
 pub mod spacing;
 pub mod variant;
 

@@ -141,3 +141,18 @@ fn a_folder_is_verified_file_by_file_and_fails_with_its_worst() {
     assert!(!sound && table.contains("1 of 2 files not solved") && table.contains("0 failed"), "{table}");
     assert!(error.contains("b.toml:16") && error.contains("above 0"), "{error}");
 }
+
+#[test]
+fn run_that_does_not_converge_and_mesh_that_is_too_large_fail() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("few.TOML");
+    let text = std::fs::read_to_string(scene("cylinder-in-metres")).expect("text");
+    std::fs::write(&path, text.replace("[solve]", "[solve]\nmax-steps = 2")).expect("written");
+    let file = path.display().to_string();
+    let (sound, table, error) = contact_vv(&["solve", &file]);
+    assert!(!sound && table.contains("exhausted") && error.contains("not converged"), "{table}{error}");
+    let (sound, _, error) = contact_vv(&["solve", &scene("cylinder-in-metres"), "--resolution", "4096"]);
+    assert!(!sound && error.contains("8192 candidate elements"), "{error}");
+    let (sound, _, error) = contact_vv(&["solve", &folder.path().display().to_string()]);
+    assert!(!sound && error.contains("this is no file"), "{error}");
+}

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use approx::assert_relative_eq;
-use contact_vv::case::scene_file::MOST;
 use contact_vv::case::{Run, SceneFile, Verdict};
 use contact_vv::formulation::{Discretisation, Formulation};
 use contact_vv::mesh::Mesh;
+use contact_vv::mesh::size::MOST;
 use contact_vv::scene::Profile;
 use contact_vv::scene::library::Cylinder;
 
@@ -128,9 +128,14 @@ fn rigid_profiles_are_their_formulas_in_any_unit() {
 }
 
 /// What is spoiled in which file; what stands in the line that the message must name, what it must say was found, and what to do.
-const MISTAKES: [(&str, &str, &str, [&str; 3]); 25] = [
+const MISTAKES: [(&str, &str, &str, [&str; 3]); 40] = [
     ("cylinder-on-block", "stretch = 5.0", "strech = 5.0", ["strech = 5.0", "unknown field `strech`", "`stretch`"]),
-    ("cylinder-on-block", "thickness = 1.0\n", "", ["# A long", "missing field `thickness`", "page on scene files"]),
+    (
+        "cylinder-on-block",
+        "thickness = 1.0\n",
+        "",
+        ["# A long", "missing field `thickness`", "add it; tests/scenes/README.md"],
+    ),
     ("cylinder-on-block", "young = 70e3", "young = -70e3", ["young = -70e3", "`young` is -70000", "above 0"]),
     ("cylinder-on-block", "young = 70e3", "young = nan", ["young = nan", "`young` is NaN", "above 0"]),
     ("cylinder-on-block", "young = 70e3", "young = \"70 GPa\"", ["young = \"70 GPa\"", "invalid type: string", "key"]),
@@ -209,6 +214,81 @@ const MISTAKES: [(&str, &str, &str, [&str; 3]); 25] = [
         ["element = \"mortar\"", "no contact element `mortar`", "`layer`"],
     ),
     ("press-fit", "at = 45\n", "", ["quantity = \"pressure\"", "without a place", "add `at`"]),
+    (
+        "blocks",
+        "first = \"upper\"\nsecond = \"lower\"",
+        "first = \"lower\"\nsecond = \"upper\"",
+        ["first = ", "looks up, or inwards", "exchange them"],
+    ),
+    (
+        "blocks",
+        "y = [-5, 0], contact = \"top\"",
+        "y = [0, 5], contact = \"bottom\"",
+        ["second = ", "looks down, or outwards", "exchange them"],
+    ),
+    ("blocks", "y = [-5, 0]", "y = [-55, -50]", ["second = ", "does not lie at y = 0", "move the bodies"]),
+    ("blocks", "y = [0, 10]", "y = [-5, 5]", ["first = ", "does not lie at y = 0", "move the bodies"]),
+    (
+        "blocks",
+        "x = [0, 10], y = [-5, 0]",
+        "x = [-10, 0], y = [-5, 0]",
+        ["second = ", "does not begin at x = 0", "symmetry line"],
+    ),
+    (
+        "blocks",
+        "gap = { uniform = 0.01 }",
+        "gap = { hole = { radius = 10, clearance = 0.1 } }",
+        ["gap = ", "does not go with the path", "as `arc`"],
+    ),
+    (
+        "cylinder-in-metres",
+        "centre = [0, 0.05]",
+        "centre = [0.02, 0.05]",
+        ["first = ", "does not begin at x = 0", "centre at x = 0"],
+    ),
+    (
+        "cylinder-in-metres",
+        "centre = [0, 0.05]",
+        "centre = [0, 0.07]",
+        ["first = ", "does not touch y = 0", "one radius above"],
+    ),
+    ("press-fit", "radius = 40", "radius = 4", ["first = ", "does not lie on `arc`", "circle of the first body"]),
+    (
+        "press-fit",
+        "inner = 40, outer = 70",
+        "inner = 50, outer = 70",
+        ["second = ", "does not lie on `arc`", "a gap apart"],
+    ),
+    (
+        "press-fit",
+        "arc = { centre = [0, 0]",
+        "arc = { centre = [0, 3]",
+        ["first = ", "does not lie on `arc`", "circle"],
+    ),
+    (
+        "press-fit",
+        "gap = { uniform = -0.02 }",
+        "gap = { circle = 40 }",
+        ["gap = ", "does not go with the path", "`uniform` or a `hole`"],
+    ),
+    (
+        "press-fit",
+        "outer = 40, sweep = 90",
+        "outer = 40, sweep = 60",
+        ["stretch = ", "beyond `inner`", "give at most 60"],
+    ),
+    (
+        "press-fit",
+        "at = \"start\", component = \"x\"",
+        "at = 3, component = \"x\"",
+        ["at = 3", "name of a boundary or a point", "README.md"],
+    ),
+    (
+        "blocks",
+        "{ at = \"right\", component = \"x\" }]",
+        "{ at = \"left\", component = \"x\" }]",
+        ["supports = ", "already held", "leave one"],
+    ),
 ];
 
 #[test]
@@ -266,8 +346,11 @@ fn page_on_scene_files_is_true() {
         })
     };
     for gap in gaps {
+        let arc = "stretch = 5.0\narc = { centre = [0, 50], radius = 50 }";
+        let path = if gap.contains("hole") { arc } else { "stretch = 5.0" };
         let file = example.replace("gap = { circle = 50 }", &format!("gap = {}", number(&gap)));
-        SceneFile::parse(Path::new("gap.toml"), &file).unwrap_or_else(|error| panic!("{gap}: {error}"));
+        SceneFile::parse(Path::new("gap.toml"), &file.replace("stretch = 5.0", path))
+            .unwrap_or_else(|error| panic!("{gap}: {error}"));
     }
     let block = text_of("rigid-cosine.toml");
     let supports = "supports = [{ at = \"left\", component = \"x\" }, { at = \"right\", component = \"x\" }]";
@@ -287,8 +370,9 @@ fn page_on_scene_files_is_true() {
         // The boundaries of other shapes have other names.
         let file = file.replace("supports = [{ at = \"axis\", component = \"x\" }]", "");
         let file = file.replace("loads = [{ traction = { at = \"cut\", value = [0, -57.5] } }]", "");
-        let arc = "stretch = 5.0\narc = { centre = [0, 50], radius = 20 }";
-        let file = if shape.contains("ring") { file.replace("stretch = 5.0", arc) } else { file };
+        let arc = "stretch = 5.0\narc = { centre = [0, 50], radius = 30 }\ngap = { uniform = 0.1 }";
+        let curved = file.replace("gap = { circle = 50 }", "").replace("stretch = 5.0", arc);
+        let file = if shape.contains("ring") { curved } else { file };
         SceneFile::parse(Path::new("shape.toml"), &file).unwrap_or_else(|error| panic!("{shape}: {error}"));
     }
 }

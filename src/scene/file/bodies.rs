@@ -12,6 +12,7 @@ use crate::scene::{Body, Circle, Component, Face, Load, Material, Place, PlaneHy
 pub fn body(source: Source, units: &Units, plane: PlaneHypothesis, table: &BodyTable) -> Result<Body, Error> {
     let shape = shape(source, units, &table.shape)?;
     let supports = table.supports.iter().map(|support| self::support(source, units, &shape, support));
+    refuse_held_twice(source, table)?;
     let loads = table.loads.iter().map(|load| self::load(source, units, &shape, load));
     Ok(Body {
         name: table.name.get_ref().clone(),
@@ -28,6 +29,34 @@ pub fn refuse_equal_names(source: Source, bodies: &[BodyTable]) -> Result<(), Er
         if bodies[..k].iter().any(|other| other.name.get_ref() == body.name.get_ref()) {
             let message = format!("a second body is called `{}`", body.name.get_ref());
             return Err(source.refused(body.name.span(), message, "give every body a name of its own"));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses a component that is prescribed twice at one place, or prescribed and loaded as a rigid face.
+fn refuse_held_twice(source: Source, table: &BodyTable) -> Result<(), Error> {
+    for (k, support) in table.supports.iter().enumerate() {
+        let same = |other: &SupportTable| {
+            other.component.get_ref() == support.component.get_ref() && other.at.get_ref() == support.at.get_ref()
+        };
+        if table.supports[..k].iter().any(same) {
+            return Err(source.refused(
+                support.at.span(),
+                "this component is already held there",
+                "leave one of them out",
+            ));
+        }
+        let tied = |load: &LoadTable| match load {
+            LoadTable::RigidFace(face) => {
+                let there = PlaceTable::Boundary(face.at.get_ref().clone());
+                face.component.get_ref() == support.component.get_ref() && *support.at.get_ref() == there
+            }
+            _ => false,
+        };
+        if table.loads.iter().any(tied) {
+            let remedy = "a rigid face moves as its force wants: leave out the support or the force";
+            return Err(source.refused(support.at.span(), "the face is held and loaded as rigid", remedy));
         }
     }
     Ok(())

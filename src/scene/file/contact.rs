@@ -6,9 +6,10 @@ use toml::Spanned;
 
 use crate::error::Error;
 use crate::scene::file::Source;
+use crate::scene::file::side::Side;
 use crate::scene::file::tables::{BodyTable, ContactTable, GapTable, ReferenceTable};
 use crate::scene::file::units::Units;
-use crate::scene::{Body, Circle, ContactPair, Path, Profile, ReferenceValues, Scene, Shape};
+use crate::scene::{Body, Circle, ContactPair, Path, Profile, ReferenceValues, Scene};
 
 /// Largest stretch on an arc \[°\].
 const QUARTER: f64 = 90.0;
@@ -47,26 +48,14 @@ pub fn pair(
             source.number("stretch", &table.stretch, &expected, |x| x > 0.0 && x <= QUARTER)?.to_radians()
         }
     };
-    for body in [Some(first), second].into_iter().flatten() {
-        let misfit = match (&bodies[body].shape, matches!(path, Path::Horizontal)) {
-            (Shape::Ring { .. } | Shape::Eye { .. }, true) => Some("name the circle the contact runs along, as `arc`"),
-            (Shape::Rectangle { .. }, false) => Some("leave `arc` out: the contact of a rectangle is straight"),
-            _ => None,
-        };
-        if let Some(remedy) = misfit {
-            let message = format!("the contact of `{}` does not run along this path", bodies[body].name);
-            return Err(source.refused(table.first.span(), message, remedy));
-        }
-        let (longest, angle) = (longest(&bodies[body].shape), matches!(path, Path::Arc(_)));
-        let fits = |length: f64| angle || stretch <= length * (1.0 + 1e-9);
-        if let Some(length) = longest.filter(|length| !fits(*length)) {
-            let shown = length / units.length;
-            let message =
-                format!("the candidates reach beyond `{}`, whose contact side ends at {shown}", bodies[body].name);
-            return Err(source.refused(table.stretch.span(), message, format!("give at most {shown}")));
-        }
-    }
     let profile = profile(source, units, &table.gap)?;
+    refuse_strange_gap(source, &path, &profile, &table.gap)?;
+    let facing = [Some((first, &table.first)), second.zip(table.second.as_ref())];
+    for (k, (body, name)) in facing.into_iter().flatten().enumerate() {
+        let side = Side::of(&bodies[body].shape);
+        side.refuse_misfit(source, name, &path, &profile, k == 0)?;
+        side.refuse_short(source, units, name, &path, (stretch, &table.stretch))?;
+    }
     if let Profile::Circle { radius } = profile
         && stretch >= radius
     {
@@ -75,14 +64,17 @@ pub fn pair(
     Ok(ContactPair { first, second, path, profile, stretch, symmetric: table.symmetric.unwrap_or(true) })
 }
 
-/// How far a contact side goes along x from the symmetry line; none on arcs.
-fn longest(shape: &Shape) -> Option<f64> {
-    match *shape {
-        Shape::Rectangle { x, .. } => Some(x[1] - x[0]),
-        // Beyond 45° the radial candidates of a quarter are hardly pressed.
-        Shape::Disc { radius, .. } => Some(radius * std::f64::consts::FRAC_1_SQRT_2),
-        Shape::Ring { .. } | Shape::Eye { .. } => None,
-    }
+/// Refuses gaps that are functions of a length on an arc, and of an angle on a line.
+fn refuse_strange_gap(source: Source, path: &Path, profile: &Profile, gap: &Spanned<GapTable>) -> Result<(), Error> {
+    let remedy = match (path, profile) {
+        (Path::Arc(_), Profile::Uniform(_)) => return Ok(()),
+        (Path::Arc(arc), Profile::Hole { radius, .. }) if (radius / arc.radius - 1.0).abs() <= 1e-9 => return Ok(()),
+        (Path::Arc(_), Profile::Hole { .. }) => "give the hole's `radius` as that of `arc`: it is the pin's",
+        (Path::Arc(_), _) => "on an arc the gap is `uniform` or a `hole`",
+        (Path::Horizontal, Profile::Hole { .. }) => "a hole needs the pin's circle as `arc`",
+        (Path::Horizontal, _) => return Ok(()),
+    };
+    Err(source.refused(gap.span(), "this gap does not go with the path of the contact", remedy))
 }
 
 fn profile(source: Source, units: &Units, table: &Spanned<GapTable>) -> Result<Profile, Error> {
@@ -137,8 +129,9 @@ pub fn reference(
     let half = 0.5 * pair.stretch;
     let length = given("length", &table.length, units.length)?.unwrap_or(half * pair.path.metric());
     let pressure = given("pressure", &table.pressure, units.stress)?;
-    let own = pair.profile.gap(half).abs();
-    let own = if own.is_finite() && own > 0.0 { Some(own) } else { None };
+    let widest = (0..=8).map(|k| pair.profile.gap(0.125 * f64::from(k) * pair.stretch).abs()).fold(0.0, f64::max);
+    // Waves may return to zero there, but for round-off.
+    let own = Some(pair.profile.gap(half).abs()).filter(|own| own.is_finite() && *own > 1e-6 * widest);
     let opening = given("gap", &table.gap, units.length)?.or_else(|| pressure.map(|p| p * length / modulus)).or(own);
     let Some(opening) = opening else {
         let remedy = "give the pressure to expect: [reference] pressure = …";

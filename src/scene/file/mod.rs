@@ -9,6 +9,7 @@
 
 pub mod bodies;
 pub mod contact;
+mod side;
 pub mod tables;
 pub mod units;
 
@@ -55,7 +56,8 @@ impl Source<'_> {
 
     /// A number above zero.
     pub fn positive(&self, key: &str, value: &Spanned<f64>) -> Result<f64, Error> {
-        self.number(key, value, "a finite number above 0", |x| x > 0.0)
+        let [least, most] = [1.0 / LARGEST, LARGEST];
+        self.number(key, value, &format!("a number above 0, from {least:e} to {most:e}"), |x| x >= least && x <= most)
     }
 
     /// A number of a magnitude that squares and products survive.
@@ -80,7 +82,7 @@ impl Source<'_> {
 }
 
 /// Largest magnitude of a number in a file.
-const LARGEST: f64 = 1e12;
+const LARGEST: f64 = 1e13;
 
 /// Growth of meshes whose file does not say: that of the Hertz scenes.
 const GROWTH: Grading = Grading { unit: 1.0, along: 1.7, depth: 1.6, first: 1.0, coarsest: 0.3, end: 1.0 };

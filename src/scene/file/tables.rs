@@ -108,8 +108,8 @@ pub struct SupportTable {
 }
 
 /// A boundary's name, or a point.
-#[derive(Debug, Deserialize)]
-#[serde(untagged)]
+#[derive(Debug, Deserialize, PartialEq)]
+#[serde(untagged, expecting = "a place is the name of a boundary or a point [x, y]")]
 pub enum PlaceTable {
     /// Boundary.
     Boundary(String),
@@ -159,7 +159,7 @@ pub struct RigidFaceTable {
     pub at: Name,
     /// x or y.
     pub component: Name,
-    /// Total force on the modelled part.
+    /// Total force on the modelled half.
     pub force: Number,
 }
 

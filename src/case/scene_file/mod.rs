@@ -1,7 +1,9 @@
 //! A user's scene file: a case with its mesh, its formulation and its checks.
 
-use std::f64::consts::PI;
-use std::ops::Range;
+mod wanted;
+
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 use serde::Deserialize;
@@ -14,18 +16,17 @@ use crate::case::run::Run;
 use crate::case::universal;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration, Start};
-use crate::measure::{display_factor, profile};
+use crate::measure::display_factor;
+use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
-use crate::oracle::ReferenceKind;
 use crate::scene::file::tables::{BodyTable, ContactTable, GrowthTable, Name, Number, ReferenceTable, UnitsTable};
 use crate::scene::file::units::Units;
 use crate::scene::file::{Source, Tables};
-use crate::scene::{Path as ContactPath, Scene, Shape};
+
+use wanted::{CheckTable, Wanted};
 
 /// Largest file that is read \[bytes\].
 const LARGEST_FILE: u64 = 1 << 20;
-/// Most cells and most candidate elements that are meshed: a solve then stays within about 4 GB.
-pub const MOST: [f64; 2] = [500e3, 2e3];
 
 /// A scene with everything needed to solve and judge it.
 #[derive(Clone)]
@@ -35,27 +36,6 @@ pub struct SceneFile {
     /// How it is solved.
     pub formulation: Formulation,
     wanted: Vec<Wanted>,
-}
-
-/// What a check asks.
-#[derive(Clone, Debug)]
-struct Wanted {
-    quantity: Quantity,
-    /// Contact coordinate \[mm, or rad\].
-    at: f64,
-    value: f64,
-    tolerance: f64,
-    kind: ReferenceKind,
-    source: String,
-    because: String,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Quantity {
-    PeakPressure,
-    HalfWidth,
-    Resultant,
-    Pressure,
 }
 
 #[derive(Debug, Deserialize)]
@@ -100,31 +80,6 @@ struct SolveTable {
     max_steps: Option<Spanned<usize>>,
 }
 
-/// `[[check]]`.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct CheckTable {
-    quantity: Name,
-    at: Option<Number>,
-    value: Number,
-    tolerance: Number,
-    kind: Name,
-    source: String,
-    because: String,
-}
-
-const QUANTITIES: [(&str, Quantity); 4] = [
-    ("peak-pressure", Quantity::PeakPressure),
-    ("half-width", Quantity::HalfWidth),
-    ("resultant", Quantity::Resultant),
-    ("pressure", Quantity::Pressure),
-];
-const KINDS: [(&str, ReferenceKind); 4] = [
-    ("analytic", ReferenceKind::Analytic),
-    ("cross-code", ReferenceKind::CrossCode),
-    ("measured", ReferenceKind::Measured),
-    ("self-consistency", ReferenceKind::SelfConsistency),
-];
 const RULES: [StiffnessRule; 5] = [
     StiffnessRule::Secant,
     StiffnessRule::Correction,
@@ -141,11 +96,16 @@ impl SceneFile {
             reason,
             remedy: "give a scene file; `solve --help` tells where its keys are described".into(),
         };
-        let size = std::fs::metadata(file).map_err(|error| unreadable(error.to_string()))?.len();
-        if size > LARGEST_FILE {
-            return Err(unreadable(format!("{size} bytes are no scene; at most {LARGEST_FILE} are read")));
+        let failed = |error: std::io::Error| unreadable(error.to_string());
+        if !std::fs::metadata(file).map_err(failed)?.is_file() {
+            return Err(unreadable("this is no file".into()));
         }
-        let text = std::fs::read_to_string(file).map_err(|error| unreadable(error.to_string()))?;
+        let mut text = String::new();
+        let size =
+            File::open(file).map_err(failed)?.take(LARGEST_FILE + 1).read_to_string(&mut text).map_err(failed)?;
+        if size as u64 > LARGEST_FILE {
+            return Err(unreadable(format!("it has more than {LARGEST_FILE} bytes, which no scene needs")));
+        }
         Self::parse(file, &text)
     }
 
@@ -154,7 +114,9 @@ impl SceneFile {
         let source = Source { file, text };
         let document: Document = toml::from_str(text).map_err(|error| {
             let place = error.span().unwrap_or(0..0);
-            source.refused(place, error.message().trim(), "correct this key; the page on scene files names all of them")
+            let said = error.message().trim();
+            let what = if said.starts_with("missing field") { "add it" } else { "correct it" };
+            source.refused(place, said, format!("{what}; tests/scenes/README.md describes every key"))
         })?;
         let name = file.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned());
         document.read(source, name)
@@ -179,25 +141,6 @@ impl SceneFile {
     }
 }
 
-impl Wanted {
-    fn check(&self, run: &Run) -> Check {
-        let points = &run.solution.points;
-        let (name, value) = match self.quantity {
-            Quantity::PeakPressure => ("peak pressure [MPa]".into(), run.measures.peak.pressure),
-            Quantity::HalfWidth => ("half-width [mm or rad]".into(), run.measures.half_width),
-            Quantity::Resultant => ("resultant [N]".into(), run.transmitted),
-            Quantity::Pressure => {
-                (format!("pressure at s = {:.6} [MPa]", self.at), profile::interpolate(points, self.at))
-            }
-        };
-        // A run that broke off has no value to be judged.
-        let value = if run.solution.converged() { value } else { f64::NAN };
-        let reference = Reference { name: self.source.clone(), kind: self.kind, value: self.value };
-        let requirement = format!("The file's own check: {}", self.source);
-        Check::relative(requirement, name, value, reference, self.tolerance, self.because.clone())
-    }
-}
-
 impl Document {
     fn read(&self, source: Source, name: String) -> Result<SceneFile, Error> {
         let units = Units::of(source, self.units.as_ref())?;
@@ -218,9 +161,10 @@ impl Document {
         };
         let scene = tables.scene(source)?;
         let resolution = self.mesh.resolution(source)?;
-        refuse_large(source, self.mesh.elements.span(), &scene, resolution)?;
+        if let Err((message, remedy)) = solvable(&scene, resolution) {
+            return Err(source.refused(self.mesh.elements.span(), message, remedy));
+        }
         let formulation = self.solve.formulation(source)?;
-        formulation.validate(&scene)?;
         let factor = display_factor(&scene.contact.path);
         let along = if factor > 1.0 { 1.0 / factor } else { units.length };
         let wanted = self.check.iter().map(|check| check.wanted(source, &units, along));
@@ -247,46 +191,6 @@ impl MeshTable {
         };
         Ok(Resolution { elements, refinement: 0, order })
     }
-}
-
-/// Refuses meshes beyond [`MOST`], before anything is allocated for them.
-fn refuse_large(source: Source, place: Range<usize>, scene: &Scene, resolution: Resolution) -> Result<(), Error> {
-    let (pair, grading) = (&scene.contact, &scene.grading);
-    let length = pair.stretch * pair.path.metric();
-    let candidates = (resolution.elements as f64 * length / grading.unit).round().max(1.0);
-    // The smallest of the candidates, as a length and in the contact coordinate.
-    let even = grading.end.min(1.0 / grading.end);
-    let [size, step] = [length, pair.stretch].map(|whole| even * whole / candidates);
-    let counted = |length: f64, first: f64, ratio: f64, coarsest: f64| {
-        let until = if ratio > 1.0 { (coarsest / first).ln().max(0.0) / ratio.ln() } else { f64::INFINITY };
-        (length / first).min(until + length / coarsest.max(first)) + 2.0
-    };
-    // Rows of the arcs' blocks share the size of the surface, whatever the radius of the body.
-    let arc = |radius: f64, deep: f64| {
-        let angle = if matches!(pair.path, ContactPath::Arc(_)) { step } else { size / radius };
-        let first = angle * radius * grading.first;
-        let along = counted(PI, angle, grading.along, 1.6 * grading.coarsest);
-        [along, counted(deep, first, grading.depth, grading.coarsest * deep)]
-    };
-    let cells = |shape: &Shape| {
-        let [along, depth] = match *shape {
-            Shape::Rectangle { x, y, .. } => [(x, size, grading.along), (y, size * grading.first, grading.depth)]
-                .map(|([from, to], first, ratio)| counted(to - from, first, ratio, grading.coarsest * (to - from))),
-            Shape::Disc { radius, .. } => arc(radius, radius),
-            Shape::Ring { inner, outer, .. } => arc(inner.radius, outer.radius - inner.radius),
-            Shape::Eye { outer_radius, .. } => arc(outer_radius, outer_radius),
-        };
-        (candidates + along) * (candidates.min(along) + depth)
-    };
-    let total: f64 = scene.bodies.iter().map(|body| cells(&body.shape)).sum();
-    let [most, along] = MOST;
-    if total <= most && candidates <= along {
-        return Ok(());
-    }
-    let message = format!("the mesh would have about {total:.1e} cells and {candidates:.0} candidate elements");
-    let remedy =
-        format!("ask for fewer `elements`, a longer `stretch` or faster growth: {most:.0e} and {along} are solved");
-    Err(source.refused(place, message, remedy))
 }
 
 impl SolveTable {
@@ -327,38 +231,4 @@ impl SolveTable {
 /// What a name stands for; none where it is left out.
 fn named<T: Copy>(source: Source, what: &str, name: &Option<Name>, known: &[(&str, T)]) -> Result<Option<T>, Error> {
     name.as_ref().map(|name| source.choice(what, name, known)).transpose()
-}
-
-impl CheckTable {
-    /// `along` turns a contact coordinate of the file into mm or rad.
-    fn wanted(&self, source: Source, units: &Units, along: f64) -> Result<Wanted, Error> {
-        let quantity = source.choice("quantity", &self.quantity, &QUANTITIES)?;
-        let unit = match quantity {
-            Quantity::PeakPressure | Quantity::Pressure => units.stress,
-            Quantity::Resultant => units.force,
-            Quantity::HalfWidth => along,
-        };
-        let at = match (&self.at, quantity) {
-            (Some(at), Quantity::Pressure) => {
-                along * source.number("at", at, "a coordinate from 0 on", |s| s >= 0.0)?
-            }
-            (None, Quantity::Pressure) => {
-                return Err(source.refused(self.quantity.span(), "a pressure without a place", "add `at`"));
-            }
-            (Some(at), _) => {
-                return Err(source.refused(at.span(), "only `pressure` is taken at a place", "leave `at` out"));
-            }
-            (None, _) => f64::NAN,
-        };
-        let value = source.number("value", &self.value, "a finite number that is not 0", |x| x.abs() > 0.0)?;
-        Ok(Wanted {
-            quantity,
-            at,
-            value: unit * value,
-            tolerance: source.positive("tolerance", &self.tolerance)?,
-            kind: source.choice("kind of reference", &self.kind, &KINDS)?,
-            source: self.source.clone(),
-            because: self.because.clone(),
-        })
-    }
 }

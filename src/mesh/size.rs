@@ -1,0 +1,49 @@
+//! How large a mesh would be, before it is made.
+
+use std::f64::consts::PI;
+
+use crate::mesh::Resolution;
+use crate::scene::{Path, Scene, Shape};
+
+/// Most cells and most candidate elements that are meshed: a solve then stays within about 4 GB.
+pub const MOST: [f64; 2] = [500e3, 2e3];
+
+/// Whether a mesh stays within [`MOST`], before anything is allocated for it; else what is wrong, and what to do.
+pub fn solvable(scene: &Scene, resolution: Resolution) -> Result<(), (String, String)> {
+    let (pair, grading) = (&scene.contact, &scene.grading);
+    let length = pair.stretch * pair.path.metric();
+    let candidates = (resolution.elements as f64 * length / grading.unit).round().max(1.0);
+    // The smallest of the candidates, as a length and in the contact coordinate.
+    let even = grading.end.min(1.0 / grading.end);
+    let [size, step] = [length, pair.stretch].map(|whole| even * whole / candidates);
+    let counted = |length: f64, first: f64, ratio: f64, coarsest: f64| {
+        let until = if ratio > 1.0 { (coarsest / first).ln().max(0.0) / ratio.ln() } else { f64::INFINITY };
+        (length / first).min(until + length / coarsest.max(first)) + 2.0
+    };
+    // Rows of the arcs' blocks share the size of the surface, whatever the radius of the body.
+    let arc = |radius: f64, deep: f64| {
+        let angle = if matches!(pair.path, Path::Arc(_)) { step } else { size / radius };
+        let first = angle * radius * grading.first;
+        let along = counted(PI, angle, grading.along, 1.6 * grading.coarsest);
+        [along, counted(deep, first, grading.depth, grading.coarsest * deep)]
+    };
+    let cells = |shape: &Shape| {
+        let [along, depth] = match *shape {
+            Shape::Rectangle { x, y, .. } => [(x, size, grading.along), (y, size * grading.first, grading.depth)]
+                .map(|([from, to], first, ratio)| counted(to - from, first, ratio, grading.coarsest * (to - from))),
+            Shape::Disc { radius, .. } => arc(radius, radius),
+            Shape::Ring { inner, outer, .. } => arc(inner.radius, outer.radius - inner.radius),
+            Shape::Eye { outer_radius, .. } => arc(outer_radius, outer_radius),
+        };
+        (candidates + along) * (candidates.min(along) + depth)
+    };
+    let total: f64 = scene.bodies.iter().map(|body| cells(&body.shape)).sum();
+    let [most, along] = MOST;
+    if total <= most && candidates <= along {
+        return Ok(());
+    }
+    let message = format!("the mesh would have about {total:.1e} cells and {candidates:.0} candidate elements");
+    let remedy =
+        format!("ask for fewer `elements`, a longer `stretch` or faster growth: {most:.0e} and {along} are solved");
+    Err((message, remedy))
+}
