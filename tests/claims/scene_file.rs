@@ -7,8 +7,8 @@ use contact_vv::case::{Run, SceneFile, Verdict};
 use contact_vv::formulation::{Discretisation, Formulation};
 use contact_vv::mesh::Mesh;
 use contact_vv::mesh::size::MOST;
-use contact_vv::scene::Profile;
 use contact_vv::scene::library::Cylinder;
+use contact_vv::scene::{Load, Profile};
 
 use crate::workbench::noise;
 
@@ -127,8 +127,42 @@ fn rigid_profiles_are_their_formulas_in_any_unit() {
     assert!(Profile::Punch { half_width: 1.0 }.gap(1.1).is_infinite());
 }
 
+#[test]
+fn pressures_are_their_laws_and_press_inwards() {
+    let text = text_of("rigid-cosine.toml");
+    let start = text.find("loads = ").expect("the key");
+    let end = start + text[start..].find('\n').expect("a line");
+    let with = |law: &str, units: &str| {
+        let load = format!("loads = [{{ pressure = {{ at = \"far\", law = {law} }} }}]");
+        let file = format!("{units}{}{load}{}", &text[..start], &text[end..]);
+        SceneFile::parse(Path::new("law.toml"), &file).expect("sound")
+    };
+    let at = |file: &SceneFile, point: [f64; 2]| match &file.problem.scene.bodies[0].loads[0] {
+        Load::Stress { field, .. } => (field.0)(point),
+        other => panic!("{other:?}"),
+    };
+    let series = "{ cosine = { centre = [3, 4], coefficients = [7, 5, 2] } }";
+    let angle = 0.7_f64;
+    let place = |unit: f64| [unit * (3.0 + 2.0 * angle.sin()), unit * (4.0 - 2.0 * angle.cos())];
+    let wanted = 7.0 + 5.0 * angle.cos() + 2.0 * (2.0 * angle).cos();
+    for (units, unit, stress) in [("", 1.0, 1.0), ("units = { length = \"cm\", stress = \"GPa\" }\n", 10.0, 1e3)] {
+        let [x, y, shear] = at(&with(series, units), place(unit));
+        assert_relative_eq!(x, -stress * wanted, max_relative = 1e-12);
+        assert!((x - y).abs() <= 0.0 && shear.abs() <= 0.0);
+        let law = "{ polynomial = { along = \"y\", coefficients = [1, 0.5, -0.25] } }";
+        let [x, _, _] = at(&with(law, units), [unit * 9.0, unit * 2.0]);
+        assert_relative_eq!(x, -stress * (1.0 + 0.5 * 2.0 - 0.25 * 4.0), max_relative = 1e-12);
+    }
+    // ∫ (40 + 0.3 x) over half the width of 20 mm, both halves.
+    let file = with("{ polynomial = { along = \"x\", coefficients = [40, 0.3] } }", "");
+    let (_, run) = solved(&file);
+    assert_relative_eq!(run.transmitted, 2.0 * (40.0 * 20.0 + 0.15 * 400.0), max_relative = 1e-8);
+    let (_, run) = solved(&with("{ uniform = 62.5 }", ""));
+    assert_relative_eq!(run.transmitted, 2.0 * 62.5 * 20.0, max_relative = 1e-8);
+}
+
 /// What is spoiled in which file; what stands in the line that the message must name, what it must say was found, and what to do.
-const MISTAKES: [(&str, &str, &str, [&str; 3]); 40] = [
+const MISTAKES: [(&str, &str, &str, [&str; 3]); 41] = [
     ("cylinder-on-block", "stretch = 5.0", "strech = 5.0", ["strech = 5.0", "unknown field `strech`", "`stretch`"]),
     (
         "cylinder-on-block",
@@ -289,6 +323,12 @@ const MISTAKES: [(&str, &str, &str, [&str; 3]); 40] = [
         "{ at = \"left\", component = \"x\" }]",
         ["supports = ", "already held", "leave one"],
     ),
+    (
+        "cylinder-on-block",
+        "traction = { at = \"cut\", value = [0, -57.5] }",
+        "pressure = { at = \"cut\", law = { polynomial = { along = \"x\", coefficients = [] } } }",
+        ["loads = ", "0 coefficients", "give 1 to 16"],
+    ),
 ];
 
 #[test]
@@ -356,7 +396,7 @@ fn page_on_scene_files_is_true() {
     let supports = "supports = [{ at = \"left\", component = \"x\" }, { at = \"right\", component = \"x\" }]";
     assert!(block.contains(supports));
     let list = rows("Supports and loads");
-    assert_eq!(list.len(), 6);
+    assert_eq!(list.len(), 9);
     for line in list {
         let key = if line.contains("component") && !line.contains("rigid-face") { "supports" } else { "loads" };
         let start = block.find(&format!("{key} = ")).expect("the key");

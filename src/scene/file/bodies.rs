@@ -1,12 +1,16 @@
 //! Bodies from their tables.
 
+use std::sync::Arc;
+
 use toml::Spanned;
 
 use crate::error::Error;
 use crate::scene::file::Source;
-use crate::scene::file::tables::{BodyTable, LoadTable, PlaceTable, RingTable, ShapeTable, SupportTable};
+use crate::scene::file::tables::{BodyTable, LawTable, LoadTable, PlaceTable, RingTable, ShapeTable, SupportTable};
 use crate::scene::file::units::Units;
-use crate::scene::{Body, Circle, Component, Face, Load, Material, Place, PlaneHypothesis, Shape, Support};
+use crate::scene::{
+    Body, Circle, Component, Face, Load, Material, Place, PlaneHypothesis, Shape, StressField, Support,
+};
 
 /// A body with its supports and loads.
 pub fn body(source: Source, units: &Units, plane: PlaneHypothesis, table: &BodyTable) -> Result<Body, Error> {
@@ -138,6 +142,9 @@ fn load(source: Source, units: &Units, shape: &Shape, table: &LoadTable) -> Resu
             boundary: boundary(source, shape, &table.at)?,
             traction: source.pair("value", &table.value)?.map(|t| units.stress * t),
         },
+        LoadTable::Pressure(table) => {
+            Load::Stress { boundary: boundary(source, shape, &table.at)?, field: pressure(source, units, &table.law)? }
+        }
         LoadTable::BodyForce(pair) => {
             let density = units.force / units.length.powi(3);
             Load::BodyForce(source.pair("body-force", pair)?.map(|f| density * f))
@@ -152,4 +159,45 @@ fn load(source: Source, units: &Units, shape: &Shape, table: &LoadTable) -> Resu
             force: units.force * source.finite("force", &table.force)?,
         },
     })
+}
+
+/// Most coefficients of a law.
+const MOST_TERMS: usize = 16;
+
+/// The stress `σ = −p I`, whose traction on any side is the pressure.
+fn pressure(source: Source, units: &Units, law: &Spanned<LawTable>) -> Result<StressField, Error> {
+    let list = |given: &[Spanned<f64>], per: f64| -> Result<Vec<f64>, Error> {
+        if given.is_empty() || given.len() > MOST_TERMS {
+            let message = format!("the law has {} coefficients", given.len());
+            return Err(source.refused(law.span(), message, format!("give 1 to {MOST_TERMS}")));
+        }
+        let each = given
+            .iter()
+            .enumerate()
+            .map(|(k, value)| Ok(units.stress * source.finite("coefficients", value)? / per.powi(k as i32)));
+        each.collect()
+    };
+    let at: Box<dyn Fn([f64; 2]) -> f64 + Send + Sync> = match law.get_ref() {
+        LawTable::Uniform(value) => {
+            let value = units.stress * source.finite("uniform", value)?;
+            Box::new(move |_| value)
+        }
+        LawTable::Polynomial(table) => {
+            let k = component(source, &table.along)?.index();
+            let coefficients = list(&table.coefficients, units.length)?;
+            Box::new(move |point| coefficients.iter().rev().fold(0.0, |sum, c| c + sum * point[k]))
+        }
+        LawTable::Cosine(table) => {
+            let [x, y] = source.pair("centre", &table.centre)?.map(|x| units.length * x);
+            let coefficients = list(&table.coefficients, 1.0)?;
+            Box::new(move |point| {
+                let angle = (point[0] - x).atan2(y - point[1]);
+                coefficients.iter().zip(0..).map(|(c, k)| c * (f64::from(k) * angle).cos()).sum()
+            })
+        }
+    };
+    Ok(StressField(Arc::new(move |point| {
+        let p = at(point);
+        [-p, -p, 0.0]
+    })))
 }

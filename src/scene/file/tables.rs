@@ -123,6 +123,8 @@ pub enum PlaceTable {
 pub enum LoadTable {
     /// `{ traction = { at = "far", value = [tx, ty] } }`.
     Traction(VectorTable),
+    /// `{ pressure = { at = "far", law = { … } } }`, normal to the boundary, positive inwards.
+    Pressure(PressureTable),
     /// `{ body-force = [fx, fy] }`, force per volume.
     BodyForce(Pair),
     /// `{ force = { at = [x, y], value = [fx, fy] } }`.
@@ -139,6 +141,48 @@ pub struct VectorTable {
     pub at: Name,
     /// Components.
     pub value: Pair,
+}
+
+/// A pressure on a boundary.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PressureTable {
+    /// Boundary.
+    pub at: Name,
+    /// How it depends on the place.
+    pub law: Spanned<LawTable>,
+}
+
+/// How a pressure depends on the place.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum LawTable {
+    /// The same everywhere.
+    Uniform(Number),
+    /// `Σ c_k x^k`, or of y.
+    Polynomial(PolynomialTable),
+    /// `Σ c_k cos kθ`.
+    Cosine(SeriesTable),
+}
+
+/// `polynomial = { along = "x", coefficients = [c0, c1, …] }`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PolynomialTable {
+    /// x or y.
+    pub along: Name,
+    /// From the constant one on.
+    pub coefficients: Vec<Number>,
+}
+
+/// `cosine = { centre = [x, y], coefficients = [c0, c1, …] }`, θ from the downward vertical about the centre.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SeriesTable {
+    /// Centre of the angle.
+    pub centre: Pair,
+    /// From the constant one on.
+    pub coefficients: Vec<Number>,
 }
 
 /// A force at a point.
