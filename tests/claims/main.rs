@@ -22,5 +22,6 @@ mod oracles;
 mod outputs;
 mod scene;
 mod scene_file;
+mod scene_fuzz;
 mod stability;
 mod timings;

@@ -5,18 +5,14 @@ use std::path::{Path, PathBuf};
 use approx::assert_relative_eq;
 use contact_vv::case::{Run, SceneFile, Verdict};
 use contact_vv::formulation::{Discretisation, Formulation};
-use contact_vv::mesh::Mesh;
-use contact_vv::mesh::size::MOST;
 use contact_vv::scene::library::Cylinder;
 use contact_vv::scene::{Load, Profile};
-
-use crate::workbench::noise;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenes")
 }
 
-fn files() -> Vec<(PathBuf, String)> {
+pub fn files() -> Vec<(PathBuf, String)> {
     let entries = std::fs::read_dir(folder()).expect("the folder").map(|entry| entry.expect("an entry").path());
     let mut paths: Vec<PathBuf> = entries.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect();
     paths.sort();
@@ -415,115 +411,4 @@ fn page_on_scene_files_is_true() {
         let file = if shape.contains("ring") { curved } else { file };
         SceneFile::parse(Path::new("shape.toml"), &file).unwrap_or_else(|error| panic!("{shape}: {error}"));
     }
-}
-
-/// Pieces that a careless or hostile hand may put anywhere.
-const PIECES: [&str; 24] = [
-    "",
-    "0",
-    "-1",
-    "1e308",
-    "1e-308",
-    "nan",
-    "inf",
-    "-inf",
-    "9999999999999999999",
-    "\"",
-    "[",
-    "]",
-    "{",
-    "}",
-    "=",
-    "\n",
-    "#",
-    "[[body]]",
-    "[contact]",
-    "true",
-    "x",
-    "\u{e9}",
-    "\0",
-    "1e9",
-];
-
-/// A file with a few places cut out, doubled, exchanged or overwritten.
-fn mutated(text: &str, number: &mut impl FnMut() -> f64) -> String {
-    let mut bytes = text.as_bytes().to_vec();
-    let mut below = |n: usize| (((number() + 1.0) / 2.0 * n as f64) as usize).min(n.saturating_sub(1));
-    for _ in 0..=below(3) {
-        if bytes.is_empty() {
-            break;
-        }
-        let at = below(bytes.len());
-        let length = below(1 + (bytes.len() - at).min(24));
-        let piece = PIECES[below(PIECES.len())];
-        match below(6) {
-            0 => drop(bytes.drain(at..at + length)),
-            1 => drop(bytes.splice(at..at + length, piece.bytes())),
-            2 => bytes.truncate(at),
-            3 => {
-                let copy = bytes[at..at + length].to_vec();
-                let to = below(bytes.len());
-                drop(bytes.splice(to..to, copy));
-            }
-            // A digit becomes another: most such files can still be read.
-            _ => {
-                let digits: Vec<usize> = (0..bytes.len()).filter(|&k| bytes[k].is_ascii_digit()).collect();
-                if !digits.is_empty() {
-                    let k = digits[below(digits.len())];
-                    drop(
-                        bytes.splice(
-                            k..=k,
-                            [&b"0"[..], b"9", b"-1", b"1e5", b"e-9", b".", b"7"][below(7)].iter().copied(),
-                        ),
-                    );
-                }
-            }
-        }
-    }
-    String::from_utf8_lossy(&bytes).into_owned()
-}
-
-/// Reads, validates and meshes so many mutated files, and solves the small ones up to a number: how many were read, solved.
-fn fuzz(seed: u64, files_to_try: usize, solves: usize) -> (usize, usize) {
-    let (sound, mut number) = (files(), noise(seed));
-    let (mut read, mut solved) = (0, 0);
-    for k in 0..files_to_try {
-        let (path, text) = &sound[k % sound.len()];
-        let spoiled = mutated(text, &mut number);
-        let tried = std::panic::catch_unwind(|| {
-            let Ok(file) = SceneFile::parse(path, &spoiled) else { return (false, false) };
-            let Ok(mesh) = Mesh::of(&file.problem.scene, file.problem.resolution) else { return (true, false) };
-            assert!((mesh.cells() as f64) < 4.0 * MOST[0], "{} cells", mesh.cells());
-            if solved >= solves || mesh.cells() > 3000 {
-                return (true, false);
-            }
-            let discretisation = Discretisation::of(file.problem.scene.clone(), file.problem.resolution);
-            let run = discretisation.and_then(|discretisation| {
-                let mut formulation = file.formulation.clone();
-                formulation.settings.max_steps = formulation.settings.max_steps.min(200);
-                Run::of(&discretisation, &formulation)
-            });
-            if let Err(error) = run {
-                assert!(!error.to_string().is_empty());
-            }
-            (true, true)
-        });
-        let Ok((was_read, was_solved)) = tried else { panic!("file {k} of seed {seed}:\n{spoiled}") };
-        read += usize::from(was_read);
-        solved += usize::from(was_solved);
-    }
-    (read, solved)
-}
-
-#[test]
-fn five_thousand_mutated_files_are_read_or_refused_and_two_hundred_solved() {
-    let (read, solved) = fuzz(17, 5000, 200);
-    assert!(read > 500 && read < 4500, "{read} of 5000 were read");
-    assert_eq!(solved, 200);
-}
-
-#[test]
-#[ignore = "100,000 files: cargo test --release --test claims -- --ignored mutated"]
-fn a_hundred_thousand_mutated_files_are_read_or_refused() {
-    fuzz(18, 100_000, 2000);
 }

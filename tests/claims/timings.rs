@@ -1,12 +1,15 @@
 //! What is said about speed: medians, exponents, targets, and that recorded errors and counts are still the code's.
 
 use approx::assert_relative_eq;
+use contact_vv::case::problem::problem;
 use contact_vv::case::timings::growth;
 use contact_vv::case::timings::judge::moved;
+use contact_vv::case::timings::meshes::judged;
 use contact_vv::case::timings::precision::{self, Family, LOADS, Point, half_widths};
 use contact_vv::case::timings::record::Record;
 use contact_vv::case::timings::statistics::{Spread, exponent};
 use contact_vv::case::timings::targets::targets;
+use contact_vv::case::{Problem, Verdict};
 use contact_vv::mesh::Order;
 
 #[test]
@@ -88,4 +91,13 @@ fn target_that_is_missed_or_not_a_number_is_not_met() {
     }
     record.measured.others.clear();
     assert_eq!(met(&record, "time to 0.1 %"), None);
+}
+
+#[test]
+fn default_mesh_that_is_too_coarse_or_gives_no_number_is_not_accepted() {
+    let mut problem = problem("truncated-hertz", None).expect("known");
+    let verdict = |problem: &Problem| judged(problem).expect("solved").checks[0].verdict.clone();
+    assert_eq!(verdict(&problem), Verdict::Pass);
+    problem.resolution.elements = 3;
+    assert_eq!(verdict(&problem), Verdict::Fail);
 }

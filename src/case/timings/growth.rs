@@ -225,8 +225,9 @@ pub fn nine((elements, refinement): (usize, u32), repeats: usize) -> Result<Nine
     let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
     let (mut all, mut six, mut last) = ([vec![], vec![]], [vec![], vec![]], None);
     for _ in 0..repeats {
-        for (threads, (all, six)) in all.iter_mut().zip(&mut six).enumerate() {
-            let once = match rayon::ThreadPoolBuilder::new().num_threads(1 - threads.min(1)).build() {
+        // One thread, then as many as the processor offers.
+        for (threads, (all, six)) in [1, 0].into_iter().zip(all.iter_mut().zip(&mut six)) {
+            let once = match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
                 Ok(pool) => pool.install(|| once_all_nine(elements, refinement))?,
                 Err(_) => once_all_nine(elements, refinement)?,
             };
