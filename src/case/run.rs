@@ -28,7 +28,7 @@ pub struct Run {
     pub solution: Solution,
     /// The numbers one quotes.
     pub measures: Measures,
-    /// Force that the reported pressures exert on the first body along the load line, both halves \[N\].
+    /// Force that the reported pressures exert on the upper (inner) body along the load line, both halves \[N\].
     pub transmitted: f64,
     /// Operations of the sparse factorisation that condensed the bodies.
     pub sparse_operations: f64,
@@ -86,9 +86,10 @@ impl Run {
     }
 }
 
-/// Sum of the nodal contact forces on the first body along the load line, both halves \[N\].
+/// Sum of the nodal contact forces on the upper (inner) body along the load line, both halves \[N\].
 fn transmitted(discretisation: &Discretisation, solution: &Solution) -> f64 {
     let stations = discretisation.interface.stations.iter();
-    let along = stations.map(|s| solution.contact_force[s.freedoms[0]] * s.normal[1]);
-    whole(&discretisation.scene.contact) * along.sum::<f64>()
+    let along = stations.map(|s| solution.contact_force[s.freedom] * s.normal[1]);
+    let upwards = if discretisation.scene.contact.above { 1.0 } else { -1.0 };
+    upwards * whole(&discretisation.scene.contact) * along.sum::<f64>()
 }

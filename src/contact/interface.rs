@@ -1,25 +1,29 @@
-//! Facing nodes and edges of the candidate stretch.
+//! Nodes and edges of the candidate stretch, and what they face.
 
 use crate::condensation::Condensed;
+use crate::contact::dual;
+use crate::contact::facing::{Facing, natural};
 use crate::elasticity::shape_functions;
 use crate::error::Error;
-use crate::mesh::{Mesh, candidates};
-use crate::scene::{ContactPair, Scene};
+use crate::mesh::{Candidate, Mesh, candidates};
+use crate::scene::{ContactPair, Profile, Scene};
 
-/// The candidate stretch: stations (facing nodes) and the edges between them.
+/// The candidate stretch: stations (nodes of the first body) and the edges between them.
 #[derive(Clone, Debug)]
 pub struct Interface {
-    /// Facing nodes, in the order of the contact coordinate.
+    /// Nodes of the first body, in the order of the contact coordinate.
     pub stations: Vec<Station>,
     /// Edges as station indices: first, last and, on 3-node edges, the middle.
     pub edges: Vec<Vec<usize>>,
+    /// Edges of the second body; none where the other side is rigid.
+    pub facing: Option<Facing>,
     /// Path, gap and symmetry of the contact.
     pub pair: ContactPair,
     /// Thickness \[mm\].
     pub thickness: f64,
 }
 
-/// A node of the first body and, unless the other side is rigid, the node of the second body facing it.
+/// A node of the first body and, unless the other side is rigid, what it faces on the second.
 #[derive(Clone, Debug)]
 pub struct Station {
     /// Contact coordinate.
@@ -30,27 +34,56 @@ pub struct Station {
     pub normal: [f64; 2],
     /// Initial gap \[mm\].
     pub gap: f64,
-    /// Retained freedoms of the normal displacements, first body and second.
-    pub freedoms: Vec<usize>,
+    /// Retained freedom of its own normal displacement.
+    pub freedom: usize,
+    /// Retained freedoms of the second body with their weights: the facing node, or where nodes do not face one another
+    /// those of the edges around, by the dual shape function of this node.
+    pub facing: Vec<(usize, f64)>,
+}
+
+impl Station {
+    /// Row `b` of the approach `w = b·u` at this node: own normal displacement plus the facing one, both outward.
+    pub fn row(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        std::iter::once((self.freedom, 1.0)).chain(self.facing.iter().copied())
+    }
+}
+
+/// A normal displacement that takes part in the approach of a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Term {
+    /// Retained freedom.
+    pub freedom: usize,
+    /// Shape function.
+    pub value: f64,
+    /// Normal of the node, out of the first body.
+    pub normal: [f64; 2],
 }
 
 impl Interface {
-    /// Pairs the candidate nodes of the bodies in contact; stations of both must agree.
+    /// Projects the candidates of the first body on to the second; their nodes need not match.
     pub fn between(scene: &Scene, mesh: &Mesh, condensed: &Condensed) -> Result<Self, Error> {
         let pair = &scene.contact;
         let first = &mesh.bodies[pair.first];
-        let mut stations: Vec<Station> = first
-            .candidates
-            .iter()
-            .enumerate()
-            .map(|(index, candidate)| Station {
-                coordinate: candidate.coordinate,
-                point: mesh.points[candidate.node],
-                normal: candidate.normal,
-                gap: pair.profile.gap(candidate.coordinate),
-                freedoms: vec![condensed.offsets[pair.first] + index],
-            })
-            .collect();
+        let other = |second| Facing::of(scene, mesh, second, condensed.offsets[second]);
+        let facing = pair.second.map(other).transpose()?;
+        let station = |(index, candidate): (usize, &Candidate)| {
+            let s = candidate.coordinate;
+            let opposite = match &facing {
+                None => pair.path.own_depth(),
+                Some(facing) => {
+                    let nodes = facing.at(s).ok_or_else(|| not_facing(scene, facing, s))?;
+                    nodes.iter().map(|(node, value)| value * node.depth).sum()
+                }
+            };
+            let point = mesh.points[candidate.node];
+            let gap = match pair.profile {
+                Profile::Drawn => pair.drawn(pair.path.depth(point), opposite),
+                profile => profile.gap(s),
+            };
+            let freedom = condensed.offsets[pair.first] + index;
+            Ok(Station { coordinate: s, point, normal: candidate.normal, gap, freedom, facing: Vec::new() })
+        };
+        let stations = first.candidates.iter().enumerate().map(station).collect::<Result<Vec<Station>, Error>>()?;
         if stations.len() < 2 {
             return Err(Error::value(
                 &scene.name,
@@ -60,16 +93,18 @@ impl Interface {
                 "lengthen it or refine the mesh",
             ));
         }
-        if let Some(second) = pair.second {
-            face(scene, mesh, second, condensed.offsets[second], &mut stations)?;
-        }
         let index = |node: usize| first.candidate_index(node);
         let mut edges: Vec<Vec<usize>> = candidates::candidate_edges(mesh, scene, pair.first)?
             .iter()
             .filter_map(|edge| edge.iter().map(|&n| index(n)).collect())
             .collect();
         edges.sort_by_key(|edge| edge[0].min(edge[1]));
-        Ok(Self { stations, edges, pair: pair.clone(), thickness: scene.thickness })
+        let mut interface = Self { stations, edges, facing, pair: pair.clone(), thickness: scene.thickness };
+        if let Some(facing) = &interface.facing {
+            let rows = dual::rows(&interface, facing);
+            interface.stations.iter_mut().zip(rows).for_each(|(station, row)| station.facing = row);
+        }
+        Ok(interface)
     }
 
     /// At a natural coordinate of an edge: shape functions `N_a`, contact coordinate `s`, and length per ξ \[mm\].
@@ -83,33 +118,61 @@ impl Interface {
         (shapes.iter().map(|shape| shape.0).collect(), position, length)
     }
 
-    /// Row that picks the approach interpolated by `N_a` between the stations of an edge.
-    pub fn interpolated_row(&self, edge: &[usize], shapes: &[f64]) -> Vec<(usize, f64)> {
-        let terms = edge.iter().zip(shapes);
-        terms.flat_map(|(&a, &value)| self.stations[a].freedoms.iter().map(move |&f| (f, value))).collect()
+    /// Points and weights of a rule on every piece of an edge; it is cut where facing edges meet, so that the shape
+    /// functions of both sides are smooth on each piece.
+    pub fn on_pieces(&self, edge: &[usize], rule: &[(f64, f64)]) -> Vec<(f64, f64)> {
+        let coordinates: Vec<f64> = edge.iter().map(|&a| self.stations[a].coordinate).collect();
+        let [low, high] = [coordinates[0].min(coordinates[1]), coordinates[0].max(coordinates[1])];
+        let mut cuts = vec![-1.0, 1.0];
+        if let Some(facing) = &self.facing {
+            let within = facing.corners().filter(|s| *s > low + facing.same && *s < high - facing.same);
+            cuts.extend(within.map(|s| natural(&coordinates, s)));
+        }
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup();
+        let piece = |ends: &[f64]| {
+            let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+            rule.iter().map(move |&(xi, weight)| (middle + half * xi, half * weight))
+        };
+        cuts.windows(2).flat_map(piece).collect()
+    }
+
+    /// The displacements in the approach of a point of an edge: own ones by `N_a`, facing ones by projection.
+    pub fn terms(&self, edge: &[usize], shapes: &[f64], position: f64) -> Vec<Term> {
+        let own = edge.iter().zip(shapes).map(|(&a, &value)| {
+            let station = &self.stations[a];
+            Term { freedom: station.freedom, value, normal: station.normal }
+        });
+        let facing = self.facing.iter().filter_map(|facing| facing.at(position)).flatten();
+        let facing = facing.map(|(node, value)| Term { freedom: node.freedom, value, normal: node.normal });
+        own.chain(facing).collect()
+    }
+
+    /// Initial gap at a point of an edge: that of the profile, or the drawn one interpolated by `N_a` \[mm\].
+    pub fn gap(&self, edge: &[usize], shapes: &[f64], position: f64) -> f64 {
+        match self.pair.profile {
+            Profile::Drawn => edge.iter().zip(shapes).map(|(&a, value)| value * self.stations[a].gap).sum(),
+            profile => profile.gap(position),
+        }
     }
 }
 
-/// Adds the facing nodes of the second body, and refuses those that do not face.
-fn face(scene: &Scene, mesh: &Mesh, second: usize, offset: usize, stations: &mut [Station]) -> Result<(), Error> {
-    let facing = &mesh.bodies[second].candidates;
-    let mismatch = |index: usize, at: f64, other: f64| Error::NotFacing {
-        first: scene.bodies[scene.contact.first].name.clone(),
-        second: scene.bodies[second].name.clone(),
-        index,
-        at,
-        facing: other,
-    };
-    if facing.len() != stations.len() {
-        let last = stations.len().min(facing.len());
-        return Err(mismatch(last, stations.len() as f64, facing.len() as f64));
-    }
-    for (index, (station, candidate)) in stations.iter_mut().zip(facing).enumerate() {
-        let apart = (station.coordinate - candidate.coordinate).abs();
-        if apart.is_nan() || apart > 1e-9 * scene.contact.stretch {
-            return Err(mismatch(index, station.coordinate, candidate.coordinate));
+/// A row in which every freedom stands once, where it first stood.
+pub(super) fn summed(row: Vec<(usize, f64)>) -> Vec<(usize, f64)> {
+    let mut sums: Vec<(usize, f64)> = Vec::with_capacity(row.len());
+    for (freedom, value) in row {
+        match sums.iter_mut().find(|(known, _)| *known == freedom) {
+            Some((_, sum)) => *sum += value,
+            None => sums.push((freedom, value)),
         }
-        station.freedoms.push(offset + index);
     }
-    Ok(())
+    sums
+}
+
+fn not_facing(scene: &Scene, facing: &Facing, at: f64) -> Error {
+    let from = facing.corners().fold(f64::INFINITY, f64::min);
+    let to = facing.corners().fold(f64::NEG_INFINITY, f64::max);
+    let mut names = scene.contact.bodies().map(|body| scene.bodies[body].name.clone());
+    let mut name = || names.next().unwrap_or_default();
+    Error::NotFacing { first: name(), second: name(), at, from, to }
 }

@@ -1,9 +1,8 @@
 //! Layer contact element: a thin isoparametric element of fictitious material between two facing edges.
 
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::Vector2;
 
 use crate::contact::{ContactElement, ContactPoint, Interface, Quadrature};
-use crate::elasticity::shape_functions;
 
 /// A thin element of thickness `t(ξ) = t₀ + g(ξ)` (`t₀` where the bodies interfere), moduli `E_n` across and `G = 0` along it, and no membrane stiffness.
 ///
@@ -25,13 +24,13 @@ impl ContactElement for Layer {
         let mut thicknesses = Vec::new();
         for (index, edge) in interface.edges.iter().enumerate() {
             let t0 = self.thickness * length(interface, edge);
-            for (xi, weight) in self.quadrature.rule(edge.len()) {
-                let (_, position, length) = interface.at(edge, xi);
-                let gap = interface.pair.profile.gap(position);
+            for (xi, weight) in interface.on_pieces(edge, &self.quadrature.rule(edge.len())) {
+                let (shapes, position, length) = interface.at(edge, xi);
+                let gap = interface.gap(edge, &shapes, position);
                 let t = t0 + gap.max(0.0);
                 let area = weight * length * interface.thickness;
                 points.push(ContactPoint {
-                    row: normal_row(interface, edge, t0, xi),
+                    row: normal_row(interface, edge, t0, (&shapes, position)),
                     position,
                     weight: area,
                     gap,
@@ -53,34 +52,17 @@ fn length(interface: &Interface, edge: &[usize]) -> f64 {
     (coordinate(1) - coordinate(0)).abs() * interface.pair.path.metric()
 }
 
-/// Row of `w = t ε` on the retained normal freedoms, from the strain–displacement matrix of the thin element at (ξ, 0).
+/// Row of `w = t ε` on the retained normal freedoms.
 ///
-/// `n_a` points from the first body (side −1, moved by `u n_a`) to the second (side +1, moved by `−u n_a`), and closing
-/// is compression: both give `side · t e·∇N · (n_a·e)`. The tangential parts of a wedge-shaped layer are dropped.
-fn normal_row(interface: &Interface, edge: &[usize], t0: f64, xi: f64) -> Vec<(usize, f64)> {
-    let shapes = shape_functions::edge(edge.len(), xi);
-    let mut jacobian = Matrix2::<f64>::zeros();
-    for (&a, &(value, slope)) in edge.iter().zip(&shapes) {
+/// Across the element `u = ½(1−η) u₁ + ½(1+η) u₂`. As `e` runs along `∂x/∂η`, with `t = 2 |∂x/∂η|`, `e·∇u = (u₂ − u₁)/t`
+/// exactly, however wedge-shaped the element is. The first body moves by `u n_a`, the second by `−u n_b`, `n` out of the
+/// first; closing is compression, and a displacement contributes `N (n·e)`. Its tangential part is dropped.
+fn normal_row(interface: &Interface, edge: &[usize], t0: f64, (shapes, position): (&[f64], f64)) -> Vec<(usize, f64)> {
+    let across = |(&a, &value): (&usize, &f64)| {
         let station = &interface.stations[a];
-        let point = Vector2::from(station.point);
-        let across = Vector2::from(station.normal) * (t0 + station.gap.max(0.0));
-        let along = (point + across * 0.5) * slope;
-        let over = across * (0.5 * value);
-        jacobian += Matrix2::new(along.x, along.y, over.x, over.y);
-    }
-    let over = Vector2::new(jacobian[(1, 0)], jacobian[(1, 1)]);
-    let thickness = 2.0 * over.norm();
-    let director = over / over.norm();
-    let inverse = jacobian.try_inverse().expect("t0 + g is positive and edges have length");
-    let mut row = Vec::new();
-    for (&a, &(value, slope)) in edge.iter().zip(&shapes) {
-        let station = &interface.stations[a];
-        let tilt = director.dot(&Vector2::from(station.normal));
-        for (side, &freedom) in [-1.0, 1.0].into_iter().zip(&station.freedoms) {
-            let gradient = inverse * Vector2::new(0.5 * slope, 0.5 * side * value);
-            let strain = director.dot(&gradient) * tilt;
-            row.push((freedom, thickness * side * strain));
-        }
-    }
-    row
+        Vector2::from(station.normal) * (0.5 * value * (t0 + station.gap.max(0.0)))
+    };
+    let director = edge.iter().zip(shapes).map(across).sum::<Vector2<f64>>().normalize();
+    let terms = interface.terms(edge, shapes, position).into_iter();
+    terms.map(|term| (term.freedom, term.value * director.dot(&Vector2::from(term.normal)))).collect()
 }

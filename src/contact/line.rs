@@ -13,14 +13,14 @@ impl ContactElement for Line {
     fn points(&self, interface: &Interface) -> Vec<ContactPoint> {
         let mut points = Vec::new();
         for (index, edge) in interface.edges.iter().enumerate() {
-            for (xi, weight) in self.quadrature.rule(edge.len()) {
+            for (xi, weight) in interface.on_pieces(edge, &self.quadrature.rule(edge.len())) {
                 let (shapes, position, length) = interface.at(edge, xi);
                 let area = weight * length * interface.thickness;
                 points.push(ContactPoint {
-                    row: interface.interpolated_row(edge, &shapes),
+                    row: interface.terms(edge, &shapes, position).iter().map(|t| (t.freedom, t.value)).collect(),
                     position,
                     weight: area,
-                    gap: interface.pair.profile.gap(position),
+                    gap: interface.gap(edge, &shapes, position),
                     relative_stiffness: 1.0,
                     shares: vec![(index, area)],
                 });

@@ -1,10 +1,14 @@
 //! How bodies touch: each contact element turns the candidate edges into a list of contact points.
 //!
-//! * [`interface`] — facing nodes and edges of the candidate stretch.
+//! * [`interface`] — nodes and edges of the candidate stretch.
+//! * `dual` — what a node faces where nodes do not face one another.
+//! * [`facing`] — projection on to the edges of the other body.
 //! * [`node`] — one spring per node pair (paper, Fig. 5).
 //! * [`mod@line`] — distributed springs between two element edges (Fig. 3).
 //! * [`layer`] — a thin element of fictitious material (Fig. 4).
 
+mod dual;
+pub mod facing;
 pub mod interface;
 pub mod layer;
 pub mod line;

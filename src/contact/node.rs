@@ -22,7 +22,7 @@ impl ContactElement for Node {
         let stations = interface.stations.iter().zip(shares);
         stations
             .map(|(station, shares)| ContactPoint {
-                row: station.freedoms.iter().map(|&f| (f, 1.0)).collect(),
+                row: station.row().collect(),
                 position: station.coordinate,
                 weight: shares.iter().map(|(_, area)| area).sum(),
                 gap: station.gap,

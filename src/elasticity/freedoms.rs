@@ -186,7 +186,7 @@ fn marks(scene: &Scene, mesh: &Mesh, body: usize, axes: &[[f64; 2]]) -> Result<V
     }
     for (index, load) in scene.bodies[body].loads.iter().enumerate() {
         if let Load::RigidFace { boundary, component, .. } = load {
-            set(&Place::Boundary(boundary), *component, Mark::Tied(index))?;
+            set(&Place::Boundary(boundary.clone()), *component, Mark::Tied(index))?;
         }
     }
     Ok(marks)

@@ -83,21 +83,21 @@ pub enum Error {
         component: String,
     },
 
-    /// Candidate nodes of the two bodies that do not face each other.
+    /// A candidate that no edge of the other body faces.
     #[error(
-        "contact of `{first}` and `{second}`: node {index} lies at {at:.9} on one side and {facing:.9} on the other; both sides need the same stations"
+        "contact of `{first}` and `{second}`: nothing of `{second}` faces the node of `{first}` at s = {at:.6}, its contact side lies between {from:.6} and {to:.6}; shorten the candidate stretch, or make the sides begin together"
     )]
     NotFacing {
         /// Body that carries the contact points.
         first: String,
         /// Facing body.
         second: String,
-        /// Index along the candidate stretch.
-        index: usize,
-        /// Coordinate on the first body.
+        /// Contact coordinate of the node \[mm, or rad on an arc\].
         at: f64,
-        /// Coordinate on the second body.
-        facing: f64,
+        /// Where the facing edges begin \[mm, or rad on an arc\].
+        from: f64,
+        /// Where they end \[mm, or rad on an arc\].
+        to: f64,
     },
 
     /// No spring is left to hold a body that only contact holds.

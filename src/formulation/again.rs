@@ -59,6 +59,6 @@ impl Discretisation {
                 return Err(Error::value(&self.scene.name, key, value, "a finite number is needed", "give a number"));
             }
         }
-        formulation.refuse_interference(&self.scene, change.clearance)
+        formulation.refuse_interference(&self.scene, self.tightest_gap() + change.clearance)
     }
 }

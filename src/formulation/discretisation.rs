@@ -79,12 +79,18 @@ impl Discretisation {
     /// Solves the contact problem by one formulation.
     pub fn solve(&self, formulation: &Formulation) -> Result<Solution, Error> {
         formulation.validate(&self.scene)?;
+        formulation.refuse_interference(&self.scene, self.tightest_gap())?;
         self.refuse_unloaded(formulation)?;
         let (solution, _, _) = self.solve_from_start(formulation).map_err(|error| self.named(error))?;
         if solution.converged() {
             spill::refuse(self, &solution, Change::NONE, formulation.settings.tolerance)?;
         }
         Ok(solution)
+    }
+
+    /// Smallest initial gap of a candidate node \[mm\].
+    pub(super) fn tightest_gap(&self) -> f64 {
+        self.interface.stations.iter().map(|station| station.gap).fold(f64::INFINITY, f64::min)
     }
 
     /// Refuses bodies that contact alone would hold, and nothing presses.

@@ -234,12 +234,11 @@ impl Formulation {
             });
         }
         self.validate_options()?;
-        self.refuse_interference(scene, 0.0)
+        self.refuse_interference(scene, scene.contact.profile.gap(0.0))
     }
 
-    /// Refuses an interference that the algorithm and rule cannot take, the gap being widened by a clearance \[mm\].
-    fn refuse_interference(&self, scene: &Scene, clearance: f64) -> Result<(), Error> {
-        let gap = scene.contact.profile.gap(0.0) + clearance;
+    /// Refuses a gap \[mm\] that is an interference which the algorithm and rule cannot take.
+    fn refuse_interference(&self, scene: &Scene, gap: f64) -> Result<(), Error> {
         let takes_interference = matches!(
             (self.algorithm, self.rule),
             (Iteration::Kinematic, _) | (Iteration::Constant, StiffnessRule::Correction)

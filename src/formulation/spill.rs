@@ -2,7 +2,11 @@
 
 use crate::error::Error;
 use crate::formulation::{Change, Discretisation};
+use crate::scene::Profile;
 use crate::solution::Solution;
+
+/// Difference of contact coordinates, relative, that rounding explains.
+const SAME: f64 = 1e-9;
 
 /// How deep the surfaces penetrate beyond the last candidate, at the worst node.
 #[derive(Clone, Copy, Debug)]
@@ -32,28 +36,31 @@ pub fn deepest(
         return Ok(None);
     };
     let surfaces: Vec<Vec<Surface>> =
-        pair.bodies().map(|body| surface(discretisation, body, end)).collect::<Result<_, _>>()?;
-    if surfaces.iter().any(|surface| surface.len() < 2) {
+        pair.bodies().map(|body| surface(discretisation, body)).collect::<Result<_, _>>()?;
+    let beyond = |node: &&Surface| node.coordinate > end * (1.0 + SAME);
+    if surfaces.iter().any(|surface| !surface.iter().any(|node| beyond(&node))) {
         return Ok(None);
     }
     let unknowns = discretisation.condensed.recover_under(change.load, &solution.displacement);
     let displacement = discretisation.system.nodal_displacements(&unknowns);
     let outward =
         |node: &Surface| node.normal[0] * displacement[node.node][0] + node.normal[1] * displacement[node.node][1];
+    let deep = |node: &Surface| pair.path.depth(discretisation.mesh.points[node.node]);
     let depth = |node: &Surface| {
-        let facing = match surfaces.get(1) {
-            None => Some(0.0),
+        let (facing, opposite) = match surfaces.get(1) {
+            None => (0.0, pair.path.own_depth()),
             // Both normals are those of the first body: the second body's outward one is their opposite.
-            Some(other) => between(other, node.coordinate, outward).map(|u| -u),
+            Some(other) => (-between(other, node.coordinate, outward)?, between(other, node.coordinate, deep)?),
         };
-        facing.map(|u| Spill {
-            end,
-            position: node.coordinate,
-            penetration: outward(node) + u - pair.profile.gap(node.coordinate) - change.clearance,
-        })
+        let gap = match pair.profile {
+            Profile::Drawn => pair.drawn(deep(node), opposite),
+            profile => profile.gap(node.coordinate),
+        };
+        let penetration = outward(node) + facing - gap - change.clearance;
+        Some(Spill { end, position: node.coordinate, penetration })
     };
-    let beyond = surfaces[0].iter().skip(1).filter_map(depth);
-    Ok(beyond.max_by(|a, b| a.penetration.total_cmp(&b.penetration)))
+    let depths = surfaces[0].iter().filter(beyond).filter_map(depth);
+    Ok(depths.max_by(|a, b| a.penetration.total_cmp(&b.penetration)))
 }
 
 /// Refuses a solution whose contact goes on beyond the candidates, by the criterion of the candidates themselves:
@@ -73,27 +80,27 @@ pub(super) fn refuse(
     }
 }
 
-/// A node of a body's contact boundary at or beyond the last candidate.
+/// A node of a body's contact boundary.
 struct Surface {
     node: usize,
     coordinate: f64,
     normal: [f64; 2],
 }
 
-/// Nodes of the contact boundary of a body from the last candidate on.
-fn surface(discretisation: &Discretisation, body: usize, end: f64) -> Result<Vec<Surface>, Error> {
+/// Nodes of the contact boundary of a body, by contact coordinate, with the normals of the first body.
+fn surface(discretisation: &Discretisation, body: usize) -> Result<Vec<Surface>, Error> {
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
-    let path = &scene.contact.path;
+    let pair = &scene.contact;
     let mut nodes: Vec<usize> = mesh.boundary(scene, body, "contact")?.iter().flatten().copied().collect();
     nodes.sort_unstable();
     nodes.dedup();
     let all = nodes.into_iter().map(|node| {
         let point = mesh.points[node];
-        Surface { node, coordinate: path.coordinate(point), normal: path.direction(point) }
+        Surface { node, coordinate: pair.path.coordinate(point), normal: pair.normal(point) }
     });
-    let mut from_end: Vec<Surface> = all.filter(|node| node.coordinate >= end * (1.0 - 1e-9)).collect();
-    from_end.sort_by(|a, b| a.coordinate.total_cmp(&b.coordinate));
-    Ok(from_end)
+    let mut all: Vec<Surface> = all.collect();
+    all.sort_by(|a, b| a.coordinate.total_cmp(&b.coordinate));
+    Ok(all)
 }
 
 /// A nodal value between the nodes of a surface, linear; none beyond its last node.

@@ -1,5 +1,7 @@
 //! A structured block: four sides given point by point, the inside by transfinite interpolation.
 
+use crate::scene::BoundaryName;
+
 /// Point of the plane \[mm\].
 pub type Point = [f64; 2];
 
@@ -9,7 +11,7 @@ pub struct Side {
     /// Lattice points: corner, mid-side, corner, …
     pub points: Vec<Point>,
     /// Name of the boundary, or of the line inside the body; none for sides nothing refers to.
-    pub name: Option<&'static str>,
+    pub name: Option<BoundaryName>,
     /// Whether the side lies inside the body.
     pub inside: bool,
 }
@@ -29,8 +31,8 @@ pub struct Block {
 
 impl Side {
     /// A side on a named boundary.
-    pub fn named(boundary: &'static str, points: Vec<Point>) -> Self {
-        Self { points, name: Some(boundary), inside: false }
+    pub fn named(boundary: impl Into<BoundaryName>, points: Vec<Point>) -> Self {
+        Self { points, name: Some(boundary.into()), inside: false }
     }
 
     /// A side inside the body.
@@ -39,12 +41,30 @@ impl Side {
     }
 
     /// A named line inside the body, which may carry a load.
-    pub fn line(name: &'static str, points: Vec<Point>) -> Self {
-        Self { points, name: Some(name), inside: true }
+    pub fn line(name: impl Into<BoundaryName>, points: Vec<Point>) -> Self {
+        Self { points, name: Some(name.into()), inside: true }
     }
 }
 
 impl Block {
+    /// The block seen in a mirror on the horizontal at a height; bottom and top change places, so that it stays
+    /// counter-clockwise.
+    pub fn turned_over(&self, height: f64) -> Self {
+        let mirrored = |side: &Side, backwards: bool| {
+            let mut points: Vec<Point> = side.points.iter().map(|p| [p[0], 2.0 * height - p[1]]).collect();
+            if backwards {
+                points.reverse();
+            }
+            Side { points, ..side.clone() }
+        };
+        Self {
+            bottom: mirrored(&self.top, false),
+            right: mirrored(&self.right, true),
+            top: mirrored(&self.bottom, false),
+            left: mirrored(&self.left, true),
+        }
+    }
+
     /// Lattice size along ξ and η.
     pub fn size(&self) -> [usize; 2] {
         [self.bottom.points.len(), self.left.points.len()]

@@ -4,6 +4,9 @@ use crate::error::Error;
 use crate::mesh::{BodyMesh, Edge, Mesh};
 use crate::scene::Scene;
 
+/// Difference of contact coordinates, over the stretch, that rounding explains.
+const SAME: f64 = 1e-9;
+
 /// A node that may come into contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Candidate {
@@ -15,11 +18,11 @@ pub struct Candidate {
     pub coordinate: f64,
 }
 
-/// Finds the nodes of the boundary `contact` with `s ≤ stretch`, sorted by `s`.
+/// Finds the nodes of the candidate edges, sorted by `s`.
 pub(super) fn find(mesh: &mut Mesh, scene: &Scene) -> Result<(), Error> {
     let pair = &scene.contact;
-    for (side, body) in pair.bodies().enumerate() {
-        let sign = if side == 0 { 1.0 } else { -1.0 };
+    for body in pair.bodies() {
+        let outward = |normal: [f64; 2]| if body == pair.first { normal } else { normal.map(|n| 0.0 - n) };
         let mut nodes: Vec<usize> = candidate_edges(mesh, scene, body)?.iter().flatten().copied().collect();
         nodes.sort_unstable();
         nodes.dedup();
@@ -27,8 +30,7 @@ pub(super) fn find(mesh: &mut Mesh, scene: &Scene) -> Result<(), Error> {
             .into_iter()
             .map(|node| {
                 let point = mesh.points[node];
-                let normal = pair.path.direction(point).map(|n| sign * n);
-                Candidate { node, normal, coordinate: pair.path.coordinate(point) }
+                Candidate { node, normal: outward(pair.normal(point)), coordinate: pair.path.coordinate(point) }
             })
             .collect();
         candidates.sort_by(|a, b| a.coordinate.total_cmp(&b.coordinate));
@@ -37,11 +39,17 @@ pub(super) fn find(mesh: &mut Mesh, scene: &Scene) -> Result<(), Error> {
     Ok(())
 }
 
-/// Edges of the boundary `contact` that lie within the candidate stretch.
+/// Edges of the boundary `contact`: of the first body those that lie within the candidate stretch, of the second those
+/// that begin within it, so that every point of the first has an edge to face.
 pub fn candidate_edges(mesh: &Mesh, scene: &Scene, body: usize) -> Result<Vec<Edge>, Error> {
-    let limit = scene.contact.stretch * (1.0 + 1e-9);
-    let within = |edge: &&Edge| edge.iter().all(|&n| scene.contact.path.coordinate(mesh.points[n]) <= limit);
-    Ok(mesh.boundary(scene, body, "contact")?.iter().filter(within).cloned().collect())
+    let pair = &scene.contact;
+    let coordinates =
+        |edge: &Edge| -> Vec<f64> { edge.iter().map(|&n| pair.path.coordinate(mesh.points[n])).collect() };
+    let taken = |edge: &&Edge| match body == pair.first {
+        true => coordinates(edge).iter().all(|s| *s <= pair.stretch * (1.0 + SAME)),
+        false => coordinates(edge).iter().any(|s| *s < pair.stretch * (1.0 - SAME)),
+    };
+    Ok(mesh.boundary(scene, body, "contact")?.iter().filter(taken).cloned().collect())
 }
 
 impl BodyMesh {

@@ -54,7 +54,7 @@ impl Mesh {
                 (&block.left, (0..rows).rev().map(|j| (0, j)).collect()),
             ];
             for (side, stations) in sides {
-                let Some(name) = side.name else { continue };
+                let Some(name) = side.name.clone() else { continue };
                 let named = if side.inside { &mut body.lines } else { &mut body.boundaries };
                 let edges: &mut Vec<Edge> = named.entry(name).or_default();
                 for three in stations.windows(3).step_by(2) {

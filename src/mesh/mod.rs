@@ -3,6 +3,7 @@
 //! * [`spacing`] — one-dimensional laws of element size.
 //! * [`block`] — transfinite interpolation inside four sides.
 //! * `outline` — from the scene's shapes to blocks.
+//! * `given` — meshes made elsewhere.
 //! * [`candidates`] — the contact nodes with their normals.
 //! * [`size`] — how large a mesh would be.
 //! * [`variant`] — the same mesh mirrored, renumbered or shaken.
@@ -13,6 +14,7 @@ pub mod size;
 pub mod spacing;
 pub mod variant;
 
+mod given;
 mod merge;
 mod outline;
 
@@ -20,7 +22,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use crate::error::Error;
-use crate::scene::{Place, Scene};
+use crate::scene::{BoundaryName, Place, Scene, Shape};
 
 pub use candidates::Candidate;
 
@@ -86,9 +88,9 @@ pub struct BodyMesh {
     /// Its cells.
     pub cells: Range<usize>,
     /// Its boundaries by name.
-    pub boundaries: BTreeMap<&'static str, Vec<Edge>>,
+    pub boundaries: BTreeMap<BoundaryName, Vec<Edge>>,
     /// Named lines inside it, which may carry loads.
-    pub lines: BTreeMap<&'static str, Vec<Edge>>,
+    pub lines: BTreeMap<BoundaryName, Vec<Edge>>,
     /// Its candidate contact nodes, in the order of the contact coordinate.
     pub candidates: Vec<Candidate>,
 }
@@ -106,11 +108,13 @@ impl Mesh {
                 "use 8 to 32",
             ));
         }
-        let layout = outline::Layout::new(scene, resolution);
+        given::refuse_others(scene, resolution.order, resolution.refinement)?;
         let mut mesh = Self { order: resolution.order, points: vec![], connectivity: vec![], bodies: vec![] };
         for body in &scene.bodies {
-            let blocks = layout.blocks(&body.shape);
-            mesh.append(&blocks);
+            match &body.shape {
+                Shape::Given(given) => mesh.append_given(given),
+                shape => mesh.append(&outline::Layout::new(scene, resolution, body.density).blocks(shape)),
+            }
         }
         candidates::find(&mut mesh, scene)?;
         Ok(mesh)
@@ -147,7 +151,7 @@ impl Mesh {
             place: format!("{}, body `{}`", scene.name, scene.bodies[body].name),
             kind: "boundary",
             name: name.into(),
-            known: boundaries.keys().chain(lines.keys()).copied().collect::<Vec<_>>().join(", "),
+            known: boundaries.keys().chain(lines.keys()).map(AsRef::as_ref).collect::<Vec<&str>>().join(", "),
         })
     }
 

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::mesh::Resolution;
-use crate::scene::{Path, Scene, Shape};
+use crate::scene::{Body, Path, Scene, Shape};
 
 /// Most cells and most candidate elements that are meshed: a solve then stays within about 4 GB.
 pub const MOST: [f64; 2] = [500e3, 2e3];
@@ -21,23 +21,37 @@ pub fn solvable(scene: &Scene, resolution: Resolution) -> Result<(), (String, St
         (length / first).min(until + length / coarsest.max(first)) + 2.0
     };
     // Rows of the arcs' blocks share the size of the surface, whatever the radius of the body.
-    let arc = |radius: f64, deep: f64| {
+    let arc = |[size, step]: [f64; 2], radius: f64, deep: f64| {
         let angle = if matches!(pair.path, Path::Arc(_)) { step } else { size / radius };
         let first = angle * radius * grading.first;
         let along = counted(PI, angle, grading.along, 1.6 * grading.coarsest);
         [along, counted(deep, first, grading.depth, grading.coarsest * deep)]
     };
-    let cells = |shape: &Shape| {
-        let [along, depth] = match *shape {
+    let structured = |body: &Body| {
+        let (size, step, candidates) = (size / body.density, step / body.density, candidates * body.density);
+        let [along, depth] = match body.shape {
             Shape::Rectangle { x, y, .. } => [(x, size, grading.along), (y, size * grading.first, grading.depth)]
                 .map(|([from, to], first, ratio)| counted(to - from, first, ratio, grading.coarsest * (to - from))),
-            Shape::Disc { radius, .. } => arc(radius, radius),
-            Shape::Ring { inner, outer, .. } => arc(inner.radius, outer.radius - inner.radius),
-            Shape::Eye { outer_radius, .. } => arc(outer_radius, outer_radius),
+            Shape::Disc { radius, .. } => arc([size, step], radius, radius),
+            Shape::Ring { inner, outer, .. } => arc([size, step], inner.radius, outer.radius - inner.radius),
+            Shape::Eye { outer_radius, .. } => arc([size, step], outer_radius, outer_radius),
+            Shape::Blocks(_) | Shape::Given(_) => [0.0, 0.0],
         };
         (candidates + along) * (candidates.min(along) + depth)
     };
-    let total: f64 = scene.bodies.iter().map(|body| cells(&body.shape)).sum();
+    // Cells, and candidate elements.
+    let sizes = |body: &Body| match &body.shape {
+        Shape::Given(mesh) => [mesh.cells.len() as f64, mesh.boundaries.get("contact").map_or(0, Vec::len) as f64],
+        Shape::Blocks(blocks) => {
+            let cells = blocks.iter().map(|block| block.elements[0] as f64 * block.elements[1] as f64).sum();
+            let sides = blocks.iter().flat_map(|block| (0..4).map(move |k| (&block.names[k], block.elements[k % 2])));
+            let touching = sides.filter(|(name, _)| name.as_deref() == Some("contact")).map(|(_, n)| n as f64).sum();
+            [cells, touching]
+        }
+        _ => [structured(body), candidates * body.density],
+    };
+    let total: f64 = scene.bodies.iter().map(|body| sizes(body)[0]).sum();
+    let candidates = scene.bodies.iter().map(|body| sizes(body)[1]).fold(0.0, f64::max);
     let [most, along] = MOST;
     if total <= most && candidates <= along {
         return Ok(());

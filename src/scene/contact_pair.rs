@@ -5,8 +5,10 @@ use crate::scene::shape::Circle;
 /// Contact of one body with another, or with a rigid profile.
 #[derive(Clone, Debug)]
 pub struct ContactPair {
-    /// Body on which positions, areas and normals are measured.
+    /// Body that carries the contact points: positions, areas and normals are measured on it.
     pub first: usize,
+    /// Whether that body is the upper, or inner, one; its outward normal is then the path's direction, else the opposite.
+    pub above: bool,
     /// Facing elastic body; none where the other side is rigid.
     pub second: Option<usize>,
     /// The curve along which the contact coordinate runs.
@@ -33,6 +35,9 @@ pub enum Path {
 pub enum Profile {
     /// The same gap everywhere \[mm\]; negative is interference.
     Uniform(f64),
+    /// As the bodies are drawn: from each node of the first body to the facing edge; to y = 0, or to the arc, where the
+    /// other side is rigid. Between the nodes the gap is interpolated, so [`Profile::gap`] cannot tell it.
+    Drawn,
     /// Flat punch with sharp corners: no gap up to its half-width, no other side beyond it.
     Punch {
         /// Half-width \[mm\].
@@ -80,6 +85,17 @@ impl ContactPair {
     pub fn bodies(&self) -> impl Iterator<Item = usize> + use<> {
         [Some(self.first), self.second].into_iter().flatten()
     }
+
+    /// Outward unit normal of the first body at a point of the path.
+    pub fn normal(&self, point: [f64; 2]) -> [f64; 2] {
+        let direction = self.path.direction(point);
+        if self.above { direction } else { direction.map(|n| 0.0 - n) }
+    }
+
+    /// Gap between a point of the first body and one of the second, as drawn \[mm\]; negative is interference.
+    pub fn drawn(&self, first: f64, second: f64) -> f64 {
+        if self.above { second - first } else { first - second }
+    }
 }
 
 impl Path {
@@ -120,6 +136,22 @@ impl Path {
         }
     }
 
+    /// How far a point lies along [`Path::direction`]: −y, or its distance from the arc's centre \[mm\].
+    pub fn depth(&self, point: [f64; 2]) -> f64 {
+        match self {
+            Self::Horizontal => -point[1],
+            Self::Arc(circle) => (point[0] - circle.centre[0]).hypot(point[1] - circle.centre[1]),
+        }
+    }
+
+    /// The depth of the path itself: 0, or the radius \[mm\].
+    pub fn own_depth(&self) -> f64 {
+        match self {
+            Self::Horizontal => 0.0,
+            Self::Arc(circle) => circle.radius,
+        }
+    }
+
     /// Cosine between the normals at two contact coordinates: 1 on a plane, `cos(s − s')` on an arc.
     pub fn alignment(&self, s: f64, other: f64) -> f64 {
         match self {
@@ -138,10 +170,12 @@ impl Path {
 }
 
 impl Profile {
-    /// Initial gap at the contact coordinate `s` \[mm\]; infinite where there is no other side.
+    /// Initial gap at the contact coordinate `s` \[mm\]; infinite where there is no other side, NaN where only the bodies'
+    /// meshes tell it.
     pub fn gap(&self, s: f64) -> f64 {
         match *self {
             Self::Uniform(gap) => gap,
+            Self::Drawn => f64::NAN,
             Self::Punch { half_width } if s <= half_width * (1.0 + 1e-9) => 0.0,
             Self::Punch { .. } => f64::INFINITY,
             Self::Circle { radius } => s * s / (radius + (radius * radius - s * s).sqrt()),

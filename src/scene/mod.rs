@@ -16,6 +16,7 @@ pub mod material;
 pub mod shape;
 pub mod variant;
 
+use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
@@ -23,7 +24,7 @@ use crate::error::Error;
 
 pub use contact_pair::{ContactPair, Path, Profile};
 pub use material::{Material, PlaneHypothesis};
-pub use shape::{Circle, Face, Grading, Shape};
+pub use shape::{BlockShape, Circle, Face, GivenMesh, Grading, Shape};
 
 /// A contact problem: everything that is asked, nothing about how it is solved.
 #[derive(Clone, Debug)]
@@ -64,11 +65,16 @@ pub struct Body {
     pub shape: Shape,
     /// Elastic constants.
     pub material: Material,
+    /// Candidate elements of this body over those of the mesh: 1 where the nodes of both bodies shall face one another.
+    pub density: f64,
     /// Prescribed displacements.
     pub supports: Vec<Support>,
     /// Loads.
     pub loads: Vec<Load>,
 }
+
+/// Name of a boundary: the shape's own, or one that a user gave.
+pub type BoundaryName = Cow<'static, str>;
 
 /// One displacement component prescribed on a boundary or at a point.
 #[derive(Clone, Debug)]
@@ -85,7 +91,7 @@ pub struct Support {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Place {
     /// Named boundary of the shape.
-    Boundary(&'static str),
+    Boundary(BoundaryName),
     /// The node at this point \[mm\].
     Point([f64; 2]),
 }
@@ -125,14 +131,14 @@ pub enum Load {
     /// Constant traction on a boundary \[MPa\].
     Traction {
         /// Boundary name.
-        boundary: &'static str,
+        boundary: BoundaryName,
         /// Traction vector \[MPa\].
         traction: [f64; 2],
     },
     /// Traction `t = σ n` of a given stress field on a boundary.
     Stress {
         /// Boundary name.
-        boundary: &'static str,
+        boundary: BoundaryName,
         /// The field.
         field: StressField,
     },
@@ -148,7 +154,7 @@ pub enum Load {
     /// A boundary that stays flat: one component is common to all its nodes and takes a total force.
     RigidFace {
         /// Boundary name.
-        boundary: &'static str,
+        boundary: BoundaryName,
         /// The component that stays common.
         component: Component,
         /// Total force in that direction on the modelled part \[N\].

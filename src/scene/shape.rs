@@ -3,6 +3,11 @@
 //! Angles are measured from the downward vertical, counter-clockwise positive:
 //! the point at angle `θ` and radius `r` about a centre `c` is `c + r (sin θ, −cos θ)`.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::scene::BoundaryName;
+
 /// Outline of a body; each names its boundaries.
 #[derive(Clone, Debug)]
 pub enum Shape {
@@ -17,7 +22,7 @@ pub enum Shape {
     },
     /// Part of a disc from its lowest point counter-clockwise; boundaries `axis` (x = centre), `cut` (the horizontal
     /// diameter, quarter only) and `contact` (the arc); a half disc also has `top` (its upper arc) and, inside it, the
-    /// line `middle` (its horizontal diameter).
+    /// line `middle` (its horizontal diameter). Turned over, it touches at its highest point.
     Disc {
         /// Centre \[mm\].
         centre: [f64; 2],
@@ -25,6 +30,8 @@ pub enum Shape {
         radius: f64,
         /// Half a disc instead of its lower quarter.
         half: bool,
+        /// The side that carries the contact: `Top` is the disc seen in a mirror on the horizontal through its centre.
+        contact: Face,
     },
     /// Part of a ring from the downward vertical; boundaries `start`, `end` (the straight sides), `inner`, `outer`;
     /// the side named in `contact` is called `contact` instead.
@@ -53,6 +60,36 @@ pub enum Shape {
         /// Height of the shank's flat end above the hole's centre \[mm\].
         shank_end: f64,
     },
+    /// Blocks that share whole sides; boundaries as they name them, one of them `contact`.
+    Blocks(Vec<BlockShape>),
+    /// A mesh made elsewhere; boundaries as it names them, one of them `contact`.
+    Given(Arc<GivenMesh>),
+}
+
+/// A block of four sides: bottom, right, top, left, counter-clockwise, the first from corner 0 to corner 1.
+#[derive(Clone, Debug)]
+pub struct BlockShape {
+    /// Corners, counter-clockwise \[mm\].
+    pub corners: [[f64; 2]; 4],
+    /// Centres of the sides that are arcs \[mm\].
+    pub arcs: [Option<[f64; 2]>; 4],
+    /// Names of the sides on boundaries.
+    pub names: [Option<BoundaryName>; 4],
+    /// Elements along bottom and top, and along left and right.
+    pub elements: [usize; 2],
+    /// Size ratio of neighbouring elements, from left to right and from bottom to top.
+    pub growth: [f64; 2],
+}
+
+/// Nodes, cells and boundaries of one body.
+#[derive(Clone, Debug)]
+pub struct GivenMesh {
+    /// Node positions \[mm\].
+    pub points: Vec<[f64; 2]>,
+    /// Four or eight nodes each: corners counter-clockwise, then mid-sides from the first edge on.
+    pub cells: Vec<Vec<usize>>,
+    /// Edges by boundary: first node, last node and, for 8-node cells, the mid-side node; the body lies to their left.
+    pub boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>>,
 }
 
 /// A circle.
@@ -92,14 +129,22 @@ pub struct Grading {
 
 impl Shape {
     /// Names of the boundaries that supports and loads may refer to.
-    pub fn boundaries(&self) -> &'static [&'static str] {
-        match self {
+    pub fn boundaries(&self) -> Vec<BoundaryName> {
+        let own: &[&'static str] = match self {
             Self::Rectangle { .. } => &["left", "right", "contact", "far"],
             Self::Disc { half: false, .. } => &["axis", "cut", "contact"],
             Self::Disc { half: true, .. } => &["axis", "contact", "top", "middle"],
             Self::Ring { .. } => &["start", "end", "inner", "outer", "contact"],
             Self::Eye { .. } => &["contact", "axis", "end"],
-        }
+            Self::Blocks(blocks) => {
+                let mut names: Vec<_> = blocks.iter().flat_map(|block| block.names.iter().flatten().cloned()).collect();
+                names.sort();
+                names.dedup();
+                return names;
+            }
+            Self::Given(mesh) => return mesh.boundaries.keys().cloned().collect(),
+        };
+        own.iter().map(|name| (*name).into()).collect()
     }
 }
 

@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::scene::{Body, Circle, Component, Load, Path, Place, Profile, Scene, Shape, StressField};
+use crate::scene::{
+    BlockShape, Body, Circle, Component, GivenMesh, Load, Path, Place, Profile, Scene, Shape, StressField,
+};
 
 /// Metres per millimetre.
 const METRE: f64 = 1e-3;
@@ -108,6 +110,7 @@ fn scaled_circle(circle: Circle, length: f64) -> Circle {
 fn scaled_profile(profile: Profile, length: f64) -> Profile {
     match profile {
         Profile::Uniform(gap) => Profile::Uniform(gap * length),
+        Profile::Drawn => Profile::Drawn,
         Profile::Punch { half_width } => Profile::Punch { half_width: half_width * length },
         Profile::Circle { radius } => Profile::Circle { radius: radius * length },
         Profile::Parabola { radius } => Profile::Parabola { radius: radius * length },
@@ -127,7 +130,9 @@ fn scaled_shape(shape: &Shape, length: f64) -> Shape {
     let scaled = |values: [f64; 2]| values.map(|x| x * length);
     match *shape {
         Shape::Rectangle { x, y, contact } => Shape::Rectangle { x: scaled(x), y: scaled(y), contact },
-        Shape::Disc { centre, radius, half } => Shape::Disc { centre: scaled(centre), radius: radius * length, half },
+        Shape::Disc { centre, radius, half, contact } => {
+            Shape::Disc { centre: scaled(centre), radius: radius * length, half, contact }
+        }
         Shape::Ring { pole, inner, outer, sweep, contact } => Shape::Ring {
             pole: scaled(pole),
             inner: scaled_circle(inner, length),
@@ -142,5 +147,17 @@ fn scaled_shape(shape: &Shape, length: f64) -> Shape {
             shank_half_width: shank_half_width * length,
             shank_end: shank_end * length,
         },
+        Shape::Blocks(ref blocks) => {
+            let each = blocks.iter().map(|block| BlockShape {
+                corners: block.corners.map(scaled),
+                arcs: block.arcs.map(|centre| centre.map(scaled)),
+                ..block.clone()
+            });
+            Shape::Blocks(each.collect())
+        }
+        Shape::Given(ref mesh) => {
+            let points = mesh.points.iter().copied().map(scaled).collect();
+            Shape::Given(Arc::new(GivenMesh { points, ..GivenMesh::clone(mesh) }))
+        }
     }
 }

@@ -305,7 +305,8 @@ fn distorted_patch_under_tractions_has_uniform_stress() {
             let mesh = distorted_patch(order);
             let [sx, sy, txy] = linear_stress(STEEL, plane);
             let loads = [("right", [sx, txy]), ("left", [-sx, -txy]), ("top", [txy, sy]), ("bottom", [-txy, -sy])];
-            let loads = loads.map(|(boundary, traction)| Load::Traction { boundary, traction }).to_vec();
+            let loads =
+                loads.map(|(boundary, traction)| Load::Traction { boundary: boundary.into(), traction }).to_vec();
             let corners = all_components(&[[0.0, 0.0]], linear);
             let supports =
                 corners.into_iter().chain([held_at([1.0, 0.0], Component::Y, linear([1.0, 0.0])[1])]).collect();
@@ -334,9 +335,9 @@ fn stress_field_load_is_the_traction_it_has_on_each_side() {
             ]
         };
         let tractions = [("right", [sx, txy]), ("left", [-sx, -txy]), ("top", [txy, sy]), ("bottom", [-txy, -sy])];
-        let loads = tractions.map(|(boundary, traction)| Load::Traction { boundary, traction });
+        let loads = tractions.map(|(boundary, traction)| Load::Traction { boundary: boundary.into(), traction });
         let field = StressField(Arc::new(move |_| [sx, sy, txy]));
-        let fields = tractions.map(|(boundary, _)| Load::Stress { boundary, field: field.clone() });
+        let fields = tractions.map(|(boundary, _)| Load::Stress { boundary: boundary.into(), field: field.clone() });
 
         let force = |loads: Vec<Load>| {
             let scene = patch_scene(PlaneHypothesis::Strain, supports(), loads);
@@ -358,8 +359,9 @@ fn eight_node_rectangles_reproduce_pure_bending() {
     let mut scene = block([4.0, 2.0], vec![], vec![]);
     scene.plane = PlaneHypothesis::Stress;
     let field = StressField(Arc::new(|[_, y]| [40.0 * y, 0.0, 0.0]));
-    scene.bodies[0].loads =
-        ["left", "right", "contact", "far"].map(|boundary| Load::Stress { boundary, field: field.clone() }).to_vec();
+    scene.bodies[0].loads = ["left", "right", "contact", "far"]
+        .map(|boundary| Load::Stress { boundary: boundary.into(), field: field.clone() })
+        .to_vec();
     let mut mesh = Mesh::of(&scene, resolution(3, 0, Order::Quadratic)).expect("mesh");
     mesh.bodies[0].candidates.clear();
     scene.bodies[0].supports = all_components(&[[0.0, 0.0]], bending);
@@ -405,7 +407,7 @@ fn loaded(load: Load, order: Order) -> (Scene, Mesh) {
 fn loads_have_their_resultant_and_their_moment() {
     let (t, width, height) = (2.5, 4.0, 3.0);
     for order in ORDERS {
-        let traction = Load::Traction { boundary: "far", traction: [2.0, -7.0] };
+        let traction = Load::Traction { boundary: "far".into(), traction: [2.0, -7.0] };
         let (scene, mesh) = loaded(traction, order);
         let [fx, fy] = [2.0 * width * t, -7.0 * width * t];
         assert!(distance(&resultant(&scene, &mesh), &[fx, fy, 0.5 * width * fy - height * fx]) <= 1e-12 * 200.0);
@@ -414,7 +416,7 @@ fn loads_have_their_resultant_and_their_moment() {
         assert!(distance(&resultant(&scene, &mesh), &[5.0, 6.0, 4.0 * 6.0 - 3.0 * 5.0]) <= 1e-13 * 200.0);
 
         let pull = StressField(Arc::new(|[_, y]| [y * y, 0.0, 3.0]));
-        let (scene, mesh) = loaded(Load::Stress { boundary: "right", field: pull }, order);
+        let (scene, mesh) = loaded(Load::Stress { boundary: "right".into(), field: pull }, order);
         // ∫ y² = H³/3 and its moment −∫ y³ = −H⁴/4; shear 3 H at x = 4.
         let wanted = [9.0 * t, 9.0 * t, t * (4.0 * 9.0 - 81.0 / 4.0)];
         assert!(distance(&resultant(&scene, &mesh), &wanted) <= 1e-12 * 200.0);
@@ -438,7 +440,7 @@ fn body_force_has_the_weight_of_the_body_as_its_resultant() {
 
 #[test]
 fn traction_on_a_straight_quadratic_edge_is_shared_one_four_one() {
-    let (scene, mesh) = loaded(Load::Traction { boundary: "far", traction: [0.0, -6.0] }, Order::Quadratic);
+    let (scene, mesh) = loaded(Load::Traction { boundary: "far".into(), traction: [0.0, -6.0] }, Order::Quadratic);
     let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
     let edge = &mesh.boundary(&scene, 0, "far").expect("far")[0];
     let on = |node: usize| match system.bodies[0].freedoms.of_node(node)[1] {
@@ -456,7 +458,7 @@ fn hydrostatic_pressure_on_a_curved_boundary_is_in_balance_with_its_projections(
     let scene = Cylinder::default().scene();
     let mut scene = Scene { thickness: 2.0, ..scene };
     let field = StressField(Arc::new(|_| [-1.0, -1.0, 0.0]));
-    scene.bodies[0].loads = vec![Load::Stress { boundary: "contact", field }];
+    scene.bodies[0].loads = vec![Load::Stress { boundary: "contact".into(), field }];
     let mesh = Mesh::of(&scene, resolution(4, 0, Order::Quadratic)).expect("mesh");
     let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
     // Pressure on the lower quarter pushes upwards with p R t whatever the shape between its ends.
@@ -465,7 +467,7 @@ fn hydrostatic_pressure_on_a_curved_boundary_is_in_balance_with_its_projections(
 
 #[test]
 fn stiffness_and_surface_loads_are_proportional_to_thickness() {
-    let (thin, mesh) = loaded(Load::Traction { boundary: "far", traction: [2.0, -7.0] }, Order::Quadratic);
+    let (thin, mesh) = loaded(Load::Traction { boundary: "far".into(), traction: [2.0, -7.0] }, Order::Quadratic);
     let thick = Scene { thickness: 3.0 * thin.thickness, ..thin.clone() };
     let [one, three] = [&thin, &thick].map(|scene| ElasticSystem::assemble(scene, &mesh).expect("system"));
     let (one, three) = (&one.bodies[0], &three.bodies[0]);
@@ -481,7 +483,8 @@ fn bar_in_plane_stress_and_in_plane_strain_shorten_by_their_own_moduli() {
     let (q, height) = (21.0, 3.0);
     for (plane, modulus) in [(PlaneHypothesis::Stress, 210e3), (PlaneHypothesis::Strain, 210e3 / (1.0 - 0.09))] {
         let supports = vec![held("left", Component::X, 0.0), held("contact", Component::Y, 0.0)];
-        let mut scene = block([4.0, height], supports, vec![Load::Traction { boundary: "far", traction: [0.0, -q] }]);
+        let mut scene =
+            block([4.0, height], supports, vec![Load::Traction { boundary: "far".into(), traction: [0.0, -q] }]);
         scene.plane = plane;
         let mut mesh = Mesh::of(&scene, resolution(2, 0, Order::Quadratic)).expect("mesh");
         mesh.bodies[0].candidates.clear();
@@ -520,8 +523,8 @@ fn frames_along_the_contact_normals_leave_the_solution_unchanged() {
     };
     let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 1e-3)];
     let loads = vec![
-        Load::Traction { boundary: "outer", traction: [30.0, -20.0] },
-        Load::Traction { boundary: "contact", traction: [5.0, 8.0] },
+        Load::Traction { boundary: "outer".into(), traction: [30.0, -20.0] },
+        Load::Traction { boundary: "contact".into(), traction: [5.0, 8.0] },
         Load::BodyForce([1.0, 2.0]),
     ];
     for order in ORDERS {
@@ -586,7 +589,7 @@ fn tangent_is_the_normal_turned_counter_clockwise() {
 fn rigid_face_stays_flat_and_takes_the_whole_force() {
     let supports = vec![held("left", Component::X, 0.0), held("contact", Component::Y, 0.0)];
     let loads = vec![
-        Load::RigidFace { boundary: "far", component: Component::Y, force: -50.0 },
+        Load::RigidFace { boundary: "far".into(), component: Component::Y, force: -50.0 },
         Load::Force { at: [4.0, 3.0], force: [0.0, -7.0] },
     ];
     for order in ORDERS {
@@ -595,7 +598,7 @@ fn rigid_face_stays_flat_and_takes_the_whole_force() {
         mesh.bodies[0].candidates.clear();
         let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
         let u = system.nodal_displacements(&[solved(&system.bodies[0])]);
-        let far = mesh.nodes_at(&scene, 0, &contact_vv::scene::Place::Boundary("far")).expect("far");
+        let far = mesh.nodes_at(&scene, 0, &contact_vv::scene::Place::Boundary("far".into())).expect("far");
 
         let common = u[far[0]][1];
         assert!(common < 0.0);
@@ -615,7 +618,7 @@ fn rigid_face_stays_flat_and_takes_the_whole_force() {
         let body = &ElasticSystem::assemble(&free, &with_candidates).expect("system").bodies[0];
         let internal = internal_forces(body, &u);
         let reaction: f64 = mesh
-            .nodes_at(&scene, 0, &contact_vv::scene::Place::Boundary("contact"))
+            .nodes_at(&scene, 0, &contact_vv::scene::Place::Boundary("contact".into()))
             .expect("contact")
             .iter()
             .map(|&n| internal[n][1])
@@ -689,11 +692,11 @@ fn any_load_and_support_told_differently_moves_the_nodes_the_same() {
         held_at([2.0, 0.0], Component::X, 0.015),
     ];
     let loads = vec![
-        Load::Traction { boundary: "far", traction: [3.0, -2.0] },
-        Load::Stress { boundary: "right", field },
+        Load::Traction { boundary: "far".into(), traction: [3.0, -2.0] },
+        Load::Stress { boundary: "right".into(), field },
         Load::BodyForce([1.0, 2.0]),
         Load::Force { at: [4.0, 3.0], force: [50.0, 60.0] },
-        Load::RigidFace { boundary: "right", component: Component::X, force: 70.0 },
+        Load::RigidFace { boundary: "right".into(), component: Component::X, force: 70.0 },
     ];
     let mut scene = block([4.0, 3.0], supports, loads);
     // Candidates end before the rigid face.
@@ -752,7 +755,7 @@ fn prescribed_displacement_along_a_normal_that_points_downwards_keeps_its_sign()
         let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
         let zeros = vec![0.0; system.bodies[0].freedoms.equations];
         let u = system.nodal_displacements(&[zeros]);
-        for node in mesh.nodes_at(&scene, 0, &contact_vv::scene::Place::Boundary("end")).expect("end") {
+        for node in mesh.nodes_at(&scene, 0, &contact_vv::scene::Place::Boundary("end".into())).expect("end") {
             assert_relative_eq!(u[node][1], 0.01, max_relative = 1e-14);
         }
     }
@@ -771,7 +774,7 @@ fn thick_ring_under_internal_pressure_follows_lame() {
         Path::Arc(circle(a)),
         FRAC_PI_2,
         supports,
-        vec![Load::Stress { boundary: "contact", field: pressure }],
+        vec![Load::Stress { boundary: "contact".into(), field: pressure }],
     );
     let mesh = Mesh::of(&scene, resolution(16, 0, Order::Quadratic)).expect("mesh");
     let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
@@ -789,7 +792,7 @@ fn thick_ring_under_internal_pressure_follows_lame() {
 
 #[test]
 fn scaling_every_cell_scales_the_matrix() {
-    let (scene, mesh) = loaded(Load::Traction { boundary: "far", traction: [2.0, -7.0] }, Order::Linear);
+    let (scene, mesh) = loaded(Load::Traction { boundary: "far".into(), traction: [2.0, -7.0] }, Order::Linear);
     let plain = ElasticSystem::assemble(&scene, &mesh).expect("system");
     let doubled = ElasticSystem::assemble_scaled(&scene, &mesh, &|_| 2.0).expect("system");
     let [one, two] = [&plain, &doubled].map(|system| dense(&system.bodies[0]));

@@ -82,9 +82,12 @@ fn resolution_out_of_range_is_refused() {
 #[test]
 fn boundary_that_does_not_exist_is_refused_with_those_that_do() {
     let loads = [
-        Load::Traction { boundary: "roof", traction: [0.0; 2] },
-        Load::Stress { boundary: "roof", field: contact_vv::scene::StressField(std::sync::Arc::new(|_| [0.0; 3])) },
-        Load::RigidFace { boundary: "roof", component: Component::Y, force: 1.0 },
+        Load::Traction { boundary: "roof".into(), traction: [0.0; 2] },
+        Load::Stress {
+            boundary: "roof".into(),
+            field: contact_vv::scene::StressField(std::sync::Arc::new(|_| [0.0; 3])),
+        },
+        Load::RigidFace { boundary: "roof".into(), component: Component::Y, force: 1.0 },
     ];
     let mut scenes = vec![block([4.0, 3.0], vec![held("roof", Component::X, 0.0)], vec![])];
     scenes.extend(loads.map(|load| block([4.0, 3.0], vec![held("left", Component::X, 0.0)], vec![load])));
@@ -112,7 +115,11 @@ fn node_that_does_not_exist_is_refused_with_its_coordinates() {
 fn support_across_a_contact_normal_is_refused() {
     let normal = block([4.0, 3.0], vec![held("left", Component::X, 0.0), held("contact", Component::Y, 0.0)], vec![]);
     let mut oblique = PinRod::default().scene();
-    oblique.bodies[0].supports.push(Support { at: Place::Boundary("contact"), component: Component::X, value: 0.0 });
+    oblique.bodies[0].supports.push(Support {
+        at: Place::Boundary("contact".into()),
+        component: Component::X,
+        value: 0.0,
+    });
     for (scene, body, component) in [(normal, "`body`", "`normal`"), (oblique, "`pin`", "`x`")] {
         let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
         let error = ElasticSystem::assemble(&scene, &mesh).expect_err("support meets the contact normal");
@@ -123,7 +130,7 @@ fn support_across_a_contact_normal_is_refused() {
 #[test]
 fn rigid_face_that_meets_the_contact_is_refused() {
     // The corner belongs to both: its frame follows the contact normal, the face's common freedom the x axis.
-    let face = vec![Load::RigidFace { boundary: "right", component: Component::X, force: 1.0 }];
+    let face = vec![Load::RigidFace { boundary: "right".into(), component: Component::X, force: 1.0 }];
     let scene = block([4.0, 3.0], vec![held("left", Component::X, 0.0)], face);
     let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
     let error = ElasticSystem::assemble(&scene, &mesh).expect_err("face and contact share a node");
@@ -226,9 +233,9 @@ fn bodies_pulled_apart_are_named_on_every_mesh() {
     // What is left of the rigid motion's stiffness is round-off of either sign; neither may pass for a support.
     for elements in [1, 2, 4, 8, 12] {
         let mut cylinder = Cylinder::default().scene();
-        cylinder.bodies[0].loads = vec![Load::Traction { boundary: "cut", traction: [0.0, 5.0] }];
+        cylinder.bodies[0].loads = vec![Load::Traction { boundary: "cut".into(), traction: [0.0, 5.0] }];
         let mut punch = FlatPunch::default().scene();
-        punch.bodies[0].loads = vec![Load::Traction { boundary: "far", traction: [0.0, 5.0] }];
+        punch.bodies[0].loads = vec![Load::Traction { boundary: "far".into(), traction: [0.0, 5.0] }];
         for (scene, body) in [(cylinder, "`cylinder`"), (punch, "`block`")] {
             let sample = Discretisation::of(scene, resolution(elements, 0, Order::Quadratic)).expect("discretisation");
             let solution = sample.solve(&Formulation::verification()).map(|solution| solution.outcome);

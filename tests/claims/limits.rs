@@ -227,7 +227,7 @@ fn shaken_mesh_moves_inner_nodes_only_and_keeps_edges_straight() {
 #[test]
 fn every_limit_gives_one_full_row_of_the_summary_and_passes() {
     let trials = limits::trials();
-    assert_eq!(trials.len(), 13);
+    assert_eq!(trials.len(), 14);
     for trial in trials {
         let finding = trial.run().unwrap_or_else(|error| panic!("{}: {error}", trial.title()));
         let summaries: Vec<_> = finding.tables.iter().filter(|table| table.title == limits::SUMMARY).collect();

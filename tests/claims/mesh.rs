@@ -37,6 +37,7 @@ fn exact_area(shape: &Shape) -> f64 {
             let below_arc = 0.5 * (w * (r * r - w * w).sqrt() + r * r * (w / r).asin());
             FRAC_PI_2 * (r * r - hole.radius.powi(2)) + w * shank_end - below_arc
         }
+        Shape::Blocks(_) | Shape::Given(_) => unreachable!("no shape of the library"),
     }
 }
 
@@ -54,6 +55,7 @@ fn exact_perimeter(shape: &Shape) -> f64 {
             let straight = (r - hole.radius) + (shank_end - hole.radius) + w + (shank_end - (r * r - w * w).sqrt());
             PI * hole.radius + (PI - (w / r).asin()) * r + straight
         }
+        Shape::Blocks(_) | Shape::Given(_) => unreachable!("no shape of the library"),
     }
 }
 
@@ -183,6 +185,7 @@ fn size(shape: &Shape) -> f64 {
         Shape::Disc { radius, .. } => *radius,
         Shape::Ring { outer, .. } => outer.radius,
         Shape::Eye { shank_end, .. } => *shank_end,
+        Shape::Blocks(_) | Shape::Given(_) => unreachable!("no shape of the library"),
     }
 }
 
@@ -200,7 +203,7 @@ fn distance_from(shape: &Shape, name: &str, [x, y]: [f64; 2]) -> f64 {
         (Shape::Disc { centre, .. }, "axis") => (x - centre[0]).abs(),
         (Shape::Disc { centre, half: false, .. }, "cut") => (y - centre[1]).abs(),
         (Shape::Disc { centre, radius, .. }, "contact") if y <= centre[1] + 1e-9 => circle(*centre, *radius),
-        (Shape::Disc { centre, radius, half: true }, "top") if y >= centre[1] - 1e-9 => circle(*centre, *radius),
+        (Shape::Disc { centre, radius, half: true, .. }, "top") if y >= centre[1] - 1e-9 => circle(*centre, *radius),
         (Shape::Ring { .. }, "start") => x.abs() + y.max(0.0),
         (Shape::Ring { pole, sweep, .. }, "end") => {
             let (sin, cos) = sweep.sin_cos();

@@ -54,9 +54,10 @@ pub fn of_shape(shape: Shape, path: Path, stretch: f64, supports: Vec<Support>, 
         name: "sample".into(),
         plane: PlaneHypothesis::Strain,
         thickness: 2.5,
-        bodies: vec![Body { name: "body".into(), shape, material: STEEL, supports, loads }],
+        bodies: vec![Body { name: "body".into(), shape, material: STEEL, density: 1.0, supports, loads }],
         contact: ContactPair {
             first: 0,
+            above: true,
             second: None,
             path,
             profile: Profile::Uniform(0.0),
@@ -69,7 +70,7 @@ pub fn of_shape(shape: Shape, path: Path, stretch: f64, supports: Vec<Support>, 
 }
 
 pub fn held(boundary: &'static str, component: Component, value: f64) -> Support {
-    Support { at: Place::Boundary(boundary), component, value }
+    Support { at: Place::Boundary(boundary.into()), component, value }
 }
 
 pub fn held_at(point: [f64; 2], component: Component, value: f64) -> Support {
@@ -101,8 +102,8 @@ pub fn distorted_patch(order: Order) -> Mesh {
         edge.extend(mids.get(&[a.min(b), a.max(b)]));
         vec![edge]
     };
-    let boundaries =
-        BTreeMap::from([("bottom", side(0, 1)), ("right", side(1, 2)), ("top", side(2, 3)), ("left", side(3, 0))]);
+    let boundaries = [("bottom", side(0, 1)), ("right", side(1, 2)), ("top", side(2, 3)), ("left", side(3, 0))];
+    let boundaries = boundaries.map(|(name, edges)| (name.into(), edges)).into();
     let body =
         BodyMesh { nodes: 0..points.len(), cells: 0..5, boundaries, lines: Default::default(), candidates: Vec::new() };
     Mesh { order, points, connectivity, bodies: vec![body] }

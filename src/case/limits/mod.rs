@@ -7,9 +7,11 @@
 //! * `surfaces` — candidates that end too early, bodies that do.
 //! * `cells` — near incompressibility, distorted cells.
 //! * `interface` — unequal sizes on the two sides.
+//! * `facing` — nodes that do not face one another.
 //! * `theory` — a/R, where it is the reference that fails.
 
 mod cells;
+mod facing;
 mod interface;
 mod loads;
 mod points;
@@ -41,7 +43,7 @@ type Row = (&'static str, fn() -> Result<Finding, Error>);
 
 /// Trials, one for each row.
 pub fn trials() -> Vec<Trial> {
-    let rows: [Row; 13] = [
+    let rows: [Row; 14] = [
         ("three Gauss points", points::three_gauss_points),
         ("spring stiffness", springs::stiffness),
         ("held by contact alone", loads::pulled_apart),
@@ -52,6 +54,7 @@ pub fn trials() -> Vec<Trial> {
         ("near incompressibility", cells::incompressible),
         ("distorted cells", cells::distorted),
         ("element sizes across the interface", interface::across),
+        ("nodes that do not face", facing::across),
         ("layer thickness", rules::layer_thickness),
         ("a/R", theory::large_contact),
         ("cycling", rules::cycling),

@@ -142,6 +142,6 @@ fn pressed(factor: f64) -> Result<(Run, f64, f64), Error> {
     let numbers = TruncatedHertz { size: 2.0, stretch: 2.0, ..Default::default() };
     let (load, width) = (factor * numbers.load(), 2.0 * numbers.half_width());
     let (mut scene, _, _) = problem::truncated_hertz(numbers);
-    scene.bodies[0].loads = vec![Load::Traction { boundary: "far", traction: [0.0, -0.5 * load / width] }];
+    scene.bodies[0].loads = vec![Load::Traction { boundary: "far".into(), traction: [0.0, -0.5 * load / width] }];
     Ok((verified(&meshed(scene, 8, Order::Quadratic)?)?, load, width))
 }

@@ -4,6 +4,7 @@ mod wanted;
 
 use std::fs::File;
 use std::io::Read;
+use std::ops::Range;
 use std::path::Path;
 
 use serde::Deserialize;
@@ -22,6 +23,7 @@ use crate::mesh::{Order, Resolution};
 use crate::scene::file::tables::{BodyTable, ContactTable, GrowthTable, Name, Number, ReferenceTable, UnitsTable};
 use crate::scene::file::units::Units;
 use crate::scene::file::{Source, Tables};
+use crate::scene::{Scene, Shape};
 
 use wanted::{CheckTable, Wanted};
 
@@ -48,19 +50,19 @@ struct Document {
     body: Spanned<Vec<BodyTable>>,
     contact: ContactTable,
     reference: Option<ReferenceTable>,
-    mesh: MeshTable,
+    mesh: Option<Spanned<MeshTable>>,
     #[serde(default)]
     solve: SolveTable,
     #[serde(default)]
     check: Vec<CheckTable>,
 }
 
-/// `[mesh]`: `elements` of the candidate stretch on every length `per`.
-#[derive(Debug, Deserialize)]
+/// `[mesh]`: `elements` of the candidate stretch on every length `per`; bodies that bring their mesh need neither.
+#[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct MeshTable {
-    elements: Spanned<usize>,
-    per: Number,
+    elements: Option<Spanned<usize>>,
+    per: Option<Number>,
     order: Option<Spanned<u8>>,
     growth: Option<GrowthTable>,
 }
@@ -148,6 +150,9 @@ impl Document {
         if bodies.is_empty() {
             return Err(source.refused(self.body.span(), "there is no body", "add one as [[body]]"));
         }
+        let none = MeshTable::default();
+        let mesh = self.mesh.as_ref().map_or(&none, Spanned::get_ref);
+        let place = self.mesh.as_ref().map_or_else(|| self.body.span(), Spanned::span);
         let tables = Tables {
             name: &name,
             units,
@@ -156,13 +161,14 @@ impl Document {
             bodies,
             contact: &self.contact,
             reference: self.reference.as_ref(),
-            per: &self.mesh.per,
-            growth: self.mesh.growth.as_ref(),
+            per: mesh.per.as_ref(),
+            growth: mesh.growth.as_ref(),
         };
         let scene = tables.scene(source)?;
-        let resolution = self.mesh.resolution(source)?;
+        let resolution = mesh.resolution(source, &scene, &place)?;
         if let Err((message, remedy)) = solvable(&scene, resolution) {
-            return Err(source.refused(self.mesh.elements.span(), message, remedy));
+            let place = mesh.elements.as_ref().map_or(place, Spanned::span);
+            return Err(source.refused(place, message, remedy));
         }
         let formulation = self.solve.formulation(source)?;
         let factor = display_factor(&scene.contact.path);
@@ -175,20 +181,50 @@ impl Document {
 }
 
 impl MeshTable {
-    fn resolution(&self, source: Source) -> Result<Resolution, Error> {
-        let elements = *self.elements.get_ref();
-        if !(1..=4096).contains(&elements) {
-            let message = format!("`elements` is {elements}");
-            return Err(source.refused(self.elements.span(), message, "give 1 to 4096; 8 to 32 are usual"));
+    /// Elements, refinement and order; `place` is that of the table.
+    fn resolution(&self, source: Source, scene: &Scene, place: &Range<usize>) -> Result<Resolution, Error> {
+        let own = scene.bodies.iter().filter_map(|body| match &body.shape {
+            Shape::Given(mesh) => Some(mesh.order()),
+            _ => None,
+        });
+        let own: Vec<Order> = own.collect();
+        let brought = |shape: &Shape| matches!(shape, Shape::Given(_) | Shape::Blocks(_));
+        let structured = scene.bodies.iter().any(|body| !brought(&body.shape));
+        let elements = match &self.elements {
+            Some(elements) if !(1..=4096).contains(elements.get_ref()) => {
+                let message = format!("`elements` is {}", elements.get_ref());
+                return Err(source.refused(elements.span(), message, "give 1 to 4096; 8 to 32 are usual"));
+            }
+            Some(elements) => *elements.get_ref(),
+            None if structured => {
+                let remedy = "add `elements` and `per` under [mesh]: so many candidate elements on so long a stretch";
+                return Err(source.refused(place.clone(), "`elements` is missing", remedy));
+            }
+            None => 1,
+        };
+        if structured && self.per.is_none() {
+            let remedy = "add the length that holds the `elements`; tests/scenes/README.md describes every key";
+            return Err(source.refused(place.clone(), "`per` is missing", remedy));
         }
         let order = match self.order.as_ref().map(|order| (*order.get_ref(), order.span())) {
             Some((1, _)) => Order::Linear,
-            Some((2, _)) | None => Order::Quadratic,
+            Some((2, _)) => Order::Quadratic,
+            None => own.first().copied().unwrap_or(Order::Quadratic),
             Some((other, place)) => {
                 let remedy = "give 1 for 4-node or 2 for 8-node cells";
                 return Err(source.refused(place, format!("`order` is {other}"), remedy));
             }
         };
+        if let Some(other) = own.iter().find(|own| **own != order) {
+            let message =
+                format!("a mesh has cells of {} nodes, others have {}", other.nodes_per_cell(), order.nodes_per_cell());
+            let place = self.order.as_ref().map_or(place.clone(), Spanned::span);
+            return Err(source.refused(
+                place,
+                message,
+                "mesh all bodies with one order, and leave `order` out or give the same",
+            ));
+        }
         Ok(Resolution { elements, refinement: 0, order })
     }
 }

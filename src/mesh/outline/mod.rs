@@ -1,5 +1,6 @@
 //! From outlines to structured blocks: one file per shape.
 
+mod blocks;
 mod disc;
 mod eye;
 mod rectangle;
@@ -8,7 +9,7 @@ mod ring;
 use crate::mesh::Resolution;
 use crate::mesh::block::{Block, Point};
 use crate::mesh::spacing;
-use crate::scene::{Grading, Path, Scene, Shape};
+use crate::scene::{Face, Grading, Path, Scene, Shape};
 
 /// What the outlines need to know of the scene: where the candidates end and how fine they are.
 pub(crate) struct Layout<'a> {
@@ -17,18 +18,18 @@ pub(crate) struct Layout<'a> {
     /// Candidate stretch in the contact coordinate.
     pub stretch: f64,
     /// Elements per grading unit before refinement.
-    pub elements: usize,
+    pub elements: f64,
     /// Times the whole mesh is halved.
     pub refinement: u32,
 }
 
 impl<'a> Layout<'a> {
-    pub fn new(scene: &'a Scene, resolution: Resolution) -> Self {
+    pub fn new(scene: &'a Scene, resolution: Resolution, density: f64) -> Self {
         Self {
             grading: &scene.grading,
             path: &scene.contact.path,
             stretch: scene.contact.stretch,
-            elements: resolution.elements,
+            elements: resolution.elements as f64 * density,
             refinement: resolution.refinement,
         }
     }
@@ -37,18 +38,23 @@ impl<'a> Layout<'a> {
     pub fn blocks(&self, shape: &Shape) -> Vec<Block> {
         match shape {
             Shape::Rectangle { x, y, contact } => rectangle::blocks(self, *x, *y, *contact),
-            Shape::Disc { centre, radius, half } => disc::blocks(self, *centre, *radius, *half),
+            Shape::Disc { centre, radius, half, contact: Face::Bottom } => disc::blocks(self, *centre, *radius, *half),
+            Shape::Disc { centre, radius, half, contact: Face::Top } => {
+                disc::blocks(self, *centre, *radius, *half).iter().map(|block| block.turned_over(centre[1])).collect()
+            }
             Shape::Ring { pole, inner, outer, sweep, contact } => {
                 ring::blocks(self, *pole, [*inner, *outer], *sweep, *contact)
             }
             Shape::Eye { .. } => eye::blocks(self, shape),
+            Shape::Blocks(shapes) => blocks::blocks(self, shapes),
+            Shape::Given(_) => Vec::new(),
         }
     }
 
     /// Stations of the candidate stretch in the contact coordinate.
     fn candidates(&self) -> Vec<f64> {
         let length = self.stretch * self.path.metric();
-        let n = (self.elements as f64 * length / self.grading.unit).round().max(1.0) as usize;
+        let n = (self.elements * length / self.grading.unit).round().max(1.0) as usize;
         spacing::stretched(0.0, self.stretch, n, self.grading.end)
     }
 

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use toml::Spanned;
 
 use crate::error::Error;
-use crate::scene::file::Source;
 use crate::scene::file::tables::{BodyTable, LawTable, LoadTable, PlaceTable, RingTable, ShapeTable, SupportTable};
 use crate::scene::file::units::Units;
+use crate::scene::file::{Source, blocks, gmsh};
 use crate::scene::{
-    Body, Circle, Component, Face, Load, Material, Place, PlaneHypothesis, Shape, StressField, Support,
+    Body, BoundaryName, Circle, Component, Face, Load, Material, Place, PlaneHypothesis, Shape, StressField, Support,
 };
 
 /// A body with its supports and loads.
@@ -21,6 +21,7 @@ pub fn body(source: Source, units: &Units, plane: PlaneHypothesis, table: &BodyT
     Ok(Body {
         name: table.name.get_ref().clone(),
         material: material(source, units, plane, table)?,
+        density: density(source, table)?,
         supports: supports.collect::<Result<_, _>>()?,
         loads: loads.collect::<Result<_, _>>()?,
         shape,
@@ -76,6 +77,12 @@ fn material(source: Source, units: &Units, plane: PlaneHypothesis, table: &BodyT
     Ok(Material { young: units.stress * source.positive("young", &table.young)?, poisson })
 }
 
+fn density(source: Source, table: &BodyTable) -> Result<f64, Error> {
+    let expected = "a number from 0.05 to 20: elements of this body over those of the mesh";
+    let within = |x: f64| (0.05..=20.0).contains(&x);
+    table.density.as_ref().map_or(Ok(1.0), |density| source.number("density", density, expected, within))
+}
+
 fn shape(source: Source, units: &Units, table: &Spanned<ShapeTable>) -> Result<Shape, Error> {
     let span = table.span();
     let length = |pair: [f64; 2]| pair.map(|x| units.length * x);
@@ -92,8 +99,14 @@ fn shape(source: Source, units: &Units, table: &Spanned<ShapeTable>) -> Result<S
             centre: length(source.pair("centre", &table.centre)?),
             radius: units.length * source.positive("radius", &table.radius)?,
             half: table.half,
+            contact: match &table.contact {
+                Some(side) => source.choice("side of a disc", side, &[("bottom", Face::Bottom), ("top", Face::Top)])?,
+                None => Face::Bottom,
+            },
         },
         ShapeTable::Ring(table) => ring(source, units, table)?,
+        ShapeTable::Blocks(tables) => blocks::shape(source, units, span, tables)?,
+        ShapeTable::Gmsh(table) => gmsh::shape(source, units, table)?,
     })
 }
 
@@ -118,9 +131,10 @@ fn component(source: Source, name: &Spanned<String>) -> Result<Component, Error>
 }
 
 /// A boundary that the shape has.
-fn boundary(source: Source, shape: &Shape, name: &Spanned<String>) -> Result<&'static str, Error> {
-    let known: Vec<_> = shape.boundaries().iter().map(|name| (*name, *name)).collect();
-    source.choice("boundary", name, &known)
+fn boundary(source: Source, shape: &Shape, name: &Spanned<String>) -> Result<BoundaryName, Error> {
+    let boundaries = shape.boundaries();
+    let known: Vec<_> = boundaries.iter().enumerate().map(|(k, name)| (name.as_ref(), k)).collect();
+    Ok(boundaries[source.choice("boundary", name, &known)?].clone())
 }
 
 fn support(source: Source, units: &Units, shape: &Shape, table: &SupportTable) -> Result<Support, Error> {

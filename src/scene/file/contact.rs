@@ -51,26 +51,72 @@ pub fn pair(
     let profile = profile(source, units, &table.gap)?;
     refuse_strange_gap(source, &path, &profile, &table.gap)?;
     let facing = [Some((first, &table.first)), second.zip(table.second.as_ref())];
+    let mut sides = Vec::new();
     for (k, (body, name)) in facing.into_iter().flatten().enumerate() {
-        let side = Side::of(&bodies[body].shape);
+        let side = Side::of(&bodies[body].shape, &path, stretch);
         side.refuse_misfit(source, name, &path, &profile, k == 0)?;
         side.refuse_short(source, units, name, &path, (stretch, &table.stretch))?;
+        sides.push(side);
     }
+    let above = looks_down(source, table, &sides)?;
     if let Profile::Circle { radius } = profile
         && stretch >= radius
     {
         return Err(source.refused(table.gap.span(), "the circle ends before the candidates do", "shorten `stretch`"));
     }
-    Ok(ContactPair { first, second, path, profile, stretch, symmetric: table.symmetric.unwrap_or(true) })
+    if matches!(profile, Profile::Hole { .. }) && !above {
+        let message = format!("`{}` is the hole, and a gap `hole` is measured on the pin", table.first.get_ref());
+        return Err(source.refused(table.first.span(), message, "name the pin as `first`"));
+    }
+    let pair = ContactPair { first, above, second, path, profile, stretch, symmetric: table.symmetric.unwrap_or(true) };
+    refuse_overlap(source, units, table, &pair, &sides)?;
+    Ok(pair)
 }
+
+/// Whether the first body is the upper or inner one; refuses two sides that look the same way.
+fn looks_down(source: Source, table: &ContactTable, sides: &[Side]) -> Result<bool, Error> {
+    let down = |k: usize| sides.get(k).and_then(|side| side.outward);
+    match (down(0), down(1), &table.second) {
+        (Some(first), Some(second), Some(name)) if first == second => {
+            let way = if first { "down, or outwards" } else { "up, or inwards" };
+            let message =
+                format!("the contact sides of `{}` and `{}` both look {way}", table.first.get_ref(), name.get_ref());
+            Err(source.refused(name.span(), message, "let one look down (or outwards) and the other up (or inwards)"))
+        }
+        (first, ..) => Ok(first.unwrap_or(true)),
+    }
+}
+
+/// Refuses bodies that are drawn into one another, deeper than an interference goes.
+fn refuse_overlap(
+    source: Source,
+    units: &Units,
+    table: &ContactTable,
+    pair: &ContactPair,
+    sides: &[Side],
+) -> Result<(), Error> {
+    if !matches!(pair.profile, Profile::Drawn) {
+        return Ok(());
+    }
+    let depth = |k: usize| sides.get(k).map_or(pair.path.own_depth(), |side| side.depth(&pair.path));
+    let gap = pair.drawn(depth(0), depth(1));
+    if gap < -DEEPEST * pair.stretch * pair.path.metric() {
+        let message = format!("the bodies overlap by {} at s = 0", -gap / units.length);
+        return Err(source.refused(table.gap.span(), message, "move them apart; a small interference may be drawn"));
+    }
+    Ok(())
+}
+
+/// Deepest interference that may be drawn, over the length of the stretch.
+const DEEPEST: f64 = 0.1;
 
 /// Refuses gaps that are functions of a length on an arc, and of an angle on a line.
 fn refuse_strange_gap(source: Source, path: &Path, profile: &Profile, gap: &Spanned<GapTable>) -> Result<(), Error> {
     let remedy = match (path, profile) {
-        (Path::Arc(_), Profile::Uniform(_)) => return Ok(()),
+        (_, Profile::Drawn) | (Path::Arc(_), Profile::Uniform(_)) => return Ok(()),
         (Path::Arc(arc), Profile::Hole { radius, .. }) if (radius / arc.radius - 1.0).abs() <= 1e-9 => return Ok(()),
         (Path::Arc(_), Profile::Hole { .. }) => "give the hole's `radius` as that of `arc`: it is the pin's",
-        (Path::Arc(_), _) => "on an arc the gap is `uniform` or a `hole`",
+        (Path::Arc(_), _) => "on an arc the gap is `uniform`, `drawn` or a `hole`",
         (Path::Horizontal, Profile::Hole { .. }) => "a hole needs the pin's circle as `arc`",
         (Path::Horizontal, _) => return Ok(()),
     };
@@ -80,6 +126,7 @@ fn refuse_strange_gap(source: Source, path: &Path, profile: &Profile, gap: &Span
 fn profile(source: Source, units: &Units, table: &Spanned<GapTable>) -> Result<Profile, Error> {
     let length = |key: &str, value: &Spanned<f64>| Ok::<f64, Error>(units.length * source.positive(key, value)?);
     Ok(match table.get_ref() {
+        GapTable::Drawn => Profile::Drawn,
         GapTable::Uniform(gap) => Profile::Uniform(units.length * source.finite("uniform", gap)?),
         GapTable::Punch(half_width) => Profile::Punch { half_width: length("punch", half_width)? },
         GapTable::Circle(radius) => Profile::Circle { radius: length("circle", radius)? },

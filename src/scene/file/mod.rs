@@ -3,12 +3,16 @@
 //! * [`tables`] — the keys.
 //! * [`units`] — names of units, and numbers in them.
 //! * [`bodies`] — outlines, supports and loads.
+//! * `blocks` — bodies from blocks.
+//! * `gmsh` — bodies from meshes.
 //! * [`contact`] — the pair, its path and its gap.
 //!
 //! Lengths, forces and stresses are in the units the file names, angles in degrees; the scene is in mm, N, MPa and radians.
 
+mod blocks;
 pub mod bodies;
 pub mod contact;
+mod gmsh;
 mod side;
 pub mod tables;
 pub mod units;
@@ -105,7 +109,7 @@ pub struct Tables<'a> {
     /// Reference values.
     pub reference: Option<&'a ReferenceTable>,
     /// Length that holds the elements.
-    pub per: &'a Spanned<f64>,
+    pub per: Option<&'a Spanned<f64>>,
     /// How the mesh grows.
     pub growth: Option<&'a GrowthTable>,
 }
@@ -134,7 +138,7 @@ impl Tables<'_> {
 
     fn grading(&self, source: Source) -> Result<Grading, Error> {
         let mut grading = GROWTH;
-        grading.unit = self.units.length * source.positive("per", self.per)?;
+        grading.unit = self.units.length * self.per.map_or(Ok(1.0), |per| source.positive("per", per))?;
         let Some(table) = self.growth else { return Ok(grading) };
         let ratio = |key: &str, value: &Option<Spanned<f64>>, default: f64| match value {
             Some(value) => source.number(key, value, "a ratio between 1 and 5", |x| (1.0..=5.0).contains(&x)),

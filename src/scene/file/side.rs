@@ -1,58 +1,98 @@
 //! The sides that carry the contact: which way they look, and where they lie.
 
-use std::f64::consts::FRAC_1_SQRT_2;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use toml::Spanned;
 
 use crate::error::Error;
 use crate::scene::file::Source;
 use crate::scene::file::units::Units;
-use crate::scene::{Circle, Face, Path, Profile, Shape};
+use crate::scene::{BlockShape, Circle, Face, GivenMesh, Path, Profile, Shape};
+
+/// The name that the contact boundary of a body has.
+pub(super) const CONTACT: &str = "contact";
+
+/// A straight piece of boundary, from its first point to its last, the body to its left \[mm\].
+type Piece = [[f64; 2]; 2];
 
 /// The side of a body that carries the contact.
 pub(super) struct Side {
-    /// It looks down, or away from the centre of its arc: the side of a `first` body.
-    outward: bool,
-    /// Where it runs: at a height from the symmetry line on, or along a circle.
-    place: SidePlace,
+    /// It looks down, or away from the centre of its arc; none where parts of it look one way and parts the other.
+    pub outward: Option<bool>,
+    /// Where it runs.
+    place: Place,
     /// How far it goes along x \[mm\], or about the centre \[rad\].
     length: f64,
 }
 
-enum SidePlace {
-    /// Straight, or touching such a line: x of its beginning, and height.
+enum Place {
+    /// Straight, at a height: x of its beginning, and the height.
     Straight { from: f64, height: f64 },
     /// Circle.
     Arc(Circle),
-    /// A disc, which takes part in either.
-    Disc(Circle),
+    /// A disc, which takes part in either; the height at which it touches.
+    Disc { circle: Circle, height: f64 },
+    /// Pieces given one by one.
+    Pieces(Vec<Piece>),
 }
 
 impl Side {
-    pub(super) fn of(shape: &Shape) -> Self {
-        match *shape {
+    pub(super) fn of(shape: &Shape, path: &Path, stretch: f64) -> Self {
+        match shape {
             Shape::Rectangle { x, y, contact } => {
-                let height = if contact == Face::Bottom { y[0] } else { y[1] };
-                let place = SidePlace::Straight { from: x[0], height };
-                Self { outward: contact == Face::Bottom, place, length: x[1] - x[0] }
+                let height = if *contact == Face::Bottom { y[0] } else { y[1] };
+                let place = Place::Straight { from: x[0], height };
+                Self { outward: Some(*contact == Face::Bottom), place, length: x[1] - x[0] }
             }
             // Beyond 45° the radial candidates of a quarter are hardly pressed.
-            Shape::Disc { centre, radius, .. } => Self {
-                outward: true,
-                place: SidePlace::Disc(Circle { centre, radius }),
-                length: radius * FRAC_1_SQRT_2,
-            },
-            Shape::Ring { inner, outer, sweep, contact, .. } => {
-                let outward = contact == Face::Top;
-                Self { outward, place: SidePlace::Arc(if outward { outer } else { inner }), length: sweep }
+            Shape::Disc { centre, radius, contact, .. } => {
+                let down = *contact == Face::Bottom;
+                let height = if down { centre[1] - radius } else { centre[1] + radius };
+                let place = Place::Disc { circle: Circle { centre: *centre, radius: *radius }, height };
+                let horizontal = matches!(path, Path::Horizontal);
+                Self { outward: Some(down || !horizontal), place, length: radius * FRAC_1_SQRT_2 }
             }
-            Shape::Eye { hole, .. } => {
-                Self { outward: false, place: SidePlace::Arc(hole), length: std::f64::consts::PI }
+            Shape::Ring { inner, outer, sweep, contact, .. } => {
+                let outward = *contact == Face::Top;
+                let place = Place::Arc(if outward { *outer } else { *inner });
+                Self { outward: Some(outward), place, length: *sweep }
+            }
+            Shape::Eye { hole, .. } => Self { outward: Some(false), place: Place::Arc(*hole), length: PI },
+            Shape::Blocks(blocks) => Self::of_pieces(pieces_of_blocks(blocks), path, stretch),
+            Shape::Given(mesh) => Self::of_pieces(pieces_of_mesh(mesh), path, stretch),
+        }
+    }
+
+    /// Of the pieces within the stretch.
+    fn of_pieces(all: Vec<Piece>, path: &Path, stretch: f64) -> Self {
+        let length = all.iter().flatten().map(|point| path.coordinate(*point)).fold(0.0, f64::max);
+        let begins = |piece: &Piece| piece.iter().any(|point| path.coordinate(*point) < stretch * (1.0 - 1e-9));
+        let pieces: Vec<Piece> = all.into_iter().filter(begins).collect();
+        let looks = |[from, to]: &Piece| {
+            let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
+            let direction = path.direction(middle);
+            (to[1] - from[1]) * direction[0] - (to[0] - from[0]) * direction[1] > 0.0
+        };
+        let outward = pieces.first().map(looks).filter(|first| pieces.iter().all(|piece| looks(piece) == *first));
+        Self { outward, place: Place::Pieces(pieces), length }
+    }
+
+    /// How far along the path's direction the side begins \[mm\].
+    pub(super) fn depth(&self, path: &Path) -> f64 {
+        match (&self.place, path) {
+            (Place::Straight { height, .. } | Place::Disc { height, .. }, Path::Horizontal) => -height,
+            (Place::Disc { circle, .. } | Place::Arc(circle), _) => circle.radius,
+            (Place::Straight { .. }, _) => f64::NAN,
+            (Place::Pieces(pieces), _) => {
+                let points = pieces.iter().flatten();
+                let first = points.min_by(|a, b| path.coordinate(**a).total_cmp(&path.coordinate(**b)));
+                first.map_or(f64::NAN, |point| path.depth(*point))
             }
         }
     }
 
-    /// Refuses a side that does not look at the other one, or does not lie on the path; a gap or clearance may be drawn or not.
+    /// Refuses a side that does not begin on the symmetry line, or does not lie on the path; a gap or clearance may be drawn
+    /// or not.
     pub(super) fn refuse_misfit(
         &self,
         source: Source,
@@ -65,35 +105,31 @@ impl Side {
             let message = format!("the contact side of `{}` {what}", name.get_ref());
             Err(source.refused(name.span(), message, remedy))
         };
-        if self.outward != is_first {
-            let wanted = if is_first { "looks up, or inwards" } else { "looks down, or outwards" };
-            return refused(
-                wanted,
-                "`first` is the upper or inner body, `second` the lower or outer one: exchange them, or the side",
-            );
-        }
         let clearance = match profile {
             Profile::Hole { clearance, .. } => *clearance,
+            Profile::Drawn => f64::INFINITY,
             other => other.gap(0.0).abs(),
         };
         let near = |a: f64, b: f64| (a - b).abs() <= clearance * (1.0 + 1e-6) + 1e-6 * a.abs().max(b.abs());
         let on_axis = |x: f64, size: f64| x.abs() <= 1e-9 * size;
         match (&self.place, path) {
-            (SidePlace::Straight { from, .. }, Path::Horizontal) if !on_axis(*from, self.length) => refused(
+            (Place::Straight { from, .. }, Path::Horizontal) if !on_axis(*from, self.length) => refused(
                 "does not begin at x = 0",
                 "the contact begins on the symmetry line x = 0: move the bodies there",
             ),
-            (SidePlace::Straight { height, .. }, Path::Horizontal) if !near(*height, 0.0) => {
-                refused("does not lie at y = 0", "the contact runs along y = 0: move the bodies there")
-            }
-            (SidePlace::Disc(circle), Path::Horizontal) if !on_axis(circle.centre[0], circle.radius) => refused(
+            (Place::Straight { height, .. }, Path::Horizontal) if !near(*height, 0.0) => refused(
+                "does not lie at y = 0",
+                "the contact runs along y = 0: move the bodies there, or give `gap = \"drawn\"`",
+            ),
+            (Place::Disc { circle, .. }, Path::Horizontal) if !on_axis(circle.centre[0], circle.radius) => refused(
                 "does not begin at x = 0",
                 "the contact begins on the symmetry line: give the disc a centre at x = 0",
             ),
-            (SidePlace::Disc(circle), Path::Horizontal) if !near(circle.centre[1], circle.radius) => {
-                refused("does not touch y = 0", "the contact runs along y = 0: give the disc a centre one radius above")
-            }
-            (SidePlace::Arc(circle) | SidePlace::Disc(circle), Path::Arc(arc)) => {
+            (Place::Disc { height, .. }, Path::Horizontal) if !near(*height, 0.0) => refused(
+                "does not touch y = 0",
+                "the contact runs along y = 0: give the disc a centre one radius above or below",
+            ),
+            (Place::Arc(circle) | Place::Disc { circle, .. }, Path::Arc(arc)) => {
                 let aligned = (0..2).all(|k| near(circle.centre[k], arc.centre[k]));
                 let fits = if is_first {
                     (circle.radius / arc.radius - 1.0).abs() <= 1e-9
@@ -108,9 +144,32 @@ impl Side {
                     "`arc` is the circle of the first body's side; the other lies there too, a gap apart at most",
                 )
             }
-            (SidePlace::Straight { .. }, Path::Arc(_)) => refused("is straight, the path is an arc", "leave `arc` out"),
-            (SidePlace::Arc(_), Path::Horizontal) => {
+            (Place::Straight { .. }, Path::Arc(_)) => refused("is straight, the path is an arc", "leave `arc` out"),
+            (Place::Arc(_), Path::Horizontal) => {
                 refused("is an arc, the path is straight", "name the circle the contact runs along, as `arc`")
+            }
+            (Place::Pieces(pieces), _) => {
+                let begin = pieces.iter().flatten().map(|point| path.coordinate(*point)).fold(f64::INFINITY, f64::min);
+                let left = pieces.iter().flatten().map(|point| point[0]).fold(f64::INFINITY, f64::min);
+                if begin > 1e-6 * self.length || matches!(path, Path::Horizontal) && left < -1e-6 * self.length {
+                    return refused(
+                        "does not begin on the symmetry line",
+                        "the contact begins at s = 0, on the symmetry line x = 0: move the bodies there, or model one half",
+                    );
+                }
+                if self.outward.is_none() {
+                    let remedy = "name the boundary that faces the other body, and end the stretch where it turns away";
+                    return refused("does not look one way", remedy);
+                }
+                if !near(self.depth(path), path.own_depth()) {
+                    let remedy = "move the body there, or give `gap = \"drawn\"` where it is drawn as it stands";
+                    return refused("does not begin at y = 0, or on `arc`", remedy);
+                }
+                let on_arc = |point: &[f64; 2]| (path.depth(*point) / path.own_depth() - 1.0).abs() <= 1e-3;
+                if is_first && matches!(path, Path::Arc(_)) && !pieces.iter().flatten().all(on_arc) {
+                    return refused("does not lie on `arc`", "`arc` is the circle of the first body's side");
+                }
+                Ok(())
             }
             _ => Ok(()),
         }
@@ -127,7 +186,7 @@ impl Side {
     ) -> Result<(), Error> {
         let (length, shown) = match (path, &self.place) {
             (Path::Horizontal, _) => (self.length, self.length / units.length),
-            (Path::Arc(_), SidePlace::Arc(_)) => (self.length, self.length.to_degrees()),
+            (Path::Arc(_), Place::Arc(_) | Place::Pieces(_)) => (self.length, self.length.to_degrees()),
             (Path::Arc(_), _) => return Ok(()),
         };
         if stretch <= length * (1.0 + 1e-9) {
@@ -137,4 +196,31 @@ impl Side {
         let message = format!("the candidates reach beyond `{}`, whose contact side ends at {shown}", name.get_ref());
         Err(source.refused(given.span(), message, format!("give at most {shown}")))
     }
+}
+
+/// The sides called `contact`, an arc as two chords.
+fn pieces_of_blocks(blocks: &[BlockShape]) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    for block in blocks {
+        for k in (0..4).filter(|&k| block.names[k].as_deref() == Some(CONTACT)) {
+            let [from, to] = [block.corners[k], block.corners[(k + 1) % 4]];
+            match block.arcs[k] {
+                None => pieces.push([from, to]),
+                Some(centre) => {
+                    let half = [0, 1].map(|i| 0.5 * (from[i] + to[i]) - centre[i]);
+                    let radius = (from[0] - centre[0]).hypot(from[1] - centre[1]);
+                    let scale = radius / half[0].hypot(half[1]);
+                    let middle = [0, 1].map(|i| centre[i] + scale * half[i]);
+                    pieces.extend([[from, middle], [middle, to]]);
+                }
+            }
+        }
+    }
+    pieces
+}
+
+/// The edges of the boundary `contact`.
+fn pieces_of_mesh(mesh: &GivenMesh) -> Vec<Piece> {
+    let edges = mesh.boundaries.get(CONTACT).into_iter().flatten();
+    edges.map(|edge| [mesh.points[edge[0]], mesh.points[edge[1]]]).collect()
 }

@@ -34,6 +34,8 @@ pub struct BodyTable {
     pub poisson: Number,
     /// Outline.
     pub shape: Spanned<ShapeTable>,
+    /// Candidate elements of this body over those of the mesh.
+    pub density: Option<Number>,
     /// Prescribed displacements.
     #[serde(default)]
     pub supports: Vec<SupportTable>,
@@ -52,6 +54,59 @@ pub enum ShapeTable {
     Disc(DiscTable),
     /// Sector of a ring from the downward vertical.
     Ring(RingTable),
+    /// Blocks that share whole sides.
+    Blocks(Vec<Spanned<BlockTable>>),
+    /// A physical group of a Gmsh mesh.
+    Gmsh(GmshTable),
+}
+
+/// `{ corners = [[x, y], …], elements = [n, m], bottom = "contact", … }`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BlockTable {
+    /// Corners, counter-clockwise.
+    pub corners: [Pair; 4],
+    /// Elements from left to right and from bottom to top.
+    pub elements: [Spanned<usize>; 2],
+    /// Size ratio of neighbouring elements, from left to right and from bottom to top.
+    pub growth: Option<Pair>,
+    /// Boundary of the first side.
+    pub bottom: Option<Name>,
+    /// Boundary of the second side.
+    pub right: Option<Name>,
+    /// Boundary of the third side.
+    pub top: Option<Name>,
+    /// Boundary of the fourth side.
+    pub left: Option<Name>,
+    /// Centres of the sides that are arcs.
+    #[serde(default)]
+    pub arcs: ArcsTable,
+}
+
+/// `arcs = { bottom = [x, y] }`: centres.
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ArcsTable {
+    /// Of the first side.
+    pub bottom: Option<Pair>,
+    /// Of the second side.
+    pub right: Option<Pair>,
+    /// Of the third side.
+    pub top: Option<Pair>,
+    /// Of the fourth side.
+    pub left: Option<Pair>,
+}
+
+/// `gmsh = { file = "mesh.msh", group = "roller", contact = "arc" }`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct GmshTable {
+    /// The file, from the folder of the scene file.
+    pub file: Name,
+    /// Physical surface that is the body.
+    pub group: Name,
+    /// Physical curve that carries the contact.
+    pub contact: Name,
 }
 
 /// `rectangle = { x = [left, right], y = [lower, upper], contact = "bottom" }`.
@@ -77,6 +132,8 @@ pub struct DiscTable {
     /// The right half instead of the lower quarter.
     #[serde(default)]
     pub half: bool,
+    /// Side that carries the contact: bottom, unless it is top.
+    pub contact: Option<Name>,
 }
 
 /// `ring = { centre = [x, y], inner = R₁, outer = R₂, sweep = 180, contact = "inner" }`.
@@ -239,6 +296,8 @@ pub struct CircleTable {
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum GapTable {
+    /// `gap = "drawn"`: as the bodies are drawn.
+    Drawn,
     /// The same everywhere; negative is interference.
     Uniform(Number),
     /// Flat punch of this half-width, nothing beyond.

@@ -30,7 +30,7 @@ impl Patch {
     pub fn scene(&self) -> Scene {
         let modulus = 0.5 * self.material.plane_modulus(PlaneHypothesis::Strain);
         let gap = self.pressure * self.side / modulus;
-        let load = Load::Traction { boundary: "far", traction: [0.0, -self.pressure] };
+        let load = Load::Traction { boundary: "far".into(), traction: [0.0, -self.pressure] };
         Scene {
             name: "patch".into(),
             plane: PlaneHypothesis::Strain,
@@ -182,6 +182,7 @@ impl PressFit {
     pub fn scene(&self) -> Scene {
         let circle = |radius| Circle { centre: [0.0, 0.0], radius };
         let ring = |name: &str, inner, outer, contact, material| Body {
+            density: 1.0,
             name: name.into(),
             shape: Shape::Ring {
                 pole: [0.0, 0.0],
@@ -193,7 +194,7 @@ impl PressFit {
             material,
             supports: vec![
                 symmetry("start"),
-                Support { at: Place::Boundary("end"), component: Component::Y, value: 0.0 },
+                Support { at: Place::Boundary("end".into()), component: Component::Y, value: 0.0 },
             ],
             loads: vec![],
         };
@@ -210,6 +211,7 @@ impl PressFit {
             ],
             contact: ContactPair {
                 first: 0,
+                above: true,
                 second: Some(1),
                 path: Path::Arc(circle(self.interface)),
                 profile: Profile::Uniform(-self.interference),
@@ -255,7 +257,7 @@ impl FlatPunch {
         let side = self.size * a;
         let pressure = self.load / (PI * a);
         let modulus = self.material.plane_modulus(PlaneHypothesis::Strain);
-        let load = Load::Traction { boundary: "far", traction: [0.0, -0.5 * self.load / side] };
+        let load = Load::Traction { boundary: "far".into(), traction: [0.0, -0.5 * self.load / side] };
         Scene {
             name: "flat-punch".into(),
             plane: PlaneHypothesis::Strain,
@@ -278,16 +280,24 @@ fn block(
     loads: Vec<Load>,
 ) -> Body {
     supports.push(symmetry("left"));
-    Body { name: name.into(), shape: Shape::Rectangle { x, y, contact }, material, supports, loads }
+    Body { name: name.into(), shape: Shape::Rectangle { x, y, contact }, material, density: 1.0, supports, loads }
 }
 
 /// Prescribed vertical displacement of the side opposite to the contact.
 fn held(value: f64) -> Support {
-    Support { at: Place::Boundary("far"), component: Component::Y, value }
+    Support { at: Place::Boundary("far".into()), component: Component::Y, value }
 }
 
 fn flat_contact(second: Option<usize>, gap: f64, stretch: f64) -> ContactPair {
-    ContactPair { first: 0, second, path: Path::Horizontal, profile: Profile::Uniform(gap), stretch, symmetric: true }
+    ContactPair {
+        first: 0,
+        above: true,
+        second,
+        path: Path::Horizontal,
+        profile: Profile::Uniform(gap),
+        stretch,
+        symmetric: true,
+    }
 }
 
 /// Equal elements throughout.

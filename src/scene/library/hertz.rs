@@ -63,25 +63,28 @@ impl Cylinder {
         let half = self.model != CylinderModel::Quarter;
         let across = [0.0, -q];
         let load = match self.model {
-            CylinderModel::Quarter => Load::Traction { boundary: "cut", traction: across },
-            CylinderModel::Half => Load::Traction { boundary: "middle", traction: across },
-            CylinderModel::HalfLoadedAbove => {
-                Load::Stress { boundary: "top", field: StressField(std::sync::Arc::new(move |_| [0.0, -q, 0.0])) }
-            }
+            CylinderModel::Quarter => Load::Traction { boundary: "cut".into(), traction: across },
+            CylinderModel::Half => Load::Traction { boundary: "middle".into(), traction: across },
+            CylinderModel::HalfLoadedAbove => Load::Stress {
+                boundary: "top".into(),
+                field: StressField(std::sync::Arc::new(move |_| [0.0, -q, 0.0])),
+            },
         };
         Scene {
             name: if half { "cylinder-half" } else { "cylinder" }.into(),
             plane: PlaneHypothesis::Strain,
             thickness: 1.0,
             bodies: vec![Body {
+                density: 1.0,
                 name: "cylinder".into(),
-                shape: Shape::Disc { centre: [0.0, self.radius], radius: self.radius, half },
+                shape: Shape::Disc { centre: [0.0, self.radius], radius: self.radius, half, contact: Face::Bottom },
                 material: self.material(),
                 supports: vec![symmetry("axis")],
                 loads: vec![load],
             }],
             contact: ContactPair {
                 first: 0,
+                above: true,
                 second: None,
                 path: Path::Horizontal,
                 profile: Profile::Circle { radius: self.radius },
@@ -139,12 +142,13 @@ impl TruncatedHertz {
     pub fn scene(&self, half_space: StressField) -> Scene {
         let a = self.half_width();
         let side = self.size * a;
-        let field = |boundary| Load::Stress { boundary, field: half_space.clone() };
+        let field = |boundary: &'static str| Load::Stress { boundary: boundary.into(), field: half_space.clone() };
         Scene {
             name: "truncated-hertz".into(),
             plane: PlaneHypothesis::Strain,
             thickness: 1.0,
             bodies: vec![Body {
+                density: 1.0,
                 name: "block".into(),
                 shape: Shape::Rectangle { x: [0.0, side], y: [0.0, side], contact: Face::Bottom },
                 material: self.material(),
@@ -153,6 +157,7 @@ impl TruncatedHertz {
             }],
             contact: ContactPair {
                 first: 0,
+                above: true,
                 second: None,
                 path: Path::Horizontal,
                 profile: Profile::Parabola { radius: self.radius },
@@ -176,5 +181,5 @@ fn hertz_reference(half_width: f64, load: f64, radius: f64) -> ReferenceValues {
 
 /// Symmetry about x = 0 on a named boundary.
 pub(super) fn symmetry(boundary: &'static str) -> Support {
-    Support { at: Place::Boundary(boundary), component: Component::X, value: 0.0 }
+    Support { at: Place::Boundary(boundary.into()), component: Component::X, value: 0.0 }
 }

@@ -61,16 +61,18 @@ impl PinRod {
     /// The scene: half by symmetry, pin held on its horizontal diameter, rod pulled upwards by a rigid end face.
     pub fn scene(&self) -> Scene {
         let pin = Body {
+            density: 1.0,
             name: "pin".into(),
-            shape: Shape::Disc { centre: [0.0, 0.0], radius: self.pin_radius, half: false },
+            shape: Shape::Disc { centre: [0.0, 0.0], radius: self.pin_radius, half: false, contact: Face::Bottom },
             material: self.pin,
             supports: vec![
                 symmetry("axis"),
-                Support { at: Place::Boundary("cut"), component: Component::Y, value: 0.0 },
+                Support { at: Place::Boundary("cut".into()), component: Component::Y, value: 0.0 },
             ],
             loads: vec![],
         };
         let rod = Body {
+            density: 1.0,
             name: "rod".into(),
             shape: Shape::Eye {
                 pole: [0.0, 0.0],
@@ -81,7 +83,7 @@ impl PinRod {
             },
             material: self.rod,
             supports: vec![symmetry("axis")],
-            loads: vec![Load::RigidFace { boundary: "end", component: Component::Y, force: 0.5 * self.force }],
+            loads: vec![Load::RigidFace { boundary: "end".into(), component: Component::Y, force: 0.5 * self.force }],
         };
         Scene {
             name: "pin-rod".into(),
@@ -140,15 +142,17 @@ impl PinPlate {
     /// The scene: half by symmetry; the pin is a half disc loaded at its centre and held by contact alone.
     pub fn scene(&self) -> Scene {
         let pin = Body {
+            density: 1.0,
             name: "pin".into(),
-            shape: Shape::Disc { centre: [0.0, 0.0], radius: self.pin_radius, half: true },
+            shape: Shape::Disc { centre: [0.0, 0.0], radius: self.pin_radius, half: true, contact: Face::Bottom },
             material: self.material,
             supports: vec![symmetry("axis")],
             loads: vec![Load::Force { at: [0.0, 0.0], force: [0.0, -0.5 * self.force] }],
         };
         let hole = Circle { centre: [0.0, self.clearance], radius: self.pin_radius + self.clearance };
-        let fixed = |component| Support { at: Place::Boundary("outer"), component, value: 0.0 };
+        let fixed = |component| Support { at: Place::Boundary("outer".into()), component, value: 0.0 };
         let plate = Body {
+            density: 1.0,
             name: "plate".into(),
             shape: Shape::Ring {
                 pole: [0.0, 0.0],
@@ -176,6 +180,7 @@ impl PinPlate {
 fn hole_contact(radius: f64, clearance: f64, stretch: f64) -> ContactPair {
     ContactPair {
         first: 0,
+        above: true,
         second: Some(1),
         path: Path::Arc(Circle { centre: [0.0, 0.0], radius }),
         profile: Profile::Hole { radius, clearance },

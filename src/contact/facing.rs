@@ -1,0 +1,79 @@
+//! The facing side of the second body: projection of points along the normal on to its edges.
+
+use crate::elasticity::shape_functions;
+use crate::error::Error;
+use crate::mesh::{Mesh, candidates};
+use crate::scene::Scene;
+
+/// Difference of contact coordinates, over the stretch, below which two points are one.
+const SAME: f64 = 1e-9;
+
+/// The candidate edges of the second body as functions of the contact coordinate.
+#[derive(Clone, Debug)]
+pub struct Facing {
+    /// Edges: first node, last node and, on 3-node edges, the middle.
+    pub edges: Vec<Vec<FacingNode>>,
+    /// Difference of contact coordinates below which two points are one \[mm, or rad on an arc\].
+    pub same: f64,
+}
+
+/// A node of a facing edge.
+#[derive(Clone, Copy, Debug)]
+pub struct FacingNode {
+    /// Retained freedom of its outward normal displacement.
+    pub freedom: usize,
+    /// Contact coordinate \[mm, or rad on an arc\].
+    pub coordinate: f64,
+    /// How far it lies along the path's direction \[mm\].
+    pub depth: f64,
+    /// Inward unit normal of its body, which is how the first body's normals point.
+    pub normal: [f64; 2],
+}
+
+impl Facing {
+    /// The candidate edges of a body whose retained freedoms begin at `offset`.
+    pub fn of(scene: &Scene, mesh: &Mesh, body: usize, offset: usize) -> Result<Self, Error> {
+        let part = &mesh.bodies[body];
+        let node = |&node: &usize| {
+            let index = part.candidate_index(node)?;
+            let candidate = part.candidates[index];
+            Some(FacingNode {
+                freedom: offset + index,
+                coordinate: candidate.coordinate,
+                depth: scene.contact.path.depth(mesh.points[node]),
+                normal: candidate.normal.map(|n| 0.0 - n),
+            })
+        };
+        let edges = candidates::candidate_edges(mesh, scene, body)?;
+        let edges = edges.iter().filter_map(|edge| edge.iter().map(node).collect()).collect();
+        Ok(Self { edges, same: SAME * scene.contact.stretch })
+    }
+
+    /// The node at a contact coordinate, or those of the edge that holds it, with its shape functions there; none where
+    /// no edge faces the point.
+    pub fn at(&self, s: f64) -> Option<Vec<(FacingNode, f64)>> {
+        let node = self.edges.iter().flatten().find(|node| (node.coordinate - s).abs() <= self.same);
+        if let Some(node) = node {
+            return Some(vec![(*node, 1.0)]);
+        }
+        let edge = self.edges.iter().find(|edge| (edge[0].coordinate - s) * (edge[1].coordinate - s) < 0.0)?;
+        let coordinates: Vec<f64> = edge.iter().map(|node| node.coordinate).collect();
+        let shapes = shape_functions::edge(edge.len(), natural(&coordinates, s));
+        Some(edge.iter().copied().zip(shapes.into_iter().map(|shape| shape.0)).collect())
+    }
+
+    /// Contact coordinates of the ends of the edges \[mm, or rad on an arc\].
+    pub fn corners(&self) -> impl Iterator<Item = f64> + '_ {
+        self.edges.iter().flat_map(|edge| [edge[0].coordinate, edge[1].coordinate])
+    }
+}
+
+/// ξ with `Σ N_a(ξ) s_a = s` on an edge of 2 nodes, or of 3 (first, last, middle): the root between the ends of
+/// `s_m + ½(s₂ − s₁) ξ + (½(s₁ + s₂) − s_m) ξ² = s`.
+pub(super) fn natural(coordinates: &[f64], s: f64) -> f64 {
+    let (first, last) = (coordinates[0], coordinates[1]);
+    let middle = coordinates.get(2).copied().unwrap_or(0.5 * (first + last));
+    let (slope, bend, rest) = (0.5 * (last - first), 0.5 * (first + last) - middle, middle - s);
+    let root = (slope * slope - 4.0 * bend * rest).max(0.0).sqrt();
+    -2.0 * rest / (slope + root.copysign(slope))
+}

@@ -1,0 +1,47 @@
+//! Blocks given one by one.
+
+use super::{Layout, between};
+use crate::mesh::block::{Block, Point, Side};
+use crate::mesh::spacing;
+use crate::scene::BlockShape;
+
+pub(super) fn blocks(layout: &Layout, shapes: &[BlockShape]) -> Vec<Block> {
+    shapes.iter().map(|shape| block(layout, shape)).collect()
+}
+
+fn block(layout: &Layout, shape: &BlockShape) -> Block {
+    let [columns, rows] = [0, 1].map(|k| {
+        let n = shape.elements[k];
+        spacing::stretched(0.0, 1.0, n, shape.growth[k].powi(n as i32 - 1))
+    });
+    // Corner at which a side begins and ends: bottom and top run to the right, left and right upwards.
+    let side = |k: usize, [from, to]: [usize; 2], stations: &[f64]| {
+        let ends = [shape.corners[from], shape.corners[to]];
+        let at = |t: f64| match shape.arcs[k] {
+            None => between(ends[0], ends[1], t),
+            Some(centre) => on_arc(centre, ends, t),
+        };
+        let points = layout.along(stations, at);
+        match &shape.names[k] {
+            Some(name) => Side::named(name.clone(), points),
+            None => Side::inner(points),
+        }
+    };
+    Block {
+        bottom: side(0, [0, 1], &columns),
+        right: side(1, [1, 2], &rows),
+        top: side(2, [3, 2], &columns),
+        left: side(3, [0, 3], &rows),
+    }
+}
+
+/// Point at the fraction `t` of the shorter arc about a centre; the ends themselves at 0 and 1.
+fn on_arc(centre: Point, [from, to]: [Point; 2], t: f64) -> Point {
+    if t <= 0.0 || t >= 1.0 {
+        return if t <= 0.0 { from } else { to };
+    }
+    let [a, b] = [from, to].map(|p| [p[0] - centre[0], p[1] - centre[1]]);
+    let sweep = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
+    let (sin, cos) = (t * sweep).sin_cos();
+    [centre[0] + a[0] * cos - a[1] * sin, centre[1] + a[0] * sin + a[1] * cos]
+}
