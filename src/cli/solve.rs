@@ -7,6 +7,7 @@ use clap::{Args, ValueEnum};
 use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::case::problem::{Problem, problem};
 use crate::case::{Run, SceneFile};
+use crate::cli::reactions::{self, ReactionReading};
 use crate::cli::{json, say, vtu};
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration, Start};
@@ -120,9 +121,10 @@ pub fn run(arguments: &Arguments) -> Result<bool, Error> {
     let resolution = arguments.resolution(&problem)?;
     let discretisation = Discretisation::of(problem.scene.clone(), resolution)?;
     let run = Run::of(&discretisation, &formulation)?;
+    let reactions = reactions::readings(&discretisation, &run.solution)?;
     let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
     if let Some(path) = &arguments.json {
-        let text = json::text(&problem, resolution, &run);
+        let text = json::text(&problem, resolution, &run, &reactions);
         if to_stdout { say(&text) } else { write(path, &text)? }
     }
     if let Some(path) = &arguments.csv {
@@ -135,7 +137,7 @@ pub fn run(arguments: &Arguments) -> Result<bool, Error> {
         write(path, &plot(&problem, &run).svg()?)?;
     }
     if !to_stdout {
-        print(&problem, resolution, &run);
+        print(&problem, resolution, &run, &reactions);
     }
     if !run.solution.converged() {
         eprintln!(
@@ -226,7 +228,7 @@ impl Arguments {
     }
 }
 
-fn print(problem: &Problem, resolution: Resolution, run: &Run) {
+fn print(problem: &Problem, resolution: Resolution, run: &Run, reactions: &[ReactionReading]) {
     let factor = display_factor(&problem.scene.contact.path);
     let unit = if factor > 1.0 { "°" } else { "mm" };
     let order = resolution.order.nodes_per_cell();
@@ -266,6 +268,9 @@ fn print(problem: &Problem, resolution: Resolution, run: &Run) {
         format::value(factor * run.measures.peak.position),
         format::value(run.transmitted)
     ));
+    for ReactionReading { body, at, component, force } in reactions {
+        say(format!("reaction on `{body}` at {at}: {component} {} N", format::value(*force)));
+    }
     if let Some(note) = run.note() {
         say(format!("note: {note}"));
     }

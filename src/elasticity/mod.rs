@@ -9,6 +9,7 @@
 //! * [`loads`] — consistent nodal forces.
 //! * [`rigid_motion`] — refuses bodies that are free to move.
 //! * [`stress`] — nodal stresses.
+//! * [`reactions`] — what supports exert.
 
 pub mod assembly;
 pub mod element;
@@ -16,6 +17,7 @@ pub mod freedoms;
 pub mod graph;
 pub mod loads;
 pub mod quadrature;
+pub mod reactions;
 pub mod rigid_motion;
 pub mod shape_functions;
 pub mod stress;

@@ -127,6 +127,11 @@ impl Discretisation {
         formulation.points(&self.interface)
     }
 
+    /// Displacement of every node \[mm\], by one back-substitution per body.
+    pub fn displacement(&self, solution: &Solution) -> Vec<[f64; 2]> {
+        self.system.nodal_displacements(&self.condensed.recover(&solution.displacement))
+    }
+
     /// Displacement \[mm\] and stress \[MPa\] at every node, by one back-substitution per body.
     pub fn recover(&self, solution: &Solution) -> Result<Fields, Error> {
         let unknowns = self.condensed.recover(&solution.displacement);

@@ -2,11 +2,13 @@
 //!
 //! * [`again`] — another load or clearance on a condensation at hand.
 //! * [`discretisation`] — a scene meshed, assembled and condensed, on which formulations solve.
+//! * [`mod@reactions`] — what the supports exert.
 //! * [`spill`] — contact that goes on beyond the candidates.
 //! * [`start`] — where kinematic load starts.
 
 pub mod again;
 pub mod discretisation;
+pub mod reactions;
 pub mod spill;
 pub mod start;
 
@@ -19,6 +21,7 @@ pub use crate::algorithm::Settings;
 pub use crate::algorithm::problem::LIMITS;
 pub use again::Change;
 pub use discretisation::{Discretisation, Fields, INCOMPRESSIBLE};
+pub use reactions::Reaction;
 pub use start::Start;
 
 /// Tolerances between round-off and no answer at all.

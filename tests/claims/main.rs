@@ -20,6 +20,7 @@ mod measure;
 mod mesh;
 mod oracles;
 mod outputs;
+mod reactions;
 mod scene;
 mod scene_file;
 mod scene_fuzz;
