@@ -20,6 +20,7 @@ mod measure;
 mod mesh;
 mod oracles;
 mod outputs;
+mod pictures;
 mod reactions;
 mod scene;
 mod scene_file;
