@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
+use crate::case::Run;
 use crate::error::Error;
-use crate::formulation::Discretisation;
+use crate::formulation::{Discretisation, Reaction};
 use crate::scene::{Component, Place};
-use crate::solution::Solution;
 
 /// What a support exerts on the modelled part of its body.
 #[derive(Clone, Debug, Serialize)]
@@ -40,8 +40,8 @@ impl std::fmt::Display for At {
 }
 
 /// The reaction of every support, body by body in the order of the scene.
-pub fn readings(discretisation: &Discretisation, solution: &Solution) -> Result<Vec<ReactionReading>, Error> {
-    let reading = |reaction: crate::formulation::Reaction| {
+pub fn readings(discretisation: &Discretisation, run: &Run) -> Result<Vec<ReactionReading>, Error> {
+    let reading = |reaction: Reaction| {
         let body = &discretisation.scene.bodies[reaction.body];
         let support = &body.supports[reaction.support];
         ReactionReading {
@@ -57,5 +57,5 @@ pub fn readings(discretisation: &Discretisation, solution: &Solution) -> Result<
             force: reaction.force,
         }
     };
-    Ok(discretisation.reactions(solution)?.into_iter().map(reading).collect())
+    Ok(discretisation.reactions_under(run.share(), &run.solution)?.into_iter().map(reading).collect())
 }

@@ -14,7 +14,7 @@ use crate::solution::PointState;
 /// The text of the file. Lengths in mm, stresses in MPa, tension positive; pressure is 0 and the gap NaN away from the candidates.
 pub fn text(discretisation: &Discretisation, run: &Run) -> Result<String, Error> {
     let mesh = &discretisation.mesh;
-    let fields = discretisation.recover(&run.solution)?;
+    let fields = discretisation.recover_under(run.share(), &run.solution)?;
     let in_space = |plane: &[[f64; 2]]| -> Vec<f64> { plane.iter().flat_map(|[x, y]| [*x, *y, 0.0]).collect() };
     let [pressure, gap] = on_candidates(discretisation, run);
     let nodes = mesh.order.nodes_per_cell();

@@ -17,15 +17,22 @@ pub struct Fields {
 }
 
 impl Discretisation {
-    /// Displacement of every node \[mm\], by one back-substitution per body.
-    pub fn displacement(&self, solution: &Solution) -> Vec<[f64; 2]> {
-        self.system.nodal_displacements(&self.condensed.recover(&solution.displacement))
+    /// Displacement of every node \[mm\] under a share of loads and prescribed displacements, by one back-substitution per
+    /// body.
+    pub fn displacement_under(&self, share: f64, solution: &Solution) -> Vec<[f64; 2]> {
+        let unknowns = self.condensed.recover_under(share, &solution.displacement);
+        self.system.nodal_displacements_under(share, &unknowns)
     }
 
     /// Displacement \[mm\] and stress \[MPa\] at every node, by one back-substitution per body.
     pub fn recover(&self, solution: &Solution) -> Result<Fields, Error> {
-        let unknowns = self.condensed.recover(&solution.displacement);
-        let displacement = self.system.nodal_displacements(&unknowns);
+        self.recover_under(1.0, solution)
+    }
+
+    /// The same under a share of loads and prescribed displacements, as where an iteration ended before the last increment.
+    pub fn recover_under(&self, share: f64, solution: &Solution) -> Result<Fields, Error> {
+        let unknowns = self.condensed.recover_under(share, &solution.displacement);
+        let displacement = self.system.nodal_displacements_under(share, &unknowns);
         let stress = stress::at_nodes(&self.scene, &self.mesh, &displacement)?;
         Ok(Fields { displacement, stress, unknowns })
     }

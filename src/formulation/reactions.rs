@@ -22,12 +22,17 @@ impl Discretisation {
     /// Contact has no part in it: it acts along the normals of the candidates, which no support may hold. Loads, contact
     /// and reactions of a body add up to zero, as far as the contact pressures balance the load.
     pub fn reactions(&self, solution: &Solution) -> Result<Vec<Reaction>, Error> {
-        let displacement = self.displacement(solution);
+        self.reactions_under(1.0, solution)
+    }
+
+    /// The same under a share of loads and prescribed displacements, as where an iteration ended before the last increment.
+    pub fn reactions_under(&self, share: f64, solution: &Solution) -> Result<Vec<Reaction>, Error> {
+        let displacement = self.displacement_under(share, solution);
         let mut all = Vec::new();
         for body in 0..self.scene.bodies.len() {
             let mut missing = reactions::internal_forces(&self.scene, &self.mesh, body, &displacement)?;
             for (missing, applied) in missing.iter_mut().zip(loads::at_nodes(&self.scene, &self.mesh, body)?) {
-                (0..2).for_each(|k| missing[k] -= applied[k]);
+                (0..2).for_each(|k| missing[k] -= share * applied[k]);
             }
             let forces = reactions::of_supports(&self.scene, &self.mesh, body, &missing)?;
             all.extend(forces.into_iter().enumerate().map(|(support, force)| Reaction { body, support, force }));

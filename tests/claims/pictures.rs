@@ -118,6 +118,18 @@ fn detail_holds_the_contact_as_truly_displaced_and_is_marked_where_the_whole_dra
             assert!(within(window.x, x) && within(window.y, y), "node {}: {x}, {y} in {window:?}", candidate.node);
         }
     }
+    // The middle of the contact stands at the same place in both frames.
+    let first = discretisation.mesh.bodies[discretisation.scene.contact.first].candidates.iter();
+    let first: Vec<usize> = first.filter(|at| at.coordinate <= run.measures.edge).map(|at| at.node).collect();
+    let middle = |factor: f64, pick: fn((f64, f64)) -> f64| {
+        let drawn = first.iter().map(|&node| pick(field.points[node]) + factor * pick(field.displacements[node]));
+        drawn.sum::<f64>() / first.len() as f64
+    };
+    let by = |pick: fn((f64, f64)) -> f64| middle(field.magnification, pick) - middle(1.0, pick);
+    assert_abs_diff_eq!(zoom.marked.x.0 - zoom.window.x.0, by(|p| p.0), epsilon = 1e-12);
+    assert_abs_diff_eq!(zoom.marked.y.1 - zoom.window.y.1, by(|p| p.1), epsilon = 1e-12);
+    assert!(by(|p| p.1).abs() > 0.1);
+
     let Solved { discretisation, run, .. } = solved("press-fit");
     let field = deformed::field(&discretisation, &run).expect("recovered").expect("finite");
     assert!(field.zoom.is_none(), "contact all around is not enlarged");

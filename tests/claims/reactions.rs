@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::SceneFile;
+use contact_vv::case::{Run, SceneFile};
 use contact_vv::elasticity::reactions::internal_forces;
 use contact_vv::formulation::{Discretisation, Reaction};
 use contact_vv::mesh::{Mesh, Order};
@@ -90,6 +90,26 @@ fn loads_contact_and_reactions_of_a_body_add_up_to_zero() {
             }
         }
     }
+}
+
+#[test]
+fn run_that_ends_before_the_last_increment_has_the_reactions_of_its_own_share() {
+    let push = "{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\", value = -0.05 }";
+    let text = bar("stress", 0.0, push, "{ body-force = [0.5, -0.25] }");
+    let text = text.replace("[solve]", "[solve]\nincrements = 4\nmax-steps = 2\nstiffness = 1e4");
+    let SceneFile { problem, formulation, .. } = SceneFile::parse(Path::new("scene.toml"), &text).expect("sound");
+    let discretisation = Discretisation::of(problem.scene, problem.resolution).expect("meshed");
+    let run = Run::of(&discretisation, &formulation).expect("stopped");
+    assert!(!run.solution.converged() && run.share() < 1.0, "{:?} after {}", run.solution.outcome, run.share());
+    let reactions = discretisation.reactions_under(run.share(), &run.solution).expect("reactions");
+    let touch = contact(&discretisation, &run.solution, 0);
+    let [x, y] = [0.5, -0.25].map(|density| run.share() * density * 600.0);
+    assert!(touch[1] > 1.0, "{touch:?}");
+    assert_relative_eq!(reactions[0].force, -x - touch[0], max_relative = 1e-9);
+    assert_relative_eq!(reactions[1].force, -y - touch[1], max_relative = 1e-9);
+    let held = discretisation.mesh.node_at(&discretisation.scene, 0, [10.0, 20.0]).expect("a corner");
+    let fields = discretisation.recover_under(run.share(), &run.solution).expect("recovered");
+    assert_relative_eq!(fields.displacement[held][1], -0.05 * run.share(), max_relative = 1e-14);
 }
 
 #[test]

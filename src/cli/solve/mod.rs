@@ -34,7 +34,7 @@ pub fn run(arguments: &Arguments) -> Result<bool, Error> {
     stages.begin(stages::ITERATION);
     let run = Run::of(&discretisation, &formulation)?;
     stages.begin(stages::OUTPUTS);
-    let reactions = reactions::readings(&discretisation, &run.solution)?;
+    let reactions = reactions::readings(&discretisation, &run)?;
     let document = arguments.json.is_some().then(|| json::text(&problem, resolution, &run, &reactions));
     let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
     if let (Some(path), Some(text), false) = (&arguments.json, &document, to_stdout) {

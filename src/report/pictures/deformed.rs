@@ -23,7 +23,7 @@ const FAR: f64 = 2.0;
 
 /// The bodies under the last step's displacements; none where these are not finite.
 pub fn field(discretisation: &Discretisation, run: &Run) -> Result<Option<Field>, Error> {
-    let fields = discretisation.recover(&run.solution)?;
+    let fields = discretisation.recover_under(run.share(), &run.solution)?;
     let mesh = &discretisation.mesh;
     let values = discretisation.von_mises(&fields);
     if !fields.displacement.as_flattened().iter().chain(&values).all(|number| number.is_finite()) {
