@@ -57,6 +57,12 @@ impl Run {
         })
     }
 
+    /// Share of loads and prescribed displacements that the last step was made under: 1 at the last increment.
+    pub fn share(&self) -> f64 {
+        let increments = self.formulation.settings.increments;
+        self.solution.history.last().map_or(1.0, |step| step.increment as f64 / increments as f64)
+    }
+
     /// What a user must know before quoting a converged run: no contact, contact on too few points, pressures that oscillate.
     pub fn note(&self) -> Option<String> {
         let points = &self.solution.points;

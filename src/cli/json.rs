@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::case::{Problem, Reference, Run};
+use crate::cli::reactions::ReactionReading;
 use crate::measure::profile;
 use crate::mesh::Resolution;
 use crate::oracle::Quantity;
@@ -38,6 +39,7 @@ struct Document<'a> {
     peak_pressure: f64,
     resultant: f64,
     residuals: Residuals,
+    reactions: &'a [ReactionReading],
     profile: Vec<Point>,
     oracles: Vec<OracleReading>,
 }
@@ -73,7 +75,7 @@ pub struct OracleReading {
 }
 
 /// The document of a run.
-pub fn text(problem: &Problem, resolution: Resolution, run: &Run) -> String {
+pub fn text(problem: &Problem, resolution: Resolution, run: &Run, reactions: &[ReactionReading]) -> String {
     let (solution, measures) = (&run.solution, &run.measures);
     let nan = f64::NAN;
     let last = solution.history.last().map(|step| step.residuals);
@@ -111,6 +113,7 @@ pub fn text(problem: &Problem, resolution: Resolution, run: &Run) -> String {
         peak_pressure: measures.peak.pressure,
         resultant: run.transmitted,
         residuals,
+        reactions,
         profile: solution.points.iter().map(point).collect(),
         oracles: oracles(problem, run),
     };

@@ -5,11 +5,13 @@
 //! * [`suite`] — runs all trials with a progress bar.
 //! * [`solve`] — one case, with its outputs.
 //! * [`verify`] — every scene file of a folder.
+//! * [`reactions`] — what its supports exert.
 //! * [`json`] — the result of a solve as JSON.
 //! * [`vtu`] — its fields for ParaView.
 
 pub mod atlas;
 pub mod json;
+pub mod reactions;
 pub mod solve;
 pub mod suite;
 pub mod timings;

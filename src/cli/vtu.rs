@@ -5,7 +5,6 @@ use vtkio::model::{
 };
 
 use crate::case::Run;
-use crate::elasticity::stress::von_mises;
 use crate::error::Error;
 use crate::formulation::Discretisation;
 use crate::measure::profile;
@@ -15,7 +14,7 @@ use crate::solution::PointState;
 /// The text of the file. Lengths in mm, stresses in MPa, tension positive; pressure is 0 and the gap NaN away from the candidates.
 pub fn text(discretisation: &Discretisation, run: &Run) -> Result<String, Error> {
     let mesh = &discretisation.mesh;
-    let fields = discretisation.recover(&run.solution)?;
+    let fields = discretisation.recover_under(run.share(), &run.solution)?;
     let in_space = |plane: &[[f64; 2]]| -> Vec<f64> { plane.iter().flat_map(|[x, y]| [*x, *y, 0.0]).collect() };
     let [pressure, gap] = on_candidates(discretisation, run);
     let nodes = mesh.order.nodes_per_cell();
@@ -38,7 +37,7 @@ pub fn text(discretisation: &Discretisation, run: &Run) -> Result<String, Error>
             point: vec![
                 Attribute::vectors("displacement [mm]").with_data(in_space(&fields.displacement)),
                 Attribute::generic("stress x, y, xy [MPa]", 3).with_data(fields.stress.as_flattened().to_vec()),
-                Attribute::scalars("von Mises [MPa]", 1).with_data(equivalent(discretisation, &fields.stress)),
+                Attribute::scalars("von Mises [MPa]", 1).with_data(discretisation.von_mises(&fields)),
                 Attribute::scalars("pressure [MPa]", 1).with_data(pressure),
                 Attribute::scalars("gap [mm]", 1).with_data(gap),
             ],
@@ -58,18 +57,6 @@ pub fn text(discretisation: &Discretisation, run: &Run) -> Result<String, Error>
         remedy: "leave --vtu out".into(),
     })?;
     Ok(String::from_utf8_lossy(&text).into_owned())
-}
-
-/// Von Mises stress at every node \[MPa\].
-fn equivalent(discretisation: &Discretisation, stress: &[[f64; 3]]) -> Vec<f64> {
-    let scene = &discretisation.scene;
-    let mut equivalent = vec![0.0; stress.len()];
-    for (body, mesh) in scene.bodies.iter().zip(&discretisation.mesh.bodies) {
-        for node in mesh.nodes.clone() {
-            equivalent[node] = von_mises(stress[node], scene.plane, body.material.poisson);
-        }
-    }
-    equivalent
 }
 
 /// Pressure and gap at the candidate nodes of all bodies, linear between the contact points.

@@ -147,9 +147,14 @@ impl Freedoms {
 
     /// Cartesian displacement of every node of the body \[mm\].
     pub fn displacements(&self, solution: &[f64]) -> Vec<[f64; 2]> {
+        self.displacements_under(1.0, solution)
+    }
+
+    /// The same where prescribed displacements are `share` times theirs.
+    pub fn displacements_under(&self, share: f64, solution: &[f64]) -> Vec<[f64; 2]> {
         let value = |freedom| match freedom {
             Freedom::Equation(equation) => solution[equation],
-            Freedom::Prescribed(value) => value,
+            Freedom::Prescribed(value) => share * value,
         };
         let nodes = self.components.iter().zip(&self.axes);
         nodes

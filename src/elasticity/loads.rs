@@ -9,40 +9,63 @@ use crate::scene::{Load, Scene};
 /// Gauss points per edge for given stress fields: the Hertz field is integrated to 1e-7 and better on the meshes here.
 const EDGE_POINTS: usize = 16;
 
+/// What takes the force on a node, in x and y \[N\].
+type Taker<'a> = &'a mut dyn FnMut(usize, [f64; 2]);
+
 /// Load vector of a body \[N\].
 pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms) -> Result<Vec<f64>, Error> {
     let mut force = vec![0.0; freedoms.equations];
-    let rule = quadrature::gauss(EDGE_POINTS);
     for load in &scene.bodies[body].loads {
-        match load {
-            Load::Traction { boundary, traction } => {
-                let constant = |_: [f64; 2], _: [f64; 2], length: f64| traction.map(|t| t * length);
-                for edge in mesh.boundary(scene, body, boundary)? {
-                    integrate_edge(mesh, edge, &rule, scene.thickness, &constant, freedoms, &mut force);
-                }
-            }
-            Load::Stress { boundary, field } => {
-                let stress = |point: [f64; 2], normal: [f64; 2], _: f64| {
-                    let [x, y, xy] = (field.0)(point);
-                    [x * normal[0] + xy * normal[1], xy * normal[0] + y * normal[1]]
-                };
-                for edge in mesh.boundary(scene, body, boundary)? {
-                    integrate_edge(mesh, edge, &rule, scene.thickness, &stress, freedoms, &mut force);
-                }
-            }
-            Load::BodyForce(density) => body_force(scene, mesh, body, *density, freedoms, &mut force)?,
-            Load::Force { at, force: value } => {
-                freedoms.add_force(mesh.node_at(scene, body, *at)?, *value, &mut force);
-            }
-            Load::RigidFace { boundary, component, force: value } => {
-                let node = mesh.boundary(scene, body, boundary)?[0][0];
-                if let Freedom::Equation(equation) = freedoms.of_node(node)[component.index()] {
-                    force[equation] += value;
-                }
+        if let Load::RigidFace { boundary, component, force: value } = load {
+            let node = mesh.boundary(scene, body, boundary)?[0][0];
+            if let Freedom::Equation(equation) = freedoms.of_node(node)[component.index()] {
+                force[equation] += value;
             }
         }
+        hand_out(scene, mesh, body, load, &mut |node, value| freedoms.add_force(node, value, &mut force))?;
     }
     Ok(force)
+}
+
+/// Applied forces at each node of a body, in x and y, held components included \[N\].
+///
+/// The force on a rigid face is not among them: it acts on what its nodes have in common, which no support holds.
+pub fn at_nodes(scene: &Scene, mesh: &Mesh, body: usize) -> Result<Vec<[f64; 2]>, Error> {
+    let nodes = mesh.bodies[body].nodes.clone();
+    let mut forces = vec![[0.0; 2]; nodes.len()];
+    for load in &scene.bodies[body].loads {
+        let mut take = |node: usize, value: [f64; 2]| {
+            (0..2).for_each(|k| forces[node - nodes.start][k] += value[k]);
+        };
+        hand_out(scene, mesh, body, load, &mut take)?;
+    }
+    Ok(forces)
+}
+
+/// Hands the consistent forces of a load to the nodes; those of a rigid face belong to no single node.
+fn hand_out(scene: &Scene, mesh: &Mesh, body: usize, load: &Load, take: Taker) -> Result<(), Error> {
+    let rule = quadrature::gauss(EDGE_POINTS);
+    match load {
+        Load::Traction { boundary, traction } => {
+            let constant = |_: [f64; 2], _: [f64; 2], length: f64| traction.map(|t| t * length);
+            for edge in mesh.boundary(scene, body, boundary)? {
+                integrate_edge(mesh, edge, &rule, scene.thickness, &constant, take);
+            }
+        }
+        Load::Stress { boundary, field } => {
+            let stress = |point: [f64; 2], normal: [f64; 2], _: f64| {
+                let [x, y, xy] = (field.0)(point);
+                [x * normal[0] + xy * normal[1], xy * normal[0] + y * normal[1]]
+            };
+            for edge in mesh.boundary(scene, body, boundary)? {
+                integrate_edge(mesh, edge, &rule, scene.thickness, &stress, take);
+            }
+        }
+        Load::BodyForce(density) => body_force(scene, mesh, body, *density, take)?,
+        Load::Force { at, force } => take(mesh.node_at(scene, body, *at)?, *force),
+        Load::RigidFace { .. } => {}
+    }
+    Ok(())
 }
 
 /// `f_a = ∫ N_a t ds · thickness`; `traction(point, n ds/dξ, ds/dξ)` returns `t ds/dξ`, with `n ds = (dy, −dx)`.
@@ -52,8 +75,7 @@ fn integrate_edge(
     rule: &[(f64, f64)],
     thickness: f64,
     traction: &dyn Fn([f64; 2], [f64; 2], f64) -> [f64; 2],
-    freedoms: &Freedoms,
-    force: &mut [f64],
+    take: Taker,
 ) {
     for &(xi, weight) in rule {
         let shapes = shape_functions::edge(edge.len(), xi);
@@ -66,19 +88,12 @@ fn integrate_edge(
         }
         let t = traction(point, [slope[1], -slope[0]], slope[0].hypot(slope[1]));
         for (&node, (value, _)) in edge.iter().zip(&shapes) {
-            freedoms.add_force(node, t.map(|t| t * value * weight * thickness), force);
+            take(node, t.map(|t| t * value * weight * thickness));
         }
     }
 }
 
-fn body_force(
-    scene: &Scene,
-    mesh: &Mesh,
-    body: usize,
-    density: [f64; 2],
-    freedoms: &Freedoms,
-    force: &mut [f64],
-) -> Result<(), Error> {
+fn body_force(scene: &Scene, mesh: &Mesh, body: usize, density: [f64; 2], take: Taker) -> Result<(), Error> {
     let rule = quadrature::gauss_square(3);
     for cell in mesh.bodies[body].cells.clone() {
         let nodes = mesh.cell(cell);
@@ -91,7 +106,7 @@ fn body_force(
             })?;
             let volume = weight * determinant * scene.thickness;
             for (&node, (value, _)) in nodes.iter().zip(shape_functions::cell(points.len(), at)) {
-                freedoms.add_force(node, density.map(|b| b * value * volume), force);
+                take(node, density.map(|b| b * value * volume));
             }
         }
     }

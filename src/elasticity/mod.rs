@@ -9,6 +9,7 @@
 //! * [`loads`] — consistent nodal forces.
 //! * [`rigid_motion`] — refuses bodies that are free to move.
 //! * [`stress`] — nodal stresses.
+//! * [`reactions`] — what supports exert.
 
 pub mod assembly;
 pub mod element;
@@ -16,6 +17,7 @@ pub mod freedoms;
 pub mod graph;
 pub mod loads;
 pub mod quadrature;
+pub mod reactions;
 pub mod rigid_motion;
 pub mod shape_functions;
 pub mod stress;
@@ -106,8 +108,13 @@ impl ElasticSystem {
 
     /// Nodal displacements \[mm\] from the solution of each body, in mesh order.
     pub fn nodal_displacements(&self, solutions: &[Vec<f64>]) -> Vec<[f64; 2]> {
+        self.nodal_displacements_under(1.0, solutions)
+    }
+
+    /// The same where prescribed displacements are `share` times theirs.
+    pub fn nodal_displacements_under(&self, share: f64, solutions: &[Vec<f64>]) -> Vec<[f64; 2]> {
         let per_body = self.bodies.iter().zip(solutions);
-        per_body.flat_map(|(body, solution)| body.freedoms.displacements(solution)).collect()
+        per_body.flat_map(|(body, solution)| body.freedoms.displacements_under(share, solution)).collect()
     }
 }
 

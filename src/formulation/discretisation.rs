@@ -6,7 +6,7 @@ use crate::algorithm::{ContactProblem, Scale};
 use crate::clock::Clock;
 use crate::condensation::{self, Condensed, CoupledSpring};
 use crate::contact::{ContactPoint, Interface};
-use crate::elasticity::{ElasticSystem, Numbering, stress};
+use crate::elasticity::{ElasticSystem, Numbering};
 use crate::error::Error;
 use crate::formulation::{Change, Formulation, spill};
 use crate::mesh::{Mesh, Order, Resolution};
@@ -34,17 +34,29 @@ pub struct Discretisation {
     pub(super) coarser: OnceLock<Box<Discretisation>>,
 }
 
+/// Stages of a discretisation, in their order.
+pub const STAGES: [&str; 3] = ["mesh", "assembly", "condensation"];
+
 impl Discretisation {
     /// Mesh, assembly, condensation and interface of a scene.
     pub fn of(scene: Scene, resolution: Resolution) -> Result<Self, Error> {
+        Self::announced(scene, resolution, &|_| ())
+    }
+
+    /// The same, each of its [`STAGES`] announced as it begins.
+    pub fn announced(scene: Scene, resolution: Resolution, begins: &dyn Fn(&'static str)) -> Result<Self, Error> {
+        let [meshing, assembling, condensing] = STAGES;
         let mut clock = Clock::start();
         refuse_locking(&scene, resolution.order)?;
+        begins(meshing);
         let mesh = Mesh::of(&scene, resolution)?;
         clock.lap("mesh");
+        begins(assembling);
         let numbering = Numbering::of(&scene, &mesh)?;
         clock.lap("ordering");
         let system = ElasticSystem::assemble_numbered(&scene, &mesh, numbering, &|_| 1.0)?;
         clock.lap("assembly");
+        begins(condensing);
         Self::from_parts(scene, resolution, mesh, system, clock)
     }
 
@@ -133,14 +145,6 @@ impl Discretisation {
         formulation.points(&self.interface)
     }
 
-    /// Displacement \[mm\] and stress \[MPa\] at every node, by one back-substitution per body.
-    pub fn recover(&self, solution: &Solution) -> Result<Fields, Error> {
-        let unknowns = self.condensed.recover(&solution.displacement);
-        let displacement = self.system.nodal_displacements(&unknowns);
-        let stress = stress::at_nodes(&self.scene, &self.mesh, &displacement)?;
-        Ok(Fields { displacement, stress, unknowns })
-    }
-
     /// The spring pressures of a solution once more, from the full system without condensation \[MPa\].
     ///
     /// Every loaded point is replaced by a spring around the condensed solution, `p = p_s + k (w − w_s)`; the sparse
@@ -209,14 +213,3 @@ fn refuse_locking(scene: &Scene, order: Order) -> Result<(), Error> {
 /// κ of the springs that check the condensed solution against the full one: far stiffer than the bodies, and soft enough
 /// that round-off in the approach stays below 1e-12 of the pressure.
 const CHECKING_STIFFNESS: f64 = 1e3;
-
-/// Fields recovered on the whole mesh.
-#[derive(Clone, Debug)]
-pub struct Fields {
-    /// Displacement of every node \[mm\].
-    pub displacement: Vec<[f64; 2]>,
-    /// `[σ_x, σ_y, τ_xy]` at every node \[MPa\], tension positive.
-    pub stress: Vec<[f64; 3]>,
-    /// Unknowns of each body in its own frames and numbering \[mm\].
-    pub unknowns: Vec<Vec<f64>>,
-}

@@ -2,11 +2,15 @@
 //!
 //! * [`again`] — another load or clearance on a condensation at hand.
 //! * [`discretisation`] — a scene meshed, assembled and condensed, on which formulations solve.
+//! * [`fields`] — displacements and stresses of a solution.
+//! * [`mod@reactions`] — what the supports exert.
 //! * [`spill`] — contact that goes on beyond the candidates.
 //! * [`start`] — where kinematic load starts.
 
 pub mod again;
 pub mod discretisation;
+pub mod fields;
+pub mod reactions;
 pub mod spill;
 pub mod start;
 
@@ -18,7 +22,9 @@ use crate::scene::Scene;
 pub use crate::algorithm::Settings;
 pub use crate::algorithm::problem::LIMITS;
 pub use again::Change;
-pub use discretisation::{Discretisation, Fields, INCOMPRESSIBLE};
+pub use discretisation::{Discretisation, INCOMPRESSIBLE, STAGES};
+pub use fields::Fields;
+pub use reactions::Reaction;
 pub use start::Start;
 
 /// Tolerances between round-off and no answer at all.

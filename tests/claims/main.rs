@@ -20,6 +20,8 @@ mod measure;
 mod mesh;
 mod oracles;
 mod outputs;
+mod pictures;
+mod reactions;
 mod scene;
 mod scene_file;
 mod scene_fuzz;

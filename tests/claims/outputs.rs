@@ -102,6 +102,29 @@ fn asking_for_outputs_does_not_change_the_run() {
 }
 
 #[test]
+fn reactions_are_told_in_the_table_and_in_the_document() {
+    let file = scene("blocks");
+    let (_, table, _) = contact_vv(&["solve", &file]);
+    let (_, document, _) = contact_vv(&["solve", &file, "--json", "-"]);
+    let document: serde_json::Value = serde_json::from_str(&document).expect("JSON");
+    let reactions = document["reactions"].as_array().expect("a list");
+    let said: Vec<String> = reactions
+        .iter()
+        .map(|reaction| {
+            let text = |key: &str| reaction[key].as_str().expect("a text").to_string();
+            let force = reaction["force"].as_f64().expect("a force");
+            format!("reaction on `{}` at {}: {} {force:.3}", text("body"), text("at"), text("component"))
+        })
+        .collect();
+    let lines: Vec<&str> = table.lines().filter(|line| line.starts_with("reaction on")).collect();
+    assert_eq!((lines.len(), said.len()), (5, 5), "{table}");
+    for (line, said) in lines.iter().zip(&said) {
+        assert!(line.starts_with(&said[..said.len() - 1]) && line.ends_with(" N"), "{line}: {said}");
+    }
+    assert!(said[4].starts_with("reaction on `lower` at far: y 2000.000"), "{said:?}");
+}
+
+#[test]
 fn options_change_what_the_file_says_and_only_that() {
     let file = scene("cylinder-in-metres");
     let solve = |options: &[&str]| -> serde_json::Value {

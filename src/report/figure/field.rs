@@ -1,15 +1,12 @@
 //! A nodal scalar on the deformed mesh, in discrete bands, with an optional detail.
 
-use super::bands::{Bands, paint_cell};
+use super::bands::Bands;
 use super::canvas::{Canvas, Point, drawing};
-use super::colour_bar::colour_bar;
-use super::frame::Frame;
-use super::mesh_lines::mesh_lines;
+use super::field_panels::Room;
 use super::numbers::round_values;
 use super::page::{EDGE, heading, notes_height, small_print, wrapped};
 use super::palette::ColourMap;
 use super::pen::text_width;
-use super::view::{View, mark_detail};
 use crate::error::Error;
 
 /// A rectangle of the drawn (deformed) shape, in its length unit.
@@ -19,6 +16,24 @@ pub struct Window {
     pub x: (f64, f64),
     /// Lower and upper end.
     pub y: (f64, f64),
+}
+
+/// What a second panel shows enlarged.
+#[derive(Clone, Copy, Debug)]
+pub struct Detail {
+    /// What of the detail's own deformed shape is shown.
+    pub window: Window,
+    /// Factor on the displacements in the detail.
+    pub magnification: f64,
+    /// Where the detail lies in the whole.
+    pub marked: Window,
+}
+
+impl Detail {
+    /// A window of the shape as the whole draws it, displacements times the same factor.
+    pub fn of(window: Window, magnification: f64) -> Detail {
+        Detail { window, magnification, marked: window }
+    }
 }
 
 /// A nodal scalar on a mesh of quadrilaterals.
@@ -43,7 +58,7 @@ pub struct Field {
     /// Ends of the colour bar; those of the values when absent.
     pub range: Option<(f64, f64)>,
     /// What a second panel shows enlarged.
-    pub zoom: Option<Window>,
+    pub zoom: Option<Detail>,
     /// Small print below.
     pub notes: Vec<String>,
 }
@@ -55,7 +70,6 @@ pub(super) struct Drawn<'a> {
 }
 
 const TOP: f64 = 44.0;
-const BAR: f64 = 112.0;
 const WHOLE: f64 = 600.0;
 const PANEL: f64 = 366.0;
 const TALLEST: f64 = 470.0;
@@ -63,30 +77,18 @@ const TALLEST: f64 = 470.0;
 impl Field {
     /// The field as SVG.
     pub fn svg(&self) -> Result<String, Error> {
-        self.check()?;
-        let bands = self.bands()?;
-        let drawn = Drawn { field: self, nodes: self.deformed() };
-        let (views, right, bottom) = self.views(&drawn);
-        let width = self.width(right);
-        let notes = wrapped(&self.notes(&views), width - 2.0 * EDGE);
+        let width = if self.zoom.is_some() { PANEL } else { WHOLE };
+        let panels = self.panels(&Room { corner: (EDGE, TOP), panel: (width, TALLEST) })?;
+        let (width, bottom) = (panels.end().max(text_width(&self.title, 15.0) + 2.0 * EDGE), panels.bottom());
+        let notes = wrapped(&[panels.notes()], width - 2.0 * EDGE);
         let mut canvas = Canvas::new(width, bottom + 10.0 + notes_height(&notes));
         heading(&mut canvas, &self.title);
-        for view in &views {
-            for cell in &self.cells {
-                paint_cell(&mut canvas, &drawn, cell, view, &bands);
-            }
-            mesh_lines(&mut canvas, &drawn, view);
-        }
-        if let [whole, detail] = &views[..] {
-            mark_detail(&mut canvas, whole, detail);
-        }
-        let bar = Frame { left: right + 8.0, top: TOP + 24.0, right: right + 22.0, bottom };
-        colour_bar(&mut canvas, &bands, bar, &self.quantity);
+        panels.draw(&mut canvas);
         small_print(&mut canvas, &notes, bottom + 10.0);
         canvas.svg(&self.title)
     }
 
-    fn check(&self) -> Result<(), Error> {
+    pub(super) fn check(&self) -> Result<(), Error> {
         let nodes = self.points.len();
         let reason = if self.values.len() != nodes || self.displacements.len() != nodes {
             format!(
@@ -106,7 +108,7 @@ impl Field {
         Err(drawing(&self.title, reason))
     }
 
-    fn bands(&self) -> Result<Bands, Error> {
+    pub(super) fn bands(&self) -> Result<Bands, Error> {
         let spread = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
         let found = self.cells.iter().flatten().map(|&node| self.values[node]);
         let (mut low, mut high) = self.range.unwrap_or_else(|| found.fold((f64::INFINITY, f64::NEG_INFINITY), spread));
@@ -128,45 +130,10 @@ impl Field {
         Ok(Bands { levels, step, map: self.map })
     }
 
-    fn deformed(&self) -> Vec<Point> {
-        let moved = |(point, shift): (&Point, &Point)| {
-            (point.0 + self.magnification * shift.0, point.1 + self.magnification * shift.1)
-        };
+    /// The nodes, their displacements times a factor added.
+    pub(super) fn deformed(&self, magnification: f64) -> Vec<Point> {
+        let moved =
+            |(point, shift): (&Point, &Point)| (point.0 + magnification * shift.0, point.1 + magnification * shift.1);
         self.points.iter().zip(&self.displacements).map(moved).collect()
-    }
-
-    /// The panels, their common right end and their lower end.
-    fn views(&self, drawn: &Drawn<'_>) -> (Vec<View>, f64, f64) {
-        let used = || self.cells.iter().flatten().map(|&node| drawn.nodes[node]);
-        let ends = |values: &mut dyn Iterator<Item = f64>| {
-            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
-        };
-        let extent = Window { x: ends(&mut used().map(|p| p.0)), y: ends(&mut used().map(|p| p.1)) };
-        let width = if self.zoom.is_some() { PANEL } else { WHOLE };
-        let whole = View::fitting(extent, (EDGE, TOP), (width, TALLEST));
-        let Some(zoom) = self.zoom else {
-            return (vec![whole], whole.frame.right + EDGE, whole.frame.bottom);
-        };
-        let corner = (whole.frame.right + 2.0 * EDGE, TOP);
-        let detail = View::fitting(zoom, corner, (PANEL, TALLEST));
-        let bottom = whole.frame.bottom.max(detail.frame.bottom).max(TOP + 240.0);
-        (vec![whole, detail], detail.frame.right + EDGE, bottom)
-    }
-
-    /// Width of the card: room for the colour bar, its quantity and the title.
-    fn width(&self, right: f64) -> f64 {
-        let bar = (16.0 + text_width(&self.quantity, 11.5)).max(BAR);
-        (right + bar).max(text_width(&self.title, 15.0) + 2.0 * EDGE)
-    }
-
-    fn notes(&self, views: &[View]) -> Vec<String> {
-        let mut notes = self.notes.clone();
-        if self.displacements.iter().any(|shift| shift.0.hypot(shift.1) > 0.0) && self.magnification > 0.0 {
-            notes.push(format!("Displacements ×{}.", self.magnification));
-        }
-        if let [whole, detail] = views {
-            notes.push(format!("Right: the framed detail, ×{:.1}.", detail.scale / whole.scale));
-        }
-        vec![notes.join(" ")]
     }
 }

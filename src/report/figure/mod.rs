@@ -8,6 +8,7 @@
 //! * [`class_map`]: how runs ended, over two numbers.
 //! * [`multiples`]: charts side by side over one legend.
 //! * [`field`]: a scalar on the deformed mesh, in bands.
+//! * [`sheet`]: a field above charts.
 //! * [`mod@contact_elements`]: what the three contact elements are.
 //! * [`scenes`]: the cylinder and the pin–rod with their loads and supports.
 //! * [`iteration_path`]: how each algorithm walks to the solution at one contact point.
@@ -15,7 +16,8 @@
 //!
 //! Below these: `canvas` records shapes and writes the SVG, `pen` sets lines and text, `frame` clips to a rectangle,
 //! `page` sets title and small print; `axis` and `numbers` place and write ticks, `plot`, `annotations`, `curves` and
-//! `legend` draw a chart; `view`, `cell_grid`, `bands`, `colour_bar` and `mesh_lines` a field; `sketch` holds springs,
+//! `legend` draw a chart; `view`, `cell_grid`, `bands`, `colour_bar`, `mesh_lines` and
+//! `field_panels` a field; `sketch` holds springs,
 //! arrows, rollers and hatching, `scene_cylinder` and `scene_pin_rod` the two scenes.
 
 mod annotations;
@@ -29,6 +31,7 @@ mod colour_bar;
 pub mod contact_elements;
 mod curves;
 pub mod field;
+mod field_panels;
 mod frame;
 pub mod iteration_path;
 mod legend;
@@ -42,14 +45,16 @@ mod plot;
 mod scene_cylinder;
 mod scene_pin_rod;
 pub mod scenes;
+pub mod sheet;
 mod sketch;
 mod view;
 
 pub use chart::{Axis, Band, Chart, Direction, Guide, Scale, Series};
 pub use class_map::{Cell, ClassMap, MapPanel};
 pub use contact_elements::contact_elements;
-pub use field::{Field, Window};
+pub use field::{Detail, Field, Window};
 pub use iteration_path::{IterationPaths, Path, State};
 pub use multiples::panels;
 pub use palette::{ColourMap, Dash, Marker, Style};
 pub use scenes::{CylinderScene, PinRodScene};
+pub use sheet::Sheet;

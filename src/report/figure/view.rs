@@ -32,9 +32,9 @@ impl View {
 }
 
 /// Frames the detail in the whole and beside it.
-pub(super) fn mark_detail(canvas: &mut Canvas, whole: &View, detail: &View) {
-    let (left, bottom) = whole.place((detail.window.x.0, detail.window.y.0));
-    let (right, top) = whole.place((detail.window.x.1, detail.window.y.1));
+pub(super) fn mark_detail(canvas: &mut Canvas, whole: &View, detail: &View, marked: Window) {
+    let (left, bottom) = whole.place((marked.x.0, marked.y.0));
+    let (right, top) = whole.place((marked.x.1, marked.y.1));
     let marked = Frame { left, top, right, bottom };
     canvas.line(&marked.outline(), Pen::solid(INK, 1.4));
     canvas.line(&detail.frame.outline(), Pen::solid(INK, 1.2));

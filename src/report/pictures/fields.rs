@@ -4,7 +4,7 @@ use crate::case::problem::problem;
 use crate::case::{FieldData, Finding, pictures};
 use crate::error::Error;
 use crate::report::figure::palette::ColourMap;
-use crate::report::figure::{Field, Window};
+use crate::report::figure::{Detail, Field, Window};
 
 fn data<'a>(findings: &'a [Finding], scene: &str) -> Result<&'a FieldData, Error> {
     let name = pictures::field(scene);
@@ -46,7 +46,7 @@ fn draw(data: &FieldData, magnification: f64, range: (f64, f64), zoom: Option<Wi
         magnification,
         map: ColourMap::Diverging,
         range: Some(range),
-        zoom,
+        zoom: zoom.map(|window| Detail::of(window, magnification)),
         notes: vec![],
     }
     .svg()

@@ -7,15 +7,18 @@
 //! * [`schematics`] — contact elements and scenes.
 //! * [`cross_code`] — profiles of all codes and their differences.
 //! * [`timings`] — error against seconds and work, growth.
+//! * [`solve`] and [`deformed`] — the picture of one run.
 //! * [`pins`] — hoop stress and displacement along the pin, the dimensionless family.
 
 pub mod atlas;
 pub mod contact;
 pub mod convergence;
 pub mod cross_code;
+pub mod deformed;
 pub mod fields;
 pub mod pins;
 pub mod schematics;
+pub mod solve;
 pub mod timings;
 
 use crate::case::atlas::{Chart as Plane, Plane as Name, record};

@@ -1,0 +1,61 @@
+//! Reactions as they are told: by the name of the body and the place of the support.
+
+use serde::Serialize;
+
+use crate::case::Run;
+use crate::error::Error;
+use crate::formulation::{Discretisation, Reaction};
+use crate::scene::{Component, Place};
+
+/// What a support exerts on the modelled part of its body.
+#[derive(Clone, Debug, Serialize)]
+pub struct ReactionReading {
+    /// Name of the body.
+    pub body: String,
+    /// Where the support is.
+    pub at: At,
+    /// Which component it holds: `x` or `y`.
+    pub component: &'static str,
+    /// Force on the body along that component, positive along x or y \[N\].
+    pub force: f64,
+}
+
+/// Boundary by name, or a point \[mm\].
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub enum At {
+    /// Boundary.
+    Boundary(&'static str),
+    /// Point.
+    Point([f64; 2]),
+}
+
+impl std::fmt::Display for At {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Boundary(name) => f.write_str(name),
+            Self::Point([x, y]) => write!(f, "({x}, {y})"),
+        }
+    }
+}
+
+/// The reaction of every support, body by body in the order of the scene.
+pub fn readings(discretisation: &Discretisation, run: &Run) -> Result<Vec<ReactionReading>, Error> {
+    let reading = |reaction: Reaction| {
+        let body = &discretisation.scene.bodies[reaction.body];
+        let support = &body.supports[reaction.support];
+        ReactionReading {
+            body: body.name.clone(),
+            at: match support.at {
+                Place::Boundary(name) => At::Boundary(name),
+                Place::Point(point) => At::Point(point),
+            },
+            component: match support.component {
+                Component::X => "x",
+                Component::Y => "y",
+            },
+            force: reaction.force,
+        }
+    };
+    Ok(discretisation.reactions_under(run.share(), &run.solution)?.into_iter().map(reading).collect())
+}

@@ -1,0 +1,72 @@
+//! `solve CASE` or `solve SCENE.toml`: one scene by one formulation, with its outputs.
+//!
+//! * [`options`] — what the user asks for.
+//! * `stages` — the stage it is in, on a terminal.
+//! * `table` — the result in lines.
+//! * `profile` — the pressure profile as CSV.
+
+pub mod options;
+mod profile;
+mod stages;
+mod table;
+
+use std::path::Path;
+
+use crate::case::Run;
+use crate::cli::{json, reactions, say, vtu};
+use crate::error::Error;
+use crate::formulation::Discretisation;
+use crate::report::pictures;
+
+pub use options::Arguments;
+use stages::Stages;
+
+/// Solves, prints a table unless JSON goes to standard output, and writes what was asked for; tells whether it converged.
+pub fn run(arguments: &Arguments) -> Result<bool, Error> {
+    let (problem, base) = arguments.problem()?;
+    arguments.refuse_endings()?;
+    let formulation = arguments.formulation(base);
+    formulation.validate(&problem.scene)?;
+    let resolution = arguments.resolution(&problem)?;
+
+    let stages = Stages::new();
+    let discretisation = Discretisation::announced(problem.scene.clone(), resolution, &|stage| stages.begin(stage))?;
+    stages.begin(stages::ITERATION);
+    let run = Run::of(&discretisation, &formulation)?;
+    stages.begin(stages::OUTPUTS);
+    let reactions = reactions::readings(&discretisation, &run)?;
+    let document = arguments.json.is_some().then(|| json::text(&problem, resolution, &run, &reactions));
+    let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
+    if let (Some(path), Some(text), false) = (&arguments.json, &document, to_stdout) {
+        write(path, text)?;
+    }
+    if let Some(path) = &arguments.csv {
+        write(path, &profile::csv(&run, path)?)?;
+    }
+    if let Some(path) = &arguments.vtu {
+        write(path, &vtu::text(&discretisation, &run)?)?;
+    }
+    if let Some(path) = &arguments.plot {
+        write(path, &pictures::solve::sheet(&problem, &discretisation, &run)?.svg()?)?;
+    }
+    stages.end();
+
+    match document.filter(|_| to_stdout) {
+        Some(text) => say(text),
+        None => table::print(&problem, resolution, &run, &reactions),
+    }
+    if !run.solution.converged() {
+        eprintln!(
+            "not converged: these numbers are those of the last step; allow more steps, or choose another algorithm or start"
+        );
+    }
+    Ok(run.solution.converged())
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Error> {
+    std::fs::write(path, text).map_err(|error| Error::File {
+        path: path.into(),
+        reason: error.to_string(),
+        remedy: "check that the folder exists and may be written".into(),
+    })
+}

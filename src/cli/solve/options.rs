@@ -1,0 +1,195 @@
+//! Options of `solve`, and what they change in a scene's own formulation and mesh.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+
+use crate::algorithm::{Acceleration, StiffnessRule};
+use crate::case::SceneFile;
+use crate::case::problem::{Problem, problem};
+use crate::error::Error;
+use crate::formulation::{Element, Formulation, Iteration, Start};
+use crate::mesh::size::solvable;
+use crate::mesh::{Order, Resolution};
+
+/// Arguments of `solve`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Case of the library (`list` names them), or a scene file (tests/scenes/README.md describes its keys).
+    pub case: String,
+    /// Contact element: node unless the file says otherwise.
+    #[arg(long, value_enum)]
+    element: Option<ElementName>,
+    /// Iteration algorithm: kinematic unless the file says otherwise.
+    #[arg(long, value_enum)]
+    algorithm: Option<AlgorithmName>,
+    /// Rule; the algorithm's own by default.
+    #[arg(long, value_enum)]
+    rule: Option<RuleName>,
+    /// Acceleration of the constant algorithm; not the paper's.
+    #[arg(long, value_enum)]
+    acceleration: Option<AccelerationName>,
+    /// Start of the kinematic algorithm: every candidate closed (the paper's) or the contact set of coarser meshes.
+    #[arg(long, value_enum)]
+    start: Option<StartName>,
+    /// Initial stiffness κ₀ = k_n ℓ/E*.
+    #[arg(long, value_name = "KAPPA", allow_negative_numbers = true)]
+    stiffness: Option<f64>,
+    /// Hertz half-width over the radius (Hertz scenes only).
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    a_over_r: Option<f64>,
+    /// Element order: 1 (4-node) or 2 (8-node).
+    #[arg(long)]
+    order: Option<u8>,
+    /// Elements per half-width, or per 10 mm of arc on pins; in a scene file per the length it names.
+    #[arg(long, value_name = "N")]
+    resolution: Option<usize>,
+    /// Load increments.
+    #[arg(long, value_name = "N")]
+    increments: Option<usize>,
+    /// Largest residual accepted.
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    tolerance: Option<f64>,
+    /// Write the result as JSON to a file, or to standard output with `-`.
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
+    /// Write the profile as CSV: position, pressure, gap, area.
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Write displacement, stress, pressure and gap on the mesh as VTK for ParaView.
+    #[arg(long, value_name = "FILE.vtu")]
+    pub vtu: Option<PathBuf>,
+    /// Draw the deformed shape with its stresses, the pressure and the residuals of every step as SVG.
+    #[arg(long, value_name = "FILE.svg")]
+    pub plot: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum ElementName {
+    Line,
+    Layer,
+    Node,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum AlgorithmName {
+    Varying,
+    Constant,
+    Kinematic,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum RuleName {
+    Secant,
+    Correction,
+    Literal,
+    Switching,
+    Penalty,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum AccelerationName {
+    None,
+    CrossedSecant,
+    Anderson,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum StartName {
+    Closed,
+    Nested,
+}
+
+impl Arguments {
+    /// The problem of the library or of a file, and the formulation that it names.
+    pub fn problem(&self) -> Result<(Problem, Formulation), Error> {
+        let path = Path::new(&self.case);
+        let is_file = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) || path.exists();
+        if !is_file {
+            let problem = problem(&self.case, self.a_over_r)?;
+            return Ok((problem, Formulation::new(Element::Node, Iteration::Kinematic)));
+        }
+        if self.a_over_r.is_some() {
+            let remedy = "leave it out, and set the load in the file";
+            return Err(Error::Combination { what: "a scene file has no a/R".into(), remedy: remedy.into() });
+        }
+        let file = SceneFile::read(path)?;
+        Ok((file.problem, file.formulation))
+    }
+
+    /// What the options change in a formulation; another element or algorithm begins from its own defaults.
+    pub fn formulation(&self, base: Formulation) -> Formulation {
+        let element = self.element.map_or(base.element, |element| match element {
+            ElementName::Line => Element::Line,
+            ElementName::Layer => Element::Layer,
+            ElementName::Node => Element::Node,
+        });
+        let algorithm = self.algorithm.map_or(base.algorithm, |algorithm| match algorithm {
+            AlgorithmName::Varying => Iteration::Varying,
+            AlgorithmName::Constant => Iteration::Constant,
+            AlgorithmName::Kinematic => Iteration::Kinematic,
+        });
+        let mut formulation = if (element, algorithm) == (base.element, base.algorithm) {
+            base
+        } else {
+            Formulation { settings: base.settings, ..Formulation::new(element, algorithm) }
+        };
+        let settings = &mut formulation.settings;
+        settings.tolerance = self.tolerance.unwrap_or(settings.tolerance);
+        settings.increments = self.increments.unwrap_or(settings.increments);
+        if let Some(acceleration) = self.acceleration {
+            formulation.acceleration = match acceleration {
+                AccelerationName::None => Acceleration::None,
+                AccelerationName::CrossedSecant => Acceleration::CrossedSecant,
+                AccelerationName::Anderson => Acceleration::Anderson,
+            };
+        }
+        if let Some(start) = self.start {
+            formulation.start = match start {
+                StartName::Closed => Start::Closed,
+                StartName::Nested => Start::Nested,
+            };
+        }
+        if let Some(rule) = self.rule {
+            formulation.rule = match rule {
+                RuleName::Secant => StiffnessRule::Secant,
+                RuleName::Correction => StiffnessRule::Correction,
+                RuleName::Literal => StiffnessRule::Literal,
+                RuleName::Switching => StiffnessRule::Switching,
+                RuleName::Penalty => StiffnessRule::Penalty,
+            };
+        }
+        formulation.stiffness = self.stiffness.unwrap_or(formulation.stiffness);
+        formulation
+    }
+
+    /// The mesh asked for, if it can be solved.
+    pub fn resolution(&self, problem: &Problem) -> Result<Resolution, Error> {
+        let order = match self.order {
+            None => problem.resolution.order,
+            Some(1) => Order::Linear,
+            Some(2) => Order::Quadratic,
+            Some(other) => {
+                return Err(Error::value("solve", "--order", other, "it must be 1 or 2", "use 2 for 8-node cells"));
+            }
+        };
+        let elements = self.resolution.unwrap_or(problem.resolution.elements);
+        let resolution = Resolution { elements, refinement: 0, order };
+        match solvable(&problem.scene, resolution) {
+            Ok(()) => Ok(resolution),
+            Err((message, remedy)) => Err(Error::value("solve", "--resolution", elements, message, remedy)),
+        }
+    }
+
+    /// Refuses names of outputs that would not tell their format.
+    pub fn refuse_endings(&self) -> Result<(), Error> {
+        if let Some(path) = self.plot.as_ref().filter(|path| path.extension().is_none_or(|end| end != "svg")) {
+            return Err(Error::value("solve", "--plot", path.display(), "plots are SVG", "end the file name in .svg"));
+        }
+        if let Some(path) = self.vtu.as_ref().filter(|path| path.extension().is_none_or(|end| end != "vtu")) {
+            let remedy = "end the file name in .vtu, by which ParaView knows the format";
+            return Err(Error::value("solve", "--vtu", path.display(), "fields are VTK unstructured grids", remedy));
+        }
+        Ok(())
+    }
+}

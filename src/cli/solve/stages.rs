@@ -1,0 +1,39 @@
+//! Which stage a solve is in, shown on a terminal.
+
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
+
+use crate::formulation::STAGES;
+
+/// The stage of the contact iteration.
+pub const ITERATION: &str = "iteration";
+/// The stage of everything that is written.
+pub const OUTPUTS: &str = "outputs";
+
+/// A bar on standard error that goes when the solve ends or breaks off; nothing where that is no terminal.
+pub struct Stages(ProgressBar);
+
+impl Stages {
+    /// A bar over all stages.
+    pub fn new() -> Self {
+        let bar = ProgressBar::new(STAGES.len() as u64 + 2).with_finish(ProgressFinish::AndClear);
+        bar.enable_steady_tick(Duration::from_millis(100));
+        Self(match ProgressStyle::with_template("{spinner} {bar:20} {msg} {elapsed}") {
+            Ok(style) => bar.with_style(style),
+            Err(_) => bar,
+        })
+    }
+
+    /// Moves on to a stage.
+    pub fn begin(&self, stage: &'static str) {
+        let of_mesh = STAGES.iter().position(|known| *known == stage);
+        self.0.set_position(of_mesh.unwrap_or(STAGES.len() + usize::from(stage == OUTPUTS)) as u64);
+        self.0.set_message(stage);
+    }
+
+    /// Removes the bar, so that lines can be printed.
+    pub fn end(self) {
+        self.0.finish_and_clear();
+    }
+}

@@ -1,0 +1,231 @@
+//! The picture of a run: it draws what was solved, whatever came out.
+
+use std::path::Path;
+use std::process::Command;
+
+use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::case::{Problem, Run, SceneFile};
+use contact_vv::formulation::{Discretisation, STAGES};
+use contact_vv::report::figure::{Chart, Direction};
+use contact_vv::report::pictures::{deformed, solve};
+
+struct Solved {
+    problem: Problem,
+    discretisation: Discretisation,
+    run: Run,
+}
+
+fn solved(name: &str) -> Solved {
+    let path = format!("{}/tests/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let SceneFile { problem, formulation, .. } = SceneFile::read(Path::new(&path)).expect("sound");
+    let discretisation = Discretisation::of(problem.scene.clone(), problem.resolution).expect("meshed");
+    let run = Run::of(&discretisation, &formulation).expect("solved");
+    Solved { problem, discretisation, run }
+}
+
+impl Solved {
+    fn svg(&self) -> String {
+        let sheet = solve::sheet(&self.problem, &self.discretisation, &self.run).expect("composed");
+        sheet.svg().expect("drawn")
+    }
+}
+
+/// Elements of an SVG by their names; every one closed, in order, and every `&` an entity.
+fn elements(svg: &str) -> Vec<String> {
+    let (mut open, mut all) = (Vec::new(), Vec::new());
+    for part in svg.split('<').skip(1) {
+        let (tag, text) = part.split_once('>').expect("a tag ends");
+        assert!(!text.contains('>'), "text after <{tag}: {text}");
+        let entity = |rest: &str| ["amp;", "lt;", "gt;", "quot;", "apos;", "#"].iter().any(|e| rest.starts_with(e));
+        assert!(part.split('&').skip(1).all(entity), "an entity in {part}");
+        let name = tag.trim_start_matches('/').split([' ', '/', '\n']).next().unwrap_or_default().to_string();
+        if tag.starts_with('/') {
+            assert_eq!(open.pop().as_ref(), Some(&name));
+        } else {
+            all.push(name.clone());
+            if !tag.ends_with('/') {
+                open.push(name);
+            }
+        }
+    }
+    assert!(open.is_empty(), "{open:?} left open");
+    all
+}
+
+#[test]
+fn picture_has_shape_pressure_and_residuals_and_is_valid() {
+    for name in ["blocks", "press-fit", "cylinder-on-block", "flat-punch"] {
+        let svg = solved(name).svg();
+        let elements = elements(&svg);
+        assert_eq!(elements.iter().filter(|element| *element == "svg").count(), 1, "{name}");
+        assert!(elements.iter().filter(|element| *element == "polygon").count() > 20, "{name}: no bands");
+        for text in ["von Mises stress", "Contact pressure", "Residuals", "tolerance", "Displacements ×"] {
+            assert!(svg.contains(text), "{name}: no `{text}`");
+        }
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
+    }
+}
+
+#[test]
+fn factor_on_displacements_is_round_and_makes_the_largest_a_twentieth_of_the_bodies() {
+    for (factor, round) in [(1.0, 1.0), (1.3, 1.0), (1.5, 2.0), (3.0, 2.0), (3.3, 5.0), (7.2, 10.0), (0.0021, 0.002)] {
+        assert_abs_diff_eq!(deformed::round_factor(factor), round, epsilon = 0.0);
+    }
+    for nothing in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert_abs_diff_eq!(deformed::round_factor(nothing), 1.0, epsilon = 0.0);
+    }
+    for name in ["blocks", "press-fit", "cylinder-on-block", "rigid-cosine"] {
+        let Solved { discretisation, run, .. } = solved(name);
+        let field = deformed::field(&discretisation, &run).expect("recovered").expect("finite");
+        let ends = |pick: fn(&(f64, f64)) -> f64| {
+            let of = || field.points.iter().map(pick);
+            of().fold(f64::NEG_INFINITY, f64::max) - of().fold(f64::INFINITY, f64::min)
+        };
+        let largest = field.displacements.iter().map(|shift| shift.0.hypot(shift.1)).fold(0.0, f64::max);
+        let share = field.magnification * largest / ends(|p| p.0).max(ends(|p| p.1));
+        // A factor 1, 2, 5, 10 … is at most √2.5 away from any number.
+        assert!((0.05 / 1.59..0.05 * 1.59).contains(&share), "{name}: {share}");
+    }
+}
+
+#[test]
+fn drawn_fields_are_those_of_the_solution() {
+    let Solved { discretisation, run, .. } = solved("cylinder-on-block");
+    let field = deformed::field(&discretisation, &run).expect("recovered").expect("finite");
+    let fields = discretisation.recover(&run.solution).expect("recovered");
+    let stresses = discretisation.von_mises(&fields);
+    assert_eq!(field.values.len(), stresses.len());
+    for (node, &[x, y]) in fields.displacement.iter().enumerate() {
+        assert_eq!(field.displacements[node], (x, y));
+        assert_eq!(field.values[node].to_bits(), stresses[node].to_bits());
+    }
+}
+
+#[test]
+fn detail_holds_the_contact_as_truly_displaced_and_is_marked_where_the_whole_draws_it() {
+    let Solved { discretisation, run, .. } = solved("cylinder-on-block");
+    let field = deformed::field(&discretisation, &run).expect("recovered").expect("finite");
+    let zoom = field.zoom.expect("a contact of a twentieth of the radius is enlarged");
+    assert_abs_diff_eq!(zoom.magnification, 1.0, epsilon = 0.0);
+    let within = |(from, to): (f64, f64), x: f64| from <= x && x <= to;
+    let candidates = discretisation.mesh.bodies.iter().flat_map(|body| &body.candidates);
+    let touching: Vec<_> = candidates.filter(|candidate| candidate.coordinate <= run.measures.edge).collect();
+    assert!(touching.len() > 20);
+    for candidate in touching {
+        let (point, shift) = (field.points[candidate.node], field.displacements[candidate.node]);
+        let drawn = |factor: f64| (point.0 + factor * shift.0, point.1 + factor * shift.1);
+        for (window, (x, y)) in [(zoom.window, drawn(1.0)), (zoom.marked, drawn(field.magnification))] {
+            assert!(within(window.x, x) && within(window.y, y), "node {}: {x}, {y} in {window:?}", candidate.node);
+        }
+    }
+    // The middle of the contact stands at the same place in both frames.
+    let first = discretisation.mesh.bodies[discretisation.scene.contact.first].candidates.iter();
+    let first: Vec<usize> = first.filter(|at| at.coordinate <= run.measures.edge).map(|at| at.node).collect();
+    let middle = |factor: f64, pick: fn((f64, f64)) -> f64| {
+        let drawn = first.iter().map(|&node| pick(field.points[node]) + factor * pick(field.displacements[node]));
+        drawn.sum::<f64>() / first.len() as f64
+    };
+    let by = |pick: fn((f64, f64)) -> f64| middle(field.magnification, pick) - middle(1.0, pick);
+    assert_abs_diff_eq!(zoom.marked.x.0 - zoom.window.x.0, by(|p| p.0), epsilon = 1e-12);
+    assert_abs_diff_eq!(zoom.marked.y.1 - zoom.window.y.1, by(|p| p.1), epsilon = 1e-12);
+    assert!(by(|p| p.1).abs() > 0.1);
+
+    let Solved { discretisation, run, .. } = solved("press-fit");
+    let field = deformed::field(&discretisation, &run).expect("recovered").expect("finite");
+    assert!(field.zoom.is_none(), "contact all around is not enlarged");
+}
+
+/// Points of the curve of a name.
+fn curve(chart: &Chart, label: &str) -> Vec<(f64, f64)> {
+    let series = chart.series.iter().find(|series| series.label == label);
+    series.unwrap_or_else(|| panic!("no `{label}`")).points.clone()
+}
+
+#[test]
+fn charts_hold_the_pressures_and_the_residuals_of_every_step() {
+    let Solved { problem, run, .. } = solved("press-fit");
+    let chart = solve::pressure(&problem, &run);
+    for (drawn, point) in curve(&chart, "node · kinematic").into_iter().zip(&run.solution.points) {
+        assert_relative_eq!(drawn.0, point.position.to_degrees(), max_relative = 1e-14);
+        assert_abs_diff_eq!(drawn.1, point.pressure, epsilon = 0.0);
+    }
+    let (low, high) = chart.y.range.expect("a range");
+    assert!(low.abs() <= 0.0 && high > run.measures.peak.pressure, "a uniform pressure looks uniform");
+
+    let mut run = solved("cylinder-on-block").run;
+    let last = run.solution.history.len() - 1;
+    run.solution.history[0].residuals.balance = f64::NAN;
+    run.solution.history[1].residuals.balance = f64::INFINITY;
+    let chart = solve::residuals(&run);
+    let balance = curve(&chart, "balance");
+    assert!(balance[0].1.is_nan() && balance[1].1.is_nan());
+    for (label, of) in [
+        ("tension", (|step| step.residuals.tension) as fn(&contact_vv::solution::Step) -> f64),
+        ("balance", |step| step.residuals.balance),
+    ] {
+        for (k, (step, drawn)) in run.solution.history.iter().zip(curve(&chart, label)).enumerate() {
+            assert_abs_diff_eq!(drawn.0, (k + 1) as f64, epsilon = 0.0);
+            let value = of(step);
+            if value.is_finite() && value > 0.0 {
+                assert_abs_diff_eq!(drawn.1, value, epsilon = 0.0);
+            } else {
+                assert!(drawn.1.is_nan(), "{label}, step {k}");
+            }
+        }
+        assert_eq!(curve(&chart, label).len(), last + 1);
+    }
+    let [guide] = chart.guides.as_slice() else { panic!("one guide") };
+    assert_eq!(guide.direction, Direction::Horizontal);
+    assert_abs_diff_eq!(guide.at, run.formulation.settings.tolerance, epsilon = 0.0);
+    elements(&chart.svg().expect("drawn"));
+}
+
+#[test]
+fn run_without_numbers_without_steps_or_without_contact_is_drawn() {
+    let mut broken = solved("cylinder-on-block");
+    broken.problem.name = "a & b < c".into();
+    broken.run.solution.displacement.fill(f64::NAN);
+    broken.run.solution.points.iter_mut().for_each(|point| point.pressure = f64::NAN);
+    let svg = broken.svg();
+    elements(&svg);
+    assert!(svg.contains("no finite displacements") && !svg.contains("von Mises"), "nothing to draw is said");
+    broken.run.solution.history.clear();
+    elements(&broken.svg());
+
+    let mut open = solved("blocks");
+    open.run.solution.points.iter_mut().for_each(|point| point.pressure = 0.0);
+    open.run.measures.active = 0;
+    let svg = open.svg();
+    elements(&svg);
+    assert!(svg.contains("No contact: every candidate is open."), "no contact is said");
+}
+
+#[test]
+fn command_draws_what_did_not_converge_and_shows_no_progress_where_there_is_no_terminal() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (scene, picture) = (folder.path().join("few.toml"), folder.path().join("few.svg"));
+    let path = format!("{}/tests/scenes/cylinder-in-metres.toml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(path).expect("text");
+    let solve = |text: &str| {
+        std::fs::write(&scene, text).expect("written");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv"));
+        command.arg("solve").arg(&scene).arg("--plot").arg(&picture).output().expect("started")
+    };
+    let output = solve(&text);
+    assert!(output.status.success() && output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+    let output = solve(&text.replace("[solve]", "[solve]\nmax-steps = 2"));
+    assert!(!output.status.success());
+    let svg = std::fs::read_to_string(&picture).expect("a picture");
+    elements(&svg);
+    assert!(svg.contains("exhausted after 2 steps"));
+}
+
+#[test]
+fn stages_are_announced_in_their_order() {
+    let Solved { problem, .. } = solved("blocks");
+    let heard = std::cell::RefCell::new(Vec::new());
+    let announced =
+        Discretisation::announced(problem.scene, problem.resolution, &|stage| heard.borrow_mut().push(stage));
+    assert!(announced.is_ok());
+    assert_eq!(*heard.borrow(), STAGES);
+}
