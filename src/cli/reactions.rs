@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::case::Run;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Reaction};
-use crate::scene::{Component, Place};
+use crate::scene::{BoundaryName, Component, Place};
 
 /// What a support exerts on the modelled part of its body.
 #[derive(Clone, Debug, Serialize)]
@@ -25,7 +25,7 @@ pub struct ReactionReading {
 #[serde(untagged)]
 pub enum At {
     /// Boundary.
-    Boundary(&'static str),
+    Boundary(BoundaryName),
     /// Point.
     Point([f64; 2]),
 }
@@ -46,9 +46,9 @@ pub fn readings(discretisation: &Discretisation, run: &Run) -> Result<Vec<Reacti
         let support = &body.supports[reaction.support];
         ReactionReading {
             body: body.name.clone(),
-            at: match support.at {
-                Place::Boundary(name) => At::Boundary(name),
-                Place::Point(point) => At::Point(point),
+            at: match &support.at {
+                Place::Boundary(name) => At::Boundary(name.clone()),
+                Place::Point(point) => At::Point(*point),
             },
             component: match support.component {
                 Component::X => "x",

@@ -76,7 +76,7 @@ impl Interface {
                 }
             };
             let point = mesh.points[candidate.node];
-            let gap = match pair.profile {
+            let gap = match &pair.profile {
                 Profile::Drawn => pair.drawn(pair.path.depth(point), opposite),
                 profile => profile.gap(s),
             };
@@ -150,7 +150,7 @@ impl Interface {
 
     /// Initial gap at a point of an edge: that of the profile, or the drawn one interpolated by `N_a` \[mm\].
     pub fn gap(&self, edge: &[usize], shapes: &[f64], position: f64) -> f64 {
-        match self.pair.profile {
+        match &self.pair.profile {
             Profile::Drawn => edge.iter().zip(shapes).map(|(&a, value)| value * self.stations[a].gap).sum(),
             profile => profile.gap(position),
         }

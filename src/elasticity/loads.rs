@@ -1,6 +1,6 @@
 //! Consistent nodal forces of tractions, stress fields, body forces and concentrated forces.
 
-use crate::elasticity::freedoms::{Freedom, Freedoms};
+use crate::elasticity::freedoms::Freedoms;
 use crate::elasticity::{element, quadrature, shape_functions};
 use crate::error::Error;
 use crate::mesh::{Edge, Mesh};
@@ -17,14 +17,21 @@ pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms
     let mut force = vec![0.0; freedoms.equations];
     for load in &scene.bodies[body].loads {
         if let Load::RigidFace { boundary, component, force: value } = load {
-            let node = mesh.boundary(scene, body, boundary)?[0][0];
-            if let Freedom::Equation(equation) = freedoms.of_node(node)[component.index()] {
-                force[equation] += value;
-            }
+            // The component that the nodes of the face share; a node of it that a support holds has none.
+            let nodes = mesh.boundary(scene, body, boundary)?.iter().flatten();
+            let shared = nodes.filter_map(|&node| freedoms.of_node(node)[component.index()].equation()).next();
+            let Some(equation) = shared else { return Err(held_face(scene, body, boundary, *value)) };
+            force[equation] += value;
         }
         hand_out(scene, mesh, body, load, &mut |node, value| freedoms.add_force(node, value, &mut force))?;
     }
     Ok(force)
+}
+
+fn held_face(scene: &Scene, body: usize, boundary: &str, force: f64) -> Error {
+    let place = format!("{}, body `{}`", scene.name, scene.bodies[body].name);
+    let expected = format!("every node of `{boundary}` is held in that direction");
+    Error::value(place, "force on a rigid face", force, expected, "leave out the supports or the force")
 }
 
 /// Applied forces at each node of a body, in x and y, held components included \[N\].
@@ -50,6 +57,12 @@ fn hand_out(scene: &Scene, mesh: &Mesh, body: usize, load: &Load, take: Taker) -
             let constant = |_: [f64; 2], _: [f64; 2], length: f64| traction.map(|t| t * length);
             for edge in mesh.boundary(scene, body, boundary)? {
                 integrate_edge(mesh, edge, &rule, scene.thickness, &constant, take);
+            }
+        }
+        Load::TractionField { boundary, field } => {
+            let given = |point: [f64; 2], _: [f64; 2], length: f64| (field.0)(point).map(|t| t * length);
+            for edge in mesh.boundary(scene, body, boundary)? {
+                integrate_edge(mesh, edge, &rule, scene.thickness, &given, take);
             }
         }
         Load::Stress { boundary, field } => {

@@ -52,7 +52,7 @@ pub fn deepest(
             // Both normals are those of the first body: the second body's outward one is their opposite.
             Some(other) => (-between(other, node.coordinate, outward)?, between(other, node.coordinate, deep)?),
         };
-        let gap = match pair.profile {
+        let gap = match &pair.profile {
             Profile::Drawn => pair.drawn(deep(node), opposite),
             profile => profile.gap(node.coordinate),
         };

@@ -1,5 +1,7 @@
 //! Who touches whom: the path, the initial gap along it and the candidate stretch.
 
+use std::sync::Arc;
+
 use crate::scene::shape::Circle;
 
 /// Contact of one body with another, or with a rigid profile.
@@ -31,7 +33,7 @@ pub enum Path {
 }
 
 /// Initial normal gap as a function of the contact coordinate.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum Profile {
     /// The same gap everywhere \[mm\]; negative is interference.
     Uniform(f64),
@@ -63,6 +65,8 @@ pub enum Profile {
         /// `tan β`.
         slope: f64,
     },
+    /// Points `[s, g]` by ascending s, straight lines between them; no other side beyond the last \[mm\].
+    Table(Arc<[[f64; 2]]>),
     /// Waves, `g = Δ (1 − cos 2π s/λ)` \[mm\].
     Cosine {
         /// Δ \[mm\].
@@ -174,6 +178,7 @@ impl Profile {
     /// meshes tell it.
     pub fn gap(&self, s: f64) -> f64 {
         match *self {
+            Self::Table(ref points) => between(points, s),
             Self::Uniform(gap) => gap,
             Self::Drawn => f64::NAN,
             Self::Punch { half_width } if s <= half_width * (1.0 + 1e-9) => 0.0,
@@ -188,6 +193,16 @@ impl Profile {
             }
             Self::Hole { radius, clearance } => hole_gap(radius, clearance, s),
         }
+    }
+}
+
+/// Gap of a table at `s`, constant before the first point.
+fn between(points: &[[f64; 2]], s: f64) -> f64 {
+    let after = points.partition_point(|point| point[0] < s * (1.0 - 1e-12));
+    match (after.checked_sub(1).map(|k| points[k]), points.get(after)) {
+        (None, Some(&[_, gap])) => gap,
+        (Some([a, g]), Some(&[b, h])) => g + (h - g) * ((s - a) / (b - a)).min(1.0),
+        _ => f64::INFINITY,
     }
 }
 

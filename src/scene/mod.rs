@@ -125,6 +125,16 @@ impl fmt::Debug for StressField {
     }
 }
 
+/// A traction `(x, y) ↦ [t_x, t_y]` \[MPa\].
+#[derive(Clone)]
+pub struct TractionField(pub Arc<dyn Fn([f64; 2]) -> [f64; 2] + Send + Sync>);
+
+impl fmt::Debug for TractionField {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("TractionField")
+    }
+}
+
 /// A load on a body.
 #[derive(Clone, Debug)]
 pub enum Load {
@@ -134,6 +144,13 @@ pub enum Load {
         boundary: BoundaryName,
         /// Traction vector \[MPa\].
         traction: [f64; 2],
+    },
+    /// Traction on a boundary that depends on the place.
+    TractionField {
+        /// Boundary name.
+        boundary: BoundaryName,
+        /// The field.
+        field: TractionField,
     },
     /// Traction `t = σ n` of a given stress field on a boundary.
     Stress {

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::scene::{
     BlockShape, Body, Circle, Component, GivenMesh, Load, Path, Place, Profile, Scene, Shape, StressField,
+    TractionField,
 };
 
 /// Metres per millimetre.
@@ -24,7 +25,7 @@ impl Scene {
         } else {
             scene.contact.stretch *= length;
         }
-        scene.contact.profile = scaled_profile(scene.contact.profile, length);
+        scene.contact.profile = scaled_profile(&scene.contact.profile, length);
         for body in &mut scene.bodies {
             body.shape = scaled_shape(&body.shape, length);
             body.material.young *= pressure;
@@ -63,6 +64,10 @@ impl Scene {
 fn scale_load(load: &mut Load, length: f64, pressure: f64) {
     match load {
         Load::Traction { traction, .. } => *traction = traction.map(|t| t * pressure),
+        Load::TractionField { field, .. } => {
+            let inner = field.0.clone();
+            *field = TractionField(Arc::new(move |at: [f64; 2]| inner(at.map(|x| x / length)).map(|t| t * pressure)));
+        }
         Load::Stress { field, .. } => {
             let inner = field.0.clone();
             *field = StressField(Arc::new(move |at: [f64; 2]| inner(at.map(|x| x / length)).map(|s| s * pressure)));
@@ -85,6 +90,13 @@ fn mirror_body(body: &mut Body) {
     for load in &mut body.loads {
         match load {
             Load::Traction { traction, .. } => traction[0] = -traction[0],
+            Load::TractionField { field, .. } => {
+                let inner = field.0.clone();
+                *field = TractionField(Arc::new(move |[x, y]: [f64; 2]| {
+                    let [tx, ty] = inner([-x, y]);
+                    [-tx, ty]
+                }));
+            }
             Load::Stress { field, .. } => {
                 let inner = field.0.clone();
                 *field = StressField(Arc::new(move |[x, y]: [f64; 2]| {
@@ -107,10 +119,11 @@ fn scaled_circle(circle: Circle, length: f64) -> Circle {
     Circle { centre: circle.centre.map(|x| x * length), radius: circle.radius * length }
 }
 
-fn scaled_profile(profile: Profile, length: f64) -> Profile {
-    match profile {
+fn scaled_profile(profile: &Profile, length: f64) -> Profile {
+    match *profile {
         Profile::Uniform(gap) => Profile::Uniform(gap * length),
         Profile::Drawn => Profile::Drawn,
+        Profile::Table(ref points) => Profile::Table(points.iter().map(|point| point.map(|x| x * length)).collect()),
         Profile::Punch { half_width } => Profile::Punch { half_width: half_width * length },
         Profile::Circle { radius } => Profile::Circle { radius: radius * length },
         Profile::Parabola { radius } => Profile::Parabola { radius: radius * length },

@@ -270,7 +270,7 @@ fn every_contact_node_lies_on_the_exact_curve() {
             for candidate in &mesh.bodies[pair.first].candidates {
                 let [x, y] = mesh.points[candidate.node];
                 let scale = size(&scene.bodies[pair.first].shape);
-                match (pair.path, pair.profile) {
+                match (pair.path, &pair.profile) {
                     // The lowest point of the first body touches y = 0, less the uniform gap that the bodies keep.
                     (Path::Horizontal, Profile::Circle { radius }) => {
                         assert_abs_diff_eq!(y, radius - (radius * radius - x * x).sqrt(), epsilon = 1e-12 * scale);

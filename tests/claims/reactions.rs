@@ -42,13 +42,13 @@ fn forces(discretisation: &Discretisation, solution: &Solution) -> Vec<f64> {
     discretisation.reactions(solution).expect("reactions").iter().map(|reaction| reaction.force).collect()
 }
 
-/// Contact force on a body from the contact points alone, `∓Σ A p n` of the nodes' retained freedoms \[N\].
+/// Contact force on a body from the contact points alone, `−Σ A p n` of the nodes' retained freedoms \[N\].
 fn contact(discretisation: &Discretisation, solution: &Solution, body: usize) -> [f64; 2] {
-    let side = discretisation.scene.contact.bodies().position(|other| other == body).expect("in contact");
-    let sign = [1.0, -1.0][side];
-    discretisation.interface.stations.iter().fold([0.0; 2], |[x, y], station| {
-        let force = sign * solution.contact_force[station.freedoms[side]];
-        [x + force * station.normal[0], y + force * station.normal[1]]
+    let offset = discretisation.condensed.offsets[body];
+    let candidates = discretisation.mesh.bodies[body].candidates.iter().enumerate();
+    candidates.fold([0.0; 2], |[x, y], (index, candidate)| {
+        let force = solution.contact_force[offset + index];
+        [x + force * candidate.normal[0], y + force * candidate.normal[1]]
     })
 }
 

@@ -405,7 +405,13 @@ fn page_on_scene_files_is_true() {
         let drawn = file.replace("gap = { circle = 50 }", "gap = \"drawn\"");
         let drawn = drawn.replace("centre = [0, 50], radius = 50 }", "centre = [0, 0], radius = 40.02 }");
         let onto = drawn.replace("stretch = 5.0", "stretch = 5.0\narc = { centre = [0, 0], radius = 40.02 }");
-        let file = if shape.contains("gmsh") { onto } else if shape.contains("ring") { curved } else { file };
+        let file = if shape.contains("gmsh") {
+            onto
+        } else if shape.contains("ring") {
+            curved
+        } else {
+            file
+        };
         SceneFile::parse(&folder().join("shape.toml"), &file).unwrap_or_else(|error| panic!("{shape}: {error}"));
     }
 }

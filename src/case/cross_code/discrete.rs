@@ -186,7 +186,7 @@ fn handed_over(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Resul
         Profile::Parabola { radius } => ("parabola", radius, 0.0),
         Profile::Hole { radius, clearance } => ("hole", radius, clearance),
         Profile::Uniform(_) | Profile::Punch { .. } => return Err(not_handed_over(&scene.name, "a uniform gap")),
-        Profile::Drawn | Profile::Even { .. } | Profile::Wedge { .. } | Profile::Cosine { .. } => {
+        Profile::Drawn | Profile::Table(_) | Profile::Even { .. } | Profile::Wedge { .. } | Profile::Cosine { .. } => {
             return Err(not_handed_over(&scene.name, "this rigid profile"));
         }
     };
@@ -231,7 +231,9 @@ fn handed_over(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Resul
                     problem.tied.dedup();
                     problem.tied_force = *force;
                 }
-                Load::BodyForce(_) | Load::Force { .. } => return Err(not_handed_over(&scene.name, "such a load")),
+                Load::BodyForce(_) | Load::Force { .. } | Load::TractionField { .. } => {
+                    return Err(not_handed_over(&scene.name, "such a load"));
+                }
             }
         }
     }

@@ -5,11 +5,14 @@ use std::sync::Arc;
 use toml::Spanned;
 
 use crate::error::Error;
-use crate::scene::file::tables::{BodyTable, LawTable, LoadTable, PlaceTable, RingTable, ShapeTable, SupportTable};
+use crate::scene::file::tables::{
+    BodyTable, LawTable, LoadTable, PlaceTable, RingTable, ShapeTable, SupportTable, TractionTable,
+};
 use crate::scene::file::units::Units;
 use crate::scene::file::{Source, blocks, gmsh};
 use crate::scene::{
     Body, BoundaryName, Circle, Component, Face, Load, Material, Place, PlaneHypothesis, Shape, StressField, Support,
+    TractionField,
 };
 
 /// A body with its supports and loads.
@@ -152,10 +155,7 @@ fn support(source: Source, units: &Units, shape: &Shape, table: &SupportTable) -
 
 fn load(source: Source, units: &Units, shape: &Shape, table: &LoadTable) -> Result<Load, Error> {
     Ok(match table {
-        LoadTable::Traction(table) => Load::Traction {
-            boundary: boundary(source, shape, &table.at)?,
-            traction: source.pair("value", &table.value)?.map(|t| units.stress * t),
-        },
+        LoadTable::Traction(table) => traction(source, units, shape, table)?,
         LoadTable::Pressure(table) => {
             Load::Stress { boundary: boundary(source, shape, &table.at)?, field: pressure(source, units, &table.law)? }
         }
@@ -178,8 +178,41 @@ fn load(source: Source, units: &Units, shape: &Shape, table: &LoadTable) -> Resu
 /// Most coefficients of a law.
 const MOST_TERMS: usize = 16;
 
+/// A traction: the same everywhere, or each component by its law.
+fn traction(source: Source, units: &Units, shape: &Shape, table: &TractionTable) -> Result<Load, Error> {
+    let boundary = boundary(source, shape, &table.at)?;
+    match (&table.value, &table.x, &table.y) {
+        (Some(pair), None, None) => {
+            Ok(Load::Traction { boundary, traction: source.pair("value", pair)?.map(|t| units.stress * t) })
+        }
+        (None, None, None) | (Some(_), ..) => {
+            let remedy = "give `value = [tx, ty]`, or a law for `x`, `y` or both";
+            Err(source.refused(table.at.span(), "the traction has no value, or two", remedy))
+        }
+        (None, x, y) => {
+            let component = |given: &Option<Spanned<LawTable>>| {
+                given.as_ref().map_or_else(|| Ok(Box::new(|_: [f64; 2]| 0.0) as Law), |given| law(source, units, given))
+            };
+            let (x, y) = (component(x)?, component(y)?);
+            Ok(Load::TractionField { boundary, field: TractionField(Arc::new(move |point| [x(point), y(point)])) })
+        }
+    }
+}
+
 /// The stress `σ = −p I`, whose traction on any side is the pressure.
-fn pressure(source: Source, units: &Units, law: &Spanned<LawTable>) -> Result<StressField, Error> {
+fn pressure(source: Source, units: &Units, given: &Spanned<LawTable>) -> Result<StressField, Error> {
+    let at = law(source, units, given)?;
+    Ok(StressField(Arc::new(move |point| {
+        let p = at(point);
+        [-p, -p, 0.0]
+    })))
+}
+
+/// A stress as a function of the place \[MPa\].
+type Law = Box<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
+
+/// Uniform, a polynomial in a coordinate, or a cosine series in the angle.
+fn law(source: Source, units: &Units, law: &Spanned<LawTable>) -> Result<Law, Error> {
     let list = |given: &[Spanned<f64>], per: f64| -> Result<Vec<f64>, Error> {
         if given.is_empty() || given.len() > MOST_TERMS {
             let message = format!("the law has {} coefficients", given.len());
@@ -191,7 +224,7 @@ fn pressure(source: Source, units: &Units, law: &Spanned<LawTable>) -> Result<St
             .map(|(k, value)| Ok(units.stress * source.finite("coefficients", value)? / per.powi(k as i32)));
         each.collect()
     };
-    let at: Box<dyn Fn([f64; 2]) -> f64 + Send + Sync> = match law.get_ref() {
+    Ok(match law.get_ref() {
         LawTable::Uniform(value) => {
             let value = units.stress * source.finite("uniform", value)?;
             Box::new(move |_| value)
@@ -209,9 +242,5 @@ fn pressure(source: Source, units: &Units, law: &Spanned<LawTable>) -> Result<St
                 coefficients.iter().zip(0..).map(|(c, k)| c * (f64::from(k) * angle).cos()).sum()
             })
         }
-    };
-    Ok(StressField(Arc::new(move |point| {
-        let p = at(point);
-        [-p, -p, 0.0]
-    })))
+    })
 }

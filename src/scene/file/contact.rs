@@ -1,13 +1,14 @@
 //! The contact pair from its table.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use toml::Spanned;
 
 use crate::error::Error;
 use crate::scene::file::Source;
 use crate::scene::file::side::Side;
-use crate::scene::file::tables::{BodyTable, ContactTable, GapTable, ReferenceTable};
+use crate::scene::file::tables::{BodyTable, ContactTable, GapTable, Pair, ReferenceTable};
 use crate::scene::file::units::Units;
 use crate::scene::{Body, Circle, ContactPair, Path, Profile, ReferenceValues, Scene};
 
@@ -59,6 +60,11 @@ pub fn pair(
         sides.push(side);
     }
     let above = looks_down(source, table, &sides)?;
+    if let Profile::Table(points) = &profile
+        && points.last().is_none_or(|[s, _]| *s < stretch)
+    {
+        return Err(source.refused(table.gap.span(), "the table ends before the candidates do", "shorten `stretch`"));
+    }
     if let Profile::Circle { radius } = profile
         && stretch >= radius
     {
@@ -132,6 +138,7 @@ fn profile(source: Source, units: &Units, table: &Spanned<GapTable>) -> Result<P
         GapTable::Circle(radius) => Profile::Circle { radius: length("circle", radius)? },
         GapTable::Parabola(radius) => Profile::Parabola { radius: length("parabola", radius)? },
         GapTable::Even(list) => even(source, units, table.span(), list)?,
+        GapTable::Table(points) => Profile::Table(points_of(source, units, table.span(), points)?),
         GapTable::Wedge(slope) => Profile::Wedge { slope: source.positive("wedge", slope)? },
         GapTable::Cosine(cosine) => Profile::Cosine {
             amplitude: length("amplitude", &cosine.amplitude)?,
@@ -141,6 +148,29 @@ fn profile(source: Source, units: &Units, table: &Spanned<GapTable>) -> Result<P
             Profile::Hole { radius: length("radius", &hole.radius)?, clearance: length("clearance", &hole.clearance)? }
         }
     })
+}
+
+/// Most points of a table.
+const MOST_POINTS: usize = 10_000;
+
+/// Points of a table: ascending from s = 0 on.
+fn points_of(source: Source, units: &Units, place: Range<usize>, list: &[Pair]) -> Result<Arc<[[f64; 2]]>, Error> {
+    if !(2..=MOST_POINTS).contains(&list.len()) {
+        let message = format!("the table has {} points", list.len());
+        return Err(source.refused(place, message, format!("give 2 to {MOST_POINTS} points [s, g]")));
+    }
+    let points = list.iter().map(|pair| Ok(source.pair("table", pair)?.map(|x| units.length * x)));
+    let points = points.collect::<Result<Vec<[f64; 2]>, Error>>()?;
+    let wrong = |k: usize| if k == 0 { points[0][0] != 0.0 } else { points[k][0] <= points[k - 1][0] };
+    if let Some(k) = (0..points.len()).find(|k| wrong(*k)) {
+        let place = list[k][0].span().start..list[k][1].span().end;
+        return Err(source.refused(
+            place,
+            "the table does not ascend from s = 0",
+            "sort its points by s, beginning at 0",
+        ));
+    }
+    Ok(points.into())
 }
 
 /// Even polynomial; the coefficient of s^n has the unit of length^(1−n).

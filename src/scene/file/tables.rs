@@ -178,8 +178,8 @@ pub enum PlaceTable {
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LoadTable {
-    /// `{ traction = { at = "far", value = [tx, ty] } }`.
-    Traction(VectorTable),
+    /// `{ traction = { at = "far", value = [tx, ty] } }`, or `x` and `y` each with a law.
+    Traction(TractionTable),
     /// `{ pressure = { at = "far", law = { … } } }`, normal to the boundary, positive inwards.
     Pressure(PressureTable),
     /// `{ body-force = [fx, fy] }`, force per volume.
@@ -190,14 +190,18 @@ pub enum LoadTable {
     RigidFace(RigidFaceTable),
 }
 
-/// A vector on a boundary.
+/// A traction on a boundary.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct VectorTable {
+pub struct TractionTable {
     /// Boundary.
     pub at: Name,
-    /// Components.
-    pub value: Pair,
+    /// Components where they are the same everywhere.
+    pub value: Option<Pair>,
+    /// How the first component depends on the place; 0 where it is left out.
+    pub x: Option<Spanned<LawTable>>,
+    /// How the second does.
+    pub y: Option<Spanned<LawTable>>,
 }
 
 /// A pressure on a boundary.
@@ -210,7 +214,7 @@ pub struct PressureTable {
     pub law: Spanned<LawTable>,
 }
 
-/// How a pressure depends on the place.
+/// How a pressure or a component of a traction depends on the place.
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LawTable {
@@ -310,6 +314,8 @@ pub enum GapTable {
     Even(Vec<Number>),
     /// Wedge of this slope.
     Wedge(Number),
+    /// Points [s, g], straight between them.
+    Table(Vec<Pair>),
     /// Waves.
     Cosine(CosineTable),
     /// Pin in a hole.
