@@ -15,6 +15,7 @@ mod elasticity;
 mod errors;
 mod fast_paths;
 mod formulation;
+mod gmsh;
 mod limits;
 mod measure;
 mod mesh;

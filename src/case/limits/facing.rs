@@ -18,7 +18,7 @@ const DENSITIES: [f64; 9] = [0.1, 0.2, 0.5, 0.8, 1.0, 1.25, 2.0, 2.3, 5.0];
 
 /// Meshes that do not match.
 pub(super) fn across() -> Result<Finding, Error> {
-    let (mut rows, mut errors, mut patch) = (Vec::new(), Vec::new(), 0.0_f64);
+    let (mut rows, mut errors, mut patch, mut apart) = (Vec::new(), Vec::new(), 0.0_f64, 0.0_f64);
     let mut last = String::new();
     for density in DENSITIES {
         let mut worst = [f64::NAN; 2];
@@ -30,7 +30,8 @@ pub(super) fn across() -> Result<Finding, Error> {
                 cells.push(if uniform < 1e-9 { "< 1e-9".into() } else { format!("{uniform:.0e}") });
             }
             for swapped in [false, true] {
-                let (scene, run) = curved(order, density, swapped)?;
+                let (scene, run, unbalanced) = curved(order, density, swapped)?;
+                apart = worse(apart, unbalanced);
                 let [peak, width] = hertz_errors(&scene, &run);
                 *slot = if swapped { *slot } else { worse(peak, width) };
                 cells.extend([percent(peak), percent(width)]);
@@ -49,6 +50,14 @@ pub(super) fn across() -> Result<Finding, Error> {
             Reference::analytic("uniform pressure", 0.0),
             1e-8,
             "exact but for the iteration: both sides integrate the same pressure",
+        ),
+        Check::norm(
+            "Contact forces on both bodies shall have one resultant and one line of action",
+            "difference over the force on the first, moment about s = 0 over the force times the stretch",
+            apart,
+            Reference::own("action and reaction", 0.0),
+            1e-10,
+            "round-off: the weights of the facing nodes reproduce constants and the coordinate itself",
         ),
         Check::norm(
             "Points on the finer side, or up to twice as coarse a facing one, shall find the contact",
@@ -107,12 +116,29 @@ fn patch_error(element: Element, order: Order, density: f64) -> Result<f64, Erro
     Ok(if run.solution.converged() { departures.fold(0.0, worse) } else { f64::NAN })
 }
 
-/// Two blocks with Hertz's tractions, the second with `density` times the elements of the first.
-fn curved(order: Order, density: f64, swapped: bool) -> Result<(Scene, Run), Error> {
+/// Two blocks with Hertz's tractions, the second with `density` times the elements of the first; and by how much the
+/// contact forces on them differ.
+fn curved(order: Order, density: f64, swapped: bool) -> Result<(Scene, Run, f64), Error> {
     let mut scene = two_blocks(1.0);
     scene.bodies[1].density = density;
     let scene = if swapped { exchanged(&scene) } else { scene };
     let discretisation = Discretisation::of(scene.clone(), Resolution { elements: 8, refinement: 0, order })?;
     let run = Run::of(&discretisation, &Formulation::verification())?;
-    Ok((scene, run))
+    let unbalanced = unbalanced(&discretisation, &run);
+    Ok((scene, run, unbalanced))
+}
+
+/// Difference of the contact forces on the two bodies and of their moments, over the force and the force times the stretch.
+fn unbalanced(discretisation: &Discretisation, run: &Run) -> f64 {
+    let of_body = |body: usize| {
+        let offset = discretisation.condensed.offsets[body];
+        let candidates = discretisation.mesh.bodies[body].candidates.iter().enumerate();
+        candidates.fold([0.0; 2], |[force, moment], (index, candidate)| {
+            let pressing = run.solution.contact_force[offset + index];
+            [force + pressing, moment + pressing * candidate.coordinate]
+        })
+    };
+    let ([force, moment], [other, opposite]) = (of_body(0), of_body(1));
+    let arm = discretisation.scene.contact.stretch;
+    worse((force - other) / force, (moment - opposite) / (force * arm))
 }

@@ -53,12 +53,18 @@ struct Words<'a> {
 impl<'a> Words<'a> {
     /// The next word and its place; none at the end.
     fn next(&mut self) -> Option<(&'a str, Range<usize>)> {
-        let rest = &self.source.text[self.at..];
-        let start = self.at + rest.find(|c: char| !c.is_whitespace())?;
+        let start = self.begin();
         let rest = &self.source.text[start..];
-        let end = start + rest.find(char::is_whitespace).unwrap_or(rest.len());
-        self.at = end;
-        Some((&self.source.text[start..end], start..end))
+        self.at = start + rest.find(char::is_whitespace).unwrap_or(rest.len());
+        let place = start..self.at;
+        (!place.is_empty()).then(|| (&self.source.text[place.clone()], place))
+    }
+
+    /// Where the next word begins.
+    fn begin(&mut self) -> usize {
+        let rest = &self.source.text[self.at..];
+        self.at += rest.find(|c: char| !c.is_whitespace()).unwrap_or(rest.len());
+        self.at
     }
 
     /// The next word as a number.
@@ -74,7 +80,7 @@ impl<'a> Words<'a> {
 
     /// A coordinate.
     fn coordinate(&mut self, what: &str) -> Result<f64, Error> {
-        let begin = self.at;
+        let begin = self.begin();
         let value: f64 = self.number(what)?;
         if value.is_finite() && value.abs() <= 1e13 {
             return Ok(value);
@@ -162,7 +168,7 @@ impl Gmsh {
         for _ in 0..blocks {
             let dimension: usize = words.number("a dimension")?;
             let entity: i64 = words.number("an entity")?;
-            let begin = words.at;
+            let begin = words.begin();
             let kind: u64 = words.number("an element type")?;
             let Some((_, count, is_triangular)) = TYPES.iter().find(|(known, ..)| *known == kind).copied() else {
                 let message = format!("elements of Gmsh's type {kind} are not read");
@@ -172,7 +178,7 @@ impl Gmsh {
             let mut pieces = Vec::new();
             for _ in 0..elements {
                 let tag = words.number("an element tag")?;
-                let begin = words.at;
+                let begin = words.begin();
                 let nodes = (0..count).map(|_| words.number("a node tag")).collect::<Result<Vec<u64>, Error>>()?;
                 if let Some(missing) = nodes.iter().find(|node| !self.nodes.contains_key(node)) {
                     let message = format!("element {tag} names node {missing}, which does not exist");
@@ -202,7 +208,7 @@ impl Gmsh {
 }
 
 fn refuse_format(words: &mut Words) -> Result<(), Error> {
-    let begin = words.at;
+    let begin = words.begin();
     let [version, kind]: [f64; 2] = [words.number("a version")?, words.number("a file type")?];
     if version == 4.1 && kind == 0.0 {
         words.number::<u64>("a size")?;
@@ -275,7 +281,7 @@ fn nodes(words: &mut Words) -> Result<HashMap<u64, [f64; 2]>, Error> {
             tags.push(words.number("a node tag")?);
         }
         for tag in tags {
-            let begin = words.at;
+            let begin = words.begin();
             let [x, y, z] = [words.coordinate("x")?, words.coordinate("y")?, words.coordinate("z")?];
             for _ in 0..if parametric == 1 { dimension.min(3) } else { 0 } {
                 words.number::<f64>("a parameter")?;

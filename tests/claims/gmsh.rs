@@ -1,0 +1,389 @@
+//! Bodies from Gmsh meshes and from blocks: read exactly, refused clearly, and solved as the same bodies meshed here.
+
+use std::path::{Path, PathBuf};
+
+use approx::assert_relative_eq;
+use contact_vv::case::{Run, SceneFile};
+use contact_vv::error::Error;
+use contact_vv::formulation::Discretisation;
+use contact_vv::mesh::{Mesh, Order};
+use contact_vv::scene::{GivenMesh, Shape};
+
+use crate::workbench::noise;
+
+/// A folder of its own for the files of one test.
+fn folder(test: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("contact-vv-gmsh-{}-{test}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+/// Two 4-node cells on 0 … 2 × 0 … 1, with tags neither dense nor in order.
+const TWO_CELLS: &str = "$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+4
+1 1 \"low side\"
+1 2 \"high side\"
+1 3 \"axis\"
+2 4 \"body\"
+$EndPhysicalNames
+$Entities
+0 3 1 0
+1 0 0 0 2 0 0 1 1 0
+2 0 1 0 2 1 0 1 2 0
+3 0 0 0 0 1 0 1 3 0
+1 0 0 0 2 1 0 1 4 3 1 2 3
+$EndEntities
+$Nodes
+2 6 3 40
+1 1 0 3
+7
+3
+40
+2 0 0
+0 0 0
+1 0 0
+2 1 0 3
+11
+12
+5
+0 1 0
+2 1 0
+1 1 0
+$EndNodes
+$Elements
+4 7 1 7
+1 1 1 2
+1 3 40
+2 7 40
+1 2 1 2
+3 11 5
+4 5 12
+1 3 1 1
+5 3 11
+2 1 3 2
+6 3 40 5 11
+7 40 7 12 5
+$EndElements
+";
+
+/// A scene of that body, pressed on a rigid plane.
+const SCENE: &str = "plane = \"strain\"
+thickness = 1
+[[body]]
+name = \"body\"
+young = 1000
+poisson = 0.3
+shape = { gmsh = { file = \"mesh.msh\", group = \"body\", contact = \"low side\" } }
+supports = [{ at = \"axis\", component = \"x\" }]
+loads = [{ traction = { at = \"high side\", value = [0, -5] } }]
+[contact]
+first = \"body\"
+gap = { uniform = 0 }
+stretch = 2
+[reference]
+pressure = 5
+";
+
+fn read(folder: &Path, mesh: &str) -> Result<SceneFile, Error> {
+    std::fs::write(folder.join("mesh.msh"), mesh).expect("written");
+    SceneFile::parse(&folder.join("scene.toml"), SCENE)
+}
+
+fn given(file: &SceneFile) -> &GivenMesh {
+    match &file.problem.scene.bodies[0].shape {
+        Shape::Given(mesh) => mesh,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn solved(file: &SceneFile) -> (Discretisation, Run) {
+    let discretisation = Discretisation::of(file.problem.scene.clone(), file.problem.resolution).expect("meshed");
+    let run = Run::of(&discretisation, &file.formulation).expect("solved");
+    (discretisation, run)
+}
+
+#[test]
+fn tags_groups_and_sides_are_read_whatever_their_order() {
+    let file = read(&folder("tags"), TWO_CELLS).expect("sound");
+    let mesh = given(&file);
+    assert_eq!((mesh.points.len(), mesh.cells.len()), (6, 2));
+    let corners: Vec<Vec<[f64; 2]>> =
+        mesh.cells.iter().map(|cell| cell.iter().map(|&node| mesh.points[node]).collect()).collect();
+    assert_eq!(corners[0], [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    assert_eq!(corners[1], [[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0]]);
+    let names: Vec<&str> = mesh.boundaries.keys().map(AsRef::as_ref).collect();
+    assert_eq!(names, ["axis", "contact", "high side", "low side"]);
+    // The second line of the low side is listed backwards; the body lies to the left of both all the same.
+    for edge in &mesh.boundaries["contact"] {
+        assert!(mesh.points[edge[0]][0] < mesh.points[edge[1]][0]);
+    }
+    let (_, run) = solved(&file);
+    for point in &run.solution.points {
+        assert_relative_eq!(point.pressure, 5.0, max_relative = 1e-9);
+    }
+}
+
+#[test]
+fn surface_meshed_clockwise_is_turned_over() {
+    let turned = TWO_CELLS.replace("6 3 40 5 11", "6 3 11 5 40").replace("7 40 7 12 5", "7 40 5 12 7");
+    let (as_is, over) = (folder("as-is"), folder("over"));
+    let [straight, turned] =
+        [read(&as_is, TWO_CELLS), read(&over, &turned)].map(|file| solved(&file.expect("sound")).1);
+    assert_relative_eq!(straight.measures.peak.pressure, turned.measures.peak.pressure, max_relative = 1e-12);
+}
+
+/// What is spoiled in the mesh, how, the text on whose line the message points, and two parts of the message.
+const MISTAKES: &[(&str, &str, &str, [&str; 2])] = &[
+    ("4.1 0 8", "2.2 0 8", "2.2 0 8", ["version 2.2", "Mesh.MshFileVersion = 4.1"]),
+    ("4.1 0 8", "4.1 1 8", "4.1 1 8", ["a binary file", "Mesh.Binary = 0"]),
+    ("2 1 0 3\n11", "2 1 0 3\nx11", "x11", ["`x11` is not a node tag", "save it again"]),
+    ("1 0 0\n2 1", "1 0 0.5\n2 1", "1 0 0.5", ["node 40 lies at z = 0.5", "in the plane z = 0"]),
+    ("2 0 0\n0 0 0", "inf 0 0\n0 0 0", "inf 0 0", ["x is inf", "repair the mesh"]),
+    ("7\n3\n40", "7\n7\n40", "0 0 0\n1 0 0", ["node 7 stands twice", "save the mesh again"]),
+    ("6 3 40 5 11", "6 3 40 6 11", "6 3 40 6", ["node 6, which does not exist", "with its nodes first"]),
+    ("2 1 3 2", "2 1 5 2", "2 1 5 2", ["type 5 are not read", "Mesh.RecombineAll = 1"]),
+    ("$EndNodes", "$EndNods", "$Nodes", ["`$Nodes` has no end", "the file is cut"]),
+    ("1 2 \"high side\"", "1 2 high side", "1 2 high side", ["no name in quotes", "save the mesh again"]),
+    ("$Entities\n0 3 1 0", "$Entities\n0 3 1", "$Entities", ["", "save it again"]),
+];
+
+/// The same, where the mesh is sound and the scene does not go with it: the message points into the scene.
+const MISFITS: &[(&str, &str, [&str; 2])] = &[
+    ("2 4 \"body\"", "2 4 \"block\"", ["no physical surface `body`", "known: block"]),
+    (
+        "1 1 \"low side\"",
+        "1 1 \"sole\"",
+        ["no physical curve `low side` bounds `body`", "known: axis, high side, sole"],
+    ),
+    ("6 3 40 5 11", "6 3 11 5 40", ["turned over against cell 6", "Reverse Surface"]),
+    ("2 1 0\n1 1 0", "1 0 0\n1 1 0", ["cell 7 of `body` is degenerate", "repair the mesh"]),
+    (
+        "2 1 3 2\n6 3 40 5 11\n7 40 7 12 5",
+        "2 1 2 2\n6 3 40 5\n7 40 7 12",
+        ["no quadrilateral", "Mesh.RecombineAll = 1"],
+    ),
+    (
+        "2 1 3 2\n6 3 40 5 11",
+        "2 1 10 1\n6 3 40 5 11 3 3 3 3 3\n2 1 3 1",
+        ["no quadrilateral of 4 or 8", "SecondOrderIncomplete"],
+    ),
+    ("0 0 0\n1 0 0", "0 0.1 0\n1 0 0", ["does not begin at y = 0", "drawn"]),
+    ("2 0 0\n0 0 0", "2 0 0\n-1 0 0", ["does not begin on the symmetry line", "model one half"]),
+];
+
+#[test]
+fn every_mistake_in_a_mesh_names_its_line() {
+    let folder = folder("mistakes");
+    for (was, is, anchor, wanted) in MISTAKES {
+        assert_eq!(TWO_CELLS.matches(was).count(), 1, "{was}");
+        let spoiled = TWO_CELLS.replacen(was, is, 1);
+        let error = read(&folder, &spoiled).map(|_| ()).expect_err(is).to_string();
+        let line = 1 + spoiled[..spoiled.find(anchor).expect("a place")].matches('\n').count();
+        let place = format!("{}:{line}: ", folder.join("mesh.msh").display());
+        assert!(wanted[0].is_empty() || error.starts_with(&place), "{place} is not in {error}");
+        wanted.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
+    }
+    let line = 1 + SCENE[..SCENE.find("shape = ").expect("a shape")].matches('\n').count();
+    for (was, is, wanted) in MISFITS {
+        assert_eq!(TWO_CELLS.matches(was).count(), 1, "{was}");
+        let error = read(&folder, &TWO_CELLS.replacen(was, is, 1)).map(|_| ()).expect_err(is).to_string();
+        assert!(error.contains("scene.toml:"), "{error}");
+        assert!(!error.contains("cell") || error.contains(&format!("scene.toml:{line}: ")), "{error}");
+        wanted.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
+    }
+}
+
+#[test]
+fn mesh_file_cut_anywhere_is_refused() {
+    let folder = folder("cut");
+    let end = TWO_CELLS.find("$EndElements").expect("an end");
+    for length in 0..end {
+        let error = read(&folder, &TWO_CELLS[..length]).map(|_| ()).expect_err("cut").to_string();
+        assert!(error.contains("mesh.msh:") || error.contains("scene.toml:"), "{length}: {error}");
+    }
+    std::fs::remove_file(folder.join("mesh.msh")).expect("removed");
+    let error = SceneFile::parse(&folder.join("scene.toml"), SCENE).map(|_| ()).expect_err("no file").to_string();
+    assert!(error.contains("scene.toml:7: ") && error.contains("cannot be read"), "{error}");
+}
+
+#[test]
+fn orders_that_do_not_go_together_are_refused() {
+    let folder = folder("orders");
+    std::fs::write(folder.join("mesh.msh"), TWO_CELLS).expect("written");
+    let scene = format!("{SCENE}[mesh]\norder = 2\n");
+    let error = SceneFile::parse(&folder.join("scene.toml"), &scene).map(|_| ()).expect_err("two orders").to_string();
+    assert!(error.contains("cells of 4 nodes, others have 8") && error.contains("one order"), "{error}");
+}
+
+/// The mesh of a body as Gmsh would write it.
+fn written(mesh: &Mesh, body: usize) -> String {
+    let part = &mesh.bodies[body];
+    let [line, cell] = if mesh.order == Order::Linear { [1, 3] } else { [8, 16] };
+    let tags = |nodes: &[usize]| nodes.iter().map(|node| (node + 1).to_string()).collect::<Vec<_>>().join(" ");
+    let names: Vec<_> = part.boundaries.keys().collect();
+    let curves = names.iter().enumerate().map(|(k, name)| format!("1 {} \"{name}\"\n", k + 1));
+    let entities = (1..=names.len()).map(|k| format!("{k} 0 0 0 1 1 0 1 {k} 0\n"));
+    let (curves, entities): (String, String) = (curves.collect(), entities.collect());
+    let count = part.nodes.len();
+    let all: String = part.nodes.clone().map(|node| format!("{}\n", node + 1)).collect();
+    let places = part.nodes.clone().map(|node| mesh.points[node]);
+    let places: String = places.map(|[x, y]| format!("{x:e} {y:e} 0\n")).collect();
+    let mut tag = 0;
+    let mut block = |dimension: usize, entity: usize, kind: usize, pieces: &mut dyn Iterator<Item = String>| {
+        let lines: Vec<String> = pieces.collect();
+        let mut text = format!("{dimension} {entity} {kind} {}\n", lines.len());
+        for nodes in lines {
+            tag += 1;
+            text += &format!("{tag} {nodes}\n");
+        }
+        text
+    };
+    let mut elements = String::new();
+    for (k, name) in names.iter().enumerate() {
+        elements += &block(1, k + 1, line, &mut part.boundaries[*name].iter().map(|edge| tags(edge)));
+    }
+    elements += &block(2, 1, cell, &mut part.cells.clone().map(|cell| tags(mesh.cell(cell))));
+    format!(
+        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n{curves}2 99 \"body\"\n$EndPhysicalNames\n$Entities\n\
+         0 {} 1 0\n{entities}1 0 0 0 1 1 0 1 99 0\n$EndEntities\n$Nodes\n1 {count} 1 {count}\n2 1 0 {count}\n{all}{places}\
+         $EndNodes\n$Elements\n{} {tag} 1 {tag}\n{elements}$EndElements\n",
+        names.len() + 1,
+        names.len(),
+        names.len() + 1,
+    )
+}
+
+#[test]
+fn bodies_meshed_here_and_given_as_meshes_have_one_solution() {
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenes");
+    for (name, shapes) in [
+        (
+            "cylinder-on-block",
+            [
+                "{ disc = { centre = [0, 50], radius = 50 } }",
+                "{ rectangle = { x = [0, 80], y = [-80, 0], contact = \"top\" } }",
+            ],
+        ),
+        (
+            "press-fit",
+            [
+                "{ ring = { centre = [0, 0], inner = 20, outer = 40, sweep = 90, contact = \"outer\" } }",
+                "{ ring = { centre = [0, 0], inner = 40, outer = 70, sweep = 90, contact = \"inner\" } }",
+            ],
+        ),
+    ] {
+        let folder = folder(name);
+        let mut text = std::fs::read_to_string(scenes.join(format!("{name}.toml"))).expect("text");
+        let own = SceneFile::parse(&scenes.join(format!("{name}.toml")), &text).expect("sound");
+        let (discretisation, wanted) = solved(&own);
+        for (body, shape) in shapes.iter().enumerate() {
+            std::fs::write(folder.join(format!("{body}.msh")), written(&discretisation.mesh, body)).expect("written");
+            let gmsh = format!("{{ gmsh = {{ file = \"{body}.msh\", group = \"body\", contact = \"contact\" }} }}");
+            assert!(text.contains(shape));
+            text = text.replace(shape, &gmsh);
+        }
+        let given = SceneFile::parse(&folder.join("scene.toml"), &text).expect("sound");
+        let (_, found) = solved(&given);
+        assert_eq!(found.freedoms, wanted.freedoms);
+        assert_relative_eq!(found.measures.peak.pressure, wanted.measures.peak.pressure, max_relative = 1e-9);
+        assert_relative_eq!(found.measures.half_width, wanted.measures.half_width, max_relative = 1e-9);
+    }
+}
+
+/// The mesh with a few words cut out, doubled or overwritten.
+fn mutated(number: &mut impl FnMut() -> f64) -> String {
+    const WORDS: [&str; 12] =
+        ["", "0", "-1", "3", "99999999999999999999", "1e308", "nan", "$Nodes", "$EndNodes", "\"", "16", "\u{e9}"];
+    let mut words: Vec<String> = TWO_CELLS.split_inclusive(char::is_whitespace).map(String::from).collect();
+    let mut below = |n: usize| (((number() + 1.0) / 2.0 * n as f64) as usize).min(n - 1);
+    for _ in 0..=below(3) {
+        let at = below(words.len().max(1));
+        match below(4) {
+            0 if words.len() > 1 => drop(words.remove(at)),
+            0 | 1 => words.truncate(at.max(1)),
+            2 => words.insert(at, words[at].clone()),
+            _ => words[at] = format!("{} ", WORDS[below(WORDS.len())]),
+        }
+    }
+    words.concat()
+}
+
+#[test]
+fn five_thousand_mutated_meshes_are_read_or_refused() {
+    let (folder, mut number) = (folder("fuzz"), noise(23));
+    let mut sound = 0;
+    for k in 0..5000 {
+        let spoiled = mutated(&mut number);
+        let tried = std::panic::catch_unwind(|| {
+            let Ok(file) = read(&folder, &spoiled) else { return false };
+            let discretisation = Discretisation::of(file.problem.scene.clone(), file.problem.resolution);
+            let _ = discretisation.and_then(|discretisation| Run::of(&discretisation, &file.formulation));
+            true
+        });
+        sound += usize::from(tried.unwrap_or_else(|_| panic!("mesh {k}:\n{spoiled}")));
+    }
+    assert!(sound > 100 && sound < 4500, "{sound} of 5000 were read");
+}
+
+/// The block of `two_blocks` as two blocks that meet at x = 1, one of them turned by its corners, and the same as one.
+fn of_blocks(shape: &str) -> Result<SceneFile, Error> {
+    let gmsh = "{ gmsh = { file = \"mesh.msh\", group = \"body\", contact = \"low side\" } }";
+    let text = SCENE.replace(gmsh, shape).replace("[0, -5]", "[0.5, -5]").replace("high side", "roof");
+    SceneFile::parse(Path::new("blocks.toml"), &text)
+}
+
+const ONE_BLOCK: &str = "{ blocks = [{ corners = [[0, 0], [2, 0], [2, 1], [0, 1]], elements = [8, 4], \
+     bottom = \"contact\", top = \"roof\", left = \"axis\" }] }";
+const TWO_BLOCKS: &str = "{ blocks = [{ corners = [[0, 0], [1, 0], [1, 1], [0, 1]], elements = [4, 4], \
+     bottom = \"contact\", top = \"roof\", left = \"axis\" }, { corners = [[2, 0], [2, 1], [1, 1], [1, 0]], \
+     elements = [4, 4], left = \"contact\", right = \"roof\" }] }";
+
+#[test]
+fn chain_of_blocks_is_the_body_they_make() {
+    let [one, two] = [ONE_BLOCK, TWO_BLOCKS].map(|shape| solved(&of_blocks(shape).expect("sound")).1);
+    assert_eq!(one.freedoms, two.freedoms);
+    for (a, b) in one.solution.points.iter().zip(&two.solution.points) {
+        assert_relative_eq!(a.pressure, b.pressure, max_relative = 1e-9, epsilon = 1e-9);
+    }
+}
+
+#[test]
+fn arcs_of_blocks_lie_on_their_circles() {
+    let shape = "{ blocks = [{ corners = [[0, 0], [1, 1], [0.5, 1], [0, 0.5]], elements = [6, 3], growth = [1.0, 1.4], \
+         bottom = \"contact\", arcs = { bottom = [0, 1], top = [0, 1] }, right = \"axis\" }] }";
+    let text = SCENE.replace("{ gmsh = { file = \"mesh.msh\", group = \"body\", contact = \"low side\" } }", shape);
+    let text = text.replace("loads = [{ traction = { at = \"high side\", value = [0, -5] } }]", "");
+    let text = text.replace("gap = { uniform = 0 }\nstretch = 2", "gap = { circle = 1 }\nstretch = 0.6");
+    let file = SceneFile::parse(Path::new("arcs.toml"), &text).expect("sound");
+    let mesh = Mesh::of(&file.problem.scene, file.problem.resolution).expect("meshed");
+    for &node in mesh.bodies[0].boundaries["contact"].iter().flatten() {
+        let [x, y] = mesh.points[node];
+        assert_relative_eq!(x.hypot(y - 1.0), 1.0, max_relative = 1e-14);
+    }
+    assert_eq!(mesh.cells(), 18);
+}
+
+#[test]
+fn blocks_that_do_not_fit_are_refused() {
+    for (was, is, wanted) in [
+        ("[2, 0], [2, 1], [1, 1], [1, 0]]", "[2, 0], [1, 0], [1, 1], [2, 1]]", "counter-clockwise"),
+        ("elements = [4, 4], left", "elements = [4, 5], left", ""),
+        ("elements = [4, 4], left", "elements = [5, 4], left", "other elements along the side it shares with block 1"),
+        ("[1, 1], [1, 0]]", "[1, 1], [1, 0.5]]", "lies inside a side"),
+        ("elements = [4, 4], left", "elements = [0, 4], left", "`elements` is 0"),
+        ("left = \"contact\"", "arcs = { left = [5, 5] }, left = \"contact\"", "from the arc's centre"),
+        ("elements = [4, 4], left", "elements = [4, 4], growth = [1, 1.2], left", ""),
+        ("elements = [4, 4], left", "elements = [4, 4], growth = [1.2, 1], left", "other elements along the side"),
+        ("\"contact\"", "\"sole\"", "no side is called `contact`"),
+    ] {
+        assert!(TWO_BLOCKS.contains(was), "{was}");
+        match (of_blocks(&TWO_BLOCKS.replace(was, is)), wanted) {
+            (Ok(_), "") => {}
+            (Ok(_), _) => panic!("{is} was accepted"),
+            (Err(error), wanted) => assert!(!wanted.is_empty() && error.to_string().contains(wanted), "{is}: {error}"),
+        }
+    }
+}
