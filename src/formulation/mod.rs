@@ -1,11 +1,13 @@
 //! One point of the grid: contact element × algorithm × rule × stiffness.
 //!
 //! * [`again`] — another load or clearance on a condensation at hand.
+//! * [`carried`] — a start from the contact set of another mesh.
 //! * [`discretisation`] — a scene meshed, assembled and condensed, on which formulations solve.
 //! * [`spill`] — contact that goes on beyond the candidates.
 //! * [`start`] — where kinematic load starts.
 
 pub mod again;
+pub mod carried;
 pub mod discretisation;
 pub mod spill;
 pub mod start;

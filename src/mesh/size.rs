@@ -8,8 +8,8 @@ use crate::scene::{Path, Scene, Shape};
 /// Most cells and most candidate elements that are meshed: a solve then stays within about 4 GB.
 pub const MOST: [f64; 2] = [500e3, 2e3];
 
-/// Whether a mesh stays within [`MOST`], before anything is allocated for it; else what is wrong, and what to do.
-pub fn solvable(scene: &Scene, resolution: Resolution) -> Result<(), (String, String)> {
+/// About how many cells and how many candidate elements a mesh would have.
+pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
     let (pair, grading) = (&scene.contact, &scene.grading);
     let length = pair.stretch * pair.path.metric();
     let candidates = (resolution.elements as f64 * length / grading.unit).round().max(1.0);
@@ -37,7 +37,12 @@ pub fn solvable(scene: &Scene, resolution: Resolution) -> Result<(), (String, St
         };
         (candidates + along) * (candidates.min(along) + depth)
     };
-    let total: f64 = scene.bodies.iter().map(|body| cells(&body.shape)).sum();
+    [scene.bodies.iter().map(|body| cells(&body.shape)).sum(), candidates]
+}
+
+/// Whether a mesh stays within [`MOST`], before anything is allocated for it; else what is wrong, and what to do.
+pub fn solvable(scene: &Scene, resolution: Resolution) -> Result<(), (String, String)> {
+    let [total, candidates] = expected(scene, resolution);
     let [most, along] = MOST;
     if total <= most && candidates <= along {
         return Ok(());
