@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::case::{Problem, Reference, Run};
+use crate::cli::accuracy;
 use crate::measure::profile;
 use crate::mesh::Resolution;
 use crate::oracle::Quantity;
@@ -40,6 +41,8 @@ struct Document<'a> {
     residuals: Residuals,
     profile: Vec<Point>,
     oracles: Vec<OracleReading>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    accuracy: Option<accuracy::Document>,
 }
 
 #[derive(Serialize)]
@@ -73,7 +76,7 @@ pub struct OracleReading {
 }
 
 /// The document of a run.
-pub fn text(problem: &Problem, resolution: Resolution, run: &Run) -> String {
+pub fn text(problem: &Problem, resolution: Resolution, run: &Run, accuracy: Option<accuracy::Document>) -> String {
     let (solution, measures) = (&run.solution, &run.measures);
     let nan = f64::NAN;
     let last = solution.history.last().map(|step| step.residuals);
@@ -113,6 +116,7 @@ pub fn text(problem: &Problem, resolution: Resolution, run: &Run) -> String {
         residuals,
         profile: solution.points.iter().map(point).collect(),
         oracles: oracles(problem, run),
+        accuracy,
     };
     serde_json::to_string_pretty(&document).expect("numbers, strings and lists can be written as JSON")
 }

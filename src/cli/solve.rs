@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 
 use crate::algorithm::{Acceleration, StiffnessRule};
+use crate::case::accuracy::{self, Asked};
 use crate::case::problem::{Problem, problem};
 use crate::case::{Run, SceneFile};
-use crate::cli::{json, say, vtu};
+use crate::cli::{self, json, say, vtu};
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration, Start};
 use crate::measure::display_factor;
@@ -49,6 +50,9 @@ pub struct Arguments {
     /// Elements per half-width, or per 10 mm of arc on pins; in a scene file per the length it names.
     #[arg(long, value_name = "N")]
     resolution: Option<usize>,
+    /// Relative error that peak and half-width may have, such as "0.1 %": chooses order, resolution, growth and candidates.
+    #[arg(long, value_name = "PERCENT")]
+    accuracy: Option<String>,
     /// Load increments.
     #[arg(long, value_name = "N")]
     increments: Option<usize>,
@@ -107,7 +111,7 @@ enum StartName {
 
 /// Solves, prints a table unless JSON goes to standard output, and writes what was asked for; tells whether it converged.
 pub fn run(arguments: &Arguments) -> Result<bool, Error> {
-    let (problem, base) = arguments.problem()?;
+    let (mut problem, base, asked) = arguments.problem()?;
     if let Some(path) = arguments.plot.as_ref().filter(|path| path.extension().is_none_or(|end| end != "svg")) {
         return Err(Error::value("solve", "--plot", path.display(), "plots are SVG", "end the file name in .svg"));
     }
@@ -117,12 +121,23 @@ pub fn run(arguments: &Arguments) -> Result<bool, Error> {
     }
     let formulation = arguments.formulation(base);
     formulation.validate(&problem.scene)?;
-    let resolution = arguments.resolution(&problem)?;
+    let accurate = match arguments.asked(asked)? {
+        None => None,
+        Some(asked) => {
+            let answer = accuracy::solve(&problem.scene, &formulation, &asked)?;
+            (problem.scene, problem.resolution) = (answer.scene.clone(), answer.resolution);
+            Some((asked, answer))
+        }
+    };
+    let resolution = if accurate.is_some() { problem.resolution } else { arguments.resolution(&problem)? };
     let discretisation = Discretisation::of(problem.scene.clone(), resolution)?;
-    let run = Run::of(&discretisation, &formulation)?;
+    let run = match &accurate {
+        None => Run::of(&discretisation, &formulation)?,
+        Some((_, answer)) => answer.run.clone(),
+    };
     let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
     if let Some(path) = &arguments.json {
-        let text = json::text(&problem, resolution, &run);
+        let text = json::text(&problem, resolution, &run, accurate.as_ref().map(cli::accuracy::Document::of));
         if to_stdout { say(&text) } else { write(path, &text)? }
     }
     if let Some(path) = &arguments.csv {
@@ -136,30 +151,50 @@ pub fn run(arguments: &Arguments) -> Result<bool, Error> {
     }
     if !to_stdout {
         print(&problem, resolution, &run);
+        accurate.iter().for_each(|accurate| cli::accuracy::print(accurate, &problem.scene.contact.path));
     }
     if !run.solution.converged() {
         eprintln!(
             "not converged: these numbers are those of the last step; allow more steps, or choose another algorithm or start"
         );
     }
-    Ok(run.solution.converged())
+    Ok(run.solution.converged() && accurate.is_none_or(|(_, answer)| answer.unmet.is_none()))
 }
 
 impl Arguments {
-    /// The problem of the library or of a file, and the formulation that it names.
-    fn problem(&self) -> Result<(Problem, Formulation), Error> {
+    /// The problem of the library or of a file, and the formulation and the accuracy that it names.
+    fn problem(&self) -> Result<(Problem, Formulation, Option<Asked>), Error> {
         let path = Path::new(&self.case);
         let is_file = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) || path.exists();
         if !is_file {
             let problem = problem(&self.case, self.a_over_r)?;
-            return Ok((problem, Formulation::new(Element::Node, Iteration::Kinematic)));
+            return Ok((problem, Formulation::new(Element::Node, Iteration::Kinematic), None));
         }
         if self.a_over_r.is_some() {
             let remedy = "leave it out, and set the load in the file";
             return Err(Error::Combination { what: "a scene file has no a/R".into(), remedy: remedy.into() });
         }
         let file = SceneFile::read(path)?;
-        Ok((file.problem, file.formulation))
+        Ok((file.problem, file.formulation, file.accuracy))
+    }
+
+    /// The accuracy asked for here, else that of the file; the mesh is then chosen by it alone.
+    fn asked(&self, of_file: Option<Asked>) -> Result<Option<Asked>, Error> {
+        let asked = match &self.accuracy {
+            None => of_file,
+            Some(text) => Some(accuracy::percentage(text).ok_or_else(|| {
+                Error::value("solve", "--accuracy", text, "it must be a percentage", accuracy::remedy())
+            })?)
+            .map(|relative| Asked { relative, ..of_file.unwrap_or_else(|| Asked::new(relative)) }),
+        };
+        let given = [("--resolution", self.resolution.is_some()), ("--order", self.order.is_some())];
+        match given.into_iter().find(|(_, given)| *given && asked.is_some()) {
+            None => Ok(asked),
+            Some((option, _)) => Err(Error::Combination {
+                what: format!("the accuracy chooses the mesh, and {option} too"),
+                remedy: "leave one of them out".into(),
+            }),
+        }
     }
 
     /// What the options change in a formulation; another element or algorithm begins from its own defaults.

@@ -1,5 +1,6 @@
 //! A user's scene file: a case with its mesh, its formulation and its checks.
 
+mod mesh;
 mod wanted;
 
 use std::fs::File;
@@ -10,6 +11,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use crate::algorithm::{Acceleration, StiffnessRule};
+use crate::case::accuracy::{self, Answer, Asked};
 use crate::case::check::{Check, Reference};
 use crate::case::problem::Problem;
 use crate::case::run::Run;
@@ -18,11 +20,11 @@ use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration, Start};
 use crate::measure::display_factor;
 use crate::mesh::size::solvable;
-use crate::mesh::{Order, Resolution};
-use crate::scene::file::tables::{BodyTable, ContactTable, GrowthTable, Name, Number, ReferenceTable, UnitsTable};
+use crate::scene::file::tables::{BodyTable, ContactTable, Name, Number, ReferenceTable, UnitsTable};
 use crate::scene::file::units::Units;
 use crate::scene::file::{Source, Tables};
 
+use mesh::MeshTable;
 use wanted::{CheckTable, Wanted};
 
 /// Largest file that is read \[bytes\].
@@ -35,6 +37,8 @@ pub struct SceneFile {
     pub problem: Problem,
     /// How it is solved.
     pub formulation: Formulation,
+    /// The accuracy that chooses the mesh; without one it is the problem's.
+    pub accuracy: Option<Asked>,
     wanted: Vec<Wanted>,
 }
 
@@ -48,21 +52,11 @@ struct Document {
     body: Spanned<Vec<BodyTable>>,
     contact: ContactTable,
     reference: Option<ReferenceTable>,
-    mesh: MeshTable,
+    mesh: Spanned<MeshTable>,
     #[serde(default)]
     solve: SolveTable,
     #[serde(default)]
     check: Vec<CheckTable>,
-}
-
-/// `[mesh]`: `elements` of the candidate stretch on every length `per`.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct MeshTable {
-    elements: Spanned<usize>,
-    per: Number,
-    order: Option<Spanned<u8>>,
-    growth: Option<GrowthTable>,
 }
 
 /// `[solve]`: everything optional.
@@ -122,6 +116,21 @@ impl SceneFile {
         document.read(source, name)
     }
 
+    /// Solves the scene on its mesh, or on the one that its accuracy chooses.
+    pub fn solve(&self) -> Result<(Discretisation, Run, Option<Answer>), Error> {
+        let Problem { scene, resolution, .. } = &self.problem;
+        let Some(asked) = &self.accuracy else {
+            let discretisation = Discretisation::of(scene.clone(), *resolution)?;
+            let run = Run::of(&discretisation, &self.formulation)?;
+            return Ok((discretisation, run, None));
+        };
+        let answer = accuracy::solve(scene, &self.formulation, asked)?;
+        let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution)?;
+        // From the formulation's own start, not from the contact set of another mesh: what is judged stands alone.
+        let run = Run::of(&discretisation, &answer.run.formulation)?;
+        Ok((discretisation, run, Some(answer)))
+    }
+
     /// The checks of a run: that it converged, what every converged run must satisfy, and those of the file.
     pub fn checks(&self, discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
         let tolerance = self.formulation.settings.tolerance;
@@ -148,6 +157,8 @@ impl Document {
         if bodies.is_empty() {
             return Err(source.refused(self.body.span(), "there is no body", "add one as [[body]]"));
         }
+        let mesh = self.mesh.get_ref();
+        let accuracy = mesh.asked(source)?;
         let tables = Tables {
             name: &name,
             units,
@@ -156,13 +167,12 @@ impl Document {
             bodies,
             contact: &self.contact,
             reference: self.reference.as_ref(),
-            per: &self.mesh.per,
-            growth: self.mesh.growth.as_ref(),
+            per: mesh.per(source, &self.mesh, &self.contact.stretch)?,
+            growth: mesh.growth(),
         };
-        let scene = tables.scene(source)?;
-        let resolution = self.mesh.resolution(source)?;
+        let (scene, resolution) = mesh.resolution(source, tables.scene(source)?)?;
         if let Err((message, remedy)) = solvable(&scene, resolution) {
-            return Err(source.refused(self.mesh.elements.span(), message, remedy));
+            return Err(source.refused(mesh.place(), message, remedy));
         }
         let formulation = self.solve.formulation(source)?;
         let factor = display_factor(&scene.contact.path);
@@ -170,26 +180,12 @@ impl Document {
         let wanted = self.check.iter().map(|check| check.wanted(source, &units, along));
         let wanted = wanted.collect::<Result<_, _>>()?;
         let title = self.title.clone().unwrap_or_else(|| "a scene file".into());
-        Ok(SceneFile { problem: Problem { name, title, scene, resolution, oracle: None }, formulation, wanted })
-    }
-}
-
-impl MeshTable {
-    fn resolution(&self, source: Source) -> Result<Resolution, Error> {
-        let elements = *self.elements.get_ref();
-        if !(1..=4096).contains(&elements) {
-            let message = format!("`elements` is {elements}");
-            return Err(source.refused(self.elements.span(), message, "give 1 to 4096; 8 to 32 are usual"));
-        }
-        let order = match self.order.as_ref().map(|order| (*order.get_ref(), order.span())) {
-            Some((1, _)) => Order::Linear,
-            Some((2, _)) | None => Order::Quadratic,
-            Some((other, place)) => {
-                let remedy = "give 1 for 4-node or 2 for 8-node cells";
-                return Err(source.refused(place, format!("`order` is {other}"), remedy));
-            }
-        };
-        Ok(Resolution { elements, refinement: 0, order })
+        Ok(SceneFile {
+            problem: Problem { name, title, scene, resolution, oracle: None },
+            formulation,
+            accuracy,
+            wanted,
+        })
     }
 }
 
