@@ -53,7 +53,7 @@ impl Search<'_> {
                     let solution = &self.rungs[at].run.solution;
                     let pressed = fitted::pressed(solution);
                     if !solution.converged() {
-                        return Ok(Some(format!("the iteration {}", solution.outcome)));
+                        return Ok(Some(format!("the first iteration ended so: {}", solution.outcome)));
                     }
                     if pressed == 0 {
                         return Ok(Some("no candidate is pressed".into()));
