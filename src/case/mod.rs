@@ -11,6 +11,7 @@
 //! * [`limits`] — where everything else breaks.
 //! * [`faults`] — the record of planted faults.
 //! * [`atlas`] — where each formulation converges, and where it was predicted to.
+//! * [`accuracy`] — the cheapest mesh for an accuracy asked.
 //! * [`scene_file`] — a user's own scene, with its checks.
 //! * [`stability`] — predicted rates and steps against measured ones.
 //! * [`cures`] — acceleration of constant stiffness, nested starts of kinematic load.
@@ -18,6 +19,7 @@
 //! * [`pictures`] — fields and iteration paths that are shown, not judged.
 //! * [`statements`] — the paper's statements, judged from the findings.
 
+pub mod accuracy;
 pub mod atlas;
 pub mod check;
 pub mod cross_code;

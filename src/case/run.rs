@@ -39,8 +39,25 @@ pub struct Run {
 impl Run {
     /// Solves a discretised scene by a formulation and measures the result.
     pub fn of(discretisation: &Discretisation, formulation: &Formulation) -> Result<Self, Error> {
+        Self::solved(discretisation, formulation, || discretisation.solve(formulation))
+    }
+
+    /// The same from the contact set of a solution on another mesh.
+    pub fn carrying(
+        discretisation: &Discretisation,
+        formulation: &Formulation,
+        earlier: &Solution,
+    ) -> Result<Self, Error> {
+        Self::solved(discretisation, formulation, || discretisation.solve_carrying(formulation, earlier))
+    }
+
+    fn solved(
+        discretisation: &Discretisation,
+        formulation: &Formulation,
+        solve: impl FnOnce() -> Result<Solution, Error>,
+    ) -> Result<Self, Error> {
         let clock = Instant::now();
-        let solution = discretisation.solve(formulation)?;
+        let solution = solve()?;
         let mut seconds = discretisation.seconds.clone();
         seconds.push(("iteration", clock.elapsed().as_secs_f64()));
         let scene = &discretisation.scene;

@@ -5,8 +5,8 @@ use std::sync::{Arc, OnceLock};
 use crate::case::check::{Check, Verdict};
 use crate::case::cross_code::{self, Answers};
 use crate::case::{
-    Problem, Run, atlas, cures, exact, family, faults, gaertner, hertz, limits, pictures, pin, refinement, stability,
-    sweep, timings, universal,
+    Problem, Run, accuracy, atlas, cures, exact, family, faults, gaertner, hertz, limits, pictures, pin, refinement,
+    stability, sweep, timings, universal,
 };
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
@@ -169,6 +169,7 @@ pub fn all() -> Vec<Trial> {
     trials.extend(limits::trials());
     trials.extend(cures::trials());
     trials.extend(timings::trials());
+    trials.extend(accuracy::study::trials());
     trials.extend(family::trials());
     trials.extend(cross_code::trials(Answers::Frozen));
     trials.extend(faults::trials());

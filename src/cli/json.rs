@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::case::{Problem, Reference, Run};
+use crate::cli::accuracy;
 use crate::cli::reactions::ReactionReading;
 use crate::measure::profile;
 use crate::mesh::Resolution;
@@ -42,6 +43,8 @@ struct Document<'a> {
     reactions: &'a [ReactionReading],
     profile: Vec<Point>,
     oracles: Vec<OracleReading>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    accuracy: Option<accuracy::Document>,
 }
 
 #[derive(Serialize)]
@@ -75,7 +78,13 @@ pub struct OracleReading {
 }
 
 /// The document of a run.
-pub fn text(problem: &Problem, resolution: Resolution, run: &Run, reactions: &[ReactionReading]) -> String {
+pub fn text(
+    problem: &Problem,
+    resolution: Resolution,
+    run: &Run,
+    reactions: &[ReactionReading],
+    accuracy: Option<accuracy::Document>,
+) -> String {
     let (solution, measures) = (&run.solution, &run.measures);
     let nan = f64::NAN;
     let last = solution.history.last().map(|step| step.residuals);
@@ -116,6 +125,7 @@ pub fn text(problem: &Problem, resolution: Resolution, run: &Run, reactions: &[R
         reactions,
         profile: solution.points.iter().map(point).collect(),
         oracles: oracles(problem, run),
+        accuracy,
     };
     serde_json::to_string_pretty(&document).expect("numbers, strings and lists can be written as JSON")
 }

@@ -1,5 +1,6 @@
 //! What the user types.
 //!
+//! * [`accuracy`] — what `solve` says of an accuracy that was asked for.
 //! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`timings`] — measures speed against accuracy.
 //! * [`suite`] — runs all trials with a progress bar.
@@ -9,6 +10,7 @@
 //! * [`json`] — the result of a solve as JSON.
 //! * [`vtu`] — its fields for ParaView.
 
+pub mod accuracy;
 pub mod atlas;
 pub mod json;
 pub mod reactions;

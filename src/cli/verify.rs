@@ -4,10 +4,9 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use crate::case::{Finding, Run, SceneFile};
+use crate::case::{Finding, SceneFile};
 use crate::cli::{progress, say, show, suite};
 use crate::error::Error;
-use crate::formulation::Discretisation;
 
 /// Solves the scene files of a folder in the order of their names, prints the verdicts and tells whether none failed.
 ///
@@ -46,9 +45,9 @@ pub fn run(folder: &Path) -> Result<bool, Error> {
 fn judge(file: &Path) -> Result<Finding, Error> {
     let scene_file = SceneFile::read(file)?;
     let problem = &scene_file.problem;
-    let discretisation = Discretisation::of(problem.scene.clone(), problem.resolution)?;
-    let run = Run::of(&discretisation, &scene_file.formulation)?;
-    let checks = scene_file.checks(&discretisation, &run)?;
+    let (discretisation, run, answer) = scene_file.solve()?;
+    let mut checks = scene_file.checks(&discretisation, &run)?;
+    checks.extend(scene_file.accuracy.iter().zip(&answer).map(|(asked, answer)| answer.check(asked)));
     let name = scene_file.formulation.name();
     Ok(Finding { case: problem.name.clone(), name, run: Some(run), checks, ..Default::default() })
 }

@@ -1,6 +1,7 @@
 //! One point of the grid: contact element × algorithm × rule × stiffness.
 //!
 //! * [`again`] — another load or clearance on a condensation at hand.
+//! * [`carried`] — a start from the contact set of another mesh.
 //! * [`discretisation`] — a scene meshed, assembled and condensed, on which formulations solve.
 //! * [`fields`] — displacements and stresses of a solution.
 //! * [`mod@reactions`] — what the supports exert.
@@ -8,6 +9,7 @@
 //! * [`start`] — where kinematic load starts.
 
 pub mod again;
+pub mod carried;
 pub mod discretisation;
 pub mod fields;
 pub mod reactions;

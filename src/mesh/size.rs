@@ -8,8 +8,8 @@ use crate::scene::{Body, Path, Scene, Shape};
 /// Most cells and most candidate elements that are meshed: a solve then stays within about 4 GB.
 pub const MOST: [f64; 2] = [500e3, 2e3];
 
-/// Whether a mesh stays within [`MOST`], before anything is allocated for it; else what is wrong, and what to do.
-pub fn solvable(scene: &Scene, resolution: Resolution) -> Result<(), (String, String)> {
+/// About how many cells and how many candidate elements a mesh would have.
+pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
     let (pair, grading) = (&scene.contact, &scene.grading);
     let length = pair.stretch * pair.path.metric();
     let candidates = (resolution.elements as f64 * length / grading.unit).round().max(1.0);
@@ -50,8 +50,13 @@ pub fn solvable(scene: &Scene, resolution: Resolution) -> Result<(), (String, St
         }
         _ => [structured(body), candidates * body.density],
     };
-    let total: f64 = scene.bodies.iter().map(|body| sizes(body)[0]).sum();
-    let candidates = scene.bodies.iter().map(|body| sizes(body)[1]).fold(0.0, f64::max);
+    let largest = scene.bodies.iter().map(|body| sizes(body)[1]).fold(0.0, f64::max);
+    [scene.bodies.iter().map(|body| sizes(body)[0]).sum(), largest]
+}
+
+/// Whether a mesh stays within [`MOST`], before anything is allocated for it; else what is wrong, and what to do.
+pub fn solvable(scene: &Scene, resolution: Resolution) -> Result<(), (String, String)> {
+    let [total, candidates] = expected(scene, resolution);
     let [most, along] = MOST;
     if total <= most && candidates <= along {
         return Ok(());

@@ -3,6 +3,7 @@
 //! * [`page`] — the order of the sections.
 //! * [`mod@format`] — how numbers and tables are written.
 //! * [`matrix`] — the verdict matrix and the summary table of the terminal.
+//! * [`accuracy`] — the section on accuracies that are asked for.
 //! * [`atlas`] — where methods fail, from the records and the predictions.
 //! * [`checks`] — requirement by requirement.
 //! * [`cross_code`] — against other codes, and the planted faults.
@@ -14,6 +15,7 @@
 //! * [`figure`] — how a chart or drawing is made.
 //! * [`files`] — writing, and comparing with what is committed.
 
+pub mod accuracy;
 pub mod atlas;
 pub mod checks;
 pub mod cross_code;

@@ -2,6 +2,7 @@
 
 mod workbench;
 
+mod accuracy;
 mod algorithm;
 #[path = "../architecture.rs"]
 mod architecture;

@@ -24,8 +24,7 @@ fn text_of(name: &str) -> String {
 }
 
 fn solved(file: &SceneFile) -> (Discretisation, Run) {
-    let discretisation = Discretisation::of(file.problem.scene.clone(), file.problem.resolution).expect("meshed");
-    let run = Run::of(&discretisation, &file.formulation).expect("solved");
+    let (discretisation, run, _) = file.solve().expect("solved");
     (discretisation, run)
 }
 
@@ -319,6 +318,49 @@ const MISTAKES: &[(&str, &str, &str, [&str; 3])] = &[
         "pressure = { at = \"cut\", law = { polynomial = { along = \"x\", coefficients = [] } } }",
         ["loads = ", "0 coefficients", "give 1 to 16"],
     ),
+    (
+        "cylinder-to-accuracy",
+        "accuracy = \"0.1 %\"",
+        "accuracy = \"0.1\"",
+        ["accuracy = \"0.1\"", "`accuracy` is \"0.1\"", "such as \"0.1 %\""],
+    ),
+    (
+        "cylinder-to-accuracy",
+        "accuracy = \"0.1 %\"",
+        "accuracy = \"90 %\"",
+        ["accuracy = \"90 %\"", "`accuracy` is \"90 %\"", "between 0.001 % and 20 %"],
+    ),
+    (
+        "cylinder-to-accuracy",
+        "accuracy = \"0.1 %\"",
+        "accuracy = 0.001",
+        ["accuracy = 0.001", "invalid type: floating point", "README.md"],
+    ),
+    (
+        "cylinder-to-accuracy",
+        "[mesh]\n",
+        "[mesh]\nelements = 12\n",
+        ["elements = 12", "`accuracy` chooses the mesh, and `elements` too", "leave `elements` out"],
+    ),
+    (
+        "cylinder-to-accuracy",
+        "[mesh]\n",
+        "[mesh]\norder = 2\n",
+        ["order = 2", "`accuracy` chooses the mesh, and `order` too", "or `accuracy`"],
+    ),
+    (
+        "cylinder-to-accuracy",
+        "[mesh]\n",
+        "[mesh]\nquantity = [\"resultant\"]\n",
+        ["quantity = [\"resultant\"]", "no quantity with an accuracy `resultant`", "`half-width`"],
+    ),
+    (
+        "cylinder-on-block",
+        "order = 1",
+        "order = 1\nquantity = [\"half-width\"]",
+        ["quantity = ", "`quantity` without `accuracy`", "leave it out"],
+    ),
+    ("cylinder-on-block", "elements = 24\n", "", ["[mesh]", "missing field `elements`", "or an `accuracy`"]),
 ];
 
 #[test]
@@ -344,6 +386,11 @@ fn page_on_scene_files_is_true() {
     let page = std::fs::read_to_string(folder().join("README.md")).expect("the page");
     let example = page.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");
     SceneFile::parse(Path::new("README.toml"), example).expect("the example is sound");
+    let accurate = page.split("```toml").nth(2).and_then(|rest| rest.split("```").next()).expect("a second example");
+    let (before, after) = (example.find("[mesh]").expect("a table"), example.find("[solve]").expect("a table"));
+    let file = format!("{}{accurate}\n{}", &example[..before], &example[after..]);
+    let file = SceneFile::parse(Path::new("README.toml"), &file).expect("the example is sound");
+    assert_eq!(file.accuracy.expect("asked").quantities.len(), 2);
     let commented = example.replace("# second", "second");
     let error = SceneFile::parse(Path::new("README.toml"), &commented).map(|_| ()).expect_err("no such body");
     assert!(error.to_string().contains("no body `block`"));

@@ -1,5 +1,6 @@
 //! Whatever stands in a scene file, it is read or refused: no panic, no hang, no mesh beyond the stated size.
 
+use contact_vv::case::accuracy::{self, Asked};
 use contact_vv::case::{Run, SceneFile};
 use contact_vv::formulation::Discretisation;
 use contact_vv::mesh::Mesh;
@@ -87,6 +88,16 @@ fn fuzz(seed: u64, files_to_try: usize, solves: usize) -> (usize, usize) {
             assert!((mesh.cells() as f64) < 4.0 * MOST[0], "{} cells", mesh.cells());
             if solved >= solves || mesh.cells() > 3000 {
                 return (true, false);
+            }
+            if let Some(asked) = &file.accuracy {
+                let bounded = Asked { most_cells: 3000.0, ..asked.clone() };
+                let mut formulation = file.formulation.clone();
+                formulation.settings.max_steps = formulation.settings.max_steps.min(200);
+                match accuracy::solve(&file.problem.scene, &formulation, &bounded) {
+                    Ok(answer) => assert!(answer.unmet.is_some() || answer.estimate() <= asked.relative),
+                    Err(error) => assert!(!error.to_string().is_empty()),
+                }
+                return (true, true);
             }
             let discretisation = Discretisation::of(file.problem.scene.clone(), file.problem.resolution);
             let run = discretisation.and_then(|discretisation| {

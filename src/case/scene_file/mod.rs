@@ -1,16 +1,17 @@
 //! A user's scene file: a case with its mesh, its formulation and its checks.
 
+mod mesh;
 mod wanted;
 
 use std::fs::File;
 use std::io::Read;
-use std::ops::Range;
 use std::path::Path;
 
 use serde::Deserialize;
 use toml::Spanned;
 
 use crate::algorithm::{Acceleration, StiffnessRule};
+use crate::case::accuracy::{self, Answer, Asked};
 use crate::case::check::{Check, Reference};
 use crate::case::problem::Problem;
 use crate::case::run::Run;
@@ -19,12 +20,11 @@ use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration, Start};
 use crate::measure::display_factor;
 use crate::mesh::size::solvable;
-use crate::mesh::{Order, Resolution};
-use crate::scene::file::tables::{BodyTable, ContactTable, GrowthTable, Name, Number, ReferenceTable, UnitsTable};
+use crate::scene::file::tables::{BodyTable, ContactTable, Name, Number, ReferenceTable, UnitsTable};
 use crate::scene::file::units::Units;
 use crate::scene::file::{Source, Tables};
-use crate::scene::{Scene, Shape};
 
+use mesh::MeshTable;
 use wanted::{CheckTable, Wanted};
 
 /// Largest file that is read \[bytes\].
@@ -37,6 +37,8 @@ pub struct SceneFile {
     pub problem: Problem,
     /// How it is solved.
     pub formulation: Formulation,
+    /// The accuracy that chooses the mesh; without one it is the problem's.
+    pub accuracy: Option<Asked>,
     wanted: Vec<Wanted>,
 }
 
@@ -55,16 +57,6 @@ struct Document {
     solve: SolveTable,
     #[serde(default)]
     check: Vec<CheckTable>,
-}
-
-/// `[mesh]`: `elements` of the candidate stretch on every length `per`; bodies that bring their mesh need neither.
-#[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct MeshTable {
-    elements: Option<Spanned<usize>>,
-    per: Option<Number>,
-    order: Option<Spanned<u8>>,
-    growth: Option<GrowthTable>,
 }
 
 /// `[solve]`: everything optional.
@@ -124,6 +116,21 @@ impl SceneFile {
         document.read(source, name)
     }
 
+    /// Solves the scene on its mesh, or on the one that its accuracy chooses.
+    pub fn solve(&self) -> Result<(Discretisation, Run, Option<Answer>), Error> {
+        let Problem { scene, resolution, .. } = &self.problem;
+        let Some(asked) = &self.accuracy else {
+            let discretisation = Discretisation::of(scene.clone(), *resolution)?;
+            let run = Run::of(&discretisation, &self.formulation)?;
+            return Ok((discretisation, run, None));
+        };
+        let answer = accuracy::solve(scene, &self.formulation, asked)?;
+        let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution)?;
+        // From the formulation's own start, not from the contact set of another mesh: what is judged stands alone.
+        let run = Run::of(&discretisation, &answer.run.formulation)?;
+        Ok((discretisation, run, Some(answer)))
+    }
+
     /// The checks of a run: that it converged, what every converged run must satisfy, and those of the file.
     pub fn checks(&self, discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
         let tolerance = self.formulation.settings.tolerance;
@@ -150,9 +157,10 @@ impl Document {
         if bodies.is_empty() {
             return Err(source.refused(self.body.span(), "there is no body", "add one as [[body]]"));
         }
-        let none = MeshTable::default();
-        let mesh = self.mesh.as_ref().map_or(&none, Spanned::get_ref);
-        let place = self.mesh.as_ref().map_or_else(|| self.body.span(), Spanned::span);
+        let none = Spanned::new(self.body.span(), MeshTable::default());
+        let table = self.mesh.as_ref().unwrap_or(&none);
+        let mesh = table.get_ref();
+        let accuracy = mesh.asked(source)?;
         let tables = Tables {
             name: &name,
             units,
@@ -161,14 +169,12 @@ impl Document {
             bodies,
             contact: &self.contact,
             reference: self.reference.as_ref(),
-            per: mesh.per.as_ref(),
-            growth: mesh.growth.as_ref(),
+            per: mesh.per(&self.contact.stretch),
+            growth: mesh.growth(),
         };
-        let scene = tables.scene(source)?;
-        let resolution = mesh.resolution(source, &scene, &place)?;
+        let (scene, resolution) = mesh.resolution(source, &table.span(), tables.scene(source)?)?;
         if let Err((message, remedy)) = solvable(&scene, resolution) {
-            let place = mesh.elements.as_ref().map_or(place, Spanned::span);
-            return Err(source.refused(place, message, remedy));
+            return Err(source.refused(mesh.place(&table.span()), message, remedy));
         }
         let formulation = self.solve.formulation(source)?;
         let factor = display_factor(&scene.contact.path);
@@ -176,56 +182,12 @@ impl Document {
         let wanted = self.check.iter().map(|check| check.wanted(source, &units, along));
         let wanted = wanted.collect::<Result<_, _>>()?;
         let title = self.title.clone().unwrap_or_else(|| "a scene file".into());
-        Ok(SceneFile { problem: Problem { name, title, scene, resolution, oracle: None }, formulation, wanted })
-    }
-}
-
-impl MeshTable {
-    /// Elements, refinement and order; `place` is that of the table.
-    fn resolution(&self, source: Source, scene: &Scene, place: &Range<usize>) -> Result<Resolution, Error> {
-        let own = scene.bodies.iter().filter_map(|body| match &body.shape {
-            Shape::Given(mesh) => Some(mesh.order()),
-            _ => None,
-        });
-        let own: Vec<Order> = own.collect();
-        let brought = |shape: &Shape| matches!(shape, Shape::Given(_) | Shape::Blocks(_));
-        let structured = scene.bodies.iter().any(|body| !brought(&body.shape));
-        let elements = match &self.elements {
-            Some(elements) if !(1..=4096).contains(elements.get_ref()) => {
-                let message = format!("`elements` is {}", elements.get_ref());
-                return Err(source.refused(elements.span(), message, "give 1 to 4096; 8 to 32 are usual"));
-            }
-            Some(elements) => *elements.get_ref(),
-            None if structured => {
-                let remedy = "add `elements` and `per` under [mesh]: so many candidate elements on so long a stretch";
-                return Err(source.refused(place.clone(), "`elements` is missing", remedy));
-            }
-            None => 1,
-        };
-        if structured && self.per.is_none() {
-            let remedy = "add the length that holds the `elements`; tests/scenes/README.md describes every key";
-            return Err(source.refused(place.clone(), "`per` is missing", remedy));
-        }
-        let order = match self.order.as_ref().map(|order| (*order.get_ref(), order.span())) {
-            Some((1, _)) => Order::Linear,
-            Some((2, _)) => Order::Quadratic,
-            None => own.first().copied().unwrap_or(Order::Quadratic),
-            Some((other, place)) => {
-                let remedy = "give 1 for 4-node or 2 for 8-node cells";
-                return Err(source.refused(place, format!("`order` is {other}"), remedy));
-            }
-        };
-        if let Some(other) = own.iter().find(|own| **own != order) {
-            let message =
-                format!("a mesh has cells of {} nodes, others have {}", other.nodes_per_cell(), order.nodes_per_cell());
-            let place = self.order.as_ref().map_or(place.clone(), Spanned::span);
-            return Err(source.refused(
-                place,
-                message,
-                "mesh all bodies with one order, and leave `order` out or give the same",
-            ));
-        }
-        Ok(Resolution { elements, refinement: 0, order })
+        Ok(SceneFile {
+            problem: Problem { name, title, scene, resolution, oracle: None },
+            formulation,
+            accuracy,
+            wanted,
+        })
     }
 }
 

@@ -13,7 +13,8 @@ mod table;
 use std::path::Path;
 
 use crate::case::Run;
-use crate::cli::{json, reactions, say, vtu};
+use crate::case::accuracy;
+use crate::cli::{self, json, reactions, say, vtu};
 use crate::error::Error;
 use crate::formulation::Discretisation;
 use crate::report::pictures;
@@ -23,19 +24,37 @@ use stages::Stages;
 
 /// Solves, prints a table unless JSON goes to standard output, and writes what was asked for; tells whether it converged.
 pub fn run(arguments: &Arguments) -> Result<bool, Error> {
-    let (problem, base) = arguments.problem()?;
+    let (mut problem, base, asked) = arguments.problem()?;
     arguments.refuse_endings()?;
     let formulation = arguments.formulation(base);
     formulation.validate(&problem.scene)?;
-    let resolution = arguments.resolution(&problem)?;
-
+    let asked = arguments.asked(asked)?;
     let stages = Stages::new();
+    let accurate = match asked {
+        None => {
+            problem.resolution = arguments.resolution(&problem)?;
+            None
+        }
+        Some(asked) => {
+            stages.begin(stages::ACCURACY);
+            let answer = accuracy::solve(&problem.scene, &formulation, &asked)?;
+            (problem.scene, problem.resolution) = (answer.scene.clone(), answer.resolution);
+            Some((asked, answer))
+        }
+    };
+    let resolution = problem.resolution;
     let discretisation = Discretisation::announced(problem.scene.clone(), resolution, &|stage| stages.begin(stage))?;
     stages.begin(stages::ITERATION);
-    let run = Run::of(&discretisation, &formulation)?;
+    let run = match &accurate {
+        None => Run::of(&discretisation, &formulation)?,
+        Some((_, answer)) => answer.run.clone(),
+    };
     stages.begin(stages::OUTPUTS);
     let reactions = reactions::readings(&discretisation, &run)?;
-    let document = arguments.json.is_some().then(|| json::text(&problem, resolution, &run, &reactions));
+    let document = arguments.json.is_some().then(|| {
+        let accuracy = accurate.as_ref().map(cli::accuracy::Document::of);
+        json::text(&problem, resolution, &run, &reactions, accuracy)
+    });
     let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
     if let (Some(path), Some(text), false) = (&arguments.json, &document, to_stdout) {
         write(path, text)?;
@@ -53,14 +72,17 @@ pub fn run(arguments: &Arguments) -> Result<bool, Error> {
 
     match document.filter(|_| to_stdout) {
         Some(text) => say(text),
-        None => table::print(&problem, resolution, &run, &reactions),
+        None => {
+            table::print(&problem, resolution, &run, &reactions);
+            accurate.iter().for_each(|accurate| cli::accuracy::print(accurate, &problem.scene.contact.path));
+        }
     }
     if !run.solution.converged() {
         eprintln!(
             "not converged: these numbers are those of the last step; allow more steps, or choose another algorithm or start"
         );
     }
-    Ok(run.solution.converged())
+    Ok(run.solution.converged() && accurate.is_none_or(|(_, answer)| answer.unmet.is_none()))
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Error> {

@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 
 use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::case::SceneFile;
+use crate::case::accuracy::{self, Asked};
 use crate::case::problem::{Problem, problem};
 use crate::error::Error;
 use crate::formulation::{Element, Formulation, Iteration, Start};
@@ -44,6 +45,9 @@ pub struct Arguments {
     /// Elements per half-width, or per 10 mm of arc on pins; in a scene file per the length it names.
     #[arg(long, value_name = "N")]
     resolution: Option<usize>,
+    /// Relative error that peak and half-width may have, such as "0.1 %": chooses order, resolution, growth and candidates.
+    #[arg(long, value_name = "PERCENT")]
+    accuracy: Option<String>,
     /// Load increments.
     #[arg(long, value_name = "N")]
     increments: Option<usize>,
@@ -101,20 +105,39 @@ enum StartName {
 }
 
 impl Arguments {
-    /// The problem of the library or of a file, and the formulation that it names.
-    pub fn problem(&self) -> Result<(Problem, Formulation), Error> {
+    /// The problem of the library or of a file, and the formulation and the accuracy that it names.
+    pub fn problem(&self) -> Result<(Problem, Formulation, Option<Asked>), Error> {
         let path = Path::new(&self.case);
         let is_file = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) || path.exists();
         if !is_file {
             let problem = problem(&self.case, self.a_over_r)?;
-            return Ok((problem, Formulation::new(Element::Node, Iteration::Kinematic)));
+            return Ok((problem, Formulation::new(Element::Node, Iteration::Kinematic), None));
         }
         if self.a_over_r.is_some() {
             let remedy = "leave it out, and set the load in the file";
             return Err(Error::Combination { what: "a scene file has no a/R".into(), remedy: remedy.into() });
         }
         let file = SceneFile::read(path)?;
-        Ok((file.problem, file.formulation))
+        Ok((file.problem, file.formulation, file.accuracy))
+    }
+
+    /// The accuracy asked for here, else that of the file; the mesh is then chosen by it alone.
+    pub fn asked(&self, of_file: Option<Asked>) -> Result<Option<Asked>, Error> {
+        let asked = match &self.accuracy {
+            None => of_file,
+            Some(text) => Some(accuracy::percentage(text).ok_or_else(|| {
+                Error::value("solve", "--accuracy", text, "it must be a percentage", accuracy::remedy())
+            })?)
+            .map(|relative| Asked { relative, ..of_file.unwrap_or_else(|| Asked::new(relative)) }),
+        };
+        let given = [("--resolution", self.resolution.is_some()), ("--order", self.order.is_some())];
+        match given.into_iter().find(|(_, given)| *given && asked.is_some()) {
+            None => Ok(asked),
+            Some((option, _)) => Err(Error::Combination {
+                what: format!("the accuracy chooses the mesh, and {option} too"),
+                remedy: "leave one of them out".into(),
+            }),
+        }
     }
 
     /// What the options change in a formulation; another element or algorithm begins from its own defaults.

@@ -6,6 +6,8 @@ use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 
 use crate::formulation::STAGES;
 
+/// The search for a mesh that meets an accuracy.
+pub const ACCURACY: &str = "meshes for the accuracy";
 /// The stage of the contact iteration.
 pub const ITERATION: &str = "iteration";
 /// The stage of everything that is written.
@@ -27,8 +29,13 @@ impl Stages {
 
     /// Moves on to a stage.
     pub fn begin(&self, stage: &'static str) {
-        let of_mesh = STAGES.iter().position(|known| *known == stage);
-        self.0.set_position(of_mesh.unwrap_or(STAGES.len() + usize::from(stage == OUTPUTS)) as u64);
+        let after = match stage {
+            ACCURACY => 0,
+            ITERATION => STAGES.len(),
+            OUTPUTS => STAGES.len() + 1,
+            of_mesh => STAGES.iter().position(|known| *known == of_mesh).unwrap_or(0),
+        };
+        self.0.set_position(after as u64);
         self.0.set_message(stage);
     }
 

@@ -1,0 +1,168 @@
+//! The meshes of a search: how they are laid out, solved and remembered.
+
+use crate::case::accuracy::fitted::{self, Plan};
+use crate::case::accuracy::search::FIRST;
+use crate::case::accuracy::{Answer, Asked, Quantity, Quoted, Tried};
+use crate::case::run::Run;
+use crate::error::Error;
+use crate::formulation::{Discretisation, Formulation};
+use crate::mesh::Order;
+use crate::mesh::size::{MOST, expected};
+use crate::scene::Scene;
+
+/// How the contact ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum End {
+    /// At this contact coordinate, within the candidates.
+    At(f64),
+    /// Where the side of a body ends.
+    Filled,
+}
+
+/// A mesh solved.
+pub(super) struct Rung {
+    pub(super) plan: Plan,
+    pub(super) run: Run,
+}
+
+/// What became of a mesh that was to be solved.
+pub(super) enum Step {
+    /// It stands among the rungs here.
+    Solved(usize),
+    /// Contact goes on beyond its candidates.
+    Short,
+    /// It was not solved, for this reason.
+    Stopped(String),
+}
+
+/// A search under way: what is asked, what is known of the contact, and every mesh solved.
+pub(super) struct Search<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) formulation: Formulation,
+    pub(super) asked: &'a Asked,
+    /// Longest candidate stretch that the bodies allow.
+    pub(super) longest: f64,
+    pub(super) order: Order,
+    pub(super) end: End,
+    pub(super) rungs: Vec<Rung>,
+    pub(super) tried: Vec<Tried>,
+}
+
+impl<'a> Search<'a> {
+    /// Nothing is known yet.
+    pub(super) fn new(scene: &'a Scene, formulation: Formulation, asked: &'a Asked) -> Self {
+        let longest = fitted::longest(scene);
+        let (rungs, tried) = (Vec::new(), Vec::new());
+        Self { scene, formulation, asked, longest, order: Order::Quadratic, end: End::Filled, rungs, tried }
+    }
+
+    pub(super) fn quantities(&self) -> impl Iterator<Item = Quantity> {
+        self.asked.quantities.iter().copied()
+    }
+
+    /// A mesh with so many elements within the contact as it is known so far.
+    pub(super) fn plan(&self, elements: usize, level: u32) -> Plan {
+        match self.end {
+            End::At(edge) => Plan::around(edge, self.longest, elements, self.order, level),
+            End::Filled => {
+                let stretch = self.rungs.last().map_or(self.longest, |rung| rung.plan.stretch);
+                Plan::even(self.order, elements, stretch, level)
+            }
+        }
+    }
+
+    /// Takes the end of the contact from a rung.
+    pub(super) fn look(&mut self, at: usize) {
+        let Rung { plan, run } = &self.rungs[at];
+        self.end = match fitted::filled(&run.solution) {
+            true => End::Filled,
+            false => End::At(fitted::edge(&run.solution, plan.stretch)),
+        };
+    }
+
+    pub(super) fn widen(&mut self) {
+        if let End::At(edge) = &mut self.end {
+            *edge = (1.1 * *edge).min(self.longest);
+        }
+    }
+
+    /// Whether the last candidate is pressed although the bodies allow more: the penetration beyond it is seen at nodes
+    /// only, and the next one may lie where the surfaces have parted again.
+    pub(super) fn cut_off(&self, at: usize) -> bool {
+        let Rung { plan, run } = &self.rungs[at];
+        run.solution.converged() && fitted::filled(&run.solution) && plan.stretch < self.longest * (1.0 - 1e-9)
+    }
+
+    /// Solves on a mesh within the limits.
+    pub(super) fn step(&mut self, plan: Plan, purpose: &'static str) -> Result<Step, Error> {
+        let [cells, candidates] = expected(&plan.scene(self.scene), plan.resolution());
+        let most = self.asked.most_cells;
+        if !(cells <= most && candidates <= MOST[1]) {
+            return Ok(Step::Stopped(format!(
+                "the next mesh would have about {cells:.1e} cells, more than {most:.0e}"
+            )));
+        }
+        match self.solve(plan, purpose) {
+            Ok(at) if self.cut_off(at) => Ok(Step::Short),
+            Ok(at) if self.rungs[at].run.solution.converged() => Ok(Step::Solved(at)),
+            Ok(_) => Ok(Step::Stopped("the iteration does not converge on the last mesh".into())),
+            Err(Error::ContactBeyondCandidates { .. }) => Ok(Step::Short),
+            Err(error @ Error::DegenerateCell { .. }) => Ok(Step::Stopped(error.to_string())),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Solves on a mesh from the contact set of the one before; where it stands among the rungs.
+    pub(super) fn solve(&mut self, plan: Plan, purpose: &'static str) -> Result<usize, Error> {
+        let discretisation = Discretisation::of(plan.scene(self.scene), plan.resolution())?;
+        let run = match self.rungs.last() {
+            Some(before) => Run::carrying(&discretisation, &self.formulation, &before.run.solution)?,
+            None => Run::of(&discretisation, &self.formulation)?,
+        };
+        self.tried.push(Tried {
+            purpose,
+            order: plan.order,
+            elements: plan.elements,
+            growth: plan.growth()[0],
+            stretch: plan.stretch,
+            freedoms: run.freedoms,
+            steps: run.solution.work.steps,
+            peak: run.measures.peak.pressure,
+            half_width: run.measures.half_width,
+            estimate: f64::NAN,
+        });
+        self.rungs.push(Rung { plan, run });
+        Ok(self.rungs.len() - 1)
+    }
+
+    /// Writes an estimate beside the mesh it is of.
+    pub(super) fn note(&mut self, at: usize, estimate: f64) {
+        let solved = self.tried.iter_mut().filter(|tried| tried.freedoms > 0);
+        if let Some(tried) = solved.into_iter().nth(at) {
+            tried.estimate = estimate;
+        }
+    }
+
+    pub(super) fn answer(mut self, at: usize, estimates: Vec<Quoted>, unmet: Option<String>) -> Answer {
+        let Rung { plan, run } = self.rungs.swap_remove(at);
+        Answer {
+            scene: plan.scene(self.scene),
+            resolution: plan.resolution(),
+            run,
+            estimates,
+            unmet,
+            tried: self.tried,
+        }
+    }
+}
+
+impl Tried {
+    /// A stretch beyond which contact went on.
+    pub(super) fn spilled(order: Order, stretch: f64) -> Self {
+        let [freedoms, steps] = [0; 2];
+        let [peak, half_width, estimate] = [f64::NAN; 3];
+        let growth = Plan::even(order, FIRST, stretch, 0).growth()[0];
+        let purpose = "contact length";
+        Self { purpose, order, elements: FIRST, growth, stretch, freedoms, steps, peak, half_width, estimate }
+    }
+}

@@ -1,0 +1,118 @@
+//! Which meshes are solved, and which one is answered.
+
+use crate::case::accuracy::depth::Depth;
+use crate::case::accuracy::fitted::{self, LEVELS, Plan};
+use crate::case::accuracy::rungs::Search;
+use crate::case::accuracy::{Answer, Asked, Tried};
+use crate::error::Error;
+use crate::formulation::{Formulation, Start};
+use crate::mesh::Order;
+use crate::scene::Scene;
+
+/// Elements of the first mesh, over the candidate stretch that the scene guesses.
+pub const FIRST: usize = 8;
+/// Pressed elements from which on a first mesh tells where the contact ends.
+const TOLD: usize = 3;
+/// Guesses of the stretch: each is twice as long, or as short as what was pressed.
+const GUESSES: usize = 16;
+/// Ladders that may fail to settle, each on gentler growth than the one before.
+const PATIENCE: usize = 3;
+/// Iteration tolerance over the error asked for.
+const ITERATION: f64 = 0.01;
+
+/// The cheapest mesh found that meets what is asked, or the best that was found, with the reason.
+///
+/// An error is returned where not even a first mesh can be solved.
+pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<Answer, Error> {
+    formulation.validate(scene)?;
+    let mut formulation = Formulation { start: Start::Closed, ..formulation.clone() };
+    let settings = &mut formulation.settings;
+    settings.tolerance = settings.tolerance.min(ITERATION * asked.relative).max(1e-12);
+    let mut search = Search::new(scene, formulation, asked);
+    if let Some(why) = search.first()? {
+        return Ok(search.answer(0, vec![], Some(why)));
+    }
+    search.refine()
+}
+
+impl Search<'_> {
+    /// Finds where the contact ends on a cheap mesh; says why where it cannot.
+    fn first(&mut self) -> Result<Option<String>, Error> {
+        let mut stretch = self.scene.contact.stretch.min(self.longest);
+        let mut level = 0;
+        for _ in 0..GUESSES {
+            match self.solve(Plan::even(self.order, FIRST, stretch, level), "contact length") {
+                Err(Error::NotFacing { .. }) if self.order == Order::Quadratic => self.order = Order::Linear,
+                Err(Error::DegenerateCell { .. }) if level < LEVELS => level += 2,
+                Err(Error::ContactBeyondCandidates { .. }) if stretch < self.longest => {
+                    self.tried.push(Tried::spilled(self.order, stretch));
+                    stretch = (2.0 * stretch).min(self.longest);
+                }
+                Err(error) => return Err(error),
+                Ok(at) => {
+                    let solution = &self.rungs[at].run.solution;
+                    let pressed = fitted::pressed(solution);
+                    if !solution.converged() {
+                        return Ok(Some(format!("the first iteration ended so: {}", solution.outcome)));
+                    }
+                    if pressed == 0 {
+                        return Ok(Some("no candidate is pressed".into()));
+                    }
+                    if self.cut_off(at) {
+                        stretch = (2.0 * stretch).min(self.longest);
+                        continue;
+                    }
+                    if pressed >= TOLD || fitted::filled(solution) {
+                        self.look(at);
+                        return Ok(None);
+                    }
+                    stretch *= (pressed + 1) as f64 / FIRST as f64;
+                }
+            }
+        }
+        match self.rungs.len() {
+            0 => Err(Error::value(
+                &self.scene.name,
+                "candidate stretch",
+                self.scene.contact.stretch,
+                format!("no contact length was found in {GUESSES} guesses"),
+                "give a stretch a little longer than the contact",
+            )),
+            _ => Ok(Some(format!("no contact length was found in {GUESSES} guesses"))),
+        }
+    }
+
+    /// From growth to growth: on each the ladder along the contact, then gentler growth on the surface meshes it chose.
+    fn refine(mut self) -> Result<Answer, Error> {
+        let mut level = fitted::level(self.asked.relative);
+        let mut best = (self.rungs.len() - 1, vec![]);
+        let mut why = String::new();
+        let mut unsettled = 0;
+        while level <= LEVELS && unsettled < PATIENCE {
+            let along = self.along(level)?;
+            if let Some(finest) = &along.finest {
+                best = (finest.rung, self.quoted(finest, None));
+            }
+            if let Some(reason) = along.unmet {
+                why = reason;
+                level += 2;
+                unsettled += 1;
+                continue;
+            }
+            let mut next = u32::MAX;
+            for fine in &along.chosen {
+                match self.on_gentler_growth(fine)? {
+                    Depth::Met(quoted) => return Ok(self.answer(fine.rung, quoted, None)),
+                    Depth::From(gentler, quoted) => {
+                        best = (fine.rung, quoted);
+                        next = next.min(gentler);
+                    }
+                    Depth::Stopped(reason) => return Ok(self.answer(best.0, best.1, Some(reason))),
+                }
+            }
+            why = "the growth away from the contact leaves too large an error".into();
+            level = next.max(level + 1);
+        }
+        Ok(self.answer(best.0, best.1, Some(why)))
+    }
+}

@@ -1,0 +1,25 @@
+//! The section on accuracies that are asked for.
+
+use crate::case::Finding;
+use crate::case::accuracy::study::ACCURACY;
+use crate::report::{checks, format};
+
+/// The section: one row a scene and an accuracy, and the checks.
+pub fn section(findings: &[Finding]) -> String {
+    let own: Vec<&Finding> = findings.iter().filter(|finding| finding.case == ACCURACY).collect();
+    let tables = || own.iter().flat_map(|finding| finding.tables.iter().map(|table| (&finding.name, table)));
+    let Some((_, first)) = tables().next() else { return String::new() };
+    let head: Vec<String> = ["scene, asked".to_owned()].into_iter().chain(first.head.iter().cloned()).collect();
+    let rows: Vec<Vec<String>> = tables()
+        .flat_map(|(name, table)| table.rows.iter().map(move |row| [vec![name.clone()], row.clone()].concat()))
+        .collect();
+    format!(
+        "## An accuracy asked for instead of a mesh\n\n\
+         `accuracy = \"0.1 %\"` in a scene file, or `--accuracy`, chooses order, elements, growth and candidates. Errors are the \
+         larger ones of peak pressure and half-width (second-moment angle). A mesh made by hand is the cheapest found whose worst \
+         error over eight loads is within the asked one. Meshes finer than the one answered are solved for the estimate: *in all* \
+         counts the freedoms of every mesh solved.\n\n{}\n{}\n",
+        format::markdown(&head, &rows),
+        checks::table(&own)
+    )
+}

@@ -1,0 +1,270 @@
+//! An accuracy that is asked for is met, by a mesh hardly larger than one made by hand, or said not to be.
+
+use approx::assert_relative_eq;
+use contact_vv::case::accuracy::estimate::{levels, richardson};
+use contact_vv::case::accuracy::fitted;
+use contact_vv::case::accuracy::study::{self, ASKED, Subject};
+use contact_vv::case::accuracy::{self, Answer, Asked, Quantity, percentage};
+use contact_vv::case::{SceneFile, Verdict, problem};
+use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::mesh::{Order, Resolution};
+use contact_vv::scene::Scene;
+
+use crate::scene_file::files;
+
+const SUBJECTS: [Subject; 3] = [Subject::Truncated, Subject::Cylinder, Subject::Pin];
+
+fn plain() -> Formulation {
+    Formulation::new(Element::Node, Iteration::Kinematic)
+}
+
+fn answered(scene: &Scene, asked: f64) -> Answer {
+    accuracy::solve(scene, &plain(), &Asked::new(asked)).expect("solved")
+}
+
+#[test]
+fn three_scenes_meet_three_accuracies_with_at_most_twice_the_freedoms_of_a_mesh_made_by_hand() {
+    let trials = study::trials();
+    assert_eq!(trials.len(), 9);
+    for trial in trials {
+        let finding = trial.run().expect("solved");
+        for check in &finding.checks {
+            assert_eq!(check.verdict, Verdict::Pass, "{}: {} {:e}", trial.title(), check.requirement, check.error);
+        }
+    }
+}
+
+#[test]
+fn checks_of_the_study_fail_on_a_coarser_mesh_on_a_larger_one_and_on_an_accuracy_that_is_not_met() {
+    let subject = Subject::Truncated;
+    let problem = subject.loaded(1.0);
+    let exact = study::closed_form(&problem);
+    let asked = Asked::new(1e-3);
+    let good = answered(&problem.scene, 1e-3);
+    let failed = |answer: &Answer, freedoms: usize| {
+        let checks = study::checks(answer, &asked, exact, exact, (1e-4, freedoms));
+        checks.iter().map(|check| check.verdict == Verdict::Fail).collect::<Vec<_>>()
+    };
+    assert_eq!(failed(&good, good.run.freedoms), [false; 5]);
+    assert_eq!(failed(&good, good.run.freedoms / 2 - 1), [false, false, false, false, true]);
+    let mut coarse = good.clone();
+    coarse.run.measures.half_width *= 1.0015;
+    assert_eq!(failed(&coarse, good.run.freedoms), [false, true, true, false, false]);
+    let mut unmet = good.clone();
+    unmet.unmet = Some("said so".into());
+    assert_eq!(failed(&unmet, good.run.freedoms), [true, false, true, false, false]);
+    let mut broken = good.clone();
+    broken.run.measures.peak.pressure = f64::NAN;
+    assert_eq!(failed(&broken, good.run.freedoms), [false, true, true, false, false]);
+}
+
+#[test]
+fn under_loads_the_rule_was_not_made_for_the_true_error_stays_within_the_estimate() {
+    for subject in SUBJECTS {
+        for ratio in [0.72, 0.83, 0.94, 1.07, 1.14] {
+            let problem = subject.loaded(ratio);
+            // The plate is not quite infinite: its own solution to a tenth of the smallest error stands for the truth.
+            let fine = answered(&problem.scene, 5e-5);
+            let fine = [fine.run.measures.peak.pressure, fine.run.measures.half_width];
+            for asked in ASKED {
+                let answer = answered(&problem.scene, asked);
+                let place = format!("{} × {ratio}, {asked}", subject.name());
+                assert!(answer.unmet.is_none(), "{place}: {:?}", answer.unmet);
+                let error = study::error(&answer.run, fine);
+                assert!(error <= asked, "{place}: {error:e}");
+                assert!(error <= answer.estimate() + 5e-5, "{place}: {error:e} beyond {:e}", answer.estimate());
+            }
+        }
+    }
+}
+
+#[test]
+fn stretch_four_times_too_long_or_half_as_much_too_short_leads_to_the_same_contact() {
+    for subject in SUBJECTS {
+        let problem = subject.loaded(1.0);
+        let exact = study::closed_form(&problem);
+        let nominal = answered(&problem.scene, 3e-3);
+        for factor in [4.0, 2.5, 1.0 / 1.5, 0.2] {
+            let mut scene = problem.scene.clone();
+            // The library's stretch is twice the half-width, on the pin one and a half times the half-angle.
+            let contact =
+                if subject == Subject::Pin { scene.contact.stretch / 1.5 } else { 0.5 * scene.contact.stretch };
+            scene.contact.stretch = (factor * contact).min(fitted::longest(&scene));
+            let answer = answered(&scene, 3e-3);
+            let place = format!("{}, {factor}", subject.name());
+            assert!(answer.unmet.is_none(), "{place}");
+            assert!(study::error(&answer.run, exact) <= 3e-3, "{place}");
+            assert_relative_eq!(answer.scene.contact.stretch, nominal.scene.contact.stretch, max_relative = 0.2);
+            let guesses = answer.tried.iter().filter(|tried| tried.purpose == "contact length").count();
+            assert_eq!(guesses > 1, factor < 1.0, "{place}: {guesses} guesses");
+        }
+    }
+}
+
+#[test]
+fn every_later_mesh_starts_from_the_contact_set_of_the_one_before() {
+    let answer = answered(&Subject::Cylinder.loaded(1.0).scene, 1e-3);
+    assert!(answer.tried.len() > 6);
+    for tried in &answer.tried[2..] {
+        assert!(tried.steps <= 3, "{} elements took {} steps", tried.elements, tried.steps);
+    }
+    let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution).expect("meshed");
+    let own = discretisation.solve(&answer.run.formulation).expect("solved");
+    for (own, carried) in own.points.iter().zip(&answer.run.solution.points) {
+        assert_relative_eq!(own.pressure, carried.pressure, max_relative = 1e-6, epsilon = 1e-6);
+    }
+}
+
+#[test]
+fn pin_and_rod_press_fits_and_scene_files_meet_what_they_are_asked() {
+    for name in ["cylinder", "cylinder-half", "pin-rod", "press-fit", "patch", "own-weight"] {
+        let problem = problem::problem(name, None).expect("known");
+        let fine = answered(&problem.scene, 1e-4);
+        let fine = [fine.run.measures.peak.pressure, fine.run.measures.half_width];
+        for asked in ASKED {
+            let answer = answered(&problem.scene, asked);
+            assert!(answer.unmet.is_none(), "{name}, {asked}: {:?}", answer.unmet);
+            assert!(study::error(&answer.run, fine) <= asked, "{name}, {asked}");
+        }
+    }
+    let (path, text) = files().into_iter().find(|(path, _)| path.ends_with("rigid-cosine.toml")).expect("the file");
+    let file = SceneFile::parse(&path, &text).expect("sound");
+    // Westergaard, as the file's own checks have it.
+    let answer = answered(&file.problem.scene, 3e-3);
+    assert!(answer.unmet.is_none());
+    assert_relative_eq!(answer.run.measures.peak.pressure, 213.067134, max_relative = 3e-3);
+}
+
+#[test]
+fn disc_on_a_block_is_solved_with_4_node_cells_whose_nodes_face() {
+    let (path, text) =
+        files().into_iter().find(|(path, _)| path.ends_with("cylinder-on-block.toml")).expect("the file");
+    let file = SceneFile::parse(&path, &text).expect("sound");
+    for asked in [1e-2, 3e-3] {
+        let answer = answered(&file.problem.scene, asked);
+        assert!(answer.unmet.is_none());
+        assert_eq!(answer.resolution.order, Order::Linear);
+        // Hertz leaves out 0.1 % at a/R = 0.05 and a block of 32 half-widths.
+        assert!(study::error(&answer.run, [1464.678, 2.499228]) <= asked + 1e-3, "{asked}");
+    }
+}
+
+#[test]
+fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
+    // The pressure under the corner of a flat punch has no limit.
+    let punch = problem::problem("flat-punch", None).expect("known");
+    let answer = answered(&punch.scene, 1e-2);
+    assert!(answer.unmet.is_some() && answer.run.solution.converged());
+    assert!(answer.check(&Asked::new(1e-2)).verdict == Verdict::Fail);
+    // Its half-width alone is no matter of the corner.
+    let asked = Asked { quantities: vec![Quantity::HalfWidth], ..Asked::new(1e-2) };
+    let answer = accuracy::solve(&punch.scene, &plain(), &asked).expect("solved");
+    assert!(answer.unmet.is_none() && answer.estimates.len() == 1);
+    // Too few cells, and too few steps.
+    let cylinder = Subject::Cylinder.loaded(1.0).scene;
+    let few = Asked { most_cells: 300.0, ..Asked::new(1e-3) };
+    let answer = accuracy::solve(&cylinder, &plain(), &few).expect("solved");
+    assert!(answer.unmet.is_some_and(|why| why.contains("more than 3e2")));
+    let mut hasty = plain();
+    hasty.settings.max_steps = 1;
+    let answer = accuracy::solve(&cylinder, &hasty, &Asked::new(1e-2)).expect("a result, not an error");
+    assert!(answer.unmet.is_some_and(|why| why.contains("exhausted")));
+}
+
+#[test]
+fn growth_that_is_never_refined_would_not_be_noticed_by_elements_alone() {
+    // The reason for the second ladder: with a growth of 4, three times the elements change nothing, and 0.2 % remain.
+    let problem = Subject::Truncated.loaded(1.0);
+    let exact = study::closed_form(&problem);
+    let on = |elements: usize| {
+        let edge = problem.scene.reference.length;
+        let plan = fitted::Plan::around(edge, f64::INFINITY, elements, Order::Quadratic, 0);
+        let discretisation = Discretisation::of(plan.scene(&problem.scene), plan.resolution()).expect("meshed");
+        contact_vv::case::Run::of(&discretisation, &Formulation::verification()).expect("solved")
+    };
+    let (some, many) = (on(16), on(48));
+    let [first, last] = [&some, &many].map(|run| study::error(run, exact));
+    assert!(first > 2e-3 && last > 2e-3, "{first:e} {last:e}");
+    let between = study::error(&some, [many.measures.peak.pressure, many.measures.half_width]);
+    assert!(between < 1e-3, "{between:e}");
+}
+
+#[test]
+fn contact_end_is_found_within_a_tenth_of_an_element() {
+    for subject in SUBJECTS {
+        for ratio in [0.8, 0.9, 1.0, 1.1] {
+            let problem = subject.loaded(ratio);
+            let elements = 8;
+            let edge = match subject {
+                Subject::Pin => (60.0 * ratio).to_radians(),
+                _ => problem.scene.reference.length,
+            };
+            let plan =
+                fitted::Plan::around(edge * 1.03, fitted::longest(&problem.scene), elements, Order::Quadratic, 2);
+            let discretisation = Discretisation::of(plan.scene(&problem.scene), plan.resolution()).expect("meshed");
+            let solution = discretisation.solve(&Formulation::verification()).expect("solved");
+            let found = fitted::edge(&solution, plan.stretch);
+            let element = edge / elements as f64;
+            assert!(
+                (found - edge).abs() < 0.15 * element,
+                "{} × {ratio}: {}",
+                subject.name(),
+                (found - edge) / element
+            );
+        }
+    }
+}
+
+#[test]
+fn richardson_covers_a_series_of_known_limit_and_distrusts_one_out_of_line() {
+    let value = |h: f64, order: f64| 3.0 + 0.1 * h.powf(order);
+    for order in [1.0, 1.5, 2.0, 3.0, 4.0] {
+        let found = richardson(Some(value(1.0, order)), value(0.5, order), value(0.25, order), 2.0);
+        assert_relative_eq!(found.order, order, max_relative = 1e-9);
+        let error = (value(0.25, order) - 3.0).abs();
+        assert!(found.uncertainty >= error && (found.limit - 3.0).abs() <= found.uncertainty, "order {order}");
+        if order <= 2.0 {
+            assert_relative_eq!(found.uncertainty, 1.25 * error, max_relative = 1e-9);
+            assert_relative_eq!(found.limit, 3.0, max_relative = 1e-9);
+        }
+    }
+    let two = richardson(None, value(0.5, 2.0), value(0.25, 2.0), 2.0);
+    assert_relative_eq!(two.uncertainty, 3.0 * (value(0.25, 2.0) - 3.0), max_relative = 1e-9);
+    // Out of line, and too slow: no less than the range, or than three times a first-order step.
+    assert!(richardson(Some(3.0), 3.2, 3.1, 2.0).uncertainty >= 0.3 - 1e-12);
+    assert!(richardson(Some(3.0), 3.1, 3.2, 2.0).uncertainty >= 0.3 - 1e-12);
+    assert!(richardson(Some(3.0), f64::NAN, 3.2, 2.0).uncertainty.is_nan());
+    let fourth: Vec<f64> = (0..5).map(|k| value(0.5_f64.powf(0.5 * f64::from(k)), 4.0)).collect();
+    let found = levels(&fourth);
+    assert_relative_eq!(found.order, 4.0, max_relative = 1e-9);
+    assert!(found.uncertainty >= fourth[4] - 3.0);
+    assert!(levels(&fourth[..3]).uncertainty >= fourth[2] - 3.0 && levels(&fourth[..2]).uncertainty.is_nan());
+}
+
+#[test]
+fn percentages_are_read_and_nothing_else_is() {
+    for (text, wanted) in [("0.1 %", 1e-3), ("1%", 1e-2), (" 20 % ", 0.2), ("0.001 %", 1e-5)] {
+        assert_relative_eq!(percentage(text).expect(text), wanted, max_relative = 1e-12);
+    }
+    for text in ["0.1", "%", "0 %", "-1 %", "nan %", "inf %", "21 %", "1e-4 %", "one %", "", "0.1 % "] {
+        assert_eq!(percentage(text).is_some(), text == "0.1 % ", "{text}");
+    }
+}
+
+#[test]
+fn accuracy_in_a_file_is_the_engines_and_its_first_mesh_is_within_limits() {
+    let (path, text) =
+        files().into_iter().find(|(path, _)| path.ends_with("cylinder-to-accuracy.toml")).expect("the file");
+    let file = SceneFile::parse(&path, &text).expect("sound");
+    let asked = file.accuracy.clone().expect("asked");
+    assert_relative_eq!(asked.relative, 1e-3, max_relative = 1e-12);
+    assert_eq!(asked.quantities, Quantity::ALL);
+    let (_, run, answer) = file.solve().expect("solved");
+    let answer = answer.expect("answered");
+    assert!(answer.check(&asked).verdict == Verdict::Pass);
+    assert!(study::error(&run, [576.923077, 0.25]) <= 1e-3);
+    assert_eq!(file.problem.resolution, Resolution { elements: 8, refinement: 0, order: Order::Quadratic });
+    let one = text.replace("accuracy = \"0.1 %\"", "accuracy = \"1 %\"\nquantity = [\"half-width\"]");
+    let asked = SceneFile::parse(&path, &one).expect("sound").accuracy.expect("asked");
+    assert_eq!(asked.quantities, [Quantity::HalfWidth]);
+}
