@@ -28,6 +28,7 @@ pub struct Document {
 struct OneQuantity {
     quantity: &'static str,
     estimate: f64,
+    from_elements: f64,
     from_growth: f64,
     observed_order: f64,
     observed_order_of_growth: f64,
@@ -53,6 +54,7 @@ impl Document {
         let quantity = |quoted: &Quoted| OneQuantity {
             quantity: quoted.quantity.name(),
             estimate: quoted.relative,
+            from_elements: quoted.elements,
             from_growth: quoted.growth,
             observed_order: quoted.order,
             observed_order_of_growth: quoted.growth_order,
@@ -95,9 +97,10 @@ pub fn print((asked, answer): &(Asked, Answer), path: &Path) {
     say(format!("accuracy asked: {} %", 100.0 * asked.relative));
     for quoted in &answer.estimates {
         say(format!(
-            "{}: estimated error {}, of which {} from growth; observed order {} along the contact, {} of growth",
+            "{}: estimated error {}, {} from the elements and {} from growth; observed order {} along the contact, {} of growth",
             quoted.quantity.name(),
             known(quoted.relative, format::error),
+            known(quoted.elements, format::error),
             known(quoted.growth, format::error),
             known(quoted.order, |order| format!("{order:.1}")),
             known(quoted.growth_order, |order| format!("{order:.1}"))

@@ -165,6 +165,12 @@ fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
     let few = Asked { most_cells: 300.0, ..Asked::new(1e-3) };
     let answer = accuracy::solve(&cylinder, &plain(), &few).expect("solved");
     assert!(answer.unmet.is_some_and(|why| why.contains("more than 3e2")));
+    // The estimate of the best that was found is one all the same.
+    let problem = Subject::Truncated.loaded(1.0);
+    let few = Asked { most_cells: 2000.0, ..Asked::new(1e-5) };
+    let answer = accuracy::solve(&problem.scene, &plain(), &few).expect("solved");
+    assert!(answer.unmet.is_some());
+    assert!(study::error(&answer.run, study::closed_form(&problem)) <= answer.estimate());
     let mut hasty = plain();
     hasty.settings.max_steps = 1;
     let answer = accuracy::solve(&cylinder, &hasty, &Asked::new(1e-2)).expect("a result, not an error");

@@ -11,7 +11,7 @@ use crate::error::Error;
 pub(super) enum Depth {
     /// It meets what is asked.
     Met(Vec<Quoted>),
-    /// It does not; from this level of growth on its surface mesh does, as far as is known.
+    /// It does not, by this estimate; from this level of growth on its surface mesh does, as far as is known.
     From(u32, Vec<Quoted>),
     /// Nothing, for this reason.
     Stopped(String),
@@ -40,17 +40,33 @@ impl Search<'_> {
                 if from == 0 {
                     self.note(fine.rung, error);
                 }
+                if error <= self.asked.relative && from == 0 {
+                    return Ok(Depth::Met(quoted));
+                }
                 if error <= self.asked.relative {
-                    return Ok(if from == 0 {
-                        Depth::Met(quoted)
-                    } else {
-                        Depth::From(plan.level + from as u32, quoted)
-                    });
+                    return Ok(Depth::From(plan.level + from as u32, self.quoted(fine, Some((&ladder, 0)))));
                 }
             }
         }
         let quoted = self.quoted(fine, Some((&ladder, 0)));
         Ok(Depth::From(LEVELS + 1, quoted))
+    }
+
+    /// What can be said of a rung that does not meet what is asked, from two steeper growths on its surface mesh, which
+    /// are cheaper; from gentler ones where there are none.
+    pub(super) fn told(&mut self, fine: &Fine) -> Result<Vec<Quoted>, Error> {
+        let plan = self.rungs[fine.rung].plan;
+        let steepest = plan.level.saturating_sub(2);
+        let mut ladder = Vec::new();
+        for level in steepest..steepest + 3 {
+            if level == plan.level {
+                ladder.push(fine.rung);
+            } else if let Step::Solved(at) = self.step(Plan { level, ..plan }, "growth")? {
+                ladder.push(at);
+            }
+        }
+        let from = (plan.level - steepest) as usize;
+        Ok(self.quoted(fine, Some((ladder.as_slice(), from)).filter(|_| ladder.len() == 3)))
     }
 
     /// What is said of a surface mesh on one growth of a ladder of growth; without one, of its elements alone.
@@ -62,7 +78,8 @@ impl Search<'_> {
                 let distance = envelope(values[from..].iter().copied(), estimate.limit);
                 ((distance + estimate.uncertainty) / estimate.limit.abs(), estimate.order)
             });
-            Quoted { quantity, relative: fine.errors[k] + growth, growth, order: fine.orders[k], growth_order }
+            let elements = fine.errors[k];
+            Quoted { quantity, relative: elements + growth, elements, growth, order: fine.orders[k], growth_order }
         };
         self.quantities().enumerate().map(one).collect()
     }

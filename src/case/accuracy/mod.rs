@@ -135,7 +135,9 @@ pub struct Quoted {
     pub quantity: Quantity,
     /// Estimated relative error of the mesh answered; NaN where nothing is known.
     pub relative: f64,
-    /// Part of it that comes from the growth away from the contact.
+    /// Part of it that comes from the elements along the contact; NaN where it is not known.
+    pub elements: f64,
+    /// Part of it that comes from the growth away from the contact; NaN where it is not known.
     pub growth: f64,
     /// Observed order in the element size along the contact; NaN where there is none.
     pub order: f64,

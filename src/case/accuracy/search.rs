@@ -87,14 +87,11 @@ impl Search<'_> {
         let mut level = fitted::level(self.asked.relative);
         let mut best = (self.rungs.len() - 1, vec![]);
         let mut why = String::new();
-        let mut unsettled = 0;
+        let (mut unsettled, mut finest) = (0, None);
         while level <= LEVELS && unsettled < PATIENCE {
             let along = self.along(level)?;
-            if let Some(finest) = &along.finest {
-                best = (finest.rung, self.quoted(finest, None));
-            }
             if let Some(reason) = along.unmet {
-                why = reason;
+                (why, finest) = (reason, along.finest.or(finest));
                 level += 2;
                 unsettled += 1;
                 continue;
@@ -112,6 +109,9 @@ impl Search<'_> {
             }
             why = "the growth away from the contact leaves too large an error".into();
             level = next.max(level + 1);
+        }
+        if let Some(finest) = finest.filter(|_| best.1.is_empty()) {
+            best = (finest.rung, self.told(&finest)?);
         }
         Ok(self.answer(best.0, best.1, Some(why)))
     }
