@@ -10,6 +10,9 @@ use crate::mesh::Order;
 use crate::mesh::size::{MOST, expected};
 use crate::scene::Scene;
 
+/// Order of the cells of every answer.
+pub(super) const ORDER: Order = Order::Quadratic;
+
 /// How the contact ends.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum End {
@@ -42,7 +45,6 @@ pub(super) struct Search<'a> {
     pub(super) asked: &'a Asked,
     /// Longest candidate stretch that the bodies allow.
     pub(super) longest: f64,
-    pub(super) order: Order,
     pub(super) end: End,
     pub(super) rungs: Vec<Rung>,
     pub(super) tried: Vec<Tried>,
@@ -53,7 +55,7 @@ impl<'a> Search<'a> {
     pub(super) fn new(scene: &'a Scene, formulation: Formulation, asked: &'a Asked) -> Self {
         let longest = fitted::longest(scene);
         let (rungs, tried) = (Vec::new(), Vec::new());
-        Self { scene, formulation, asked, longest, order: Order::Quadratic, end: End::Filled, rungs, tried }
+        Self { scene, formulation, asked, longest, end: End::Filled, rungs, tried }
     }
 
     pub(super) fn quantities(&self) -> impl Iterator<Item = Quantity> {
@@ -63,10 +65,10 @@ impl<'a> Search<'a> {
     /// A mesh with so many elements within the contact as it is known so far.
     pub(super) fn plan(&self, elements: usize, level: u32) -> Plan {
         match self.end {
-            End::At(edge) => Plan::around(edge, self.longest, elements, self.order, level),
+            End::At(edge) => Plan::around(edge, self.longest, elements, ORDER, level),
             End::Filled => {
                 let stretch = self.rungs.last().map_or(self.longest, |rung| rung.plan.stretch);
-                Plan::even(self.order, elements, stretch, level)
+                Plan::even(ORDER, elements, stretch, level)
             }
         }
     }

@@ -2,12 +2,11 @@
 
 use crate::case::accuracy::depth::Depth;
 use crate::case::accuracy::fitted::{self, LEVELS, Plan};
-use crate::case::accuracy::rungs::Search;
+use crate::case::accuracy::rungs::{ORDER, Search};
 use crate::case::accuracy::{Answer, Asked, Tried};
 use crate::error::Error;
 use crate::formulation::{Formulation, Start};
-use crate::mesh::Order;
-use crate::scene::Scene;
+use crate::scene::{Body, Scene, Shape};
 
 /// Elements of the first mesh, over the candidate stretch that the scene guesses.
 pub const FIRST: usize = 8;
@@ -25,6 +24,13 @@ const ITERATION: f64 = 0.01;
 /// An error is returned where not even a first mesh can be solved.
 pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<Answer, Error> {
     formulation.validate(scene)?;
+    let brought = |body: &&Body| matches!(body.shape, Shape::Given(_) | Shape::Blocks(_));
+    if let Some(body) = scene.bodies.iter().find(brought) {
+        return Err(Error::Combination {
+            what: format!("`{}` brings its mesh, which no accuracy can choose", body.name),
+            remedy: "ask for no accuracy, and refine that mesh".into(),
+        });
+    }
     let mut formulation = Formulation { start: Start::Closed, ..formulation.clone() };
     let settings = &mut formulation.settings;
     settings.tolerance = settings.tolerance.min(ITERATION * asked.relative).max(1e-12);
@@ -41,11 +47,10 @@ impl Search<'_> {
         let mut stretch = self.scene.contact.stretch.min(self.longest);
         let mut level = 0;
         for _ in 0..GUESSES {
-            match self.solve(Plan::even(self.order, FIRST, stretch, level), "contact length") {
-                Err(Error::NotFacing { .. }) if self.order == Order::Quadratic => self.order = Order::Linear,
+            match self.solve(Plan::even(ORDER, FIRST, stretch, level), "contact length") {
                 Err(Error::DegenerateCell { .. }) if level < LEVELS => level += 2,
                 Err(Error::ContactBeyondCandidates { .. }) if stretch < self.longest => {
-                    self.tried.push(Tried::spilled(self.order, stretch));
+                    self.tried.push(Tried::spilled(ORDER, stretch));
                     stretch = (2.0 * stretch).min(self.longest);
                 }
                 Err(error) => return Err(error),
