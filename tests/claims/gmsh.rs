@@ -311,11 +311,10 @@ fn mutated(number: &mut impl FnMut() -> f64) -> String {
     words.concat()
 }
 
-#[test]
-fn five_thousand_mutated_meshes_are_read_or_refused() {
-    let (folder, mut number) = (folder("fuzz"), noise(23));
-    let mut sound = 0;
-    for k in 0..5000 {
+/// Reads, meshes and solves so many mutated meshes; how many were sound.
+fn fuzz(name: &str, seed: u64, count: usize) -> usize {
+    let (folder, mut number) = (folder(name), noise(seed));
+    let tried = (0..count).map(|k| {
         let spoiled = mutated(&mut number);
         let tried = std::panic::catch_unwind(|| {
             let Ok(file) = read(&folder, &spoiled) else { return false };
@@ -323,8 +322,14 @@ fn five_thousand_mutated_meshes_are_read_or_refused() {
             let _ = discretisation.and_then(|discretisation| Run::of(&discretisation, &file.formulation));
             true
         });
-        sound += usize::from(tried.unwrap_or_else(|_| panic!("mesh {k}:\n{spoiled}")));
-    }
+        tried.unwrap_or_else(|_| panic!("mesh {k}:\n{spoiled}"))
+    });
+    tried.filter(|sound| *sound).count()
+}
+
+#[test]
+fn five_thousand_mutated_meshes_are_read_or_refused() {
+    let sound = fuzz("fuzz", 23, 5000);
     assert!(sound > 100 && sound < 4500, "{sound} of 5000 were read");
 }
 
@@ -386,4 +391,10 @@ fn blocks_that_do_not_fit_are_refused() {
             (Err(error), wanted) => assert!(!wanted.is_empty() && error.to_string().contains(wanted), "{is}: {error}"),
         }
     }
+}
+
+#[test]
+#[ignore = "100,000 meshes: cargo test --release --test claims -- --ignored mutated"]
+fn a_hundred_thousand_mutated_meshes_are_read_or_refused() {
+    fuzz("fuzz-on-demand", 29, 100_000);
 }

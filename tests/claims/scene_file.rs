@@ -105,6 +105,7 @@ fn rigid_profiles_are_their_formulas_in_any_unit() {
         ("{ cosine = { amplitude = 0.3, wavelength = 7 } }", |s| 0.3 * (1.0 - (std::f64::consts::TAU * s / 7.0).cos())),
         ("{ parabola = 9 }", |s| s * s / 18.0),
         ("{ circle = 9 }", |s| 9.0 - (81.0 - s * s).sqrt()),
+        ("{ table = [[0, 0], [1, 0.1], [3, 0.5], [5, 2]] }", |s| if s <= 1.0 { 0.1 * s } else { 0.2 * s - 0.1 }),
     ];
     let text = text_of("rigid-cosine.toml");
     let (was, stretch) = ("{ cosine = { amplitude = 0.01, wavelength = 40 } }", "stretch = 16");
@@ -154,6 +155,80 @@ fn pressures_are_their_laws_and_press_inwards() {
     assert_relative_eq!(run.transmitted, 2.0 * (40.0 * 20.0 + 0.15 * 400.0), max_relative = 1e-8);
     let (_, run) = solved(&with("{ uniform = 62.5 }", ""));
     assert_relative_eq!(run.transmitted, 2.0 * 62.5 * 20.0, max_relative = 1e-8);
+}
+
+#[test]
+fn tractions_have_a_law_for_each_component_in_any_unit() {
+    let text = text_of("rigid-cosine.toml");
+    let start = text.find("loads = ").expect("the key");
+    let end = start + text[start..].find('\n').expect("a line");
+    let with = |traction: &str, units: &str| {
+        let load = format!("loads = [{{ traction = {{ at = \"far\", {traction} }} }}]");
+        let file = format!("{units}{}{load}{}", &text[..start], &text[end..]);
+        SceneFile::parse(Path::new("law.toml"), &file)
+    };
+    let laws = "x = { polynomial = { along = \"x\", coefficients = [0, 2] } }, y = { uniform = -3 }";
+    for (units, unit, stress) in [("", 1.0, 1.0), ("units = { length = \"cm\", stress = \"GPa\" }\n", 10.0, 1e3)] {
+        let file = with(laws, units).expect("sound");
+        let Load::TractionField { field, .. } = &file.problem.scene.bodies[0].loads[0] else { panic!("a field") };
+        let [x, y] = (field.0)([unit * 5.0, unit * 7.0]);
+        assert_relative_eq!(x, stress * 10.0, max_relative = 1e-12);
+        assert_relative_eq!(y, -stress * 3.0, max_relative = 1e-12);
+    }
+    // One law alone is that component; the resultant is its integral, both halves.
+    let series = "y = { cosine = { centre = [0, 0], coefficients = [-20, 0] } }";
+    let (_, run) = solved(&with(series, "").expect("sound"));
+    assert_relative_eq!(run.transmitted, 2.0 * 20.0 * 20.0, max_relative = 1e-8);
+    let sloping = "y = { polynomial = { along = \"x\", coefficients = [-40, -0.3] } }";
+    let (_, run) = solved(&with(sloping, "").expect("sound"));
+    assert_relative_eq!(run.transmitted, 2.0 * (40.0 * 20.0 + 0.15 * 400.0), max_relative = 1e-8);
+    for wrong in ["value = [0, -1], y = { uniform = 1 }", ""] {
+        let error = with(wrong, "").map(|_| ()).expect_err("no value, or two").to_string();
+        assert!(error.contains("no value, or two") && error.contains("give `value"), "{error}");
+    }
+}
+
+/// What is spoiled in which file so that only meshing or solving it shows; the line the message must name; what it says.
+const LATER: &[(&str, &str, &str, &str, &str)] = &[
+    (
+        "blocks",
+        "supports = [{ at = \"left\", component = \"x\" }, { at = \"right\", component = \"x\" }]",
+        "supports = []",
+        "name = \"upper\"",
+        "is free to",
+    ),
+    ("blocks", "value = [0, -100]", "value = [0, 100]", "first = \"upper\"", "pulls the bodies apart"),
+    ("blocks", "value = [0, -100]", "value = [0, 0]", "first = \"upper\"", "nothing presses"),
+    ("cylinder-on-block", "stretch = 5.0", "stretch = 2.0", "stretch = 2.0", "contact goes on beyond the candidates"),
+    (
+        "cylinder-on-block",
+        "{ at = \"axis\", component = \"x\" }",
+        "{ at = [1, 2], component = \"x\" }",
+        "name = \"cylinder\"",
+        "no node at",
+    ),
+    ("cylinder-on-block", "poisson = 0.33", "poisson = 0.4999", "name = \"block\"", "lock"),
+    (
+        "press-fit",
+        "component = \"y\" }]\n\n[[body]]",
+        "component = \"x\" }]\n\n[[body]]",
+        "name = \"inner\"",
+        "oblique",
+    ),
+];
+
+#[test]
+fn mistakes_that_show_only_when_solving_name_the_line_of_their_body_or_contact() {
+    for (name, was, is, anchor, found) in LATER {
+        let text = text_of(&format!("{name}.toml"));
+        assert!(text.contains(was), "{name}: {was}");
+        let spoiled = text.replacen(was, is, 1);
+        let file = SceneFile::parse(Path::new("later.toml"), &spoiled).unwrap_or_else(|error| panic!("{is}: {error}"));
+        let error = file.solve().map(|_| ()).expect_err(is).to_string();
+        let line = 1 + spoiled[..spoiled.find(anchor).expect("a place")].matches('\n').count();
+        assert!(error.starts_with(&format!("later.toml:{line}: ")), "line {line}: {error}");
+        assert!(error.contains(found) && error.contains("; "), "`{found}` is not in {error}");
+    }
 }
 
 /// What is spoiled in which file; what stands in the line that the message must name, what it must say was found, and what to do.
@@ -319,6 +394,44 @@ const MISTAKES: &[(&str, &str, &str, [&str; 3])] = &[
         ["loads = ", "0 coefficients", "give 1 to 16"],
     ),
     (
+        "rigid-cosine",
+        "gap = { cosine = { amplitude = 0.01, wavelength = 40 } }",
+        "gap = { table = [[0, 0], [9, 0.1]] }",
+        ["gap = ", "the table ends before the candidates", "shorten `stretch`"],
+    ),
+    (
+        "rigid-cosine",
+        "gap = { cosine = { amplitude = 0.01, wavelength = 40 } }",
+        "gap = { table = [[0, 0], [9, 0.1], [8, 0.2]] }",
+        ["gap = ", "does not ascend", "sort its points"],
+    ),
+    (
+        "two-cylinders",
+        "contact = \"top\" } }",
+        "contact = \"side\" } }",
+        ["shape = { disc = { centre = [0, -30]", "no side of a disc `side`", "`top`"],
+    ),
+    ("two-cylinders", "centre = [0, -30]", "centre = [0, -25]", ["gap = ", "overlap by 5", "move them apart"]),
+    ("two-cylinders", "pressure = 1562.80524\n", "", ["gap = ", "no reference pressure", "[reference] pressure"]),
+    (
+        "two-cylinders",
+        "young = 70e3",
+        "young = 70e3\ndensity = 100",
+        ["density = 100", "`density` is 100", "from 0.05 to 20"],
+    ),
+    (
+        "rings-from-gmsh",
+        "group = \"inner\"",
+        "group = \"ring\"",
+        ["group = \"ring\"", "no physical surface `ring`", "known: inner, outer"],
+    ),
+    (
+        "rings-from-gmsh",
+        "file = \"meshes/rings.msh\", group = \"inner\"",
+        "file = \"rings.msh\", group = \"inner\"",
+        ["file = \"rings.msh\"", "cannot be read", "folder of the scene file"],
+    ),
+    (
         "cylinder-to-accuracy",
         "accuracy = \"0.1 %\"",
         "accuracy = \"0.1\"",
@@ -368,13 +481,13 @@ fn every_mistake_names_file_line_finding_and_remedy() {
     for (name, was, is, wanted) in MISTAKES {
         let text = text_of(&format!("{name}.toml"));
         assert!(text.contains(was), "{name}: {was}");
-        let file = PathBuf::from(format!("{name}.toml"));
+        let file = folder().join(format!("{name}.toml"));
         let spoiled = text.replacen(was, is, 1);
         let error = SceneFile::parse(&file, &spoiled).map(|_| ()).expect_err(is).to_string();
         let [anchor, found, remedy] = wanted;
         let place = if anchor == is && !is.is_empty() { text.find(was) } else { spoiled.find(anchor) };
         let line = 1 + spoiled[..place.expect("a place")].matches('\n').count();
-        assert!(error.starts_with(&format!("{name}.toml:{line}: ")), "line {line}: {error}");
+        assert!(error.starts_with(&format!("{}:{line}: ", file.display())), "line {line}: {error}");
         for part in [found, remedy] {
             assert!(error.contains(part), "{is}: `{part}` is not in: {error}");
         }
@@ -403,7 +516,7 @@ fn page_on_scene_files_is_true() {
         quoted.filter(|text| text.starts_with('{')).map(String::from).collect()
     };
     let gaps = rows("Gaps");
-    assert_eq!(gaps.len(), 8);
+    assert_eq!(gaps.len(), 9);
     let number = |text: &str| {
         let named = [
             ("R1", "20"),
@@ -433,7 +546,7 @@ fn page_on_scene_files_is_true() {
     let supports = "supports = [{ at = \"left\", component = \"x\" }, { at = \"right\", component = \"x\" }]";
     assert!(block.contains(supports));
     let list = rows("Supports and loads");
-    assert_eq!(list.len(), 9);
+    assert_eq!(list.len(), 10);
     for line in list {
         let key = if line.contains("component") && !line.contains("rigid-face") { "supports" } else { "loads" };
         let start = block.find(&format!("{key} = ")).expect("the key");

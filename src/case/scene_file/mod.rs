@@ -1,6 +1,7 @@
 //! A user's scene file: a case with its mesh, its formulation and its checks.
 
 mod mesh;
+mod places;
 mod wanted;
 
 use std::fs::File;
@@ -25,6 +26,7 @@ use crate::scene::file::units::Units;
 use crate::scene::file::{Source, Tables};
 
 use mesh::MeshTable;
+pub use places::Places;
 use wanted::{CheckTable, Wanted};
 
 /// Largest file that is read \[bytes\].
@@ -39,6 +41,8 @@ pub struct SceneFile {
     pub formulation: Formulation,
     /// The accuracy that chooses the mesh; without one it is the problem's.
     pub accuracy: Option<Asked>,
+    /// Where bodies and contact stand in the file.
+    pub places: Places,
     wanted: Vec<Wanted>,
 }
 
@@ -118,6 +122,10 @@ impl SceneFile {
 
     /// Solves the scene on its mesh, or on the one that its accuracy chooses.
     pub fn solve(&self) -> Result<(Discretisation, Run, Option<Answer>), Error> {
+        self.solved().map_err(|error| self.places.locate(error))
+    }
+
+    fn solved(&self) -> Result<(Discretisation, Run, Option<Answer>), Error> {
         let Problem { scene, resolution, .. } = &self.problem;
         let Some(asked) = &self.accuracy else {
             let discretisation = Discretisation::of(scene.clone(), *resolution)?;
@@ -151,6 +159,17 @@ impl SceneFile {
 }
 
 impl Document {
+    fn places(&self, source: Source) -> Places {
+        let names = [Some(&self.contact.first), self.contact.second.as_ref()];
+        Places {
+            file: source.file.into(),
+            text: source.text.into(),
+            bodies: self.body.get_ref().iter().map(|body| (body.name.get_ref().clone(), body.name.span())).collect(),
+            contact: names.into_iter().flatten().map(Spanned::span).collect(),
+            stretch: self.contact.stretch.span(),
+        }
+    }
+
     fn read(&self, source: Source, name: String) -> Result<SceneFile, Error> {
         let units = Units::of(source, self.units.as_ref())?;
         let bodies = self.body.get_ref();
@@ -186,6 +205,7 @@ impl Document {
             problem: Problem { name, title, scene, resolution, oracle: None },
             formulation,
             accuracy,
+            places: self.places(source),
             wanted,
         })
     }

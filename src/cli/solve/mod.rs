@@ -20,11 +20,23 @@ use crate::formulation::Discretisation;
 use crate::report::pictures;
 
 pub use options::Arguments;
+use options::Task;
 use stages::Stages;
 
 /// Solves, prints a table unless JSON goes to standard output, and writes what was asked for; tells whether it converged.
+///
+/// A mistake that shows only now is told with its line in the file.
 pub fn run(arguments: &Arguments) -> Result<bool, Error> {
-    let (mut problem, base, asked) = arguments.problem()?;
+    let task = arguments.task()?;
+    let places = task.places.clone();
+    solve(arguments, task).map_err(|error| match &places {
+        Some(places) => places.locate(error),
+        None => error,
+    })
+}
+
+fn solve(arguments: &Arguments, task: Task) -> Result<bool, Error> {
+    let Task { mut problem, formulation: base, accuracy: asked, .. } = task;
     arguments.refuse_endings()?;
     let formulation = arguments.formulation(base);
     formulation.validate(&problem.scene)?;

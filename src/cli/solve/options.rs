@@ -8,6 +8,7 @@ use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::case::SceneFile;
 use crate::case::accuracy::{self, Asked};
 use crate::case::problem::{Problem, problem};
+use crate::case::scene_file::Places;
 use crate::error::Error;
 use crate::formulation::{Element, Formulation, Iteration, Start};
 use crate::mesh::size::solvable;
@@ -104,21 +105,35 @@ enum StartName {
     Nested,
 }
 
+/// What is to be solved.
+pub struct Task {
+    /// Scene and mesh.
+    pub problem: Problem,
+    /// The formulation that the file names, or the default one.
+    pub formulation: Formulation,
+    /// The accuracy that the file asks for.
+    pub accuracy: Option<Asked>,
+    /// Where bodies and contact stand in the file.
+    pub places: Option<Places>,
+}
+
 impl Arguments {
-    /// The problem of the library or of a file, and the formulation and the accuracy that it names.
-    pub fn problem(&self) -> Result<(Problem, Formulation, Option<Asked>), Error> {
+    /// The problem of the library or of a file, with what the file names.
+    pub fn task(&self) -> Result<Task, Error> {
         let path = Path::new(&self.case);
         let is_file = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) || path.exists();
         if !is_file {
             let problem = problem(&self.case, self.a_over_r)?;
-            return Ok((problem, Formulation::new(Element::Node, Iteration::Kinematic), None));
+            let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+            return Ok(Task { problem, formulation, accuracy: None, places: None });
         }
         if self.a_over_r.is_some() {
             let remedy = "leave it out, and set the load in the file";
             return Err(Error::Combination { what: "a scene file has no a/R".into(), remedy: remedy.into() });
         }
         let file = SceneFile::read(path)?;
-        Ok((file.problem, file.formulation, file.accuracy))
+        let SceneFile { problem, formulation, accuracy, places, .. } = file;
+        Ok(Task { problem, formulation, accuracy, places: Some(places) })
     }
 
     /// The accuracy asked for here, else that of the file; the mesh is then chosen by it alone.

@@ -1,0 +1,52 @@
+//! Where things stand in a file, for mistakes that show only when the scene is meshed or solved.
+
+use std::ops::Range;
+use std::path::PathBuf;
+
+use crate::error::{Error, Located};
+
+/// Places of the bodies and of the contact in a file.
+#[derive(Clone, Debug)]
+pub struct Places {
+    /// The file.
+    pub(super) file: PathBuf,
+    /// Its text.
+    pub(super) text: String,
+    /// Names of the bodies with their places.
+    pub(super) bodies: Vec<(String, Range<usize>)>,
+    /// The bodies' names in the contact: first and, where there is one, second.
+    pub(super) contact: Vec<Range<usize>>,
+    /// The candidate stretch.
+    pub(super) stretch: Range<usize>,
+}
+
+impl Places {
+    /// The error with its line, where it is one of a body or of the contact.
+    pub fn locate(&self, error: Error) -> Error {
+        let Some(place) = self.of(&error) else { return error };
+        let text = error.to_string();
+        let (message, remedy) = text.rsplit_once("; ").unwrap_or((&text, "see tests/scenes/README.md"));
+        Error::Located(Box::new(Located::new((&self.file, &self.text), place, message, remedy)))
+    }
+
+    fn of(&self, error: &Error) -> Option<Range<usize>> {
+        match error {
+            Error::DegenerateCell { body, .. }
+            | Error::FreeMotion { body, .. }
+            | Error::SingularStiffness { body, .. }
+            | Error::ObliqueSupport { body, .. } => self.body(|name| name == body),
+            Error::Value { key, .. } if key == "candidate stretch" => Some(self.stretch.clone()),
+            Error::Unknown { place, .. } | Error::Value { place, .. } => {
+                self.body(|name| place.ends_with(&format!(", body `{name}`")))
+            }
+            Error::NoSpringLeft { .. } | Error::NothingPresses { .. } => self.contact.first().cloned(),
+            Error::NotFacing { .. } => self.contact.last().cloned(),
+            Error::ContactBeyondCandidates { .. } => Some(self.stretch.clone()),
+            _ => None,
+        }
+    }
+
+    fn body(&self, is_it: impl Fn(&str) -> bool) -> Option<Range<usize>> {
+        self.bodies.iter().find(|(name, _)| is_it(name)).map(|(_, place)| place.clone())
+    }
+}
