@@ -65,7 +65,9 @@ fn rules() -> Result<Finding, Error> {
                 let formulation = Formulation { rule, stiffness, ..Formulation::new(Element::Node, algorithm) };
                 row.push(match discretisation.solve(&formulation) {
                     // Soft springs of a penalty spread the contact beyond any candidates.
-                    Err(Error::ContactBeyondCandidates { .. }) => "refused: contact beyond the candidates".into(),
+                    Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. }) => {
+                        "refused: contact beyond the candidates".into()
+                    }
                     solution => ended(&solution?),
                 });
             }

@@ -135,6 +135,17 @@ pub enum Error {
         penetration: f64,
     },
 
+    /// Pressure that rises towards the last candidate although the surfaces go on.
+    #[error(
+        "{bodies}: the pressure rises towards the last candidate at s = {end:.6} although the surfaces go on: the contact is cut short there, and the pressure found is that of a shorter one; widen the candidate stretch"
+    )]
+    ContactCutShort {
+        /// The bodies in contact.
+        bodies: String,
+        /// Contact coordinate of the last candidate \[mm, or rad on an arc\].
+        end: f64,
+    },
+
     /// A combination of element, algorithm, rule and scene that is not defined.
     #[error("{what}; {remedy}")]
     Combination {

@@ -65,6 +65,9 @@ pub fn deepest(
 
 /// Refuses a solution whose contact goes on beyond the candidates, by the criterion of the candidates themselves:
 /// penetration over `g_ref` within the tolerance.
+///
+/// Beyond steeply growing elements the next node may lie where the surfaces have parted again. A contact cut short shows all
+/// the same: its pressure rises towards the cut, as under the corner of a punch, where a contact that ends falls to zero.
 pub(super) fn refuse(
     discretisation: &Discretisation,
     solution: &Solution,
@@ -76,7 +79,18 @@ pub(super) fn refuse(
         Some(Spill { end, position, penetration }) if penetration.is_nan() || penetration > accepted => {
             Err(Error::ContactBeyondCandidates { bodies: discretisation.names(), end, position, penetration })
         }
+        Some(Spill { end, penetration, .. }) if penetration.is_finite() && rises(solution, tolerance) => {
+            Err(Error::ContactCutShort { bodies: discretisation.names(), end })
+        }
         _ => Ok(()),
+    }
+}
+
+/// Whether the mean pressure of the last edge is above that of the one before by more than the tolerance explains.
+fn rises(solution: &Solution, tolerance: f64) -> bool {
+    match solution.edges[..] {
+        [.., before, last] => last.pressure > before.pressure * (1.0 + tolerance.sqrt()),
+        _ => false,
     }
 }
 

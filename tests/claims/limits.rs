@@ -1,10 +1,10 @@
 //! What used to be called converged and was wrong is refused or noted; what is right is not.
 
 use contact_vv::case::run::RESOLVED;
-use contact_vv::case::{Run, Verdict, limits};
+use contact_vv::case::{Run, Verdict, limits, problem};
 use contact_vv::error::Error;
 use contact_vv::formulation::{Change, Discretisation, Element, Formulation, INCOMPRESSIBLE, Iteration, spill};
-use contact_vv::mesh::{Mesh, Order};
+use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::library::{Bars, Cylinder, FlatPunch, Patch, PinRod};
 use contact_vv::scene::{Load, PlaneHypothesis, Profile, Scene};
 use contact_vv::solution::PointState;
@@ -237,5 +237,25 @@ fn every_limit_gives_one_full_row_of_the_summary_and_passes() {
         assert_eq!(row.len(), limits::HEAD.len());
         assert!(row.iter().all(|cell| !cell.is_empty() && !cell.contains("NaN")), "{}: {row:?}", trial.title());
         assert!(!finding.checks.is_empty() && finding.verdict() == Verdict::Pass, "{}", trial.title());
+    }
+}
+
+#[test]
+fn pin_cut_short_beyond_which_elements_are_too_large_to_see_it_is_refused() {
+    for (name, cut) in [("pin-plate", 48.0_f64), ("pin-rod", 50.0)] {
+        let known = problem::problem(name, None).expect("known");
+        for growth in [1.2_f64, 1.7, 2.5, 4.0] {
+            for elements in [4, 8, 16] {
+                let mut scene = known.scene.clone();
+                scene.contact.stretch = cut.to_radians();
+                (scene.grading.along, scene.grading.depth) = (growth, growth.min(3.5));
+                scene.grading.coarsest = 1.0;
+                let resolution = Resolution { elements, ..known.resolution };
+                let discretisation = Discretisation::of(scene, resolution).expect("meshed");
+                let error = discretisation.solve(&Formulation::verification()).expect_err("cut short");
+                let text = error.to_string();
+                assert!(text.contains("widen the candidate stretch"), "{name}, {growth}, {elements}: {text}");
+            }
+        }
     }
 }

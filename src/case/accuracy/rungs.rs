@@ -108,7 +108,7 @@ impl<'a> Search<'a> {
             Ok(at) if self.cut_off(at) => Ok(Step::Short),
             Ok(at) if self.rungs[at].run.solution.converged() => Ok(Step::Solved(at)),
             Ok(_) => Ok(Step::Stopped("the iteration does not converge on the last mesh".into())),
-            Err(Error::ContactBeyondCandidates { .. }) => Ok(Step::Short),
+            Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. }) => Ok(Step::Short),
             Err(error @ Error::DegenerateCell { .. }) => Ok(Step::Stopped(error.to_string())),
             Err(error) => Err(error),
         }

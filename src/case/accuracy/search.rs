@@ -49,7 +49,9 @@ impl Search<'_> {
         for _ in 0..GUESSES {
             match self.solve(Plan::even(ORDER, FIRST, stretch, level), "contact length") {
                 Err(Error::DegenerateCell { .. }) if level < LEVELS => level += 2,
-                Err(Error::ContactBeyondCandidates { .. }) if stretch < self.longest => {
+                Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. })
+                    if stretch < self.longest =>
+                {
                     self.tried.push(Tried::spilled(ORDER, stretch));
                     stretch = (2.0 * stretch).min(self.longest);
                 }

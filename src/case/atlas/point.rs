@@ -76,7 +76,9 @@ impl<'a> Ground<'a> {
             Err(Error::NoSpringLeft { steps, .. }) => {
                 Ok(record(Class::Unsupported, steps, f64::NAN, f64::NAN, f64::NAN))
             }
-            Err(Error::ContactBeyondCandidates { .. }) => Ok(record(Class::Spilled, 0, f64::NAN, f64::NAN, f64::NAN)),
+            Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. }) => {
+                Ok(record(Class::Spilled, 0, f64::NAN, f64::NAN, f64::NAN))
+            }
             Err(error) => Err(error),
         }
     }

@@ -35,7 +35,7 @@ pub(super) fn short() -> Result<Finding, Error> {
                 accepted = worse(accepted, peak);
             }
             let unchecked = peak_of_any(&discretisation)? - 1.0;
-            refused.push(matches!(result, Err(Error::ContactBeyondCandidates { .. })));
+            refused.push(matches!(result, Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. })));
             row.push(format!("{}{}", if result.is_ok() { "" } else { "refused, else " }, percent(unchecked)));
             refusals.extend(result.err());
         }

@@ -41,7 +41,7 @@ impl Places {
             }
             Error::NoSpringLeft { .. } | Error::NothingPresses { .. } => self.contact.first().cloned(),
             Error::NotFacing { .. } => self.contact.last().cloned(),
-            Error::ContactBeyondCandidates { .. } => Some(self.stretch.clone()),
+            Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. } => Some(self.stretch.clone()),
             _ => None,
         }
     }
