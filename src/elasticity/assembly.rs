@@ -75,40 +75,35 @@ fn pattern(graph: &NodeGraph, freedoms: &Freedoms) -> SymbolicSparseColMat<Index
         }
     }
     let none = Vec::new();
-    let nodes_of = |row: usize| std::iter::once(owner[row]).chain(further.get(&row).unwrap_or(&none).iter().copied());
-    let mut starts = vec![0; n + 1];
-    each_entry(n, nodes_of, graph, &equations, |column, _| starts[column + 1] += 1);
-    (0..n).for_each(|column| starts[column + 1] += starts[column]);
-    let mut rows = vec![0; starts[n] as usize];
-    let mut filled: Vec<Index> = starts.clone();
-    each_entry(n, nodes_of, graph, &equations, |column, row| {
-        rows[filled[column] as usize] = row;
-        filled[column] += 1;
-    });
-    SymbolicSparseColMat::new_checked(n, n, starts, None, rows)
-}
-
-/// Every column and row of the lower triangle once, row by row.
-fn each_entry<N: Iterator<Item = usize>>(
-    n: usize,
-    nodes_of: impl Fn(usize) -> N,
-    graph: &NodeGraph,
-    equations: &[[Index; 2]],
-    mut entry: impl FnMut(usize, Index),
-) {
-    let mut last = vec![Index::MAX; n];
+    // The columns of every row, row by row, while those of every column are counted.
+    let (mut row_ends, mut columns) = (Vec::with_capacity(n), Vec::new());
+    let (mut starts, mut last) = (vec![0 as Index; n + 1], vec![Index::MAX; n]);
     for row in 0..n as Index {
-        for node in nodes_of(row as usize) {
+        for &node in std::iter::once(&owner[row as usize]).chain(further.get(&(row as usize)).unwrap_or(&none)) {
             for other in graph.neighbours(node) {
                 for column in equations[other] {
                     if column <= row && last[column as usize] != row {
                         last[column as usize] = row;
-                        entry(column as usize, row);
+                        starts[column as usize + 1] += 1;
+                        columns.push(column);
                     }
                 }
             }
         }
+        row_ends.push(columns.len());
     }
+    (0..n).for_each(|column| starts[column + 1] += starts[column]);
+    let (mut rows, mut filled) = (vec![0; columns.len()], starts.clone());
+    let mut from = 0;
+    for (row, &end) in row_ends.iter().enumerate() {
+        for &column in &columns[from..end] {
+            let at = &mut filled[column as usize];
+            rows[*at as usize] = row as Index;
+            *at += 1;
+        }
+        from = end;
+    }
+    SymbolicSparseColMat::new_checked(n, n, starts, None, rows)
 }
 
 /// Values of the lower triangle, and what prescribed displacements add to the load.

@@ -180,8 +180,8 @@ fn marks(scene: &Scene, mesh: &Mesh, body: usize, axes: &[[f64; 2]]) -> Result<V
             let slot = &mut marks[node - first][axis];
             match mark {
                 Mark::Prescribed(value) => *slot = Mark::Prescribed(sign * value),
-                _ if *slot == Mark::Free => *slot = mark,
-                _ => {}
+                Mark::Tied(face) if *slot == Mark::Free => *slot = Mark::Tied(face),
+                _ => return Err(held_face(scene, body, at, node)),
             }
         }
         Ok(())
@@ -201,6 +201,14 @@ fn marks(scene: &Scene, mesh: &Mesh, body: usize, axes: &[[f64; 2]]) -> Result<V
 fn aligned(n: [f64; 2], component: Component) -> Option<(usize, f64)> {
     let along = [n[component.index()], [-n[1], n[0]][component.index()]];
     (0..2).find(|&axis| along[axis].abs() > 1.0 - 1e-12).map(|axis| (axis, along[axis].signum()))
+}
+
+fn held_face(scene: &Scene, body: usize, at: &Place, node: usize) -> Error {
+    let boundary = match at {
+        Place::Boundary(name) => name.to_string(),
+        Place::Point(point) => format!("{point:?}"),
+    };
+    Error::HeldRigidFace { body: scene.bodies[body].name.clone(), boundary, node }
 }
 
 fn oblique(scene: &Scene, body: usize, node: usize, component: &str) -> Error {

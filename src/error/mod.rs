@@ -50,6 +50,30 @@ pub enum Error {
         jacobian: f64,
     },
 
+    /// A mesh that does not hang together.
+    #[error(
+        "the mesh of `{body}` does not hang together: {what}; let neighbouring cells share their nodes (Coherence in Gmsh, common curves of neighbouring surfaces, whole common sides of blocks)"
+    )]
+    LooseMesh {
+        /// Name of the body.
+        body: String,
+        /// What is wrong, and where.
+        what: String,
+    },
+
+    /// A face that stays flat with a node that cannot follow.
+    #[error(
+        "body `{body}`: node {node} of the rigid face `{boundary}` is held, or belongs to another rigid face, in the direction in which the face moves as one; hold the whole face, or none of it"
+    )]
+    HeldRigidFace {
+        /// Name of the body.
+        body: String,
+        /// Boundary that stays flat.
+        boundary: String,
+        /// Node index.
+        node: usize,
+    },
+
     /// A body that its supports and the candidate contact nodes leave free to move.
     #[error("body `{body}` is free to {motion} even when every contact node is held; add a support")]
     FreeMotion {
@@ -72,7 +96,7 @@ pub enum Error {
 
     /// A support in a direction that a contact node's normal or tangent does not have.
     #[error(
-        "body `{body}`: the support `{component}` at node {node} is oblique to the contact normal there; end the candidate stretch before that node"
+        "body `{body}`: the support `{component}` at node {node} is oblique to the contact normal there, or holds the very displacement along it that contact is to find; leave it out, or end the candidate stretch before that node"
     )]
     ObliqueSupport {
         /// Name of the body.
@@ -122,7 +146,7 @@ pub enum Error {
 
     /// Contact that does not end where the candidates end.
     #[error(
-        "{bodies}: contact goes on beyond the candidates, which end at s = {end:.6}: at s = {position:.6} the surfaces penetrate by {penetration:.3e} mm, and the pressure found is that of a shorter contact; widen the candidate stretch"
+        "{bodies}: contact goes on beyond the candidates, which end at s = {end:.6} (mm, or rad on an arc): at s = {position:.6} the surfaces penetrate by {penetration:.3e} mm, and the pressure found is that of a shorter contact; widen the candidate stretch"
     )]
     ContactBeyondCandidates {
         /// The bodies in contact.
@@ -137,7 +161,7 @@ pub enum Error {
 
     /// Pressure that rises towards the last candidate although the surfaces go on.
     #[error(
-        "{bodies}: the pressure rises towards the last candidate at s = {end:.6} although the surfaces go on: the contact is cut short there, and the pressure found is that of a shorter one; widen the candidate stretch"
+        "{bodies}: the pressure rises towards the last candidate at s = {end:.6} (mm, or rad on an arc) although the surfaces go on: the contact is cut short there, and the pressure found is that of a shorter one; widen the candidate stretch"
     )]
     ContactCutShort {
         /// The bodies in contact.

@@ -18,6 +18,7 @@ impl Discretisation {
             return self.solve(formulation);
         }
         formulation.validate(&self.scene)?;
+        formulation.refuse_interference(&self.scene, self.tightest_gap())?;
         let points = formulation.points(&self.interface);
         let problem = self.problem(formulation, &points);
         self.refuse_nothing(&problem)?;

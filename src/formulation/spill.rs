@@ -19,10 +19,11 @@ pub struct Spill {
     pub penetration: f64,
 }
 
-/// The deepest penetration beyond the candidates of a solution whose last point is closed: its gap is no more than the
-/// length accepted.
+/// The deepest penetration beyond the candidates of a solution whose last point is closed, its gap being no more than the
+/// length accepted, or beyond whose last point the initial gap narrows again.
 ///
-/// None where the last point is open, and where the surface of either body ends with the candidates: a patch, a ring, a punch.
+/// None where the last point is open and the gap goes on widening, and where the surface of either body ends with the
+/// candidates: a patch, a ring, a punch.
 pub fn deepest(
     discretisation: &Discretisation,
     solution: &Solution,
@@ -30,33 +31,39 @@ pub fn deepest(
     accepted: f64,
 ) -> Result<Option<Spill>, Error> {
     let pair = &discretisation.scene.contact;
-    let closed = solution.points.last().is_some_and(|point| point.gap <= accepted);
-    let Some(end) = discretisation.interface.stations.last().map(|station| station.coordinate).filter(|_| closed)
-    else {
-        return Ok(None);
-    };
+    let Some(last) = discretisation.interface.stations.last() else { return Ok(None) };
+    let end = last.coordinate;
     let surfaces: Vec<Vec<Surface>> =
         pair.bodies().map(|body| surface(discretisation, body)).collect::<Result<_, _>>()?;
     let beyond = |node: &&Surface| node.coordinate > end * (1.0 + SAME);
     if surfaces.iter().any(|surface| !surface.iter().any(|node| beyond(&node))) {
         return Ok(None);
     }
+    let deep = |node: &Surface| pair.path.depth(discretisation.mesh.points[node.node]);
+    let gap = |node: &Surface| match &pair.profile {
+        Profile::Drawn => {
+            let opposite =
+                surfaces.get(1).map_or(Some(pair.path.own_depth()), |other| between(other, node.coordinate, deep));
+            opposite.map(|opposite| pair.drawn(deep(node), opposite))
+        }
+        profile => Some(profile.gap(node.coordinate)),
+    };
+    let closed = solution.points.last().is_some_and(|point| point.gap <= accepted);
+    let narrows = || surfaces[0].iter().filter(beyond).filter_map(gap).any(|gap| gap <= last.gap);
+    if !closed && !narrows() {
+        return Ok(None);
+    }
     let unknowns = discretisation.condensed.recover_under(change.load, &solution.displacement);
     let displacement = discretisation.system.nodal_displacements(&unknowns);
     let outward =
         |node: &Surface| node.normal[0] * displacement[node.node][0] + node.normal[1] * displacement[node.node][1];
-    let deep = |node: &Surface| pair.path.depth(discretisation.mesh.points[node.node]);
     let depth = |node: &Surface| {
-        let (facing, opposite) = match surfaces.get(1) {
-            None => (0.0, pair.path.own_depth()),
+        let facing = match surfaces.get(1) {
+            None => 0.0,
             // Both normals are those of the first body: the second body's outward one is their opposite.
-            Some(other) => (-between(other, node.coordinate, outward)?, between(other, node.coordinate, deep)?),
+            Some(other) => -between(other, node.coordinate, outward)?,
         };
-        let gap = match &pair.profile {
-            Profile::Drawn => pair.drawn(deep(node), opposite),
-            profile => profile.gap(node.coordinate),
-        };
-        let penetration = outward(node) + facing - gap - change.clearance;
+        let penetration = outward(node) + facing - gap(node)? - change.clearance;
         Some(Spill { end, position: node.coordinate, penetration })
     };
     let depths = surfaces[0].iter().filter(beyond).filter_map(depth);

@@ -49,11 +49,17 @@ pub fn peak(points: &[PointState], half_width: f64) -> Peak {
     let (value, curvature) = weighted_line(&near);
     let highest = (0..points.len()).max_by(|&i, &j| points[i].pressure.total_cmp(&points[j].pressure)).unwrap_or(0);
     let beyond = points.get(highest).is_some_and(|p| p.position > 0.25 * half_width);
-    if curvature <= 0.0 || !beyond {
-        return Peak { position: 0.0, pressure: value };
+    let central = Peak { position: 0.0, pressure: value };
+    if !beyond {
+        return central;
     }
-    local_peak(points, highest)
+    let local = local_peak(points, highest);
+    // Away from a centre that is no top the highest point is the peak; also where it stands far above a centre that is one.
+    if curvature > 0.0 || local.pressure > ELSEWHERE * value { local } else { central }
 }
+
+/// Factor above the centre from which on a top elsewhere is the peak: waves, several contacts; below it lies roughness.
+const ELSEWHERE: f64 = 1.25;
 
 /// Top of the parabola through the five points around index `highest`.
 fn local_peak(points: &[PointState], highest: usize) -> Peak {

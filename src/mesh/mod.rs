@@ -4,6 +4,7 @@
 //! * [`block`] — transfinite interpolation inside four sides.
 //! * `outline` — from the scene's shapes to blocks.
 //! * `given` — meshes made elsewhere.
+//! * `sound` — whether given meshes hang together.
 //! * [`candidates`] — the contact nodes with their normals.
 //! * [`size`] — how large a mesh would be.
 //! * [`variant`] — the same mesh mirrored, renumbered or shaken.
@@ -17,6 +18,7 @@ pub mod variant;
 mod given;
 mod merge;
 mod outline;
+mod sound;
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -116,6 +118,7 @@ impl Mesh {
                 shape => mesh.append(&outline::Layout::new(scene, resolution, body.density).blocks(shape)),
             }
         }
+        sound::refuse_loose(&mesh, scene)?;
         candidates::find(&mut mesh, scene)?;
         Ok(mesh)
     }

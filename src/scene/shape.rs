@@ -3,7 +3,7 @@
 //! Angles are measured from the downward vertical, counter-clockwise positive:
 //! the point at angle `θ` and radius `r` about a centre `c` is `c + r (sin θ, −cos θ)`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use crate::scene::BoundaryName;
@@ -90,6 +90,8 @@ pub struct GivenMesh {
     pub cells: Vec<Vec<usize>>,
     /// Edges by boundary: first node, last node and, for 8-node cells, the mid-side node; the body lies to their left.
     pub boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>>,
+    /// Those of them that run inside the body: no side of them is the outer one.
+    pub inner: BTreeSet<BoundaryName>,
 }
 
 /// A circle.

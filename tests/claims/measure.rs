@@ -252,3 +252,28 @@ fn means_over_stretches_are_exact_where_the_pressure_is_constant_on_edges_and_ke
     assert_relative_eq!(force, 23.0, max_relative = 1e-12);
     assert!(means(&sampled(4.0, 8, |_| f64::NAN), 4.0, &stations).iter().all(|p| p.is_nan()));
 }
+
+#[test]
+fn peak_of_waves_is_the_top_of_the_highest_not_the_centre() {
+    use contact_vv::measure::profile;
+    // Four waves, the last one highest: p = (1 + s/20) cos²(π s/10) where it is above a half, 0 elsewhere.
+    let pressure = |s: f64| {
+        let wave = (1.0 + s / 20.0) * (std::f64::consts::PI * s / 10.0).cos().powi(2);
+        if wave > 0.5 { wave } else { 0.0 }
+    };
+    let points: Vec<PointState> = (0..=400)
+        .map(|k| {
+            let position = 0.05 * f64::from(k);
+            PointState { position, weight: 0.05, pressure: pressure(position), gap: 0.0 }
+        })
+        .collect();
+    let peak = profile::peak(&points, profile::second_moment_half_width(&points));
+    assert!((peak.pressure - 2.0).abs() < 0.01 && (peak.position - 20.0).abs() < 0.2, "{peak:?}");
+    // A ring of contact: nothing at the centre.
+    let ring: Vec<PointState> = points
+        .iter()
+        .map(|point| PointState { pressure: (1.0 - ((point.position - 8.0) / 2.0).powi(2)).max(0.0), ..*point })
+        .collect();
+    let peak = profile::peak(&ring, profile::second_moment_half_width(&ring));
+    assert!((peak.pressure - 1.0).abs() < 1e-3 && (peak.position - 8.0).abs() < 0.1, "{peak:?}");
+}

@@ -207,6 +207,21 @@ const LATER: &[(&str, &str, &str, &str, &str)] = &[
         "name = \"cylinder\"",
         "no node at",
     ),
+    // Waves touch again beyond candidates that end in a trough, where the last of them is open.
+    (
+        "rigid-cosine",
+        "wavelength = 40 } }\nstretch = 16",
+        "wavelength = 10 } }\nstretch = 5",
+        "stretch = 5",
+        "contact goes on beyond the candidates",
+    ),
+    (
+        "blocks",
+        "{ at = \"right\", component = \"x\" }]\nloads = [{ traction = { at = \"far\", value = [0, -100] } }]",
+        "{ at = [10, 10], component = \"y\" }]\nloads = [{ rigid-face = { at = \"far\", component = \"y\", force = -9 } }]",
+        "name = \"upper\"",
+        "of the rigid face `far` is held",
+    ),
     ("cylinder-on-block", "poisson = 0.33", "poisson = 0.4999", "name = \"block\"", "lock"),
     (
         "press-fit",
@@ -565,12 +580,15 @@ fn page_on_scene_files_is_true() {
         let drawn = file.replace("gap = { circle = 50 }", "gap = \"drawn\"");
         let drawn = drawn.replace("centre = [0, 50], radius = 50 }", "centre = [0, 0], radius = 40.02 }");
         let onto = drawn.replace("stretch = 5.0", "stretch = 5.0\narc = { centre = [0, 0], radius = 40.02 }");
-        let file = if shape.contains("gmsh") {
-            onto
-        } else if shape.contains("ring") {
-            curved
-        } else {
-            file
+        let without_mesh = |file: String| -> String {
+            let of_mesh = |line: &&str| ["elements = ", "per = ", "growth = "].iter().any(|key| line.starts_with(key));
+            file.split_inclusive('\n').filter(|line| !of_mesh(line)).collect()
+        };
+        let file = match shape {
+            _ if shape.contains("gmsh") => without_mesh(onto),
+            _ if shape.contains("blocks") => without_mesh(file),
+            _ if shape.contains("ring") => curved,
+            _ => file,
         };
         SceneFile::parse(&folder().join("shape.toml"), &file).unwrap_or_else(|error| panic!("{shape}: {error}"));
     }

@@ -95,6 +95,15 @@ impl MeshTable {
             return Ok((first.scene(&scene), first.resolution()));
         }
         let needed = scene.bodies.iter().any(|body| !brought(body));
+        let unused = [
+            ("elements", self.elements.as_ref().map(Spanned::span)),
+            ("per", self.per.as_ref().map(Spanned::span)),
+            ("growth", self.growth.as_ref().map(Spanned::span)),
+        ];
+        if let Some((key, Some(place))) = unused.into_iter().find(|(_, place)| !needed && place.is_some()) {
+            let message = format!("`{key}` has nothing to do: every body brings its mesh");
+            return Err(source.refused(place, message, "leave it out, and refine those meshes"));
+        }
         let missing = |key: &str| {
             let remedy = "give `elements` and `per`, or an `accuracy` that chooses the mesh";
             Err(source.refused(place.clone(), format!("missing field `{key}`"), remedy))

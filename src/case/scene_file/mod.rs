@@ -57,8 +57,7 @@ struct Document {
     contact: ContactTable,
     reference: Option<ReferenceTable>,
     mesh: Option<Spanned<MeshTable>>,
-    #[serde(default)]
-    solve: SolveTable,
+    solve: Option<Spanned<SolveTable>>,
     #[serde(default)]
     check: Vec<CheckTable>,
 }
@@ -167,6 +166,7 @@ impl Document {
             bodies: self.body.get_ref().iter().map(|body| (body.name.get_ref().clone(), body.name.span())).collect(),
             contact: names.into_iter().flatten().map(Spanned::span).collect(),
             stretch: self.contact.stretch.span(),
+            solve: self.solve.as_ref().map_or_else(|| self.contact.first.span(), Spanned::span),
         }
     }
 
@@ -195,7 +195,8 @@ impl Document {
         if let Err((message, remedy)) = solvable(&scene, resolution) {
             return Err(source.refused(mesh.place(&table.span()), message, remedy));
         }
-        let formulation = self.solve.formulation(source)?;
+        let default = SolveTable::default();
+        let formulation = self.solve.as_ref().map_or(&default, Spanned::get_ref).formulation(source)?;
         let factor = display_factor(&scene.contact.path);
         let along = if factor > 1.0 { 1.0 / factor } else { units.length };
         let wanted = self.check.iter().map(|check| check.wanted(source, &units, along));

@@ -18,6 +18,8 @@ pub struct Places {
     pub(super) contact: Vec<Range<usize>>,
     /// The candidate stretch.
     pub(super) stretch: Range<usize>,
+    /// How it is to be solved; the contact where the file does not say.
+    pub(super) solve: Range<usize>,
 }
 
 impl Places {
@@ -32,13 +34,17 @@ impl Places {
     fn of(&self, error: &Error) -> Option<Range<usize>> {
         match error {
             Error::DegenerateCell { body, .. }
+            | Error::LooseMesh { body, .. }
+            | Error::HeldRigidFace { body, .. }
             | Error::FreeMotion { body, .. }
             | Error::SingularStiffness { body, .. }
             | Error::ObliqueSupport { body, .. } => self.body(|name| name == body),
             Error::Value { key, .. } if key == "candidate stretch" => Some(self.stretch.clone()),
             Error::Unknown { place, .. } | Error::Value { place, .. } => {
-                self.body(|name| place.ends_with(&format!(", body `{name}`")))
+                let body = self.body(|name| place.ends_with(&format!(", body `{name}`")));
+                body.or_else(|| place.contains(" with ").then(|| self.solve.clone()))
             }
+            Error::Combination { .. } => Some(self.solve.clone()),
             Error::NoSpringLeft { .. } | Error::NothingPresses { .. } => self.contact.first().cloned(),
             Error::NotFacing { .. } => self.contact.last().cloned(),
             Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. } => Some(self.stretch.clone()),

@@ -13,6 +13,7 @@ use crate::error::Error;
 use crate::formulation::{Element, Formulation, Iteration, Start};
 use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
+use crate::scene::{Body, Shape};
 
 /// Arguments of `solve`.
 #[derive(Debug, Args)]
@@ -211,6 +212,11 @@ impl Arguments {
                 return Err(Error::value("solve", "--order", other, "it must be 1 or 2", "use 2 for 8-node cells"));
             }
         };
+        let brought = |body: &Body| matches!(body.shape, Shape::Given(_) | Shape::Blocks(_));
+        if let (Some(elements), true) = (self.resolution, problem.scene.bodies.iter().all(brought)) {
+            let remedy = "leave it out, and refine those meshes";
+            return Err(Error::value("solve", "--resolution", elements, "every body brings its mesh", remedy));
+        }
         let elements = self.resolution.unwrap_or(problem.resolution.elements);
         let resolution = Resolution { elements, refinement: 0, order };
         match solvable(&problem.scene, resolution) {

@@ -140,6 +140,20 @@ fn boundary(source: Source, shape: &Shape, name: &Spanned<String>) -> Result<Bou
     Ok(boundaries[source.choice("boundary", name, &known)?].clone())
 }
 
+/// Refuses a pressure on a line inside the body, which has no outer side.
+fn refuse_inside(source: Source, shape: &Shape, name: &Spanned<String>) -> Result<(), Error> {
+    let inside = match shape {
+        Shape::Given(mesh) => mesh.inner.contains(name.get_ref().as_str()),
+        Shape::Disc { half: true, .. } => name.get_ref() == "middle",
+        _ => false,
+    };
+    if !inside {
+        return Ok(());
+    }
+    let message = format!("`{}` runs inside the body, where a pressure has no side to act on", name.get_ref());
+    Err(source.refused(name.span(), message, "give a traction there, or a pressure on the outline"))
+}
+
 fn support(source: Source, units: &Units, shape: &Shape, table: &SupportTable) -> Result<Support, Error> {
     let span = table.at.span();
     let at = match table.at.get_ref() {
@@ -157,6 +171,7 @@ fn load(source: Source, units: &Units, shape: &Shape, table: &LoadTable) -> Resu
     Ok(match table {
         LoadTable::Traction(table) => traction(source, units, shape, table)?,
         LoadTable::Pressure(table) => {
+            refuse_inside(source, shape, &table.at)?;
             Load::Stress { boundary: boundary(source, shape, &table.at)?, field: pressure(source, units, &table.law)? }
         }
         LoadTable::BodyForce(pair) => {

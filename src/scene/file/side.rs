@@ -150,8 +150,12 @@ impl Side {
             }
             (Place::Pieces(pieces), _) => {
                 let begin = pieces.iter().flatten().map(|point| path.coordinate(*point)).fold(f64::INFINITY, f64::min);
+                let axis = match path {
+                    Path::Horizontal => 0.0,
+                    Path::Arc(circle) => circle.centre[0],
+                };
                 let left = pieces.iter().flatten().map(|point| point[0]).fold(f64::INFINITY, f64::min);
-                if begin > 1e-6 * self.length || matches!(path, Path::Horizontal) && left < -1e-6 * self.length {
+                if begin > 1e-6 * self.length || left < axis - 1e-6 * self.length * path.metric() {
                     return refused(
                         "does not begin on the symmetry line",
                         "the contact begins at s = 0, on the symmetry line x = 0: move the bodies there, or model one half",
@@ -160,6 +164,11 @@ impl Side {
                 if self.outward.is_none() {
                     let remedy = "name the boundary that faces the other body, and end the stretch where it turns away";
                     return refused("does not look one way", remedy);
+                }
+                if let Some(slope) = steep(pieces, path) {
+                    let message = format!("slopes by {slope:.2} against the path");
+                    let remedy = "contact forces act along y, or along the radius of `arc`: turn the scene, or give a rigid profile its gap";
+                    return refused(&message, remedy);
                 }
                 if !near(self.depth(path), path.own_depth()) {
                     let remedy = "move the body there, or give `gap = \"drawn\"` where it is drawn as it stands";
@@ -198,7 +207,28 @@ impl Side {
     }
 }
 
-/// The sides called `contact`, an arc as two chords.
+/// Slopes against the path from which on normals along it are wrong: where the side begins, where a symmetric body has
+/// none, and anywhere on the stretch.
+const STEEP: [f64; 2] = [0.1, 0.5];
+
+/// The slope of a piece that is too steep.
+fn steep(pieces: &[Piece], path: &Path) -> Option<f64> {
+    let begin = |[a, b]: &Piece| path.coordinate(*a).min(path.coordinate(*b));
+    let first = pieces.iter().map(begin).fold(f64::INFINITY, f64::min);
+    let [at_first, anywhere] = STEEP;
+    let slopes = pieces.iter().map(|piece| {
+        let [a, b] = piece;
+        let along = (path.coordinate(*b) - path.coordinate(*a)).abs() * path.metric();
+        ((path.depth(*b) - path.depth(*a)).abs() / along, begin(piece) <= first)
+    });
+    let mut steep = slopes.filter(|(slope, is_first)| *slope > if *is_first { at_first } else { anywhere });
+    steep.next().map(|(slope, _)| slope)
+}
+
+/// Chords that stand for an arc.
+const CHORDS: usize = 32;
+
+/// The sides called `contact`, an arc as chords.
 fn pieces_of_blocks(blocks: &[BlockShape]) -> Vec<Piece> {
     let mut pieces = Vec::new();
     for block in blocks {
@@ -207,11 +237,13 @@ fn pieces_of_blocks(blocks: &[BlockShape]) -> Vec<Piece> {
             match block.arcs[k] {
                 None => pieces.push([from, to]),
                 Some(centre) => {
-                    let half = [0, 1].map(|i| 0.5 * (from[i] + to[i]) - centre[i]);
-                    let radius = (from[0] - centre[0]).hypot(from[1] - centre[1]);
-                    let scale = radius / half[0].hypot(half[1]);
-                    let middle = [0, 1].map(|i| centre[i] + scale * half[i]);
-                    pieces.extend([[from, middle], [middle, to]]);
+                    let [a, b] = [from, to].map(|p| [p[0] - centre[0], p[1] - centre[1]]);
+                    let sweep = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
+                    let at = |k: usize| {
+                        let (sin, cos) = (sweep * k as f64 / CHORDS as f64).sin_cos();
+                        [centre[0] + a[0] * cos - a[1] * sin, centre[1] + a[0] * sin + a[1] * cos]
+                    };
+                    pieces.extend((0..CHORDS).map(|k| [at(k), at(k + 1)]));
                 }
             }
         }

@@ -3,10 +3,11 @@
 //! Nothing is reserved by the counts that the file states: memory stays within a few times the size of the text.
 
 use std::collections::{BTreeMap, HashMap};
-use std::ops::Range;
 
 use crate::error::Error;
 use crate::scene::file::Source;
+
+use super::words::{Words, shown};
 
 /// Points, curves and surfaces by physical group.
 #[derive(Debug, Default)]
@@ -43,81 +44,6 @@ const TYPES: [(u64, usize, bool); 10] = [
     (10, 9, false),
     (15, 1, false),
 ];
-
-/// Words of the file with their places.
-struct Words<'a> {
-    source: Source<'a>,
-    at: usize,
-}
-
-impl<'a> Words<'a> {
-    /// The next word and its place; none at the end.
-    fn next(&mut self) -> Option<(&'a str, Range<usize>)> {
-        let start = self.begin();
-        let rest = &self.source.text[start..];
-        self.at = start + rest.find(char::is_whitespace).unwrap_or(rest.len());
-        let place = start..self.at;
-        (!place.is_empty()).then(|| (&self.source.text[place.clone()], place))
-    }
-
-    /// Where the next word begins.
-    fn begin(&mut self) -> usize {
-        let rest = &self.source.text[self.at..];
-        self.at += rest.find(|c: char| !c.is_whitespace()).unwrap_or(rest.len());
-        self.at
-    }
-
-    /// The next word as a number.
-    fn number<T: std::str::FromStr>(&mut self, what: &str) -> Result<T, Error> {
-        let remedy = "save it again as version 4.1, ASCII (Mesh.MshFileVersion = 4.1, Mesh.Binary = 0)";
-        let Some((word, place)) = self.next() else {
-            let end = self.source.text.len();
-            return Err(self.source.refused(end..end, format!("the file ends where {what} should stand"), remedy));
-        };
-        let refused = |_| self.source.refused(place.clone(), format!("`{}` is not {what}", shown(word)), remedy);
-        word.parse().map_err(refused)
-    }
-
-    /// A coordinate.
-    fn coordinate(&mut self, what: &str) -> Result<f64, Error> {
-        let begin = self.begin();
-        let value: f64 = self.number(what)?;
-        if value.is_finite() && value.abs() <= 1e13 {
-            return Ok(value);
-        }
-        Err(self.source.refused(begin..self.at, format!("{what} is {value}"), "repair the mesh"))
-    }
-
-    /// The rest of the line.
-    fn line(&mut self) -> (&'a str, Range<usize>) {
-        let rest = &self.source.text[self.at..];
-        let end = self.at + rest.find('\n').map_or(rest.len(), |k| k + 1);
-        let place = self.at..end;
-        self.at = end;
-        (&self.source.text[place.clone()], place)
-    }
-
-    /// Skips a section.
-    fn skip(&mut self, name: &str, place: Range<usize>) -> Result<(), Error> {
-        let end = format!("$End{}", &name[1..]);
-        match self.source.text[self.at..].find(&end) {
-            Some(k) => {
-                self.at += k + end.len();
-                Ok(())
-            }
-            None => Err(self.source.refused(
-                place,
-                format!("`{}` has no end", shown(name)),
-                "the file is cut: save it again",
-            )),
-        }
-    }
-}
-
-/// The beginning of a word that may be anything.
-fn shown(word: &str) -> String {
-    word.chars().take(40).collect()
-}
 
 /// Physical groups by dimension and entity.
 type Groups = HashMap<(usize, i64), Vec<i64>>;

@@ -1,8 +1,9 @@
 //! Bodies from Gmsh meshes: ASCII files of format 4.1, their physical surfaces and curves.
 
 mod reader;
+mod words;
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -45,9 +46,15 @@ pub fn shape(source: Source, units: &Units, table: &GmshTable) -> Result<Shape, 
     };
     let own = cells.iter().map(|cell| cell.iter().map(|tag| number(*tag)).collect()).collect();
     let mut boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>> = BTreeMap::new();
+    let mut inner = BTreeSet::new();
     for (name, pieces) in &gmsh.curves {
-        let edges = pieces.iter().filter_map(|piece| sides.get(&key(piece.nodes[0], piece.nodes[1])));
-        let edges: Vec<Vec<usize>> = edges.map(|side| side.iter().map(|tag| number(*tag)).collect()).collect();
+        let own = pieces.iter().filter_map(|piece| sides.get(&key(piece.nodes[0], piece.nodes[1])));
+        let own: Vec<&(Vec<u64>, usize)> = own.collect();
+        if own.iter().any(|(_, cells)| *cells > 1) {
+            inner.insert(name.clone().into());
+        }
+        let edges: Vec<Vec<usize>> =
+            own.iter().map(|(side, _)| side.iter().map(|tag| number(*tag)).collect()).collect();
         if !edges.is_empty() {
             boundaries.insert(name.clone().into(), edges);
         }
@@ -59,11 +66,23 @@ pub fn shape(source: Source, units: &Units, table: &GmshTable) -> Result<Shape, 
     let known: Vec<&str> = boundaries.keys().map(AsRef::as_ref).collect();
     let Some(contact) = boundaries.get(table.contact.get_ref().as_str()) else {
         let message = format!("no physical curve `{}` bounds `{}`", table.contact.get_ref(), table.group.get_ref());
-        return Err(source.refused(table.contact.span(), message, format!("known: {}", known.join(", "))));
+        return Err(source.refused(table.contact.span(), message, known_names(&known)));
     };
+    if inner.contains(table.contact.get_ref().as_str()) {
+        let message = format!("the curve `{}` runs inside `{}`", table.contact.get_ref(), table.group.get_ref());
+        return Err(source.refused(table.contact.span(), message, "name a curve on the outline of the body"));
+    }
     let contact = contact.clone();
     boundaries.insert(CONTACT.into(), contact);
-    Ok(Shape::Given(Arc::new(GivenMesh { points, cells: own, boundaries })))
+    Ok(Shape::Given(Arc::new(GivenMesh { points, cells: own, boundaries, inner })))
+}
+
+/// The names there are, or what to do where there are none.
+fn known_names(known: &[&str]) -> String {
+    if known.is_empty() {
+        return "there are none: give the body a Physical Surface and its sides Physical Curves in Gmsh".into();
+    }
+    format!("known: {}", known.join(", "))
 }
 
 fn text(source: Source, path: &Path, name: &Spanned<String>) -> Result<String, Error> {
@@ -90,7 +109,7 @@ fn cells(source: Source, table: &GmshTable, gmsh: &Gmsh) -> Result<Vec<Vec<u64>>
     let Some(pieces) = gmsh.surfaces.get(name.get_ref()) else {
         let known: Vec<&str> = gmsh.surfaces.keys().map(String::as_str).collect();
         let message = format!("there is no physical surface `{}`", name.get_ref());
-        return Err(source.refused(name.span(), message, format!("known: {}", known.join(", "))));
+        return Err(source.refused(name.span(), message, known_names(&known)));
     };
     let refused = |message: String, remedy: &str| Err(source.refused(name.span(), message, remedy));
     let other = |piece: &&Piece| ![4, 8].contains(&piece.nodes.len()) || piece.is_triangular;
@@ -128,13 +147,14 @@ fn cells(source: Source, table: &GmshTable, gmsh: &Gmsh) -> Result<Vec<Vec<u64>>
     Ok(pieces.iter().map(turned).collect())
 }
 
-/// Every side of a cell: first, last and middle node, the cell to its left.
-fn sides(cells: &[Vec<u64>]) -> HashMap<SideKey, Vec<u64>> {
-    let mut sides = HashMap::new();
+/// Every side of a cell: first, last and middle node, a cell to its left; and of how many cells it is one.
+fn sides(cells: &[Vec<u64>]) -> HashMap<SideKey, (Vec<u64>, usize)> {
+    let mut sides: HashMap<SideKey, (Vec<u64>, usize)> = HashMap::new();
     for cell in cells {
         for k in 0..4 {
             let (from, to) = (cell[k], cell[(k + 1) % 4]);
-            sides.insert(key(from, to), [from, to].into_iter().chain(cell.get(4 + k).copied()).collect());
+            let side = || ([from, to].into_iter().chain(cell.get(4 + k).copied()).collect(), 0);
+            sides.entry(key(from, to)).or_insert_with(side).1 += 1;
         }
     }
     sides

@@ -1,0 +1,124 @@
+//! Whether the mesh of a body hangs together: one piece, no two nodes at one place, no node inside a side of a cell.
+
+use std::collections::HashMap;
+
+use super::{Edge, Mesh};
+use crate::error::Error;
+use crate::scene::{Scene, Shape};
+
+/// Distance over the length of a side below which points are one.
+const SAME: f64 = 1e-6;
+
+/// Refuses bodies given cell by cell or block by block that do not hang together.
+pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {
+    for (index, body) in scene.bodies.iter().enumerate() {
+        if !matches!(body.shape, Shape::Given(_) | Shape::Blocks(_)) {
+            continue;
+        }
+        let refused = |what: &str, node: usize| {
+            let [x, y] = mesh.points[node];
+            let what = format!("{what} ({x:.6}, {y:.6}) mm");
+            Err(Error::LooseMesh { body: body.name.clone(), what })
+        };
+        let outline = outline(mesh, index);
+        if let Some(node) = doubled(mesh, &outline) {
+            return refused("two nodes stand at", node);
+        }
+        if let Some(node) = hanging(mesh, &outline) {
+            return refused("a node hangs inside a side of another cell at", node);
+        }
+        if let Some(node) = apart(mesh, index) {
+            return refused("it is in several pieces, one of them at", node);
+        }
+    }
+    Ok(())
+}
+
+/// Sides that belong to one cell only.
+fn outline(mesh: &Mesh, body: usize) -> Vec<Edge> {
+    let mut sides: HashMap<[usize; 2], Option<Edge>> = HashMap::new();
+    for cell in mesh.bodies[body].cells.clone() {
+        let nodes = mesh.cell(cell);
+        for k in 0..4 {
+            let (a, b) = (nodes[k], nodes[(k + 1) % 4]);
+            let edge: Edge = [a, b].into_iter().chain(nodes.get(4 + k).copied()).collect();
+            sides.entry([a.min(b), a.max(b)]).and_modify(|known| *known = None).or_insert(Some(edge));
+        }
+    }
+    let mut outline: Vec<Edge> = sides.into_values().flatten().collect();
+    outline.sort_unstable();
+    outline
+}
+
+/// Nodes of the outline by ascending x.
+fn by_x(mesh: &Mesh, outline: &[Edge], corners_only: bool) -> Vec<usize> {
+    let taken = if corners_only { 2 } else { 3 };
+    let mut nodes: Vec<usize> = outline.iter().flat_map(|edge| edge.iter().take(taken).copied()).collect();
+    nodes.sort_unstable();
+    nodes.dedup();
+    nodes.sort_by(|&a, &b| mesh.points[a][0].total_cmp(&mesh.points[b][0]));
+    nodes
+}
+
+/// A node of the outline with another one at its place.
+fn doubled(mesh: &Mesh, outline: &[Edge]) -> Option<usize> {
+    near(mesh, outline, &by_x(mesh, outline, false), |node, edge, along, across| {
+        !edge.contains(&node) && across <= SAME && (along.abs() <= SAME || (along - 1.0).abs() <= SAME)
+    })
+}
+
+/// A corner of the outline inside another side of it.
+fn hanging(mesh: &Mesh, outline: &[Edge]) -> Option<usize> {
+    near(mesh, outline, &by_x(mesh, outline, true), |node, edge, along, across| {
+        !edge.contains(&node) && across <= SAME && along > SAME && along < 1.0 - SAME
+    })
+}
+
+/// The first node near a side, by its place along and across it over the side's length, that passes a test.
+fn near(
+    mesh: &Mesh,
+    outline: &[Edge],
+    nodes: &[usize],
+    is_it: impl Fn(usize, &Edge, f64, f64) -> bool,
+) -> Option<usize> {
+    for edge in outline {
+        let [a, b] = [mesh.points[edge[0]], mesh.points[edge[1]]];
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let square = dx * dx + dy * dy;
+        let room = SAME * square.sqrt();
+        let (low, high) = (a[0].min(b[0]) - room, a[0].max(b[0]) + room);
+        let from = nodes.partition_point(|&node| mesh.points[node][0] < low);
+        let beside = nodes[from..].iter().take_while(|&&node| mesh.points[node][0] <= high);
+        for &node in beside {
+            let (x, y) = (mesh.points[node][0] - a[0], mesh.points[node][1] - a[1]);
+            let (along, across) = ((x * dx + y * dy) / square, (x * dy - y * dx).abs() / square);
+            if is_it(node, edge, along, across) {
+                return Some(node);
+            }
+        }
+    }
+    None
+}
+
+/// A node that no chain of cells joins to the first cell of the body.
+fn apart(mesh: &Mesh, body: usize) -> Option<usize> {
+    let part = &mesh.bodies[body];
+    let mut leader: Vec<usize> = part.nodes.clone().map(|node| node - part.nodes.start).collect();
+    fn find(leader: &mut [usize], mut node: usize) -> usize {
+        while leader[node] != node {
+            leader[node] = leader[leader[node]];
+            node = leader[node];
+        }
+        node
+    }
+    for cell in part.cells.clone() {
+        let nodes = mesh.cell(cell);
+        let first = find(&mut leader, nodes[0] - part.nodes.start);
+        for node in &nodes[1..] {
+            let other = find(&mut leader, node - part.nodes.start);
+            leader[other] = first;
+        }
+    }
+    let first = find(&mut leader, 0);
+    (0..leader.len()).find(|&node| find(&mut leader, node) != first).map(|node| node + part.nodes.start)
+}
