@@ -169,7 +169,10 @@ impl Mesh {
                 place: format!("{}, body `{}`", scene.name, scene.bodies[body].name),
                 kind: "node at",
                 name: format!("({}, {})", point[0], point[1]),
-                known: "corners of the outline and centres of discs".into(),
+                known: nearest.map_or_else(String::new, |node| {
+                    let [x, y] = self.points[node];
+                    format!("the nearest one, ({x}, {y}), and others: corners of the outline, centres of discs")
+                }),
             }),
         }
     }
