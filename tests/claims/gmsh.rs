@@ -218,8 +218,8 @@ fn orders_that_do_not_go_together_are_refused() {
     assert!(error.contains("cells of 4 nodes, others have 8") && error.contains("one order"), "{error}");
 }
 
-/// The mesh of a body as Gmsh would write it.
-fn written(mesh: &Mesh, body: usize) -> String {
+/// The mesh of a body as Gmsh would write it, on a surface turned over where its cells are listed clockwise.
+fn written(mesh: &Mesh, body: usize, clockwise: bool) -> String {
     let part = &mesh.bodies[body];
     let [line, cell] = if mesh.order == Order::Linear { [1, 3] } else { [8, 16] };
     let tags = |nodes: &[usize]| nodes.iter().map(|node| (node + 1).to_string()).collect::<Vec<_>>().join(" ");
@@ -245,7 +245,12 @@ fn written(mesh: &Mesh, body: usize) -> String {
     for (k, name) in names.iter().enumerate() {
         elements += &block(1, k + 1, line, &mut part.boundaries[*name].iter().map(|edge| tags(edge)));
     }
-    elements += &block(2, 1, cell, &mut part.cells.clone().map(|cell| tags(mesh.cell(cell))));
+    let listed = |cell: usize| {
+        let nodes = mesh.cell(cell);
+        let backwards: &[usize] = if nodes.len() == 4 { &[0, 3, 2, 1] } else { &[0, 3, 2, 1, 7, 6, 5, 4] };
+        if clockwise { backwards.iter().map(|&k| nodes[k]).collect() } else { nodes.to_vec() }
+    };
+    elements += &block(2, 1, cell, &mut part.cells.clone().map(|cell| tags(&listed(cell))));
     format!(
         "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n{curves}2 99 \"body\"\n$EndPhysicalNames\n$Entities\n\
          0 {} 1 0\n{entities}1 0 0 0 1 1 0 1 99 0\n$EndEntities\n$Nodes\n1 {count} 1 {count}\n2 1 0 {count}\n{all}{places}\
@@ -280,7 +285,8 @@ fn bodies_meshed_here_and_given_as_meshes_have_one_solution() {
         let own = SceneFile::parse(&scenes.join(format!("{name}.toml")), &text).expect("sound");
         let (discretisation, wanted) = solved(&own);
         for (body, shape) in shapes.iter().enumerate() {
-            std::fs::write(folder.join(format!("{body}.msh")), written(&discretisation.mesh, body)).expect("written");
+            std::fs::write(folder.join(format!("{body}.msh")), written(&discretisation.mesh, body, body == 1))
+                .expect("written");
             let gmsh = format!("{{ gmsh = {{ file = \"{body}.msh\", group = \"body\", contact = \"contact\" }} }}");
             assert!(text.contains(shape));
             text = text.replace(shape, &gmsh);
