@@ -15,7 +15,7 @@ pub fn section(findings: &[Finding]) -> String {
         .collect();
     format!(
         "## An accuracy asked for instead of a mesh\n\n\
-         `accuracy = \"0.1 %\"` in a scene file, or `--accuracy`, chooses order, elements, growth and candidates. Errors are the \
+         `accuracy = \"0.1 %\"` in a scene file, or `--accuracy`, chooses elements, growth and candidates of 8-node cells. Errors are the \
          larger ones of peak pressure and half-width (second-moment angle). A mesh made by hand is the cheapest found whose worst \
          error over eight loads is within the asked one. Meshes finer than the one answered are solved for the estimate: *in all* \
          counts the freedoms of every mesh solved.\n\n{}\n{}\n",

@@ -158,6 +158,11 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |worst, x| worse(worst, *x))
 }
 
+/// Below a bound, or the size of what is not; NaN is not.
+fn within(error: f64, bound: f64) -> String {
+    if error <= bound { format!("below {bound:e}") } else { format!("{error:.0e}") }
+}
+
 /// The size of a fraction as a percentage.
 fn size(x: f64) -> String {
     if x >= 0.1 { format!("{:.0} %", 100.0 * x) } else { format!("{:.2} %", 100.0 * x) }

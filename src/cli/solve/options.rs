@@ -47,7 +47,7 @@ pub struct Arguments {
     /// Elements per half-width, or per 10 mm of arc on pins; in a scene file per the length it names.
     #[arg(long, value_name = "N")]
     resolution: Option<usize>,
-    /// Relative error that peak and half-width may have, such as "0.1 %": chooses order, resolution, growth and candidates.
+    /// Relative error that peak and half-width may have, such as "0.1 %": chooses elements, growth and candidates of 8-node cells.
     #[arg(long, value_name = "PERCENT")]
     accuracy: Option<String>,
     /// Load increments.
