@@ -131,6 +131,7 @@ impl Run<'_> {
             displacement: vec![f64::NAN; n],
             approach: vec![f64::NAN; points.len()],
             pressure: vec![f64::NAN; points.len()],
+            internal: vec![f64::NAN; n],
         };
         let last = self.last.unwrap_or_else(nothing);
         let mut contact_force = vec![0.0; n];

@@ -44,6 +44,8 @@ pub struct Iterate {
     pub approach: Vec<f64>,
     /// Spring force per area of each point, tension negative \[MPa\].
     pub pressure: Vec<f64>,
+    /// Internal force `S u` of the displacements \[N\].
+    pub internal: Vec<f64>,
 }
 
 /// An iteration algorithm: one step from springs to an iterate and to the next springs.

@@ -39,6 +39,9 @@ pub const LIMITS: [f64; 2] = [1e-12, 1e6];
 /// A load below this fraction of the reference pressure on all points is round-off of the condensation.
 const UNLOADED: f64 = 1e-14;
 
+/// Springs whose `k |w|` and `k |γ|` are together more than so many times the forces lose a digit where they cancel.
+const CANCELLING: f64 = 10.0;
+
 impl Scale {
     /// Stiffness of a closed point, `k_hard = 1e6 E*/ℓ` [MPa/mm].
     pub fn hard(&self) -> f64 {
@@ -92,7 +95,7 @@ impl ContactProblem<'_> {
         }
     }
 
-    /// Equilibrium of `S u + Σ A p b = load` with springs `p = r + k (w − γ)`, refined once.
+    /// Equilibrium of `S u + Σ A p b = load` with springs `p = r + k (w − γ)`, refined once where these nearly cancel.
     ///
     /// The refinement `S δu + Σ A k (b·δu) b = load − S u − Σ A p b` updates u and p together, so that the pressures
     /// balance the load to round-off even where `k (w − γ)` is the difference of nearly equal lengths.
@@ -104,27 +107,45 @@ impl ContactProblem<'_> {
         unstrained: impl Fn(&ContactPoint) -> f64,
         work: &mut Work,
     ) -> Iterate {
+        let stiffness = &springs.stiffness;
         let mut rhs = load.to_vec();
-        for ((point, k), r) in self.points.iter().zip(&springs.stiffness).zip(&springs.force) {
+        for ((point, k), r) in self.points.iter().zip(stiffness).zip(&springs.force) {
             point.add_row(point.weight * (k * unstrained(point) - r), &mut rhs);
         }
         let mut u = factor.solve(&rhs);
-        let mut pressure: Vec<f64> = (self.points.iter().zip(&springs.stiffness).zip(&springs.force))
-            .map(|((point, k), r)| r + k * (point.approach(&u) - unstrained(point)))
-            .collect();
-        let change = factor.solve(&self.imbalance(load, &u, &pressure));
-        u.iter_mut().zip(&change).for_each(|(u, du)| *u += du);
-        for ((p, point), k) in pressure.iter_mut().zip(self.points).zip(&springs.stiffness) {
-            *p += k * point.approach(&change);
+        let (mut pressure, mut summands, mut sums) = (Vec::with_capacity(stiffness.len()), 0.0, 0.0);
+        for ((point, k), r) in self.points.iter().zip(stiffness).zip(&springs.force) {
+            let (w, rest) = (point.approach(&u), unstrained(point));
+            let p = r + k * (w - rest);
+            summands += point.weight * k * (w.abs() + rest.abs());
+            sums += point.weight * p.abs();
+            pressure.push(p);
         }
-        work.back_substitutions += 2;
-        work.operations += 2.0 * 2.0 * (rhs.len() as f64).powi(2);
-        Iterate { approach: self.points.iter().map(|point| point.approach(&u)).collect(), displacement: u, pressure }
+        let mut internal = self.internal_force(&u);
+        let mut solves = 1.0;
+        if summands > CANCELLING * (sums + absolute(load)) {
+            let change = factor.solve(&self.imbalance(load, &internal, &pressure));
+            u.iter_mut().zip(&change).for_each(|(u, du)| *u += du);
+            for ((p, point), k) in pressure.iter_mut().zip(self.points).zip(stiffness) {
+                *p += k * point.approach(&change);
+            }
+            internal = self.internal_force(&u);
+            solves += 1.0;
+        }
+        work.back_substitutions += solves as usize;
+        work.operations += solves * 2.0 * (rhs.len() as f64).powi(2);
+        let approach = self.points.iter().map(|point| point.approach(&u)).collect();
+        Iterate { approach, displacement: u, pressure, internal }
+    }
+
+    /// `S u` \[N\].
+    pub fn internal_force(&self, u: &[f64]) -> Vec<f64> {
+        (self.stiffness * ColRef::from_slice(u)).iter().copied().collect()
     }
 
     /// Whether the condensed load is no more than round-off.
     pub fn is_unloaded(&self) -> bool {
-        self.is_round_off(self.load.iter().map(|f| f.abs()).sum())
+        self.is_round_off(absolute(self.load))
     }
 
     /// Whether a force is no more than round-off of the reference pressure on all points \[N\].
@@ -133,10 +154,9 @@ impl ContactProblem<'_> {
         force <= UNLOADED * reference
     }
 
-    /// `load − S u − Σ A p b` \[N\].
-    pub fn imbalance(&self, load: &[f64], u: &[f64], pressure: &[f64]) -> Vec<f64> {
-        let internal = self.stiffness * ColRef::from_slice(u);
-        let mut residual: Vec<f64> = load.iter().zip(internal.iter()).map(|(f, s)| f - s).collect();
+    /// `load − S u − Σ A p b` from the internal force `S u` \[N\].
+    fn imbalance(&self, load: &[f64], internal: &[f64], pressure: &[f64]) -> Vec<f64> {
+        let mut residual: Vec<f64> = load.iter().zip(internal).map(|(f, s)| f - s).collect();
         for (point, p) in self.points.iter().zip(pressure) {
             point.add_row(-point.weight * p, &mut residual);
         }
@@ -158,8 +178,8 @@ impl ContactProblem<'_> {
             complementarity = worse(complementarity, (p / self.scale.pressure).min(h / self.scale.gap));
         }
         let total: f64 = self.points.iter().zip(&reported).map(|(point, p)| point.weight * p).sum();
-        let applied: f64 = load.iter().map(|f| f.abs()).sum();
-        let missing: f64 = self.imbalance(load, &iterate.displacement, &reported).iter().map(|r| r.abs()).sum();
+        let applied = absolute(load);
+        let missing = absolute(&self.imbalance(load, &iterate.internal, &reported));
         // Where nothing presses, what springs pull by turns the imbalance into a pure number.
         let pulling = self.points.iter().zip(&iterate.pressure).map(|(point, p)| point.weight * p.abs());
         let pressing = total.max(applied);
@@ -167,6 +187,11 @@ impl ContactProblem<'_> {
         let balance = if missing > 0.0 || missing.is_nan() { missing / scale } else { 0.0 };
         Residuals { penetration, tension, complementarity, balance }
     }
+}
+
+/// `Σ |f|`; NaN if any is.
+fn absolute(forces: &[f64]) -> f64 {
+    forces.iter().map(|f| f.abs()).sum()
 }
 
 /// Pressure as reported: projected to p ≥ 0; NaN stays NaN.

@@ -66,12 +66,12 @@ impl Factor {
 
     /// `x ← L⁻¹ x`.
     pub fn solve_lower(&self, x: &mut [f64]) {
-        Arch::new().dispatch(|| self.solve_lower_here(x));
+        Arch::new().dispatch(SolveLower(self, x));
     }
 
     /// `x ← L⁻ᵀ x` for several x at once, L being read once for all.
     pub fn solve_upper(&self, x: &mut [Vec<f64>]) {
-        Arch::new().dispatch(|| self.solve_upper_here(x));
+        Arch::new().dispatch(SolveUpper(self, x));
     }
 
     #[inline(always)]
@@ -179,6 +179,31 @@ fn transposed(matrix: SymbolicSparseColMatRef<Index>) -> SymbolicSparseColMat<In
         }
     }
     SymbolicSparseColMat::new_checked(n, n, starts, None, rows)
+}
+
+/// [`Factor::solve_lower`] on registers as wide as the processor's own; a closure's call would be a function of its own,
+/// compiled for the narrowest.
+struct SolveLower<'a>(&'a Factor, &'a mut [f64]);
+
+impl pulp::WithSimd for SolveLower<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        self.0.solve_lower_here(self.1);
+    }
+}
+
+/// The same for [`Factor::solve_upper`].
+struct SolveUpper<'a>(&'a Factor, &'a mut [Vec<f64>]);
+
+impl pulp::WithSimd for SolveUpper<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        self.0.solve_upper_here(self.1);
+    }
 }
 
 /// `a·b` in eight sums at once, as wide registers take them.

@@ -12,7 +12,7 @@ use crate::mesh::Mesh;
 use crate::scene::Scene;
 
 /// Cells that a thread of its own pays for; fewer are assembled in one piece.
-const PAYS: usize = 512;
+const PAYS: usize = 2048;
 
 /// `K = Σ Tᵀ k T` of a body, every cell's `k` times a factor of its index; prescribed displacements move to the load,
 /// `f ← f − k u_p`.
@@ -28,9 +28,9 @@ pub fn stiffness(
 ) -> Result<SparseColMat<Index, f64>, Error> {
     let material = &scene.bodies[body].material;
     let kernel = CellStiffness::new(mesh.order, &material.stiffness(scene.plane), scene.thickness);
-    let pattern = pattern(graph, freedoms);
+    let pattern = Pattern::of(graph, freedoms);
     let sum = |cells: Range<usize>| {
-        let mut sum = Sum { values: vec![0.0; pattern.row_idx().len()], force: vec![0.0; freedoms.equations] };
+        let mut sum = Sum { values: vec![0.0; pattern.columns.row_idx().len()], force: vec![0.0; freedoms.equations] };
         let mut k = vec![0.0; kernel.entries()];
         for cell in cells {
             let nodes = mesh.cell(cell);
@@ -53,57 +53,75 @@ pub fn stiffness(
         first?.with(&second?)
     };
     force.iter_mut().zip(&total.force).for_each(|(f, change)| *f += change);
-    Ok(SparseColMat::new(pattern, total.values))
+    Ok(SparseColMat::new(pattern.columns, total.values))
 }
 
 /// Where the lower triangle can have entries: equations of nodes that share a cell.
-///
-/// Rows are handed to their columns in ascending order, so that the rows of every column ascend.
-fn pattern(graph: &NodeGraph, freedoms: &Freedoms) -> SymbolicSparseColMat<Index> {
-    let n = freedoms.equations;
-    let of_node = |pair: &[Freedom; 2]| pair.map(|freedom| freedom.equation().map_or(Index::MAX, |e| e as Index));
-    let equations: Vec<[Index; 2]> = freedoms.components.iter().map(of_node).collect();
-    // The node of each equation; the common equation of a tied face has several.
-    let (mut owner, mut further) = (vec![usize::MAX; n], BTreeMap::<usize, Vec<usize>>::new());
-    for (node, pair) in freedoms.components.iter().enumerate() {
-        for equation in pair.iter().filter_map(Freedom::equation) {
-            if owner[equation] == usize::MAX {
-                owner[equation] = node;
-            } else {
-                further.entry(equation).or_default().push(node);
-            }
-        }
-    }
-    let none = Vec::new();
-    // The columns of every row, row by row, while those of every column are counted.
-    let (mut row_ends, mut columns) = (Vec::with_capacity(n), Vec::new());
-    let (mut starts, mut last) = (vec![0 as Index; n + 1], vec![Index::MAX; n]);
-    for row in 0..n as Index {
-        for &node in std::iter::once(&owner[row as usize]).chain(further.get(&(row as usize)).unwrap_or(&none)) {
-            for other in graph.neighbours(node) {
-                for column in equations[other] {
-                    if column <= row && last[column as usize] != row {
-                        last[column as usize] = row;
-                        starts[column as usize + 1] += 1;
-                        columns.push(column);
-                    }
+struct Pattern {
+    /// Rows of every column, ascending.
+    columns: SymbolicSparseColMat<Index>,
+    /// Whether a column has the rows of the column before without the first of them, as the second equation of a node.
+    follows: Vec<bool>,
+}
+
+impl Pattern {
+    /// Rows are handed to their columns in ascending order, so that the rows of every column ascend.
+    fn of(graph: &NodeGraph, freedoms: &Freedoms) -> Self {
+        let n = freedoms.equations;
+        let of_node = |pair: &[Freedom; 2]| pair.map(|freedom| freedom.equation().map_or(Index::MAX, |e| e as Index));
+        let equations: Vec<[Index; 2]> = freedoms.components.iter().map(of_node).collect();
+        // The node of each equation; the common equation of a tied face has several.
+        let (mut owner, mut further) = (vec![usize::MAX; n], BTreeMap::<usize, Vec<usize>>::new());
+        for (node, pair) in freedoms.components.iter().enumerate() {
+            for equation in pair.iter().filter_map(Freedom::equation) {
+                if owner[equation] == usize::MAX {
+                    owner[equation] = node;
+                } else {
+                    further.entry(equation).or_default().push(node);
                 }
             }
         }
-        row_ends.push(columns.len());
-    }
-    (0..n).for_each(|column| starts[column + 1] += starts[column]);
-    let (mut rows, mut filled) = (vec![0; columns.len()], starts.clone());
-    let mut from = 0;
-    for (row, &end) in row_ends.iter().enumerate() {
-        for &column in &columns[from..end] {
-            let at = &mut filled[column as usize];
-            rows[*at as usize] = row as Index;
-            *at += 1;
+        let alone = |equation: usize| further.is_empty() || !further.contains_key(&equation);
+        let follows: Vec<bool> =
+            (0..n).map(|e| e > 0 && owner[e] == owner[e - 1] && alone(e) && alone(e - 1)).collect();
+        let none = Vec::new();
+        // The columns of every row, row by row, while those of every column are counted.
+        let (mut row_ends, mut columns) =
+            (Vec::with_capacity(n), Vec::with_capacity(graph.entries_of_lower_triangle()));
+        let (mut starts, mut last) = (vec![0 as Index; n + 1], vec![Index::MAX; n]);
+        let mut from = 0;
+        for row in 0..n {
+            let of_row = columns.len();
+            if follows[row] {
+                columns.extend_from_within(from..);
+                columns.push(row as Index);
+            } else {
+                for &node in std::iter::once(&owner[row]).chain(further.get(&row).unwrap_or(&none)) {
+                    for column in graph.neighbours(node).flat_map(|other| equations[other]) {
+                        if column <= row as Index && last[column as usize] != row as Index {
+                            last[column as usize] = row as Index;
+                            columns.push(column);
+                        }
+                    }
+                }
+            }
+            columns[of_row..].iter().for_each(|&column| starts[column as usize + 1] += 1);
+            row_ends.push(columns.len());
+            from = of_row;
         }
-        from = end;
+        (0..n).for_each(|column| starts[column + 1] += starts[column]);
+        let (mut rows, mut filled) = (vec![0; columns.len()], starts.clone());
+        let mut from = 0;
+        for (row, &end) in row_ends.iter().enumerate() {
+            for &column in &columns[from..end] {
+                let at = &mut filled[column as usize];
+                rows[*at as usize] = row as Index;
+                *at += 1;
+            }
+            from = end;
+        }
+        Self { columns: SymbolicSparseColMat::new_checked(n, n, starts, None, rows), follows }
     }
-    SymbolicSparseColMat::new_checked(n, n, starts, None, rows)
 }
 
 /// Values of the lower triangle, and what prescribed displacements add to the load.
@@ -121,8 +139,8 @@ impl Sum {
     }
 
     /// Adds the stiffness of a cell, its rows one after the other.
-    fn add(&mut self, nodes: &[usize], k: &[f64], freedoms: &Freedoms, pattern: &SymbolicSparseColMat<Index>) {
-        let (starts, rows) = (pattern.col_ptr(), pattern.row_idx());
+    fn add(&mut self, nodes: &[usize], k: &[f64], freedoms: &Freedoms, pattern: &Pattern) {
+        let (starts, rows) = (pattern.columns.col_ptr(), pattern.columns.row_idx());
         let side = 2 * nodes.len();
         let of_cell = || nodes.iter().flat_map(|&node| freedoms.of_node(node)).enumerate();
         let mut ascending = [(0, 0); 16];
@@ -135,16 +153,28 @@ impl Sum {
         }
         let ascending = &mut ascending[..count];
         ascending.sort_unstable();
+        // Where the rows stand in the column.
+        let mut places = [0; 16];
         for (first, &(column, j)) in ascending.iter().enumerate() {
-            let mut at = starts[column as usize] as usize;
+            let start = starts[column as usize] as usize;
+            let rest = places[first..].iter_mut().zip(&ascending[first..]);
+            if first > 0 && pattern.follows[column as usize] && ascending[first - 1].0 + 1 == column {
+                let shift = start - starts[column as usize - 1] as usize - 1;
+                rest.for_each(|(place, _)| *place += shift);
+            } else {
+                let mut at = start;
+                for (place, &(row, _)) in rest {
+                    while rows[at] < row {
+                        at += 1;
+                    }
+                    *place = at;
+                }
+            }
             // A tied equation occurs at several places of a cell: all of them meet on the diagonal.
             let above = ascending[..first].iter().rev().take_while(|(row, _)| *row == column);
-            above.for_each(|&(_, i)| self.values[at] += k[j * side + i]);
-            for &(row, i) in &ascending[first..] {
-                while rows[at] < row {
-                    at += 1;
-                }
-                self.values[at] += k[j * side + i];
+            above.for_each(|&(_, i)| self.values[start] += k[j * side + i]);
+            for (&place, &(_, i)) in places[first..].iter().zip(&ascending[first..]) {
+                self.values[place] += k[j * side + i];
             }
         }
         for (j, freedom) in of_cell() {

@@ -52,11 +52,7 @@ impl CellStiffness {
     ) -> Result<(), f64> {
         let points: [[f64; 2]; N] = std::array::from_fn(|_| points.next().unwrap_or([f64::NAN; 2]));
         let mut pairs = [[[[0.0; N]; 2]; 2]; N];
-        // In registers as wide as the processor's own.
-        self.processor.dispatch(
-            #[inline(always)]
-            || self.add_pairs(&points, &mut pairs),
-        )?;
+        self.processor.dispatch(AddPairs { kernel: self, points: &points, pairs: &mut pairs })?;
         for (row, pair) in k.chunks_exact_mut(2 * N).zip(pairs.as_flattened()) {
             for (entries, b) in row.chunks_exact_mut(2).zip(0..N) {
                 (entries[0], entries[1]) = (pair[0][b], pair[1][b]);
@@ -65,9 +61,10 @@ impl CellStiffness {
         Ok(())
     }
 
-    /// `k_ab = Σ B_aᵀ D B_b t w det J` as `pairs[a][component of a][component of b][b]`:
-    /// the stresses `σ = D B_b` of a unit displacement of b along x or y work on the strains of one of a,
-    /// `k_a· = (N_a,x σ_x + N_a,y τ, N_a,y σ_y + N_a,x τ)`.
+    /// `k_ab = Σ B_aᵀ D B_b t w det J` as `pairs[a][component of a][component of b][b]`.
+    ///
+    /// D is the same throughout a cell and stands outside the sums: only the four `∫ N_a,i N_b,j t dA` of a pair of
+    /// nodes are summed over the Gauss points, and combined with D once.
     #[inline(always)]
     fn add_pairs<const N: usize>(
         &self,
@@ -75,46 +72,70 @@ impl CellStiffness {
         pairs: &mut [[[[f64; N]; 2]; 2]; N],
     ) -> Result<(), f64> {
         let [[dxx, dxy, dxs], [dyx, dyy, dys], [dsx, dsy, dss]] = self.elasticity;
-        let mut at_points = [AtPoint { x: [0.0; N], y: [0.0; N], stresses: [[[0.0; N]; 3]; 2] }; MOST_POINTS];
+        let mut at_points = [AtPoint { x: [0.0; N], y: [0.0; N], area: 0.0 }; MOST_POINTS];
         for ((slopes, weight), at) in self.rule.iter().zip(&mut at_points) {
             let (inverse, determinant) = jacobian(slopes, points)?;
-            let scale = weight * determinant * self.thickness;
+            at.area = weight * determinant * self.thickness;
             for ((x, y), slope) in at.x.iter_mut().zip(&mut at.y).zip(slopes) {
                 [*x, *y] = gradient(&inverse, slope);
             }
-            let row = |a: f64, b: f64| -> [f64; N] { std::array::from_fn(|i| scale * (a * at.x[i] + b * at.y[i])) };
-            at.stresses =
-                [[row(dxx, dxs), row(dyx, dys), row(dsx, dss)], [row(dxs, dxy), row(dys, dyy), row(dss, dsy)]];
         }
         for (a, pair) in pairs.iter_mut().enumerate() {
-            let mut sums = [[[0.0; N]; 2]; 2];
+            let ([mut xx, mut xy], [mut yx, mut yy]) = ([[0.0; N]; 2], [[0.0; N]; 2]);
             for at in &at_points[..self.rule.len()] {
-                for (b, [sx, sy, shear]) in at.stresses.iter().enumerate() {
-                    add_sum(&mut sums[0][b], (at.x[a], sx), (at.y[a], shear));
-                    add_sum(&mut sums[1][b], (at.y[a], sy), (at.x[a], shear));
-                }
+                let (x, y) = (at.area * at.x[a], at.area * at.y[a]);
+                add_scaled(&mut xx, x, &at.x);
+                add_scaled(&mut xy, x, &at.y);
+                add_scaled(&mut yx, y, &at.x);
+                add_scaled(&mut yy, y, &at.y);
             }
-            *pair = sums;
+            // Strains B_a = (N_a,x, 0, N_a,y) of a displacement along x, (0, N_a,y, N_a,x) of one along y.
+            let row = |xx_by: f64, xy_by: f64, yx_by: f64, yy_by: f64| -> [f64; N] {
+                std::array::from_fn(|b| xx_by * xx[b] + xy_by * xy[b] + yx_by * yx[b] + yy_by * yy[b])
+            };
+            *pair = [
+                [row(dxx, dxs, dsx, dss), row(dxs, dxy, dss, dsy)],
+                [row(dsx, dss, dyx, dys), row(dss, dsy, dys, dyy)],
+            ];
         }
         Ok(())
+    }
+}
+
+/// The sums of a cell on registers as wide as the processor's own; a closure's call would be a function of its own, compiled
+/// for the narrowest.
+struct AddPairs<'a, const N: usize> {
+    kernel: &'a CellStiffness,
+    points: &'a [[f64; 2]; N],
+    pairs: &'a mut [[[[f64; N]; 2]; 2]; N],
+}
+
+impl<const N: usize> pulp::WithSimd for AddPairs<'_, N> {
+    type Output = Result<(), f64>;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> Self::Output {
+        self.kernel.add_pairs(self.points, self.pairs)
     }
 }
 
 /// Gauss points of the largest rule.
 const MOST_POINTS: usize = 9;
 
-/// At a Gauss point: gradients `N_a,x`, `N_a,y`, and the stresses of unit displacements of each node along x and along y.
+/// At a Gauss point: gradients `N_a,x`, `N_a,y`, and `t w det J`.
 #[derive(Clone, Copy)]
 struct AtPoint<const N: usize> {
     x: [f64; N],
     y: [f64; N],
-    stresses: [[[f64; N]; 3]; 2],
+    area: f64,
 }
 
-/// `z ← z + a x + b y`.
+/// `z ← z + a x`.
 #[inline(always)]
-fn add_sum<const N: usize>(z: &mut [f64; N], (a, x): (f64, &[f64; N]), (b, y): (f64, &[f64; N])) {
-    *z = std::array::from_fn(|i| z[i] + (a * x[i] + b * y[i]));
+fn add_scaled<const N: usize>(z: &mut [f64; N], a: f64, x: &[f64; N]) {
+    for (z, x) in z.iter_mut().zip(x) {
+        *z = a.mul_add(*x, *z);
+    }
 }
 
 /// Gradients `[∂N_a/∂x, ∂N_a/∂y]` and the Jacobian determinant at (ξ, η); a determinant ≤ 0 or NaN is the error.

@@ -42,6 +42,11 @@ impl NodeGraph {
         self.neighbours[self.starts[node]..self.starts[node + 1]].iter().map(|&other| other as usize)
     }
 
+    /// Entries that the lower triangle of a matrix of two freedoms per node has.
+    pub fn entries_of_lower_triangle(&self) -> usize {
+        2 * self.neighbours.len() + (self.starts.len() - 1)
+    }
+
     /// Approximate minimum degree order of the nodes that take part (Amestoy, Davis & Duff 1996).
     ///
     /// Nodes instead of freedoms: a quarter of the entries. Ties are broken by the numbering the ordering is given; the

@@ -400,7 +400,9 @@ fn equilibrium_balances_to_round_off_even_with_stiff_springs() {
         let contact = 2.0 * iterate.pressure[0] * [1.0, 0.0][i] + 3.0 * iterate.pressure[1] * [0.25, 0.75][i];
         // Without the refinement k (w − g) alone loses 1e8 · 0.1 · 1e-16 = 1e-9.
         assert_abs_diff_eq!(sample.load[i] - inner - contact, 0.0, epsilon = 1e-12 * 300.0);
+        assert_relative_eq!(iterate.internal[i], inner, max_relative = 1e-14);
     }
+    assert_eq!(work.back_substitutions, 2);
     // Springs of 1e8 yield by p/k ≈ 1e-6 mm, which the body resists with some 300 N/mm.
     assert!((iterate.pressure[0] - exact(&sample)[0]).abs() <= 1e-3);
 }
@@ -419,10 +421,15 @@ fn spring_force_of_an_iterate_is_the_carried_force_plus_stiffness_times_strain()
     }
     let u = &iterate.displacement;
     assert!(distance(&iterate.approach, &[u[0], 0.25 * u[0] + 0.75 * u[1]]) <= 1e-15);
+    let internal = [0, 1].map(|i| sample.stiffness[(i, 0)] * u[0] + sample.stiffness[(i, 1)] * u[1]);
+    assert!(distance(&iterate.internal, &internal) <= 1e-12);
+    // Soft springs lose nothing that a refinement would return.
+    assert_eq!(work.back_substitutions, 1);
 }
 
-fn iterate_of(displacement: [f64; 2], approach: [f64; 2], pressure: [f64; 2]) -> Iterate {
-    Iterate { displacement: displacement.to_vec(), approach: approach.to_vec(), pressure: pressure.to_vec() }
+fn iterate_of(problem: &ContactProblem, displacement: [f64; 2], approach: [f64; 2], pressure: [f64; 2]) -> Iterate {
+    let internal = problem.internal_force(&displacement);
+    Iterate { displacement: displacement.to_vec(), approach: approach.to_vec(), pressure: pressure.to_vec(), internal }
 }
 
 #[test]
@@ -430,7 +437,7 @@ fn residuals_are_their_definitions() {
     let sample = two([50.0, 20.0], [0.1, 0.3]);
     let problem = sample.problem();
     // First point 0.02 deep with p = 4; second 0.1 open with p = −3.
-    let found = problem.residuals(&[50.0, 20.0], &iterate_of([0.12, 0.2], [0.12, 0.2], [4.0, -3.0]), false);
+    let found = problem.residuals(&[50.0, 20.0], &iterate_of(&problem, [0.12, 0.2], [0.12, 0.2], [4.0, -3.0]), false);
     assert_relative_eq!(found.penetration, 0.02 / 0.1, max_relative = 1e-12);
     assert_relative_eq!(found.tension, 3.0 / 10.0, max_relative = 1e-12);
     assert_abs_diff_eq!(found.complementarity, 0.0, epsilon = 0.0);
@@ -438,7 +445,7 @@ fn residuals_are_their_definitions() {
     assert_relative_eq!(found.balance, 34.0 / 70.0, max_relative = 1e-12);
 
     // p = 6 at a point 0.1 open: min(0.6, 1) = 0.6; with p = 20 it is 1.
-    let open = |p: f64| problem.residuals(&[50.0, 20.0], &iterate_of([0.0; 2], [0.0, 0.2], [0.0, p]), false);
+    let open = |p: f64| problem.residuals(&[50.0, 20.0], &iterate_of(&problem, [0.0; 2], [0.0, 0.2], [0.0, p]), false);
     assert_relative_eq!(open(6.0).complementarity, 0.6, max_relative = 1e-12);
     assert_relative_eq!(open(20.0).complementarity, 1.0, max_relative = 1e-12);
     assert_abs_diff_eq!(open(6.0).penetration + open(6.0).tension, 0.0, epsilon = 0.0);
@@ -451,8 +458,9 @@ fn residuals_are_their_definitions() {
 fn elastic_springs_are_not_blamed_for_their_own_penetration() {
     let sample = two([50.0, 20.0], [0.1, 0.3]);
     let problem = sample.problem();
-    let residual =
-        |p: f64| problem.residuals(&[50.0, 20.0], &iterate_of([0.12, 0.2], [0.12, 0.2], [p, 0.0]), true).penetration;
+    let residual = |p: f64| {
+        problem.residuals(&[50.0, 20.0], &iterate_of(&problem, [0.12, 0.2], [0.12, 0.2], [p, 0.0]), true).penetration
+    };
     // k₀ (w − g) = 100·0.02 = 2: what is missing of it counts, over p_ref = 10.
     assert_abs_diff_eq!(residual(2.0), 0.0, epsilon = 1e-12);
     assert_relative_eq!(residual(0.0), 0.2, max_relative = 1e-12);
@@ -479,10 +487,10 @@ fn nan_in_any_part_of_an_iterate_reaches_the_residuals() {
     let problem = sample.problem();
     let nan = f64::NAN;
     for broken in [
-        iterate_of([nan, 0.0], [0.0; 2], [0.0; 2]),
-        iterate_of([0.0; 2], [0.0, nan], [0.0; 2]),
-        iterate_of([0.0; 2], [nan, 0.0], [0.0; 2]),
-        iterate_of([0.0; 2], [0.0; 2], [nan, 0.0]),
+        iterate_of(&problem, [nan, 0.0], [0.0; 2], [0.0; 2]),
+        iterate_of(&problem, [0.0; 2], [0.0, nan], [0.0; 2]),
+        iterate_of(&problem, [0.0; 2], [nan, 0.0], [0.0; 2]),
+        iterate_of(&problem, [0.0; 2], [0.0; 2], [nan, 0.0]),
     ] {
         assert!(problem.residuals(&[50.0, 20.0], &broken, false).largest().is_nan());
     }
@@ -503,11 +511,13 @@ impl Playback {
 }
 
 impl Algorithm for Playback {
-    fn step(&mut self, _: &ContactProblem, load: &[f64], _: &mut Springs, _: &mut Work) -> Option<Iterate> {
+    fn step(&mut self, problem: &ContactProblem, load: &[f64], _: &mut Springs, _: &mut Work) -> Option<Iterate> {
         let pressure = self.pressures[self.at % self.pressures.len()];
         self.at += 1;
         self.loads.push(load[0]);
-        Some(Iterate { displacement: vec![self.approach], approach: vec![self.approach], pressure: vec![pressure] })
+        let displacement = vec![self.approach];
+        let internal = problem.internal_force(&displacement);
+        Some(Iterate { approach: displacement.clone(), displacement, pressure: vec![pressure], internal })
     }
 }
 
@@ -620,7 +630,9 @@ fn constant_stiffness_factorises_once_over_all_increments() {
     assert_eq!(solution.outcome, Outcome::Converged);
     assert!(solution.work.steps > 4);
     assert_eq!(solution.work.factorisations, 1);
-    assert_eq!(solution.work.back_substitutions, 2 * solution.work.steps);
+    // Once more where a step is refined.
+    let steps = solution.work.steps;
+    assert!((steps..=2 * steps).contains(&solution.work.back_substitutions));
 }
 
 #[test]
@@ -632,7 +644,8 @@ fn varying_stiffness_and_kinematic_load_factorise_at_every_step() {
         let solution = one(90.0).solve(algorithm.as_mut(), settings);
         assert_eq!(solution.outcome, Outcome::Converged);
         assert_eq!(solution.work.factorisations, solution.work.steps);
-        assert_eq!(solution.work.back_substitutions, 2 * solution.work.steps);
+        let steps = solution.work.steps;
+        assert!((steps..=2 * steps).contains(&solution.work.back_substitutions));
         assert_eq!(solution.history.len(), solution.work.steps);
     }
 }
@@ -671,8 +684,8 @@ fn increments_lead_to_the_solution_of_the_whole_load() {
 fn solution_reports_pressures_gaps_forces_and_edge_means() {
     struct Fixed;
     impl Algorithm for Fixed {
-        fn step(&mut self, _: &ContactProblem, _: &[f64], _: &mut Springs, _: &mut Work) -> Option<Iterate> {
-            Some(iterate_of([0.12, 0.2], [0.12, 0.18], [4.0, -3.0]))
+        fn step(&mut self, problem: &ContactProblem, _: &[f64], _: &mut Springs, _: &mut Work) -> Option<Iterate> {
+            Some(iterate_of(problem, [0.12, 0.2], [0.12, 0.18], [4.0, -3.0]))
         }
     }
     let mut sample = two([50.0, 20.0], [0.1, 0.3]);

@@ -131,8 +131,9 @@ fn acceleration_saves_steps_and_keeps_the_one_factorisation() {
             let solution = discretisation.solve(&constant(element, 10.0, acceleration)).expect("solution");
             assert!(solution.converged());
             assert_eq!(solution.work.factorisations, 1);
-            assert_eq!(solution.work.back_substitutions, 2 * solution.work.steps);
-            solution.work.steps
+            let steps = solution.work.steps;
+            assert!((steps..=2 * steps).contains(&solution.work.back_substitutions));
+            steps
         };
         let plain = steps(Acceleration::None);
         for acceleration in [Acceleration::CrossedSecant, Acceleration::Anderson] {
