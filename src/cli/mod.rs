@@ -57,6 +57,9 @@ enum Command {
     Verify {
         /// Folder with scene files (*.toml).
         folder: PathBuf,
+        /// Print every check with its verdict, a line of JSON each, instead of the table.
+        #[arg(long)]
+        json: bool,
     },
     /// Solve the suite and print every check with its verdict, a line of JSON each; trials that break off fail too.
     Verdicts,
@@ -85,7 +88,7 @@ pub fn main() -> ExitCode {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| true)
         }
         Command::Timings { memory: None } => timings::run().map(|()| true),
-        Command::Verify { folder } => verify::run(&folder),
+        Command::Verify { folder, json } => verify::run(&folder, json),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::List => {
             PROBLEMS.iter().for_each(|(name, title)| say(format!("{name:18} {title}")));

@@ -61,12 +61,27 @@ pub fn verdicts() -> bool {
     let mut lines = Vec::new();
     for (title, finding) in run_all() {
         match finding {
-            Ok(finding) => lines.extend(finding.checks.iter().map(|check| line(&title, check))),
-            Err(error) => lines.push(json!({ "trial": title, "verdict": "fail", "requirement": error.to_string() })),
+            Ok(finding) => lines.extend(self::lines(&title, &finding.checks)),
+            Err(error) => lines.push(broken(&title, &error)),
         }
     }
+    tell(&lines)
+}
+
+/// Prints lines of JSON and tells whether none of them says that a check failed.
+pub fn tell(lines: &[Value]) -> bool {
     lines.iter().for_each(say);
     lines.iter().all(|line| line["verdict"] != "fail")
+}
+
+/// The checks of a trial, a line of JSON each.
+pub fn lines(title: &str, checks: &[Check]) -> Vec<Value> {
+    checks.iter().map(|check| line(title, check)).collect()
+}
+
+/// The line of a trial that broke off.
+pub fn broken(title: &str, error: &Error) -> Value {
+    json!({ "trial": title, "verdict": "fail", "requirement": error.to_string() })
 }
 
 fn line(title: &str, check: &Check) -> Value {

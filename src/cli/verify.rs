@@ -11,7 +11,7 @@ use crate::error::Error;
 /// Solves the scene files of a folder in the order of their names, prints the verdicts and tells whether none failed.
 ///
 /// A file that cannot be read or solved fails; the others are solved all the same.
-pub fn run(folder: &Path) -> Result<bool, Error> {
+pub fn run(folder: &Path, json: bool) -> Result<bool, Error> {
     let files = scene_files(folder)?;
     let bar = progress(files.len());
     let judged: Vec<Result<Finding, Error>> = files
@@ -24,6 +24,19 @@ pub fn run(folder: &Path) -> Result<bool, Error> {
         })
         .collect();
     bar.finish_and_clear();
+    Ok(if json { tell_lines(&files, &judged) } else { tell_table(&files, judged) })
+}
+
+/// Every check with its verdict, a line of JSON each; a file that is not solved has one line, which fails.
+fn tell_lines(files: &[PathBuf], judged: &[Result<Finding, Error>]) -> bool {
+    let of_file = |(file, finding): (&PathBuf, &Result<Finding, Error>)| match finding {
+        Ok(finding) => suite::lines(&finding.case, &finding.checks),
+        Err(error) => vec![suite::broken(&file.display().to_string(), error)],
+    };
+    suite::tell(&files.iter().zip(judged).flat_map(of_file).collect::<Vec<_>>())
+}
+
+fn tell_table(files: &[PathBuf], judged: Vec<Result<Finding, Error>>) -> bool {
     let (mut findings, mut broken) = (Vec::new(), 0);
     for (file, finding) in files.iter().zip(judged) {
         match finding {
@@ -39,7 +52,7 @@ pub fn run(folder: &Path) -> Result<bool, Error> {
     if broken > 0 {
         say(format!("{broken} of {} files not solved", files.len()));
     }
-    Ok(broken == 0 && suite::all_pass(&findings))
+    broken == 0 && suite::all_pass(&findings)
 }
 
 fn judge(file: &Path) -> Result<Finding, Error> {

@@ -135,7 +135,8 @@ pub fn planted() -> Result<String, Error> {
     });
     let head = ["planted fault", "in", "closed forms", "other codes", "self-consistency", "broken off", "for instance"];
     Ok(format!(
-        "## Does it bite?\n\nFaults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red.\n\n{}\n",
+        "## Does it bite?\n\nFaults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red, of the suite \
+         and of the worked scene files.\n\n{}\n",
         format::markdown(&head.map(String::from), &rows.collect::<Vec<_>>())
     ))
 }

@@ -159,10 +159,17 @@ fn a_folder_is_verified_file_by_file_and_fails_with_its_worst() {
     add("b.toml", &text.replace("value = 4000", "value = 4100"));
     let (sound, table, _) = verify();
     assert!(!sound && table.contains("1 failed"), "{table}");
+    let (sound, lines, error) = contact_vv(&["verify", &folder.path().display().to_string(), "--json"]);
+    let lines: Vec<serde_json::Value> = lines.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+    let failed: Vec<_> = lines.iter().filter(|line| line["verdict"] == "fail").collect();
+    assert!(!sound && failed.len() == 1 && failed[0]["quantity"] == "resultant [N]", "{lines:?}{error}");
     add("b.toml", &text.replace("young = 70e3", "young = 0"));
     let (sound, table, error) = verify();
     assert!(!sound && table.contains("1 of 2 files not solved") && table.contains("0 failed"), "{table}");
     assert!(error.contains("b.toml:16") && error.contains("above 0"), "{error}");
+    let (sound, lines, _) = contact_vv(&["verify", &folder.path().display().to_string(), "--json"]);
+    let last = lines.lines().last().expect("a line");
+    assert!(!sound && last.contains("b.toml") && last.contains("\"fail\"") && last.contains("above 0"), "{lines}");
 }
 
 #[test]

@@ -62,6 +62,25 @@ fn check_of_another_value_fails_and_so_does_a_run_that_does_not_converge() {
 }
 
 #[test]
+fn reaction_is_judged_with_its_sign_and_at_its_own_support() {
+    let text = text_of("press-fit.toml");
+    let support = "at = \"start\", component = \"x\" }\nvalue = -5081.2";
+    assert_eq!(text.matches(support).count(), 1);
+    for (is, verdict) in [
+        (support, Verdict::Pass),
+        ("at = \"start\", component = \"x\" }\nvalue = 5081.2", Verdict::Fail),
+        ("at = \"end\", component = \"y\" }\nvalue = -5081.2", Verdict::Fail),
+        ("at = \"end\", component = \"y\" }\nvalue = 5081.2", Verdict::Pass),
+    ] {
+        let file = SceneFile::parse(Path::new("press-fit.toml"), &text.replace(support, is)).expect("sound");
+        let (discretisation, run) = solved(&file);
+        let checks = file.checks(&discretisation, &run).expect("judged");
+        let reaction = checks.iter().find(|check| check.quantity == "reaction [N]").expect("a reaction");
+        assert_eq!(reaction.verdict, verdict, "{is}: {:e}", reaction.error);
+    }
+}
+
+#[test]
 fn scene_in_metres_is_the_librarys_cylinder() {
     let file = SceneFile::parse(Path::new("m.toml"), &text_of("cylinder-in-metres.toml")).expect("sound");
     let formulation = Formulation::verification();
@@ -333,6 +352,30 @@ const MISTAKES: &[(&str, &str, &str, [&str; 3])] = &[
         ["element = \"mortar\"", "no contact element `mortar`", "`layer`"],
     ),
     ("press-fit", "at = 45\n", "", ["quantity = \"pressure\"", "without a place", "add `at`"]),
+    (
+        "press-fit",
+        "support = { body = \"outer\", at = \"start\", component = \"x\" }\n",
+        "",
+        ["quantity = \"reaction\"", "a reaction without its support", "add `support = {"],
+    ),
+    (
+        "press-fit",
+        "at = \"start\", component = \"x\" }\nvalue",
+        "at = \"start\", component = \"y\" }\nvalue",
+        ["support = { body", "`outer` has no support at `start` along y", "known: `start` along x, `end` along y"],
+    ),
+    (
+        "press-fit",
+        "support = { body = \"outer\"",
+        "support = { body = \"middle\"",
+        ["support = { body", "there is no body `middle`", "known: `inner`, `outer`"],
+    ),
+    (
+        "press-fit",
+        "at = 45\n",
+        "at = 45\nsupport = { body = \"outer\", at = \"start\", component = \"x\" }\n",
+        ["support = { body", "only a `reaction` has a support", "leave `support` out"],
+    ),
     (
         "blocks",
         "y = [-5, 0], contact = \"top\"",

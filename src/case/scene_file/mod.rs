@@ -152,7 +152,9 @@ impl SceneFile {
         if run.solution.converged() {
             checks.extend(universal::checks(discretisation, run)?);
         }
-        checks.extend(self.wanted.iter().map(|wanted| wanted.check(run)));
+        for wanted in &self.wanted {
+            checks.push(wanted.check(discretisation, run)?);
+        }
         Ok(checks)
     }
 }
@@ -199,7 +201,7 @@ impl Document {
         let formulation = self.solve.as_ref().map_or(&default, Spanned::get_ref).formulation(source)?;
         let factor = display_factor(&scene.contact.path);
         let along = if factor > 1.0 { 1.0 / factor } else { units.length };
-        let wanted = self.check.iter().map(|check| check.wanted(source, &units, along));
+        let wanted = self.check.iter().map(|check| check.wanted(source, &units, along, bodies));
         let wanted = wanted.collect::<Result<_, _>>()?;
         let title = self.title.clone().unwrap_or_else(|| "a scene file".into());
         Ok(SceneFile {

@@ -1,14 +1,16 @@
 //! The checks of a scene file.
 
 use serde::Deserialize;
+use toml::Spanned;
 
 use crate::case::check::{Check, Reference};
 use crate::case::run::Run;
 use crate::error::Error;
+use crate::formulation::Discretisation;
 use crate::measure::profile;
 use crate::oracle::ReferenceKind;
 use crate::scene::file::Source;
-use crate::scene::file::tables::{Name, Number};
+use crate::scene::file::tables::{BodyTable, Name, Number, PlaceTable, SupportTable};
 use crate::scene::file::units::Units;
 
 /// `[[check]]`.
@@ -17,11 +19,21 @@ use crate::scene::file::units::Units;
 pub(super) struct CheckTable {
     quantity: Name,
     at: Option<Number>,
+    support: Option<Spanned<SupportName>>,
     value: Number,
     tolerance: Number,
     kind: Name,
     source: String,
     because: String,
+}
+
+/// A support as the body lists it.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SupportName {
+    body: Name,
+    at: Spanned<PlaceTable>,
+    component: Name,
 }
 
 /// What a check asks.
@@ -30,6 +42,8 @@ pub(super) struct Wanted {
     quantity: Quantity,
     /// Contact coordinate \[mm, or rad\].
     at: f64,
+    /// Body and support of a reaction.
+    support: Option<[usize; 2]>,
     value: f64,
     tolerance: f64,
     kind: ReferenceKind,
@@ -43,13 +57,15 @@ enum Quantity {
     HalfWidth,
     Resultant,
     Pressure,
+    Reaction,
 }
 
-const QUANTITIES: [(&str, Quantity); 4] = [
+const QUANTITIES: [(&str, Quantity); 5] = [
     ("peak-pressure", Quantity::PeakPressure),
     ("half-width", Quantity::HalfWidth),
     ("resultant", Quantity::Resultant),
     ("pressure", Quantity::Pressure),
+    ("reaction", Quantity::Reaction),
 ];
 const KINDS: [(&str, ReferenceKind); 4] = [
     ("analytic", ReferenceKind::Analytic),
@@ -58,7 +74,7 @@ const KINDS: [(&str, ReferenceKind); 4] = [
     ("self-consistency", ReferenceKind::SelfConsistency),
 ];
 impl Wanted {
-    pub(super) fn check(&self, run: &Run) -> Check {
+    pub(super) fn check(&self, discretisation: &Discretisation, run: &Run) -> Result<Check, Error> {
         let points = &run.solution.points;
         let (name, value) = match self.quantity {
             Quantity::PeakPressure => ("peak pressure [MPa]".into(), run.measures.peak.pressure),
@@ -67,22 +83,35 @@ impl Wanted {
             Quantity::Pressure => {
                 (format!("pressure at s = {:.6} [MPa]", self.at), profile::interpolate(points, self.at))
             }
+            Quantity::Reaction => ("reaction [N]".into(), self.reaction(discretisation, run)?),
         };
         // A run that broke off has no value to be judged.
         let value = if run.solution.converged() { value } else { f64::NAN };
         let reference = Reference { name: self.source.clone(), kind: self.kind, value: self.value };
         let requirement = format!("The file's own check: {}", self.source);
-        Check::relative(requirement, name, value, reference, self.tolerance, self.because.clone())
+        Ok(Check::relative(requirement, name, value, reference, self.tolerance, self.because.clone()))
+    }
+
+    fn reaction(&self, discretisation: &Discretisation, run: &Run) -> Result<f64, Error> {
+        let reactions = discretisation.reactions_under(run.share(), &run.solution)?;
+        let wanted = reactions.iter().find(|reaction| self.support == Some([reaction.body, reaction.support]));
+        Ok(wanted.map_or(f64::NAN, |reaction| reaction.force))
     }
 }
 
 impl CheckTable {
     /// `along` turns a contact coordinate of the file into mm or rad.
-    pub(super) fn wanted(&self, source: Source, units: &Units, along: f64) -> Result<Wanted, Error> {
+    pub(super) fn wanted(
+        &self,
+        source: Source,
+        units: &Units,
+        along: f64,
+        bodies: &[BodyTable],
+    ) -> Result<Wanted, Error> {
         let quantity = source.choice("quantity", &self.quantity, &QUANTITIES)?;
         let unit = match quantity {
             Quantity::PeakPressure | Quantity::Pressure => units.stress,
-            Quantity::Resultant => units.force,
+            Quantity::Resultant | Quantity::Reaction => units.force,
             Quantity::HalfWidth => along,
         };
         let at = match (&self.at, quantity) {
@@ -97,15 +126,55 @@ impl CheckTable {
             }
             (None, _) => f64::NAN,
         };
+        let support = match (&self.support, quantity) {
+            (Some(support), Quantity::Reaction) => Some(support.get_ref().find(source, bodies)?),
+            (None, Quantity::Reaction) => {
+                let remedy = "add `support = { body = \"…\", at = \"…\", component = \"…\" }`, as the body lists it";
+                return Err(source.refused(self.quantity.span(), "a reaction without its support", remedy));
+            }
+            (Some(support), _) => {
+                return Err(source.refused(support.span(), "only a `reaction` has a support", "leave `support` out"));
+            }
+            (None, _) => None,
+        };
         let value = source.number("value", &self.value, "a finite number that is not 0", |x| x.abs() > 0.0)?;
         Ok(Wanted {
             quantity,
             at,
+            support,
             value: unit * value,
             tolerance: source.positive("tolerance", &self.tolerance)?,
             kind: source.choice("kind of reference", &self.kind, &KINDS)?,
             source: self.source.clone(),
             because: self.because.clone(),
+        })
+    }
+}
+
+impl SupportName {
+    /// Index of the body, and of the support in it.
+    fn find(&self, source: Source, bodies: &[BodyTable]) -> Result<[usize; 2], Error> {
+        let names: Vec<_> =
+            bodies.iter().enumerate().map(|(index, body)| (body.name.get_ref().as_str(), index)).collect();
+        let body = source.choice("body", &self.body, &names)?;
+        let supports = &bodies[body].supports;
+        let is_it = |support: &SupportTable| {
+            support.at.get_ref() == self.at.get_ref() && support.component.get_ref() == self.component.get_ref()
+        };
+        supports.iter().position(is_it).map(|support| [body, support]).ok_or_else(|| {
+            let shown = |at: &PlaceTable, component: &str| match at {
+                PlaceTable::Boundary(name) => format!("`{name}` along {component}"),
+                PlaceTable::Point([x, y]) => format!("[{x}, {y}] along {component}"),
+            };
+            let known: Vec<String> =
+                supports.iter().map(|support| shown(support.at.get_ref(), support.component.get_ref())).collect();
+            let message = format!(
+                "`{}` has no support at {}",
+                self.body.get_ref(),
+                shown(self.at.get_ref(), self.component.get_ref())
+            );
+            let remedy = if known.is_empty() { "it has none".into() } else { format!("known: {}", known.join(", ")) };
+            source.refused(self.at.span(), message, remedy)
         })
     }
 }
