@@ -93,7 +93,7 @@ pub const NOT_COVERED: [&str; 7] = [
 ];
 
 /// Sources.
-pub const REFERENCES: [&str; 13] = [
+pub const REFERENCES: [&str; 14] = [
     "J. Égert, Comparison of some contact elements and iterative algorithms for the solution of frictionless contact problems, 1999 (the paper).",
     "K. L. Johnson, Contact Mechanics, Cambridge 1985, §4.2 (Hertz line contact); interior stresses after McEwen 1949.",
     "B. G. A. Persson 1964; M. Ciavarella, P. Decuzzi, Int. J. Solids Struct. 38, 2001 (pin in a hole; re-derived, originals not at hand).",
@@ -104,6 +104,7 @@ pub const REFERENCES: [&str; 13] = [
     "K. J. Bathe, Finite Element Procedures, Prentice Hall 1996 (elements); J. Barlow, Int. J. Numer. Meth. Eng. 10, 1976 (stress points).",
     "T. Gustafsson, G. D. McBain, scikit-fem: A Python package for finite element assembly, J. Open Source Softw. 5, 2020.",
     "I. A. Baratta et al., DOLFINx: the next generation FEniCS problem solving environment, 2023.",
+    "A. George, Nested dissection of a regular finite element mesh, SIAM J. Numer. Anal. 10, 1973.",
     "P. R. Amestoy, T. A. Davis, I. S. Duff, An approximate minimum degree ordering algorithm, SIAM J. Matrix Anal. Appl. 17, 1996.",
     "S. El Kazdadi, faer: a linear algebra library for Rust (sparse and dense Cholesky factorisations).",
     "R. Gaertner, Investigation of plane elastic contact allowing for friction, Comput. & Struct. 7, 1977, 59–63 (not at hand).",

@@ -8,6 +8,7 @@ use crate::case::timings::judge::TIMINGS;
 use crate::case::timings::others::Stages;
 use crate::case::timings::precision::{ASKED, Family, LOADS, Point, TOLERANCE};
 use crate::case::timings::record::Record;
+use crate::case::timings::statistics::exponent;
 use crate::case::timings::targets::{cheapest, targets, theirs};
 use crate::error::Error;
 use crate::oracle::cross_code::Code;
@@ -34,11 +35,30 @@ pub fn section(findings: &[Finding]) -> Result<String, Error> {
          *Seconds by stage, whole solves and memory; exponents fitted from {LARGE} freedoms on. A boundary method needs far fewer \
          unknowns for Hertz itself: this is the price of a method that takes any body.*\n\n"
     );
+    text += &operations(&record);
     text += &stages(&record);
     text += &stage_for_stage(&record);
     text += &peers(&record);
     let own = |finding: &&Finding| finding.case == TIMINGS;
     Ok(text + &checks::table(&findings.iter().filter(own).collect::<Vec<_>>()))
+}
+
+/// How the counted operations grow, which seconds follow in the end.
+fn operations(record: &Record) -> String {
+    let large = record.measured.growth.iter().map(|one| &one.counts).filter(|counts| counts.freedoms as f64 >= LARGE);
+    let (operations, entries): (Vec<_>, Vec<_>) = large
+        .map(|counts| {
+            let n = counts.freedoms as f64;
+            ([n, counts.factor_operations], [n, counts.factor_entries as f64])
+        })
+        .unzip();
+    format!(
+        "The operations of the factorisation grow with the exponent {:.2} over the same meshes, the entries of its factor with {:.2}. \
+         Nested dissection of a plane mesh of n nodes leads to n^1.5 operations (George 1973): the time of a direct method grows \
+         slower only as long as something else takes most of it.\n\n",
+        exponent(&operations),
+        exponent(&entries)
+    )
 }
 
 fn machine(record: &Record) -> String {
