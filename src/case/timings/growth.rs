@@ -21,7 +21,7 @@ use crate::solution::Solution;
 pub const MESHES: [(usize, u32, usize); 8] =
     [(4, 0, 15), (8, 0, 15), (12, 1, 15), (8, 2, 9), (8, 3, 7), (16, 3, 5), (8, 4, 3), (20, 4, 3)];
 /// Freedoms up to which steps and entries of the factor are counted again whenever the suite runs.
-pub const RECOUNTED: usize = 50_000;
+pub const RECOUNTED: usize = 200_000;
 /// Freedoms from which exponents are fitted: below, starting costs as much as solving.
 pub const LARGE: f64 = 7e3;
 /// Where nine formulations are solved on one mesh: as many freedoms with fewer and with more of them retained.

@@ -26,8 +26,6 @@ pub const ASKED: [f64; 4] = [1e-2, 3e-3, 1e-3, 3e-4];
 pub const ELEMENTS: [usize; 8] = [2, 3, 4, 5, 7, 10, 14, 20];
 /// Elements per half-width up to which uniform meshes go.
 const UNIFORM: usize = 10;
-/// Elements per half-width up to which every point is computed again whenever the suite runs.
-pub const RECOMPUTED: usize = 5;
 
 /// Which scene, and how its mesh grows away from the contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
