@@ -7,7 +7,7 @@ use crate::formulation::{Discretisation, Formulation};
 use crate::measure::{Measures, profile, whole};
 use crate::solution::Solution;
 
-/// Active points from which on the half-width is worth quoting.
+/// Active points on a half-width from which on it is worth quoting.
 pub const RESOLVED: usize = 4;
 
 /// Part of the contact in which oscillation is looked for: nearer its end a smooth pressure bends as strongly.
@@ -84,11 +84,16 @@ impl Run {
     pub fn note(&self) -> Option<String> {
         let points = &self.solution.points;
         let all = points.len();
-        let rough = profile::oscillation(points, INSIDE * self.measures.edge) / self.measures.peak.pressure;
+        let Measures { begin, edge, .. } = self.measures;
+        let (middle, reach) = (0.5 * (begin + edge), 0.5 * (edge - begin));
+        let rough = profile::oscillation(&profile::about(points, middle), INSIDE * reach) / self.measures.peak.pressure;
+        // As many on each side of x = 0, where the point there may be common to both.
+        let across = points.first().is_some_and(|point| point.position < 0.0);
+        let resolved = if across { 2 * RESOLVED - 1 } else { RESOLVED };
         match self.measures.active {
             _ if !self.solution.converged() => None,
             0 => Some("no contact: every candidate is open".into()),
-            n if n < RESOLVED.min(all) => {
+            n if n < resolved.min(all) => {
                 Some(format!("contact rests on {n} of {all} candidate points: refine before quoting it"))
             }
             _ if rough > ROUGH => Some(format!(

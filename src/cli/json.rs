@@ -34,6 +34,8 @@ struct Document<'a> {
     seconds: BTreeMap<&'static str, f64>,
     half_width: f64,
     half_width_nodes: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    centre: Option<f64>,
     active_points: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     note: Option<String>,
@@ -117,6 +119,7 @@ pub fn text(
         seconds: run.seconds.iter().copied().collect(),
         half_width: measures.half_width,
         half_width_nodes: measures.half_width_nodes,
+        centre: problem.scene.contact.path.has_both_sides().then_some(measures.centre),
         active_points: measures.active,
         note: run.note(),
         peak_pressure: measures.peak.pressure,

@@ -75,7 +75,9 @@ pub enum Error {
     },
 
     /// A body that its supports and the candidate contact nodes leave free to move.
-    #[error("body `{body}` is free to {motion} even when every contact node is held; add a support")]
+    #[error(
+        "body `{body}` is free to {motion} even when every contact node is held; add a support, on a boundary or at one node"
+    )]
     FreeMotion {
         /// Name of the body.
         body: String,

@@ -1,4 +1,4 @@
-//! Contact that goes on beyond the last candidate: the pressure found is that of a shorter body, and is refused.
+//! Contact that goes on beyond the outermost candidates: the pressure found is that of a shorter body, and is refused.
 
 use crate::error::Error;
 use crate::formulation::{Change, Discretisation};
@@ -8,10 +8,10 @@ use crate::solution::Solution;
 /// Difference of contact coordinates, relative, that rounding explains.
 const SAME: f64 = 1e-9;
 
-/// How deep the surfaces penetrate beyond the last candidate, at the worst node.
+/// How deep the surfaces penetrate beyond an outermost candidate, at the worst node.
 #[derive(Clone, Copy, Debug)]
 pub struct Spill {
-    /// Contact coordinate of the last candidate \[mm, or rad on an arc\].
+    /// Contact coordinate of that candidate \[mm, or rad on an arc\].
     pub end: f64,
     /// Contact coordinate of the node \[mm, or rad on an arc\].
     pub position: f64,
@@ -19,23 +19,50 @@ pub struct Spill {
     pub penetration: f64,
 }
 
-/// The deepest penetration beyond the candidates of a solution whose last point is closed, its gap being no more than the
-/// length accepted, or beyond whose last point the initial gap narrows again.
+/// An end of the candidates that the surfaces may go on beyond.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// The first candidate, on paths with both sides of x = 0.
+    First,
+    /// The last candidate.
+    Last,
+}
+
+impl End {
+    /// Those of a discretisation: where the contact begins at 0 only the last one.
+    fn of(discretisation: &Discretisation) -> &'static [Self] {
+        if discretisation.scene.contact.path.has_both_sides() { &[Self::First, Self::Last] } else { &[Self::Last] }
+    }
+
+    /// The outermost of a list by contact coordinate.
+    fn outermost<T>(self, list: &[T]) -> Option<&T> {
+        if self == Self::First { list.first() } else { list.last() }
+    }
+
+    /// How far a contact coordinate lies outwards \[mm, or rad on an arc\].
+    fn outwards(self, coordinate: f64) -> f64 {
+        if self == Self::First { -coordinate } else { coordinate }
+    }
+}
+
+/// The deepest penetration beyond an end of the candidates of a solution whose outermost point is closed, its gap being no
+/// more than the length accepted, or beyond whose outermost point the initial gap narrows again.
 ///
-/// None where the last point is open and the gap goes on widening, and where the surface of either body ends with the
+/// None where that point is open and the gap goes on widening, and where the surface of either body ends with the
 /// candidates: a patch, a ring, a punch.
 pub fn deepest(
     discretisation: &Discretisation,
     solution: &Solution,
     change: Change,
     accepted: f64,
+    at: End,
 ) -> Result<Option<Spill>, Error> {
     let pair = &discretisation.scene.contact;
-    let Some(last) = discretisation.interface.stations.last() else { return Ok(None) };
+    let Some(last) = at.outermost(&discretisation.interface.stations) else { return Ok(None) };
     let end = last.coordinate;
     let surfaces: Vec<Vec<Surface>> =
         pair.bodies().map(|body| surface(discretisation, body)).collect::<Result<_, _>>()?;
-    let beyond = |node: &&Surface| node.coordinate > end * (1.0 + SAME);
+    let beyond = |node: &&Surface| at.outwards(node.coordinate) > at.outwards(end) * (1.0 + SAME);
     if surfaces.iter().any(|surface| !surface.iter().any(|node| beyond(&node))) {
         return Ok(None);
     }
@@ -48,7 +75,7 @@ pub fn deepest(
         }
         profile => Some(profile.gap(node.coordinate)),
     };
-    let closed = solution.points.last().is_some_and(|point| point.gap <= accepted);
+    let closed = at.outermost(&solution.points).is_some_and(|point| point.gap <= accepted);
     let narrows = || surfaces[0].iter().filter(beyond).filter_map(gap).any(|gap| gap <= last.gap);
     if !closed && !narrows() {
         return Ok(None);
@@ -82,22 +109,35 @@ pub(super) fn refuse(
     tolerance: f64,
 ) -> Result<(), Error> {
     let accepted = tolerance * discretisation.scene.reference.gap;
-    match deepest(discretisation, solution, change, accepted)? {
-        Some(Spill { end, position, penetration }) if penetration.is_nan() || penetration > accepted => {
-            Err(Error::ContactBeyondCandidates { bodies: discretisation.names(), end, position, penetration })
+    for &at in End::of(discretisation) {
+        match deepest(discretisation, solution, change, accepted, at)? {
+            Some(Spill { end, position, penetration }) if penetration.is_nan() || penetration > accepted => {
+                return Err(Error::ContactBeyondCandidates {
+                    bodies: discretisation.names(),
+                    end,
+                    position,
+                    penetration,
+                });
+            }
+            Some(Spill { end, penetration, .. }) if penetration.is_finite() && rises(solution, tolerance, at) => {
+                return Err(Error::ContactCutShort { bodies: discretisation.names(), end });
+            }
+            _ => {}
         }
-        Some(Spill { end, penetration, .. }) if penetration.is_finite() && rises(solution, tolerance) => {
-            Err(Error::ContactCutShort { bodies: discretisation.names(), end })
-        }
-        _ => Ok(()),
     }
+    Ok(())
 }
 
-/// Whether the mean pressure of the last edge is above that of the one before by more than the tolerance explains.
-fn rises(solution: &Solution, tolerance: f64) -> bool {
-    match solution.edges[..] {
-        [.., before, last] => last.pressure > before.pressure * (1.0 + tolerance.sqrt()),
-        _ => false,
+/// Whether the mean pressure of the outermost edge is above that of its neighbour by more than the tolerance explains.
+fn rises(solution: &Solution, tolerance: f64, at: End) -> bool {
+    let outer = match (at, &solution.edges[..]) {
+        (End::Last, [.., before, last]) => Some((before, last)),
+        (End::First, [first, after, ..]) => Some((after, first)),
+        _ => None,
+    };
+    match outer {
+        Some((before, last)) => last.pressure > before.pressure * (1.0 + tolerance.sqrt()),
+        None => false,
     }
 }
 
@@ -124,8 +164,11 @@ fn surface(discretisation: &Discretisation, body: usize) -> Result<Vec<Surface>,
     Ok(all)
 }
 
-/// A nodal value between the nodes of a surface, linear; none beyond its last node.
+/// A nodal value between the nodes of a surface, linear; none beyond its outermost nodes.
 fn between(nodes: &[Surface], at: f64, value: impl Fn(&Surface) -> f64) -> Option<f64> {
+    if nodes.first().is_some_and(|first| at < first.coordinate) {
+        return None;
+    }
     let pair = nodes.windows(2).find(|pair| at <= pair[1].coordinate)?;
     let t = (at - pair[0].coordinate) / (pair[1].coordinate - pair[0].coordinate);
     Some(value(&pair[0]) + t * (value(&pair[1]) - value(&pair[0])))

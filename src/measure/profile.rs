@@ -12,6 +12,18 @@ pub struct Peak {
     pub pressure: f64,
 }
 
+/// Centre of pressure `Σ A p s / Σ A p`; 0 without pressure.
+pub fn centre(points: &[PointState]) -> f64 {
+    let moment: f64 = points.iter().map(|p| p.weight * p.pressure * p.position).sum();
+    let total: f64 = points.iter().map(|p| p.weight * p.pressure).sum();
+    if total > 0.0 { moment / total } else { 0.0 }
+}
+
+/// The profile with its contact coordinates counted from a place.
+pub fn about(points: &[PointState], place: f64) -> Vec<PointState> {
+    points.iter().map(|p| PointState { position: p.position - place, ..*p }).collect()
+}
+
 /// `a = 2 √(Σ A p s² / Σ A p)`, exact for a semi-ellipse.
 pub fn second_moment_half_width(points: &[PointState]) -> f64 {
     let moment: f64 = points.iter().map(|p| p.weight * p.pressure * p.position * p.position).sum();
@@ -58,6 +70,39 @@ pub fn peak(points: &[PointState], half_width: f64) -> Peak {
     if curvature > 0.0 || local.pressure > ELSEWHERE * value { local } else { central }
 }
 
+/// Peak pressure of a profile on both sides of s = 0, its centre of pressure.
+///
+/// The top of the parabola through the points with `|s| < a/4` (at least the five nearest), where it has one there; of a
+/// profile that is even in s this is the even parabola's. Else the top around the highest point, as on one side.
+pub fn peak_across(points: &[PointState], half_width: f64) -> Peak {
+    let mut distances: Vec<f64> = points.iter().map(|p| p.position.abs()).collect();
+    distances.sort_by(f64::total_cmp);
+    let nearest = distances.get(4).or(distances.last()).map_or(0.0, |fifth| fifth * (1.0 + 1e-9));
+    let reach = 0.25 * half_width;
+    let within = |p: &&PointState| p.position.abs() < reach || p.position.abs() <= nearest;
+    let near: Vec<PointState> = points.iter().filter(within).copied().collect();
+    let width = reach.max(nearest).max(f64::MIN_POSITIVE);
+    let [value, slope, bend] = parabola(&near, 0.0, width).map_or([f64::NAN; 3], |fit| fit.into());
+    let top = if bend < 0.0 { -slope / (2.0 * bend) } else { 0.0 };
+    let gain = 0.5 * slope * top;
+    let moved = gain > ROUNDING * value;
+    let central = match moved {
+        true => Peak { position: width * top, pressure: value + gain },
+        false => Peak { position: 0.0, pressure: value },
+    };
+    let highest = (0..points.len()).max_by(|&i, &j| points[i].pressure.total_cmp(&points[j].pressure)).unwrap_or(0);
+    let beyond = points.get(highest).is_some_and(|p| p.position.abs() > reach);
+    let outside = moved && top.abs() > 1.0;
+    if !beyond && !outside {
+        return central;
+    }
+    let local = local_peak(points, highest);
+    if outside || bend > 0.0 || local.pressure > ELSEWHERE * value { local } else { central }
+}
+
+/// Part of a pressure that rounding explains: a uniform one has its top anywhere.
+const ROUNDING: f64 = 1e-9;
+
 /// Factor above the centre from which on a top elsewhere is the peak: waves, several contacts; below it lies roughness.
 const ELSEWHERE: f64 = 1.25;
 
@@ -67,19 +112,24 @@ fn local_peak(points: &[PointState], highest: usize) -> Peak {
     let five = &points[from..(highest + 3).min(points.len())];
     let centre = points[highest].position;
     let width = (five[five.len() - 1].position - five[0].position).max(f64::MIN_POSITIVE);
+    let Some(fit) = parabola(five, centre, width) else { return Peak { position: centre, pressure: f64::NAN } };
+    // Between the outermost of the five: beyond the last point there is no surface.
+    let [low, high] = [five[0], five[five.len() - 1]].map(|end| (end.position - centre) / width);
+    let top = if fit[2] < 0.0 { (-fit[1] / (2.0 * fit[2])).clamp(low, high) } else { 0.0 };
+    Peak { position: centre + width * top, pressure: fit[0] + fit[1] * top + fit[2] * top * top }
+}
+
+/// Coefficients of the least-squares parabola in `x = (s − centre) / width`, from the constant one on.
+fn parabola(points: &[PointState], centre: f64, width: f64) -> Option<nalgebra::Vector3<f64>> {
     let mut normal = nalgebra::Matrix3::<f64>::zeros();
     let mut rhs = nalgebra::Vector3::<f64>::zeros();
-    for p in five {
+    for p in points {
         let x = (p.position - centre) / width;
         let row = nalgebra::Vector3::new(1.0, x, x * x);
         normal += row * row.transpose() * p.weight;
         rhs += row * (p.pressure * p.weight);
     }
-    let Some(fit) = normal.lu().solve(&rhs) else { return Peak { position: centre, pressure: f64::NAN } };
-    // Between the outermost of the five: beyond the last point there is no surface.
-    let [low, high] = [five[0], five[five.len() - 1]].map(|end| (end.position - centre) / width);
-    let top = if fit[2] < 0.0 { (-fit[1] / (2.0 * fit[2])).clamp(low, high) } else { 0.0 };
-    Peak { position: centre + width * top, pressure: fit[0] + fit[1] * top + fit[2] * top * top }
+    normal.lu().solve(&rhs)
 }
 
 /// Intercept and slope of the least-squares line through `[x, y, weight]`.
@@ -111,9 +161,9 @@ pub fn relative_l2_between(points: &[PointState], reference: &[PointState]) -> f
     (error / scale).sqrt()
 }
 
-/// Largest departure of a pressure from the line through its two neighbours, over the points with `s ≤ limit` \[MPa\].
+/// Largest departure of a pressure from the line through its two neighbours, over the points with `|s| ≤ limit` \[MPa\].
 pub fn oscillation(points: &[PointState], limit: f64) -> f64 {
-    let within: Vec<&PointState> = points.iter().filter(|p| p.position <= limit).collect();
+    let within: Vec<&PointState> = points.iter().filter(|p| p.position.abs() <= limit).collect();
     let departures = within.windows(3).map(|three| {
         let t = (three[1].position - three[0].position) / (three[2].position - three[0].position);
         let line = three[0].pressure + t * (three[2].pressure - three[0].pressure);
@@ -122,11 +172,11 @@ pub fn oscillation(points: &[PointState], limit: f64) -> f64 {
     departures.fold(0.0, |worst: f64, d| if worst.is_nan() || d.is_nan() { f64::NAN } else { worst.max(d) })
 }
 
-/// Pressure of a profile between its points, linear; constant before the first point, zero beyond the last.
+/// Pressure of a profile between its points, linear; constant between 0 and the first point, zero beyond the outermost.
 pub fn interpolate(points: &[PointState], position: f64) -> f64 {
     let after = points.partition_point(|p| p.position < position);
     match (after.checked_sub(1).map(|i| &points[i]), points.get(after)) {
-        (None, Some(first)) => first.pressure,
+        (None, Some(first)) if first.position >= 0.0 || position >= first.position * (1.0 + 1e-9) => first.pressure,
         (Some(a), Some(b)) => {
             let t = (position - a.position) / (b.position - a.position);
             a.pressure + t * (b.pressure - a.pressure)

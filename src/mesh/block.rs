@@ -65,6 +65,30 @@ impl Block {
         }
     }
 
+    /// The block seen in a mirror on the vertical at an abscissa; left and right change places, so that it stays
+    /// counter-clockwise.
+    pub fn seen_in_mirror(&self, abscissa: f64) -> Self {
+        let mirrored = |side: &Side, backwards: bool| {
+            let mut points: Vec<Point> = side.points.iter().map(|p| [2.0 * abscissa - p[0], p[1]]).collect();
+            if backwards {
+                points.reverse();
+            }
+            Side { points, ..side.clone() }
+        };
+        Self {
+            bottom: mirrored(&self.bottom, true),
+            right: mirrored(&self.left, false),
+            top: mirrored(&self.top, true),
+            left: mirrored(&self.right, false),
+        }
+    }
+
+    /// The block with the sides of a boundary inside the body.
+    pub fn without(self, boundary: &str) -> Self {
+        let inside = |side: Side| if side.name.as_deref() == Some(boundary) { Side::inner(side.points) } else { side };
+        Self { bottom: inside(self.bottom), right: inside(self.right), top: inside(self.top), left: inside(self.left) }
+    }
+
     /// Lattice size along ξ and η.
     pub fn size(&self) -> [usize; 2] {
         [self.bottom.points.len(), self.left.points.len()]

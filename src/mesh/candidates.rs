@@ -40,14 +40,18 @@ pub(super) fn find(mesh: &mut Mesh, scene: &Scene) -> Result<(), Error> {
 }
 
 /// Edges of the boundary `contact`: of the first body those that lie within the candidate stretch, of the second those
-/// that begin within it, so that every point of the first has an edge to face.
+/// that reach into it, so that every point of the first has an edge to face.
 pub fn candidate_edges(mesh: &Mesh, scene: &Scene, body: usize) -> Result<Vec<Edge>, Error> {
     let pair = &scene.contact;
     let coordinates =
         |edge: &Edge| -> Vec<f64> { edge.iter().map(|&n| pair.path.coordinate(mesh.points[n])).collect() };
     let taken = |edge: &&Edge| match body == pair.first {
-        true => coordinates(edge).iter().all(|s| *s <= pair.stretch * (1.0 + SAME)),
-        false => coordinates(edge).iter().any(|s| *s < pair.stretch * (1.0 - SAME)),
+        true => coordinates(edge).iter().all(|s| s.abs() <= pair.stretch * (1.0 + SAME)),
+        false => {
+            let within = pair.stretch * (1.0 - SAME);
+            let ends = coordinates(edge);
+            ends.iter().any(|s| *s < within) && ends.iter().any(|s| *s > -within)
+        }
     };
     Ok(mesh.boundary(scene, body, "contact")?.iter().filter(taken).cloned().collect())
 }

@@ -13,6 +13,7 @@ pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
     let (pair, grading) = (&scene.contact, &scene.grading);
     let length = pair.stretch * pair.path.metric();
     let candidates = (resolution.elements as f64 * length / grading.unit).round().max(1.0);
+    let sides = if pair.path.has_both_sides() { 2.0 } else { 1.0 };
     // The smallest of the candidates, as a length and in the contact coordinate.
     let even = grading.end.min(1.0 / grading.end);
     let [size, step] = [length, pair.stretch].map(|whole| even * whole / candidates);
@@ -37,7 +38,7 @@ pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
             Shape::Eye { outer_radius, .. } => arc([size, step], outer_radius, outer_radius),
             Shape::Blocks(_) | Shape::Given(_) => [0.0, 0.0],
         };
-        (candidates + along) * (candidates.min(along) + depth)
+        sides * (candidates + along) * (candidates.min(along) + depth)
     };
     // Cells, and candidate elements.
     let sizes = |body: &Body| match &body.shape {
@@ -48,7 +49,7 @@ pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
             let touching = sides.filter(|(name, _)| name.as_deref() == Some("contact")).map(|(_, n)| n as f64).sum();
             [cells, touching]
         }
-        _ => [structured(body), candidates * body.density],
+        _ => [structured(body), sides * candidates * body.density],
     };
     let largest = scene.bodies.iter().map(|body| sizes(body)[1]).fold(0.0, f64::max);
     [scene.bodies.iter().map(|body| sizes(body)[0]).sum(), largest]

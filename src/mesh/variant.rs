@@ -19,6 +19,11 @@ impl Mesh {
             let edges = body.boundaries.values_mut().chain(body.lines.values_mut()).flatten();
             edges.for_each(|edge: &mut Edge| edge.swap(0, 1));
             body.candidates.iter_mut().for_each(|candidate| candidate.normal[0] = -candidate.normal[0]);
+            // On both sides of x = 0 the contact coordinate changes its sign too.
+            if body.candidates.first().is_some_and(|candidate| candidate.coordinate < 0.0) {
+                body.candidates.iter_mut().for_each(|candidate| candidate.coordinate = -candidate.coordinate);
+                body.candidates.reverse();
+            }
         }
         mesh
     }

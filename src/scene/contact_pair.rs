@@ -17,17 +17,20 @@ pub struct ContactPair {
     pub path: Path,
     /// Initial gap along the path.
     pub profile: Profile,
-    /// Candidates lie on `0 ≤ s ≤ stretch` \[mm, or rad on an arc\].
+    /// Candidates lie on `0 ≤ s ≤ stretch`, or on `−stretch ≤ s ≤ stretch` where the path has both sides
+    /// \[mm, or rad on an arc\].
     pub stretch: f64,
     /// The scene shows one half of a symmetric problem.
     pub symmetric: bool,
 }
 
-/// The curve along which the contact coordinate `s` runs, starting on the symmetry line.
+/// The curve along which the contact coordinate `s` runs: from the symmetry line on, or across it.
 #[derive(Clone, Copy, Debug)]
 pub enum Path {
     /// `s = |x|` \[mm\]; the normal is vertical and areas are horizontal projections.
     Horizontal,
+    /// `s = x` \[mm\], contact on both sides of x = 0; normals and areas as on the one side.
+    BothSides,
     /// `s = θ` \[rad\] from the downward vertical about a centre; normals are radial and areas those of the circle.
     Arc(Circle),
 }
@@ -66,6 +69,7 @@ pub enum Profile {
         slope: f64,
     },
     /// Points `[s, g]` by ascending s, straight lines between them; no other side beyond the last \[mm\].
+    /// A table that begins at 0 holds for both signs of s, one that begins below 0 as it stands.
     Table(Arc<[[f64; 2]]>),
     /// Waves, `g = Δ (1 − cos 2π s/λ)` \[mm\].
     Cosine {
@@ -90,6 +94,11 @@ impl ContactPair {
         [Some(self.first), self.second].into_iter().flatten()
     }
 
+    /// Contact coordinate at which the candidates begin: 0, or −stretch where the path has both sides.
+    pub fn begin(&self) -> f64 {
+        if self.path.has_both_sides() { -self.stretch } else { 0.0 }
+    }
+
     /// Outward unit normal of the first body at a point of the path.
     pub fn normal(&self, point: [f64; 2]) -> [f64; 2] {
         let direction = self.path.direction(point);
@@ -103,18 +112,29 @@ impl ContactPair {
 }
 
 impl Path {
+    /// Whether `s` runs from negative to positive.
+    pub fn has_both_sides(&self) -> bool {
+        matches!(self, Self::BothSides)
+    }
+
+    /// Whether it is y = 0.
+    pub fn is_straight(&self) -> bool {
+        !matches!(self, Self::Arc(_))
+    }
+
     /// Length of path per unit of the contact coordinate: 1 on a plane, the radius on an arc [mm/rad].
     pub fn metric(&self) -> f64 {
         match self {
-            Self::Horizontal => 1.0,
+            Self::Horizontal | Self::BothSides => 1.0,
             Self::Arc(circle) => circle.radius,
         }
     }
 
-    /// Contact coordinate of a point: `|x|`, or the angle from the downward vertical.
+    /// Contact coordinate of a point: `|x|`, `x`, or the angle from the downward vertical.
     pub fn coordinate(&self, point: [f64; 2]) -> f64 {
         match self {
             Self::Horizontal => point[0].abs(),
+            Self::BothSides => point[0],
             Self::Arc(circle) => {
                 let d = [point[0] - circle.centre[0], point[1] - circle.centre[1]];
                 d[0].abs().atan2(-d[1])
@@ -125,7 +145,7 @@ impl Path {
     /// Unit vector along the gap at a point, pointing down or away from the arc's centre.
     pub fn direction(&self, point: [f64; 2]) -> [f64; 2] {
         match self {
-            Self::Horizontal => [0.0, -1.0],
+            Self::Horizontal | Self::BothSides => [0.0, -1.0],
             Self::Arc(circle) => {
                 let d = [point[0] - circle.centre[0], point[1] - circle.centre[1]];
                 let length = d[0].hypot(d[1]);
@@ -143,7 +163,7 @@ impl Path {
     /// How far a point lies along [`Path::direction`]: −y, or its distance from the arc's centre \[mm\].
     pub fn depth(&self, point: [f64; 2]) -> f64 {
         match self {
-            Self::Horizontal => -point[1],
+            Self::Horizontal | Self::BothSides => -point[1],
             Self::Arc(circle) => (point[0] - circle.centre[0]).hypot(point[1] - circle.centre[1]),
         }
     }
@@ -151,7 +171,7 @@ impl Path {
     /// The depth of the path itself: 0, or the radius \[mm\].
     pub fn own_depth(&self) -> f64 {
         match self {
-            Self::Horizontal => 0.0,
+            Self::Horizontal | Self::BothSides => 0.0,
             Self::Arc(circle) => circle.radius,
         }
     }
@@ -159,7 +179,7 @@ impl Path {
     /// Cosine between the normals at two contact coordinates: 1 on a plane, `cos(s − s')` on an arc.
     pub fn alignment(&self, s: f64, other: f64) -> f64 {
         match self {
-            Self::Horizontal => 1.0,
+            Self::Horizontal | Self::BothSides => 1.0,
             Self::Arc(_) => (s - other).cos(),
         }
     }
@@ -167,7 +187,7 @@ impl Path {
     /// Part of a pressure at `s` that acts along the load line: 1 on a plane, `cos θ` on an arc.
     pub fn share(&self, s: f64) -> f64 {
         match self {
-            Self::Horizontal => 1.0,
+            Self::Horizontal | Self::BothSides => 1.0,
             Self::Arc(_) => s.cos(),
         }
     }
@@ -175,18 +195,19 @@ impl Path {
 
 impl Profile {
     /// Initial gap at the contact coordinate `s` \[mm\]; infinite where there is no other side, NaN where only the bodies'
-    /// meshes tell it.
+    /// meshes tell it. All but a table that begins below 0 are even in `s`.
     pub fn gap(&self, s: f64) -> f64 {
         match *self {
+            Self::Table(ref points) if is_even(points) => between(points, s.abs()),
             Self::Table(ref points) => between(points, s),
             Self::Uniform(gap) => gap,
             Self::Drawn => f64::NAN,
-            Self::Punch { half_width } if s <= half_width * (1.0 + 1e-9) => 0.0,
+            Self::Punch { half_width } if s.abs() <= half_width * (1.0 + 1e-9) => 0.0,
             Self::Punch { .. } => f64::INFINITY,
             Self::Circle { radius } => s * s / (radius + (radius * radius - s * s).sqrt()),
             Self::Parabola { radius } => s * s / (2.0 * radius),
             Self::Even { coefficients } => coefficients.iter().rev().fold(0.0, |sum, c| c + sum * s * s) * s * s,
-            Self::Wedge { slope } => slope * s,
+            Self::Wedge { slope } => slope * s.abs(),
             // 1 − cos x = 2 sin² x/2, without lost digits.
             Self::Cosine { amplitude, wavelength } => {
                 2.0 * amplitude * (std::f64::consts::PI * s / wavelength).sin().powi(2)
@@ -196,11 +217,16 @@ impl Profile {
     }
 }
 
-/// Gap of a table at `s`, constant before the first point.
+/// Whether a table tells one side of an even gap.
+fn is_even(points: &[[f64; 2]]) -> bool {
+    points.first().is_none_or(|[s, _]| *s >= 0.0)
+}
+
+/// Gap of a table at `s`; no other side before its first point and beyond its last.
 fn between(points: &[[f64; 2]], s: f64) -> f64 {
     let after = points.partition_point(|point| point[0] < s * (1.0 - 1e-12));
     match (after.checked_sub(1).map(|k| points[k]), points.get(after)) {
-        (None, Some(&[_, gap])) => gap,
+        (None, Some(&[first, gap])) if s >= first => gap,
         (Some([a, g]), Some(&[b, h])) => g + (h - g) * ((s - a) / (b - a)).min(1.0),
         _ => f64::INFINITY,
     }

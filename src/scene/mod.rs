@@ -24,7 +24,7 @@ use crate::error::Error;
 
 pub use contact_pair::{ContactPair, Path, Profile};
 pub use material::{Material, PlaneHypothesis};
-pub use shape::{BlockShape, Circle, Face, GivenMesh, Grading, Shape};
+pub use shape::{BlockShape, Circle, Face, GivenMesh, Grading, Sector, Shape};
 
 /// A contact problem: everything that is asked, nothing about how it is solved.
 #[derive(Clone, Debug)]

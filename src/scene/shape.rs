@@ -20,16 +20,16 @@ pub enum Shape {
         /// The side that carries the contact.
         contact: Face,
     },
-    /// Part of a disc from its lowest point counter-clockwise; boundaries `axis` (x = centre), `cut` (the horizontal
-    /// diameter, quarter only) and `contact` (the arc); a half disc also has `top` (its upper arc) and, inside it, the
-    /// line `middle` (its horizontal diameter). Turned over, it touches at its highest point.
+    /// A disc or a sector of it; boundaries `contact` (the lower arc), `axis` (x = centre, where it ends there) and `cut`
+    /// (the horizontal diameter, where it ends there); with its upper part also `top` (the upper arc) and, inside it,
+    /// the line `middle` (the horizontal diameter). Turned over, it touches at its highest point.
     Disc {
         /// Centre \[mm\].
         centre: [f64; 2],
         /// Radius \[mm\].
         radius: f64,
-        /// Half a disc instead of its lower quarter.
-        half: bool,
+        /// How much of it.
+        sector: Sector,
         /// The side that carries the contact: `Top` is the disc seen in a mirror on the horizontal through its centre.
         contact: Face,
     },
@@ -94,6 +94,19 @@ pub struct GivenMesh {
     pub inner: BTreeSet<BoundaryName>,
 }
 
+/// Parts of a disc.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sector {
+    /// Its lower right quarter.
+    Quarter,
+    /// Its right half.
+    RightHalf,
+    /// Its lower half.
+    LowerHalf,
+    /// All of it.
+    Whole,
+}
+
 /// A circle.
 #[derive(Clone, Copy, Debug)]
 pub struct Circle {
@@ -134,8 +147,10 @@ impl Shape {
     pub fn boundaries(&self) -> Vec<BoundaryName> {
         let own: &[&'static str] = match self {
             Self::Rectangle { .. } => &["left", "right", "contact", "far"],
-            Self::Disc { half: false, .. } => &["axis", "cut", "contact"],
-            Self::Disc { half: true, .. } => &["axis", "contact", "top", "middle"],
+            Self::Disc { sector: Sector::Quarter, .. } => &["axis", "cut", "contact"],
+            Self::Disc { sector: Sector::RightHalf, .. } => &["axis", "contact", "top", "middle"],
+            Self::Disc { sector: Sector::LowerHalf, .. } => &["cut", "contact"],
+            Self::Disc { sector: Sector::Whole, .. } => &["contact", "top", "middle"],
             Self::Ring { .. } => &["start", "end", "inner", "outer", "contact"],
             Self::Eye { .. } => &["contact", "axis", "end"],
             Self::Blocks(blocks) => {
@@ -147,6 +162,18 @@ impl Shape {
             Self::Given(mesh) => return mesh.boundaries.keys().cloned().collect(),
         };
         own.iter().map(|name| (*name).into()).collect()
+    }
+}
+
+impl Sector {
+    /// Whether it goes on above the horizontal diameter.
+    pub fn has_upper_part(self) -> bool {
+        matches!(self, Self::RightHalf | Self::Whole)
+    }
+
+    /// Whether it lies on both sides of the vertical diameter.
+    pub fn has_both_sides(self) -> bool {
+        matches!(self, Self::LowerHalf | Self::Whole)
     }
 }
 

@@ -46,6 +46,9 @@ impl Scene {
         for body in &mut scene.bodies {
             mirror_body(body);
         }
+        if self.contact.path.has_both_sides() {
+            scene.contact.profile = mirrored_profile(&scene.contact.profile);
+        }
         scene
     }
 
@@ -115,6 +118,16 @@ fn mirror_body(body: &mut Body) {
     }
 }
 
+/// Only a table may be no even function of s; one that begins at 0 stands for both sides.
+fn mirrored_profile(profile: &Profile) -> Profile {
+    match profile {
+        Profile::Table(points) if points.first().is_some_and(|[s, _]| *s < 0.0) => {
+            Profile::Table(points.iter().rev().map(|[s, gap]| [-s, *gap]).collect())
+        }
+        other => other.clone(),
+    }
+}
+
 fn scaled_circle(circle: Circle, length: f64) -> Circle {
     Circle { centre: circle.centre.map(|x| x * length), radius: circle.radius * length }
 }
@@ -143,8 +156,8 @@ fn scaled_shape(shape: &Shape, length: f64) -> Shape {
     let scaled = |values: [f64; 2]| values.map(|x| x * length);
     match *shape {
         Shape::Rectangle { x, y, contact } => Shape::Rectangle { x: scaled(x), y: scaled(y), contact },
-        Shape::Disc { centre, radius, half, contact } => {
-            Shape::Disc { centre: scaled(centre), radius: radius * length, half, contact }
+        Shape::Disc { centre, radius, sector, contact } => {
+            Shape::Disc { centre: scaled(centre), radius: radius * length, sector, contact }
         }
         Shape::Ring { pole, inner, outer, sweep, contact } => Shape::Ring {
             pole: scaled(pole),

@@ -7,7 +7,7 @@ use contact_vv::elasticity::{BodySystem, ElasticSystem};
 use contact_vv::error::Error;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::library::{Cylinder, Patch, PinPlate, PinRod};
-use contact_vv::scene::{Circle, Component, Face, Load, Path, Scene, Shape};
+use contact_vv::scene::{Circle, Component, Face, Load, Path, Scene, Sector, Shape};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use crate::workbench::{ORDERS, block, dense, distance, held, held_at, of_shape, resolution};
@@ -205,7 +205,8 @@ fn each_free_motion_is_told_apart() {
 #[test]
 fn normals_that_meet_in_one_point_leave_the_rotation_about_it_free() {
     let circle = Circle { centre: [0.0, 0.0], radius: 5.0 };
-    let disc = Shape::Disc { centre: circle.centre, radius: circle.radius, half: false, contact: Face::Bottom };
+    let disc =
+        Shape::Disc { centre: circle.centre, radius: circle.radius, sector: Sector::Quarter, contact: Face::Bottom };
     let at_centre = vec![held_at([0.0, 0.0], Component::X, 0.0)];
     let off_centre = vec![held("cut", Component::Y, 0.0)];
     for (supports, refused) in [(at_centre, true), (off_centre, false)] {

@@ -106,6 +106,25 @@ fn solved(file: &SceneFile) -> (Discretisation, Run) {
 }
 
 #[test]
+fn mesh_across_the_middle_is_solved_on_both_sides_of_it() {
+    let shifted = TWO_CELLS.replace("\n2 0 0\n0 0 0\n1 0 0\n", "\n1 0 0\n-1 0 0\n0 0 0\n");
+    let shifted = shifted.replace("\n0 1 0\n2 1 0\n1 1 0\n", "\n-1 1 0\n1 1 0\n0 1 0\n");
+    let folder = folder("across");
+    let error = read(&folder, &shifted).map(|_| ()).expect_err("x from -1 on").to_string();
+    assert!(error.contains("does not begin on the symmetry line") && error.contains("both-sides = true"), "{error}");
+    let law = "y = { polynomial = { along = \"x\", coefficients = [-5, -1] } }";
+    let scene = SCENE.replace("value = [0, -5]", law).replace("stretch = 2", "both-sides = true\nstretch = 1");
+    // A side held in x would turn the body back.
+    let scene = scene.replace("at = \"axis\"", "at = [-1, 0]");
+    let (discretisation, run) = solved(&SceneFile::parse(&folder.join("scene.toml"), &scene).expect("sound"));
+    assert_eq!(run.solution.points.len(), 3);
+    assert_relative_eq!(discretisation.interface.stations[0].coordinate, -1.0);
+    // ∫ (5 + x) and its moment over −1 … 1.
+    assert_relative_eq!(run.transmitted, 10.0, max_relative = 1e-9);
+    assert_relative_eq!(run.measures.centre, 2.0 / 30.0, max_relative = 1e-6);
+}
+
+#[test]
 fn tags_groups_and_sides_are_read_whatever_their_order() {
     let file = read(&folder("tags"), TWO_CELLS).expect("sound");
     let mesh = given(&file);

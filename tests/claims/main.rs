@@ -7,6 +7,7 @@ mod algorithm;
 #[path = "../architecture.rs"]
 mod architecture;
 mod atlas;
+mod both_sides;
 mod condensation;
 mod contact;
 mod cross_code;

@@ -8,7 +8,7 @@ use contact_vv::elasticity::{element, quadrature};
 use contact_vv::mesh::block::{Block, Side};
 use contact_vv::mesh::{Mesh, Order, candidates::candidate_edges, spacing};
 use contact_vv::scene::library::{Cylinder, Patch, PinPlate, PinRod, PressFit};
-use contact_vv::scene::{Path, Place, Profile, Scene, Shape};
+use contact_vv::scene::{Path, Place, Profile, Scene, Sector, Shape};
 
 use crate::workbench::{ORDERS, library, resolution};
 
@@ -29,7 +29,7 @@ fn determinants(mesh: &Mesh, cell: usize) -> Vec<(f64, f64)> {
 fn exact_area(shape: &Shape) -> f64 {
     match *shape {
         Shape::Rectangle { x, y, .. } => (x[1] - x[0]) * (y[1] - y[0]),
-        Shape::Disc { radius, half, .. } => PI * radius * radius / if half { 2.0 } else { 4.0 },
+        Shape::Disc { radius, sector, .. } => PI * radius * radius / if sector.has_upper_part() { 2.0 } else { 4.0 },
         Shape::Ring { inner, outer, sweep, .. } => 0.5 * sweep * (outer.radius.powi(2) - inner.radius.powi(2)),
         Shape::Eye { hole, outer_radius, shank_half_width, shank_end, .. } => {
             let (w, r) = (shank_half_width, outer_radius);
@@ -45,7 +45,7 @@ fn exact_area(shape: &Shape) -> f64 {
 fn exact_perimeter(shape: &Shape) -> f64 {
     match *shape {
         Shape::Rectangle { x, y, .. } => 2.0 * (x[1] - x[0] + y[1] - y[0]),
-        Shape::Disc { radius, half, .. } => radius * if half { PI + 2.0 } else { FRAC_PI_2 + 2.0 },
+        Shape::Disc { radius, sector, .. } => radius * if sector.has_upper_part() { PI + 2.0 } else { FRAC_PI_2 + 2.0 },
         // The straight sides of a ring between concentric circles; on the axis also between shifted ones.
         Shape::Ring { inner, outer, sweep, .. } => {
             sweep * (inner.radius + outer.radius) + 2.0 * (outer.radius - inner.radius)
@@ -201,9 +201,11 @@ fn distance_from(shape: &Shape, name: &str, [x, y]: [f64; 2]) -> f64 {
             (y - range[usize::from(!lower)]).abs()
         }
         (Shape::Disc { centre, .. }, "axis") => (x - centre[0]).abs(),
-        (Shape::Disc { centre, half: false, .. }, "cut") => (y - centre[1]).abs(),
+        (Shape::Disc { centre, sector: Sector::Quarter, .. }, "cut") => (y - centre[1]).abs(),
         (Shape::Disc { centre, radius, .. }, "contact") if y <= centre[1] + 1e-9 => circle(*centre, *radius),
-        (Shape::Disc { centre, radius, half: true, .. }, "top") if y >= centre[1] - 1e-9 => circle(*centre, *radius),
+        (Shape::Disc { centre, radius, sector: Sector::RightHalf, .. }, "top") if y >= centre[1] - 1e-9 => {
+            circle(*centre, *radius)
+        }
         (Shape::Ring { .. }, "start") => x.abs() + y.max(0.0),
         (Shape::Ring { pole, sweep, .. }, "end") => {
             let (sin, cos) = sweep.sin_cos();
@@ -272,10 +274,10 @@ fn every_contact_node_lies_on_the_exact_curve() {
                 let scale = size(&scene.bodies[pair.first].shape);
                 match (pair.path, &pair.profile) {
                     // The lowest point of the first body touches y = 0, less the uniform gap that the bodies keep.
-                    (Path::Horizontal, Profile::Circle { radius }) => {
+                    (Path::Horizontal | Path::BothSides, Profile::Circle { radius }) => {
                         assert_abs_diff_eq!(y, radius - (radius * radius - x * x).sqrt(), epsilon = 1e-12 * scale);
                     }
-                    (Path::Horizontal, _) => {
+                    (Path::Horizontal | Path::BothSides, _) => {
                         let gap = if pair.second.is_some() { pair.profile.gap(x) } else { 0.0 };
                         assert_abs_diff_eq!(y, gap, epsilon = 1e-12 * scale);
                     }

@@ -227,7 +227,7 @@ fn scene_in_metres_has_the_same_pure_numbers() {
         let pure = |scene: &Scene, unit: f64| {
             let reference = scene.reference;
             let stretch = match scene.contact.path {
-                Path::Horizontal => scene.contact.stretch / reference.length,
+                Path::Horizontal | Path::BothSides => scene.contact.stretch / reference.length,
                 Path::Arc(_) => scene.contact.stretch,
             };
             let at = 0.5 * scene.contact.stretch;

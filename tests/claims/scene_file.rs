@@ -241,6 +241,10 @@ const LATER: &[(&str, &str, &str, &str, &str)] = &[
         "name = \"upper\"",
         "of the rigid face `far` is held",
     ),
+    ("whole-disc", "{ at = [0, 50], component = \"x\" }", "", "name = \"cylinder\"", "is free to slide along x"),
+    ("eccentric-load", "{ at = [0, 8], component = \"x\" }", "", "name = \"block\"", "is free to slide along x"),
+    ("whole-disc", "at = [0, 50]", "at = [0, 49]", "name = \"cylinder\"", "no node at"),
+    ("whole-disc", "stretch = 1.5", "stretch = 0.8", "stretch = 0.8", "beyond the candidates, which end at s = -0.8"),
     ("cylinder-on-block", "poisson = 0.33", "poisson = 0.4999", "name = \"block\"", "lock"),
     (
         "press-fit",
@@ -267,6 +271,82 @@ fn mistakes_that_show_only_when_solving_name_the_line_of_their_body_or_contact()
 
 /// What is spoiled in which file; what stands in the line that the message must name, what it must say was found, and what to do.
 const MISTAKES: &[(&str, &str, &str, [&str; 3])] = &[
+    (
+        "whole-disc",
+        "both-sides = true",
+        "both-sides = false",
+        ["whole = true", "a whole disc touches on both sides of x = 0", "add `both-sides = true` to [contact]"],
+    ),
+    ("whole-disc", "whole = true", "half = true", ["half = true", "touches on one side", "`whole = true`"]),
+    (
+        "whole-disc",
+        "whole = true",
+        "half = true, whole = true",
+        ["half = true, whole = true", "`half` and `whole`", "leave one of them out"],
+    ),
+    ("whole-disc", "both-sides = true", "both-sides = 1", ["both-sides = 1", "invalid type: integer", "every key"]),
+    (
+        "whole-disc",
+        "at = [0, 50], component",
+        "at = \"axis\", component",
+        ["at = \"axis\"", "no boundary `axis`: with `both-sides`", "{ at = [0, 50], component = \"x\" }"],
+    ),
+    ("whole-disc", "centre = [0, 50]", "centre = [1, 50]", ["first = ", "does not touch at x = 0", "centre at x = 0"]),
+    (
+        "whole-disc",
+        "both-sides = true",
+        "both-sides = true\nsymmetric = true",
+        ["symmetric = true", "not half of a symmetric one", "leave `symmetric` or `both-sides` out"],
+    ),
+    (
+        "whole-disc",
+        "gap = { circle = 50 }",
+        "gap = \"drawn\"\narc = { centre = [0, 50], radius = 50 }",
+        ["both-sides = true", "not along an arc", "model one half"],
+    ),
+    (
+        "whole-disc",
+        "gap = { circle = 50 }",
+        "gap = { table = [[0.1, 0], [2, 1]] }",
+        ["gap = { table", "does not ascend from s = 0", "else below 0"],
+    ),
+    (
+        "whole-disc",
+        "gap = { circle = 50 }",
+        "gap = { table = [[-1, 0], [2, 1]] }",
+        ["gap = { table", "the table ends before the candidates do", "shorten `stretch`"],
+    ),
+    (
+        "whole-disc",
+        "elements = 12\nper = 1.0",
+        "accuracy = \"1 %\"",
+        ["accuracy = \"1 %\"", "contact that begins at x = 0", "give `elements` and `per`"],
+    ),
+    (
+        "whole-disc",
+        "quantity = \"pressure\"\nat = -0.5",
+        "quantity = \"pressure\"\nat = -1.6",
+        ["at = -1.6", "`at` is -1.6", "from -1.5 to 1.5"],
+    ),
+    (
+        "cylinder-on-block",
+        "quantity = \"half-width\"",
+        "quantity = \"centre\"",
+        ["quantity = \"centre\"", "begins at x = 0 has no `centre`", "`both-sides = true`"],
+    ),
+    (
+        "eccentric-load",
+        "x = [-10, 10]",
+        "x = [0, 10]",
+        ["first = ", "does not lie on both sides of x = 0", "left and right of x = 0"],
+    ),
+    (
+        "eccentric-load",
+        "x = [-10, 10]",
+        "x = [-9, 10]",
+        ["stretch = 10", "goes only as far as |x| = 9", "give at most 9"],
+    ),
+    ("eccentric-load", "both-sides = true\n", "", ["first = ", "does not begin at x = 0", "give `both-sides = true`"]),
     ("cylinder-on-block", "stretch = 5.0", "strech = 5.0", ["strech = 5.0", "unknown field `strech`", "`stretch`"]),
     (
         "cylinder-on-block",

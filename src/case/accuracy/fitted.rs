@@ -5,7 +5,7 @@
 //! +0.14 %. With the end at one and the same place of the element it falls with the square of the element.
 
 use crate::mesh::{Order, Resolution};
-use crate::scene::{Grading, Path, Profile, Scene, Shape};
+use crate::scene::{Grading, Profile, Scene, Shape};
 use crate::solution::{PointState, Solution};
 
 /// Where the contact ends, in elements beyond the end of its last whole one.
@@ -86,7 +86,7 @@ impl Plan {
 /// Longest candidate stretch that the sides of the bodies and the gap allow \[mm, or rad\].
 pub fn longest(scene: &Scene) -> f64 {
     let pair = &scene.contact;
-    let straight = matches!(pair.path, Path::Horizontal);
+    let straight = pair.path.is_straight();
     let side = |body: usize| match scene.bodies[body].shape {
         Shape::Rectangle { x, .. } => x[1] - x[0],
         Shape::Disc { radius, .. } if straight => radius * std::f64::consts::FRAC_1_SQRT_2,

@@ -30,7 +30,7 @@ use crate::mesh::size::MOST;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 
-pub use search::solve;
+pub use search::{ONE_SIDED, solve};
 
 /// Smallest and largest relative error that may be asked for.
 pub const RANGE: [f64; 2] = [1e-5, 0.2];

@@ -19,6 +19,12 @@ const PATIENCE: usize = 3;
 /// Iteration tolerance over the error asked for.
 const ITERATION: f64 = 0.01;
 
+/// What is wrong with an accuracy for contact on both sides of x = 0, and what to do.
+pub const ONE_SIDED: [&str; 2] = [
+    "an `accuracy` chooses meshes of contact that begins at x = 0, and this one has `both-sides`",
+    "give `elements` and `per` instead, or model one half where the scene is symmetric",
+];
+
 /// The cheapest mesh found that meets what is asked, or the best that was found, with the reason.
 ///
 /// An error is returned where not even a first mesh can be solved.
@@ -30,6 +36,10 @@ pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<
             what: format!("`{}` brings its mesh, which no accuracy can choose", body.name),
             remedy: "ask for no accuracy, and refine that mesh".into(),
         });
+    }
+    if scene.contact.path.has_both_sides() {
+        let [what, remedy] = ONE_SIDED.map(String::from);
+        return Err(Error::Combination { what, remedy });
     }
     let mut formulation = Formulation { start: Start::Closed, ..formulation.clone() };
     let settings = &mut formulation.settings;

@@ -91,6 +91,9 @@ impl MeshTable {
                 let message = format!("`{}` brings its mesh, which no accuracy can choose", body.name);
                 return Err(source.refused(accuracy.span(), message, "leave `accuracy` out, and refine the mesh"));
             }
+            if scene.contact.path.has_both_sides() {
+                return Err(source.refused(accuracy.span(), accuracy::ONE_SIDED[0], accuracy::ONE_SIDED[1]));
+            }
             let first = Plan::even(Order::Quadratic, FIRST, scene.contact.stretch, 0);
             return Ok((first.scene(&scene), first.resolution()));
         }

@@ -201,7 +201,7 @@ impl Document {
         let formulation = self.solve.as_ref().map_or(&default, Spanned::get_ref).formulation(source)?;
         let factor = display_factor(&scene.contact.path);
         let along = if factor > 1.0 { 1.0 / factor } else { units.length };
-        let wanted = self.check.iter().map(|check| check.wanted(source, &units, along, bodies));
+        let wanted = self.check.iter().map(|check| check.wanted(source, &units, along, bodies, &scene.contact));
         let wanted = wanted.collect::<Result<_, _>>()?;
         let title = self.title.clone().unwrap_or_else(|| "a scene file".into());
         Ok(SceneFile {

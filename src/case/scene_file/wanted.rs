@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::formulation::Discretisation;
 use crate::measure::profile;
 use crate::oracle::ReferenceKind;
+use crate::scene::ContactPair;
 use crate::scene::file::Source;
 use crate::scene::file::tables::{BodyTable, Name, Number, PlaceTable, SupportTable};
 use crate::scene::file::units::Units;
@@ -55,14 +56,16 @@ pub(super) struct Wanted {
 enum Quantity {
     PeakPressure,
     HalfWidth,
+    Centre,
     Resultant,
     Pressure,
     Reaction,
 }
 
-const QUANTITIES: [(&str, Quantity); 5] = [
+const QUANTITIES: [(&str, Quantity); 6] = [
     ("peak-pressure", Quantity::PeakPressure),
     ("half-width", Quantity::HalfWidth),
+    ("centre", Quantity::Centre),
     ("resultant", Quantity::Resultant),
     ("pressure", Quantity::Pressure),
     ("reaction", Quantity::Reaction),
@@ -79,6 +82,7 @@ impl Wanted {
         let (name, value) = match self.quantity {
             Quantity::PeakPressure => ("peak pressure [MPa]".into(), run.measures.peak.pressure),
             Quantity::HalfWidth => ("half-width [mm or rad]".into(), run.measures.half_width),
+            Quantity::Centre => ("centre of pressure [mm]".into(), run.measures.centre),
             Quantity::Resultant => ("resultant [N]".into(), run.transmitted),
             Quantity::Pressure => {
                 (format!("pressure at s = {:.6} [MPa]", self.at), profile::interpolate(points, self.at))
@@ -107,14 +111,26 @@ impl CheckTable {
         units: &Units,
         along: f64,
         bodies: &[BodyTable],
+        pair: &ContactPair,
     ) -> Result<Wanted, Error> {
         let quantity = source.choice("quantity", &self.quantity, &QUANTITIES)?;
         let unit = match quantity {
             Quantity::PeakPressure | Quantity::Pressure => units.stress,
             Quantity::Resultant | Quantity::Reaction => units.force,
-            Quantity::HalfWidth => along,
+            Quantity::HalfWidth | Quantity::Centre => along,
         };
+        if quantity == Quantity::Centre && !pair.path.has_both_sides() {
+            let remedy = "leave the check out, or give `both-sides = true` in [contact]";
+            return Err(source.refused(self.quantity.span(), "a contact that begins at x = 0 has no `centre`", remedy));
+        }
         let at = match (&self.at, quantity) {
+            (Some(at), Quantity::Pressure) if pair.path.has_both_sides() => {
+                let [end, shown] = [pair.stretch * (1.0 + 1e-9), pair.stretch / along];
+                along
+                    * source.number("at", at, &format!("a coordinate from -{shown} to {shown}"), |s| {
+                        (along * s).abs() <= end
+                    })?
+            }
             (Some(at), Quantity::Pressure) => {
                 along * source.number("at", at, "a coordinate from 0 on", |s| s >= 0.0)?
             }

@@ -9,7 +9,7 @@ use crate::measure::display_factor;
 use crate::mesh::Resolution;
 use crate::report::format;
 
-/// A reaction below this part of the largest force is round-off, and told as 0.
+/// A reaction below this part of the largest force, or a place below this part of the half-width, is round-off, told as 0.
 const ROUND_OFF: f64 = 1e-9;
 
 /// Prints what was solved, how it ended, what was measured, and how far that is from the oracle.
@@ -47,12 +47,18 @@ pub fn print(problem: &Problem, resolution: Resolution, run: &Run, reactions: &[
         format::value(factor * run.measures.half_width),
         format::value(factor * run.measures.half_width_nodes)
     ));
+    let place = |s: f64| format::value(if s.abs() < ROUND_OFF * run.measures.half_width { 0.0 } else { factor * s });
     say(format!(
         "peak pressure {} MPa at {} {unit}, resultant {} N",
         format::value(run.measures.peak.pressure),
-        format::value(factor * run.measures.peak.position),
+        place(run.measures.peak.position),
         format::value(run.transmitted)
     ));
+    if problem.scene.contact.path.has_both_sides() {
+        let [centre, begin, edge] = [run.measures.centre, run.measures.begin, run.measures.edge];
+        let [centre, begin, edge] = [centre, begin, edge].map(place);
+        say(format!("centre of pressure at {centre} {unit}, pressed from {begin} to {edge} {unit}"));
+    }
     let largest = reactions.iter().map(|reaction| reaction.force.abs()).fold(run.transmitted.abs(), f64::max);
     for ReactionReading { body, at, component, force } in reactions {
         let force = if force.abs() < ROUND_OFF * largest { 0.0 } else { *force };

@@ -1,15 +1,27 @@
-//! Quarter or half disc: outer blocks between the arc and a polygon, core blocks around the centre.
+//! A disc or a sector of it: outer blocks between the arc and a polygon, core blocks around the centre.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use super::{Layout, between, polar};
 use crate::mesh::block::{Block, Point, Side};
 use crate::mesh::spacing;
+use crate::scene::Sector;
 
 /// Corner radius of the core over the disc's, on the axes and on the diagonal.
 const CORE: [f64; 2] = [0.45, 0.58];
 
-pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, half: bool) -> Vec<Block> {
+pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Vec<Block> {
+    let right = right_blocks(layout, centre, radius, sector.has_upper_part());
+    if !sector.has_both_sides() {
+        return right;
+    }
+    let right: Vec<Block> = right.into_iter().map(|block| block.without("axis")).collect();
+    let left: Vec<Block> = right.iter().map(|block| block.seen_in_mirror(centre[0])).collect();
+    right.into_iter().chain(left).collect()
+}
+
+/// The lower right quarter, or the right half.
+fn right_blocks(layout: &Layout, centre: Point, radius: f64, half: bool) -> Vec<Block> {
     let arcs = arcs(layout, radius, half);
     let corner = |k: usize| {
         let angle = if half || k != 1 { k as f64 * FRAC_PI_4 } else { first_angle(&arcs) };

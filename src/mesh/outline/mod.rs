@@ -38,9 +38,12 @@ impl<'a> Layout<'a> {
     pub fn blocks(&self, shape: &Shape) -> Vec<Block> {
         match shape {
             Shape::Rectangle { x, y, contact } => rectangle::blocks(self, *x, *y, *contact),
-            Shape::Disc { centre, radius, half, contact: Face::Bottom } => disc::blocks(self, *centre, *radius, *half),
-            Shape::Disc { centre, radius, half, contact: Face::Top } => {
-                disc::blocks(self, *centre, *radius, *half).iter().map(|block| block.turned_over(centre[1])).collect()
+            Shape::Disc { centre, radius, sector, contact: Face::Bottom } => {
+                disc::blocks(self, *centre, *radius, *sector)
+            }
+            Shape::Disc { centre, radius, sector, contact: Face::Top } => {
+                let blocks = disc::blocks(self, *centre, *radius, *sector);
+                blocks.iter().map(|block| block.turned_over(centre[1])).collect()
             }
             Shape::Ring { pole, inner, outer, sweep, contact } => {
                 ring::blocks(self, *pole, [*inner, *outer], *sweep, *contact)
@@ -51,7 +54,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Stations of the candidate stretch in the contact coordinate.
+    /// Stations of the candidate stretch in the contact coordinate, from 0 on.
     fn candidates(&self) -> Vec<f64> {
         let length = self.stretch * self.path.metric();
         let n = (self.elements * length / self.grading.unit).round().max(1.0) as usize;
@@ -61,7 +64,7 @@ impl<'a> Layout<'a> {
     /// Stations of an arc: the candidates, then growing element sizes up to each of the given angles in turn.
     fn arc(&self, radius: f64, until: &[f64]) -> Vec<f64> {
         let mut angles: Vec<f64> = match self.path {
-            Path::Horizontal => self.candidates().iter().map(|x| (x / radius).asin()).collect(),
+            Path::Horizontal | Path::BothSides => self.candidates().iter().map(|x| (x / radius).asin()).collect(),
             Path::Arc(_) => self.candidates(),
         };
         for &end in until {

@@ -25,16 +25,24 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     }]
 }
 
-/// Stations along the contact: the candidates, then growing sizes up to the right side.
-fn columns(layout: &Layout, x: [f64; 2]) -> Vec<f64> {
+/// Stations along the contact: from the left side on, or from x = 0 on to both sides.
+fn columns(layout: &Layout, [left, right]: [f64; 2]) -> Vec<f64> {
+    if !layout.path.has_both_sides() {
+        return outwards(layout, right - left).iter().map(|s| left + s).collect();
+    }
+    let leftwards = outwards(layout, -left).iter().rev().map(|s| 0.0 - s).collect();
+    spacing::joined(&[leftwards, outwards(layout, right)])
+}
+
+/// Stations of one side: the candidates, then growing sizes up to the end of the body.
+fn outwards(layout: &Layout, end: f64) -> Vec<f64> {
     let candidates = layout.candidates();
     let [before, last] = last_two(&candidates);
-    let end = x[1] - x[0];
     let mut stations = candidates;
     if end > last * (1.0 + 1e-9) {
         let grading = layout.grading;
         let rest = spacing::growing(last, end, (last - before) * grading.along, grading.along, grading.coarsest * end);
         stations = spacing::joined(&[stations, rest]);
     }
-    stations.iter().map(|s| x[0] + s).collect()
+    stations
 }

@@ -80,12 +80,14 @@ fn range(values: &[f64]) -> (Option<(f64, f64)>, Option<String>) {
 /// A square around the contact as it is truly displaced, cut at the bodies; none where the contact is not small.
 fn detail(discretisation: &Discretisation, run: &Run, displacement: &[[f64; 2]], magnification: f64) -> Option<Detail> {
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
-    let edge = run.measures.edge;
-    let reach = edge * scene.contact.path.metric();
+    let [begin, edge] = [run.measures.begin, run.measures.edge];
+    let reach = 0.5 * (edge - begin) * scene.contact.path.metric();
     if !(reach > 0.0 && reach < SMALL * side(bounds(&mesh.points))) {
         return None;
     }
-    let closed = || mesh.bodies[scene.contact.first].candidates.iter().filter(|at| at.coordinate <= edge);
+    let closed = || {
+        mesh.bodies[scene.contact.first].candidates.iter().filter(|at| at.coordinate >= begin && at.coordinate <= edge)
+    };
     let moved = |node: usize| [0, 1].map(|k| mesh.points[node][k] + displacement[node][k]);
     let middle = bounds(&closed().map(|at| moved(at.node)).collect::<Vec<_>>()).map(|[low, high]| 0.5 * (low + high));
     let bodies = bounds(&(0..mesh.points.len()).map(moved).collect::<Vec<_>>());

@@ -39,9 +39,10 @@ pub fn sheet(problem: &Problem, discretisation: &Discretisation, run: &Run) -> R
 pub fn pressure(problem: &Problem, run: &Run) -> Chart {
     let path = &problem.scene.contact.path;
     let factor = display_factor(path);
-    let (points, end) = (&run.solution.points, factor * problem.scene.contact.stretch);
+    let pair = &problem.scene.contact;
+    let (points, ends) = (&run.solution.points, [pair.begin(), pair.stretch].map(|s| factor * s));
     let found: Vec<(f64, f64)> = points.iter().map(|point| (factor * point.position, point.pressure)).collect();
-    let x = Axis::linear(if factor > 1.0 { "θ [°]" } else { "s [mm]" }).over(0.0, end);
+    let x = Axis::linear(if factor > 1.0 { "θ [°]" } else { "s [mm]" }).over(ends[0], ends[1]);
     let y = Axis::linear("contact pressure [MPa]");
     let mut chart = Chart::new("Contact pressure", x, y);
     let series = |label: String, points, style| Series { label, points, style, hollow: vec![] };

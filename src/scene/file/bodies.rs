@@ -9,15 +9,21 @@ use crate::scene::file::tables::{
     BodyTable, LawTable, LoadTable, PlaceTable, RingTable, ShapeTable, SupportTable, TractionTable,
 };
 use crate::scene::file::units::Units;
-use crate::scene::file::{Source, blocks, gmsh};
+use crate::scene::file::{Source, blocks, disc, gmsh};
 use crate::scene::{
     Body, BoundaryName, Circle, Component, Face, Load, Material, Place, PlaneHypothesis, Shape, StressField, Support,
     TractionField,
 };
 
-/// A body with its supports and loads.
-pub fn body(source: Source, units: &Units, plane: PlaneHypothesis, table: &BodyTable) -> Result<Body, Error> {
-    let shape = shape(source, units, &table.shape)?;
+/// A body with its supports and loads, in a contact on one side of x = 0 or across it.
+pub fn body(
+    source: Source,
+    units: &Units,
+    plane: PlaneHypothesis,
+    across: bool,
+    table: &BodyTable,
+) -> Result<Body, Error> {
+    let shape = shape(source, units, across, &table.shape)?;
     let supports = table.supports.iter().map(|support| self::support(source, units, &shape, support));
     refuse_held_twice(source, table)?;
     let loads = table.loads.iter().map(|load| self::load(source, units, &shape, load));
@@ -86,7 +92,7 @@ fn density(source: Source, table: &BodyTable) -> Result<f64, Error> {
     table.density.as_ref().map_or(Ok(1.0), |density| source.number("density", density, expected, within))
 }
 
-fn shape(source: Source, units: &Units, table: &Spanned<ShapeTable>) -> Result<Shape, Error> {
+fn shape(source: Source, units: &Units, across: bool, table: &Spanned<ShapeTable>) -> Result<Shape, Error> {
     let span = table.span();
     let length = |pair: [f64; 2]| pair.map(|x| units.length * x);
     Ok(match table.get_ref() {
@@ -98,15 +104,7 @@ fn shape(source: Source, units: &Units, table: &Spanned<ShapeTable>) -> Result<S
             let faces = [("bottom", Face::Bottom), ("top", Face::Top)];
             Shape::Rectangle { x, y, contact: source.choice("side of a rectangle", &table.contact, &faces)? }
         }
-        ShapeTable::Disc(table) => Shape::Disc {
-            centre: length(source.pair("centre", &table.centre)?),
-            radius: units.length * source.positive("radius", &table.radius)?,
-            half: table.half,
-            contact: match &table.contact {
-                Some(side) => source.choice("side of a disc", side, &[("bottom", Face::Bottom), ("top", Face::Top)])?,
-                None => Face::Bottom,
-            },
-        },
+        ShapeTable::Disc(table) => disc::shape(source, units, across, table)?,
         ShapeTable::Ring(table) => ring(source, units, table)?,
         ShapeTable::Blocks(tables) => blocks::shape(source, units, span, tables)?,
         ShapeTable::Gmsh(table) => gmsh::shape(source, units, table)?,
@@ -134,7 +132,8 @@ fn component(source: Source, name: &Spanned<String>) -> Result<Component, Error>
 }
 
 /// A boundary that the shape has.
-fn boundary(source: Source, shape: &Shape, name: &Spanned<String>) -> Result<BoundaryName, Error> {
+fn boundary(source: Source, units: &Units, shape: &Shape, name: &Spanned<String>) -> Result<BoundaryName, Error> {
+    disc::refuse_axis(source, units, shape, name)?;
     let boundaries = shape.boundaries();
     let known: Vec<_> = boundaries.iter().enumerate().map(|(k, name)| (name.as_ref(), k)).collect();
     Ok(boundaries[source.choice("boundary", name, &known)?].clone())
@@ -144,7 +143,7 @@ fn boundary(source: Source, shape: &Shape, name: &Spanned<String>) -> Result<Bou
 fn refuse_inside(source: Source, shape: &Shape, name: &Spanned<String>) -> Result<(), Error> {
     let inside = match shape {
         Shape::Given(mesh) => mesh.inner.contains(name.get_ref().as_str()),
-        Shape::Disc { half: true, .. } => name.get_ref() == "middle",
+        Shape::Disc { sector, .. } if sector.has_upper_part() => name.get_ref() == "middle",
         _ => false,
     };
     if !inside {
@@ -157,7 +156,9 @@ fn refuse_inside(source: Source, shape: &Shape, name: &Spanned<String>) -> Resul
 fn support(source: Source, units: &Units, shape: &Shape, table: &SupportTable) -> Result<Support, Error> {
     let span = table.at.span();
     let at = match table.at.get_ref() {
-        PlaceTable::Boundary(name) => Place::Boundary(boundary(source, shape, &Spanned::new(span, name.clone()))?),
+        PlaceTable::Boundary(name) => {
+            Place::Boundary(boundary(source, units, shape, &Spanned::new(span, name.clone()))?)
+        }
         PlaceTable::Point(point) => {
             let pair = point.map(|x| Spanned::new(span.clone(), x));
             Place::Point(source.pair("at", &pair)?.map(|x| units.length * x))
@@ -172,7 +173,10 @@ fn load(source: Source, units: &Units, shape: &Shape, table: &LoadTable) -> Resu
         LoadTable::Traction(table) => traction(source, units, shape, table)?,
         LoadTable::Pressure(table) => {
             refuse_inside(source, shape, &table.at)?;
-            Load::Stress { boundary: boundary(source, shape, &table.at)?, field: pressure(source, units, &table.law)? }
+            Load::Stress {
+                boundary: boundary(source, units, shape, &table.at)?,
+                field: pressure(source, units, &table.law)?,
+            }
         }
         LoadTable::BodyForce(pair) => {
             let density = units.force / units.length.powi(3);
@@ -183,7 +187,7 @@ fn load(source: Source, units: &Units, shape: &Shape, table: &LoadTable) -> Resu
             force: source.pair("value", &table.value)?.map(|f| units.force * f),
         },
         LoadTable::RigidFace(table) => Load::RigidFace {
-            boundary: boundary(source, shape, &table.at)?,
+            boundary: boundary(source, units, shape, &table.at)?,
             component: component(source, &table.component)?,
             force: units.force * source.finite("force", &table.force)?,
         },
@@ -195,7 +199,7 @@ const MOST_TERMS: usize = 16;
 
 /// A traction: the same everywhere, or each component by its law.
 fn traction(source: Source, units: &Units, shape: &Shape, table: &TractionTable) -> Result<Load, Error> {
-    let boundary = boundary(source, shape, &table.at)?;
+    let boundary = boundary(source, units, shape, &table.at)?;
     match (&table.value, &table.x, &table.y) {
         (Some(pair), None, None) => {
             Ok(Load::Traction { boundary, traction: source.pair("value", pair)?.map(|t| units.stress * t) })

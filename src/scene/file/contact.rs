@@ -35,7 +35,10 @@ pub fn pair(
         let message = format!("body `{}` takes no part in the contact", name.get_ref());
         return Err(source.refused(name.span(), message, "leave it out, or name it in `contact`"));
     }
+    let across = table.has_both_sides();
+    refuse_mirrored(source, table)?;
     let path = match &table.arc {
+        None if across => Path::BothSides,
         None => Path::Horizontal,
         Some(arc) => Path::Arc(Circle {
             centre: source.pair("centre", &arc.centre)?.map(|x| units.length * x),
@@ -43,13 +46,13 @@ pub fn pair(
         }),
     };
     let stretch = match path {
-        Path::Horizontal => units.length * source.positive("stretch", &table.stretch)?,
+        Path::Horizontal | Path::BothSides => units.length * source.positive("stretch", &table.stretch)?,
         Path::Arc(_) => {
             let expected = format!("an angle above 0 and up to {QUARTER}");
             source.number("stretch", &table.stretch, &expected, |x| x > 0.0 && x <= QUARTER)?.to_radians()
         }
     };
-    let profile = profile(source, units, &table.gap)?;
+    let profile = profile(source, units, &table.gap, across)?;
     refuse_strange_gap(source, &path, &profile, &table.gap)?;
     let facing = [Some((first, &table.first)), second.zip(table.second.as_ref())];
     let mut sides = Vec::new();
@@ -61,7 +64,8 @@ pub fn pair(
     }
     let above = looks_down(source, table, &sides)?;
     if let Profile::Table(points) = &profile
-        && points.last().is_none_or(|[s, _]| *s < stretch)
+        && let [[from, _], .., [to, _]] = points[..]
+        && (to < stretch || from < 0.0 && from > -stretch)
     {
         return Err(source.refused(table.gap.span(), "the table ends before the candidates do", "shorten `stretch`"));
     }
@@ -74,9 +78,26 @@ pub fn pair(
         let message = format!("`{}` is the hole, and a gap `hole` is measured on the pin", table.first.get_ref());
         return Err(source.refused(table.first.span(), message, "name the pin as `first`"));
     }
-    let pair = ContactPair { first, above, second, path, profile, stretch, symmetric: table.symmetric.unwrap_or(true) };
+    let symmetric = table.symmetric.as_ref().map_or(!across, |given| *given.get_ref());
+    let pair = ContactPair { first, above, second, path, profile, stretch, symmetric };
     refuse_overlap(source, units, table, &pair, &sides)?;
     Ok(pair)
+}
+
+/// Refuses a contact across x = 0 that would be mirrored there, or runs along an arc.
+fn refuse_mirrored(source: Source, table: &ContactTable) -> Result<(), Error> {
+    let Some(given) = table.both_sides.as_ref().filter(|given| *given.get_ref()) else { return Ok(()) };
+    if table.arc.is_some() {
+        let remedy = "leave `both-sides` out and model one half, or leave `arc` out and give the gap along y = 0";
+        return Err(source.refused(given.span(), "`both-sides` is for contact along y = 0, not along an arc", remedy));
+    }
+    match table.symmetric.as_ref().filter(|symmetric| *symmetric.get_ref()) {
+        Some(symmetric) => {
+            let message = "the scene shows both sides of x = 0, and is not half of a symmetric one";
+            Err(source.refused(symmetric.span(), message, "leave `symmetric` or `both-sides` out"))
+        }
+        None => Ok(()),
+    }
 }
 
 /// Whether the first body is the upper or inner one; refuses two sides that look the same way.
@@ -123,13 +144,13 @@ fn refuse_strange_gap(source: Source, path: &Path, profile: &Profile, gap: &Span
         (Path::Arc(arc), Profile::Hole { radius, .. }) if (radius / arc.radius - 1.0).abs() <= 1e-9 => return Ok(()),
         (Path::Arc(_), Profile::Hole { .. }) => "give the hole's `radius` as that of `arc`: it is the pin's",
         (Path::Arc(_), _) => "on an arc the gap is `uniform`, `drawn` or a `hole`",
-        (Path::Horizontal, Profile::Hole { .. }) => "a hole needs the pin's circle as `arc`",
-        (Path::Horizontal, _) => return Ok(()),
+        (Path::Horizontal | Path::BothSides, Profile::Hole { .. }) => "a hole needs the pin's circle as `arc`",
+        (Path::Horizontal | Path::BothSides, _) => return Ok(()),
     };
     Err(source.refused(gap.span(), "this gap does not go with the path of the contact", remedy))
 }
 
-fn profile(source: Source, units: &Units, table: &Spanned<GapTable>) -> Result<Profile, Error> {
+fn profile(source: Source, units: &Units, table: &Spanned<GapTable>, across: bool) -> Result<Profile, Error> {
     let length = |key: &str, value: &Spanned<f64>| Ok::<f64, Error>(units.length * source.positive(key, value)?);
     Ok(match table.get_ref() {
         GapTable::Drawn => Profile::Drawn,
@@ -138,7 +159,7 @@ fn profile(source: Source, units: &Units, table: &Spanned<GapTable>) -> Result<P
         GapTable::Circle(radius) => Profile::Circle { radius: length("circle", radius)? },
         GapTable::Parabola(radius) => Profile::Parabola { radius: length("parabola", radius)? },
         GapTable::Even(list) => even(source, units, table.span(), list)?,
-        GapTable::Table(points) => Profile::Table(points_of(source, units, table.span(), points)?),
+        GapTable::Table(points) => Profile::Table(points_of(source, units, table.span(), points, across)?),
         GapTable::Wedge(slope) => Profile::Wedge { slope: source.positive("wedge", slope)? },
         GapTable::Cosine(cosine) => Profile::Cosine {
             amplitude: length("amplitude", &cosine.amplitude)?,
@@ -153,22 +174,29 @@ fn profile(source: Source, units: &Units, table: &Spanned<GapTable>) -> Result<P
 /// Most points of a table.
 const MOST_POINTS: usize = 10_000;
 
-/// Points of a table: ascending from s = 0 on.
-fn points_of(source: Source, units: &Units, place: Range<usize>, list: &[Pair]) -> Result<Arc<[[f64; 2]]>, Error> {
+/// Points of a table: ascending from s = 0 on, or across it from below 0.
+fn points_of(
+    source: Source,
+    units: &Units,
+    place: Range<usize>,
+    list: &[Pair],
+    across: bool,
+) -> Result<Arc<[[f64; 2]]>, Error> {
     if !(2..=MOST_POINTS).contains(&list.len()) {
         let message = format!("the table has {} points", list.len());
         return Err(source.refused(place, message, format!("give 2 to {MOST_POINTS} points [s, g]")));
     }
     let points = list.iter().map(|pair| Ok(source.pair("table", pair)?.map(|x| units.length * x)));
     let points = points.collect::<Result<Vec<[f64; 2]>, Error>>()?;
-    let wrong = |k: usize| if k == 0 { points[0][0] != 0.0 } else { points[k][0] <= points[k - 1][0] };
+    let begins = |s: f64| if across { s <= 0.0 } else { s == 0.0 };
+    let wrong = |k: usize| if k == 0 { !begins(points[0][0]) } else { points[k][0] <= points[k - 1][0] };
     if let Some(k) = (0..points.len()).find(|k| wrong(*k)) {
         let place = list[k][0].span().start..list[k][1].span().end;
-        return Err(source.refused(
-            place,
-            "the table does not ascend from s = 0",
-            "sort its points by s, beginning at 0",
-        ));
+        let remedy = match across {
+            true => "sort its points by s, beginning at 0 for a gap that is even, else below 0",
+            false => "sort its points by s, beginning at 0",
+        };
+        return Err(source.refused(place, "the table does not ascend from s = 0", remedy));
     }
     Ok(points.into())
 }
@@ -207,8 +235,10 @@ pub fn reference(
     let length = given("length", &table.length, units.length)?.unwrap_or(half * pair.path.metric());
     let pressure = given("pressure", &table.pressure, units.stress)?;
     let widest = (0..=8).map(|k| pair.profile.gap(0.125 * f64::from(k) * pair.stretch).abs()).fold(0.0, f64::max);
+    let ends: &[f64] = if pair.path.has_both_sides() { &[half, -half] } else { &[half] };
     // Waves may return to zero there, but for round-off.
-    let own = Some(pair.profile.gap(half).abs()).filter(|own| own.is_finite() && *own > 1e-6 * widest);
+    let own = Some(ends.iter().map(|s| pair.profile.gap(*s).abs()).fold(0.0, f64::max))
+        .filter(|own| own.is_finite() && *own > 1e-6 * widest);
     let opening = given("gap", &table.gap, units.length)?.or_else(|| pressure.map(|p| p * length / modulus)).or(own);
     let Some(opening) = opening else {
         let remedy = "give the pressure to expect: [reference] pressure = …";

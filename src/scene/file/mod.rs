@@ -4,6 +4,7 @@
 //! * [`units`] — names of units, and numbers in them.
 //! * [`bodies`] — outlines, supports and loads.
 //! * `blocks` — bodies from blocks.
+//! * `disc` — how much of a disc is modelled.
 //! * `gmsh` — bodies from meshes.
 //! * [`contact`] — the pair, its path and its gap.
 //!
@@ -12,6 +13,7 @@
 mod blocks;
 pub mod bodies;
 pub mod contact;
+mod disc;
 mod gmsh;
 mod side;
 pub mod tables;
@@ -119,7 +121,8 @@ impl Tables<'_> {
     pub fn scene(&self, source: Source) -> Result<Scene, Error> {
         let known = [("strain", PlaneHypothesis::Strain), ("stress", PlaneHypothesis::Stress)];
         let plane = source.choice("plane hypothesis", self.plane, &known)?;
-        let bodies = self.bodies.iter().map(|body| bodies::body(source, &self.units, plane, body));
+        let across = self.contact.has_both_sides();
+        let bodies = self.bodies.iter().map(|body| bodies::body(source, &self.units, plane, across, body));
         let bodies = bodies.collect::<Result<Vec<Body>, Error>>()?;
         bodies::refuse_equal_names(source, self.bodies)?;
         let contact = contact::pair(source, &self.units, self.bodies, &bodies, self.contact)?;

@@ -21,7 +21,7 @@ pub(super) struct Side {
     pub outward: Option<bool>,
     /// Where it runs.
     place: Place,
-    /// How far it goes along x \[mm\], or about the centre \[rad\].
+    /// How far it goes along x, on its shorter side where the path has both \[mm\], or about the centre \[rad\].
     length: f64,
 }
 
@@ -42,15 +42,15 @@ impl Side {
             Shape::Rectangle { x, y, contact } => {
                 let height = if *contact == Face::Bottom { y[0] } else { y[1] };
                 let place = Place::Straight { from: x[0], height };
-                Self { outward: Some(*contact == Face::Bottom), place, length: x[1] - x[0] }
+                let length = if path.has_both_sides() { x[1].min(-x[0]) } else { x[1] - x[0] };
+                Self { outward: Some(*contact == Face::Bottom), place, length }
             }
             // Beyond 45° the radial candidates of a quarter are hardly pressed.
             Shape::Disc { centre, radius, contact, .. } => {
                 let down = *contact == Face::Bottom;
                 let height = if down { centre[1] - radius } else { centre[1] + radius };
                 let place = Place::Disc { circle: Circle { centre: *centre, radius: *radius }, height };
-                let horizontal = matches!(path, Path::Horizontal);
-                Self { outward: Some(down || !horizontal), place, length: radius * FRAC_1_SQRT_2 }
+                Self { outward: Some(down || !path.is_straight()), place, length: radius * FRAC_1_SQRT_2 }
             }
             Shape::Ring { inner, outer, sweep, contact, .. } => {
                 let outward = *contact == Face::Top;
@@ -65,9 +65,14 @@ impl Side {
 
     /// Of the pieces within the stretch.
     fn of_pieces(all: Vec<Piece>, path: &Path, stretch: f64) -> Self {
-        let length = all.iter().flatten().map(|point| path.coordinate(*point)).fold(0.0, f64::max);
-        let begins = |piece: &Piece| piece.iter().any(|point| path.coordinate(*point) < stretch * (1.0 - 1e-9));
-        let pieces: Vec<Piece> = all.into_iter().filter(begins).collect();
+        let farthest = |sign: f64| all.iter().flatten().map(|p| sign * path.coordinate(*p)).fold(0.0, f64::max);
+        let length = if path.has_both_sides() { farthest(1.0).min(farthest(-1.0)) } else { farthest(1.0) };
+        let within = stretch * (1.0 - 1e-9);
+        let reaches_in = |piece: &Piece| {
+            let ends = piece.map(|point| path.coordinate(point));
+            ends.iter().any(|s| *s < within) && ends.iter().any(|s| *s > -within)
+        };
+        let pieces: Vec<Piece> = all.into_iter().filter(reaches_in).collect();
         let looks = |[from, to]: &Piece| {
             let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
             let direction = path.direction(middle);
@@ -80,19 +85,22 @@ impl Side {
     /// How far along the path's direction the side begins \[mm\].
     pub(super) fn depth(&self, path: &Path) -> f64 {
         match (&self.place, path) {
-            (Place::Straight { height, .. } | Place::Disc { height, .. }, Path::Horizontal) => -height,
+            (Place::Straight { height, .. } | Place::Disc { height, .. }, Path::Horizontal | Path::BothSides) => {
+                -height
+            }
             (Place::Disc { circle, .. } | Place::Arc(circle), _) => circle.radius,
             (Place::Straight { .. }, _) => f64::NAN,
             (Place::Pieces(pieces), _) => {
                 let points = pieces.iter().flatten();
-                let first = points.min_by(|a, b| path.coordinate(**a).total_cmp(&path.coordinate(**b)));
+                let from_0 = |point: &[f64; 2]| path.coordinate(*point).abs();
+                let first = points.min_by(|a, b| from_0(a).total_cmp(&from_0(b)));
                 first.map_or(f64::NAN, |point| path.depth(*point))
             }
         }
     }
 
-    /// Refuses a side that does not begin on the symmetry line, or does not lie on the path; a gap or clearance may be drawn
-    /// or not.
+    /// Refuses a side that does not begin on the symmetry line, or cross it on paths with both sides, or does not lie on
+    /// the path; a gap or clearance may be drawn or not.
     pub(super) fn refuse_misfit(
         &self,
         source: Source,
@@ -112,20 +120,27 @@ impl Side {
         };
         let near = |a: f64, b: f64| (a - b).abs() <= clearance * (1.0 + 1e-6) + 1e-6 * a.abs().max(b.abs());
         let on_axis = |x: f64, size: f64| x.abs() <= 1e-9 * size;
+        if path.has_both_sides() && !matches!(self.place, Place::Arc(_)) && self.length <= 0.0 {
+            let remedy = "with `both-sides` the candidates lie left and right of x = 0: move the bodies there";
+            return refused("does not lie on both sides of x = 0", remedy);
+        }
         match (&self.place, path) {
             (Place::Straight { from, .. }, Path::Horizontal) if !on_axis(*from, self.length) => refused(
                 "does not begin at x = 0",
-                "the contact begins on the symmetry line x = 0: move the bodies there",
+                "the contact begins on the symmetry line x = 0: move the bodies there, or give `both-sides = true`",
             ),
-            (Place::Straight { height, .. }, Path::Horizontal) if !near(*height, 0.0) => refused(
+            (Place::Straight { height, .. }, Path::Horizontal | Path::BothSides) if !near(*height, 0.0) => refused(
                 "does not lie at y = 0",
                 "the contact runs along y = 0: move the bodies there, or give `gap = \"drawn\"`",
             ),
+            (Place::Disc { circle, .. }, Path::BothSides) if !on_axis(circle.centre[0], circle.radius) => {
+                refused("does not touch at x = 0", "give the disc a centre at x = 0: its mesh is finest there")
+            }
             (Place::Disc { circle, .. }, Path::Horizontal) if !on_axis(circle.centre[0], circle.radius) => refused(
                 "does not begin at x = 0",
                 "the contact begins on the symmetry line: give the disc a centre at x = 0",
             ),
-            (Place::Disc { height, .. }, Path::Horizontal) if !near(*height, 0.0) => refused(
+            (Place::Disc { height, .. }, Path::Horizontal | Path::BothSides) if !near(*height, 0.0) => refused(
                 "does not touch y = 0",
                 "the contact runs along y = 0: give the disc a centre one radius above or below",
             ),
@@ -145,20 +160,21 @@ impl Side {
                 )
             }
             (Place::Straight { .. }, Path::Arc(_)) => refused("is straight, the path is an arc", "leave `arc` out"),
-            (Place::Arc(_), Path::Horizontal) => {
+            (Place::Arc(_), Path::Horizontal | Path::BothSides) => {
                 refused("is an arc, the path is straight", "name the circle the contact runs along, as `arc`")
             }
             (Place::Pieces(pieces), _) => {
                 let begin = pieces.iter().flatten().map(|point| path.coordinate(*point)).fold(f64::INFINITY, f64::min);
                 let axis = match path {
-                    Path::Horizontal => 0.0,
+                    Path::Horizontal | Path::BothSides => 0.0,
                     Path::Arc(circle) => circle.centre[0],
                 };
                 let left = pieces.iter().flatten().map(|point| point[0]).fold(f64::INFINITY, f64::min);
-                if begin > 1e-6 * self.length || left < axis - 1e-6 * self.length * path.metric() {
+                let off = begin > 1e-6 * self.length || left < axis - 1e-6 * self.length * path.metric();
+                if off && !path.has_both_sides() {
                     return refused(
                         "does not begin on the symmetry line",
-                        "the contact begins at s = 0, on the symmetry line x = 0: move the bodies there, or model one half",
+                        "the contact begins at s = 0, on the symmetry line x = 0: move the bodies there, model one half, or give `both-sides = true`",
                     );
                 }
                 if self.outward.is_none() {
@@ -194,7 +210,7 @@ impl Side {
         (stretch, given): (f64, &Spanned<f64>),
     ) -> Result<(), Error> {
         let (length, shown) = match (path, &self.place) {
-            (Path::Horizontal, _) => (self.length, self.length / units.length),
+            (Path::Horizontal | Path::BothSides, _) => (self.length, self.length / units.length),
             (Path::Arc(_), Place::Arc(_) | Place::Pieces(_)) => (self.length, self.length.to_degrees()),
             (Path::Arc(_), _) => return Ok(()),
         };
@@ -202,7 +218,8 @@ impl Side {
             return Ok(());
         }
         let shown = (1e6 * shown).round() / 1e6;
-        let message = format!("the candidates reach beyond `{}`, whose contact side ends at {shown}", name.get_ref());
+        let ends = if path.has_both_sides() { "goes only as far as |x| =" } else { "ends at" };
+        let message = format!("the candidates reach beyond `{}`, whose contact side {ends} {shown}", name.get_ref());
         Err(source.refused(given.span(), message, format!("give at most {shown}")))
     }
 }
@@ -219,7 +236,7 @@ fn steep(pieces: &[Piece], path: &Path) -> Option<f64> {
     let slopes = pieces.iter().map(|piece| {
         let [a, b] = piece;
         let along = (path.coordinate(*b) - path.coordinate(*a)).abs() * path.metric();
-        ((path.depth(*b) - path.depth(*a)).abs() / along, begin(piece) <= first)
+        ((path.depth(*b) - path.depth(*a)).abs() / along, !path.has_both_sides() && begin(piece) <= first)
     });
     let mut steep = slopes.filter(|(slope, is_first)| *slope > if *is_first { at_first } else { anywhere });
     steep.next().map(|(slope, _)| slope)

@@ -50,7 +50,7 @@ pub struct BodyTable {
 pub enum ShapeTable {
     /// Axis-parallel rectangle.
     Rectangle(RectangleTable),
-    /// Lower quarter of a disc, or its right half.
+    /// A disc, or a sector of it.
     Disc(DiscTable),
     /// Sector of a ring from the downward vertical.
     Ring(RingTable),
@@ -121,7 +121,7 @@ pub struct RectangleTable {
     pub contact: Name,
 }
 
-/// `disc = { centre = [x, y], radius = R, half = false }`.
+/// `disc = { centre = [x, y], radius = R, half = false, whole = false }`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DiscTable {
@@ -129,9 +129,10 @@ pub struct DiscTable {
     pub centre: Pair,
     /// Radius.
     pub radius: Number,
-    /// The right half instead of the lower quarter.
-    #[serde(default)]
-    pub half: bool,
+    /// The right half instead of the lower right quarter.
+    pub half: Option<Spanned<bool>>,
+    /// All of it instead of the lower half, where the contact has both sides.
+    pub whole: Option<Spanned<bool>>,
     /// Side that carries the contact: bottom, unless it is top.
     pub contact: Option<Name>,
 }
@@ -280,10 +281,20 @@ pub struct ContactTable {
     pub gap: Spanned<GapTable>,
     /// The path is an arc: contact coordinates are angles from the downward vertical \[°\].
     pub arc: Option<CircleTable>,
-    /// Candidates lie from 0 to here: a length, or degrees on an arc.
+    /// Candidates lie from 0 to here, on both sides where it has both: a length, or degrees on an arc.
     pub stretch: Number,
-    /// The scene shows half of a symmetric problem; true where it is left out.
-    pub symmetric: Option<bool>,
+    /// The contact lies on both sides of x = 0; false where it is left out.
+    #[serde(rename = "both-sides")]
+    pub both_sides: Option<Spanned<bool>>,
+    /// The scene shows half of a symmetric problem; true where it is left out and the contact has one side.
+    pub symmetric: Option<Spanned<bool>>,
+}
+
+impl ContactTable {
+    /// Whether the contact lies on both sides of x = 0.
+    pub fn has_both_sides(&self) -> bool {
+        self.both_sides.as_ref().is_some_and(|given| *given.get_ref())
+    }
 }
 
 /// `arc = { centre = [x, y], radius = R }`.

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::scene::{
     Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
-    ReferenceValues, Scene, Shape, StressField, Support,
+    ReferenceValues, Scene, Sector, Shape, StressField, Support,
 };
 
 /// Elastic cylinder pressed on a rigid plane by a uniform load (paper, example a).
@@ -60,7 +60,7 @@ impl Cylinder {
     /// The scene: `q = P/2R` on the horizontal cut, symmetry on x = 0, rigid plane below.
     pub fn scene(&self) -> Scene {
         let q = self.load() / (2.0 * self.radius);
-        let half = self.model != CylinderModel::Quarter;
+        let sector = if self.model == CylinderModel::Quarter { Sector::Quarter } else { Sector::RightHalf };
         let across = [0.0, -q];
         let load = match self.model {
             CylinderModel::Quarter => Load::Traction { boundary: "cut".into(), traction: across },
@@ -71,13 +71,13 @@ impl Cylinder {
             },
         };
         Scene {
-            name: if half { "cylinder-half" } else { "cylinder" }.into(),
+            name: if sector == Sector::Quarter { "cylinder" } else { "cylinder-half" }.into(),
             plane: PlaneHypothesis::Strain,
             thickness: 1.0,
             bodies: vec![Body {
                 density: 1.0,
                 name: "cylinder".into(),
-                shape: Shape::Disc { centre: [0.0, self.radius], radius: self.radius, half, contact: Face::Bottom },
+                shape: Shape::Disc { centre: [0.0, self.radius], radius: self.radius, sector, contact: Face::Bottom },
                 material: self.material(),
                 supports: vec![symmetry("axis")],
                 loads: vec![load],

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::scene::library::hertz::symmetry;
 use crate::scene::{
     Body, Circle, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
-    ReferenceValues, Scene, Shape, Support,
+    ReferenceValues, Scene, Sector, Shape, Support,
 };
 
 /// Length of arc that holds `N` elements of the candidate stretch on pins \[mm\].
@@ -63,7 +63,12 @@ impl PinRod {
         let pin = Body {
             density: 1.0,
             name: "pin".into(),
-            shape: Shape::Disc { centre: [0.0, 0.0], radius: self.pin_radius, half: false, contact: Face::Bottom },
+            shape: Shape::Disc {
+                centre: [0.0, 0.0],
+                radius: self.pin_radius,
+                sector: Sector::Quarter,
+                contact: Face::Bottom,
+            },
             material: self.pin,
             supports: vec![
                 symmetry("axis"),
@@ -144,7 +149,12 @@ impl PinPlate {
         let pin = Body {
             density: 1.0,
             name: "pin".into(),
-            shape: Shape::Disc { centre: [0.0, 0.0], radius: self.pin_radius, half: true, contact: Face::Bottom },
+            shape: Shape::Disc {
+                centre: [0.0, 0.0],
+                radius: self.pin_radius,
+                sector: Sector::RightHalf,
+                contact: Face::Bottom,
+            },
             material: self.material,
             supports: vec![symmetry("axis")],
             loads: vec![Load::Force { at: [0.0, 0.0], force: [0.0, -0.5 * self.force] }],

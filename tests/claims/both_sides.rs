@@ -1,0 +1,312 @@
+//! Contact on both sides of x = 0: a symmetric scene gives what its half gives, any other one what equilibrium asks.
+
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use contact_vv::case::{Run, SceneFile};
+use contact_vv::error::Error;
+use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::measure::profile;
+use contact_vv::mesh::size::expected;
+use contact_vv::mesh::{Mesh, Order};
+use contact_vv::solution::PointState;
+
+use crate::workbench::resolution;
+
+/// A symmetric scene told by its right half, and whole.
+struct Twin {
+    name: &'static str,
+    half: String,
+    whole: String,
+}
+
+/// Bodies and contact of a file, told twice.
+fn twin(name: &'static str, bodies: [&str; 2], contact: &str, per: f64) -> Twin {
+    let file = |bodies: &str, both: &str| {
+        format!(
+            "plane = \"strain\"\nthickness = 1.0\n{bodies}\n[contact]\n{contact}\n{both}\n[reference]\nlength = 1.0\n\
+             pressure = 2000\n[mesh]\nelements = 6\nper = {per}\n[solve]\ntolerance = 1e-10\n"
+        )
+    };
+    Twin { name, half: file(bodies[0], ""), whole: file(bodies[1], "both-sides = true") }
+}
+
+fn body(name: &str, shape: &str, rest: &str) -> String {
+    format!("[[body]]\nname = \"{name}\"\nyoung = 210e3\npoisson = 0.3\nshape = {shape}\n{rest}\n")
+}
+
+/// A block on x from 0, or from −20, to 20, pressed on the side opposite to its contact.
+fn block(from: f64) -> String {
+    let held = if from < 0.0 { "[0, 20]" } else { "\"left\"" };
+    let shape = format!("{{ rectangle = {{ x = [{from}, 20], y = [0, 20], contact = \"bottom\" }} }}");
+    let rest = format!(
+        "supports = [{{ at = {held}, component = \"x\" }}]\nloads = [{{ traction = {{ at = \"far\", value = [0, -80] }} }}]"
+    );
+    body("block", &shape, &rest)
+}
+
+/// A disc on y = 0 or, turned over, below it.
+fn disc(key: &str, held: &str, loaded: &str, contact: &str) -> String {
+    let height = if contact == "top" { -50 } else { 50 };
+    let shape = format!("{{ disc = {{ centre = [0, {height}], radius = 50{key}, contact = \"{contact}\" }} }}");
+    let down = if contact == "top" { 40 } else { -40 };
+    let rest = format!(
+        "supports = [{{ at = {held}, component = \"x\" }}]\n\
+         loads = [{{ traction = {{ at = \"{loaded}\", value = [0, {down}] }} }}]"
+    );
+    body("disc", &shape, &rest)
+}
+
+fn twins() -> Vec<Twin> {
+    let blocks = [block(0.0), block(-20.0)];
+    let on_block = |gap: &str, stretch: f64| {
+        let contact = format!("first = \"block\"\ngap = {gap}\nstretch = {stretch}");
+        twin("block", [&blocks[0], &blocks[1]], &contact, stretch)
+    };
+    let mut all = vec![
+        on_block("{ punch = 4 }", 4.0),
+        on_block("{ parabola = 500 }", 4.0),
+        on_block("{ wedge = 0.004 }", 4.0),
+        on_block("{ table = [[0, 0], [2, 0.002], [6, 0.06]] }", 4.0),
+        on_block("{ cosine = { amplitude = 0.004, wavelength = 9 } }", 20.0),
+    ];
+    for (halves, wholes, loaded) in [("", "", "cut"), (", half = true", ", whole = true", "middle")] {
+        for contact in ["bottom", "top"] {
+            let [held, centre] = ["\"axis\"", if contact == "top" { "[0, -50]" } else { "[0, 50]" }];
+            let bodies = [disc(halves, held, loaded, contact), disc(wholes, centre, loaded, contact)];
+            let contact = "first = \"disc\"\ngap = { circle = 50 }\nstretch = 1.5";
+            all.push(twin("disc", [&bodies[0], &bodies[1]], contact, 1.0));
+        }
+    }
+    // A disc on a block whose nodes do not face its own, drawn.
+    let below = |from: i32, held: &str| {
+        let shape = format!("{{ rectangle = {{ x = [{from}, 30], y = [-30, 0], contact = \"top\" }} }}");
+        let rest = format!(
+            "density = 0.7\nsupports = [{{ at = {held}, component = \"x\" }}, {{ at = \"far\", component = \"y\" }}]"
+        );
+        body("block", &shape, &rest)
+    };
+    let half = disc("", "\"axis\"", "cut", "bottom") + &below(0, "\"left\"");
+    let whole = disc(", whole = true", "[0, 50]", "middle", "bottom") + &below(-30, "[0, -30]");
+    let right = half.replace("radius = 50", "radius = 50, half = true").replace("at = \"cut\"", "at = \"middle\"");
+    let contact = "first = \"disc\"\nsecond = \"block\"\ngap = \"drawn\"\nstretch = 2";
+    all.push(twin("disc on block", [&right, &whole], contact, 1.0));
+    all
+}
+
+fn parsed(text: &str) -> SceneFile {
+    SceneFile::parse(Path::new("both.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+fn solved(text: &str, element: Element, order: Order) -> (Discretisation, Run) {
+    let file = parsed(text);
+    let scene = file.problem.scene.clone();
+    let resolution = resolution(file.problem.resolution.elements, 0, order);
+    let discretisation = Discretisation::of(scene, resolution).expect("meshed");
+    let formulation =
+        Formulation { settings: file.formulation.settings, ..Formulation::new(element, Iteration::Kinematic) };
+    let run = Run::of(&discretisation, &formulation).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    (discretisation, run)
+}
+
+#[test]
+fn symmetric_scene_on_both_sides_gives_what_its_half_gives() {
+    for Twin { name, half, whole } in twins() {
+        for (element, order) in
+            Element::ALL.into_iter().flat_map(|element| [Order::Linear, Order::Quadratic].map(|order| (element, order)))
+        {
+            let place = format!("{name}, {element:?}, {order:?}:\n{whole}");
+            let [(_, half), (whole_scene, whole)] = [&half, &whole].map(|text| solved(text, element, order));
+            assert!(half.solution.converged() && whole.solution.converged(), "{place}");
+            assert_eq!(half.solution.work.steps, whole.solution.work.steps, "{place}");
+            for of in [
+                |run: &Run| run.measures.half_width,
+                |run: &Run| run.measures.half_width_nodes,
+                |run: &Run| run.measures.peak.pressure,
+                |run: &Run| run.measures.edge,
+                |run: &Run| run.measures.resultant,
+                |run: &Run| run.transmitted,
+            ] {
+                let error = (of(&whole) / of(&half) - 1.0).abs();
+                assert!(error <= 1e-9, "{error:e} of {} in {place}", of(&half));
+            }
+            let (ours, theirs) = (&whole.solution.points, &half.solution.points);
+            let right = ours.len() - theirs.len();
+            for (k, (own, of_half)) in ours[right..].iter().zip(theirs).enumerate() {
+                let left = &ours[ours.len() - 1 - (right + k)];
+                let scale = 1e-9 * half.measures.peak.pressure;
+                assert!((own.position - of_half.position).abs() <= 1e-9, "{place}");
+                assert!((own.pressure - of_half.pressure).abs() <= scale, "{k}: {place}");
+                assert!((left.position + own.position).abs() <= 1e-9, "{place}");
+                assert!((left.pressure - own.pressure).abs() <= scale, "{k}: {place}");
+            }
+            assert!(whole.measures.centre.abs() <= 1e-9 * whole.measures.half_width, "{place}");
+            assert!(whole_scene.scene.contact.begin() < 0.0);
+        }
+    }
+}
+
+/// A block under `100 + slope x` on a rigid plane.
+fn eccentric(slope: f64) -> String {
+    let text = include_str!("../scenes/eccentric-load.toml");
+    assert!(text.contains("coefficients = [100, 4]"));
+    text.replace("coefficients = [100, 4]", &format!("coefficients = [100, {slope}]"))
+}
+
+#[test]
+fn moment_of_the_pressures_is_that_of_the_load() {
+    let moment = |points: &[PointState]| points.iter().map(|p| p.weight * p.pressure * p.position).sum::<f64>();
+    // At slopes above 10 one side of the block lifts off.
+    for slope in [-3.0, 4.0, 15.0] {
+        for element in Element::ALL {
+            for order in [Order::Linear, Order::Quadratic] {
+                let (_, run) = solved(&eccentric(slope), element, order);
+                let applied = 2.0 * slope * 20.0_f64.powi(3) / 12.0;
+                assert_relative_eq!(moment(&run.solution.points), applied, max_relative = 1e-6);
+                assert_relative_eq!(run.measures.centre, applied / 4000.0, max_relative = 1e-6);
+                assert_relative_eq!(run.transmitted, 4000.0, max_relative = 1e-7);
+            }
+        }
+    }
+}
+
+#[test]
+fn stress_linear_in_x_is_the_pressure_of_every_element_on_8_node_cells() {
+    for element in Element::ALL {
+        let (_, run) = solved(&eccentric(4.0), element, Order::Quadratic);
+        for point in &run.solution.points {
+            assert_relative_eq!(point.pressure, 100.0 + 4.0 * point.position, max_relative = 1e-7);
+        }
+    }
+}
+
+/// A block whose upper side stays flat on a rigid wedge with its edge at `x`, its slopes 0.01.
+fn wedge(x: f64, stretch: f64) -> String {
+    let [left, right] = [0.01 * (x + 5.0), 0.01 * (5.0 - x)];
+    format!(
+        "plane = \"strain\"\nthickness = 1\n{}[contact]\nfirst = \"block\"\nboth-sides = true\nstretch = {stretch}\n\
+         gap = {{ table = [[-5, {left}], [{x}, 0], [5, {right}]] }}\n[reference]\nlength = 1\npressure = 2000\n\
+         [mesh]\nelements = 40\nper = 4\ngrowth = {{ coarsest = 0.1 }}\n[solve]\ntolerance = 1e-9\n",
+        body(
+            "block",
+            "{ rectangle = { x = [-40, 40], y = [0, 40], contact = \"bottom\" } }",
+            "supports = [{ at = [0, 40], component = \"x\" }]\n\
+             loads = [{ rigid-face = { at = \"far\", component = \"y\", force = -4615.3846 } }]",
+        )
+    )
+}
+
+#[test]
+fn wedge_off_the_centre_presses_as_one_at_the_centre_and_its_mirror_image_mirrored() {
+    // Wedge on a half-plane: P = E* a tan β, p = (E* tan β / π) arccosh(a/|x|), second moment 2a/√6; a = 2 mm.
+    let [right, left] = [1.0, -1.0].map(|x| solved(&wedge(x, 4.0), Element::Node, Order::Quadratic).1);
+    let pressure = |x: f64| 210e3 / 0.91 * 0.01 / std::f64::consts::PI * (2.0_f64 / x.abs()).acosh();
+    assert_relative_eq!(right.measures.centre, 1.0, max_relative = 0.005);
+    assert_relative_eq!(right.measures.half_width, 4.0 / 6.0_f64.sqrt(), max_relative = 0.005);
+    for x in [-1.5, -1.0, -0.5, 0.5, 1.0, 1.5] {
+        let found = profile::interpolate(&right.solution.points, 1.0 + x);
+        assert_relative_eq!(found, pressure(x), max_relative = 0.01);
+    }
+    assert!((right.measures.peak.position - 1.0).abs() <= 0.05, "{:?}", right.measures.peak);
+    let mirrored = left.solution.points.iter().rev();
+    for (own, other) in right.solution.points.iter().zip(mirrored) {
+        assert!((own.position + other.position).abs() <= 1e-9);
+        assert!((own.pressure - other.pressure).abs() <= 1e-9 * right.measures.peak.pressure);
+    }
+    assert_relative_eq!(left.measures.centre, -right.measures.centre, max_relative = 1e-9);
+    assert_relative_eq!(left.measures.half_width, right.measures.half_width, max_relative = 1e-9);
+    assert_relative_eq!(left.measures.begin, -right.measures.edge, max_relative = 1e-9);
+}
+
+#[test]
+fn contact_beyond_the_candidates_is_refused_on_either_side() {
+    // The contact of half-width 2 mm about the edge of the wedge reaches 3 mm to one side.
+    for x in [1.0, -1.0] {
+        let file = parsed(&wedge(x, 2.5));
+        let error = Discretisation::of(file.problem.scene.clone(), file.problem.resolution)
+            .and_then(|discretisation| discretisation.solve(&file.formulation))
+            .map(|_| ())
+            .expect_err("candidates end in the contact");
+        let end = match error {
+            Error::ContactBeyondCandidates { end, position, .. } => {
+                assert!(position * x > end * x, "{position} lies beyond {end}");
+                end
+            }
+            Error::ContactCutShort { end, .. } => end,
+            other => panic!("{other}"),
+        };
+        assert_relative_eq!(end, 2.5 * x, max_relative = 1e-9);
+    }
+}
+
+#[test]
+fn top_of_a_skew_profile_is_found_where_it_stands_and_of_an_even_one_at_the_centre() {
+    let at = |s: f64, p: f64| PointState { position: s, weight: 0.1, pressure: p.max(0.0), gap: 0.0 };
+    let sampled = |p: &dyn Fn(f64) -> f64| (-20..=20).map(|k| at(0.1 * f64::from(k), p(0.1 * f64::from(k)))).collect();
+    let measured = |points: Vec<PointState>| {
+        let centre = profile::centre(&points);
+        let centred = profile::about(&points, centre);
+        let peak = profile::peak_across(&centred, profile::second_moment_half_width(&centred));
+        (centre + peak.position, peak.pressure)
+    };
+    // Even about 0.3: the parabola there.
+    let (position, pressure) = measured(sampled(&|s| 5.0 - 4.0 * (s - 0.3) * (s - 0.3)));
+    assert_relative_eq!(position, 0.3, max_relative = 1e-2);
+    assert_relative_eq!(pressure, 5.0, max_relative = 1e-3);
+    // s (1 − s)²: top 4/27 at 1/3, the centre at 2/5.
+    let (position, pressure) = measured(sampled(&|s| if s < 1.0 { s * (1.0 - s) * (1.0 - s) } else { 0.0 }));
+    assert!((position - 1.0 / 3.0).abs() <= 0.03, "{position}");
+    assert_relative_eq!(pressure, 4.0 / 27.0, max_relative = 0.03);
+    // Rising to the end: the last point.
+    let (position, pressure) = measured(sampled(&|s| 10.0 + s));
+    assert_relative_eq!(position, 2.0, max_relative = 1e-9);
+    assert_relative_eq!(pressure, 12.0, max_relative = 1e-9);
+}
+
+#[test]
+fn contact_on_few_points_is_noted_by_those_on_each_side() {
+    for (elements, noted) in [(2, true), (3, false), (12, false)] {
+        for Twin { half, whole, .. } in &twins()[5..6] {
+            let [half, whole] = [half, whole].map(|text| {
+                let text = text.replace("elements = 6", &format!("elements = {elements}\norder = 1"));
+                let (_, run, _) = parsed(&text).solve().expect("solved");
+                (run.note().is_some_and(|note| note.contains("refine before quoting")), run.measures.active)
+            });
+            assert_eq!((half.0, whole.0), (noted, noted), "{} and {} points", half.1, whole.1);
+            assert_eq!(whole.1, 2 * half.1 - 1);
+        }
+    }
+}
+
+#[test]
+fn size_of_the_mesh_is_estimated_for_both_sides() {
+    for Twin { half, whole, .. } in twins() {
+        let [half, whole] = [half, whole].map(|text| {
+            let file = parsed(&text);
+            let mesh = Mesh::of(&file.problem.scene, file.problem.resolution).expect("meshed");
+            (expected(&file.problem.scene, file.problem.resolution), mesh.cells())
+        });
+        assert_eq!(whole.1, 2 * half.1);
+        let [[cells, along], [twice_cells, twice_along]] = [half.0, whole.0];
+        assert!(twice_cells > 1.5 * cells && twice_cells < 2.5 * cells, "{twice_cells} of {cells}");
+        assert_relative_eq!(twice_along, 2.0 * along, max_relative = 1e-9);
+    }
+}
+
+#[test]
+fn blocks_that_cross_the_middle_are_the_rectangle() {
+    let rectangle = parsed(&eccentric(4.0));
+    let blocks = eccentric(4.0).replace(
+        "{ rectangle = { x = [-10, 10], y = [0, 8], contact = \"bottom\" } }",
+        "{ blocks = [{ corners = [[-10, 0], [4, 0], [4, 8], [-10, 8]], elements = [7, 4], bottom = \"contact\", top = \"far\" }, \
+         { corners = [[4, 0], [10, 0], [10, 8], [4, 8]], elements = [3, 4], bottom = \"contact\", top = \"far\" }] }",
+    );
+    let blocks = blocks.replace("elements = 4\nper = 10\n", "").replace("at = [0, 8]", "at = [4, 8]");
+    let (_, run, _) = parsed(&blocks).solve().expect("solved");
+    let (_, plain, _) = rectangle.solve().expect("solved");
+    for point in &run.solution.points {
+        assert_relative_eq!(point.pressure, 100.0 + 4.0 * point.position, max_relative = 1e-7);
+    }
+    assert_relative_eq!(run.transmitted, plain.transmitted, max_relative = 1e-9);
+    assert_eq!(run.solution.points.len(), 21);
+}
