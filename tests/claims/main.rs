@@ -28,5 +28,6 @@ mod reactions;
 mod scene;
 mod scene_file;
 mod scene_fuzz;
+mod scene_mistakes;
 mod stability;
 mod timings;

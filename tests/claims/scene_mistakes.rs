@@ -1,0 +1,432 @@
+//! Every mistake in a scene file is told with its file, its line, what was found and what to do.
+
+use std::path::Path;
+
+use contact_vv::case::SceneFile;
+
+use crate::scene_file::{folder, text_of};
+
+/// What is spoiled in which file so that only meshing or solving it shows; the line the message must name; what it says.
+const LATER: &[(&str, &str, &str, &str, &str)] = &[
+    (
+        "blocks",
+        "supports = [{ at = \"left\", component = \"x\" }, { at = \"right\", component = \"x\" }]",
+        "supports = []",
+        "name = \"upper\"",
+        "is free to",
+    ),
+    ("blocks", "value = [0, -100]", "value = [0, 100]", "first = \"upper\"", "pulls the bodies apart"),
+    ("blocks", "value = [0, -100]", "value = [0, 0]", "first = \"upper\"", "nothing presses"),
+    ("cylinder-on-block", "stretch = 5.0", "stretch = 2.0", "stretch = 2.0", "contact goes on beyond the candidates"),
+    (
+        "cylinder-on-block",
+        "{ at = \"axis\", component = \"x\" }",
+        "{ at = [1, 2], component = \"x\" }",
+        "name = \"cylinder\"",
+        "no node at",
+    ),
+    // Waves touch again beyond candidates that end in a trough, where the last of them is open.
+    (
+        "rigid-cosine",
+        "wavelength = 40 } }\nstretch = 16",
+        "wavelength = 10 } }\nstretch = 5",
+        "stretch = 5",
+        "contact goes on beyond the candidates",
+    ),
+    (
+        "blocks",
+        "{ at = \"right\", component = \"x\" }]\nloads = [{ traction = { at = \"far\", value = [0, -100] } }]",
+        "{ at = [10, 10], component = \"y\" }]\nloads = [{ rigid-face = { at = \"far\", component = \"y\", force = -9 } }]",
+        "name = \"upper\"",
+        "of the rigid face `far` is held",
+    ),
+    ("whole-disc", "{ at = [0, 50], component = \"x\" }", "", "name = \"cylinder\"", "is free to slide along x"),
+    ("eccentric-load", "{ at = [0, 8], component = \"x\" }", "", "name = \"block\"", "is free to slide along x"),
+    ("whole-disc", "at = [0, 50]", "at = [0, 49]", "name = \"cylinder\"", "no node at"),
+    ("whole-disc", "stretch = 1.5", "stretch = 0.8", "stretch = 0.8", "beyond the candidates, which end at s = -0.8"),
+    ("cylinder-on-block", "poisson = 0.33", "poisson = 0.4999", "name = \"block\"", "lock"),
+    (
+        "press-fit",
+        "component = \"y\" }]\n\n[[body]]",
+        "component = \"x\" }]\n\n[[body]]",
+        "name = \"inner\"",
+        "oblique",
+    ),
+];
+
+#[test]
+fn mistakes_that_show_only_when_solving_name_the_line_of_their_body_or_contact() {
+    for (name, was, is, anchor, found) in LATER {
+        let text = text_of(&format!("{name}.toml"));
+        assert!(text.contains(was), "{name}: {was}");
+        let spoiled = text.replacen(was, is, 1);
+        let file = SceneFile::parse(Path::new("later.toml"), &spoiled).unwrap_or_else(|error| panic!("{is}: {error}"));
+        let error = file.solve().map(|_| ()).expect_err(is).to_string();
+        let line = 1 + spoiled[..spoiled.find(anchor).expect("a place")].matches('\n').count();
+        assert!(error.starts_with(&format!("later.toml:{line}: ")), "line {line}: {error}");
+        assert!(error.contains(found) && error.contains("; "), "`{found}` is not in {error}");
+    }
+}
+
+/// What is spoiled in which file; what stands in the line that the message must name, what it must say was found, and what to do.
+const MISTAKES: &[(&str, &str, &str, [&str; 3])] = &[
+    (
+        "whole-disc",
+        "both-sides = true",
+        "both-sides = false",
+        ["whole = true", "a whole disc touches on both sides of x = 0", "add `both-sides = true` to [contact]"],
+    ),
+    ("whole-disc", "whole = true", "half = true", ["half = true", "touches on one side", "`whole = true`"]),
+    (
+        "whole-disc",
+        "whole = true",
+        "half = true, whole = true",
+        ["half = true, whole = true", "`half` and `whole`", "leave one of them out"],
+    ),
+    ("whole-disc", "both-sides = true", "both-sides = 1", ["both-sides = 1", "invalid type: integer", "every key"]),
+    (
+        "whole-disc",
+        "at = [0, 50], component",
+        "at = \"axis\", component",
+        ["at = \"axis\"", "no boundary `axis`: with `both-sides`", "{ at = [0, 50], component = \"x\" }"],
+    ),
+    ("whole-disc", "centre = [0, 50]", "centre = [1, 50]", ["first = ", "does not touch at x = 0", "centre at x = 0"]),
+    (
+        "whole-disc",
+        "both-sides = true",
+        "both-sides = true\nsymmetric = true",
+        ["symmetric = true", "not half of a symmetric one", "leave `symmetric` or `both-sides` out"],
+    ),
+    (
+        "whole-disc",
+        "gap = { circle = 50 }",
+        "gap = \"drawn\"\narc = { centre = [0, 50], radius = 50 }",
+        ["both-sides = true", "not along an arc", "model one half"],
+    ),
+    (
+        "whole-disc",
+        "gap = { circle = 50 }",
+        "gap = { table = [[0.1, 0], [2, 1]] }",
+        ["gap = { table", "does not ascend from s = 0", "else below 0"],
+    ),
+    (
+        "whole-disc",
+        "gap = { circle = 50 }",
+        "gap = { table = [[-1, 0], [2, 1]] }",
+        ["gap = { table", "the table ends before the candidates do", "shorten `stretch`"],
+    ),
+    (
+        "whole-disc",
+        "elements = 12\nper = 1.0",
+        "accuracy = \"1 %\"",
+        ["accuracy = \"1 %\"", "contact that begins at x = 0", "give `elements` and `per`"],
+    ),
+    (
+        "whole-disc",
+        "quantity = \"pressure\"\nat = -0.5",
+        "quantity = \"pressure\"\nat = -1.6",
+        ["at = -1.6", "`at` is -1.6", "from -1.5 to 1.5"],
+    ),
+    (
+        "cylinder-on-block",
+        "quantity = \"half-width\"",
+        "quantity = \"centre\"",
+        ["quantity = \"centre\"", "begins at x = 0 has no `centre`", "`both-sides = true`"],
+    ),
+    (
+        "eccentric-load",
+        "x = [-10, 10]",
+        "x = [0, 10]",
+        ["first = ", "does not lie on both sides of x = 0", "left and right of x = 0"],
+    ),
+    (
+        "eccentric-load",
+        "x = [-10, 10]",
+        "x = [-9, 10]",
+        ["stretch = 10", "goes only as far as |x| = 9", "give at most 9"],
+    ),
+    ("eccentric-load", "both-sides = true\n", "", ["first = ", "does not begin at x = 0", "give `both-sides = true`"]),
+    ("cylinder-on-block", "stretch = 5.0", "strech = 5.0", ["strech = 5.0", "unknown field `strech`", "`stretch`"]),
+    (
+        "cylinder-on-block",
+        "thickness = 1.0\n",
+        "",
+        ["# A long", "missing field `thickness`", "add it; tests/scenes/README.md"],
+    ),
+    ("cylinder-on-block", "young = 70e3", "young = -70e3", ["young = -70e3", "`young` is -70000", "above 0"]),
+    ("cylinder-on-block", "young = 70e3", "young = nan", ["young = nan", "`young` is NaN", "above 0"]),
+    ("cylinder-on-block", "young = 70e3", "young = \"70 GPa\"", ["young = \"70 GPa\"", "invalid type: string", "key"]),
+    (
+        "cylinder-on-block",
+        "poisson = 0.33",
+        "poisson = 0.5",
+        ["poisson = 0.5", "`poisson` is 0.5", "between -1 and 0.5"],
+    ),
+    (
+        "cylinder-on-block",
+        "plane = \"strain\"",
+        "plane = \"strian\"",
+        ["plane = \"strian\"", "no plane hypothesis `strian`", "`strain`, `stress`"],
+    ),
+    (
+        "cylinder-on-block",
+        "at = \"cut\"",
+        "at = \"cutt\"",
+        ["at = \"cutt\"", "no boundary `cutt`", "`axis`, `cut`, `contact`"],
+    ),
+    ("cylinder-on-block", "at = \"far\"", "at = \"top\"", ["at = \"top\"", "no boundary `top`", "`far`"]),
+    (
+        "cylinder-on-block",
+        "\"axis\", component = \"x\"",
+        "\"axis\", component = \"z\"",
+        ["\"axis\", component = \"z\"", "no component `z`", "`x`, `y`"],
+    ),
+    (
+        "cylinder-on-block",
+        "second = \"block\"",
+        "second = \"bloc\"",
+        ["second = \"bloc\"", "no body `bloc`", "`cylinder`, `block`"],
+    ),
+    (
+        "cylinder-on-block",
+        "second = \"block\"",
+        "second = \"cylinder\"",
+        ["second = \"cylinder\"", "would touch itself", "leave `second` out"],
+    ),
+    ("cylinder-on-block", "second = \"block\"\n", "", ["name = \"block\"", "`block` takes no part", "leave it out"]),
+    (
+        "cylinder-on-block",
+        "name = \"block\"",
+        "name = \"cylinder\"",
+        ["name = \"cylinder\"", "second body", "name of its own"],
+    ),
+    ("cylinder-on-block", "x = [0, 80]", "x = [80, 0]", ["x = [80, 0]", "no area", "[smaller, larger]"]),
+    ("cylinder-on-block", "stretch = 5.0", "stretch = 0", ["stretch = 0", "`stretch` is 0", "above 0"]),
+    ("cylinder-on-block", "stretch = 5.0", "stretch = 90", ["stretch = 90", "beyond `cylinder`", "give at most 35.3"]),
+    (
+        "cylinder-on-block",
+        "gap = { circle = 50 }",
+        "gap = { sphere = 50 }",
+        ["gap = { sphere = 50 }", "unknown variant `sphere`", "`circle`"],
+    ),
+    ("cylinder-on-block", "elements = 24", "elements = 0", ["elements = 0", "`elements` is 0", "8 to 32"]),
+    ("cylinder-on-block", "per = 2.5", "per = 1e-7", ["elements = 24", "candidate elements", "fewer `elements`"]),
+    ("cylinder-on-block", "order = 1", "order = 3", ["order = 3", "`order` is 3", "4-node"]),
+    (
+        "cylinder-on-block",
+        "kind = \"analytic\"",
+        "kind = \"gut feeling\"",
+        ["kind = \"gut feeling\"", "no kind of reference", "`measured`"],
+    ),
+    (
+        "cylinder-in-metres",
+        "stress = \"GPa\"",
+        "stress = \"psi\"",
+        ["stress = \"psi\"", "no unit of stress `psi`", "`GPa`"],
+    ),
+    (
+        "cylinder-in-metres",
+        "element = \"line\"",
+        "element = \"mortar\"",
+        ["element = \"mortar\"", "no contact element `mortar`", "`layer`"],
+    ),
+    ("press-fit", "at = 45\n", "", ["quantity = \"pressure\"", "without a place", "add `at`"]),
+    (
+        "press-fit",
+        "support = { body = \"outer\", at = \"start\", component = \"x\" }\n",
+        "",
+        ["quantity = \"reaction\"", "a reaction without its support", "add `support = {"],
+    ),
+    (
+        "press-fit",
+        "at = \"start\", component = \"x\" }\nvalue",
+        "at = \"start\", component = \"y\" }\nvalue",
+        ["support = { body", "`outer` has no support at `start` along y", "known: `start` along x, `end` along y"],
+    ),
+    (
+        "press-fit",
+        "support = { body = \"outer\"",
+        "support = { body = \"middle\"",
+        ["support = { body", "there is no body `middle`", "known: `inner`, `outer`"],
+    ),
+    (
+        "press-fit",
+        "at = 45\n",
+        "at = 45\nsupport = { body = \"outer\", at = \"start\", component = \"x\" }\n",
+        ["support = { body", "only a `reaction` has a support", "leave `support` out"],
+    ),
+    (
+        "blocks",
+        "y = [-5, 0], contact = \"top\"",
+        "y = [0, 5], contact = \"bottom\"",
+        ["second = ", "both look down, or outwards", "let one look down"],
+    ),
+    ("blocks", "y = [-5, 0]", "y = [-55, -50]", ["second = ", "does not lie at y = 0", "move the bodies"]),
+    ("blocks", "y = [0, 10]", "y = [-5, 5]", ["first = ", "does not lie at y = 0", "move the bodies"]),
+    (
+        "blocks",
+        "x = [0, 10], y = [-5, 0]",
+        "x = [-10, 0], y = [-5, 0]",
+        ["second = ", "does not begin at x = 0", "symmetry line"],
+    ),
+    (
+        "blocks",
+        "gap = { uniform = 0.01 }",
+        "gap = { hole = { radius = 10, clearance = 0.1 } }",
+        ["gap = ", "does not go with the path", "as `arc`"],
+    ),
+    (
+        "cylinder-in-metres",
+        "centre = [0, 0.05]",
+        "centre = [0.02, 0.05]",
+        ["first = ", "does not begin at x = 0", "centre at x = 0"],
+    ),
+    (
+        "cylinder-in-metres",
+        "centre = [0, 0.05]",
+        "centre = [0, 0.07]",
+        ["first = ", "does not touch y = 0", "one radius above"],
+    ),
+    ("press-fit", "radius = 40", "radius = 4", ["first = ", "does not lie on `arc`", "circle of the first body"]),
+    (
+        "press-fit",
+        "inner = 40, outer = 70",
+        "inner = 50, outer = 70",
+        ["second = ", "does not lie on `arc`", "a gap apart"],
+    ),
+    (
+        "press-fit",
+        "arc = { centre = [0, 0]",
+        "arc = { centre = [0, 3]",
+        ["first = ", "does not lie on `arc`", "circle"],
+    ),
+    (
+        "press-fit",
+        "gap = { uniform = -0.02 }",
+        "gap = { circle = 40 }",
+        ["gap = ", "does not go with the path", "or a `hole`"],
+    ),
+    (
+        "press-fit",
+        "outer = 40, sweep = 90",
+        "outer = 40, sweep = 60",
+        ["stretch = ", "beyond `inner`", "give at most 60"],
+    ),
+    (
+        "press-fit",
+        "at = \"start\", component = \"x\"",
+        "at = 3, component = \"x\"",
+        ["at = 3", "name of a boundary or a point", "README.md"],
+    ),
+    (
+        "blocks",
+        "{ at = \"right\", component = \"x\" }]",
+        "{ at = \"left\", component = \"x\" }]",
+        ["supports = ", "already held", "leave one"],
+    ),
+    (
+        "cylinder-on-block",
+        "traction = { at = \"cut\", value = [0, -57.5] }",
+        "pressure = { at = \"cut\", law = { polynomial = { along = \"x\", coefficients = [] } } }",
+        ["loads = ", "0 coefficients", "give 1 to 16"],
+    ),
+    (
+        "rigid-cosine",
+        "gap = { cosine = { amplitude = 0.01, wavelength = 40 } }",
+        "gap = { table = [[0, 0], [9, 0.1]] }",
+        ["gap = ", "the table ends before the candidates", "shorten `stretch`"],
+    ),
+    (
+        "rigid-cosine",
+        "gap = { cosine = { amplitude = 0.01, wavelength = 40 } }",
+        "gap = { table = [[0, 0], [9, 0.1], [8, 0.2]] }",
+        ["gap = ", "does not ascend", "sort its points"],
+    ),
+    (
+        "two-cylinders",
+        "contact = \"top\" } }",
+        "contact = \"side\" } }",
+        ["shape = { disc = { centre = [0, -30]", "no side of a disc `side`", "`top`"],
+    ),
+    ("two-cylinders", "centre = [0, -30]", "centre = [0, -25]", ["gap = ", "overlap by 5", "move them apart"]),
+    ("two-cylinders", "pressure = 1562.80524\n", "", ["gap = ", "no reference pressure", "[reference] pressure"]),
+    (
+        "two-cylinders",
+        "young = 70e3",
+        "young = 70e3\ndensity = 100",
+        ["density = 100", "`density` is 100", "from 0.05 to 20"],
+    ),
+    (
+        "rings-from-gmsh",
+        "group = \"inner\"",
+        "group = \"ring\"",
+        ["group = \"ring\"", "no physical surface `ring`", "known: inner, outer"],
+    ),
+    (
+        "rings-from-gmsh",
+        "file = \"meshes/rings.msh\", group = \"inner\"",
+        "file = \"rings.msh\", group = \"inner\"",
+        ["file = \"rings.msh\"", "cannot be read", "folder of the scene file"],
+    ),
+    (
+        "cylinder-to-accuracy",
+        "accuracy = \"0.1 %\"",
+        "accuracy = \"0.1\"",
+        ["accuracy = \"0.1\"", "`accuracy` is \"0.1\"", "such as \"0.1 %\""],
+    ),
+    (
+        "cylinder-to-accuracy",
+        "accuracy = \"0.1 %\"",
+        "accuracy = \"90 %\"",
+        ["accuracy = \"90 %\"", "`accuracy` is \"90 %\"", "between 0.001 % and 20 %"],
+    ),
+    (
+        "cylinder-to-accuracy",
+        "accuracy = \"0.1 %\"",
+        "accuracy = 0.001",
+        ["accuracy = 0.001", "invalid type: floating point", "README.md"],
+    ),
+    (
+        "cylinder-to-accuracy",
+        "[mesh]\n",
+        "[mesh]\nelements = 12\n",
+        ["elements = 12", "`accuracy` chooses the mesh, and `elements` too", "leave `elements` out"],
+    ),
+    (
+        "cylinder-to-accuracy",
+        "[mesh]\n",
+        "[mesh]\norder = 2\n",
+        ["order = 2", "`accuracy` chooses the mesh, and `order` too", "or `accuracy`"],
+    ),
+    (
+        "cylinder-to-accuracy",
+        "[mesh]\n",
+        "[mesh]\nquantity = [\"resultant\"]\n",
+        ["quantity = [\"resultant\"]", "no quantity with an accuracy `resultant`", "`half-width`"],
+    ),
+    (
+        "cylinder-on-block",
+        "order = 1",
+        "order = 1\nquantity = [\"half-width\"]",
+        ["quantity = ", "`quantity` without `accuracy`", "leave it out"],
+    ),
+    ("cylinder-on-block", "elements = 24\n", "", ["[mesh]", "missing field `elements`", "or an `accuracy`"]),
+];
+
+#[test]
+fn every_mistake_names_file_line_finding_and_remedy() {
+    for (name, was, is, wanted) in MISTAKES {
+        let text = text_of(&format!("{name}.toml"));
+        assert!(text.contains(was), "{name}: {was}");
+        let file = folder().join(format!("{name}.toml"));
+        let spoiled = text.replacen(was, is, 1);
+        let error = SceneFile::parse(&file, &spoiled).map(|_| ()).expect_err(is).to_string();
+        let [anchor, found, remedy] = wanted;
+        let place = if anchor == is && !is.is_empty() { text.find(was) } else { spoiled.find(anchor) };
+        let line = 1 + spoiled[..place.expect("a place")].matches('\n').count();
+        assert!(error.starts_with(&format!("{}:{line}: ", file.display())), "line {line}: {error}");
+        for part in [found, remedy] {
+            assert!(error.contains(part), "{is}: `{part}` is not in: {error}");
+        }
+    }
+}
