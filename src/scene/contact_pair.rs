@@ -61,7 +61,7 @@ pub enum Profile {
     /// Even polynomial `g = Σ c_k s^{2k+2}`, k from 0.
     Even {
         /// `c_k` [mm^{−1−2k}].
-        coefficients: [f64; 4],
+        coefficients: Arc<[f64]>,
     },
     /// Wedge, `g = s tan β`.
     Wedge {
@@ -206,7 +206,7 @@ impl Profile {
             Self::Punch { .. } => f64::INFINITY,
             Self::Circle { radius } => s * s / (radius + (radius * radius - s * s).sqrt()),
             Self::Parabola { radius } => s * s / (2.0 * radius),
-            Self::Even { coefficients } => coefficients.iter().rev().fold(0.0, |sum, c| c + sum * s * s) * s * s,
+            Self::Even { ref coefficients } => coefficients.iter().rev().fold(0.0, |sum, c| c + sum * s * s) * s * s,
             Self::Wedge { slope } => slope * s.abs(),
             // 1 − cos x = 2 sin² x/2, without lost digits.
             Self::Cosine { amplitude, wavelength } => {

@@ -140,9 +140,9 @@ fn scaled_profile(profile: &Profile, length: f64) -> Profile {
         Profile::Punch { half_width } => Profile::Punch { half_width: half_width * length },
         Profile::Circle { radius } => Profile::Circle { radius: radius * length },
         Profile::Parabola { radius } => Profile::Parabola { radius: radius * length },
-        Profile::Even { coefficients } => {
-            let unit = |k: usize| length.powi(1 + 2 * k as i32);
-            Profile::Even { coefficients: std::array::from_fn(|k| coefficients[k] / unit(k)) }
+        Profile::Even { ref coefficients } => {
+            let scaled = coefficients.iter().zip(0..).map(|(c, k)| c / length.powi(1 + 2 * k));
+            Profile::Even { coefficients: scaled.collect() }
         }
         Profile::Wedge { slope } => Profile::Wedge { slope },
         Profile::Cosine { amplitude, wavelength } => {

@@ -120,6 +120,7 @@ fn rigid_profiles_are_their_formulas_in_any_unit() {
             "{ even = [0.1, 0.02, 0.003, 0.0004] }",
             (|s: f64| 0.1 * s * s + 0.02 * s.powi(4) + 0.003 * s.powi(6) + 4e-4 * s.powi(8)) as fn(f64) -> f64,
         ),
+        ("{ even = [0.1, 0, 0, 0, 0, 2e-6] }", |s| 0.1 * s * s + 2e-6 * s.powi(12)),
         ("{ wedge = 0.05 }", |s| 0.05 * s),
         ("{ cosine = { amplitude = 0.3, wavelength = 7 } }", |s| 0.3 * (1.0 - (std::f64::consts::TAU * s / 7.0).cos())),
         ("{ parabola = 9 }", |s| s * s / 18.0),
@@ -241,7 +242,7 @@ fn page_on_scene_files_is_true() {
             ("c", "0.01"),
             ("a", "9"),
         ];
-        let coefficient = text.replace("c1, c2, c3, c4", "1e-3, 0, 0, 0").replace("[x, y]", "[0, 50]");
+        let coefficient = text.replace("c1, c2, c3", "1e-3, 0, 0").replace("[x, y]", "[0, 50]");
         let spans = coefficient.replace("[left, right]", "[0, 80]").replace("[lower, upper]", "[0, 50]");
         named.iter().fold(spans, |text, (name, value)| {
             text.replace(&format!("= {name} "), &format!("= {value} "))

@@ -201,17 +201,21 @@ fn points_of(
     Ok(points.into())
 }
 
+/// Coefficients of an even polynomial at most; a shape that needs more is a table.
+const MOST_COEFFICIENTS: usize = 16;
+
 /// Even polynomial; the coefficient of s^n has the unit of length^(1−n).
 fn even(source: Source, units: &Units, place: Range<usize>, list: &[Spanned<f64>]) -> Result<Profile, Error> {
-    let mut coefficients = [0.0; 4];
-    if list.is_empty() || list.len() > coefficients.len() {
+    if !(1..=MOST_COEFFICIENTS).contains(&list.len()) {
         let message = format!("`even` has {} coefficients", list.len());
-        return Err(source.refused(place, message, "give one to four: of s², s⁴, s⁶, s⁸"));
+        return Err(source.refused(
+            place,
+            message,
+            format!("give one to {MOST_COEFFICIENTS}: of s², s⁴, s⁶, and so on"),
+        ));
     }
-    for (k, (coefficient, given)) in coefficients.iter_mut().zip(list).enumerate() {
-        *coefficient = source.finite("even", given)? / units.length.powi(1 + 2 * k as i32);
-    }
-    Ok(Profile::Even { coefficients })
+    let read = list.iter().zip(0..).map(|(given, k)| Ok(source.finite("even", given)? / units.length.powi(1 + 2 * k)));
+    Ok(Profile::Even { coefficients: read.collect::<Result<_, Error>>()? })
 }
 
 /// Reference values, those not given by the scene itself: ℓ half the candidate stretch, `g_ref = |g(ℓ)|` and
