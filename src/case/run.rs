@@ -10,6 +10,9 @@ use crate::solution::Solution;
 /// Active points on a half-width from which on it is worth quoting.
 pub const RESOLVED: usize = 4;
 
+/// A point that carries so many times the peak is no part of the profile around it.
+const ABOVE: f64 = 1.2;
+
 /// Part of the contact in which oscillation is looked for: nearer its end a smooth pressure bends as strongly.
 pub const INSIDE: f64 = 0.8;
 /// Departure of a pressure from its neighbours' line, over the peak, that no smooth contact on a usable mesh shows.
@@ -87,6 +90,7 @@ impl Run {
         let Measures { begin, edge, .. } = self.measures;
         let (middle, reach) = (0.5 * (begin + edge), 0.5 * (edge - begin));
         let rough = profile::oscillation(&profile::about(points, middle), INSIDE * reach) / self.measures.peak.pressure;
+        let highest = points.iter().map(|point| point.pressure).fold(0.0, f64::max);
         // As many on each side of x = 0, where the point there may be common to both.
         let across = points.first().is_some_and(|point| point.position < 0.0);
         let resolved = if across { 2 * RESOLVED - 1 } else { RESOLVED };
@@ -99,6 +103,9 @@ impl Run {
             _ if rough > ROUGH => Some(format!(
                 "pressures depart from their neighbours by {:.0} % of the peak: quote means over edges",
                 100.0 * rough
+            )),
+            _ if highest > ABOVE * self.measures.peak.pressure => Some(format!(
+                "a point carries {highest:.4} MPa, more than the peak through its neighbours: a corner, or too coarse a mesh"
             )),
             _ => None,
         }

@@ -97,7 +97,7 @@ pub fn peak_across(points: &[PointState], half_width: f64) -> Peak {
         return central;
     }
     let local = local_peak(points, highest);
-    if outside || bend > 0.0 || local.pressure > ELSEWHERE * value { local } else { central }
+    if outside || bend > ROUNDING * value || local.pressure > ELSEWHERE * value { local } else { central }
 }
 
 /// Part of a pressure that rounding explains: a uniform one has its top anywhere.

@@ -11,6 +11,7 @@ use contact_vv::mesh::size::expected;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::solution::PointState;
 
+use crate::scene_file::text_of;
 use crate::workbench::resolution;
 
 /// A symmetric scene told by its right half, and whole.
@@ -309,4 +310,29 @@ fn blocks_that_cross_the_middle_are_the_rectangle() {
     }
     assert_relative_eq!(run.transmitted, plain.transmitted, max_relative = 1e-9);
     assert_eq!(run.solution.points.len(), 21);
+}
+
+#[test]
+fn pressure_at_the_ends_of_the_candidates_is_that_of_the_outermost_points() {
+    let text = text_of("eccentric-load.toml").replace("[solve]", "[solve]\nelement = \"line\"");
+    let file = SceneFile::parse(Path::new("ends.toml"), &text).expect("sound");
+    let (discretisation, run, _) = file.solve().expect("solved");
+    let [first, .., last] = run.solution.points[..] else { panic!("points") };
+    assert!(first.position > -10.0 && last.position < 10.0);
+    let checks = file.checks(&discretisation, &run).expect("judged");
+    let error = |place: &str| checks.iter().find(|check| check.quantity.contains(place)).expect("a check").error;
+    assert_relative_eq!(error("s = -10.0"), (first.pressure - 60.0).abs() / 60.0, max_relative = 1e-9);
+    assert_relative_eq!(error("s = 10.0"), (last.pressure - 140.0).abs() / 140.0, max_relative = 1e-9);
+}
+
+#[test]
+fn point_far_above_the_peak_is_noted() {
+    let kinked = text_of("eccentric-load.toml")
+        .replace("coefficients = [100, 4]", "coefficients = [100, -12]")
+        .replace("gap = { uniform = 0 }", "gap = { table = [[-10, 0], [0, 0], [10, 0.05]] }");
+    for (text, wanted) in [(text_of("eccentric-load.toml"), false), (kinked, true)] {
+        let file = SceneFile::parse(Path::new("kink.toml"), &text).expect("sound");
+        let (_, run, _) = file.solve().expect("solved");
+        assert_eq!(run.note().is_some_and(|note| note.contains("more than the peak")), wanted, "{:?}", run.note());
+    }
 }

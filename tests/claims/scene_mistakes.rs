@@ -71,6 +71,12 @@ fn mistakes_that_show_only_when_solving_name_the_line_of_their_body_or_contact()
 /// What is spoiled in which file; what stands in the line that the message must name, what it must say was found, and what to do.
 const MISTAKES: &[(&str, &str, &str, [&str; 3])] = &[
     (
+        "flat-punch",
+        "stretch = 2\n",
+        "stretch = 2.5\n",
+        ["gap = { punch = 2 }", "the punch ends before the candidates do", "shorten `stretch`"],
+    ),
+    (
         "rigid-cosine",
         "{ cosine = { amplitude = 0.01, wavelength = 40 } }",
         "{ even = [] }",

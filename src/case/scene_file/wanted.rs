@@ -85,7 +85,16 @@ impl Wanted {
             Quantity::Centre => ("centre of pressure [mm]".into(), run.measures.centre),
             Quantity::Resultant => ("resultant [N]".into(), run.transmitted),
             Quantity::Pressure => {
-                (format!("pressure at s = {:.6} [MPa]", self.at), profile::interpolate(points, self.at))
+                // Beyond the outermost points of the candidates the pressure is theirs.
+                let within = match (points.first(), points.last()) {
+                    (Some(first), Some(last))
+                        if self.at.abs() <= discretisation.scene.contact.stretch * (1.0 + 1e-9) =>
+                    {
+                        self.at.clamp(first.position, last.position)
+                    }
+                    _ => self.at,
+                };
+                (format!("pressure at s = {:.6} [MPa]", self.at), profile::interpolate(points, within))
             }
             Quantity::Reaction => ("reaction [N]".into(), self.reaction(discretisation, run)?),
         };

@@ -74,6 +74,12 @@ pub fn pair(
     {
         return Err(source.refused(table.gap.span(), "the circle ends before the candidates do", "shorten `stretch`"));
     }
+    if let Profile::Punch { half_width } = profile
+        && stretch > half_width * (1.0 + 1e-9)
+    {
+        let remedy = "shorten `stretch` to the end of the punch: nothing can touch beyond it";
+        return Err(source.refused(table.gap.span(), "the punch ends before the candidates do", remedy));
+    }
     if matches!(profile, Profile::Hole { .. }) && !above {
         let message = format!("`{}` is the hole, and a gap `hole` is measured on the pin", table.first.get_ref());
         return Err(source.refused(table.first.span(), message, "name the pin as `first`"));
