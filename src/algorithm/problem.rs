@@ -122,7 +122,7 @@ impl ContactProblem<'_> {
             pressure.push(p);
         }
         let mut internal = self.internal_force(&u);
-        let mut solves = 1.0;
+        let mut solves = 1;
         if summands > CANCELLING * (sums + absolute(load)) {
             let change = factor.solve(&self.imbalance(load, &internal, &pressure));
             u.iter_mut().zip(&change).for_each(|(u, du)| *u += du);
@@ -130,10 +130,10 @@ impl ContactProblem<'_> {
                 *p += k * point.approach(&change);
             }
             internal = self.internal_force(&u);
-            solves += 1.0;
+            solves += 1;
         }
-        work.back_substitutions += solves as usize;
-        work.operations += solves * 2.0 * (rhs.len() as f64).powi(2);
+        work.back_substitutions += solves;
+        work.operations += (2 * solves) as f64 * (rhs.len() as f64).powi(2);
         let approach = self.points.iter().map(|point| point.approach(&u)).collect();
         Iterate { approach, displacement: u, pressure, internal }
     }

@@ -53,7 +53,8 @@ fn judge(requirement: &str, curve: &DigitisedCurve) -> Result<Check, Error> {
         return Ok(Check::not_run(requirement, &curve.file, curve.kind(), curve.name(), why));
     }
     let (fine, coarse) = (edges(&curve.scene, 2 * ELEMENTS)?, edges(&curve.scene, ELEMENTS)?);
-    let at = |points: &[PointState], angle: f64| profile::interpolate(points, angle.abs());
+    let at =
+        |(stretch, points): &(f64, Vec<PointState>), angle: f64| profile::interpolate(points, *stretch, angle.abs());
     let ours = |angle: f64| {
         let value = at(&fine, angle);
         OurPoint { value, uncertainty: (value - at(&coarse, angle)).abs() }
@@ -71,8 +72,8 @@ fn judge(requirement: &str, curve: &DigitisedCurve) -> Result<Check, Error> {
     Ok(check)
 }
 
-/// Edge means of the pressure on the source's own scene.
-fn edges(scene: &DigitisedScene, elements: usize) -> Result<Vec<PointState>, Error> {
+/// Candidate stretch \[rad\] and edge means of the pressure on the source's own scene.
+fn edges(scene: &DigitisedScene, elements: usize) -> Result<(f64, Vec<PointState>), Error> {
     let base = PinRod::default();
     let rod = PinRod {
         pin_radius: scene.pin_radius,
@@ -88,6 +89,7 @@ fn edges(scene: &DigitisedScene, elements: usize) -> Result<Vec<PointState>, Err
         ..base
     };
     let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
-    let run = Run::of(&Discretisation::of(rod.scene(), resolution)?, &Formulation::verification())?;
-    Ok(run.solution.edges)
+    let discretisation = Discretisation::of(rod.scene(), resolution)?;
+    let run = Run::of(&discretisation, &Formulation::verification())?;
+    Ok((discretisation.scene.contact.stretch, run.solution.edges))
 }

@@ -64,12 +64,15 @@ fn on_candidates(discretisation: &Discretisation, run: &Run) -> [Vec<f64>; 2] {
     let mesh = &discretisation.mesh;
     let (mut pressure, mut gap) = (vec![0.0; mesh.points.len()], vec![f64::NAN; mesh.points.len()]);
     let points = &run.solution.points;
+    let pair = &discretisation.scene.contact;
     let gaps: Vec<PointState> = points.iter().map(|point| PointState { pressure: point.gap, ..*point }).collect();
-    for body in discretisation.scene.contact.bodies() {
+    for body in pair.bodies() {
         for candidate in &mesh.bodies[body].candidates {
-            let s = discretisation.scene.contact.path.coordinate(mesh.points[candidate.node]);
-            pressure[candidate.node] = profile::interpolate(points, s);
-            gap[candidate.node] = profile::interpolate(&gaps, s);
+            // Of the facing body an edge may reach beyond the stretch, where there is no gap to tell.
+            if candidate.coordinate.abs() <= pair.stretch * (1.0 + 1e-9) {
+                pressure[candidate.node] = profile::interpolate(points, pair.stretch, candidate.coordinate);
+                gap[candidate.node] = profile::interpolate(&gaps, pair.stretch, candidate.coordinate);
+            }
         }
     }
     [pressure, gap]

@@ -84,15 +84,6 @@ impl Interface {
             Ok(Station { coordinate: s, point, normal: candidate.normal, gap, freedom, facing: Vec::new() })
         };
         let stations = first.candidates.iter().enumerate().map(station).collect::<Result<Vec<Station>, Error>>()?;
-        if stations.len() < 2 {
-            return Err(Error::value(
-                &scene.name,
-                "candidate stretch",
-                pair.stretch,
-                "it must hold at least one element edge",
-                "lengthen it or refine the mesh",
-            ));
-        }
         let index = |node: usize| first.candidate_index(node);
         let mut edges: Vec<Vec<usize>> = candidates::candidate_edges(mesh, scene, pair.first)?
             .iter()

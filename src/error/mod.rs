@@ -128,7 +128,7 @@ pub enum Error {
 
     /// No spring is left to hold a body that only contact holds.
     #[error(
-        "{bodies}: held by contact alone and no contact spring is left after {steps} steps; the load pulls the bodies apart, or the start is too soft: reverse the load, add a support or raise the initial stiffness"
+        "{bodies}: held by contact alone and no contact spring is left after {steps} steps; the load pulls the bodies apart, the start is too soft, or the contact is smaller than two elements: reverse the load, add a support, raise the initial stiffness or refine the mesh"
     )]
     NoSpringLeft {
         /// The bodies in contact.

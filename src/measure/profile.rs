@@ -172,14 +172,17 @@ pub fn oscillation(points: &[PointState], limit: f64) -> f64 {
     departures.fold(0.0, |worst: f64, d| if worst.is_nan() || d.is_nan() { f64::NAN } else { worst.max(d) })
 }
 
-/// Pressure of a profile between its points, linear; constant between 0 and the first point, zero beyond the outermost.
-pub fn interpolate(points: &[PointState], position: f64) -> f64 {
+/// Pressure of a profile between its points, linear; that of the outermost points beyond them, up to the ends of the
+/// candidate stretch, and zero beyond it.
+pub fn interpolate(points: &[PointState], stretch: f64, position: f64) -> f64 {
     let after = points.partition_point(|p| p.position < position);
     match (after.checked_sub(1).map(|i| &points[i]), points.get(after)) {
-        (None, Some(first)) if first.position >= 0.0 || position >= first.position * (1.0 + 1e-9) => first.pressure,
         (Some(a), Some(b)) => {
             let t = (position - a.position) / (b.position - a.position);
             a.pressure + t * (b.pressure - a.pressure)
+        }
+        (Some(outermost), None) | (None, Some(outermost)) if position.abs() <= stretch * (1.0 + 1e-9) => {
+            outermost.pressure
         }
         _ => 0.0,
     }

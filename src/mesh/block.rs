@@ -44,42 +44,41 @@ impl Side {
     pub fn line(name: impl Into<BoundaryName>, points: Vec<Point>) -> Self {
         Self { points, name: Some(name.into()), inside: true }
     }
+
+    /// The side with every point moved to its image.
+    fn imaged(&self, image: impl Fn(&Point) -> Point) -> Self {
+        Self { points: self.points.iter().map(image).collect(), ..self.clone() }
+    }
+
+    /// The side from its end to its begin.
+    fn backwards(mut self) -> Self {
+        self.points.reverse();
+        self
+    }
 }
 
 impl Block {
     /// The block seen in a mirror on the horizontal at a height; bottom and top change places, so that it stays
     /// counter-clockwise.
     pub fn turned_over(&self, height: f64) -> Self {
-        let mirrored = |side: &Side, backwards: bool| {
-            let mut points: Vec<Point> = side.points.iter().map(|p| [p[0], 2.0 * height - p[1]]).collect();
-            if backwards {
-                points.reverse();
-            }
-            Side { points, ..side.clone() }
-        };
+        let image = |p: &Point| [p[0], 2.0 * height - p[1]];
         Self {
-            bottom: mirrored(&self.top, false),
-            right: mirrored(&self.right, true),
-            top: mirrored(&self.bottom, false),
-            left: mirrored(&self.left, true),
+            bottom: self.top.imaged(image),
+            right: self.right.imaged(image).backwards(),
+            top: self.bottom.imaged(image),
+            left: self.left.imaged(image).backwards(),
         }
     }
 
     /// The block seen in a mirror on the vertical at an abscissa; left and right change places, so that it stays
     /// counter-clockwise.
     pub fn seen_in_mirror(&self, abscissa: f64) -> Self {
-        let mirrored = |side: &Side, backwards: bool| {
-            let mut points: Vec<Point> = side.points.iter().map(|p| [2.0 * abscissa - p[0], p[1]]).collect();
-            if backwards {
-                points.reverse();
-            }
-            Side { points, ..side.clone() }
-        };
+        let image = |p: &Point| [2.0 * abscissa - p[0], p[1]];
         Self {
-            bottom: mirrored(&self.bottom, true),
-            right: mirrored(&self.left, false),
-            top: mirrored(&self.top, true),
-            left: mirrored(&self.right, false),
+            bottom: self.bottom.imaged(image).backwards(),
+            right: self.left.imaged(image),
+            top: self.top.imaged(image).backwards(),
+            left: self.right.imaged(image),
         }
     }
 

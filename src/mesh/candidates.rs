@@ -18,7 +18,7 @@ pub struct Candidate {
     pub coordinate: f64,
 }
 
-/// Finds the nodes of the candidate edges, sorted by `s`.
+/// Finds the nodes of the candidate edges, sorted by `s`; a stretch that holds no edge of the first body is refused.
 pub(super) fn find(mesh: &mut Mesh, scene: &Scene) -> Result<(), Error> {
     let pair = &scene.contact;
     for body in pair.bodies() {
@@ -35,6 +35,16 @@ pub(super) fn find(mesh: &mut Mesh, scene: &Scene) -> Result<(), Error> {
             .collect();
         candidates.sort_by(|a, b| a.coordinate.total_cmp(&b.coordinate));
         mesh.bodies[body].candidates = candidates;
+    }
+    if mesh.bodies[pair.first].candidates.is_empty() {
+        let expected = "it must hold at least one element edge";
+        return Err(Error::value(
+            &scene.name,
+            "candidate stretch",
+            pair.stretch,
+            expected,
+            "lengthen it or refine the mesh",
+        ));
     }
     Ok(())
 }

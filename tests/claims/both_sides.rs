@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use contact_vv::case::{Run, SceneFile};
+use contact_vv::case::{Run, SceneFile, Verdict};
 use contact_vv::error::Error;
 use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::measure::profile;
@@ -205,7 +205,7 @@ fn wedge_off_the_centre_presses_as_one_at_the_centre_and_its_mirror_image_mirror
     assert_relative_eq!(right.measures.centre, 1.0, max_relative = 0.005);
     assert_relative_eq!(right.measures.half_width, 4.0 / 6.0_f64.sqrt(), max_relative = 0.005);
     for x in [-1.5, -1.0, -0.5, 0.5, 1.0, 1.5] {
-        let found = profile::interpolate(&right.solution.points, 1.0 + x);
+        let found = profile::interpolate(&right.solution.points, 4.0, 1.0 + x);
         assert_relative_eq!(found, pressure(x), max_relative = 0.01);
     }
     assert!((right.measures.peak.position - 1.0).abs() <= 0.05, "{:?}", right.measures.peak);
@@ -335,4 +335,35 @@ fn point_far_above_the_peak_is_noted() {
         let (_, run, _) = file.solve().expect("solved");
         assert_eq!(run.note().is_some_and(|note| note.contains("more than the peak")), wanted, "{:?}", run.note());
     }
+}
+
+#[test]
+fn check_of_zero_is_judged_by_an_absolute_tolerance_in_the_unit_of_the_file() {
+    let text = text_of("eccentric-load.toml");
+    let check = "quantity = \"centre\"\nvalue = 1.33333333333\ntolerance = 1e-8";
+    assert_eq!(text.matches(check).count(), 1);
+    let metres = |text: &str| {
+        let scaled = [
+            ("thickness = 2.0", "thickness = 0.002"),
+            ("x = [-10, 10], y = [0, 8]", "x = [-0.01, 0.01], y = [0, 0.008]"),
+            ("at = [0, 8]", "at = [0, 0.008]"),
+            ("coefficients = [100, 4]", "coefficients = [100, 4000]"),
+            ("stretch = 10", "stretch = 0.01"),
+            ("length = 8", "length = 0.008"),
+            ("per = 10", "per = 0.01"),
+            ("at = -10\n", "at = -0.01\n"),
+            ("at = 10\n", "at = 0.01\n"),
+        ];
+        scaled.iter().fold(format!("units = {{ length = \"m\" }}\n{text}"), |text, (was, is)| text.replace(was, is))
+    };
+    let verdict = |text: &str, tolerance: f64| {
+        let zero = text.replace(check, &format!("quantity = \"centre\"\nvalue = 0\ntolerance = {tolerance}"));
+        let file = SceneFile::parse(Path::new("zero.toml"), &zero).unwrap_or_else(|error| panic!("{error}"));
+        let (discretisation, run, _) = file.solve().expect("solved");
+        let checks = file.checks(&discretisation, &run).expect("judged");
+        checks.iter().find(|check| check.quantity.starts_with("centre")).expect("a check").verdict.clone()
+    };
+    // The centre lies 4/3 mm off.
+    assert_eq!([1.3, 1.4].map(|mm| verdict(&text, mm)), [Verdict::Fail, Verdict::Pass]);
+    assert_eq!([1.3e-3, 1.4e-3].map(|m| verdict(&metres(&text), m)), [Verdict::Fail, Verdict::Pass]);
 }

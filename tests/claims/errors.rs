@@ -244,13 +244,3 @@ fn bodies_pulled_apart_are_named_on_every_mesh() {
         }
     }
 }
-
-#[test]
-fn candidate_stretch_shorter_than_an_element_holds_no_contact() {
-    let scene = block([4.0, 3.0], vec![held("left", Component::X, 0.0), held("far", Component::Y, 0.0)], vec![]);
-    let mut mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
-    mesh.bodies[0].candidates.truncate(1);
-    let condensed = ElasticSystem::assemble(&scene, &mesh).expect("system").condense().expect("condensed");
-    let error = contact_vv::contact::Interface::between(&scene, &mesh, &condensed).expect_err("no edge is left");
-    names(&error, &["sample", "`candidate stretch` = 4", "at least one element edge", "refine the mesh"]);
-}

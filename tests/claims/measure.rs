@@ -277,3 +277,17 @@ fn peak_of_waves_is_the_top_of_the_highest_not_the_centre() {
     let peak = profile::peak(&ring, profile::second_moment_half_width(&ring));
     assert!((peak.pressure - 1.0).abs() < 1e-3 && (peak.position - 8.0).abs() < 0.1, "{peak:?}");
 }
+
+#[test]
+fn pressure_between_points_is_linear_and_that_of_the_outermost_up_to_the_ends_of_the_stretch() {
+    use contact_vv::measure::profile::interpolate;
+    let point = |position: f64, pressure: f64| PointState { position, weight: 1.0, pressure, gap: 0.0 };
+    let across = [point(-3.0, 10.0), point(1.0, 30.0), point(3.0, 20.0)];
+    for (s, wanted) in [(-4.1, 0.0), (-4.0, 10.0), (-3.0, 10.0), (0.0, 25.0), (2.0, 25.0), (3.5, 20.0), (4.0, 20.0)] {
+        assert_abs_diff_eq!(interpolate(&across, 4.0, s), wanted, epsilon = 1e-12);
+    }
+    assert_abs_diff_eq!(interpolate(&across, 4.0, 4.1), 0.0, epsilon = 0.0);
+    assert_abs_diff_eq!(interpolate(&across[1..], 4.0, 0.0), 30.0, epsilon = 1e-12);
+    assert_abs_diff_eq!(interpolate(&[], 4.0, 0.0), 0.0, epsilon = 0.0);
+    assert!(interpolate(&[point(0.0, f64::NAN), point(1.0, 1.0)], 4.0, 0.5).is_nan());
+}

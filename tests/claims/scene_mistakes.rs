@@ -1,13 +1,18 @@
 //! Every mistake in a scene file is told with its file, its line, what was found and what to do.
 
-use std::path::Path;
-
 use contact_vv::case::SceneFile;
 
 use crate::scene_file::{folder, text_of};
 
 /// What is spoiled in which file so that only meshing or solving it shows; the line the message must name; what it says.
 const LATER: &[(&str, &str, &str, &str, &str)] = &[
+    (
+        "cylinder-between-blocks",
+        "stretch = 1.5",
+        "stretch = 0.001",
+        "stretch = 0.001",
+        "it must hold at least one element edge",
+    ),
     (
         "blocks",
         "supports = [{ at = \"left\", component = \"x\" }, { at = \"right\", component = \"x\" }]",
@@ -56,14 +61,15 @@ const LATER: &[(&str, &str, &str, &str, &str)] = &[
 
 #[test]
 fn mistakes_that_show_only_when_solving_name_the_line_of_their_body_or_contact() {
+    let later = folder().join("later.toml");
     for (name, was, is, anchor, found) in LATER {
         let text = text_of(&format!("{name}.toml"));
         assert!(text.contains(was), "{name}: {was}");
         let spoiled = text.replacen(was, is, 1);
-        let file = SceneFile::parse(Path::new("later.toml"), &spoiled).unwrap_or_else(|error| panic!("{is}: {error}"));
+        let file = SceneFile::parse(&later, &spoiled).unwrap_or_else(|error| panic!("{is}: {error}"));
         let error = file.solve().map(|_| ()).expect_err(is).to_string();
         let line = 1 + spoiled[..spoiled.find(anchor).expect("a place")].matches('\n').count();
-        assert!(error.starts_with(&format!("later.toml:{line}: ")), "line {line}: {error}");
+        assert!(error.starts_with(&format!("{}:{line}: ", later.display())), "line {line}: {error}");
         assert!(error.contains(found) && error.contains("; "), "`{found}` is not in {error}");
     }
 }

@@ -2,6 +2,7 @@
 
 mod mesh;
 mod places;
+mod support;
 mod wanted;
 
 use std::fs::File;

@@ -11,8 +11,10 @@ use crate::measure::profile;
 use crate::oracle::ReferenceKind;
 use crate::scene::ContactPair;
 use crate::scene::file::Source;
-use crate::scene::file::tables::{BodyTable, Name, Number, PlaceTable, SupportTable};
+use crate::scene::file::tables::{BodyTable, Name, Number};
 use crate::scene::file::units::Units;
+
+use super::support::SupportName;
 
 /// `[[check]]`.
 #[derive(Debug, Deserialize)]
@@ -28,15 +30,6 @@ pub(super) struct CheckTable {
     because: String,
 }
 
-/// A support as the body lists it.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SupportName {
-    body: Name,
-    at: Spanned<PlaceTable>,
-    component: Name,
-}
-
 /// What a check asks.
 #[derive(Clone, Debug)]
 pub(super) struct Wanted {
@@ -46,6 +39,7 @@ pub(super) struct Wanted {
     /// Body and support of a reaction.
     support: Option<[usize; 2]>,
     value: f64,
+    /// Relative; where the value is 0 absolute.
     tolerance: f64,
     kind: ReferenceKind,
     source: String,
@@ -85,16 +79,8 @@ impl Wanted {
             Quantity::Centre => ("centre of pressure [mm]".into(), run.measures.centre),
             Quantity::Resultant => ("resultant [N]".into(), run.transmitted),
             Quantity::Pressure => {
-                // Beyond the outermost points of the candidates the pressure is theirs.
-                let within = match (points.first(), points.last()) {
-                    (Some(first), Some(last))
-                        if self.at.abs() <= discretisation.scene.contact.stretch * (1.0 + 1e-9) =>
-                    {
-                        self.at.clamp(first.position, last.position)
-                    }
-                    _ => self.at,
-                };
-                (format!("pressure at s = {:.6} [MPa]", self.at), profile::interpolate(points, within))
+                let stretch = discretisation.scene.contact.stretch;
+                (format!("pressure at s = {:.6} [MPa]", self.at), profile::interpolate(points, stretch, self.at))
             }
             Quantity::Reaction => ("reaction [N]".into(), self.reaction(discretisation, run)?),
         };
@@ -102,7 +88,11 @@ impl Wanted {
         let value = if run.solution.converged() { value } else { f64::NAN };
         let reference = Reference { name: self.source.clone(), kind: self.kind, value: self.value };
         let requirement = format!("The file's own check: {}", self.source);
-        Ok(Check::relative(requirement, name, value, reference, self.tolerance, self.because.clone()))
+        let because = self.because.clone();
+        Ok(match self.value.abs() > 0.0 {
+            true => Check::relative(requirement, name, value, reference, self.tolerance, because),
+            false => Check::norm(requirement, name, value.abs(), reference, self.tolerance, because),
+        })
     }
 
     fn reaction(&self, discretisation: &Discretisation, run: &Run) -> Result<f64, Error> {
@@ -162,44 +152,17 @@ impl CheckTable {
             }
             (None, _) => None,
         };
-        let value = source.number("value", &self.value, "a finite number that is not 0", |x| x.abs() > 0.0)?;
+        let value = source.finite("value", &self.value)?;
+        let tolerance = source.positive("tolerance", &self.tolerance)?;
         Ok(Wanted {
             quantity,
             at,
             support,
             value: unit * value,
-            tolerance: source.positive("tolerance", &self.tolerance)?,
+            tolerance: if value.abs() > 0.0 { tolerance } else { unit * tolerance },
             kind: source.choice("kind of reference", &self.kind, &KINDS)?,
             source: self.source.clone(),
             because: self.because.clone(),
-        })
-    }
-}
-
-impl SupportName {
-    /// Index of the body, and of the support in it.
-    fn find(&self, source: Source, bodies: &[BodyTable]) -> Result<[usize; 2], Error> {
-        let names: Vec<_> =
-            bodies.iter().enumerate().map(|(index, body)| (body.name.get_ref().as_str(), index)).collect();
-        let body = source.choice("body", &self.body, &names)?;
-        let supports = &bodies[body].supports;
-        let is_it = |support: &SupportTable| {
-            support.at.get_ref() == self.at.get_ref() && support.component.get_ref() == self.component.get_ref()
-        };
-        supports.iter().position(is_it).map(|support| [body, support]).ok_or_else(|| {
-            let shown = |at: &PlaceTable, component: &str| match at {
-                PlaceTable::Boundary(name) => format!("`{name}` along {component}"),
-                PlaceTable::Point([x, y]) => format!("[{x}, {y}] along {component}"),
-            };
-            let known: Vec<String> =
-                supports.iter().map(|support| shown(support.at.get_ref(), support.component.get_ref())).collect();
-            let message = format!(
-                "`{}` has no support at {}",
-                self.body.get_ref(),
-                shown(self.at.get_ref(), self.component.get_ref())
-            );
-            let remedy = if known.is_empty() { "it has none".into() } else { format!("known: {}", known.join(", ")) };
-            source.refused(self.at.span(), message, remedy)
         })
     }
 }
