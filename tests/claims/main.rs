@@ -1,5 +1,10 @@
 //! One module per link of the chain; every test name is a claim.
 
+mod cells;
+mod facing;
+mod iterate;
+mod problem;
+mod spacing;
 mod workbench;
 
 mod accuracy;

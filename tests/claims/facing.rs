@@ -1,0 +1,126 @@
+//! Nodes that do not face one another: projection on to the facing edge, and what it balances.
+
+use approx::assert_abs_diff_eq;
+use contact_vv::contact::{ContactElement, Interface, Node};
+use contact_vv::elasticity::ElasticSystem;
+use contact_vv::error::Error;
+use contact_vv::mesh::{Mesh, Order};
+use contact_vv::scene::library::{Patch, PinRod};
+use contact_vv::scene::{Profile, Scene};
+
+use crate::contact::{elements, interface};
+use crate::workbench::{ORDERS, resolution};
+
+#[test]
+fn node_that_nothing_faces_is_refused_with_its_coordinate() {
+    let scene = PinRod::default().scene();
+    let mesh = Mesh::of(&scene, resolution(6, 0, Order::Linear)).expect("mesh");
+    let condensed = ElasticSystem::assemble(&scene, &mesh).expect("system").condense().expect("condensed");
+    let mut shorter = mesh.clone();
+    shorter.bodies[1].candidates.pop();
+    let mut late = mesh.clone();
+    late.bodies[1].candidates[0].coordinate += 0.01;
+    let end = format!("{:.6}", scene.contact.stretch);
+    for (wrong, at) in [(shorter, end.as_str()), (late, "0.000000")] {
+        let error = Interface::between(&scene, &wrong, &condensed).expect_err("nothing faces a node");
+        let text = error.to_string();
+        assert!(matches!(error, Error::NotFacing { .. }), "{text}");
+        for part in ["`pin`", "`rod`", at, "shorten the candidate stretch"] {
+            assert!(text.contains(part), "{text}, not {part}");
+        }
+    }
+}
+
+/// Truncated Hertz on a block with `density` times its elements.
+fn on_a_block(density: f64) -> Scene {
+    let mut scene = Patch::default().scene();
+    scene.bodies[1].density = density;
+    scene
+}
+
+#[test]
+fn weights_of_the_facing_freedoms_reproduce_constant_and_linear_displacements() {
+    for order in ORDERS {
+        for density in [0.3, 0.8, 1.0, 1.7, 5.0] {
+            let scene = on_a_block(density);
+            let mesh = Mesh::of(&scene, resolution(10, 0, order)).expect("mesh");
+            let facing = &mesh.bodies[1].candidates;
+            let sample = interface(&scene, 10, order);
+            let offset = sample.stations.len();
+            for station in &sample.stations {
+                let [sum, position] = station.facing.iter().fold([0.0, 0.0], |[sum, position], &(freedom, value)| {
+                    [sum + value, position + value * facing[freedom - offset].coordinate]
+                });
+                assert_abs_diff_eq!(sum, 1.0, epsilon = 1e-14);
+                assert_abs_diff_eq!(position, station.coordinate, epsilon = 1e-12);
+                assert_abs_diff_eq!(station.gap, scene.contact.profile.gap(0.0), epsilon = 0.0);
+            }
+        }
+    }
+}
+
+#[test]
+fn uniform_pressure_presses_consistently_on_both_sides_whatever_their_meshes() {
+    for order in ORDERS {
+        for density in [0.3, 0.8, 1.0, 1.7, 2.0, 5.0] {
+            let scene = on_a_block(density);
+            let mesh = Mesh::of(&scene, resolution(10, 0, order)).expect("mesh");
+            let sample = interface(&scene, 10, order);
+            let own = sample.stations.len();
+            let facing = &mesh.bodies[1].candidates;
+            for (name, element) in elements() {
+                let mut force = vec![0.0; own + facing.len()];
+                element.points(&sample).iter().for_each(|point| point.add_row(point.weight, &mut force));
+                for (body, forces) in [(0, &force[..own]), (1, &force[own..])] {
+                    let mut alone = scene.clone();
+                    alone.bodies[0].density = scene.bodies[body].density;
+                    alone.contact.second = None;
+                    let areas = Node.points(&interface(&alone, 10, order)).into_iter().map(|point| point.weight);
+                    for (found, wanted) in forces.iter().zip(areas) {
+                        assert!((found - wanted).abs() <= 1e-12, "{name}, {density}, body {body}: {found}, {wanted}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn projection_finds_the_place_on_an_edge_whose_middle_lies_off_the_middle() {
+    let scene = on_a_block(1.0);
+    let mut mesh = Mesh::of(&scene, resolution(1, 0, Order::Quadratic)).expect("mesh");
+    // Middle at 0.4 of the edge: s(ξ) = 4 + 5 ξ + ξ² on 0 … 10.
+    mesh.bodies[1].candidates[1].coordinate = 4.0;
+    let condensed = ElasticSystem::assemble(&scene, &mesh).expect("system").condense().expect("condensed");
+    let sample = Interface::between(&scene, &mesh, &condensed).expect("interface");
+    let xi = 0.5 * (29.0_f64.sqrt() - 5.0);
+    let wanted = [0.5 * xi * (xi - 1.0), 1.0 - xi * xi, 0.5 * xi * (xi + 1.0)];
+    let middle = sample.facing.expect("two bodies").at(5.0).expect("an edge");
+    assert_eq!(middle.len(), 3);
+    for (node, value) in middle {
+        assert_abs_diff_eq!(value, wanted[node.freedom - 3], epsilon = 1e-14);
+    }
+}
+
+#[test]
+fn drawn_gap_is_the_distance_along_the_normal_whichever_side_carries_the_points() {
+    let mut scene = PinRod::default().scene();
+    let mesh = |scene: &Scene| Mesh::of(scene, resolution(6, 0, Order::Quadratic)).expect("mesh");
+    let profile = scene.contact.profile;
+    scene.contact.profile = Profile::Drawn;
+    for above in [true, false] {
+        let mut scene = scene.clone();
+        if !above {
+            (scene.contact.first, scene.contact.second) = (1, Some(0));
+            scene.contact.above = false;
+        }
+        let mesh = mesh(&scene);
+        let condensed = ElasticSystem::assemble(&scene, &mesh).expect("system").condense().expect("condensed");
+        let sample = Interface::between(&scene, &mesh, &condensed).expect("interface");
+        for station in &sample.stations {
+            assert_abs_diff_eq!(station.gap, profile.gap(station.coordinate), epsilon = 1e-9);
+            let outward = station.point[0] * station.normal[0] + station.point[1] * station.normal[1];
+            assert_eq!(outward > 0.0, above, "the pin's normal points away from its centre, the rod's towards it");
+        }
+    }
+}

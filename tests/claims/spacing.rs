@@ -1,0 +1,141 @@
+//! Stations along a line, and the lattice that a block spans between four of them.
+
+use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::mesh::block::{Block, Side};
+use contact_vv::mesh::spacing;
+
+#[test]
+fn uniform_spacing_has_equal_steps_and_exact_ends() {
+    for n in [1, 2, 7] {
+        let stations = spacing::uniform(0.1, 0.7, n);
+        assert_eq!(stations.len(), n + 1);
+        assert!((stations[0] - 0.1).abs() <= 0.0 && (stations[n] - 0.7).abs() <= 0.0);
+        for two in stations.windows(2) {
+            assert_relative_eq!(two[1] - two[0], 0.6 / n as f64, max_relative = 1e-13);
+        }
+    }
+}
+
+#[test]
+fn stretched_spacing_is_a_geometric_progression_with_the_asked_end_ratio() {
+    for (n, end) in [(2, 3.0), (5, 0.2), (9, 0.02), (12, 1.0)] {
+        let stations = spacing::stretched(-1.0, 2.0, n, end);
+        let sizes: Vec<f64> = stations.windows(2).map(|two| two[1] - two[0]).collect();
+        assert_eq!(sizes.len(), n);
+        assert_relative_eq!(sizes[n - 1] / sizes[0], end, max_relative = 1e-12);
+        assert_relative_eq!(sizes.iter().sum::<f64>(), 3.0, max_relative = 1e-14);
+        for three in sizes.windows(3) {
+            assert_relative_eq!(three[1] / three[0], three[2] / three[1], max_relative = 1e-11);
+        }
+    }
+}
+
+#[test]
+fn growing_spacing_keeps_its_ratio_up_to_the_coarsest_and_ends_exactly() {
+    for (length, first, ratio, coarsest) in
+        [(10.0, 0.1, 1.3, 2.0), (1.0, 0.3, 1.0, 1.0), (5.0, 0.01, 2.0, 0.5), (1.0, 3.0, 1.5, 0.1)]
+    {
+        let stations = spacing::growing(2.0, 2.0 + length, first, ratio, coarsest);
+        let sizes: Vec<f64> = stations.windows(2).map(|two| two[1] - two[0]).collect();
+        assert!((stations[0] - 2.0).abs() <= 0.0 && (stations[stations.len() - 1] - 2.0 - length).abs() <= 0.0);
+        // The law is scaled as a whole so that it ends at the end: all sizes by one factor.
+        let scale = sizes[0] / first;
+        let mut wanted = first;
+        for size in &sizes {
+            assert_relative_eq!(*size, scale * wanted, max_relative = 1e-9);
+            wanted = (wanted * ratio).min(coarsest.max(first));
+        }
+        // At most half of the last interval is squeezed in or stretched away.
+        let last = sizes[sizes.len() - 1];
+        assert!(sizes.len() == 1 || (length - length / scale).abs() <= 0.5 * last / scale + 1e-9, "scale {scale}");
+    }
+}
+
+#[test]
+fn fitted_spacing_starts_with_the_asked_size_and_fills_the_length() {
+    for (n, first) in [(4, 0.05), (6, 0.1), (8, 0.3), (3, 0.6)] {
+        let stations = spacing::fitted(1.0, 2.0, n, first);
+        let sizes: Vec<f64> = stations.windows(2).map(|two| two[1] - two[0]).collect();
+        assert_eq!(sizes.len(), n);
+        assert_relative_eq!(sizes[0], first, max_relative = 1e-9);
+        assert_relative_eq!(sizes.iter().sum::<f64>(), 1.0, max_relative = 1e-14);
+        for three in sizes.windows(3) {
+            assert_relative_eq!(three[1] / three[0], three[2] / three[1], max_relative = 1e-9);
+        }
+    }
+}
+
+#[test]
+fn growing_from_both_ends_is_fine_at_both_and_never_jumps() {
+    for (ends, ratio, coarsest) in [([0.1, 0.02], 1.3, 0.5), ([0.05, 0.05], 1.5, 0.2), ([0.2, 0.1], 1.2, 0.3)] {
+        let stations = spacing::growing_from_both(1.0, 3.0, ends, ratio, coarsest);
+        let sizes: Vec<f64> = stations.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        assert_eq!((stations[0], stations[stations.len() - 1]), (1.0, 3.0));
+        // Scaled to fit: no size is farther from what was asked than one interval allows.
+        let scale = sizes[0] / ends[0];
+        assert!((0.5..=1.0 + 1e-12).contains(&scale), "{scale}");
+        assert_relative_eq!(sizes[sizes.len() - 1] / ends[1], scale, max_relative = 1e-9);
+        for pair in sizes.windows(2) {
+            let jump = (pair[0] / pair[1]).max(pair[1] / pair[0]);
+            assert!(jump <= ratio * ratio + 1e-9, "{jump}");
+        }
+        assert!(sizes.iter().all(|size| *size <= coarsest.max(ends[0]) + 1e-12));
+    }
+}
+
+#[test]
+fn joined_lists_share_the_station_at_which_they_meet() {
+    assert_eq!(spacing::joined(&[vec![0.0, 1.0], vec![1.0, 3.0], vec![3.0, 4.0]]), vec![0.0, 1.0, 3.0, 4.0]);
+}
+
+#[test]
+fn lattice_halves_every_interval_once_more_than_the_level() {
+    assert_eq!(spacing::lattice(&[0.0, 1.0, 3.0], 0), vec![0.0, 0.5, 1.0, 2.0, 3.0]);
+    let fine = spacing::lattice(&[0.0, 1.0, 3.0], 1);
+    assert_eq!(fine, vec![0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0]);
+}
+
+#[test]
+fn transfinite_block_with_straight_sides_is_the_bilinear_map() {
+    let corners = [[0.0, 0.0], [4.0, 1.0], [3.0, 5.0], [-1.0, 2.0]];
+    let line = |a: [f64; 2], b: [f64; 2], stations: &[f64]| -> Vec<[f64; 2]> {
+        stations.iter().map(|t| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]).collect()
+    };
+    let (xi, eta) = ([0.0, 0.1, 0.35, 0.6, 1.0], [0.0, 0.4, 1.0]);
+    let block = Block {
+        bottom: Side::inner(line(corners[0], corners[1], &xi)),
+        right: Side::named("right", line(corners[1], corners[2], &eta)),
+        top: Side::inner(line(corners[3], corners[2], &xi)),
+        left: Side::inner(line(corners[0], corners[3], &eta)),
+    };
+    let lattice = block.lattice();
+    assert_eq!(block.size(), [5, 3]);
+    for (j, v) in eta.iter().enumerate() {
+        for (i, u) in xi.iter().enumerate() {
+            for k in 0..2 {
+                let wanted = (1.0 - u) * (1.0 - v) * corners[0][k]
+                    + u * (1.0 - v) * corners[1][k]
+                    + u * v * corners[2][k]
+                    + (1.0 - u) * v * corners[3][k];
+                assert_abs_diff_eq!(lattice[j][i][k], wanted, epsilon = 1e-14 * 5.0);
+            }
+        }
+    }
+}
+
+#[test]
+fn transfinite_block_keeps_stations_that_differ_on_opposite_sides_on_straight_lines() {
+    let (lower, upper) = ([0.0, 0.2, 0.5, 1.0], [0.0, 0.5, 0.8, 1.0]);
+    let heights = [0.0, 0.3, 1.0];
+    let block = Block {
+        bottom: Side::inner(lower.map(|x| [x, 0.0]).to_vec()),
+        right: Side::inner(heights.map(|y| [1.0, y]).to_vec()),
+        top: Side::inner(upper.map(|x| [x, 1.0]).to_vec()),
+        left: Side::inner(heights.map(|y| [0.0, y]).to_vec()),
+    };
+    let lattice = block.lattice();
+    for i in 0..4 {
+        assert_abs_diff_eq!(lattice[1][i][1], 0.3, epsilon = 1e-15);
+        assert_abs_diff_eq!(lattice[1][i][0], lower[i] + 0.3 * (upper[i] - lower[i]), epsilon = 1e-15);
+    }
+}
