@@ -1,4 +1,4 @@
-//! Shape functions, quadrature, stiffness, loads and stresses, against polynomials and exact solutions.
+//! Stiffness, loads, supports and stresses of whole bodies, against exact solutions.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! The mesh: exact areas and curves, nesting, orientation, closed boundaries, spacing laws.
+//! The mesh: exact areas and curves, nesting, orientation, closed boundaries.
 
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
