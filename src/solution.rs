@@ -1,5 +1,7 @@
 //! What came out: data only.
 
+use std::ops::Range;
+
 /// How an iteration ended; not converging is a result, never an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
@@ -86,6 +88,15 @@ pub struct PointState {
     pub gap: f64,
 }
 
+/// The part of a solution that belongs to one contact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Share {
+    /// Its contact points.
+    pub points: Range<usize>,
+    /// Its edges.
+    pub edges: Range<usize>,
+}
+
 /// One step of the iteration, as recorded.
 #[derive(Clone, Copy, Debug)]
 pub struct Step {
@@ -104,10 +115,12 @@ pub struct Step {
 pub struct Solution {
     /// How it ended.
     pub outcome: Outcome,
-    /// Contact points in the order of the contact coordinate.
+    /// Contact points: contact by contact, in the order of the contact coordinate.
     pub points: Vec<PointState>,
     /// Means over the candidate edges, the same for all elements: position of the middle, area, mean pressure and gap.
     pub edges: Vec<PointState>,
+    /// Which points and edges belong to each contact of the scene.
+    pub contacts: Vec<Share>,
     /// Spring force per area of each point before the projection to p ≥ 0 \[MPa\].
     pub spring_pressures: Vec<f64>,
     /// Displacements of the retained freedoms \[mm\].
@@ -123,6 +136,16 @@ pub struct Solution {
 }
 
 impl Solution {
+    /// Contact points of one contact, in the order of the contact coordinate.
+    pub fn points_of(&self, contact: usize) -> &[PointState] {
+        &self.points[self.contacts[contact].points.clone()]
+    }
+
+    /// Edge means of one contact.
+    pub fn edges_of(&self, contact: usize) -> &[PointState] {
+        &self.edges[self.contacts[contact].edges.clone()]
+    }
+
     /// Whether the iteration converged.
     pub fn converged(&self) -> bool {
         self.outcome == Outcome::Converged

@@ -119,7 +119,7 @@ fn charted(plane: Plane) -> Result<(), Failed> {
 
 /// What is frozen of a run; of one that did not converge, the outcome only.
 fn summary(run: &Run) -> String {
-    let (solution, measures) = (&run.solution, &run.measures);
+    let (solution, measures) = (&run.solution, &run.measures());
     let mut text = format!("outcome: {}\n", solution.outcome);
     if !solution.converged() {
         return text;
@@ -135,7 +135,7 @@ fn summary(run: &Run) -> String {
     let _ = writeln!(text, "half-width: {}", significant(measures.half_width, 6));
     let _ = writeln!(text, "half-width by counting: {}", significant(measures.half_width_nodes, 6));
     let _ = writeln!(text, "peak pressure: {}", significant(measures.peak.pressure, 6));
-    let _ = writeln!(text, "resultant: {}", significant(run.transmitted, 6));
+    let _ = writeln!(text, "resultant: {}", significant(run.transmitted(), 6));
     let _ = writeln!(text, "decades from the tolerance, last two steps: {before:+.4}, {last:+.4}");
     text
 }

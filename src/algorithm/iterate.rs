@@ -6,7 +6,7 @@ use crate::algorithm::problem::reported;
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
 use crate::contact::ContactPoint;
 use crate::error::Error;
-use crate::solution::{Outcome, PointState, Residuals, Solution, Step, Work};
+use crate::solution::{Outcome, PointState, Residuals, Share, Solution, Step, Work};
 
 /// When to stop.
 #[derive(Clone, Copy, Debug)]
@@ -141,9 +141,19 @@ impl Run<'_> {
             PointState { position: point.position, weight: point.weight, pressure, gap: point.gap - w }
         });
         let states: Vec<PointState> = states.collect();
+        let (mut edges, mut contacts) = (Vec::new(), Vec::new());
+        let mut first = 0;
+        for group in points.chunk_by(|a, b| a.contact == b.contact) {
+            let own = first..first + group.len();
+            let means = edge_means(group, &states[own.clone()]);
+            contacts.push(Share { points: own, edges: edges.len()..edges.len() + means.len() });
+            edges.extend(means);
+            first += group.len();
+        }
         Solution {
             outcome,
-            edges: edge_means(points, &states),
+            edges,
+            contacts,
             points: states,
             spring_pressures: last.pressure,
             displacement: last.displacement,

@@ -143,9 +143,10 @@ impl ContactProblem<'_> {
         (self.stiffness * ColRef::from_slice(u)).iter().copied().collect()
     }
 
-    /// Whether the condensed load is no more than round-off.
+    /// Whether the condensed load is no more than round-off, and no interference presses either.
     pub fn is_unloaded(&self) -> bool {
-        self.is_round_off(absolute(self.load))
+        let interferes = self.points.iter().any(|point| point.gap < -UNLOADED * self.scale.gap);
+        self.is_round_off(absolute(self.load)) && !interferes
     }
 
     /// Whether a force is no more than round-off of the reference pressure on all points \[N\].

@@ -91,5 +91,5 @@ fn edges(scene: &DigitisedScene, elements: usize) -> Result<(f64, Vec<PointState
     let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
     let discretisation = Discretisation::of(rod.scene(), resolution)?;
     let run = Run::of(&discretisation, &Formulation::verification())?;
-    Ok((discretisation.scene.contact.stretch, run.solution.edges))
+    Ok((discretisation.scene.contact().stretch, run.solution.edges))
 }

@@ -53,7 +53,7 @@ pub fn errors(run: &Run, exact: &Hertz) -> [f64; 3] {
     if !run.solution.converged() {
         return [f64::NAN; 3];
     }
-    let (points, measures) = (&run.solution.points, &run.measures);
+    let (points, measures) = (&run.solution.points, &run.measures());
     let pressure = |x: f64| exact.pressure(x);
     let peak = profile::peak_of(points, measures.half_width, pressure).pressure;
     let away = |value: f64, reference: f64| (value - reference).abs() / reference;
@@ -90,7 +90,11 @@ fn peak_and_half_width(problem: &Problem, run: &Run, tolerance: [f64; 2], becaus
 
 /// Peak and half-width of a converged run; NaN, which no check passes, of any other.
 fn converged(run: &Run) -> (f64, f64) {
-    if run.solution.converged() { (run.measures.peak.pressure, run.measures.half_width) } else { (f64::NAN, f64::NAN) }
+    if run.solution.converged() {
+        (run.measures().peak.pressure, run.measures().half_width)
+    } else {
+        (f64::NAN, f64::NAN)
+    }
 }
 
 fn truncated_hertz(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {

@@ -43,7 +43,7 @@ fn persson(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Res
         Check::relative(
             "p(0) shall follow Persson",
             "p(0) [MPa]",
-            converged(run.measures.peak.pressure),
+            converged(run.measures().peak.pressure),
             read(Quantity::PeakPressure),
             1e-3,
             "rim of the plate at 500 radii: no model error to speak of",
@@ -59,7 +59,7 @@ fn persson(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Res
         Check::relative(
             "The second-moment angle shall follow Persson",
             "2 √(∫pφ²/∫p) [rad]",
-            converged(run.measures.half_width),
+            converged(run.measures().half_width),
             Reference::analytic(oracle.name(), exact_second_moment(problem, edge)),
             3e-3,
             "edge within an element, plate finite",
@@ -97,8 +97,8 @@ pub fn exact_second_moment(problem: &Problem, edge: f64) -> f64 {
 fn hoop_stress(discretisation: &Discretisation, run: &Run, at: f64) -> Result<f64, Error> {
     let fields = discretisation.recover(&run.solution)?;
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
-    let body = scene.contact.second.unwrap_or(0);
-    let path = &scene.contact.path;
+    let body = scene.contact().second.unwrap_or(0);
+    let path = &scene.contact().path;
     let nodes = mesh.boundary(scene, body, "contact")?.iter().flatten();
     let distance = |node: &usize| (path.coordinate(mesh.points[*node]) - at).abs();
     let nearest = nodes.copied().min_by(|a, b| distance(a).total_cmp(&distance(b)));
@@ -118,16 +118,16 @@ fn one_another(_: &Problem, discretisation: &Discretisation, run: &Run) -> Resul
         Check::relative(
             "All nine shall find the same peak pressure",
             "peak [MPa]",
-            converged(run.measures.peak.pressure),
-            own(reference.measures.peak.pressure),
+            converged(run.measures().peak.pressure),
+            own(reference.measures().peak.pressure),
             1e-2,
             because,
         ),
         Check::relative(
             "All nine shall find the same second-moment angle",
             "2 √(∫pθ²/∫p) [rad]",
-            converged(run.measures.half_width),
-            own(reference.measures.half_width),
+            converged(run.measures().half_width),
+            own(reference.measures().half_width),
             1e-2,
             because,
         ),

@@ -120,7 +120,7 @@ fn errors(problem: &Problem, numbers: &TruncatedHertz, order: Order, refinement:
     let run = Run::of(&discretisation, &Formulation::verification())?;
     let exact = Hertz { load: numbers.load(), radius: numbers.radius, modulus: problem.scene.contact_modulus() };
     let [peak, half_width, l2] = hertz::errors(&run, &exact);
-    let load = whole(&problem.scene.contact) * discretisation.system.bodies[0].applied_vertical().abs();
+    let load = whole(problem.scene.contact()) * discretisation.system.bodies[0].applied_vertical().abs();
     Ok(Errors {
         size: 1.0 / (COARSEST << refinement) as f64,
         freedoms: run.freedoms,
@@ -139,8 +139,8 @@ fn model_error() -> Result<Finding, Error> {
         let (scene, _, _) = problem::cylinder(numbers);
         let resolution = Resolution { elements: 48, refinement: 0, order: Order::Quadratic };
         let run = Run::of(&Discretisation::of(scene.clone(), resolution)?, &Formulation::verification())?;
-        let peak = run.measures.peak.pressure / scene.reference.pressure;
-        let width = run.measures.half_width / numbers.half_width();
+        let peak = run.measures().peak.pressure / scene.reference.pressure;
+        let width = run.measures().half_width / numbers.half_width();
         rows.push(vec![a_over_r.to_string(), format!("{peak:.4}"), format!("{width:.4}"), run.freedoms.to_string()]);
     }
     let head = ["a/R", "p₀ / Hertz", "a / Hertz", "freedoms"].map(String::from).into();
@@ -203,7 +203,7 @@ type Quantity = (&'static str, fn(&Run) -> f64);
 
 /// The two numbers of a Hertz contact.
 const HERTZ: [Quantity; 2] =
-    [("p₀ [MPa]", |run| run.measures.peak.pressure), ("a [mm]", |run| run.measures.half_width)];
+    [("p₀ [MPa]", |run| run.measures().peak.pressure), ("a [mm]", |run| run.measures().half_width)];
 
 /// The pin–rod has no closed form: its refinement series gives its own uncertainty.
 fn pin_rod() -> Result<Finding, Error> {
@@ -216,8 +216,8 @@ fn pin_rod() -> Result<Finding, Error> {
                 name.into(),
                 (COARSEST_PIN << level).to_string(),
                 run.freedoms.to_string(),
-                format!("{:.3}", run.measures.peak.pressure),
-                format!("{:.3}", run.measures.half_width.to_degrees()),
+                format!("{:.3}", run.measures().peak.pressure),
+                format!("{:.3}", run.measures().half_width.to_degrees()),
             ]);
         }
         for (quantity, of) in QUANTITIES {
@@ -260,7 +260,7 @@ fn pin_rod() -> Result<Finding, Error> {
 
 /// The quantities whose uncertainty is asked for.
 const QUANTITIES: [Quantity; 2] =
-    [("peak", |run| run.measures.peak.pressure), ("second-moment angle", |run| run.measures.half_width)];
+    [("peak", |run| run.measures().peak.pressure), ("second-moment angle", |run| run.measures().half_width)];
 
 fn pin_levels(order: Order) -> Result<Vec<Run>, Error> {
     let problem = problem::problem("pin-rod", None)?;

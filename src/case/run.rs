@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use crate::contact::Interface;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
 use crate::measure::{Measures, profile, whole};
@@ -18,6 +19,15 @@ pub const INSIDE: f64 = 0.8;
 /// Departure of a pressure from its neighbours' line, over the peak, that no smooth contact on a usable mesh shows.
 const ROUGH: f64 = 0.1;
 
+/// The numbers one quotes of a contact.
+#[derive(Clone, Copy, Debug)]
+pub struct Contact {
+    /// Half-width, peak and the like.
+    pub measures: Measures,
+    /// Force that the reported pressures exert on the upper (inner) body along the load line, both halves \[N\].
+    pub transmitted: f64,
+}
+
 /// A finished run.
 #[derive(Clone, Debug)]
 pub struct Run {
@@ -29,10 +39,8 @@ pub struct Run {
     pub retained: usize,
     /// What came out.
     pub solution: Solution,
-    /// The numbers one quotes.
-    pub measures: Measures,
-    /// Force that the reported pressures exert on the upper (inner) body along the load line, both halves \[N\].
-    pub transmitted: f64,
+    /// The numbers one quotes, contact by contact.
+    pub contacts: Vec<Contact>,
     /// Operations of the sparse factorisation that condensed the bodies.
     pub sparse_operations: f64,
     /// Seconds by stage.
@@ -70,11 +78,25 @@ impl Run {
             freedoms: discretisation.system.freedoms(),
             retained: discretisation.condensed.retained(),
             sparse_operations: discretisation.condensed.operations(),
-            measures: Measures::of(scene, &solution, floor),
-            transmitted: transmitted(discretisation, &solution),
+            contacts: (discretisation.interfaces.iter())
+                .map(|interface| Contact {
+                    measures: Measures::of(scene, &solution, interface.contact, floor),
+                    transmitted: transmitted(interface, &solution),
+                })
+                .collect(),
             solution,
             seconds,
         })
+    }
+
+    /// The numbers of the first contact, which is the only one of most scenes.
+    pub fn measures(&self) -> &Measures {
+        &self.contacts[0].measures
+    }
+
+    /// Force that the first contact transmits along the load line, both halves \[N\].
+    pub fn transmitted(&self) -> f64 {
+        self.contacts[0].transmitted
     }
 
     /// Share of loads and prescribed displacements that the last step was made under: 1 at the last increment.
@@ -83,18 +105,20 @@ impl Run {
         self.solution.history.last().map_or(1.0, |step| step.increment as f64 / increments as f64)
     }
 
-    /// What a user must know before quoting a converged run: no contact, contact on too few points, pressures that oscillate.
-    pub fn note(&self) -> Option<String> {
-        let points = &self.solution.points;
+    /// What a user must know before quoting a contact of a converged run: no contact, contact on too few points, pressures
+    /// that oscillate.
+    pub fn note(&self, contact: usize) -> Option<String> {
+        let points = self.solution.points_of(contact);
         let all = points.len();
-        let Measures { begin, edge, .. } = self.measures;
+        let measures = &self.contacts[contact].measures;
+        let Measures { begin, edge, .. } = *measures;
         let (middle, reach) = (0.5 * (begin + edge), 0.5 * (edge - begin));
-        let rough = profile::oscillation(&profile::about(points, middle), INSIDE * reach) / self.measures.peak.pressure;
+        let rough = profile::oscillation(&profile::about(points, middle), INSIDE * reach) / measures.peak.pressure;
         let highest = points.iter().map(|point| point.pressure).fold(0.0, f64::max);
         // As many on each side of x = 0, where the point there may be common to both.
         let across = points.first().is_some_and(|point| point.position < 0.0);
         let resolved = if across { 2 * RESOLVED - 1 } else { RESOLVED };
-        match self.measures.active {
+        match measures.active {
             _ if !self.solution.converged() => None,
             0 => Some("no contact: every candidate is open".into()),
             n if n < resolved.min(all) => {
@@ -104,7 +128,7 @@ impl Run {
                 "pressures depart from their neighbours by {:.0} % of the peak: quote means over edges",
                 100.0 * rough
             )),
-            _ if highest > ABOVE * self.measures.peak.pressure => Some(format!(
+            _ if highest > ABOVE * measures.peak.pressure => Some(format!(
                 "a point carries {highest:.4} MPa, more than the peak through its neighbours: a corner, or too coarse a mesh"
             )),
             _ => None,
@@ -122,9 +146,8 @@ impl Run {
 }
 
 /// Sum of the nodal contact forces on the upper (inner) body along the load line, both halves \[N\].
-fn transmitted(discretisation: &Discretisation, solution: &Solution) -> f64 {
-    let stations = discretisation.interface.stations.iter();
-    let along = stations.map(|s| solution.contact_force[s.freedom] * s.normal[1]);
-    let upwards = if discretisation.scene.contact.above { 1.0 } else { -1.0 };
-    upwards * whole(&discretisation.scene.contact) * along.sum::<f64>()
+fn transmitted(interface: &Interface, solution: &Solution) -> f64 {
+    let along = interface.stations.iter().map(|s| solution.contact_force[s.freedom] * s.normal[1]);
+    let upwards = if interface.pair.above { 1.0 } else { -1.0 };
+    upwards * whole(&interface.pair) * along.sum::<f64>()
 }

@@ -220,7 +220,7 @@ fn no_difference(f: &Findings) -> Statement {
         let values = || runs.iter().map(|run| of(run));
         100.0 * (values().fold(0.0, f64::max) / values().fold(f64::INFINITY, f64::min) - 1.0)
     };
-    let (peak, width) = (spread(|r| r.measures.peak.pressure), spread(|r| r.measures.half_width));
+    let (peak, width) = (spread(|r| r.measures().peak.pressure), spread(|r| r.measures().half_width));
     Statement {
         text: "Within the prescribed accuracy there is no remarkable difference between elements or algorithms; the differences are in steps and time",
         measured: format!("cylinder: spread of the nine {peak:.2} % in p₀, {width:.2} % in a; {low} to {high} steps"),

@@ -94,7 +94,7 @@ fn sweep(
     formulation: &Formulation,
 ) -> Result<Finding, Error> {
     let discretisation = Discretisation::of(problem.scene.clone(), resolution)?;
-    let reference = Run::of(&discretisation, &Formulation::verification())?.measures;
+    let reference = *Run::of(&discretisation, &Formulation::verification())?.measures();
     let (mut points, mut failed) = (Vec::new(), Vec::new());
     let mut worst = 0.0_f64;
     for stiffness in stiffnesses() {
@@ -104,7 +104,7 @@ fn sweep(
             continue;
         }
         points.push([stiffness, run.solution.work.steps as f64]);
-        let error = relative_error(run.measures.half_width, reference.half_width);
+        let error = relative_error(run.measures().half_width, reference.half_width);
         worst = if error.is_nan() { f64::NAN } else { worst.max(error) };
     }
     let check = Check::norm(

@@ -1,12 +1,13 @@
 //! What every converged run must satisfy, whatever the problem: equilibrium, invariance, condensed = full, path independence.
 
 use crate::case::check::{Check, Reference};
-use crate::case::run::Run;
+use crate::case::run::{Contact, Run};
 use crate::elasticity::ElasticSystem;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
+use crate::measure::whole;
 use crate::mesh::Mesh;
-use crate::scene::{Path, Scene};
+use crate::scene::{ContactPair, Path, Scene};
 
 /// Load increments of the path-independence check.
 const INCREMENTS: usize = 4;
@@ -19,7 +20,9 @@ const MIRROR_IMAGE: &str = "mirror image";
 pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
     let mut checks = Vec::new();
     checks.extend(equilibrium(discretisation, run));
-    checks.push(frictionless(discretisation, run)?);
+    for contact in 0..discretisation.scene.contacts.len() {
+        checks.push(frictionless(discretisation, run, contact)?);
+    }
     checks.push(condensed_is_full(discretisation, run)?);
     checks.extend(invariance(discretisation, run)?);
     if run.formulation.name() == Formulation::verification().name() && run.formulation.settings.tolerance <= 1e-8 {
@@ -31,14 +34,40 @@ pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, 
 /// Contact resultant = applied load, on a body that only contact holds along the load line.
 fn equilibrium(discretisation: &Discretisation, run: &Run) -> Option<Check> {
     let scene = &discretisation.scene;
-    let free = scene.contact.bodies().find(|&body| !held_vertically(scene, body))?;
-    let halves = crate::measure::whole(&scene.contact);
-    let applied = halves * discretisation.system.bodies[free].applied_vertical().abs();
+    let [pair] = &scene.contacts[..] else { return balance(discretisation, run) };
+    let free = pair.bodies().find(|&body| !held_vertically(scene, body))?;
+    let applied = whole(pair) * discretisation.system.bodies[free].applied_vertical().abs();
     Some(Check::relative(
         "The resultant of the reported pressures shall equal the applied load",
         "resultant",
-        run.transmitted,
+        run.transmitted(),
         Reference::own("applied load", applied),
+        run.formulation.settings.tolerance,
+        "balance is part of convergence: the run's own tolerance",
+    ))
+}
+
+/// Several contacts: on each body that only they hold along the load line, their forces and the applied load add up to 0.
+fn balance(discretisation: &Discretisation, run: &Run) -> Option<Check> {
+    let scene = &discretisation.scene;
+    let free: Vec<usize> = (0..scene.bodies.len()).filter(|&body| !held_vertically(scene, body)).collect();
+    let imbalance = |&body: &usize| {
+        let force = |(pair, contact): (&ContactPair, &Contact)| {
+            let upwards = if pair.above == (body == pair.first) { 1.0 } else { -1.0 };
+            let takes_part = pair.bodies().any(|other| other == body);
+            if takes_part { upwards * contact.transmitted / whole(pair) } else { 0.0 }
+        };
+        let forces: Vec<f64> = scene.contacts.iter().zip(&run.contacts).map(force).collect();
+        let applied = discretisation.system.bodies[body].applied_vertical();
+        let pressing: f64 = forces.iter().map(|force| force.abs()).sum();
+        (applied + forces.iter().sum::<f64>()).abs() / pressing.max(applied.abs())
+    };
+    let worst = free.iter().map(imbalance).reduce(|a, b| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) })?;
+    Some(Check::norm(
+        "The contact forces on every free body shall balance its load",
+        "imbalance / pressing forces",
+        worst,
+        Reference::own("equilibrium", 0.0),
         run.formulation.settings.tolerance,
         "balance is part of convergence: the run's own tolerance",
     ))
@@ -51,17 +80,19 @@ fn held_vertically(scene: &Scene, body: usize) -> bool {
 /// Tangential contact forces vanish; on arcs this is the moment about the centre.
 ///
 /// Taken from `K u − f` of the recovered displacements, not from the pressures.
-fn frictionless(discretisation: &Discretisation, run: &Run) -> Result<Check, Error> {
+fn frictionless(discretisation: &Discretisation, run: &Run, contact: usize) -> Result<Check, Error> {
     let fields = discretisation.recover(&run.solution)?;
     let scene = &discretisation.scene;
+    let pair = &scene.contacts[contact];
     let (mut moment, mut force) = (0.0_f64, 0.0_f64);
-    for body in scene.contact.bodies() {
+    for body in pair.bodies() {
         let system = &discretisation.system.bodies[body];
         let internal = system.product(&fields.unknowns[body]);
         let (mut turning, mut pressing) = (0.0, 0.0);
-        for candidate in &discretisation.mesh.bodies[body].candidates {
+        let part = &discretisation.mesh.bodies[body];
+        for candidate in &part.candidates[part.candidates_of(contact)] {
             let residual = nodal_force(discretisation, body, candidate.node, &internal);
-            let arm = arm(&scene.contact.path, discretisation.mesh.points[candidate.node]);
+            let arm = arm(&pair.path, discretisation.mesh.points[candidate.node]);
             turning += arm[0] * residual[1] - arm[1] * residual[0];
             pressing += residual[0].hypot(residual[1]) * arm[0].hypot(arm[1]);
         }
@@ -69,7 +100,7 @@ fn frictionless(discretisation: &Discretisation, run: &Run) -> Result<Check, Err
         force = force.max(pressing);
     }
     let scale = force.max(scene.reference.pressure * scene.thickness * scene.reference.length * scene.reference.length);
-    Ok(match scene.contact.path {
+    Ok(match pair.path {
         Path::Arc(_) => Check::norm(
             "The contact forces shall have no moment about the pin's centre",
             "moment / F R",
@@ -78,7 +109,7 @@ fn frictionless(discretisation: &Discretisation, run: &Run) -> Result<Check, Err
             1e-9,
             "frictionless on a circle; round-off of the recovered forces",
         ),
-        Path::Horizontal | Path::BothSides => Check::norm(
+        Path::Straight(_) => Check::norm(
             "Contact shall exert no tangential force",
             "moment of tangential forces / F ℓ",
             moment / scale,
@@ -92,7 +123,7 @@ fn frictionless(discretisation: &Discretisation, run: &Run) -> Result<Check, Err
 /// Arm about the centre of an arc; on a plane a vertical unit arm, so that the moment is that of tangential forces.
 fn arm(path: &Path, point: [f64; 2]) -> [f64; 2] {
     match path {
-        Path::Horizontal | Path::BothSides => [0.0, 1.0],
+        Path::Straight(_) => [0.0, 1.0],
         Path::Arc(circle) => [point[0] - circle.centre[0], point[1] - circle.centre[1]],
     }
 }
@@ -173,8 +204,9 @@ fn same(run: &Run, name: &str, variant: &Discretisation, unit: f64, scale: f64) 
     let other = variant.solve(&run.formulation)?;
     let pressures = run.solution.points.iter().map(|p| p.pressure);
     let mut others: Vec<f64> = other.points.iter().map(|p| p.pressure * unit).collect();
-    if name == MIRROR_IMAGE && variant.scene.contact.path.has_both_sides() {
-        others.reverse();
+    let turned = variant.scene.contacts.iter().zip(&other.contacts);
+    for (_, share) in turned.filter(|(pair, _)| name == MIRROR_IMAGE && pair.path.has_both_sides()) {
+        others[share.points.clone()].reverse();
     }
     let difference = largest_difference(pressures, others.into_iter()) / scale;
     // Where the tolerance is as small as the perturbation itself, one step more or less is no difference.

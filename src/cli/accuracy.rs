@@ -78,7 +78,7 @@ impl Document {
             estimate: answer.estimate(),
             freedoms: answer.run.freedoms,
             freedoms_in_all: in_all(answer),
-            stretch: answer.scene.contact.stretch,
+            stretch: answer.scene.contact().stretch,
             growth: [answer.scene.grading.along, answer.scene.grading.depth],
             quantities: answer.estimates.iter().map(quantity).collect(),
             tried: answer.tried.iter().map(mesh).collect(),

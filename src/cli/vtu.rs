@@ -63,15 +63,17 @@ pub fn text(discretisation: &Discretisation, run: &Run) -> Result<String, Error>
 fn on_candidates(discretisation: &Discretisation, run: &Run) -> [Vec<f64>; 2] {
     let mesh = &discretisation.mesh;
     let (mut pressure, mut gap) = (vec![0.0; mesh.points.len()], vec![f64::NAN; mesh.points.len()]);
-    let points = &run.solution.points;
-    let pair = &discretisation.scene.contact;
-    let gaps: Vec<PointState> = points.iter().map(|point| PointState { pressure: point.gap, ..*point }).collect();
-    for body in pair.bodies() {
-        for candidate in &mesh.bodies[body].candidates {
-            // Of the facing body an edge may reach beyond the stretch, where there is no gap to tell.
-            if candidate.coordinate.abs() <= pair.stretch * (1.0 + 1e-9) {
-                pressure[candidate.node] = profile::interpolate(points, pair.stretch, candidate.coordinate);
-                gap[candidate.node] = profile::interpolate(&gaps, pair.stretch, candidate.coordinate);
+    for (contact, pair) in discretisation.scene.contacts.iter().enumerate() {
+        let points = run.solution.points_of(contact);
+        let gaps: Vec<PointState> = points.iter().map(|point| PointState { pressure: point.gap, ..*point }).collect();
+        for body in pair.bodies() {
+            let part = &mesh.bodies[body];
+            for candidate in &part.candidates[part.candidates_of(contact)] {
+                // Of the facing body an edge may reach beyond the stretch, where there is no gap to tell.
+                if candidate.coordinate.abs() <= pair.stretch * (1.0 + 1e-9) {
+                    pressure[candidate.node] = profile::interpolate(points, pair.stretch, candidate.coordinate);
+                    gap[candidate.node] = profile::interpolate(&gaps, pair.stretch, candidate.coordinate);
+                }
             }
         }
     }

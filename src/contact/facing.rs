@@ -3,7 +3,7 @@
 use crate::elasticity::shape_functions;
 use crate::error::Error;
 use crate::mesh::{Mesh, candidates};
-use crate::scene::Scene;
+use crate::scene::{ContactPair, Scene};
 
 /// Difference of contact coordinates, over the stretch, below which two points are one.
 const SAME: f64 = 1e-9;
@@ -31,8 +31,8 @@ pub struct FacingNode {
 }
 
 impl Facing {
-    /// The candidate edges of a body whose retained freedoms begin at `offset`.
-    pub fn of(scene: &Scene, mesh: &Mesh, body: usize, offset: usize) -> Result<Self, Error> {
+    /// The candidate edges of the second body of a contact, whose retained freedoms begin at `offset`.
+    pub fn of(scene: &Scene, mesh: &Mesh, pair: &ContactPair, body: usize, offset: usize) -> Result<Self, Error> {
         let part = &mesh.bodies[body];
         let node = |&node: &usize| {
             let index = part.candidate_index(node)?;
@@ -40,13 +40,13 @@ impl Facing {
             Some(FacingNode {
                 freedom: offset + index,
                 coordinate: candidate.coordinate,
-                depth: scene.contact.path.depth(mesh.points[node]),
+                depth: pair.path.depth(mesh.points[node]),
                 normal: candidate.normal.map(|n| 0.0 - n),
             })
         };
-        let edges = candidates::candidate_edges(mesh, scene, body)?;
+        let edges = candidates::candidate_edges(mesh, scene, pair, body)?;
         let edges = edges.iter().filter_map(|edge| edge.iter().map(node).collect()).collect();
-        Ok(Self { edges, same: SAME * scene.contact.stretch })
+        Ok(Self { edges, same: SAME * pair.stretch })
     }
 
     /// The node at a contact coordinate, or those of the edge that holds it, with its shape functions there; none where

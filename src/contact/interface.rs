@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::mesh::{Candidate, Mesh, candidates};
 use crate::scene::{ContactPair, Profile, Scene};
 
-/// The candidate stretch: stations (nodes of the first body) and the edges between them.
+/// The candidate stretch of one contact: stations (nodes of the first body) and the edges between them.
 #[derive(Clone, Debug)]
 pub struct Interface {
     /// Nodes of the first body, in the order of the contact coordinate.
@@ -17,6 +17,8 @@ pub struct Interface {
     pub edges: Vec<Vec<usize>>,
     /// Edges of the second body; none where the other side is rigid.
     pub facing: Option<Facing>,
+    /// Index of the contact in the scene.
+    pub contact: usize,
     /// Path, gap and symmetry of the contact.
     pub pair: ContactPair,
     /// Thickness \[mm\].
@@ -60,18 +62,25 @@ pub struct Term {
 }
 
 impl Interface {
-    /// Projects the candidates of the first body on to the second; their nodes need not match.
-    pub fn between(scene: &Scene, mesh: &Mesh, condensed: &Condensed) -> Result<Self, Error> {
-        let pair = &scene.contact;
+    /// The interface of every contact of a scene.
+    pub fn all(scene: &Scene, mesh: &Mesh, condensed: &Condensed) -> Result<Vec<Self>, Error> {
+        (0..scene.contacts.len()).map(|contact| Self::between(scene, mesh, condensed, contact)).collect()
+    }
+
+    /// Projects the candidates of the first body of a contact on to the second; their nodes need not match.
+    pub fn between(scene: &Scene, mesh: &Mesh, condensed: &Condensed, contact: usize) -> Result<Self, Error> {
+        let pair = &scene.contacts[contact];
         let first = &mesh.bodies[pair.first];
-        let other = |second| Facing::of(scene, mesh, second, condensed.offsets[second]);
+        let own = first.candidates_of(contact);
+        let other = |second| Facing::of(scene, mesh, pair, second, condensed.offsets[second]);
         let facing = pair.second.map(other).transpose()?;
-        let station = |(index, candidate): (usize, &Candidate)| {
+        let station = |index: usize| {
+            let candidate: &Candidate = &first.candidates[index];
             let s = candidate.coordinate;
             let opposite = match &facing {
                 None => pair.path.own_depth(),
                 Some(facing) => {
-                    let nodes = facing.at(s).ok_or_else(|| not_facing(scene, facing, s))?;
+                    let nodes = facing.at(s).ok_or_else(|| not_facing(scene, contact, facing, s))?;
                     nodes.iter().map(|(node, value)| value * node.depth).sum()
                 }
             };
@@ -83,14 +92,14 @@ impl Interface {
             let freedom = condensed.offsets[pair.first] + index;
             Ok(Station { coordinate: s, point, normal: candidate.normal, gap, freedom, facing: Vec::new() })
         };
-        let stations = first.candidates.iter().enumerate().map(station).collect::<Result<Vec<Station>, Error>>()?;
-        let index = |node: usize| first.candidate_index(node);
-        let mut edges: Vec<Vec<usize>> = candidates::candidate_edges(mesh, scene, pair.first)?
+        let stations = own.clone().map(station).collect::<Result<Vec<Station>, Error>>()?;
+        let index = |node: usize| first.candidate_index(node).map(|index| index - own.start);
+        let mut edges: Vec<Vec<usize>> = candidates::candidate_edges(mesh, scene, pair, pair.first)?
             .iter()
             .filter_map(|edge| edge.iter().map(|&n| index(n)).collect())
             .collect();
         edges.sort_by_key(|edge| edge[0].min(edge[1]));
-        let mut interface = Self { stations, edges, facing, pair: pair.clone(), thickness: scene.thickness };
+        let mut interface = Self { stations, edges, facing, contact, pair: pair.clone(), thickness: scene.thickness };
         if let Some(facing) = &interface.facing {
             let rows = dual::rows(&interface, facing);
             interface.stations.iter_mut().zip(rows).for_each(|(station, row)| station.facing = row);
@@ -160,10 +169,10 @@ pub(super) fn summed(row: Vec<(usize, f64)>) -> Vec<(usize, f64)> {
     sums
 }
 
-fn not_facing(scene: &Scene, facing: &Facing, at: f64) -> Error {
+fn not_facing(scene: &Scene, contact: usize, facing: &Facing, at: f64) -> Error {
     let from = facing.corners().fold(f64::INFINITY, f64::min);
     let to = facing.corners().fold(f64::NEG_INFINITY, f64::max);
-    let mut names = scene.contact.bodies().map(|body| scene.bodies[body].name.clone());
+    let mut names = scene.contacts[contact].bodies().map(|body| scene.bodies[body].name.clone());
     let mut name = || names.next().unwrap_or_default();
-    Error::NotFacing { first: name(), second: name(), at, from, to }
+    Error::NotFacing { contact, first: name(), second: name(), at, from, to }
 }

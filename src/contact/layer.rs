@@ -30,6 +30,7 @@ impl ContactElement for Layer {
                 let t = t0 + gap.max(0.0);
                 let area = weight * length * interface.thickness;
                 points.push(ContactPoint {
+                    contact: interface.contact,
                     row: normal_row(interface, edge, t0, (&shapes, position)),
                     position,
                     weight: area,

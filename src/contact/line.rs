@@ -17,6 +17,7 @@ impl ContactElement for Line {
                 let (shapes, position, length) = interface.at(edge, xi);
                 let area = weight * length * interface.thickness;
                 points.push(ContactPoint {
+                    contact: interface.contact,
                     row: interface.terms(edge, &shapes, position).iter().map(|t| (t.freedom, t.value)).collect(),
                     position,
                     weight: area,

@@ -24,6 +24,8 @@ pub use node::Node;
 /// A point at which contact conditions are enforced.
 #[derive(Clone, Debug)]
 pub struct ContactPoint {
+    /// Index of the contact in the scene.
+    pub contact: usize,
     /// Sparse row `b` on the retained freedoms: the approach is `w = b·u`.
     pub row: Vec<(usize, f64)>,
     /// Contact coordinate `s` \[mm, or rad on an arc\].
@@ -34,7 +36,7 @@ pub struct ContactPoint {
     pub gap: f64,
     /// Initial stiffness over the nominal one, `k_i / k_n`.
     pub relative_stiffness: f64,
-    /// Parts of the area that belong to each edge: (edge index, area \[mm²\]).
+    /// Parts of the area that belong to each edge of its contact: (edge index, area \[mm²\]).
     pub shares: Vec<(usize, f64)>,
 }
 

@@ -22,6 +22,7 @@ impl ContactElement for Node {
         let stations = interface.stations.iter().zip(shares);
         stations
             .map(|(station, shares)| ContactPoint {
+                contact: interface.contact,
                 row: station.row().collect(),
                 position: station.coordinate,
                 weight: shares.iter().map(|(_, area)| area).sum(),

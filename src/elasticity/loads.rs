@@ -1,7 +1,7 @@
 //! Consistent nodal forces of tractions, stress fields, body forces and concentrated forces.
 
 use crate::elasticity::freedoms::Freedoms;
-use crate::elasticity::{element, quadrature, shape_functions};
+use crate::elasticity::{element, point, quadrature, shape_functions};
 use crate::error::Error;
 use crate::mesh::{Edge, Mesh};
 use crate::scene::{Load, Scene};
@@ -75,7 +75,11 @@ fn hand_out(scene: &Scene, mesh: &Mesh, body: usize, load: &Load, take: Taker) -
             }
         }
         Load::BodyForce(density) => body_force(scene, mesh, body, *density, take)?,
-        Load::Force { at, force } => take(mesh.node_at(scene, body, *at)?, *force),
+        Load::Force { at, force } => {
+            for (node, value) in point::shapes_at(scene, mesh, body, *at)? {
+                take(node, force.map(|f| f * value));
+            }
+        }
         Load::RigidFace { .. } => {}
     }
     Ok(())

@@ -7,6 +7,7 @@
 //! * [`freedoms`] — which displacement components are unknown, numbered in that order.
 //! * [`assembly`] — the stiffness matrix.
 //! * [`loads`] — consistent nodal forces.
+//! * `point` — where in the cells a point lies.
 //! * [`rigid_motion`] — refuses bodies that are free to move.
 //! * [`stress`] — nodal stresses.
 //! * [`reactions`] — what supports exert.
@@ -16,6 +17,7 @@ pub mod element;
 pub mod freedoms;
 pub mod graph;
 pub mod loads;
+mod point;
 pub mod quadrature;
 pub mod reactions;
 pub mod rigid_motion;

@@ -109,11 +109,41 @@ pub enum Error {
         component: String,
     },
 
+    /// A candidate stretch that holds no element of the first body.
+    #[error(
+        "{place}: `candidate stretch` is {stretch} (mm, or rad on an arc): it must hold at least one element edge of `{body}`; lengthen it or refine the mesh"
+    )]
+    EmptyStretch {
+        /// Index of the contact in the scene.
+        contact: usize,
+        /// Name of the scene, and of the contact where there are several.
+        place: String,
+        /// The candidate stretch \[mm, or rad on an arc\].
+        stretch: f64,
+        /// Body that carries the contact points.
+        body: String,
+    },
+
+    /// A node that would be a candidate of two contacts.
+    #[error(
+        "body `{body}`: the node at {at} would be a candidate of two contacts, and has one normal displacement; shorten the candidate stretch of one of them"
+    )]
+    SharedCandidate {
+        /// Index of the second of these contacts in the scene.
+        contact: usize,
+        /// Name of the body.
+        body: String,
+        /// Where the node lies.
+        at: String,
+    },
+
     /// A candidate that no edge of the other body faces.
     #[error(
         "contact of `{first}` and `{second}`: nothing of `{second}` faces the node of `{first}` at s = {at:.6}, its contact side lies between {from:.6} and {to:.6}; shorten the candidate stretch, or make the sides begin together"
     )]
     NotFacing {
+        /// Index of the contact in the scene.
+        contact: usize,
         /// Body that carries the contact points.
         first: String,
         /// Facing body.
@@ -151,6 +181,8 @@ pub enum Error {
         "{bodies}: contact goes on beyond the candidates, which end at s = {end:.6} (mm, or rad on an arc): at s = {position:.6} the surfaces penetrate by {penetration:.3e} mm, and the pressure found is that of a shorter contact; widen the candidate stretch"
     )]
     ContactBeyondCandidates {
+        /// Index of the contact in the scene.
+        contact: usize,
         /// The bodies in contact.
         bodies: String,
         /// Contact coordinate of the last candidate \[mm, or rad on an arc\].
@@ -166,6 +198,8 @@ pub enum Error {
         "{bodies}: the pressure rises towards the last candidate at s = {end:.6} (mm, or rad on an arc) although the surfaces go on: the contact is cut short there, and the pressure found is that of a shorter one; widen the candidate stretch"
     )]
     ContactCutShort {
+        /// Index of the contact in the scene.
+        contact: usize,
         /// The bodies in contact.
         bodies: String,
         /// Contact coordinate of the last candidate \[mm, or rad on an arc\].

@@ -31,7 +31,7 @@ impl Discretisation {
     ) -> Result<Solution, Error> {
         formulation.validate(&self.scene)?;
         self.refuse_change(formulation, change)?;
-        let mut points = formulation.points(&self.interface);
+        let mut points = formulation.points(&self.interfaces);
         points.iter_mut().for_each(|point| point.gap += change.clearance);
         let load: Vec<f64> = self.condensed.load.iter().map(|f| f * change.load).collect();
         let problem = ContactProblem { load: &load, ..self.problem(formulation, &points) };

@@ -19,13 +19,14 @@ impl Discretisation {
         }
         formulation.validate(&self.scene)?;
         formulation.refuse_interference(&self.scene, self.tightest_gap())?;
-        let points = formulation.points(&self.interface);
+        let points = formulation.points(&self.interfaces);
         let problem = self.problem(formulation, &points);
         self.refuse_nothing(&problem)?;
         let mut springs = problem.initial_springs();
         for (k, point) in springs.stiffness.iter_mut().zip(&points) {
             let apart = |at: usize| (earlier.points[at].position - point.position).abs();
-            let nearest = (0..earlier.points.len()).min_by(|&a, &b| apart(a).total_cmp(&apart(b)));
+            let same = earlier.contacts[point.contact].points.clone();
+            let nearest = same.min_by(|&a, &b| apart(a).total_cmp(&apart(b)));
             if nearest.is_some_and(|at| earlier.points[at].pressure <= 0.0) {
                 *k = 0.0;
             }

@@ -26,8 +26,8 @@ pub struct Discretisation {
     pub system: ElasticSystem,
     /// Condensed bodies.
     pub condensed: Condensed,
-    /// Candidate stretch.
-    pub interface: Interface,
+    /// Candidate stretch of every contact.
+    pub interfaces: Vec<Interface>,
     /// Seconds by stage.
     pub seconds: Vec<(&'static str, f64)>,
     /// The same scene half as fine, built when a nested start first asks for it.
@@ -74,7 +74,7 @@ impl Discretisation {
     ) -> Result<Self, Error> {
         let condensed = system.condense()?;
         clock.take(&condensed.seconds);
-        let interface = Interface::between(&scene, &mesh, &condensed)?;
+        let interfaces = Interface::all(&scene, &mesh, &condensed)?;
         clock.lap("interface");
         Ok(Self {
             scene,
@@ -82,7 +82,7 @@ impl Discretisation {
             mesh,
             system,
             condensed,
-            interface,
+            interfaces,
             seconds: clock.laps,
             coarser: OnceLock::new(),
         })
@@ -102,12 +102,13 @@ impl Discretisation {
 
     /// Smallest initial gap of a candidate node \[mm\].
     pub(super) fn tightest_gap(&self) -> f64 {
-        self.interface.stations.iter().map(|station| station.gap).fold(f64::INFINITY, f64::min)
+        let stations = self.interfaces.iter().flat_map(|interface| &interface.stations);
+        stations.map(|station| station.gap).fold(f64::INFINITY, f64::min)
     }
 
     /// Refuses bodies that contact alone would hold, and nothing presses.
     fn refuse_unloaded(&self, formulation: &Formulation) -> Result<(), Error> {
-        let points = formulation.points(&self.interface);
+        let points = formulation.points(&self.interfaces);
         self.refuse_nothing(&self.problem(formulation, &points))
     }
 
@@ -142,7 +143,7 @@ impl Discretisation {
 
     /// Contact points of a formulation.
     pub fn points(&self, formulation: &Formulation) -> Vec<ContactPoint> {
-        formulation.points(&self.interface)
+        formulation.points(&self.interfaces)
     }
 
     /// The spring pressures of a solution once more, from the full system without condensation \[MPa\].
@@ -150,7 +151,7 @@ impl Discretisation {
     /// Every loaded point is replaced by a spring around the condensed solution, `p = p_s + k (w − w_s)`; the sparse
     /// system of all bodies then gives `w`, and with it `p`, without S having been used.
     pub fn uncondensed_pressures(&self, formulation: &Formulation, solution: &Solution) -> Result<Vec<f64>, Error> {
-        let points = formulation.points(&self.interface);
+        let points = formulation.points(&self.interfaces);
         let stiffness = CHECKING_STIFFNESS * self.scene.contact_modulus() / self.scene.reference.length;
         let states: Vec<(f64, f64, f64)> = (solution.points.iter().zip(&points).zip(&solution.spring_pressures))
             .map(|((state, point), &p)| (point.gap - state.gap, p, if p.abs() > 0.0 { stiffness } else { 0.0 }))

@@ -186,12 +186,13 @@ impl Formulation {
         }
     }
 
-    fn points(&self, interface: &Interface) -> Vec<ContactPoint> {
-        match self.element {
+    fn points(&self, interfaces: &[Interface]) -> Vec<ContactPoint> {
+        let of = |interface: &Interface| match self.element {
             Element::Line => Line { quadrature: self.quadrature }.points(interface),
             Element::Layer => Layer { quadrature: self.quadrature, thickness: self.layer_thickness }.points(interface),
             Element::Node => Node.points(interface),
-        }
+        };
+        interfaces.iter().flat_map(of).collect()
     }
 
     fn algorithm(&self) -> Box<dyn Algorithm> {
@@ -242,7 +243,8 @@ impl Formulation {
             });
         }
         self.validate_options()?;
-        self.refuse_interference(scene, scene.contact.profile.gap(0.0))
+        let tightest = scene.contacts.iter().map(|pair| pair.profile.gap(0.0)).fold(f64::INFINITY, f64::min);
+        self.refuse_interference(scene, tightest)
     }
 
     /// Refuses a gap \[mm\] that is an interference which the algorithm and rule cannot take.

@@ -1,9 +1,10 @@
 //! Contact that goes on beyond the outermost candidates: the pressure found is that of a shorter body, and is refused.
 
+use crate::contact::Interface;
 use crate::error::Error;
 use crate::formulation::{Change, Discretisation};
-use crate::scene::Profile;
-use crate::solution::Solution;
+use crate::scene::{ContactPair, Profile};
+use crate::solution::{PointState, Solution};
 
 /// Difference of contact coordinates, relative, that rounding explains.
 const SAME: f64 = 1e-9;
@@ -22,16 +23,16 @@ pub struct Spill {
 /// An end of the candidates that the surfaces may go on beyond.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
-    /// The first candidate, on paths with both sides of x = 0.
+    /// The first candidate, on paths with both sides.
     First,
     /// The last candidate.
     Last,
 }
 
 impl End {
-    /// Those of a discretisation: where the contact begins at 0 only the last one.
-    fn of(discretisation: &Discretisation) -> &'static [Self] {
-        if discretisation.scene.contact.path.has_both_sides() { &[Self::First, Self::Last] } else { &[Self::Last] }
+    /// Those of a contact: where it begins at 0 only the last one.
+    fn of(pair: &ContactPair) -> &'static [Self] {
+        if pair.path.has_both_sides() { &[Self::First, Self::Last] } else { &[Self::Last] }
     }
 
     /// The outermost of a list by contact coordinate.
@@ -45,23 +46,24 @@ impl End {
     }
 }
 
-/// The deepest penetration beyond an end of the candidates of a solution whose outermost point is closed, its gap being no
+/// The deepest penetration beyond an end of the candidates of an interface, in a solution whose outermost point is closed, its gap being no
 /// more than the length accepted, or beyond whose outermost point the initial gap narrows again.
 ///
 /// None where that point is open and the gap goes on widening, and where the surface of either body ends with the
 /// candidates: a patch, a ring, a punch.
 pub fn deepest(
     discretisation: &Discretisation,
+    interface: &Interface,
     solution: &Solution,
     change: Change,
     accepted: f64,
     at: End,
 ) -> Result<Option<Spill>, Error> {
-    let pair = &discretisation.scene.contact;
-    let Some(last) = at.outermost(&discretisation.interface.stations) else { return Ok(None) };
+    let pair = &interface.pair;
+    let Some(last) = at.outermost(&interface.stations) else { return Ok(None) };
     let end = last.coordinate;
     let surfaces: Vec<Vec<Surface>> =
-        pair.bodies().map(|body| surface(discretisation, body)).collect::<Result<_, _>>()?;
+        pair.bodies().map(|body| surface(discretisation, pair, body)).collect::<Result<_, _>>()?;
     let beyond = |node: &&Surface| at.outwards(node.coordinate) > at.outwards(end) * (1.0 + SAME);
     if surfaces.iter().any(|surface| !surface.iter().any(|node| beyond(&node))) {
         return Ok(None);
@@ -75,7 +77,7 @@ pub fn deepest(
         }
         profile => Some(profile.gap(node.coordinate)),
     };
-    let closed = at.outermost(&solution.points).is_some_and(|point| point.gap <= accepted);
+    let closed = at.outermost(solution.points_of(interface.contact)).is_some_and(|point| point.gap <= accepted);
     let narrows = || surfaces[0].iter().filter(beyond).filter_map(gap).any(|gap| gap <= last.gap);
     if !closed && !narrows() {
         return Ok(None);
@@ -108,19 +110,26 @@ pub(super) fn refuse(
     change: Change,
     tolerance: f64,
 ) -> Result<(), Error> {
+    discretisation.interfaces.iter().try_for_each(|one| refuse_one(discretisation, one, solution, change, tolerance))
+}
+
+fn refuse_one(
+    discretisation: &Discretisation,
+    interface: &Interface,
+    solution: &Solution,
+    change: Change,
+    tolerance: f64,
+) -> Result<(), Error> {
     let accepted = tolerance * discretisation.scene.reference.gap;
-    for &at in End::of(discretisation) {
-        match deepest(discretisation, solution, change, accepted, at)? {
+    let (contact, bodies) = (interface.contact, discretisation.scene.names_of(&interface.pair));
+    let edges = solution.edges_of(contact);
+    for &at in End::of(&interface.pair) {
+        match deepest(discretisation, interface, solution, change, accepted, at)? {
             Some(Spill { end, position, penetration }) if penetration.is_nan() || penetration > accepted => {
-                return Err(Error::ContactBeyondCandidates {
-                    bodies: discretisation.names(),
-                    end,
-                    position,
-                    penetration,
-                });
+                return Err(Error::ContactBeyondCandidates { contact, bodies, end, position, penetration });
             }
-            Some(Spill { end, penetration, .. }) if penetration.is_finite() && rises(solution, tolerance, at) => {
-                return Err(Error::ContactCutShort { bodies: discretisation.names(), end });
+            Some(Spill { end, penetration, .. }) if penetration.is_finite() && rises(edges, tolerance, at) => {
+                return Err(Error::ContactCutShort { contact, bodies, end });
             }
             _ => {}
         }
@@ -129,8 +138,8 @@ pub(super) fn refuse(
 }
 
 /// Whether the mean pressure of the outermost edge is above that of its neighbour by more than the tolerance explains.
-fn rises(solution: &Solution, tolerance: f64, at: End) -> bool {
-    let outer = match (at, &solution.edges[..]) {
+fn rises(edges: &[PointState], tolerance: f64, at: End) -> bool {
+    let outer = match (at, edges) {
         (End::Last, [.., before, last]) => Some((before, last)),
         (End::First, [first, after, ..]) => Some((after, first)),
         _ => None,
@@ -149,10 +158,9 @@ struct Surface {
 }
 
 /// Nodes of the contact boundary of a body, by contact coordinate, with the normals of the first body.
-fn surface(discretisation: &Discretisation, body: usize) -> Result<Vec<Surface>, Error> {
+fn surface(discretisation: &Discretisation, pair: &ContactPair, body: usize) -> Result<Vec<Surface>, Error> {
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
-    let pair = &scene.contact;
-    let mut nodes: Vec<usize> = mesh.boundary(scene, body, "contact")?.iter().flatten().copied().collect();
+    let mut nodes: Vec<usize> = mesh.boundary(scene, body, pair.side(body))?.iter().flatten().copied().collect();
     nodes.sort_unstable();
     nodes.dedup();
     let all = nodes.into_iter().map(|node| {

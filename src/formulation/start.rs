@@ -35,7 +35,7 @@ impl Discretisation {
         &self,
         formulation: &Formulation,
     ) -> Result<(Solution, Vec<ContactPoint>, Springs), Error> {
-        let points = formulation.points(&self.interface);
+        let points = formulation.points(&self.interfaces);
         let problem = self.problem(formulation, &points);
         let (mut springs, coarser) = match self.coarser(formulation)? {
             Some(coarse) => coarse.carried(formulation, &problem)?,
@@ -75,7 +75,8 @@ impl Discretisation {
         let mut springs = finer.initial_springs();
         for (k, point) in springs.stiffness.iter_mut().zip(finer.points) {
             let apart = |at: &usize| (points[*at].position - point.position).abs();
-            let nearest = (0..points.len()).min_by(|a, b| apart(a).total_cmp(&apart(b)));
+            let same = (0..points.len()).filter(|&at| points[at].contact == point.contact);
+            let nearest = same.min_by(|a, b| apart(a).total_cmp(&apart(b)));
             *k = match nearest.map_or(0.0, |at| ended.stiffness[at]) {
                 open if open <= 0.0 => 0.0,
                 hard if hard >= finer.scale.hard() => hard,

@@ -11,13 +11,13 @@ use crate::solution::Solution;
 
 pub use profile::Peak;
 
-/// Measures of one converged solution.
+/// Measures of one contact of a converged solution.
 #[derive(Clone, Copy, Debug)]
 pub struct Measures {
     /// Half-width by second moment about the centre, `2 √(∫p (s − c)² / ∫p)` \[mm\]; on arcs the same functional of the
     /// angle \[rad\].
     pub half_width: f64,
-    /// Centre of pressure `∫p s / ∫p` of a contact on both sides of x = 0; 0 where it begins there \[mm\].
+    /// Centre of pressure `∫p s / ∫p` of a contact on both sides of s = 0; 0 where it begins there \[mm\].
     pub centre: f64,
     /// Half-width by counting active points: `Σ A / thickness` over them, half of it on both sides \[mm, or rad\].
     pub half_width_nodes: f64,
@@ -34,10 +34,10 @@ pub struct Measures {
 }
 
 impl Measures {
-    /// Measures of a solution; `floor` is the pressure from which a point counts as active \[MPa\].
-    pub fn of(scene: &Scene, solution: &Solution, floor: f64) -> Self {
-        let points = &solution.points;
-        let across = scene.contact.path.has_both_sides();
+    /// Measures of one contact of a solution; `floor` is the pressure from which a point counts as active \[MPa\].
+    pub fn of(scene: &Scene, solution: &Solution, contact: usize, floor: f64) -> Self {
+        let (pair, points) = (&scene.contacts[contact], solution.points_of(contact));
+        let across = pair.path.has_both_sides();
         let centre = if across { profile::centre(points) } else { 0.0 };
         let centred = profile::about(points, centre);
         let half_width = profile::second_moment_half_width(&centred);
@@ -48,7 +48,7 @@ impl Measures {
         });
         let [begin, edge] = ends.unwrap_or([0.0, 0.0]);
         let sides = if across { 2.0 } else { 1.0 };
-        let length = sides * scene.thickness * scene.contact.path.metric();
+        let length = sides * scene.thickness * pair.path.metric();
         Self {
             half_width,
             centre,
@@ -57,7 +57,7 @@ impl Measures {
             begin: if across { begin } else { -edge },
             edge,
             peak: Peak { position: centre + peak.position, ..peak },
-            resultant: whole(&scene.contact) * profile::resultant(points, &scene.contact.path),
+            resultant: whole(pair) * profile::resultant(points, &pair.path),
         }
     }
 }
@@ -75,7 +75,7 @@ pub fn relative_error(value: f64, reference: f64) -> f64 {
 /// What turns the contact coordinate into what people read: 1 on planes (mm), degrees per radian on arcs.
 pub fn display_factor(path: &Path) -> f64 {
     match path {
-        Path::Horizontal | Path::BothSides => 1.0,
+        Path::Straight(_) => 1.0,
         Path::Arc(_) => 180.0 / std::f64::consts::PI,
     }
 }

@@ -84,8 +84,13 @@ impl Block {
 
     /// The block with the sides of a boundary inside the body.
     pub fn without(self, boundary: &str) -> Self {
-        let inside = |side: Side| if side.name.as_deref() == Some(boundary) { Side::inner(side.points) } else { side };
-        Self { bottom: inside(self.bottom), right: inside(self.right), top: inside(self.top), left: inside(self.left) }
+        self.instead_of(boundary, Side::inner)
+    }
+
+    /// The block with the sides of a boundary, or of a line inside, made anew from their points.
+    pub fn instead_of(self, boundary: &str, made: impl Fn(Vec<Point>) -> Side) -> Self {
+        let anew = |side: Side| if side.name.as_deref() == Some(boundary) { made(side.points) } else { side };
+        Self { bottom: anew(self.bottom), right: anew(self.right), top: anew(self.top), left: anew(self.left) }
     }
 
     /// Lattice size along ξ and η.

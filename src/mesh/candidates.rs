@@ -1,8 +1,10 @@
 //! The candidate contact nodes of each body, with the outward normals that make their normal freedoms.
 
+use std::ops::Range;
+
 use crate::error::Error;
 use crate::mesh::{BodyMesh, Edge, Mesh};
-use crate::scene::Scene;
+use crate::scene::{ContactPair, Scene};
 
 /// Difference of contact coordinates, over the stretch, that rounding explains.
 const SAME: f64 = 1e-9;
@@ -16,43 +18,51 @@ pub struct Candidate {
     pub normal: [f64; 2],
     /// Contact coordinate `s` \[mm, or rad on an arc\].
     pub coordinate: f64,
+    /// Index of the contact in the scene.
+    pub contact: usize,
 }
 
-/// Finds the nodes of the candidate edges, sorted by `s`; a stretch that holds no edge of the first body is refused.
+/// Finds the nodes of the candidate edges, contact by contact and sorted by `s`; a stretch that holds no edge of the first
+/// body is refused, and a node that would belong to two contacts.
 pub(super) fn find(mesh: &mut Mesh, scene: &Scene) -> Result<(), Error> {
-    let pair = &scene.contact;
-    for body in pair.bodies() {
-        let outward = |normal: [f64; 2]| if body == pair.first { normal } else { normal.map(|n| 0.0 - n) };
-        let mut nodes: Vec<usize> = candidate_edges(mesh, scene, body)?.iter().flatten().copied().collect();
-        nodes.sort_unstable();
-        nodes.dedup();
-        let mut candidates: Vec<Candidate> = nodes
-            .into_iter()
-            .map(|node| {
-                let point = mesh.points[node];
-                Candidate { node, normal: outward(pair.normal(point)), coordinate: pair.path.coordinate(point) }
-            })
-            .collect();
-        candidates.sort_by(|a, b| a.coordinate.total_cmp(&b.coordinate));
-        mesh.bodies[body].candidates = candidates;
-    }
-    if mesh.bodies[pair.first].candidates.is_empty() {
-        let expected = "it must hold at least one element edge";
-        return Err(Error::value(
-            &scene.name,
-            "candidate stretch",
-            pair.stretch,
-            expected,
-            "lengthen it or refine the mesh",
-        ));
+    for (contact, pair) in scene.contacts.iter().enumerate() {
+        for body in pair.bodies() {
+            let found = of_body(mesh, scene, contact, body)?;
+            let known = &mut mesh.bodies[body].candidates;
+            if let Some(twice) = found.iter().find(|new| known.iter().any(|old| old.node == new.node)) {
+                let [x, y] = mesh.points[twice.node];
+                let name = scene.bodies[body].name.clone();
+                return Err(Error::SharedCandidate { contact, body: name, at: format!("({x:.6}, {y:.6}) mm") });
+            }
+            known.extend(found);
+        }
+        if mesh.bodies[pair.first].candidates_of(contact).is_empty() {
+            let (place, body) = (scene.place_of(pair), scene.bodies[pair.first].name.clone());
+            return Err(Error::EmptyStretch { contact, place, stretch: pair.stretch, body });
+        }
     }
     Ok(())
 }
 
-/// Edges of the boundary `contact`: of the first body those that lie within the candidate stretch, of the second those
+/// Candidates of one body in one contact, sorted by `s`.
+fn of_body(mesh: &Mesh, scene: &Scene, contact: usize, body: usize) -> Result<Vec<Candidate>, Error> {
+    let pair = &scene.contacts[contact];
+    let outward = |normal: [f64; 2]| if body == pair.first { normal } else { normal.map(|n| 0.0 - n) };
+    let mut nodes: Vec<usize> = candidate_edges(mesh, scene, pair, body)?.iter().flatten().copied().collect();
+    nodes.sort_unstable();
+    nodes.dedup();
+    let candidate = |node| {
+        let point = mesh.points[node];
+        Candidate { node, normal: outward(pair.normal(point)), coordinate: pair.path.coordinate(point), contact }
+    };
+    let mut candidates: Vec<Candidate> = nodes.into_iter().map(candidate).collect();
+    candidates.sort_by(|a, b| a.coordinate.total_cmp(&b.coordinate));
+    Ok(candidates)
+}
+
+/// Edges of the boundary that touches: of the first body those that lie within the candidate stretch, of the second those
 /// that reach into it, so that every point of the first has an edge to face.
-pub fn candidate_edges(mesh: &Mesh, scene: &Scene, body: usize) -> Result<Vec<Edge>, Error> {
-    let pair = &scene.contact;
+pub fn candidate_edges(mesh: &Mesh, scene: &Scene, pair: &ContactPair, body: usize) -> Result<Vec<Edge>, Error> {
     let coordinates =
         |edge: &Edge| -> Vec<f64> { edge.iter().map(|&n| pair.path.coordinate(mesh.points[n])).collect() };
     let taken = |edge: &&Edge| match body == pair.first {
@@ -63,10 +73,16 @@ pub fn candidate_edges(mesh: &Mesh, scene: &Scene, body: usize) -> Result<Vec<Ed
             ends.iter().any(|s| *s < within) && ends.iter().any(|s| *s > -within)
         }
     };
-    Ok(mesh.boundary(scene, body, "contact")?.iter().filter(taken).cloned().collect())
+    Ok(mesh.boundary(scene, body, pair.side(body))?.iter().filter(taken).cloned().collect())
 }
 
 impl BodyMesh {
+    /// Which of the candidates belong to a contact.
+    pub fn candidates_of(&self, contact: usize) -> Range<usize> {
+        let begin = self.candidates.partition_point(|candidate| candidate.contact < contact);
+        begin..self.candidates.partition_point(|candidate| candidate.contact <= contact)
+    }
+
     /// Index of a node among the candidates.
     pub fn candidate_index(&self, node: usize) -> Option<usize> {
         self.candidates.iter().position(|c| c.node == node)

@@ -93,7 +93,7 @@ pub struct BodyMesh {
     pub boundaries: BTreeMap<BoundaryName, Vec<Edge>>,
     /// Named lines inside it, which may carry loads.
     pub lines: BTreeMap<BoundaryName, Vec<Edge>>,
-    /// Its candidate contact nodes, in the order of the contact coordinate.
+    /// Its candidate contact nodes: contact by contact, in the order of the contact coordinate.
     pub candidates: Vec<Candidate>,
 }
 
@@ -112,10 +112,10 @@ impl Mesh {
         }
         given::refuse_others(scene, resolution.order, resolution.refinement)?;
         let mut mesh = Self { order: resolution.order, points: vec![], connectivity: vec![], bodies: vec![] };
-        for body in &scene.bodies {
+        for (index, body) in scene.bodies.iter().enumerate() {
             match &body.shape {
                 Shape::Given(given) => mesh.append_given(given),
-                shape => mesh.append(&outline::Layout::new(scene, resolution, body.density).blocks(shape)),
+                shape => mesh.append(&outline::Layout::new(scene, resolution, index).blocks(shape)),
             }
         }
         sound::refuse_loose(&mesh, scene)?;

@@ -3,17 +3,30 @@
 use std::f64::consts::PI;
 
 use crate::mesh::Resolution;
-use crate::scene::{Body, Path, Scene, Shape};
+use crate::scene::{ContactPair, Path, Scene, Shape};
 
 /// Most cells and most candidate elements that are meshed: a solve then stays within about 4 GB.
 pub const MOST: [f64; 2] = [500e3, 2e3];
 
 /// About how many cells and how many candidate elements a mesh would have.
 pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
-    let (pair, grading) = (&scene.contact, &scene.grading);
+    let sizes: Vec<[f64; 2]> = (0..scene.bodies.len()).map(|body| of_body(scene, resolution, body)).collect();
+    let largest = sizes.iter().map(|[_, candidates]| *candidates).fold(0.0, f64::max);
+    [sizes.iter().map(|[cells, _]| cells).sum(), largest]
+}
+
+/// Cells and candidate elements of one body.
+fn of_body(scene: &Scene, resolution: Resolution, body: usize) -> [f64; 2] {
+    let (pair, grading) = (scene.contact_of(body), &scene.grading);
+    let own = || scene.contacts.iter().filter(move |pair| pair.bodies().any(|other| other == body));
+    let touching = own().map(move |pair| pair.side(body));
+    let body = &scene.bodies[body];
     let length = pair.stretch * pair.path.metric();
-    let candidates = (resolution.elements as f64 * length / grading.unit).round().max(1.0);
-    let sides = if pair.path.has_both_sides() { 2.0 } else { 1.0 };
+    let counted_on = |length: f64| (resolution.elements as f64 * length / grading.unit).round().max(1.0);
+    let sides_of = |pair: &ContactPair| if pair.path.has_both_sides() { 2.0 } else { 1.0 };
+    let (candidates, sides) = (counted_on(length), sides_of(pair));
+    let others = || own().filter(|other| !std::ptr::eq(*other, pair));
+    let more: f64 = others().map(|other| sides_of(other) * counted_on(other.stretch * other.path.metric())).sum();
     // The smallest of the candidates, as a length and in the contact coordinate.
     let even = grading.end.min(1.0 / grading.end);
     let [size, step] = [length, pair.stretch].map(|whole| even * whole / candidates);
@@ -28,7 +41,7 @@ pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
         let along = counted(PI, angle, grading.along, 1.6 * grading.coarsest);
         [along, counted(deep, first, grading.depth, grading.coarsest * deep)]
     };
-    let structured = |body: &Body| {
+    let structured = || {
         let (size, step, candidates) = (size / body.density, step / body.density, candidates * body.density);
         let [along, depth] = match body.shape {
             Shape::Rectangle { x, y, .. } => [(x, size, grading.along), (y, size * grading.first, grading.depth)]
@@ -38,21 +51,26 @@ pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
             Shape::Eye { outer_radius, .. } => arc([size, step], outer_radius, outer_radius),
             Shape::Blocks(_) | Shape::Given(_) => [0.0, 0.0],
         };
-        sides * (candidates + along) * (candidates.min(along) + depth)
+        let others = others().count() as f64;
+        let columns = sides * (candidates + along) + more * body.density + 2.0 * others * along;
+        columns * (candidates.min(along) + depth * (1.0 + others.min(1.0)))
     };
-    // Cells, and candidate elements.
-    let sizes = |body: &Body| match &body.shape {
-        Shape::Given(mesh) => [mesh.cells.len() as f64, mesh.boundaries.get("contact").map_or(0, Vec::len) as f64],
+    match &body.shape {
+        Shape::Given(mesh) => {
+            let touching = touching.map(|side| mesh.boundaries.get(side).map_or(0, Vec::len) as f64);
+            [mesh.cells.len() as f64, touching.sum()]
+        }
         Shape::Blocks(blocks) => {
             let cells = blocks.iter().map(|block| block.elements[0] as f64 * block.elements[1] as f64).sum();
             let sides = blocks.iter().flat_map(|block| (0..4).map(move |k| (&block.names[k], block.elements[k % 2])));
-            let touching = sides.filter(|(name, _)| name.as_deref() == Some("contact")).map(|(_, n)| n as f64).sum();
-            [cells, touching]
+            let elements = |side: &str| -> f64 {
+                let own = sides.clone().filter(|(name, _)| name.as_deref() == Some(side));
+                own.map(|(_, n)| n as f64).sum()
+            };
+            [cells, touching.map(elements).sum()]
         }
-        _ => [structured(body), sides * candidates * body.density],
-    };
-    let largest = scene.bodies.iter().map(|body| sizes(body)[1]).fold(0.0, f64::max);
-    [scene.bodies.iter().map(|body| sizes(body)[0]).sum(), largest]
+        _ => [structured(), (sides * candidates + more) * body.density],
+    }
 }
 
 /// Whether a mesh stays within [`MOST`], before anything is allocated for it; else what is wrong, and what to do.

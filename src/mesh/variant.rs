@@ -19,10 +19,12 @@ impl Mesh {
             let edges = body.boundaries.values_mut().chain(body.lines.values_mut()).flatten();
             edges.for_each(|edge: &mut Edge| edge.swap(0, 1));
             body.candidates.iter_mut().for_each(|candidate| candidate.normal[0] = -candidate.normal[0]);
-            // On both sides of x = 0 the contact coordinate changes its sign too.
-            if body.candidates.first().is_some_and(|candidate| candidate.coordinate < 0.0) {
-                body.candidates.iter_mut().for_each(|candidate| candidate.coordinate = -candidate.coordinate);
-                body.candidates.reverse();
+            // On both sides of an origin the contact coordinate changes its sign too.
+            for contact in body.candidates.chunk_by_mut(|a, b| a.contact == b.contact) {
+                if contact.first().is_some_and(|candidate| candidate.coordinate < 0.0) {
+                    contact.iter_mut().for_each(|candidate| candidate.coordinate = -candidate.coordinate);
+                    contact.reverse();
+                }
             }
         }
         mesh

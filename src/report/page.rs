@@ -217,13 +217,13 @@ fn measures(findings: &[Finding], case: &str, factor: f64, unit: &str) -> String
     let runs = findings.iter().filter(|f| f.case == case).filter_map(|f| f.run.as_ref());
     let rows: Vec<Vec<String>> = runs
         .map(|run| {
-            let (work, measures) = (&run.solution.work, &run.measures);
+            let (work, measures) = (&run.solution.work, &run.measures());
             let quoted = [
                 measures.peak.pressure,
                 factor * measures.half_width,
                 factor * measures.half_width_nodes,
                 factor * measures.edge,
-                run.transmitted,
+                run.transmitted(),
             ];
             let counts = [work.steps, work.factorisations, work.back_substitutions].map(|n| n.to_string());
             let quoted = quoted.map(|x| if run.solution.converged() { format::significant(x, 5) } else { "–".into() });

@@ -2,17 +2,22 @@
 
 use std::sync::Arc;
 
+use crate::scene::BoundaryName;
 use crate::scene::shape::Circle;
 
 /// Contact of one body with another, or with a rigid profile.
 #[derive(Clone, Debug)]
 pub struct ContactPair {
+    /// Name in messages and results.
+    pub name: String,
     /// Body that carries the contact points: positions, areas and normals are measured on it.
     pub first: usize,
     /// Whether that body is the upper, or inner, one; its outward normal is then the path's direction, else the opposite.
     pub above: bool,
     /// Facing elastic body; none where the other side is rigid.
     pub second: Option<usize>,
+    /// Boundaries that touch: of the first body, and of the facing one.
+    pub sides: [BoundaryName; 2],
     /// The curve along which the contact coordinate runs.
     pub path: Path,
     /// Initial gap along the path.
@@ -24,15 +29,22 @@ pub struct ContactPair {
     pub symmetric: bool,
 }
 
-/// The curve along which the contact coordinate `s` runs: from the symmetry line on, or across it.
+/// The curve along which the contact coordinate `s` runs.
 #[derive(Clone, Copy, Debug)]
 pub enum Path {
-    /// `s = |x|` \[mm\]; the normal is vertical and areas are horizontal projections.
-    Horizontal,
-    /// `s = x` \[mm\], contact on both sides of x = 0; normals and areas as on the one side.
-    BothSides,
+    /// A horizontal line; the normal is vertical and areas are horizontal projections.
+    Straight(Line),
     /// `s = θ` \[rad\] from the downward vertical about a centre; normals are radial and areas those of the circle.
     Arc(Circle),
+}
+
+/// A horizontal line that contact runs along.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// Where s = 0 lies \[mm\].
+    pub origin: [f64; 2],
+    /// Contact on both sides of the origin, `s = x − x₀`; else from it on, `s = |x − x₀|` \[mm\].
+    pub both_sides: bool,
 }
 
 /// Initial normal gap as a function of the contact coordinate.
@@ -88,7 +100,24 @@ pub enum Profile {
     },
 }
 
+/// The boundary that touches, where no other is named.
+pub const CONTACT: &str = "contact";
+
 impl ContactPair {
+    /// Contact of the first body, the upper or inner one, on the side that it calls `contact`, in half of a symmetric scene.
+    pub fn new(second: Option<usize>, path: Path, profile: Profile, stretch: f64) -> Self {
+        let (name, sides) = (CONTACT.into(), Self::SIDES);
+        Self { name, first: 0, above: true, second, sides, path, profile, stretch, symmetric: true }
+    }
+
+    /// The boundaries of a pair whose bodies both call theirs `contact`.
+    pub const SIDES: [BoundaryName; 2] = [BoundaryName::Borrowed(CONTACT), BoundaryName::Borrowed(CONTACT)];
+
+    /// The boundary of a body that takes part.
+    pub fn side(&self, body: usize) -> &str {
+        &self.sides[usize::from(body != self.first)]
+    }
+
     /// Indices of the elastic bodies that take part.
     pub fn bodies(&self) -> impl Iterator<Item = usize> + use<> {
         [Some(self.first), self.second].into_iter().flatten()
@@ -112,29 +141,40 @@ impl ContactPair {
 }
 
 impl Path {
+    /// y = 0 from x = 0 on.
+    pub const HORIZONTAL: Self = Self::Straight(Line { origin: [0.0, 0.0], both_sides: false });
+
     /// Whether `s` runs from negative to positive.
     pub fn has_both_sides(&self) -> bool {
-        matches!(self, Self::BothSides)
+        matches!(self, Self::Straight(Line { both_sides: true, .. }))
     }
 
-    /// Whether it is y = 0.
+    /// Whether it is a line.
     pub fn is_straight(&self) -> bool {
-        !matches!(self, Self::Arc(_))
+        matches!(self, Self::Straight(_))
+    }
+
+    /// Where s = 0 lies, or the arc's centre \[mm\].
+    pub fn origin(&self) -> [f64; 2] {
+        match self {
+            Self::Straight(line) => line.origin,
+            Self::Arc(circle) => circle.centre,
+        }
     }
 
     /// Length of path per unit of the contact coordinate: 1 on a plane, the radius on an arc [mm/rad].
     pub fn metric(&self) -> f64 {
         match self {
-            Self::Horizontal | Self::BothSides => 1.0,
+            Self::Straight(_) => 1.0,
             Self::Arc(circle) => circle.radius,
         }
     }
 
-    /// Contact coordinate of a point: `|x|`, `x`, or the angle from the downward vertical.
+    /// Contact coordinate of a point: `|x − x₀|`, `x − x₀`, or the angle from the downward vertical.
     pub fn coordinate(&self, point: [f64; 2]) -> f64 {
         match self {
-            Self::Horizontal => point[0].abs(),
-            Self::BothSides => point[0],
+            Self::Straight(Line { origin, both_sides: false }) => (point[0] - origin[0]).abs(),
+            Self::Straight(Line { origin, both_sides: true }) => point[0] - origin[0],
             Self::Arc(circle) => {
                 let d = [point[0] - circle.centre[0], point[1] - circle.centre[1]];
                 d[0].abs().atan2(-d[1])
@@ -145,7 +185,7 @@ impl Path {
     /// Unit vector along the gap at a point, pointing down or away from the arc's centre.
     pub fn direction(&self, point: [f64; 2]) -> [f64; 2] {
         match self {
-            Self::Horizontal | Self::BothSides => [0.0, -1.0],
+            Self::Straight(_) => [0.0, -1.0],
             Self::Arc(circle) => {
                 let d = [point[0] - circle.centre[0], point[1] - circle.centre[1]];
                 let length = d[0].hypot(d[1]);
@@ -160,10 +200,10 @@ impl Path {
         }
     }
 
-    /// How far a point lies along [`Path::direction`]: −y, or its distance from the arc's centre \[mm\].
+    /// How far a point lies along [`Path::direction`]: `y₀ − y`, or its distance from the arc's centre \[mm\].
     pub fn depth(&self, point: [f64; 2]) -> f64 {
         match self {
-            Self::Horizontal | Self::BothSides => -point[1],
+            Self::Straight(line) => line.origin[1] - point[1],
             Self::Arc(circle) => (point[0] - circle.centre[0]).hypot(point[1] - circle.centre[1]),
         }
     }
@@ -171,7 +211,7 @@ impl Path {
     /// The depth of the path itself: 0, or the radius \[mm\].
     pub fn own_depth(&self) -> f64 {
         match self {
-            Self::Horizontal | Self::BothSides => 0.0,
+            Self::Straight(_) => 0.0,
             Self::Arc(circle) => circle.radius,
         }
     }
@@ -179,7 +219,7 @@ impl Path {
     /// Cosine between the normals at two contact coordinates: 1 on a plane, `cos(s − s')` on an arc.
     pub fn alignment(&self, s: f64, other: f64) -> f64 {
         match self {
-            Self::Horizontal | Self::BothSides => 1.0,
+            Self::Straight(_) => 1.0,
             Self::Arc(_) => (s - other).cos(),
         }
     }
@@ -187,7 +227,7 @@ impl Path {
     /// Part of a pressure at `s` that acts along the load line: 1 on a plane, `cos θ` on an arc.
     pub fn share(&self, s: f64) -> f64 {
         match self {
-            Self::Horizontal | Self::BothSides => 1.0,
+            Self::Straight(_) => 1.0,
             Self::Arc(_) => s.cos(),
         }
     }

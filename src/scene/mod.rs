@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 use crate::error::Error;
 
-pub use contact_pair::{ContactPair, Path, Profile};
+pub use contact_pair::{ContactPair, Line, Path, Profile};
 pub use material::{Material, PlaneHypothesis};
 pub use shape::{BlockShape, Circle, Face, GivenMesh, Grading, Sector, Shape};
 
@@ -37,8 +37,8 @@ pub struct Scene {
     pub thickness: f64,
     /// The elastic bodies.
     pub bodies: Vec<Body>,
-    /// The contact between the bodies, or of one body with a rigid profile.
-    pub contact: ContactPair,
+    /// The contacts of the bodies with one another, or with rigid profiles; at least one.
+    pub contacts: Vec<ContactPair>,
     /// Reference values: they turn residuals and stiffnesses into pure numbers.
     pub reference: ReferenceValues,
     /// How the mesh coarsens away from the contact.
@@ -161,7 +161,7 @@ pub enum Load {
     },
     /// Force per volume [N/mm³].
     BodyForce([f64; 2]),
-    /// Force at the node at a point \[N\].
+    /// Force at a point of the body \[N\].
     Force {
         /// The point \[mm\].
         at: [f64; 2],
@@ -180,11 +180,38 @@ pub enum Load {
 }
 
 impl Scene {
-    /// Contact modulus `1/E* = Σ 1/E'` over the elastic bodies, `E' = E/(1−ν²)` in plane strain, `E` in plane stress \[MPa\].
+    /// The first contact, which is the only one of most scenes.
+    pub fn contact(&self) -> &ContactPair {
+        &self.contacts[0]
+    }
+
+    /// Contact modulus `1/E* = Σ 1/E'` over the elastic bodies of a contact, `E' = E/(1−ν²)` in plane strain, `E` in plane
+    /// stress; the largest where there are several contacts \[MPa\].
     pub fn contact_modulus(&self) -> f64 {
-        let compliance: f64 =
-            self.contact.bodies().map(|b| 1.0 / self.bodies[b].material.plane_modulus(self.plane)).sum();
+        self.contacts.iter().map(|pair| self.modulus_of(pair)).fold(0.0, f64::max)
+    }
+
+    /// Contact modulus of one contact \[MPa\].
+    pub fn modulus_of(&self, pair: &ContactPair) -> f64 {
+        let compliance: f64 = pair.bodies().map(|b| 1.0 / self.bodies[b].material.plane_modulus(self.plane)).sum();
         1.0 / compliance
+    }
+
+    /// Names of the bodies of a contact, as messages give them.
+    pub fn names_of(&self, pair: &ContactPair) -> String {
+        pair.bodies().map(|body| format!("`{}`", self.bodies[body].name)).collect::<Vec<_>>().join(" and ")
+    }
+
+    /// The contact that a body is meshed for: the first on its side `contact`, else the first that it takes part in.
+    pub fn contact_of(&self, body: usize) -> &ContactPair {
+        let own = || self.contacts.iter().filter(|pair| pair.bodies().any(|other| other == body));
+        let on_side = own().find(|pair| pair.side(body) == contact_pair::CONTACT);
+        on_side.or_else(|| own().next()).unwrap_or(self.contact())
+    }
+
+    /// A contact as messages name it: with the scene, where there are several.
+    pub fn place_of(&self, pair: &ContactPair) -> String {
+        if self.contacts.len() == 1 { self.name.clone() } else { format!("{}, contact `{}`", self.name, pair.name) }
     }
 
     /// Refuses what cannot be solved, naming scene, body, key, value and remedy.
@@ -193,7 +220,12 @@ impl Scene {
         positive(&self.name, "reference length", self.reference.length)?;
         positive(&self.name, "reference pressure", self.reference.pressure)?;
         positive(&self.name, "reference gap", self.reference.gap)?;
-        positive(&self.name, "candidate stretch", self.contact.stretch)?;
+        if self.contacts.is_empty() {
+            return Err(Error::value(&self.name, "contacts", 0, "at least one is needed", "add one"));
+        }
+        for pair in &self.contacts {
+            positive(&self.place_of(pair), "candidate stretch", pair.stretch)?;
+        }
         for body in &self.bodies {
             body.material.validate(&format!("{}, body `{}`", self.name, body.name), self.plane)?;
         }

@@ -20,12 +20,16 @@ impl Scene {
         scene.reference.length *= length;
         scene.reference.gap *= length;
         scene.reference.pressure *= pressure;
-        if let Path::Arc(circle) = &mut scene.contact.path {
-            *circle = scaled_circle(*circle, length);
-        } else {
-            scene.contact.stretch *= length;
+        for pair in &mut scene.contacts {
+            match &mut pair.path {
+                Path::Arc(circle) => *circle = scaled_circle(*circle, length),
+                Path::Straight(line) => {
+                    line.origin = line.origin.map(|x| x * length);
+                    pair.stretch *= length;
+                }
+            }
+            pair.profile = scaled_profile(&pair.profile, length);
         }
-        scene.contact.profile = scaled_profile(&scene.contact.profile, length);
         for body in &mut scene.bodies {
             body.shape = scaled_shape(&body.shape, length);
             body.material.young *= pressure;
@@ -46,20 +50,29 @@ impl Scene {
         for body in &mut scene.bodies {
             mirror_body(body);
         }
-        if self.contact.path.has_both_sides() {
-            scene.contact.profile = mirrored_profile(&scene.contact.profile);
+        for pair in &mut scene.contacts {
+            match &mut pair.path {
+                Path::Arc(circle) => circle.centre[0] = 0.0 - circle.centre[0],
+                Path::Straight(line) => {
+                    line.origin[0] = 0.0 - line.origin[0];
+                    if line.both_sides {
+                        pair.profile = mirrored_profile(&pair.profile);
+                    }
+                }
+            }
         }
         scene
     }
 
-    /// The scene with its two bodies listed in the other order; none where there is only one.
+    /// The scene with its bodies listed in the other order; none where there is only one.
     pub fn swapped(&self) -> Option<Self> {
-        let second = self.contact.second?;
+        let last = self.bodies.len().checked_sub(1).filter(|last| *last > 0)?;
         let mut scene = self.clone();
         scene.bodies.reverse();
-        let last = self.bodies.len() - 1;
-        scene.contact.first = last - self.contact.first;
-        scene.contact.second = Some(last - second);
+        for pair in &mut scene.contacts {
+            pair.first = last - pair.first;
+            pair.second = pair.second.map(|second| last - second);
+        }
         Some(scene)
     }
 }

@@ -48,13 +48,13 @@ fn checks_of_the_study_fail_on_a_coarser_mesh_on_a_larger_one_and_on_an_accuracy
     assert_eq!(failed(&good, good.run.freedoms), [false; 5]);
     assert_eq!(failed(&good, good.run.freedoms / 2 - 1), [false, false, false, false, true]);
     let mut coarse = good.clone();
-    coarse.run.measures.half_width *= 1.0015;
+    coarse.run.contacts[0].measures.half_width *= 1.0015;
     assert_eq!(failed(&coarse, good.run.freedoms), [false, true, true, false, false]);
     let mut unmet = good.clone();
     unmet.unmet = Some("said so".into());
     assert_eq!(failed(&unmet, good.run.freedoms), [true, false, true, false, false]);
     let mut broken = good.clone();
-    broken.run.measures.peak.pressure = f64::NAN;
+    broken.run.contacts[0].measures.peak.pressure = f64::NAN;
     assert_eq!(failed(&broken, good.run.freedoms), [false, true, true, false, false]);
 }
 
@@ -65,7 +65,7 @@ fn under_loads_the_rule_was_not_made_for_the_true_error_stays_within_the_estimat
             let problem = subject.loaded(ratio);
             // The plate is not quite infinite: its own solution to a tenth of the smallest error stands for the truth.
             let fine = answered(&problem.scene, 5e-5);
-            let fine = [fine.run.measures.peak.pressure, fine.run.measures.half_width];
+            let fine = [fine.run.measures().peak.pressure, fine.run.measures().half_width];
             for asked in ASKED {
                 let answer = answered(&problem.scene, asked);
                 let place = format!("{} × {ratio}, {asked}", subject.name());
@@ -88,13 +88,13 @@ fn stretch_four_times_too_long_or_half_as_much_too_short_leads_to_the_same_conta
             let mut scene = problem.scene.clone();
             // The library's stretch is twice the half-width, on the pin one and a half times the half-angle.
             let contact =
-                if subject == Subject::Pin { scene.contact.stretch / 1.5 } else { 0.5 * scene.contact.stretch };
-            scene.contact.stretch = (factor * contact).min(fitted::longest(&scene));
+                if subject == Subject::Pin { scene.contact().stretch / 1.5 } else { 0.5 * scene.contact().stretch };
+            scene.contacts[0].stretch = (factor * contact).min(fitted::longest(&scene));
             let answer = answered(&scene, 3e-3);
             let place = format!("{}, {factor}", subject.name());
             assert!(answer.unmet.is_none(), "{place}");
             assert!(study::error(&answer.run, exact) <= 3e-3, "{place}");
-            assert_relative_eq!(answer.scene.contact.stretch, nominal.scene.contact.stretch, max_relative = 0.2);
+            assert_relative_eq!(answer.scene.contact().stretch, nominal.scene.contact().stretch, max_relative = 0.2);
             let guesses = answer.tried.iter().filter(|tried| tried.purpose == "contact length").count();
             assert_eq!(guesses > 1, factor < 1.0, "{place}: {guesses} guesses");
         }
@@ -120,7 +120,7 @@ fn pin_and_rod_press_fits_and_scene_files_meet_what_they_are_asked() {
     for name in ["cylinder", "cylinder-half", "pin-rod", "press-fit", "patch", "own-weight"] {
         let problem = problem::problem(name, None).expect("known");
         let fine = answered(&problem.scene, 1e-4);
-        let fine = [fine.run.measures.peak.pressure, fine.run.measures.half_width];
+        let fine = [fine.run.measures().peak.pressure, fine.run.measures().half_width];
         for asked in ASKED {
             let answer = answered(&problem.scene, asked);
             assert!(answer.unmet.is_none(), "{name}, {asked}: {:?}", answer.unmet);
@@ -132,7 +132,7 @@ fn pin_and_rod_press_fits_and_scene_files_meet_what_they_are_asked() {
     // Westergaard, as the file's own checks have it.
     let answer = answered(&file.problem.scene, 3e-3);
     assert!(answer.unmet.is_none());
-    assert_relative_eq!(answer.run.measures.peak.pressure, 213.067134, max_relative = 3e-3);
+    assert_relative_eq!(answer.run.measures().peak.pressure, 213.067134, max_relative = 3e-3);
 }
 
 #[test]
@@ -191,7 +191,7 @@ fn growth_that_is_never_refined_would_not_be_noticed_by_elements_alone() {
     let (some, many) = (on(16), on(48));
     let [first, last] = [&some, &many].map(|run| study::error(run, exact));
     assert!(first > 2e-3 && last > 2e-3, "{first:e} {last:e}");
-    let between = study::error(&some, [many.measures.peak.pressure, many.measures.half_width]);
+    let between = study::error(&some, [many.measures().peak.pressure, many.measures().half_width]);
     assert!(between < 1e-3, "{between:e}");
 }
 

@@ -42,7 +42,7 @@ pub fn matrix(entries: &[&[f64]]) -> Mat<f64> {
 }
 
 pub fn point(row: Vec<(usize, f64)>, weight: f64, gap: f64) -> ContactPoint {
-    ContactPoint { row, position: gap, weight, gap, relative_stiffness: 1.0, shares: vec![(0, weight)] }
+    ContactPoint { contact: 0, row, position: gap, weight, gap, relative_stiffness: 1.0, shares: vec![(0, weight)] }
 }
 
 /// One freedom with stiffness 300 N/mm, a point of 2 mm² at the gap 0.1 mm.

@@ -28,12 +28,12 @@ pub fn elements() -> Vec<(String, Box<dyn ContactElement>)> {
 pub fn interface(scene: &Scene, elements: usize, order: Order) -> Interface {
     let mesh = Mesh::of(scene, resolution(elements, 0, order)).expect("mesh");
     let condensed = ElasticSystem::assemble(scene, &mesh).expect("system").condense().expect("condensed");
-    Interface::between(scene, &mesh, &condensed).expect("interface")
+    Interface::between(scene, &mesh, &condensed, 0).expect("interface")
 }
 
 /// A flat interface made by hand, of edges between the given corners; `bodies` = 1 is a rigid other side.
 pub fn flat(corners: &[f64], order: Order, bodies: usize, profile: Profile) -> Interface {
-    let path = Path::Horizontal;
+    let path = Path::HORIZONTAL;
     on_path(corners, order, bodies, profile, path, |s| ([s, 0.0], [0.0, -1.0]))
 }
 
@@ -92,7 +92,8 @@ fn on_path(
         stations,
         edges,
         facing,
-        pair: ContactPair { first: 0, above: true, second, path, profile, stretch, symmetric: true },
+        contact: 0,
+        pair: ContactPair::new(second, path, profile, stretch),
         thickness: 2.5,
     }
 }
@@ -149,7 +150,7 @@ fn areas_of_the_library_scenes_are_those_of_their_candidate_stretch() {
         (Patch::default().scene(), 3),
         (PressFit::default().scene(), 8),
     ] {
-        let pair = &scene.contact;
+        let pair = scene.contact();
         let exact = pair.stretch * pair.path.metric() * scene.thickness;
         for order in ORDERS {
             let sample = interface(&scene, elements_per_unit, order);
@@ -412,7 +413,7 @@ fn edges_of_a_mesh_follow_the_contact_coordinate() {
                 reached += usize::from(order.number());
             }
             assert_eq!(reached + 1, sample.stations.len());
-            let bodies = scene.contact.bodies().count();
+            let bodies = scene.contact().bodies().count();
             assert!(sample.stations.iter().all(|station| station.row().count() == bodies));
             assert!(sample.stations.iter().enumerate().all(|(i, station)| station.freedom == i));
         }
@@ -426,7 +427,7 @@ fn facing_freedoms_belong_to_the_second_body_in_the_same_order() {
     for scene in [scene, swapped] {
         let sample = interface(&scene, 6, Order::Quadratic);
         let count = sample.stations.len();
-        let [first, second] = if scene.contact.first == 0 { [0, count] } else { [count, 0] };
+        let [first, second] = if scene.contact().first == 0 { [0, count] } else { [count, 0] };
         for (i, station) in sample.stations.iter().enumerate() {
             assert_eq!(station.row().collect::<Vec<_>>(), vec![(first + i, 1.0), (second + i, 1.0)]);
         }

@@ -54,13 +54,13 @@ fn a_spoiled_scene_is_not_what_the_other_codes_solved() {
         ("cylinder", "plane stress", |s| s.plane = PlaneHypothesis::Stress),
         ("cylinder", "thickness", |s| s.thickness *= 1.001),
         ("cylinder", "a dropped load", |s| s.bodies[0].loads.clear()),
-        ("cylinder", "a flatter gap", |s| s.contact.profile = Profile::Circle { radius: 50.5 }),
-        ("cylinder", "a parabola for the circle", |s| s.contact.profile = Profile::Parabola { radius: 50.0 }),
+        ("cylinder", "a flatter gap", |s| s.contacts[0].profile = Profile::Circle { radius: 50.5 }),
+        ("cylinder", "a parabola for the circle", |s| s.contacts[0].profile = Profile::Parabola { radius: 50.0 }),
         ("truncated-hertz", "E by 0.1 %", |s| s.bodies[0].material.young *= 1.001),
         ("truncated-hertz", "a dropped side load", |s| s.bodies[0].loads.truncate(1)),
         ("pin-rod", "E of the rod by 0.1 %", |s| s.bodies[1].material.young *= 1.001),
         ("pin-rod", "ν of the pin by 0.01", |s| s.bodies[0].material.poisson += 0.01),
-        ("pin-rod", "clearance by 1 %", |s| s.contact.profile = Profile::Hole { radius: 10.0, clearance: 0.0505 }),
+        ("pin-rod", "clearance by 1 %", |s| s.contacts[0].profile = Profile::Hole { radius: 10.0, clearance: 0.0505 }),
         ("pin-rod", "force by 0.1 %", |s| {
             for load in &mut s.bodies[1].loads {
                 if let Load::RigidFace { force, .. } = load {
@@ -72,7 +72,7 @@ fn a_spoiled_scene_is_not_what_the_other_codes_solved() {
     for (name, what, spoil) in spoils {
         let mut scene = problem(name, None).expect("a scene of the library").scene;
         spoil(&mut scene);
-        let elements = if matches!(scene.contact.path, Path::Arc(_)) { 6 } else { 8 };
+        let elements = if matches!(scene.contact().path, Path::Arc(_)) { 6 } else { 8 };
         let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
         let twin = Discretisation::of(scene, resolution).and_then(Twin::on);
         if what == "a dropped load" {

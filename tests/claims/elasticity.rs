@@ -182,14 +182,38 @@ fn loads_have_their_resultant_and_their_moment() {
         let [fx, fy] = [2.0 * width * t, -7.0 * width * t];
         assert!(distance(&resultant(&scene, &mesh), &[fx, fy, 0.5 * width * fy - height * fx]) <= 1e-12 * 200.0);
 
-        let (scene, mesh) = loaded(Load::Force { at: [4.0, 3.0], force: [5.0, 6.0] }, order);
-        assert!(distance(&resultant(&scene, &mesh), &[5.0, 6.0, 4.0 * 6.0 - 3.0 * 5.0]) <= 1e-13 * 200.0);
+        // At a node, on a side between nodes, and inside a cell.
+        for at in [[4.0, 3.0], [4.0, 1.234], [1.7, 3.0], [2.345, 1.618]] {
+            let (scene, mesh) = loaded(Load::Force { at, force: [5.0, 6.0] }, order);
+            assert!(distance(&resultant(&scene, &mesh), &[5.0, 6.0, at[0] * 6.0 - at[1] * 5.0]) <= 1e-13 * 200.0);
+        }
 
         let pull = StressField(Arc::new(|[_, y]| [y * y, 0.0, 3.0]));
         let (scene, mesh) = loaded(Load::Stress { boundary: "right".into(), field: pull }, order);
         // ∫ y² = H³/3 and its moment −∫ y³ = −H⁴/4; shear 3 H at x = 4.
         let wanted = [9.0 * t, 9.0 * t, t * (4.0 * 9.0 - 81.0 / 4.0)];
         assert!(distance(&resultant(&scene, &mesh), &wanted) <= 1e-12 * 200.0);
+    }
+}
+
+#[test]
+fn force_at_any_point_of_a_disc_has_its_resultant_and_its_moment() {
+    let outline = |angle: f64| [50.0 * angle.sin(), 50.0 - 50.0 * angle.cos()];
+    for order in ORDERS {
+        for at in [[3.1, 7.7], [21.0, 48.3], [0.0, 20.123], [17.0, 50.0], outline(0.3), outline(0.7)] {
+            let mut scene = Cylinder::default().scene();
+            scene.bodies[0].loads = vec![Load::Force { at, force: [5.0, -6.0] }];
+            let mesh = Mesh::of(&scene, resolution(4, 0, order)).expect("mesh");
+            let forces = contact_vv::elasticity::loads::at_nodes(&scene, &mesh, 0).expect("inside");
+            let mut sums = [0.0; 3];
+            for (point, [fx, fy]) in mesh.points.iter().zip(&forces) {
+                sums = [sums[0] + fx, sums[1] + fy, sums[2] + point[0] * fy - point[1] * fx];
+            }
+            let wanted = [5.0, -6.0, at[0] * -6.0 - at[1] * 5.0];
+            assert!(distance(&sums, &wanted) <= 1e-10, "{order:?} {at:?}: {sums:?}, not {wanted:?}");
+            let taking = forces.iter().filter(|force| force[0].abs() > 0.0).count();
+            assert!(taking <= order.nodes_per_cell(), "{at:?}: {taking} nodes");
+        }
     }
 }
 
@@ -470,7 +494,7 @@ fn any_load_and_support_told_differently_moves_the_nodes_the_same() {
     ];
     let mut scene = block([4.0, 3.0], supports, loads);
     // Candidates end before the rigid face.
-    scene.contact.stretch = 2.0;
+    scene.contacts[0].stretch = 2.0;
     scene.grading.unit = 2.0;
     let at = resolution(2, 0, Order::Quadratic);
     let mesh = Mesh::of(&scene, at).expect("mesh");

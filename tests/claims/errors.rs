@@ -30,7 +30,7 @@ fn scene_values_that_are_not_positive_and_finite_are_refused() {
         ("reference length", |scene, x| scene.reference.length = x),
         ("reference pressure", |scene, x| scene.reference.pressure = x),
         ("reference gap", |scene, x| scene.reference.gap = x),
-        ("candidate stretch", |scene, x| scene.contact.stretch = x),
+        ("candidate stretch", |scene, x| scene.contacts[0].stretch = x),
         ("young", |scene, x| scene.bodies[1].material.young = x),
     ];
     for (key, spoil) in keys {
@@ -99,15 +99,15 @@ fn boundary_that_does_not_exist_is_refused_with_those_that_do() {
 }
 
 #[test]
-fn node_that_does_not_exist_is_refused_with_its_coordinates() {
-    let forces = vec![Load::Force { at: [1.25, 0.77], force: [1.0, 0.0] }];
-    for scene in [
-        block([4.0, 3.0], vec![held_at([1.25, 0.77], Component::X, 0.0)], vec![]),
-        block([4.0, 3.0], vec![held("left", Component::X, 0.0)], forces),
+fn support_away_from_nodes_and_force_outside_the_body_are_refused_with_their_coordinates() {
+    let forces = vec![Load::Force { at: [4.25, 0.77], force: [1.0, 0.0] }];
+    for (scene, at) in [
+        (block([4.0, 3.0], vec![held_at([1.25, 0.77], Component::X, 0.0)], vec![]), "(1.25, 0.77)"),
+        (block([4.0, 3.0], vec![held("left", Component::X, 0.0)], forces), "(4.25, 0.77)"),
     ] {
         let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
         let error = ElasticSystem::assemble(&scene, &mesh).expect_err("there is no such node");
-        names(&error, &["sample, body `body`", "no node at `(1.25, 0.77)`", "corners of the outline"]);
+        names(&error, &["sample, body `body`", &format!("no node at `{at}`"), "corners of the outline"]);
     }
 }
 

@@ -20,9 +20,9 @@ fn node_that_nothing_faces_is_refused_with_its_coordinate() {
     shorter.bodies[1].candidates.pop();
     let mut late = mesh.clone();
     late.bodies[1].candidates[0].coordinate += 0.01;
-    let end = format!("{:.6}", scene.contact.stretch);
+    let end = format!("{:.6}", scene.contact().stretch);
     for (wrong, at) in [(shorter, end.as_str()), (late, "0.000000")] {
-        let error = Interface::between(&scene, &wrong, &condensed).expect_err("nothing faces a node");
+        let error = Interface::between(&scene, &wrong, &condensed, 0).expect_err("nothing faces a node");
         let text = error.to_string();
         assert!(matches!(error, Error::NotFacing { .. }), "{text}");
         for part in ["`pin`", "`rod`", at, "shorten the candidate stretch"] {
@@ -53,7 +53,7 @@ fn weights_of_the_facing_freedoms_reproduce_constant_and_linear_displacements() 
                 });
                 assert_abs_diff_eq!(sum, 1.0, epsilon = 1e-14);
                 assert_abs_diff_eq!(position, station.coordinate, epsilon = 1e-12);
-                assert_abs_diff_eq!(station.gap, scene.contact.profile.gap(0.0), epsilon = 0.0);
+                assert_abs_diff_eq!(station.gap, scene.contact().profile.gap(0.0), epsilon = 0.0);
             }
         }
     }
@@ -74,7 +74,7 @@ fn uniform_pressure_presses_consistently_on_both_sides_whatever_their_meshes() {
                 for (body, forces) in [(0, &force[..own]), (1, &force[own..])] {
                     let mut alone = scene.clone();
                     alone.bodies[0].density = scene.bodies[body].density;
-                    alone.contact.second = None;
+                    alone.contacts[0].second = None;
                     let areas = Node.points(&interface(&alone, 10, order)).into_iter().map(|point| point.weight);
                     for (found, wanted) in forces.iter().zip(areas) {
                         assert!((found - wanted).abs() <= 1e-12, "{name}, {density}, body {body}: {found}, {wanted}");
@@ -92,7 +92,7 @@ fn projection_finds_the_place_on_an_edge_whose_middle_lies_off_the_middle() {
     // Middle at 0.4 of the edge: s(ξ) = 4 + 5 ξ + ξ² on 0 … 10.
     mesh.bodies[1].candidates[1].coordinate = 4.0;
     let condensed = ElasticSystem::assemble(&scene, &mesh).expect("system").condense().expect("condensed");
-    let sample = Interface::between(&scene, &mesh, &condensed).expect("interface");
+    let sample = Interface::between(&scene, &mesh, &condensed, 0).expect("interface");
     let xi = 0.5 * (29.0_f64.sqrt() - 5.0);
     let wanted = [0.5 * xi * (xi - 1.0), 1.0 - xi * xi, 0.5 * xi * (xi + 1.0)];
     let middle = sample.facing.expect("two bodies").at(5.0).expect("an edge");
@@ -106,17 +106,17 @@ fn projection_finds_the_place_on_an_edge_whose_middle_lies_off_the_middle() {
 fn drawn_gap_is_the_distance_along_the_normal_whichever_side_carries_the_points() {
     let mut scene = PinRod::default().scene();
     let mesh = |scene: &Scene| Mesh::of(scene, resolution(6, 0, Order::Quadratic)).expect("mesh");
-    let profile = scene.contact.profile;
-    scene.contact.profile = Profile::Drawn;
+    let profile = scene.contact().profile.clone();
+    scene.contacts[0].profile = Profile::Drawn;
     for above in [true, false] {
         let mut scene = scene.clone();
         if !above {
-            (scene.contact.first, scene.contact.second) = (1, Some(0));
-            scene.contact.above = false;
+            (scene.contacts[0].first, scene.contacts[0].second) = (1, Some(0));
+            scene.contacts[0].above = false;
         }
         let mesh = mesh(&scene);
         let condensed = ElasticSystem::assemble(&scene, &mesh).expect("system").condense().expect("condensed");
-        let sample = Interface::between(&scene, &mesh, &condensed).expect("interface");
+        let sample = Interface::between(&scene, &mesh, &condensed, 0).expect("interface");
         for station in &sample.stations {
             assert_abs_diff_eq!(station.gap, profile.gap(station.coordinate), epsilon = 1e-9);
             let outward = station.point[0] * station.normal[0] + station.point[1] * station.normal[1];

@@ -420,7 +420,7 @@ fn resolved(scene: &Scene, elements: usize, load: f64, clearance: f64, formulati
     }
     let mut discretisation =
         Discretisation::of(changed, resolution(elements, 0, Order::Quadratic)).expect("discretised");
-    discretisation.interface.stations.iter_mut().for_each(|station| station.gap += clearance);
+    discretisation.interfaces[0].stations.iter_mut().for_each(|station| station.gap += clearance);
     if clearance > 0.0 && formulation.element != Element::Node {
         // Line and layer elements take their gaps from the profile, which has no room for a clearance of its own.
         return vec![f64::NAN];

@@ -89,7 +89,7 @@ fn cylinder_carries_its_load_with_all_nine_formulations() {
         let total: f64 = solution.points.iter().map(|p| p.weight * p.pressure).sum();
         // Balance within the tolerance 1e-3 is part of convergence.
         assert_relative_eq!(total, 0.5 * numbers.load(), max_relative = 1e-3);
-        let measures = contact_vv::measure::Measures::of(&discretisation.scene, &solution, 1e-3 * peak);
+        let measures = contact_vv::measure::Measures::of(&discretisation.scene, &solution, 0, 1e-3 * peak);
         // Six elements per half-width: 3 %.
         assert_relative_eq!(measures.peak.pressure, peak, max_relative = 0.03);
         assert_relative_eq!(measures.half_width, numbers.half_width(), max_relative = 0.03);
@@ -119,7 +119,7 @@ fn recovered_displacements_have_the_approach_of_the_solution() {
             let u = fields.displacement[node];
             u[0] * a.normal[0] + u[1] * a.normal[1]
         };
-        let gap = discretisation.scene.contact.profile.gap(a.coordinate);
+        let gap = discretisation.scene.contact().profile.gap(a.coordinate);
         // Moving apart along the pin's normal opens; displacements are of the order of the clearance 0.05.
         assert!((gap - along(a.node) + along(b.node) - state.gap).abs() <= 1e-10);
     }

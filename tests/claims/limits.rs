@@ -69,8 +69,15 @@ fn contact_up_to_the_end_of_body_or_punch_is_no_spill() {
         let discretisation = Discretisation::of(scene, resolution(elements, 0, Order::Quadratic)).expect("solvable");
         let solution = discretisation.solve(&Formulation::verification()).expect("no spill");
         assert!(solution.points.last().is_some_and(|point| point.pressure > 0.0));
-        let deepest =
-            spill::deepest(&discretisation, &solution, Change::NONE, 1e-8, spill::End::Last).expect("recovered");
+        let deepest = spill::deepest(
+            &discretisation,
+            &discretisation.interfaces[0],
+            &solution,
+            Change::NONE,
+            1e-8,
+            spill::End::Last,
+        )
+        .expect("recovered");
         assert!(deepest.is_none_or(|spill| spill.penetration < 0.0), "{deepest:?}");
     }
 }
@@ -84,9 +91,9 @@ fn punch_has_no_other_side_beyond_its_corner() {
     for s in [2.001, 5.0] {
         assert!(punch.gap(s).is_infinite() && punch.gap(s) > 0.0, "{s}");
     }
-    assert!(matches!(FlatPunch::default().scene().contact.profile, Profile::Punch { .. }));
+    assert!(matches!(FlatPunch::default().scene().contact().profile, Profile::Punch { .. }));
     // Told in metres, it ends at the same place.
-    let metres = FlatPunch::default().scene().in_metres().contact.profile;
+    let metres = FlatPunch::default().scene().in_metres().contact().profile.clone();
     assert!(metres.gap(0.99e-3).abs() <= 0.0 && metres.gap(1.01e-3).is_infinite());
 }
 
@@ -109,7 +116,7 @@ fn without_a_load_bodies_held_by_contact_alone_are_refused_and_held_ones_carry_n
         let held = run(unloaded(Bars::default().scene()), 2, Order::Quadratic, &formulation).expect("held");
         assert!(held.solution.converged(), "{}: {}", formulation.name(), held.solution.outcome);
         assert!(held.solution.points.iter().all(|point| point.pressure.abs() <= 0.0));
-        assert!(held.note().is_some_and(|note| note.contains("no contact")));
+        assert!(held.note(0).is_some_and(|note| note.contains("no contact")));
     }
 }
 
@@ -117,14 +124,14 @@ fn without_a_load_bodies_held_by_contact_alone_are_refused_and_held_ones_carry_n
 fn contact_on_too_few_points_is_noted_and_contact_on_enough_is_not() {
     let verification = Formulation::verification();
     let coarse = run(Cylinder::default().scene(), 1, Order::Linear, &verification).expect("solvable");
-    assert!(coarse.solution.converged() && coarse.measures.active < RESOLVED);
-    let note = coarse.note().expect("a note");
-    assert!(note.contains(&format!("rests on {} of", coarse.measures.active)), "{note}");
+    assert!(coarse.solution.converged() && coarse.measures().active < RESOLVED);
+    let note = coarse.note(0).expect("a note");
+    assert!(note.contains(&format!("rests on {} of", coarse.measures().active)), "{note}");
     let fine = run(Cylinder::default().scene(), 8, Order::Quadratic, &verification).expect("solvable");
-    assert!(fine.measures.active >= RESOLVED && fine.note().is_none(), "{:?}", fine.note());
+    assert!(fine.measures().active >= RESOLVED && fine.note(0).is_none(), "{:?}", fine.note(0));
     // A patch of two edges rests on all it has.
     let patch = run(Patch::default().scene(), 2, Order::Linear, &verification).expect("solvable");
-    assert!(patch.measures.active < RESOLVED && patch.note().is_none(), "{:?}", patch.note());
+    assert!(patch.measures().active < RESOLVED && patch.note(0).is_none(), "{:?}", patch.note(0));
 }
 
 #[test]
@@ -132,8 +139,8 @@ fn pressures_that_oscillate_are_noted() {
     let spoiled = |departure: f64| {
         let verification = Formulation::verification();
         let mut run = run(Cylinder::default().scene(), 8, Order::Quadratic, &verification).expect("solvable");
-        run.solution.points[5].pressure += departure * run.measures.peak.pressure;
-        run.note()
+        run.solution.points[5].pressure += departure * run.measures().peak.pressure;
+        run.note(0)
     };
     assert!(spoiled(0.02).is_none());
     assert!(spoiled(0.2).is_some_and(|note| note.contains("quote means over edges")));
@@ -204,7 +211,7 @@ fn shaken_mesh_moves_inner_nodes_only_and_keeps_edges_straight() {
             mesh.bodies.iter().flat_map(|b| b.boundaries.values().flatten().flatten().copied()).collect();
         let moved: Vec<usize> = (0..mesh.points.len()).filter(|&n| mesh.points[n] != shaken.points[n]).collect();
         assert!(!moved.is_empty() && moved.iter().all(|node| !outer.contains(node)));
-        let side = scene.contact.stretch / 4.0;
+        let side = scene.contact().stretch / 4.0;
         for &node in &moved {
             let (p, q) = (mesh.points[node], shaken.points[node]);
             assert!((p[0] - q[0]).hypot(p[1] - q[1]) <= 0.3 * side * (1.0 + 1e-9), "{node}");
@@ -248,7 +255,7 @@ fn pin_cut_short_beyond_which_elements_are_too_large_to_see_it_is_refused() {
         for growth in [1.2_f64, 1.7, 2.5, 4.0] {
             for elements in [4, 8, 16] {
                 let mut scene = known.scene.clone();
-                scene.contact.stretch = cut.to_radians();
+                scene.contacts[0].stretch = cut.to_radians();
                 (scene.grading.along, scene.grading.depth) = (growth, growth.min(3.5));
                 scene.grading.coarsest = 1.0;
                 let resolution = Resolution { elements, ..known.resolution };

@@ -34,5 +34,6 @@ mod scene;
 mod scene_file;
 mod scene_fuzz;
 mod scene_mistakes;
+mod several_contacts;
 mod stability;
 mod timings;

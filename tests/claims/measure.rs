@@ -11,7 +11,7 @@ use contact_vv::measure::profile::{
 use contact_vv::measure::{Measures, display_factor, relative_error, whole};
 use contact_vv::scene::library::{Cylinder, PinRod};
 use contact_vv::scene::{Circle, Path};
-use contact_vv::solution::{Outcome, PointState, Solution, Work};
+use contact_vv::solution::{Outcome, PointState, Share, Solution, Work};
 
 /// Points in the middle of `n` equal intervals of `0 … end`.
 fn sampled(end: f64, n: usize, pressure: impl Fn(f64) -> f64) -> Vec<PointState> {
@@ -152,13 +152,14 @@ fn resultant_on_an_arc_counts_the_part_along_the_load_line() {
     points.iter_mut().for_each(|p| p.weight *= radius);
     // ∫ p cos θ R dθ over a quarter is p R; the midpoint rule errs by h²/24 = 1e-7.
     assert_relative_eq!(resultant(&points, &arc), pressure * radius, max_relative = 2e-7);
-    assert_relative_eq!(resultant(&points, &Path::Horizontal), pressure * radius * PI / 2.0, max_relative = 1e-12);
+    assert_relative_eq!(resultant(&points, &Path::HORIZONTAL), pressure * radius * PI / 2.0, max_relative = 1e-12);
 }
 
 fn solution(points: Vec<PointState>) -> Solution {
     Solution {
         outcome: Outcome::Converged,
         spring_pressures: points.iter().map(|p| p.pressure).collect(),
+        contacts: vec![Share { points: 0..points.len(), edges: 0..0 }],
         points,
         edges: vec![],
         displacement: vec![],
@@ -177,16 +178,16 @@ fn measures_of_a_symmetric_half_count_both_halves() {
     let mut points = sampled(3.0, 100, profile);
     points.iter_mut().for_each(|p| p.weight *= scene.thickness);
 
-    let measures = Measures::of(&scene, &solution(points), 0.1);
+    let measures = Measures::of(&scene, &solution(points), 0, 0.1);
 
     // ∫ (6 − s²) over 0 … 1.2 on both sides, 2 mm thick; the midpoint rule errs by h²/24 · 2.4 = 1e-4 · 0.9.
     assert_relative_eq!(measures.resultant, 2.0 * 2.0 * (7.2 - 1.728 / 3.0), max_relative = 1e-4);
     assert_relative_eq!(measures.half_width_nodes, 1.2, max_relative = 1e-12);
     assert_relative_eq!(measures.edge, 1.185, max_relative = 1e-12);
     assert_relative_eq!(measures.peak.pressure, 6.0, max_relative = 1e-12);
-    assert_relative_eq!(whole(&scene.contact), 2.0);
-    scene.contact.symmetric = false;
-    assert_relative_eq!(whole(&scene.contact), 1.0);
+    assert_relative_eq!(whole(scene.contact()), 2.0);
+    scene.contacts[0].symmetric = false;
+    assert_relative_eq!(whole(scene.contact()), 1.0);
 }
 
 #[test]
@@ -195,10 +196,10 @@ fn counted_half_width_on_an_arc_is_an_angle() {
     scene.thickness = 2.0;
     let mut points = sampled(1.0, 100, |s| if s < 0.4 { 6.0 } else { 0.0 });
     points.iter_mut().for_each(|p| p.weight *= 2.0 * 10.0);
-    let measures = Measures::of(&scene, &solution(points), 0.1);
+    let measures = Measures::of(&scene, &solution(points), 0, 0.1);
     assert_relative_eq!(measures.half_width_nodes, 0.4, max_relative = 1e-12);
-    assert_relative_eq!(display_factor(&scene.contact.path), 180.0 / PI);
-    assert_relative_eq!(display_factor(&Path::Horizontal), 1.0);
+    assert_relative_eq!(display_factor(&scene.contact().path), 180.0 / PI);
+    assert_relative_eq!(display_factor(&Path::HORIZONTAL), 1.0);
 }
 
 #[test]

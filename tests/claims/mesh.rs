@@ -267,16 +267,16 @@ fn every_contact_node_lies_on_the_exact_curve() {
     for (scene, elements) in library() {
         for order in ORDERS {
             let mesh = mesh_of(&scene, elements, 1, order);
-            let pair = &scene.contact;
+            let pair = scene.contact();
             for candidate in &mesh.bodies[pair.first].candidates {
                 let [x, y] = mesh.points[candidate.node];
                 let scale = size(&scene.bodies[pair.first].shape);
                 match (pair.path, &pair.profile) {
                     // The lowest point of the first body touches y = 0, less the uniform gap that the bodies keep.
-                    (Path::Horizontal | Path::BothSides, Profile::Circle { radius }) => {
+                    (Path::Straight(_), Profile::Circle { radius }) => {
                         assert_abs_diff_eq!(y, radius - (radius * radius - x * x).sqrt(), epsilon = 1e-12 * scale);
                     }
-                    (Path::Horizontal | Path::BothSides, _) => {
+                    (Path::Straight(_), _) => {
                         let gap = if pair.second.is_some() { pair.profile.gap(x) } else { 0.0 };
                         assert_abs_diff_eq!(y, gap, epsilon = 1e-12 * scale);
                     }
@@ -306,7 +306,7 @@ fn facing_nodes_lie_on_one_normal_at_the_distance_of_the_gap() {
             for (a, b) in first.iter().zip(second) {
                 let (p, q) = (mesh.points[a.node], mesh.points[b.node]);
                 let scale = 1e-12 * p[0].hypot(p[1]).max(1.0);
-                let gap = scene.contact.profile.gap(a.coordinate);
+                let gap = scene.contact().profile.gap(a.coordinate);
                 for k in 0..2 {
                     assert_abs_diff_eq!(q[k], p[k] + gap * a.normal[k], epsilon = scale);
                     assert_abs_diff_eq!(a.normal[k], -b.normal[k], epsilon = 1e-12);
@@ -332,8 +332,8 @@ fn candidates_are_sorted_and_fill_the_stretch_with_the_asked_number_of_elements(
     for (scene, elements) in library() {
         for (order, refinement) in [(Order::Linear, 0), (Order::Quadratic, 0), (Order::Quadratic, 1)] {
             let mesh = mesh_of(&scene, elements, refinement, order);
-            let pair = &scene.contact;
-            let edges = candidate_edges(&mesh, &scene, pair.first).expect("contact exists").len();
+            let pair = scene.contact();
+            let edges = candidate_edges(&mesh, &scene, pair, pair.first).expect("contact exists").len();
             let wanted = (elements as f64 * pair.stretch * pair.path.metric() / scene.grading.unit).round() as usize;
             assert_eq!(edges, wanted << refinement, "{}", scene.name);
             for body in pair.bodies() {
@@ -355,7 +355,7 @@ fn normals_are_units_that_leave_their_own_body() {
     for (scene, elements) in library() {
         let straight = mesh_of(&scene, elements, 0, Order::Quadratic);
         for (mesh, scene) in [(straight.mirrored(), scene.mirrored()), (straight, scene)] {
-            for body in scene.contact.bodies() {
+            for body in scene.contact().bodies() {
                 let part = &mesh.bodies[body];
                 for candidate in &part.candidates {
                     let [x, y] = mesh.points[candidate.node];
@@ -420,8 +420,8 @@ fn mid_side_nodes_of_curved_contact_edges_halve_the_angle() {
     let scene = PinRod::default().scene();
     let mesh = mesh_of(&scene, 6, 0, Order::Quadratic);
     for body in 0..2 {
-        for edge in candidate_edges(&mesh, &scene, body).expect("contact exists") {
-            let at = |k: usize| scene.contact.path.coordinate(mesh.points[edge[k]]);
+        for edge in candidate_edges(&mesh, &scene, scene.contact(), body).expect("contact exists") {
+            let at = |k: usize| scene.contact().path.coordinate(mesh.points[edge[k]]);
             assert_abs_diff_eq!(at(2), 0.5 * (at(0) + at(1)), epsilon = 1e-13);
         }
     }
@@ -463,7 +463,7 @@ fn elements_grow_away_from_the_contact_and_no_faster_than_asked() {
     heights.sort_by(f64::total_cmp);
     heights.dedup();
     let first = heights[1] - heights[0];
-    let along = scene.contact.stretch / 24.0;
+    let along = scene.contact().stretch / 24.0;
     assert!((0.3..=1.5).contains(&(first / along)), "first element {first} deep and {along} long");
     let sizes: Vec<f64> = heights.windows(2).map(|two| two[1] - two[0]).collect();
     assert!(sizes.iter().all(|s| *s >= 0.99 * first));

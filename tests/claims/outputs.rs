@@ -10,11 +10,11 @@ use std::path::Path;
 use std::process::Command;
 use vtkio::model::{Attribute, CellType, DataSet, IOBuffer, Piece, UnstructuredGridPiece, Vtk};
 
-fn scene(name: &str) -> String {
+pub fn scene(name: &str) -> String {
     format!("{}/tests/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))
 }
 
-fn contact_vv(arguments: &[&str]) -> (bool, String, String) {
+pub fn contact_vv(arguments: &[&str]) -> (bool, String, String) {
     let output = Command::new(env!("CARGO_BIN_EXE_contact-vv")).args(arguments).output().expect("started");
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     (output.status.success(), text(&output.stdout), text(&output.stderr))
@@ -52,7 +52,7 @@ fn fields_written_for_paraview_are_those_of_the_solution() {
             }
         }
         // With node elements every candidate is a contact point.
-        let pair = &discretisation.scene.contact;
+        let pair = discretisation.scene.contact();
         let nodes = run.formulation.name().starts_with("node");
         for point in run.solution.points.iter().filter(|_| nodes) {
             let candidates = &mesh.bodies[pair.first].candidates;
@@ -92,11 +92,12 @@ fn asking_for_outputs_does_not_change_the_run() {
     let document = without_seconds(&plain.1);
     assert_eq!(document, without_seconds(&all.1));
     let mut rows = csv::Reader::from_path(&csv).expect("a table");
-    let profile = document["profile"].as_array().expect("a profile");
-    for (row, point) in rows.deserialize::<[f64; 4]>().zip(profile) {
-        let [position, pressure, gap, area] = row.expect("numbers");
+    let profile = document["contacts"][0]["profile"].as_array().expect("a profile");
+    for (row, point) in rows.deserialize::<(f64, f64, f64, f64, String)>().zip(profile) {
+        let (position, pressure, gap, area, contact) = row.expect("numbers and a name");
         let same = |key: &str, value: f64| point[key].as_f64().is_some_and(|own| own.to_bits() == value.to_bits());
-        assert!(same("position", position) && same("pressure", pressure) && same("gap", gap) && area > 0.0);
+        assert!(same("position", position) && same("pressure", pressure) && same("gap", gap) && same("area", area));
+        assert_eq!(Some(contact.as_str()), document["contacts"][0]["name"].as_str());
     }
     assert_eq!(csv::Reader::from_path(&csv).expect("a table").records().count(), profile.len());
 }
@@ -139,6 +140,10 @@ fn options_change_what_the_file_says_and_only_that() {
     assert_eq!((other["resolution"].as_u64(), other["order"].as_u64()), (Some(6), Some(1)));
     let (sound, _, error) = contact_vv(&["solve", &file, "--a-over-r", "0.1"]);
     assert!(!sound && error.contains("a scene file has no a/R"), "{error}");
+    for option in ["--csv", "--plot", "--vtu"] {
+        let (sound, _, error) = contact_vv(&["solve", &file, option, "-"]);
+        assert!(!sound && error.contains("this output goes to a file"), "{error}");
+    }
     for option in ["--plot", "--vtu"] {
         let (sound, _, error) = contact_vv(&["solve", &file, option, "out.txt"]);
         assert!(!sound && error.contains("end the file name in"), "{error}");

@@ -109,7 +109,7 @@ fn detail_holds_the_contact_as_truly_displaced_and_is_marked_where_the_whole_dra
     assert_abs_diff_eq!(zoom.magnification, 1.0, epsilon = 0.0);
     let within = |(from, to): (f64, f64), x: f64| from <= x && x <= to;
     let candidates = discretisation.mesh.bodies.iter().flat_map(|body| &body.candidates);
-    let touching: Vec<_> = candidates.filter(|candidate| candidate.coordinate <= run.measures.edge).collect();
+    let touching: Vec<_> = candidates.filter(|candidate| candidate.coordinate <= run.measures().edge).collect();
     assert!(touching.len() > 20);
     for candidate in touching {
         let (point, shift) = (field.points[candidate.node], field.displacements[candidate.node]);
@@ -119,8 +119,8 @@ fn detail_holds_the_contact_as_truly_displaced_and_is_marked_where_the_whole_dra
         }
     }
     // The middle of the contact stands at the same place in both frames.
-    let first = discretisation.mesh.bodies[discretisation.scene.contact.first].candidates.iter();
-    let first: Vec<usize> = first.filter(|at| at.coordinate <= run.measures.edge).map(|at| at.node).collect();
+    let first = discretisation.mesh.bodies[discretisation.scene.contact().first].candidates.iter();
+    let first: Vec<usize> = first.filter(|at| at.coordinate <= run.measures().edge).map(|at| at.node).collect();
     let middle = |factor: f64, pick: fn((f64, f64)) -> f64| {
         let drawn = first.iter().map(|&node| pick(field.points[node]) + factor * pick(field.displacements[node]));
         drawn.sum::<f64>() / first.len() as f64
@@ -144,13 +144,13 @@ fn curve(chart: &Chart, label: &str) -> Vec<(f64, f64)> {
 #[test]
 fn charts_hold_the_pressures_and_the_residuals_of_every_step() {
     let Solved { problem, run, .. } = solved("press-fit");
-    let chart = solve::pressure(&problem, &run);
+    let chart = solve::pressure(&problem, &run, 0);
     for (drawn, point) in curve(&chart, "node · kinematic").into_iter().zip(&run.solution.points) {
         assert_relative_eq!(drawn.0, point.position.to_degrees(), max_relative = 1e-14);
         assert_abs_diff_eq!(drawn.1, point.pressure, epsilon = 0.0);
     }
     let (low, high) = chart.y.range.expect("a range");
-    assert!(low.abs() <= 0.0 && high > run.measures.peak.pressure, "a uniform pressure looks uniform");
+    assert!(low.abs() <= 0.0 && high > run.measures().peak.pressure, "a uniform pressure looks uniform");
 
     let mut run = solved("cylinder-on-block").run;
     let last = run.solution.history.len() - 1;
@@ -194,7 +194,7 @@ fn run_without_numbers_without_steps_or_without_contact_is_drawn() {
 
     let mut open = solved("blocks");
     open.run.solution.points.iter_mut().for_each(|point| point.pressure = 0.0);
-    open.run.measures.active = 0;
+    open.run.contacts[0].measures.active = 0;
     let svg = open.svg();
     elements(&svg);
     assert!(svg.contains("No contact: every candidate is open."), "no contact is said");

@@ -57,9 +57,9 @@ fn contact_compliances_add_up_and_a_rigid_side_adds_none() {
     assert_relative_eq!(1.0 / scene.contact_modulus(), strain, max_relative = ROUND_OFF);
     scene.plane = PlaneHypothesis::Stress;
     assert_relative_eq!(1.0 / scene.contact_modulus(), 1.0 / 70e3 + 1.0 / 210e3, max_relative = ROUND_OFF);
-    scene.contact.second = None;
+    scene.contacts[0].second = None;
     assert_relative_eq!(scene.contact_modulus(), 70e3, max_relative = ROUND_OFF);
-    scene.contact.first = 1;
+    scene.contacts[0].first = 1;
     assert_relative_eq!(scene.contact_modulus(), STEEL.young, max_relative = ROUND_OFF);
 }
 
@@ -142,7 +142,7 @@ fn contact_coordinate_of_an_arc_is_the_angle_from_the_downward_vertical() {
 
 #[test]
 fn contact_coordinate_of_a_plane_is_the_distance_from_the_symmetry_line() {
-    let path = Path::Horizontal;
+    let path = Path::HORIZONTAL;
     assert_relative_eq!(path.coordinate([-3.0, 7.0]), 3.0);
     assert_eq!(path.direction([5.0, 1.0]), [0.0, -1.0]);
     assert_relative_eq!(path.metric() * path.share(2.0) * path.alignment(1.0, 2.0), 1.0);
@@ -161,7 +161,7 @@ fn reference_values_of_the_cylinder_are_those_of_hertz() {
     assert_relative_eq!(scene.reference.pressure, peak, max_relative = ROUND_OFF);
     assert_relative_eq!(numbers.load(), PI * a * peak / 2.0, max_relative = ROUND_OFF);
     assert_relative_eq!(scene.reference.gap, a * a / (2.0 * radius), max_relative = ROUND_OFF);
-    assert_relative_eq!(scene.contact.stretch, 2.0 * a, max_relative = ROUND_OFF);
+    assert_relative_eq!(scene.contact().stretch, 2.0 * a, max_relative = ROUND_OFF);
 }
 
 /// Vertical load on the modelled part [N].
@@ -226,14 +226,14 @@ fn scene_in_metres_has_the_same_pure_numbers() {
         let metres = scene.in_metres();
         let pure = |scene: &Scene, unit: f64| {
             let reference = scene.reference;
-            let stretch = match scene.contact.path {
-                Path::Horizontal | Path::BothSides => scene.contact.stretch / reference.length,
-                Path::Arc(_) => scene.contact.stretch,
+            let stretch = match scene.contact().path {
+                Path::Straight(_) => scene.contact().stretch / reference.length,
+                Path::Arc(_) => scene.contact().stretch,
             };
-            let at = 0.5 * scene.contact.stretch;
+            let at = 0.5 * scene.contact().stretch;
             [
                 reference.pressure * reference.length / (scene.contact_modulus() * reference.gap),
-                scene.contact.profile.gap(at) / reference.gap,
+                scene.contact().profile.gap(at) / reference.gap,
                 stretch,
                 scene.grading.unit / reference.length,
                 scene.thickness / unit,

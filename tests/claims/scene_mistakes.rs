@@ -7,6 +7,13 @@ use crate::scene_file::{folder, text_of};
 /// What is spoiled in which file so that only meshing or solving it shows; the line the message must name; what it says.
 const LATER: &[(&str, &str, &str, &str, &str)] = &[
     (
+        "plate-on-two-supports",
+        "origin = [30, 0]",
+        "origin = [-29, 0]",
+        "stretch = 1.0\n\n[mesh]",
+        "would be a candidate of two contacts",
+    ),
+    (
         "cylinder-between-blocks",
         "stretch = 1.5",
         "stretch = 0.001",
@@ -75,7 +82,10 @@ fn mistakes_that_show_only_when_solving_name_the_line_of_their_body_or_contact()
 }
 
 /// What is spoiled in which file; what stands in the line that the message must name, what it must say was found, and what to do.
-const MISTAKES: &[(&str, &str, &str, [&str; 3])] = &[
+/// The file, what is spoiled in it, how, and the line, finding and remedy that the message must name.
+type Mistake = (&'static str, &'static str, &'static str, [&'static str; 3]);
+
+const MISTAKES: &[Mistake] = &[
     (
         "flat-punch",
         "stretch = 2\n",
@@ -161,7 +171,7 @@ const MISTAKES: &[(&str, &str, &str, [&str; 3])] = &[
         "eccentric-load",
         "x = [-10, 10]",
         "x = [-9, 10]",
-        ["stretch = 10", "goes only as far as |x| = 9", "give at most 9"],
+        ["stretch = 10", "goes only as far as |s| = 9", "give at most 9"],
     ),
     ("eccentric-load", "both-sides = true\n", "", ["first = ", "does not begin at x = 0", "give `both-sides = true`"]),
     ("cylinder-on-block", "stretch = 5.0", "strech = 5.0", ["strech = 5.0", "unknown field `strech`", "`stretch`"]),
@@ -297,7 +307,7 @@ const MISTAKES: &[(&str, &str, &str, [&str; 3])] = &[
         "cylinder-in-metres",
         "centre = [0, 0.05]",
         "centre = [0.02, 0.05]",
-        ["first = ", "does not begin at x = 0", "centre at x = 0"],
+        ["first = ", "does not touch at x = 0", "centre at x = 0"],
     ),
     (
         "cylinder-in-metres",
@@ -431,9 +441,105 @@ const MISTAKES: &[(&str, &str, &str, [&str; 3])] = &[
     ("cylinder-on-block", "elements = 24\n", "", ["[mesh]", "missing field `elements`", "or an `accuracy`"]),
 ];
 
+/// The same of files with several contacts.
+const SEVERAL_CONTACTS: &[Mistake] = &[
+    (
+        "three-rings",
+        "first-side = \"outer\"",
+        "first-side = \"rim\"",
+        ["first-side = ", "no contact can lie on a side `rim` of `middle`", "known: `outer`, `contact`"],
+    ),
+    (
+        "three-rings",
+        "first-side = \"outer\"",
+        "first-side = \"start\"",
+        ["first-side = ", "no contact can lie on a side `start` of `middle`", "known: `outer`, `contact`"],
+    ),
+    (
+        "three-rings",
+        "first-side = \"outer\"",
+        "origin = [0, 0]\nfirst-side = \"outer\"",
+        ["origin = ", "`origin` is for straight paths", "below the centre of `arc`"],
+    ),
+    (
+        "three-rings",
+        "first-side = \"outer\" ",
+        "",
+        [
+            "first = \"middle\"",
+            "the contact side of `middle` does not lie on `arc`",
+            "the circle of the first body's side",
+        ],
+    ),
+    (
+        "plate-on-two-supports",
+        "origin = [-30, 0]",
+        "second-side = \"far\"\norigin = [-30, 0]",
+        ["second-side = ", "`second-side` without `second`", "leave it out"],
+    ),
+    (
+        "plate-on-two-supports",
+        "name = \"right\"",
+        "name = \"left\"",
+        [
+            "name = \"left\"\nfirst = \"plate\"\norigin = [30",
+            "a second contact is called `left`",
+            "a `name` of its own",
+        ],
+    ),
+    (
+        "plate-on-two-supports",
+        "origin = [30, 0]",
+        "origin = [30, 1]",
+        ["first = \"plate\"\norigin = [30", "does not lie at y = 1", "give its `origin`"],
+    ),
+    (
+        "plate-on-two-supports",
+        "origin = [30, 0]",
+        "origin = [49.5, 0]",
+        ["stretch = 1.0\n\n[mesh]", "goes only as far as |s| = 0.5", "give at most 0.5"],
+    ),
+    (
+        "plate-on-two-supports",
+        "contact = \"left\"\nquantity",
+        "quantity",
+        ["quantity = ", "the check does not say which it means", "one of `left`, `right`"],
+    ),
+    (
+        "plate-on-two-supports",
+        "contact = \"left\"\nquantity",
+        "contact = \"middle\"\nquantity",
+        ["contact = \"middle\"", "there is no contact `middle`", "known: `left`, `right`"],
+    ),
+    (
+        "three-rings",
+        "[[check]]\nquantity = \"reaction\"",
+        "[[check]]\ncontact = \"outer fit\"\nquantity = \"reaction\"",
+        ["contact = \"outer fit\"\nquantity = \"reaction\"", "a reaction belongs to a support", "leave `contact` out"],
+    ),
+    (
+        "plate-on-two-supports",
+        "elements = 16\nper = 0.8",
+        "accuracy = \"1 %\"",
+        ["accuracy = ", "the mesh of one contact, and there are several", "`elements` and `per`"],
+    ),
+    (
+        "roller-between-plates",
+        "second = \"lower\"\n",
+        "",
+        ["name = \"lower\"", "body `lower` takes no part in the contact", "leave it out"],
+    ),
+    (
+        "roller-between-plates",
+        "first-side = \"top\"\nsecond = \"upper\"",
+        "first-side = \"top\"\nsecond = \"lower\"",
+        ["second = \"lower\"", "does not lie at y = 100", "`origin`"],
+    ),
+];
+
 #[test]
 fn every_mistake_names_file_line_finding_and_remedy() {
-    for (name, was, is, wanted) in MISTAKES {
+    for (name, was, is, wanted) in MISTAKES.iter().chain(SEVERAL_CONTACTS) {
         let text = text_of(&format!("{name}.toml"));
         assert!(text.contains(was), "{name}: {was}");
         let file = folder().join(format!("{name}.toml"));

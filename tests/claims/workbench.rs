@@ -44,7 +44,7 @@ pub fn library() -> Vec<(Scene, usize)> {
 /// A scene of one rectangle `[0, w] × [0, h]` whose lower side may touch a rigid plane.
 pub fn block(size: [f64; 2], supports: Vec<Support>, loads: Vec<Load>) -> Scene {
     let shape = Shape::Rectangle { x: [0.0, size[0]], y: [0.0, size[1]], contact: Face::Bottom };
-    of_shape(shape, Path::Horizontal, size[0], supports, loads)
+    of_shape(shape, Path::HORIZONTAL, size[0], supports, loads)
 }
 
 /// A scene of one body in plane strain, 2.5 mm thick, near a rigid profile.
@@ -55,15 +55,10 @@ pub fn of_shape(shape: Shape, path: Path, stretch: f64, supports: Vec<Support>, 
         plane: PlaneHypothesis::Strain,
         thickness: 2.5,
         bodies: vec![Body { name: "body".into(), shape, material: STEEL, density: 1.0, supports, loads }],
-        contact: ContactPair {
-            first: 0,
-            above: true,
-            second: None,
-            path,
-            profile: Profile::Uniform(0.0),
-            stretch,
+        contacts: vec![ContactPair {
             symmetric: false,
-        },
+            ..ContactPair::new(None, path, Profile::Uniform(0.0), stretch)
+        }],
         reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },
         grading: Grading { unit, along: 1.0, depth: 1.0, first: 1.0, coarsest: 1.0, end: 1.0 },
     }

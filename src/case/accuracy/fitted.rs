@@ -71,9 +71,9 @@ impl Plan {
     pub fn scene(&self, scene: &Scene) -> Scene {
         let mut fitted = scene.clone();
         let [along, depth, coarsest] = self.growth();
-        let unit = self.stretch * scene.contact.path.metric() * self.elements as f64 / self.candidates as f64;
+        let unit = self.stretch * scene.contact().path.metric() * self.elements as f64 / self.candidates as f64;
         fitted.grading = Grading { unit, along, depth, first: 1.0, coarsest, end: 1.0 };
-        fitted.contact.stretch = self.stretch;
+        fitted.contacts[0].stretch = self.stretch;
         fitted
     }
 
@@ -85,7 +85,7 @@ impl Plan {
 
 /// Longest candidate stretch that the sides of the bodies and the gap allow \[mm, or rad\].
 pub fn longest(scene: &Scene) -> f64 {
-    let pair = &scene.contact;
+    let pair = scene.contact();
     let straight = pair.path.is_straight();
     let side = |body: usize| match scene.bodies[body].shape {
         Shape::Rectangle { x, .. } => x[1] - x[0],

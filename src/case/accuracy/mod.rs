@@ -72,8 +72,8 @@ impl Quantity {
     /// Its value in a run [MPa; mm or rad].
     pub fn of(self, run: &Run) -> f64 {
         match self {
-            Self::PeakPressure => run.measures.peak.pressure,
-            Self::HalfWidth => run.measures.half_width,
+            Self::PeakPressure => run.measures().peak.pressure,
+            Self::HalfWidth => run.measures().half_width,
         }
     }
 }

@@ -129,8 +129,8 @@ impl<'a> Search<'a> {
             stretch: plan.stretch,
             freedoms: run.freedoms,
             steps: run.solution.work.steps,
-            peak: run.measures.peak.pressure,
-            half_width: run.measures.half_width,
+            peak: run.measures().peak.pressure,
+            half_width: run.measures().half_width,
             estimate: f64::NAN,
         });
         self.rungs.push(Rung { plan, run });

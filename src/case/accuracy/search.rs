@@ -37,7 +37,11 @@ pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<
             remedy: "ask for no accuracy, and refine that mesh".into(),
         });
     }
-    if scene.contact.path.has_both_sides() {
+    if scene.contacts.len() > 1 {
+        let what = "an accuracy chooses the mesh of one contact, and there are several".into();
+        return Err(Error::Combination { what, remedy: "give elements instead".into() });
+    }
+    if scene.contact().path.has_both_sides() {
         let [what, remedy] = ONE_SIDED.map(String::from);
         return Err(Error::Combination { what, remedy });
     }
@@ -54,7 +58,7 @@ pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<
 impl Search<'_> {
     /// Finds where the contact ends on a cheap mesh; says why where it cannot.
     fn first(&mut self) -> Result<Option<String>, Error> {
-        let mut stretch = self.scene.contact.stretch.min(self.longest);
+        let mut stretch = self.scene.contact().stretch.min(self.longest);
         let mut level = 0;
         for _ in 0..GUESSES {
             match self.solve(Plan::even(ORDER, FIRST, stretch, level), "contact length") {
@@ -91,7 +95,7 @@ impl Search<'_> {
             0 => Err(Error::value(
                 &self.scene.name,
                 "candidate stretch",
-                self.scene.contact.stretch,
+                self.scene.contact().stretch,
                 format!("no contact length was found in {GUESSES} guesses"),
                 "give a stretch a little longer than the contact",
             )),

@@ -154,7 +154,7 @@ pub fn closed_form(problem: &Problem) -> [f64; 2] {
 
 /// Larger relative error of peak and half-width; NaN where either is or the run did not converge.
 pub fn error(run: &Run, truth: [f64; 2]) -> f64 {
-    let found = [run.measures.peak.pressure, run.measures.half_width];
+    let found = [run.measures().peak.pressure, run.measures().half_width];
     let [peak, half_width] = [0, 1].map(|k| (found[k] / truth[k] - 1.0).abs());
     let known = run.solution.converged() && !peak.is_nan() && !half_width.is_nan();
     if known { peak.max(half_width) } else { f64::NAN }
@@ -178,8 +178,8 @@ impl ByHand {
     fn solved(&self, scene: &Scene, nominal: f64) -> Result<Run, Error> {
         let mut scene = scene.clone();
         let [along, depth, coarsest] = self.growth;
-        let unit = nominal * scene.contact.path.metric();
-        scene.contact.stretch = nominal * (self.elements + self.beyond) as f64 / self.elements as f64;
+        let unit = nominal * scene.contact().path.metric();
+        scene.contacts[0].stretch = nominal * (self.elements + self.beyond) as f64 / self.elements as f64;
         scene.grading = Grading { unit, along, depth, first: self.first, coarsest, end: self.end };
         let resolution = Resolution { elements: self.elements, refinement: 0, order: self.order };
         Run::of(&Discretisation::of(scene, resolution)?, &Formulation::verification().tolerance(TOLERANCE))
@@ -191,7 +191,7 @@ pub fn truth(subject: Subject) -> Result<[f64; 2], Error> {
     let (elements, growth) = TRUTH;
     let fine = ByHand { order: Order::Quadratic, elements, beyond: elements / 8, end: 1.0, first: 1.0, growth };
     let run = fine.solved(&subject.loaded(1.0).scene, subject.nominal())?;
-    Ok([run.measures.peak.pressure, run.measures.half_width])
+    Ok([run.measures().peak.pressure, run.measures().half_width])
 }
 
 fn judged(subject: Subject, asked: f64, by_hand: ByHand) -> Result<Finding, Error> {

@@ -93,8 +93,8 @@ impl<'a> Ground<'a> {
         let tolerance = formulation.settings.tolerance;
         let found = match (row.algorithm, row.rule) {
             (Iteration::Kinematic, StiffnessRule::Switching) => {
-                let stretch = self.site.discretisation.scene.contact.stretch;
-                let spacing = stretch / (self.site.discretisation.interface.stations.len() - 1) as f64;
+                let stretch = self.site.discretisation.scene.contact().stretch;
+                let spacing = stretch / (self.site.discretisation.interfaces[0].stations.len() - 1) as f64;
                 let edge = limit.edge(&problem).max(spacing);
                 return [f64::NAN, halving::steps(stretch, edge, spacing, formulation.stiffness) as f64];
             }
@@ -126,7 +126,7 @@ impl<'a> Ground<'a> {
         if !self.site.verified.is_empty() {
             return relative_l2_between(&solution.edges, &self.site.verified);
         }
-        let length = self.site.problem.scene.contact.stretch / solution.edges.len() as f64;
+        let length = self.site.problem.scene.contact().stretch / solution.edges.len() as f64;
         let reference: Vec<PointState> = (solution.edges.iter())
             .map(|edge| PointState { pressure: self.mean_reference(edge.position, length), ..*edge })
             .collect();

@@ -179,8 +179,8 @@ pub fn export(discretisation: &Discretisation, file: &std::path::Path) -> Result
 /// Our discretisation as plain numbers.
 fn handed_over(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Result<DiscreteProblem, Error> {
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
-    let contact = &scene.contact;
-    let side = |body: usize| candidates::candidate_edges(mesh, scene, body);
+    let contact = scene.contact();
+    let side = |body: usize| candidates::candidate_edges(mesh, scene, contact, body);
     let (profile, radius, clearance) = match contact.profile {
         Profile::Circle { radius } => ("circle", radius, 0.0),
         Profile::Parabola { radius } => ("parabola", radius, 0.0),

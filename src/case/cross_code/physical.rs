@@ -78,12 +78,12 @@ fn ours(benchmark: &Benchmark) -> Result<Vec<PhysicalAnswer>, Error> {
         let discretisation = Discretisation::of(benchmark.problem.scene.clone(), resolution)?;
         let run = Run::of(&discretisation, &Formulation::verification())?;
         let converged = |value: f64| if run.solution.converged() { value } else { f64::NAN };
-        let stretch = benchmark.problem.scene.contact.stretch;
+        let stretch = benchmark.problem.scene.contact().stretch;
         let means = profile::means(&run.solution.edges, stretch, &benchmark.physical.stations);
         Ok(PhysicalAnswer {
-            half_width: converged(run.measures.half_width),
-            peak: converged(run.measures.peak.pressure),
-            resultant: converged(run.transmitted),
+            half_width: converged(run.measures().half_width),
+            peak: converged(run.measures().peak.pressure),
+            resultant: converged(run.transmitted()),
             pressure: means.into_iter().map(converged).collect(),
             freedoms: run.freedoms,
             contact_edges: run.solution.edges.len(),

@@ -90,7 +90,7 @@ fn check(element: Element, stiffness: f64, most: f64, apart: f64) -> [Check; 2] 
 
 fn difference(scene: &Scene, formulation: &Formulation, solutions: [&Solution; 2]) -> f64 {
     let floor = formulation.settings.tolerance * scene.reference.pressure;
-    let [one, other] = solutions.map(|solution| Measures::of(scene, solution, floor).half_width);
+    let [one, other] = solutions.map(|solution| Measures::of(scene, solution, 0, floor).half_width);
     relative_error(one, other)
 }
 

@@ -103,8 +103,8 @@ pub(super) fn across() -> Result<Finding, Error> {
 /// The scene with the contact points on its second body.
 fn exchanged(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
-    (scene.contact.first, scene.contact.second) = (1, Some(0));
-    scene.contact.above = false;
+    (scene.contacts[0].first, scene.contacts[0].second) = (1, Some(0));
+    scene.contacts[0].above = false;
     scene
 }
 
@@ -142,6 +142,6 @@ fn unbalanced(discretisation: &Discretisation, run: &Run) -> f64 {
         })
     };
     let ([force, moment], [other, opposite]) = (of_body(0), of_body(1));
-    let arm = discretisation.scene.contact.stretch;
+    let arm = discretisation.scene.contact().stretch;
     worse((force - other) / force, (moment - opposite) / (force * arm))
 }

@@ -113,8 +113,8 @@ pub(super) fn two_blocks(ratio: f64) -> Scene {
         }
     }
     scene.bodies.push(lower);
-    scene.contact.second = Some(1);
-    scene.contact.profile = Profile::Parabola { radius };
+    scene.contacts[0].second = Some(1);
+    scene.contacts[0].profile = Profile::Parabola { radius };
     scene.reference.gap *= 2.0;
     scene
 }

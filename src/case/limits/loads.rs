@@ -128,8 +128,8 @@ pub(super) fn small() -> Result<Finding, Error> {
             let errors = hertz_errors(&falling_scene(size), &run);
             let worst = worse(errors[0], errors[1]);
             wrong.push(worst > WRONG);
-            unnoted = if run.note().is_none() { worse(unnoted, worst) } else { unnoted };
-            row.extend([run.measures.active.to_string(), percent(errors[0]), percent(errors[1]), seen(&Ok(run))]);
+            unnoted = if run.note(0).is_none() { worse(unnoted, worst) } else { unnoted };
+            row.extend([run.measures().active.to_string(), percent(errors[0]), percent(errors[1]), seen(&Ok(run))]);
         }
         onsets.push(format!("{name} {}", bracket(&SIZES, |i| wrong[i], "elements per half-width").0));
     }
@@ -164,6 +164,6 @@ fn falling(size: f64, order: Order) -> Result<Discretisation, Error> {
     let base = Cylinder::default();
     let mut scene = falling_scene(size);
     scene.grading.unit = base.half_width();
-    scene.contact.stretch = base.stretch * base.half_width();
+    scene.contacts[0].stretch = base.stretch * base.half_width();
     meshed(scene, SIZES[0] as usize, order)
 }

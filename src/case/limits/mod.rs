@@ -96,7 +96,7 @@ fn said(error: &Error) -> (String, String) {
 /// What the user sees of a run: its outcome with its note, or an error.
 fn seen(result: &Result<Run, Error>) -> String {
     match result {
-        Ok(run) => match run.note() {
+        Ok(run) => match run.note(0) {
             Some(note) => format!("{}, note: {note}", run.solution.outcome),
             None => run.solution.outcome.to_string(),
         },
@@ -130,7 +130,7 @@ fn meshed(scene: Scene, elements: usize, order: Order) -> Result<Discretisation,
 /// Relative errors of p₀ and a against the scene's reference values; NaN where the run did not converge.
 fn hertz_errors(scene: &Scene, run: &Run) -> [f64; 2] {
     let reference = &scene.reference;
-    let all = [run.measures.peak.pressure / reference.pressure, run.measures.half_width / reference.length];
+    let all = [run.measures().peak.pressure / reference.pressure, run.measures().half_width / reference.length];
     all.map(|ratio| if run.solution.converged() { ratio - 1.0 } else { f64::NAN })
 }
 

@@ -100,9 +100,9 @@ pub(super) fn end() -> Result<Finding, Error> {
     let mut last = String::new();
     for factor in LOADS {
         let (run, load, width) = pressed(factor)?;
-        let edge = run.measures.edge / width;
-        let at_end = run.solution.points.last().map_or(f64::NAN, |point| point.pressure) / run.measures.peak.pressure;
-        let error = if run.solution.converged() { (run.transmitted / load - 1.0).abs() } else { f64::NAN };
+        let edge = run.measures().edge / width;
+        let at_end = run.solution.points.last().map_or(f64::NAN, |point| point.pressure) / run.measures().peak.pressure;
+        let error = if run.solution.converged() { (run.transmitted() / load - 1.0).abs() } else { f64::NAN };
         balance = worse(balance, error);
         full.push(edge > 1.0 - 1e-9);
         corner.push(at_end);

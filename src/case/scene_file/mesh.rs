@@ -91,10 +91,14 @@ impl MeshTable {
                 let message = format!("`{}` brings its mesh, which no accuracy can choose", body.name);
                 return Err(source.refused(accuracy.span(), message, "leave `accuracy` out, and refine the mesh"));
             }
-            if scene.contact.path.has_both_sides() {
+            if scene.contacts.len() > 1 {
+                let message = "an accuracy chooses the mesh of one contact, and there are several";
+                return Err(source.refused(accuracy.span(), message, "give `elements` and `per` instead"));
+            }
+            if scene.contact().path.has_both_sides() {
                 return Err(source.refused(accuracy.span(), accuracy::ONE_SIDED[0], accuracy::ONE_SIDED[1]));
             }
-            let first = Plan::even(Order::Quadratic, FIRST, scene.contact.stretch, 0);
+            let first = Plan::even(Order::Quadratic, FIRST, scene.contact().stretch, 0);
             return Ok((first.scene(&scene), first.resolution()));
         }
         let needed = scene.bodies.iter().any(|body| !brought(body));

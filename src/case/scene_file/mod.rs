@@ -20,14 +20,14 @@ use crate::case::run::Run;
 use crate::case::universal;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration, Start};
-use crate::measure::display_factor;
 use crate::mesh::size::solvable;
-use crate::scene::file::tables::{BodyTable, ContactTable, Name, Number, ReferenceTable, UnitsTable};
+use crate::scene::file::tables::{BodyTable, ContactTables, Name, Number, ReferenceTable, UnitsTable};
 use crate::scene::file::units::Units;
 use crate::scene::file::{Source, Tables};
 
 use mesh::MeshTable;
 pub use places::Places;
+use places::PlacesOfContact;
 use wanted::{CheckTable, Wanted};
 
 /// Largest file that is read \[bytes\].
@@ -55,7 +55,7 @@ struct Document {
     thickness: Number,
     units: Option<UnitsTable>,
     body: Spanned<Vec<BodyTable>>,
-    contact: ContactTable,
+    contact: Spanned<ContactTables>,
     reference: Option<ReferenceTable>,
     mesh: Option<Spanned<MeshTable>>,
     solve: Option<Spanned<SolveTable>>,
@@ -162,14 +162,13 @@ impl SceneFile {
 
 impl Document {
     fn places(&self, source: Source) -> Places {
-        let names = [Some(&self.contact.first), self.contact.second.as_ref()];
+        let contacts: Vec<_> = self.contact.get_ref().0.iter().map(PlacesOfContact::of).collect();
         Places {
             file: source.file.into(),
             text: source.text.into(),
             bodies: self.body.get_ref().iter().map(|body| (body.name.get_ref().clone(), body.name.span())).collect(),
-            contact: names.into_iter().flatten().map(Spanned::span).collect(),
-            stretch: self.contact.stretch.span(),
-            solve: self.solve.as_ref().map_or_else(|| self.contact.first.span(), Spanned::span),
+            solve: self.solve.as_ref().map_or_else(|| self.contact.span(), Spanned::span),
+            contacts,
         }
     }
 
@@ -179,6 +178,10 @@ impl Document {
         if bodies.is_empty() {
             return Err(source.refused(self.body.span(), "there is no body", "add one as [[body]]"));
         }
+        let contacts = &self.contact.get_ref().0[..];
+        let Some(contact) = contacts.first() else {
+            return Err(source.refused(self.contact.span(), "there is no contact", "add one as [contact]"));
+        };
         let none = Spanned::new(self.body.span(), MeshTable::default());
         let table = self.mesh.as_ref().unwrap_or(&none);
         let mesh = table.get_ref();
@@ -189,9 +192,9 @@ impl Document {
             plane: &self.plane,
             thickness: &self.thickness,
             bodies,
-            contact: &self.contact,
+            contacts,
             reference: self.reference.as_ref(),
-            per: mesh.per(&self.contact.stretch),
+            per: mesh.per(&contact.stretch),
             growth: mesh.growth(),
         };
         let (scene, resolution) = mesh.resolution(source, &table.span(), tables.scene(source)?)?;
@@ -200,9 +203,7 @@ impl Document {
         }
         let default = SolveTable::default();
         let formulation = self.solve.as_ref().map_or(&default, Spanned::get_ref).formulation(source)?;
-        let factor = display_factor(&scene.contact.path);
-        let along = if factor > 1.0 { 1.0 / factor } else { units.length };
-        let wanted = self.check.iter().map(|check| check.wanted(source, &units, along, bodies, &scene.contact));
+        let wanted = self.check.iter().map(|check| check.wanted(source, &units, bodies, &scene));
         let wanted = wanted.collect::<Result<_, _>>()?;
         let title = self.title.clone().unwrap_or_else(|| "a scene file".into());
         Ok(SceneFile {

@@ -3,9 +3,12 @@
 use std::ops::Range;
 use std::path::PathBuf;
 
-use crate::error::{Error, Located};
+use toml::Spanned;
 
-/// Places of the bodies and of the contact in a file.
+use crate::error::{Error, Located};
+use crate::scene::file::tables::ContactTable;
+
+/// Places of the bodies and of the contacts in a file.
 #[derive(Clone, Debug)]
 pub struct Places {
     /// The file.
@@ -14,12 +17,25 @@ pub struct Places {
     pub(super) text: String,
     /// Names of the bodies with their places.
     pub(super) bodies: Vec<(String, Range<usize>)>,
-    /// The bodies' names in the contact: first and, where there is one, second.
-    pub(super) contact: Vec<Range<usize>>,
-    /// The candidate stretch.
-    pub(super) stretch: Range<usize>,
-    /// How it is to be solved; the contact where the file does not say.
+    /// The contacts.
+    pub(super) contacts: Vec<PlacesOfContact>,
+    /// How it is to be solved; the contacts where the file does not say.
     pub(super) solve: Range<usize>,
+}
+
+/// Places of one contact in a file.
+#[derive(Clone, Debug)]
+pub(super) struct PlacesOfContact {
+    first: Range<usize>,
+    second: Option<Range<usize>>,
+    stretch: Range<usize>,
+}
+
+impl PlacesOfContact {
+    pub(super) fn of(table: &ContactTable) -> Self {
+        let second = table.second.as_ref().map(Spanned::span);
+        Self { first: table.first.span(), second, stretch: table.stretch.span() }
+    }
 }
 
 impl Places {
@@ -39,15 +55,19 @@ impl Places {
             | Error::FreeMotion { body, .. }
             | Error::SingularStiffness { body, .. }
             | Error::ObliqueSupport { body, .. } => self.body(|name| name == body),
-            Error::Value { key, .. } if key == "candidate stretch" => Some(self.stretch.clone()),
             Error::Unknown { place, .. } | Error::Value { place, .. } => {
                 let body = self.body(|name| place.ends_with(&format!(", body `{name}`")));
                 body.or_else(|| place.contains(" with ").then(|| self.solve.clone()))
             }
             Error::Combination { .. } => Some(self.solve.clone()),
-            Error::NoSpringLeft { .. } | Error::NothingPresses { .. } => self.contact.first().cloned(),
-            Error::NotFacing { .. } => self.contact.last().cloned(),
-            Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. } => Some(self.stretch.clone()),
+            Error::NoSpringLeft { .. } | Error::NothingPresses { .. } => {
+                self.contacts.first().map(|at| at.first.clone())
+            }
+            Error::NotFacing { contact, .. } => self.contacts.get(*contact).and_then(|at| at.second.clone()),
+            Error::EmptyStretch { contact, .. }
+            | Error::SharedCandidate { contact, .. }
+            | Error::ContactBeyondCandidates { contact, .. }
+            | Error::ContactCutShort { contact, .. } => self.contacts.get(*contact).map(|at| at.stretch.clone()),
             _ => None,
         }
     }

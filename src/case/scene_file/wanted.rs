@@ -4,12 +4,12 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use crate::case::check::{Check, Reference};
-use crate::case::run::Run;
+use crate::case::run::{Contact, Run};
 use crate::error::Error;
 use crate::formulation::Discretisation;
-use crate::measure::profile;
+use crate::measure::{display_factor, profile};
 use crate::oracle::ReferenceKind;
-use crate::scene::ContactPair;
+use crate::scene::Scene;
 use crate::scene::file::Source;
 use crate::scene::file::tables::{BodyTable, Name, Number};
 use crate::scene::file::units::Units;
@@ -21,6 +21,7 @@ use super::support::SupportName;
 #[serde(deny_unknown_fields)]
 pub(super) struct CheckTable {
     quantity: Name,
+    contact: Option<Name>,
     at: Option<Number>,
     support: Option<Spanned<SupportName>>,
     value: Number,
@@ -34,6 +35,8 @@ pub(super) struct CheckTable {
 #[derive(Clone, Debug)]
 pub(super) struct Wanted {
     quantity: Quantity,
+    /// Index of the contact in the scene.
+    contact: usize,
     /// Contact coordinate \[mm, or rad\].
     at: f64,
     /// Body and support of a reaction.
@@ -72,14 +75,15 @@ const KINDS: [(&str, ReferenceKind); 4] = [
 ];
 impl Wanted {
     pub(super) fn check(&self, discretisation: &Discretisation, run: &Run) -> Result<Check, Error> {
-        let points = &run.solution.points;
+        let points = run.solution.points_of(self.contact);
+        let Contact { measures, transmitted } = run.contacts[self.contact];
         let (name, value) = match self.quantity {
-            Quantity::PeakPressure => ("peak pressure [MPa]".into(), run.measures.peak.pressure),
-            Quantity::HalfWidth => ("half-width [mm or rad]".into(), run.measures.half_width),
-            Quantity::Centre => ("centre of pressure [mm]".into(), run.measures.centre),
-            Quantity::Resultant => ("resultant [N]".into(), run.transmitted),
+            Quantity::PeakPressure => ("peak pressure [MPa]".into(), measures.peak.pressure),
+            Quantity::HalfWidth => ("half-width [mm or rad]".into(), measures.half_width),
+            Quantity::Centre => ("centre of pressure [mm]".into(), measures.centre),
+            Quantity::Resultant => ("resultant [N]".into(), transmitted),
             Quantity::Pressure => {
-                let stretch = discretisation.scene.contact.stretch;
+                let stretch = discretisation.scene.contacts[self.contact].stretch;
                 (format!("pressure at s = {:.6} [MPa]", self.at), profile::interpolate(points, stretch, self.at))
             }
             Quantity::Reaction => ("reaction [N]".into(), self.reaction(discretisation, run)?),
@@ -103,16 +107,36 @@ impl Wanted {
 }
 
 impl CheckTable {
-    /// `along` turns a contact coordinate of the file into mm or rad.
+    /// The contact that is named; one that is not named must be the only one.
+    fn contact(&self, source: Source, quantity: Quantity, scene: &Scene) -> Result<usize, Error> {
+        let known: Vec<_> = scene.contacts.iter().enumerate().map(|(k, pair)| (pair.name.as_str(), k)).collect();
+        match &self.contact {
+            Some(name) if quantity == Quantity::Reaction => {
+                Err(source.refused(name.span(), "a reaction belongs to a support", "leave `contact` out"))
+            }
+            Some(name) => source.choice("contact", name, &known),
+            None if known.len() > 1 && quantity != Quantity::Reaction => {
+                let names: Vec<String> = known.iter().map(|(name, _)| format!("`{name}`")).collect();
+                let message = "the scene has several contacts, and the check does not say which it means";
+                let remedy = format!("add `contact = \"…\"`, one of {}", names.join(", "));
+                Err(source.refused(self.quantity.span(), message, remedy))
+            }
+            None => Ok(0),
+        }
+    }
+
     pub(super) fn wanted(
         &self,
         source: Source,
         units: &Units,
-        along: f64,
         bodies: &[BodyTable],
-        pair: &ContactPair,
+        scene: &Scene,
     ) -> Result<Wanted, Error> {
         let quantity = source.choice("quantity", &self.quantity, &QUANTITIES)?;
+        let contact = self.contact(source, quantity, scene)?;
+        let pair = &scene.contacts[contact];
+        // What turns a contact coordinate of the file into mm or rad.
+        let along = if pair.path.is_straight() { units.length } else { 1.0 / display_factor(&pair.path) };
         let unit = match quantity {
             Quantity::PeakPressure | Quantity::Pressure => units.stress,
             Quantity::Resultant | Quantity::Reaction => units.force,
@@ -156,6 +180,7 @@ impl CheckTable {
         let tolerance = source.positive("tolerance", &self.tolerance)?;
         Ok(Wanted {
             quantity,
+            contact,
             at,
             support,
             value: unit * value,

@@ -31,7 +31,7 @@ pub fn judged(problem: &Problem) -> Result<Finding, Error> {
     let elements = problem.resolution.elements;
     let truth = solved(problem, own, FINER * elements)?;
     let apart = |run: &Run| {
-        let (found, wanted) = (&run.measures, &truth.measures);
+        let (found, wanted) = (&run.measures(), &truth.measures());
         [found.peak.pressure / wanted.peak.pressure - 1.0, found.half_width / wanted.half_width - 1.0]
     };
     let row = |kind: String, run: &Run| {

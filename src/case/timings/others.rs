@@ -238,8 +238,8 @@ fn exported(elements: usize, refinement: u32) -> Result<(PathBuf, Spread, [f64; 
     let run = crate::case::Run::of(&discretisation, &Formulation::verification())?;
     let reference = &discretisation.scene.reference;
     let errors = [
-        (run.measures.peak.pressure / reference.pressure - 1.0).abs(),
-        (run.measures.half_width / reference.length - 1.0).abs(),
+        (run.measures().peak.pressure / reference.pressure - 1.0).abs(),
+        (run.measures().half_width / reference.length - 1.0).abs(),
     ];
     let file = root().join("target").join(format!("cylinder-{elements}-{refinement}.json"));
     discrete::export(&discretisation, &file)?;

@@ -72,7 +72,7 @@ fn solve(arguments: &Arguments, task: Task) -> Result<bool, Error> {
         write(path, text)?;
     }
     if let Some(path) = &arguments.csv {
-        write(path, &profile::csv(&run, path)?)?;
+        write(path, &profile::csv(&problem.scene, &run, path)?)?;
     }
     if let Some(path) = &arguments.vtu {
         write(path, &vtu::text(&discretisation, &run)?)?;
@@ -86,7 +86,7 @@ fn solve(arguments: &Arguments, task: Task) -> Result<bool, Error> {
         Some(text) => say(text),
         None => {
             table::print(&problem, resolution, &run, &reactions);
-            accurate.iter().for_each(|accurate| cli::accuracy::print(accurate, &problem.scene.contact.path));
+            accurate.iter().for_each(|accurate| cli::accuracy::print(accurate, &problem.scene.contact().path));
         }
     }
     if !run.solution.converged() {

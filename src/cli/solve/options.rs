@@ -227,6 +227,12 @@ impl Arguments {
 
     /// Refuses names of outputs that would not tell their format.
     pub fn refuse_endings(&self) -> Result<(), Error> {
+        let outputs = [("--csv", &self.csv), ("--vtu", &self.vtu), ("--plot", &self.plot)];
+        let to_stdout = |path: &Option<PathBuf>| path.as_deref() == Some(Path::new("-"));
+        if let Some((option, _)) = outputs.into_iter().find(|(_, path)| to_stdout(path)) {
+            let remedy = "name a file; `--json -` writes to standard output";
+            return Err(Error::value("solve", option, "-", "this output goes to a file", remedy));
+        }
         if let Some(path) = self.plot.as_ref().filter(|path| path.extension().is_none_or(|end| end != "svg")) {
             return Err(Error::value("solve", "--plot", path.display(), "plots are SVG", "end the file name in .svg"));
         }

@@ -1,6 +1,7 @@
 //! The result of a solve as lines on standard output.
 
 use crate::algorithm::Acceleration;
+use crate::case::run::Contact;
 use crate::case::{Problem, Run};
 use crate::cli::reactions::ReactionReading;
 use crate::cli::{json, say};
@@ -8,14 +9,13 @@ use crate::formulation::Start;
 use crate::measure::display_factor;
 use crate::mesh::Resolution;
 use crate::report::format;
+use crate::scene::ContactPair;
 
 /// A reaction below this part of the largest force, or a place below this part of the half-width, is round-off, told as 0.
 const ROUND_OFF: f64 = 1e-9;
 
 /// Prints what was solved, how it ended, what was measured, and how far that is from the oracle.
 pub fn print(problem: &Problem, resolution: Resolution, run: &Run, reactions: &[ReactionReading]) {
-    let factor = display_factor(&problem.scene.contact.path);
-    let unit = if factor > 1.0 { "°" } else { "mm" };
     let order = resolution.order.nodes_per_cell();
     say(format!("{}: {}", problem.name, problem.title));
     say(format!(
@@ -42,30 +42,18 @@ pub fn print(problem: &Problem, resolution: Resolution, run: &Run, reactions: &[
             coarser.steps, coarser.factorisations
         ));
     }
-    say(format!(
-        "half-width by second moment {} {unit}, by counting {} {unit}",
-        format::value(factor * run.measures.half_width),
-        format::value(factor * run.measures.half_width_nodes)
-    ));
-    let place = |s: f64| format::value(if s.abs() < ROUND_OFF * run.measures.half_width { 0.0 } else { factor * s });
-    say(format!(
-        "peak pressure {} MPa at {} {unit}, resultant {} N",
-        format::value(run.measures.peak.pressure),
-        place(run.measures.peak.position),
-        format::value(run.transmitted)
-    ));
-    if problem.scene.contact.path.has_both_sides() {
-        let [centre, begin, edge] = [run.measures.centre, run.measures.begin, run.measures.edge];
-        let [centre, begin, edge] = [centre, begin, edge].map(place);
-        say(format!("centre of pressure at {centre} {unit}, pressed from {begin} to {edge} {unit}"));
+    let several = run.contacts.len() > 1;
+    for (index, pair) in problem.scene.contacts.iter().enumerate() {
+        if several {
+            say(format!("contact `{}`:", pair.name));
+        }
+        print_contact(pair, &run.contacts[index], run.note(index), if several { "  " } else { "" });
     }
-    let largest = reactions.iter().map(|reaction| reaction.force.abs()).fold(run.transmitted.abs(), f64::max);
+    let forces = run.contacts.iter().map(|contact| contact.transmitted);
+    let largest = forces.chain(reactions.iter().map(|reaction| reaction.force)).map(f64::abs).fold(0.0, f64::max);
     for ReactionReading { body, at, component, force } in reactions {
         let force = if force.abs() < ROUND_OFF * largest { 0.0 } else { *force };
         say(format!("reaction on `{body}` at {at}: {component} {} N", format::value(force)));
-    }
-    if let Some(note) = run.note() {
-        say(format!("note: {note}"));
     }
     for oracle in json::oracles(problem, run) {
         say(format!(
@@ -76,5 +64,31 @@ pub fn print(problem: &Problem, resolution: Resolution, run: &Run, reactions: &[
             format::value(oracle.reference),
             format::error(oracle.error)
         ));
+    }
+}
+
+/// What was measured of one contact.
+fn print_contact(pair: &ContactPair, found: &Contact, note: Option<String>, indent: &str) {
+    let factor = display_factor(&pair.path);
+    let unit = if factor > 1.0 { "°" } else { "mm" };
+    let measures = &found.measures;
+    say(format!(
+        "{indent}half-width by second moment {} {unit}, by counting {} {unit}",
+        format::value(factor * measures.half_width),
+        format::value(factor * measures.half_width_nodes)
+    ));
+    let place = |s: f64| format::value(if s.abs() < ROUND_OFF * measures.half_width { 0.0 } else { factor * s });
+    say(format!(
+        "{indent}peak pressure {} MPa at {} {unit}, resultant {} N",
+        format::value(measures.peak.pressure),
+        place(measures.peak.position),
+        format::value(found.transmitted)
+    ));
+    if pair.path.has_both_sides() {
+        let [centre, begin, edge] = [measures.centre, measures.begin, measures.edge].map(place);
+        say(format!("{indent}centre of pressure at {centre} {unit}, pressed from {begin} to {edge} {unit}"));
+    }
+    if let Some(note) = note {
+        say(format!("{indent}note: {note}"));
     }
 }

@@ -11,13 +11,29 @@ use crate::scene::Sector;
 const CORE: [f64; 2] = [0.45, 0.58];
 
 pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Vec<Block> {
-    let right = right_blocks(layout, centre, radius, sector.has_upper_part());
+    let right = match sector.has_upper_part() {
+        true if layout.opposite => fine_at_both_ends(layout, centre, radius),
+        half => right_blocks(layout, centre, radius, half),
+    };
     if !sector.has_both_sides() {
         return right;
     }
     let right: Vec<Block> = right.into_iter().map(|block| block.without("axis")).collect();
     let left: Vec<Block> = right.iter().map(|block| block.seen_in_mirror(centre[0])).collect();
     right.into_iter().chain(left).collect()
+}
+
+/// The right half as the lower right quarter and its image: as fine at the highest point as at the lowest.
+fn fine_at_both_ends(layout: &Layout, centre: Point, radius: f64) -> Vec<Block> {
+    let quarter = right_blocks(layout, centre, radius, false).into_iter();
+    let lower: Vec<Block> =
+        quarter.map(|block| block.instead_of("cut", |points| Side::line("middle", points))).collect();
+    let image = |block: &Block| {
+        let turned = block.turned_over(centre[1]).without("middle");
+        turned.instead_of("contact", |points| Side::named("top", points))
+    };
+    let upper: Vec<Block> = lower.iter().map(image).collect();
+    lower.into_iter().chain(upper).collect()
 }
 
 /// The lower right quarter, or the right half.

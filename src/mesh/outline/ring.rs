@@ -13,7 +13,7 @@ pub(super) fn blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: 
         Face::Bottom => (inner.radius * (angles[1] - angles[0]), outer.radius - inner.radius),
         Face::Top => (outer.radius * (angles[1] - angles[0]), outer.radius - inner.radius),
     };
-    let stations = layout.depth(first, depth);
+    let stations = layout.across(first, depth);
     let inwards: Vec<f64> = match contact {
         Face::Bottom => stations.iter().rev().map(|d| 1.0 - d / depth).collect(),
         Face::Top => stations.iter().map(|d| d / depth).collect(),

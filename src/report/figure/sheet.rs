@@ -18,8 +18,8 @@ pub struct Sheet {
     pub title: String,
     /// The field; its title stands above it.
     pub field: Option<Field>,
-    /// The charts from left to right.
-    pub charts: Vec<Chart>,
+    /// The charts, row by row from left to right.
+    pub charts: Vec<Vec<Chart>>,
     /// Small print below all that of the field and the charts.
     pub notes: Vec<String>,
 }
@@ -42,14 +42,16 @@ impl Sheet {
         let width = WIDTH.max(text_width(&self.title, TITLE_SIZE) + 2.0 * EDGE);
         let panels = self.field.as_ref().map(|field| placed(field, width)).transpose()?;
         let charts_top = panels.as_ref().map_or(TITLE, |panels| panels.bottom() + BETWEEN);
-        let pitch = (width - 2.0 * EDGE + BETWEEN) / self.charts.len().max(1) as f64;
-        let legends = self.charts.iter().map(|chart| Legend::of(std::slice::from_ref(chart)));
-        let legends: Vec<(usize, Legend)> =
-            legends.map(|legend| (legend.columns(pitch - BETWEEN - LEGEND_INDENT), legend)).collect();
-        let legend_height = legends.iter().map(|(columns, legend)| legend.height(*columns)).fold(0.0, f64::max);
-        let charts_bottom = charts_top + CAPTION + CHART_HEIGHT;
+        let columns = self.charts.iter().map(Vec::len).max().unwrap_or(0).max(1);
+        let pitch = (width - 2.0 * EDGE + BETWEEN) / columns as f64;
+        let rows = self.charts.iter().scan(charts_top, |top, charts| {
+            let row = Row::of(charts, *top, pitch);
+            *top = row.bottom() + BETWEEN;
+            Some(row)
+        });
+        let rows: Vec<Row> = rows.collect();
         let notes = wrapped(&self.all_notes(panels.as_ref()), width - 2.0 * EDGE);
-        let notes_top = charts_bottom + legend_height + 14.0;
+        let notes_top = rows.last().map_or(charts_top, Row::bottom) + 14.0;
 
         let mut canvas = Canvas::new(width, notes_top + notes_height(&notes));
         heading(&mut canvas, &self.title);
@@ -57,21 +59,55 @@ impl Sheet {
             canvas.label((EDGE, TITLE + 0.5 * CAPTION), &field.title, Lettering::start(12.0).bold());
             panels.draw(&mut canvas);
         }
-        for (place, (chart, (columns, legend))) in self.charts.iter().zip(&legends).enumerate() {
-            let left = EDGE + pitch * place as f64;
-            let outer = Frame { left, top: charts_top + CAPTION, right: left + pitch - BETWEEN, bottom: charts_bottom };
-            canvas.label((left, charts_top + 0.5 * CAPTION), &chart.title, Lettering::start(12.0).bold());
-            let inner = Plot::new(chart, outer)?.draw(&mut canvas);
-            legend.draw(&mut canvas, (inner.left.min(left + LEGEND_INDENT), charts_bottom + 2.0), *columns);
-        }
+        rows.iter().try_for_each(|row| row.draw(&mut canvas))?;
         small_print(&mut canvas, &notes, notes_top);
         canvas.svg(&self.title)
     }
 
     fn all_notes(&self, panels: Option<&Panels<'_>>) -> Vec<String> {
         let of_field = panels.map(Panels::notes);
-        let of_charts = self.charts.iter().flat_map(|chart| chart.notes.clone());
+        let of_charts = self.charts.iter().flatten().flat_map(|chart| chart.notes.clone());
         of_field.into_iter().chain(of_charts).chain(self.notes.clone()).collect()
+    }
+}
+
+/// Charts side by side, each over its own legend.
+struct Row<'a> {
+    charts: Vec<(&'a Chart, Legend)>,
+    top: f64,
+    pitch: f64,
+}
+
+impl<'a> Row<'a> {
+    fn of(charts: &'a [Chart], top: f64, pitch: f64) -> Self {
+        let charts = charts.iter().map(|chart| (chart, Legend::of(std::slice::from_ref(chart)))).collect();
+        Self { charts, top, pitch }
+    }
+
+    fn columns(&self, legend: &Legend) -> usize {
+        legend.columns(self.pitch - BETWEEN - LEGEND_INDENT)
+    }
+
+    /// Lower end of the charts, below which the legends stand.
+    fn charts_bottom(&self) -> f64 {
+        self.top + CAPTION + CHART_HEIGHT
+    }
+
+    fn bottom(&self) -> f64 {
+        let heights = self.charts.iter().map(|(_, legend)| legend.height(self.columns(legend)));
+        self.charts_bottom() + heights.fold(0.0, f64::max)
+    }
+
+    fn draw(&self, canvas: &mut Canvas) -> Result<(), Error> {
+        let bottom = self.charts_bottom();
+        for (place, (chart, legend)) in self.charts.iter().enumerate() {
+            let left = EDGE + self.pitch * place as f64;
+            let outer = Frame { left, top: self.top + CAPTION, right: left + self.pitch - BETWEEN, bottom };
+            canvas.label((left, self.top + 0.5 * CAPTION), &chart.title, Lettering::start(12.0).bold());
+            let inner = Plot::new(chart, outer)?.draw(canvas);
+            legend.draw(canvas, (inner.left.min(left + LEGEND_INDENT), bottom + 2.0), self.columns(legend));
+        }
+        Ok(())
     }
 }
 

@@ -69,7 +69,7 @@ pub fn cylinder(findings: &[Finding]) -> Result<String, Error> {
 /// Pressure against angle on the pin, and the place of the measured curves.
 pub fn pin_rod(findings: &[Finding]) -> Result<String, Error> {
     let problem = problem("pin-rod", None)?;
-    let degrees = display_factor(&problem.scene.contact.path);
+    let degrees = display_factor(&problem.scene.contact().path);
     let scale = problem.scene.reference.pressure;
     let mut chart = Chart::new(
         "Pin in a connecting-rod eye: pressure of all nine formulations, edge means",

@@ -77,17 +77,17 @@ fn range(values: &[f64]) -> (Option<(f64, f64)>, Option<String>) {
     (Some((low, high)), Some(note))
 }
 
-/// A square around the contact as it is truly displaced, cut at the bodies; none where the contact is not small.
+/// A square around the first contact as it is truly displaced, cut at the bodies; none where the contact is not small.
 fn detail(discretisation: &Discretisation, run: &Run, displacement: &[[f64; 2]], magnification: f64) -> Option<Detail> {
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
-    let [begin, edge] = [run.measures.begin, run.measures.edge];
-    let reach = 0.5 * (edge - begin) * scene.contact.path.metric();
+    let [begin, edge] = [run.measures().begin, run.measures().edge];
+    let reach = 0.5 * (edge - begin) * scene.contact().path.metric();
     if !(reach > 0.0 && reach < SMALL * side(bounds(&mesh.points))) {
         return None;
     }
-    let closed = || {
-        mesh.bodies[scene.contact.first].candidates.iter().filter(|at| at.coordinate >= begin && at.coordinate <= edge)
-    };
+    let part = &mesh.bodies[scene.contact().first];
+    let own = &part.candidates[part.candidates_of(0)];
+    let closed = || own.iter().filter(|at| at.coordinate >= begin && at.coordinate <= edge);
     let moved = |node: usize| [0, 1].map(|k| mesh.points[node][k] + displacement[node][k]);
     let middle = bounds(&closed().map(|at| moved(at.node)).collect::<Vec<_>>()).map(|[low, high]| 0.5 * (low + high));
     let bodies = bounds(&(0..mesh.points.len()).map(moved).collect::<Vec<_>>());
@@ -106,15 +106,17 @@ fn detail(discretisation: &Discretisation, run: &Run, displacement: &[[f64; 2]],
 
 /// What closed gaps look like where displacements are magnified, if it can be seen.
 fn overlap(discretisation: &Discretisation, run: &Run, magnification: f64, visible: f64) -> Option<String> {
-    let pair = &discretisation.scene.contact;
     let floor = run.formulation.settings.tolerance * discretisation.scene.reference.pressure;
-    let closed = run.solution.points.iter().filter(|point| point.pressure > floor);
-    let gaps = closed.map(|point| pair.profile.gap(point.position));
+    let elastic = discretisation.scene.contacts.iter().enumerate().filter(|(_, pair)| pair.second.is_some());
+    let gaps = elastic.flat_map(|(contact, pair)| {
+        let closed = run.solution.points_of(contact).iter().filter(move |point| point.pressure > floor);
+        closed.map(|point| pair.profile.gap(point.position))
+    });
     let (low, high) = gaps.fold((0.0_f64, 0.0_f64), |(low, high), gap| (low.min(gap), high.max(gap)));
     let shown = |gap: f64| gap * magnification > visible;
-    match pair.second {
-        Some(_) if shown(-low) => Some("Where displacements are magnified, interference looks like a gap.".into()),
-        Some(_) if shown(high) => Some("Where displacements are magnified, closed gaps look like overlap.".into()),
+    match () {
+        _ if shown(-low) => Some("Where displacements are magnified, interference looks like a gap.".into()),
+        _ if shown(high) => Some("Where displacements are magnified, closed gaps look like overlap.".into()),
         _ => None,
     }
 }

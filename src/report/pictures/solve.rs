@@ -7,7 +7,8 @@ use crate::formulation::Discretisation;
 use crate::measure::display_factor;
 use crate::report::figure::palette::{self, Colour};
 use crate::report::figure::{Axis, Chart, Dash, Direction, Guide, Marker, Series, Sheet, Style};
-use crate::solution::Residuals;
+use crate::scene::ContactPair;
+use crate::solution::{PointState, Residuals};
 
 /// Stations at which the closed form is drawn.
 const STATIONS: usize = 200;
@@ -30,27 +31,66 @@ pub fn sheet(problem: &Problem, discretisation: &Discretisation, run: &Run) -> R
             run.solution.outcome
         ),
         field,
-        charts: vec![pressure(problem, run), residuals(run)],
-        notes: missing.into_iter().chain(run.note().map(sentence)).collect(),
+        charts: charts(problem, run),
+        notes: missing.into_iter().chain(notes(problem, run)).collect(),
     })
 }
 
-/// Pressure against the contact coordinate, with the oracle's curve where there is one.
-pub fn pressure(problem: &Problem, run: &Run) -> Chart {
-    let path = &problem.scene.contact.path;
-    let factor = display_factor(path);
-    let pair = &problem.scene.contact;
-    let (points, ends) = (&run.solution.points, [pair.begin(), pair.stretch].map(|s| factor * s));
-    let found: Vec<(f64, f64)> = points.iter().map(|point| (factor * point.position, point.pressure)).collect();
+/// A row for every contact, pressure and gap; the residuals stand in the first.
+fn charts(problem: &Problem, run: &Run) -> Vec<Vec<Chart>> {
+    let of = |contact| vec![pressure(problem, run, contact), gap(problem, run, contact)];
+    let mut rows: Vec<Vec<Chart>> = (0..run.contacts.len()).map(of).collect();
+    rows.iter_mut().take(1).for_each(|first| first.push(residuals(run)));
+    rows
+}
+
+/// The notes on the contacts, by name where there are several.
+fn notes(problem: &Problem, run: &Run) -> Vec<String> {
+    let of = |(index, pair): (usize, &ContactPair)| {
+        let note = run.note(index)?;
+        Some(if run.contacts.len() > 1 { format!("{}: {note}.", pair.name) } else { sentence(note) })
+    };
+    problem.scene.contacts.iter().enumerate().filter_map(of).collect()
+}
+
+/// A quantity of the points of one contact against the contact coordinate.
+fn profile(problem: &Problem, run: &Run, contact: usize, [title, y]: [&str; 2], of: fn(&PointState) -> f64) -> Chart {
+    let pair = &problem.scene.contacts[contact];
+    let factor = display_factor(&pair.path);
+    let ends = [pair.begin(), pair.stretch].map(|s| factor * s);
+    let found = run.solution.points_of(contact).iter().map(|point| (factor * point.position, of(point)));
     let x = Axis::linear(if factor > 1.0 { "θ [°]" } else { "s [mm]" }).over(ends[0], ends[1]);
-    let y = Axis::linear("contact pressure [MPa]");
-    let mut chart = Chart::new("Contact pressure", x, y);
-    let series = |label: String, points, style| Series { label, points, style, hollow: vec![] };
-    chart.series.push(series(label(&run.formulation), found, style(&run.formulation)));
-    if let Some(oracle) = &problem.oracle {
-        let stations = (0..=STATIONS).map(|k| k as f64 / STATIONS as f64 * problem.scene.contact.stretch);
+    let title = if run.contacts.len() > 1 { format!("{title}, {}", pair.name) } else { title.to_string() };
+    let mut chart = Chart::new(&title, x, Axis::linear(y));
+    chart.series.push(Series {
+        label: label(&run.formulation),
+        points: found.collect(),
+        style: style(&run.formulation),
+        hollow: vec![],
+    });
+    chart
+}
+
+/// Gap that remains; 0 where the surfaces touch.
+fn gap(problem: &Problem, run: &Run, contact: usize) -> Chart {
+    profile(problem, run, contact, ["Remaining gap", "gap [mm]"], |point| point.gap)
+}
+
+/// Pressure against the contact coordinate, with the oracle's curve where there is one.
+pub fn pressure(problem: &Problem, run: &Run, contact: usize) -> Chart {
+    let mut chart =
+        profile(problem, run, contact, ["Contact pressure", "contact pressure [MPa]"], |point| point.pressure);
+    let pair = &problem.scene.contacts[contact];
+    if let (Some(oracle), 0) = (&problem.oracle, contact) {
+        let factor = display_factor(&pair.path);
+        let stations = (0..=STATIONS).map(|k| k as f64 / STATIONS as f64 * pair.stretch);
         let curve = stations.map(|s| (factor * s, problem.reference_pressure(s))).collect();
-        chart.series.push(series(oracle.name().into(), curve, Style::reference()));
+        chart.series.push(Series {
+            label: oracle.name().into(),
+            points: curve,
+            style: Style::reference(),
+            hollow: vec![],
+        });
     }
     // From zero, so that a uniform pressure looks uniform.
     let drawn = chart.series.iter().flat_map(|series| &series.points).map(|point| point.1);

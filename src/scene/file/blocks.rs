@@ -6,7 +6,6 @@ use toml::Spanned;
 
 use crate::error::Error;
 use crate::scene::file::Source;
-use crate::scene::file::side::CONTACT;
 use crate::scene::file::tables::{BlockTable, Pair};
 use crate::scene::file::units::Units;
 use crate::scene::{BlockShape, Shape};
@@ -29,9 +28,6 @@ pub fn shape(
         return Err(source.refused(place, format!("there are {} blocks", tables.len()), format!("give 1 to {MOST}")));
     }
     let blocks = tables.iter().map(|table| block(source, units, table)).collect::<Result<Vec<_>, Error>>()?;
-    if !blocks.iter().any(|block| block.names.iter().any(|name| name.as_deref() == Some(CONTACT))) {
-        return Err(source.refused(place, "no side is called `contact`", "name one, as in `bottom = \"contact\"`"));
-    }
     refuse_unequal(source, tables, &blocks)?;
     Ok(Shape::Blocks(blocks))
 }

@@ -6,17 +6,60 @@ use std::sync::Arc;
 use toml::Spanned;
 
 use crate::error::Error;
+use crate::scene::contact_pair::CONTACT;
 use crate::scene::file::Source;
 use crate::scene::file::side::Side;
-use crate::scene::file::tables::{BodyTable, ContactTable, GapTable, Pair, ReferenceTable};
+use crate::scene::file::tables::{BodyTable, ContactTable, GapTable, Name, Pair, ReferenceTable};
 use crate::scene::file::units::Units;
-use crate::scene::{Body, Circle, ContactPair, Path, Profile, ReferenceValues, Scene};
+use crate::scene::{Body, Circle, ContactPair, Line, Path, Profile, ReferenceValues, Scene};
 
 /// Largest stretch on an arc \[°\].
 const QUARTER: f64 = 90.0;
 
-/// The pair, its path and its gap.
-pub fn pair(
+/// Whether a body lies on both sides of the line s = 0: the contact that it is meshed for has both.
+pub fn is_across(contacts: &[ContactTable], body: &BodyTable) -> bool {
+    let name = body.name.get_ref();
+    let is_side = |side: &Option<Name>| side.as_ref().is_none_or(|side| side.get_ref() == CONTACT);
+    let own = |table: &&ContactTable| {
+        table.first.get_ref() == name && is_side(&table.first_side)
+            || table.second.as_ref().is_some_and(|second| second.get_ref() == name) && is_side(&table.second_side)
+    };
+    let any = |table: &&ContactTable| {
+        table.first.get_ref() == name || table.second.as_ref().is_some_and(|second| second.get_ref() == name)
+    };
+    contacts.iter().find(own).or_else(|| contacts.iter().find(any)).is_some_and(ContactTable::has_both_sides)
+}
+
+/// The contacts; every body takes part in one of them, and no two have one name.
+pub fn pairs(
+    source: Source,
+    units: &Units,
+    tables: &[BodyTable],
+    bodies: &[Body],
+    contacts: &[ContactTable],
+) -> Result<Vec<ContactPair>, Error> {
+    let mut pairs: Vec<ContactPair> = Vec::new();
+    for table in contacts {
+        let pair = pair(source, units, tables, bodies, table)?;
+        if pairs.iter().any(|other| other.name == pair.name) {
+            let place = table.name.as_ref().unwrap_or(&table.first).span();
+            let message = format!("a second contact is called `{}`", pair.name);
+            return Err(source.refused(place, message, "give every contact a `name` of its own"));
+        }
+        pairs.push(pair);
+    }
+    for (index, table) in tables.iter().enumerate() {
+        if !pairs.iter().flat_map(ContactPair::bodies).any(|body| body == index) {
+            let name = &table.name;
+            let message = format!("body `{}` takes no part in the contact", name.get_ref());
+            return Err(source.refused(name.span(), message, "leave it out, or name it in `contact`"));
+        }
+    }
+    Ok(pairs)
+}
+
+/// One contact, its path and its gap.
+fn pair(
     source: Source,
     units: &Units,
     tables: &[BodyTable],
@@ -30,23 +73,17 @@ pub fn pair(
         let message = format!("`{}` would touch itself", name.get_ref());
         return Err(source.refused(name.span(), message, "name another body, or leave `second` out for a rigid one"));
     }
-    if let Some((_, other)) = known.iter().find(|(_, k)| *k != first && Some(*k) != second) {
-        let name = &tables[*other].name;
-        let message = format!("body `{}` takes no part in the contact", name.get_ref());
-        return Err(source.refused(name.span(), message, "leave it out, or name it in `contact`"));
-    }
     let across = table.has_both_sides();
     refuse_mirrored(source, table)?;
     let path = match &table.arc {
-        None if across => Path::BothSides,
-        None => Path::Horizontal,
+        None => Path::Straight(Line { origin: origin(source, units, table)?, both_sides: across }),
         Some(arc) => Path::Arc(Circle {
             centre: source.pair("centre", &arc.centre)?.map(|x| units.length * x),
             radius: units.length * source.positive("radius", &arc.radius)?,
         }),
     };
     let stretch = match path {
-        Path::Horizontal | Path::BothSides => units.length * source.positive("stretch", &table.stretch)?,
+        Path::Straight(_) => units.length * source.positive("stretch", &table.stretch)?,
         Path::Arc(_) => {
             let expected = format!("an angle above 0 and up to {QUARTER}");
             source.number("stretch", &table.stretch, &expected, |x| x > 0.0 && x <= QUARTER)?.to_radians()
@@ -54,11 +91,17 @@ pub fn pair(
     };
     let profile = profile(source, units, &table.gap, across)?;
     refuse_strange_gap(source, &path, &profile, &table.gap)?;
-    let facing = [Some((first, &table.first)), second.zip(table.second.as_ref())];
+    let named =
+        [(Some(first), Some(&table.first), &table.first_side), (second, table.second.as_ref(), &table.second_side)];
+    if let (None, Some(side)) = (second, &table.second_side) {
+        let remedy = "leave it out, or name the facing body as `second`";
+        return Err(source.refused(side.span(), "`second-side` without `second`", remedy));
+    }
     let mut sides = Vec::new();
-    for (k, (body, name)) in facing.into_iter().flatten().enumerate() {
-        let side = Side::of(&bodies[body].shape, &path, stretch);
-        side.refuse_misfit(source, name, &path, &profile, k == 0)?;
+    for (k, (body, name, boundary)) in named.into_iter().enumerate() {
+        let (Some(body), Some(name)) = (body, name) else { continue };
+        let side = named_side(source, &bodies[body], (name, boundary), &path, stretch)?;
+        side.refuse_misfit(source, units, name, (&path, &profile), k == 0)?;
         side.refuse_short(source, units, name, &path, (stretch, &table.stretch))?;
         sides.push(side);
     }
@@ -85,13 +128,60 @@ pub fn pair(
         return Err(source.refused(table.first.span(), message, "name the pin as `first`"));
     }
     let symmetric = table.symmetric.as_ref().map_or(!across, |given| *given.get_ref());
-    let pair = ContactPair { first, above, second, path, profile, stretch, symmetric };
+    let boundary = |given: &Option<Name>| given.as_ref().map_or(CONTACT.into(), |name| name.get_ref().clone().into());
+    let pair = ContactPair {
+        name: name_of(table),
+        first,
+        above,
+        second,
+        sides: [boundary(&table.first_side), boundary(&table.second_side)],
+        path,
+        profile,
+        stretch,
+        symmetric,
+    };
     refuse_overlap(source, units, table, &pair, &sides)?;
     Ok(pair)
 }
 
-/// Refuses a contact across x = 0 that would be mirrored there, or runs along an arc.
+/// The side of a body that is named, `contact` where none is.
+fn named_side(
+    source: Source,
+    body: &Body,
+    (name, boundary): (&Name, &Option<Name>),
+    path: &Path,
+    stretch: f64,
+) -> Result<Side, Error> {
+    let wanted = boundary.as_ref().map_or(CONTACT, |side| side.get_ref());
+    Side::of(&body.shape, wanted, path, stretch).ok_or_else(|| {
+        let names = body.shape.boundaries().into_iter();
+        let able = names.filter(|other| Side::of(&body.shape, other, path, stretch).is_some());
+        let able: Vec<String> = able.map(|name| format!("`{name}`")).collect();
+        let place = boundary.as_ref().unwrap_or(name).span();
+        let message = format!("no contact can lie on a side `{wanted}` of `{}`", body.name);
+        source.refused(place, message, format!("known: {}", able.join(", ")))
+    })
+}
+
+/// The name given, or one made of the bodies.
+fn name_of(table: &ContactTable) -> String {
+    let second = table.second.as_ref().map_or("rigid", |second| second.get_ref());
+    let made = || format!("{} on {second}", table.first.get_ref());
+    table.name.as_ref().map_or_else(made, |name| name.get_ref().clone())
+}
+
+/// Where s = 0 lies on a straight path.
+fn origin(source: Source, units: &Units, table: &ContactTable) -> Result<[f64; 2], Error> {
+    let Some(given) = &table.origin else { return Ok([0.0, 0.0]) };
+    Ok(source.pair("origin", given.get_ref())?.map(|x| units.length * x))
+}
+
+/// Refuses a contact on both sides that would be mirrored there, or runs along an arc.
 fn refuse_mirrored(source: Source, table: &ContactTable) -> Result<(), Error> {
+    if let (Some(origin), Some(_)) = (&table.origin, &table.arc) {
+        let remedy = "leave `origin` out: s = 0 lies below the centre of `arc`";
+        return Err(source.refused(origin.span(), "`origin` is for straight paths", remedy));
+    }
     let Some(given) = table.both_sides.as_ref().filter(|given| *given.get_ref()) else { return Ok(()) };
     if table.arc.is_some() {
         let remedy = "leave `both-sides` out and model one half, or leave `arc` out and give the gap along y = 0";
@@ -150,8 +240,8 @@ fn refuse_strange_gap(source: Source, path: &Path, profile: &Profile, gap: &Span
         (Path::Arc(arc), Profile::Hole { radius, .. }) if (radius / arc.radius - 1.0).abs() <= 1e-9 => return Ok(()),
         (Path::Arc(_), Profile::Hole { .. }) => "give the hole's `radius` as that of `arc`: it is the pin's",
         (Path::Arc(_), _) => "on an arc the gap is `uniform`, `drawn` or a `hole`",
-        (Path::Horizontal | Path::BothSides, Profile::Hole { .. }) => "a hole needs the pin's circle as `arc`",
-        (Path::Horizontal | Path::BothSides, _) => return Ok(()),
+        (Path::Straight(_), Profile::Hole { .. }) => "a hole needs the pin's circle as `arc`",
+        (Path::Straight(_), _) => return Ok(()),
     };
     Err(source.refused(gap.span(), "this gap does not go with the path of the contact", remedy))
 }
@@ -240,7 +330,7 @@ pub fn reference(
     let given = |key: &str, value: &Option<Spanned<f64>>, unit: f64| {
         value.as_ref().map(|value| Ok::<f64, Error>(unit * source.positive(key, value)?)).transpose()
     };
-    let (pair, modulus) = (&scene.contact, scene.contact_modulus());
+    let (pair, modulus) = (scene.contact(), scene.contact_modulus());
     let half = 0.5 * pair.stretch;
     let length = given("length", &table.length, units.length)?.unwrap_or(half * pair.path.metric());
     let pressure = given("pressure", &table.pressure, units.stress)?;

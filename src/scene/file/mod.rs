@@ -106,8 +106,8 @@ pub struct Tables<'a> {
     pub thickness: &'a Spanned<f64>,
     /// Bodies.
     pub bodies: &'a [tables::BodyTable],
-    /// The contact.
-    pub contact: &'a ContactTable,
+    /// The contacts, at least one.
+    pub contacts: &'a [ContactTable],
     /// Reference values.
     pub reference: Option<&'a ReferenceTable>,
     /// Length that holds the elements.
@@ -121,21 +121,20 @@ impl Tables<'_> {
     pub fn scene(&self, source: Source) -> Result<Scene, Error> {
         let known = [("strain", PlaneHypothesis::Strain), ("stress", PlaneHypothesis::Stress)];
         let plane = source.choice("plane hypothesis", self.plane, &known)?;
-        let across = self.contact.has_both_sides();
-        let bodies = self.bodies.iter().map(|body| bodies::body(source, &self.units, plane, across, body));
-        let bodies = bodies.collect::<Result<Vec<Body>, Error>>()?;
+        let body = |table| bodies::body(source, &self.units, plane, contact::is_across(self.contacts, table), table);
+        let bodies = self.bodies.iter().map(body).collect::<Result<Vec<Body>, Error>>()?;
         bodies::refuse_equal_names(source, self.bodies)?;
-        let contact = contact::pair(source, &self.units, self.bodies, &bodies, self.contact)?;
+        let contacts = contact::pairs(source, &self.units, self.bodies, &bodies, self.contacts)?;
         let mut scene = Scene {
             name: self.name.into(),
             plane,
             thickness: self.units.length * source.positive("thickness", self.thickness)?,
             bodies,
-            contact,
+            contacts,
             reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },
             grading: self.grading(source)?,
         };
-        scene.reference = contact::reference(source, &self.units, &scene, self.reference, &self.contact.gap)?;
+        scene.reference = contact::reference(source, &self.units, &scene, self.reference, &self.contacts[0].gap)?;
         Ok(scene)
     }
 

@@ -5,12 +5,10 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use toml::Spanned;
 
 use crate::error::Error;
+use crate::scene::contact_pair::CONTACT;
 use crate::scene::file::Source;
 use crate::scene::file::units::Units;
 use crate::scene::{BlockShape, Circle, Face, GivenMesh, Path, Profile, Shape};
-
-/// The name that the contact boundary of a body has.
-pub(super) const CONTACT: &str = "contact";
 
 /// A straight piece of boundary, from its first point to its last, the body to its left \[mm\].
 type Piece = [[f64; 2]; 2];
@@ -37,30 +35,34 @@ enum Place {
 }
 
 impl Side {
-    pub(super) fn of(shape: &Shape, path: &Path, stretch: f64) -> Self {
-        match shape {
+    /// The side of a shape that has a name; none where no contact can lie on it.
+    pub(super) fn of(shape: &Shape, name: &str, path: &Path, stretch: f64) -> Option<Self> {
+        let origin = path.origin()[0];
+        Some(match shape {
             Shape::Rectangle { x, y, contact } => {
-                let height = if *contact == Face::Bottom { y[0] } else { y[1] };
+                let face = face(*contact, name, ["far", "far"])?;
+                let height = if face == Face::Bottom { y[0] } else { y[1] };
                 let place = Place::Straight { from: x[0], height };
-                let length = if path.has_both_sides() { x[1].min(-x[0]) } else { x[1] - x[0] };
-                Self { outward: Some(*contact == Face::Bottom), place, length }
+                let length = if path.has_both_sides() { (x[1] - origin).min(origin - x[0]) } else { x[1] - x[0] };
+                Self { outward: Some(face == Face::Bottom), place, length }
             }
             // Beyond 45° the radial candidates of a quarter are hardly pressed.
-            Shape::Disc { centre, radius, contact, .. } => {
-                let down = *contact == Face::Bottom;
+            Shape::Disc { centre, radius, contact, sector } => {
+                let other = if sector.has_upper_part() { "top" } else { CONTACT };
+                let down = face(*contact, name, [other, other])? == Face::Bottom;
                 let height = if down { centre[1] - radius } else { centre[1] + radius };
                 let place = Place::Disc { circle: Circle { centre: *centre, radius: *radius }, height };
                 Self { outward: Some(down || !path.is_straight()), place, length: radius * FRAC_1_SQRT_2 }
             }
             Shape::Ring { inner, outer, sweep, contact, .. } => {
-                let outward = *contact == Face::Top;
+                let outward = face(*contact, name, ["inner", "outer"])? == Face::Top;
                 let place = Place::Arc(if outward { *outer } else { *inner });
                 Self { outward: Some(outward), place, length: *sweep }
             }
             Shape::Eye { hole, .. } => Self { outward: Some(false), place: Place::Arc(*hole), length: PI },
-            Shape::Blocks(blocks) => Self::of_pieces(pieces_of_blocks(blocks), path, stretch),
-            Shape::Given(mesh) => Self::of_pieces(pieces_of_mesh(mesh), path, stretch),
-        }
+            Shape::Blocks(blocks) => Self::of_pieces(pieces_of_blocks(blocks, name)?, path, stretch),
+            Shape::Given(mesh) => Self::of_pieces(pieces_of_mesh(mesh, name)?, path, stretch),
+        })
     }
 
     /// Of the pieces within the stretch.
@@ -85,8 +87,8 @@ impl Side {
     /// How far along the path's direction the side begins \[mm\].
     pub(super) fn depth(&self, path: &Path) -> f64 {
         match (&self.place, path) {
-            (Place::Straight { height, .. } | Place::Disc { height, .. }, Path::Horizontal | Path::BothSides) => {
-                -height
+            (Place::Straight { height, .. } | Place::Disc { height, .. }, Path::Straight(line)) => {
+                line.origin[1] - height
             }
             (Place::Disc { circle, .. } | Place::Arc(circle), _) => circle.radius,
             (Place::Straight { .. }, _) => f64::NAN,
@@ -104,11 +106,13 @@ impl Side {
     pub(super) fn refuse_misfit(
         &self,
         source: Source,
+        units: &Units,
         name: &Spanned<String>,
-        path: &Path,
-        profile: &Profile,
+        (path, profile): (&Path, &Profile),
         is_first: bool,
     ) -> Result<(), Error> {
+        let [line, level] =
+            [("x", 0), ("y", 1)].map(|(axis, k)| format!("{axis} = {}", path.origin()[k] / units.length));
         let refused = |what: &str, remedy: &str| {
             let message = format!("the contact side of `{}` {what}", name.get_ref());
             Err(source.refused(name.span(), message, remedy))
@@ -119,30 +123,31 @@ impl Side {
             other => other.gap(0.0).abs(),
         };
         let near = |a: f64, b: f64| (a - b).abs() <= clearance * (1.0 + 1e-6) + 1e-6 * a.abs().max(b.abs());
-        let on_axis = |x: f64, size: f64| x.abs() <= 1e-9 * size;
+        let [x0, y0] = path.origin();
+        let on_axis = |x: f64, size: f64| (x - x0).abs() <= 1e-9 * size;
+        let one_side = path.is_straight() && !path.has_both_sides();
         if path.has_both_sides() && !matches!(self.place, Place::Arc(_)) && self.length <= 0.0 {
-            let remedy = "with `both-sides` the candidates lie left and right of x = 0: move the bodies there";
-            return refused("does not lie on both sides of x = 0", remedy);
+            let remedy = format!(
+                "with `both-sides` the candidates lie left and right of {line}: move the bodies there, or give `origin`"
+            );
+            return refused(&format!("does not lie on both sides of {line}"), &remedy);
         }
         match (&self.place, path) {
-            (Place::Straight { from, .. }, Path::Horizontal) if !on_axis(*from, self.length) => refused(
-                "does not begin at x = 0",
-                "the contact begins on the symmetry line x = 0: move the bodies there, or give `both-sides = true`",
+            (Place::Straight { from, .. }, _) if one_side && !on_axis(*from, self.length) => refused(
+                &format!("does not begin at {line}"),
+                "the contact begins on the symmetry line: move the bodies there, or give `both-sides = true`",
             ),
-            (Place::Straight { height, .. }, Path::Horizontal | Path::BothSides) if !near(*height, 0.0) => refused(
-                "does not lie at y = 0",
-                "the contact runs along y = 0: move the bodies there, or give `gap = \"drawn\"`",
+            (Place::Straight { height, .. }, Path::Straight(_)) if !near(*height, y0) => refused(
+                &format!("does not lie at {level}"),
+                "the contact runs along that line: move the bodies there, give its `origin`, or `gap = \"drawn\"`",
             ),
-            (Place::Disc { circle, .. }, Path::BothSides) if !on_axis(circle.centre[0], circle.radius) => {
-                refused("does not touch at x = 0", "give the disc a centre at x = 0: its mesh is finest there")
-            }
-            (Place::Disc { circle, .. }, Path::Horizontal) if !on_axis(circle.centre[0], circle.radius) => refused(
-                "does not begin at x = 0",
-                "the contact begins on the symmetry line: give the disc a centre at x = 0",
+            (Place::Disc { circle, .. }, Path::Straight(_)) if !on_axis(circle.centre[0], circle.radius) => refused(
+                &format!("does not touch at {line}"),
+                &format!("give the disc a centre at {line}, where its mesh is finest, or the contact another `origin`"),
             ),
-            (Place::Disc { height, .. }, Path::Horizontal | Path::BothSides) if !near(*height, 0.0) => refused(
-                "does not touch y = 0",
-                "the contact runs along y = 0: give the disc a centre one radius above or below",
+            (Place::Disc { height, .. }, Path::Straight(_)) if !near(*height, y0) => refused(
+                &format!("does not touch {level}"),
+                "the contact runs along that line: give the disc a centre one radius above or below, or the contact its `origin`",
             ),
             (Place::Arc(circle) | Place::Disc { circle, .. }, Path::Arc(arc)) => {
                 let aligned = (0..2).all(|k| near(circle.centre[k], arc.centre[k]));
@@ -160,21 +165,17 @@ impl Side {
                 )
             }
             (Place::Straight { .. }, Path::Arc(_)) => refused("is straight, the path is an arc", "leave `arc` out"),
-            (Place::Arc(_), Path::Horizontal | Path::BothSides) => {
+            (Place::Arc(_), Path::Straight(_)) => {
                 refused("is an arc, the path is straight", "name the circle the contact runs along, as `arc`")
             }
             (Place::Pieces(pieces), _) => {
                 let begin = pieces.iter().flatten().map(|point| path.coordinate(*point)).fold(f64::INFINITY, f64::min);
-                let axis = match path {
-                    Path::Horizontal | Path::BothSides => 0.0,
-                    Path::Arc(circle) => circle.centre[0],
-                };
                 let left = pieces.iter().flatten().map(|point| point[0]).fold(f64::INFINITY, f64::min);
-                let off = begin > 1e-6 * self.length || left < axis - 1e-6 * self.length * path.metric();
+                let off = begin > 1e-6 * self.length || left < x0 - 1e-6 * self.length * path.metric();
                 if off && !path.has_both_sides() {
                     return refused(
-                        "does not begin on the symmetry line",
-                        "the contact begins at s = 0, on the symmetry line x = 0: move the bodies there, model one half, or give `both-sides = true`",
+                        &format!("does not begin on the symmetry line {line}"),
+                        "the contact begins there at s = 0: move the bodies there, model one half, or give `both-sides = true`",
                     );
                 }
                 if self.outward.is_none() {
@@ -188,7 +189,7 @@ impl Side {
                 }
                 if !near(self.depth(path), path.own_depth()) {
                     let remedy = "move the body there, or give `gap = \"drawn\"` where it is drawn as it stands";
-                    return refused("does not begin at y = 0, or on `arc`", remedy);
+                    return refused(&format!("does not begin at {level}, or on `arc`"), remedy);
                 }
                 let on_arc = |point: &[f64; 2]| (path.depth(*point) / path.own_depth() - 1.0).abs() <= 1e-3;
                 if is_first && matches!(path, Path::Arc(_)) && !pieces.iter().flatten().all(on_arc) {
@@ -210,7 +211,7 @@ impl Side {
         (stretch, given): (f64, &Spanned<f64>),
     ) -> Result<(), Error> {
         let (length, shown) = match (path, &self.place) {
-            (Path::Horizontal | Path::BothSides, _) => (self.length, self.length / units.length),
+            (Path::Straight(_), _) => (self.length, self.length / units.length),
             (Path::Arc(_), Place::Arc(_) | Place::Pieces(_)) => (self.length, self.length.to_degrees()),
             (Path::Arc(_), _) => return Ok(()),
         };
@@ -218,7 +219,7 @@ impl Side {
             return Ok(());
         }
         let shown = (1e6 * shown).round() / 1e6;
-        let ends = if path.has_both_sides() { "goes only as far as |x| =" } else { "ends at" };
+        let ends = if path.has_both_sides() { "goes only as far as |s| =" } else { "ends at" };
         let message = format!("the candidates reach beyond `{}`, whose contact side {ends} {shown}", name.get_ref());
         Err(source.refused(given.span(), message, format!("give at most {shown}")))
     }
@@ -242,14 +243,24 @@ fn steep(pieces: &[Piece], path: &Path) -> Option<f64> {
     steep.next().map(|(slope, _)| slope)
 }
 
+/// The face that has a name: the one called `contact`, or the opposite one by its own name, as the lower and as the upper.
+fn face(contact: Face, name: &str, [lower, upper]: [&str; 2]) -> Option<Face> {
+    match contact {
+        _ if name == CONTACT => Some(contact),
+        Face::Bottom if name == upper => Some(Face::Top),
+        Face::Top if name == lower => Some(Face::Bottom),
+        _ => None,
+    }
+}
+
 /// Chords that stand for an arc.
 const CHORDS: usize = 32;
 
-/// The sides called `contact`, an arc as chords.
-fn pieces_of_blocks(blocks: &[BlockShape]) -> Vec<Piece> {
+/// The sides that have a name, an arc as chords; none where no side has it.
+fn pieces_of_blocks(blocks: &[BlockShape], name: &str) -> Option<Vec<Piece>> {
     let mut pieces = Vec::new();
     for block in blocks {
-        for k in (0..4).filter(|&k| block.names[k].as_deref() == Some(CONTACT)) {
+        for k in (0..4).filter(|&k| block.names[k].as_deref() == Some(name)) {
             let [from, to] = [block.corners[k], block.corners[(k + 1) % 4]];
             match block.arcs[k] {
                 None => pieces.push([from, to]),
@@ -265,11 +276,11 @@ fn pieces_of_blocks(blocks: &[BlockShape]) -> Vec<Piece> {
             }
         }
     }
-    pieces
+    (!pieces.is_empty()).then_some(pieces)
 }
 
-/// The edges of the boundary `contact`.
-fn pieces_of_mesh(mesh: &GivenMesh) -> Vec<Piece> {
-    let edges = mesh.boundaries.get(CONTACT).into_iter().flatten();
-    edges.map(|edge| [mesh.points[edge[0]], mesh.points[edge[1]]]).collect()
+/// The edges of a boundary; none where it is not there, or runs inside.
+fn pieces_of_mesh(mesh: &GivenMesh, name: &str) -> Option<Vec<Piece>> {
+    let edges = mesh.boundaries.get(name).filter(|_| !mesh.inner.contains(name))?;
+    Some(edges.iter().map(|edge| [mesh.points[edge[0]], mesh.points[edge[1]]]).collect())
 }

@@ -1,6 +1,10 @@
 //! The keys of a scene file.
 
-use serde::Deserialize;
+use std::fmt;
+
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
 /// A number and its place.
@@ -117,7 +121,7 @@ pub struct RectangleTable {
     pub x: Pair,
     /// Lower and upper end.
     pub y: Pair,
-    /// Side that carries the contact: bottom or top.
+    /// Side called `contact`: bottom or top.
     pub contact: Name,
 }
 
@@ -269,29 +273,63 @@ pub struct RigidFaceTable {
     pub force: Number,
 }
 
-/// `[contact]`.
+/// `[contact]`, or one of several `[[contact]]`.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct ContactTable {
+    /// Name in messages, results and checks: of the bodies where it is left out.
+    pub name: Option<Name>,
     /// Body on which positions and areas are measured.
     pub first: Name,
+    /// Boundary of it that touches: `contact` where it is left out.
+    pub first_side: Option<Name>,
     /// Facing body; a rigid one where it is left out.
     pub second: Option<Name>,
+    /// Boundary of that one.
+    pub second_side: Option<Name>,
     /// Initial gap along the path.
     pub gap: Spanned<GapTable>,
     /// The path is an arc: contact coordinates are angles from the downward vertical \[°\].
     pub arc: Option<CircleTable>,
+    /// Where s = 0 lies on a straight path; [0, 0] where it is left out.
+    pub origin: Option<Spanned<Pair>>,
     /// Candidates lie from 0 to here, on both sides where it has both: a length, or degrees on an arc.
     pub stretch: Number,
-    /// The contact lies on both sides of x = 0; false where it is left out.
-    #[serde(rename = "both-sides")]
+    /// The contact lies on both sides of s = 0; false where it is left out.
     pub both_sides: Option<Spanned<bool>>,
     /// The scene shows half of a symmetric problem; true where it is left out and the contact has one side.
     pub symmetric: Option<Spanned<bool>>,
 }
 
+/// The contacts of a file: one table, or several.
+#[derive(Debug)]
+pub struct ContactTables(pub Vec<ContactTable>);
+
+impl<'de> Deserialize<'de> for ContactTables {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct OneOrMore;
+        impl<'de> Visitor<'de> for OneOrMore {
+            type Value = ContactTables;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a table [contact], or several [[contact]]")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+                let one = ContactTable::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(ContactTables(vec![one]))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Self::Value, A::Error> {
+                Vec::deserialize(SeqAccessDeserializer::new(list)).map(ContactTables)
+            }
+        }
+        deserializer.deserialize_any(OneOrMore)
+    }
+}
+
 impl ContactTable {
-    /// Whether the contact lies on both sides of x = 0.
+    /// Whether the contact lies on both sides of s = 0.
     pub fn has_both_sides(&self) -> bool {
         self.both_sides.as_ref().is_some_and(|given| *given.get_ref())
     }

@@ -47,7 +47,7 @@ impl Patch {
                 ),
                 block("lower", [0.0, self.side], [-self.side, 0.0], Face::Top, self.material, vec![held(0.0)], vec![]),
             ],
-            contact: flat_contact(Some(1), gap, self.side),
+            contacts: vec![flat_contact(Some(1), gap, self.side)],
             reference: ReferenceValues { length: self.side, pressure: self.pressure, gap },
             grading: even(self.side),
         }
@@ -90,7 +90,7 @@ impl Bars {
                 block("upper", [0.0, self.width], upper, Face::Bottom, material, vec![held(-u)], vec![]),
                 block("lower", [0.0, self.width], [-self.length, 0.0], Face::Top, material, vec![held(0.0)], vec![]),
             ],
-            contact: flat_contact(Some(1), self.gap, self.width),
+            contacts: vec![flat_contact(Some(1), self.gap, self.width)],
             reference: ReferenceValues {
                 length: self.length,
                 pressure,
@@ -140,7 +140,7 @@ impl OwnWeight {
             plane: PlaneHypothesis::Strain,
             thickness: 1.0,
             bodies: vec![block],
-            contact: flat_contact(None, 0.0, self.width),
+            contacts: vec![flat_contact(None, 0.0, self.width)],
             reference: ReferenceValues { length: self.height, pressure, gap: pressure * self.height / modulus },
             grading: even(self.width),
         }
@@ -209,15 +209,12 @@ impl PressFit {
                 ring("inner ring", self.inner, self.interface, Face::Top, inner),
                 ring("outer ring", self.interface, self.outer, Face::Bottom, outer),
             ],
-            contact: ContactPair {
-                first: 0,
-                above: true,
-                second: Some(1),
-                path: Path::Arc(circle(self.interface)),
-                profile: Profile::Uniform(-self.interference),
-                stretch: FRAC_PI_2,
-                symmetric: true,
-            },
+            contacts: vec![ContactPair::new(
+                Some(1),
+                Path::Arc(circle(self.interface)),
+                Profile::Uniform(-self.interference),
+                FRAC_PI_2,
+            )],
             reference: ReferenceValues { length: self.interface, pressure, gap: self.interference },
             grading: Grading {
                 unit: self.interface * FRAC_PI_2,
@@ -263,7 +260,7 @@ impl FlatPunch {
             plane: PlaneHypothesis::Strain,
             thickness: 1.0,
             bodies: vec![block("block", [0.0, side], [0.0, side], Face::Bottom, self.material, vec![], vec![load])],
-            contact: ContactPair { profile: Profile::Punch { half_width: a }, ..flat_contact(None, 0.0, a) },
+            contacts: vec![ContactPair::new(None, Path::HORIZONTAL, Profile::Punch { half_width: a }, a)],
             reference: ReferenceValues { length: a, pressure, gap: pressure * a / modulus },
             grading: Grading { unit: a, along: 1.4, depth: 1.4, first: 1.0, coarsest: 0.1, end: 0.02 },
         }
@@ -289,15 +286,7 @@ fn held(value: f64) -> Support {
 }
 
 fn flat_contact(second: Option<usize>, gap: f64, stretch: f64) -> ContactPair {
-    ContactPair {
-        first: 0,
-        above: true,
-        second,
-        path: Path::Horizontal,
-        profile: Profile::Uniform(gap),
-        stretch,
-        symmetric: true,
-    }
+    ContactPair::new(second, Path::HORIZONTAL, Profile::Uniform(gap), stretch)
 }
 
 /// Equal elements throughout.

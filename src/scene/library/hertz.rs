@@ -82,15 +82,12 @@ impl Cylinder {
                 supports: vec![symmetry("axis")],
                 loads: vec![load],
             }],
-            contact: ContactPair {
-                first: 0,
-                above: true,
-                second: None,
-                path: Path::Horizontal,
-                profile: Profile::Circle { radius: self.radius },
-                stretch: self.stretch * self.half_width(),
-                symmetric: true,
-            },
+            contacts: vec![ContactPair::new(
+                None,
+                Path::HORIZONTAL,
+                Profile::Circle { radius: self.radius },
+                self.stretch * self.half_width(),
+            )],
             reference: hertz_reference(self.half_width(), self.load(), self.radius),
             grading: Grading { unit: self.half_width(), along: 1.7, depth: 1.6, first: 1.0, coarsest: 0.3, end: 1.0 },
         }
@@ -155,15 +152,12 @@ impl TruncatedHertz {
                 supports: vec![symmetry("left")],
                 loads: vec![field("right"), field("far")],
             }],
-            contact: ContactPair {
-                first: 0,
-                above: true,
-                second: None,
-                path: Path::Horizontal,
-                profile: Profile::Parabola { radius: self.radius },
-                stretch: self.stretch * a,
-                symmetric: true,
-            },
+            contacts: vec![ContactPair::new(
+                None,
+                Path::HORIZONTAL,
+                Profile::Parabola { radius: self.radius },
+                self.stretch * a,
+            )],
             reference: hertz_reference(a, self.load(), self.radius),
             grading: Grading { unit: a, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
         }

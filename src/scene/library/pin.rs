@@ -95,7 +95,7 @@ impl PinRod {
             plane: PlaneHypothesis::Stress,
             thickness: self.thickness,
             bodies: vec![pin, rod],
-            contact: hole_contact(self.pin_radius, self.clearance, self.stretch),
+            contacts: vec![hole_contact(self.pin_radius, self.clearance, self.stretch)],
             reference: pin_reference(
                 self.force / self.thickness,
                 self.pin_radius,
@@ -180,7 +180,7 @@ impl PinPlate {
             plane: PlaneHypothesis::Stress,
             thickness: self.thickness,
             bodies: vec![pin, plate],
-            contact: hole_contact(self.pin_radius, self.clearance, self.stretch),
+            contacts: vec![hole_contact(self.pin_radius, self.clearance, self.stretch)],
             reference: pin_reference(self.force / self.thickness, self.pin_radius, self.clearance, [self.material; 2]),
             grading: Grading { unit: self.unit, along: 1.25, depth: 1.5, first: 0.4, coarsest: 0.045, end: 1.0 },
         }
@@ -188,15 +188,8 @@ impl PinPlate {
 }
 
 fn hole_contact(radius: f64, clearance: f64, stretch: f64) -> ContactPair {
-    ContactPair {
-        first: 0,
-        above: true,
-        second: Some(1),
-        path: Path::Arc(Circle { centre: [0.0, 0.0], radius }),
-        profile: Profile::Hole { radius, clearance },
-        stretch,
-        symmetric: true,
-    }
+    let path = Path::Arc(Circle { centre: [0.0, 0.0], radius });
+    ContactPair::new(Some(1), path, Profile::Hole { radius, clearance }, stretch)
 }
 
 /// `ℓ = R`, `p_ref = F/tR`, `g_ref = c`, or `p_ref ℓ/E*` where there is no clearance (plane stress).

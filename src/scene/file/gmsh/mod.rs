@@ -12,8 +12,8 @@ use std::sync::Arc;
 use toml::Spanned;
 
 use crate::error::Error;
+use crate::scene::contact_pair::CONTACT;
 use crate::scene::file::Source;
-use crate::scene::file::side::CONTACT;
 use crate::scene::file::tables::GmshTable;
 use crate::scene::file::units::Units;
 use crate::scene::{BoundaryName, GivenMesh, Shape};

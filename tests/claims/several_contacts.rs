@@ -1,0 +1,344 @@
+//! Several contacts in one scene: each is what it would be alone where they do not meet, and all of them balance.
+
+use std::path::Path;
+
+use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::case::{Run, SceneFile, Verdict};
+use contact_vv::error::Error;
+use contact_vv::formulation::{Change, Discretisation, Element, Formulation, Start};
+use contact_vv::mesh::Mesh;
+use contact_vv::mesh::size::expected;
+use contact_vv::scene::Scene;
+
+use crate::outputs::{contact_vv, scene};
+use crate::scene_file::text_of;
+
+fn read(name: &str, text: &str) -> SceneFile {
+    SceneFile::parse(Path::new(name), text).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+fn discretised(file: &SceneFile) -> Discretisation {
+    Discretisation::of(file.problem.scene.clone(), file.problem.resolution).expect("discretised")
+}
+
+/// Three blocks one on another, 20 wide, pressed by 100 MPa.
+const STACK: &str = r#"
+plane = "strain"
+thickness = 1.0
+[[body]]
+name = "upper"
+young = 210e3
+poisson = 0.3
+shape = { rectangle = { x = [0, 20], y = [20, 30], contact = "bottom" } }
+supports = [{ at = "left", component = "x" }]
+loads = [{ traction = { at = "far", value = [0, -100] } }]
+[[body]]
+name = "middle"
+young = 70e3
+poisson = 0.33
+shape = { rectangle = { x = [0, 20], y = [10, 20], contact = "top" } }
+density = 1.6
+supports = [{ at = "left", component = "x" }]
+[[body]]
+name = "lower"
+young = 210e3
+poisson = 0.3
+shape = { rectangle = { x = [0, 20], y = [0, 10], contact = "top" } }
+supports = [{ at = "left", component = "x" }, { at = "far", component = "y" }]
+[[contact]]
+first = "upper"
+second = "middle"
+origin = [0, 20]
+gap = { uniform = 0.0 }
+stretch = 20
+[[contact]]
+first = "middle"
+first-side = "far"
+second = "lower"
+origin = [0, 10]
+gap = { uniform = 0.0 }
+stretch = 20
+[mesh]
+elements = 5
+per = 20
+order = 2
+[reference]
+pressure = 100
+[solve]
+tolerance = 1e-8
+"#;
+
+#[test]
+fn stack_of_blocks_carries_one_pressure_through_both_contacts() {
+    for (order, density) in [("order = 1", "1.0"), ("order = 2", "1.0"), ("order = 2", "1.6")] {
+        let text = STACK.replace("order = 2", order).replace("density = 1.6", &format!("density = {density}"));
+        let file = read("stack.toml", &text);
+        let discretisation = discretised(&file);
+        // Where nodes do not face one another the node element is the one to take.
+        let facing = |formulation: &Formulation| density == "1.0" || formulation.element == Element::Node;
+        for formulation in Formulation::nine().into_iter().filter(facing) {
+            // Secant springs end at the stiffest, 1e6 E*/l.
+            let formulation = formulation.tolerance(1e-5);
+            let run = Run::of(&discretisation, &formulation).expect("run");
+            assert!(run.solution.converged(), "{}", formulation.name());
+            for (contact, found) in run.contacts.iter().enumerate() {
+                for point in run.solution.points_of(contact) {
+                    assert_relative_eq!(point.pressure, 100.0, max_relative = 1e-5);
+                }
+                assert_relative_eq!(found.transmitted, 4000.0, max_relative = 1e-5);
+                assert_eq!(run.note(contact), None);
+            }
+        }
+    }
+}
+
+/// Bodies, contact and the rest of a disc in a contact about `x`, on a block of its own where one is named.
+fn roller(name: &str, x: f64, load: f64, young: f64) -> [String; 2] {
+    let body = format!(
+        "[[body]]\nname = \"{name}\"\nyoung = {young}\npoisson = 0.3\n\
+         shape = {{ disc = {{ centre = [{x}, 50], radius = 50 }} }}\n\
+         supports = [{{ at = [{x}, 50], component = \"x\" }}]\n\
+         loads = [{{ traction = {{ at = \"cut\", value = [0, {load}] }} }}]\n"
+    );
+    let contact = format!(
+        "[[contact]]\nname = \"below {name}\"\nfirst = \"{name}\"\norigin = [{x}, 0]\nboth-sides = true\n\
+         gap = {{ circle = 50 }}\nstretch = 2.5\n"
+    );
+    [body, contact]
+}
+
+fn of_parts(parts: &[[String; 2]]) -> SceneFile {
+    let bodies: String = parts.iter().map(|[body, _]| body.as_str()).collect();
+    let contacts: String = parts.iter().map(|[_, contact]| contact.as_str()).collect();
+    let text = format!(
+        "plane = \"strain\"\nthickness = 1.0\n{bodies}{contacts}[mesh]\nelements = 6\nper = 1.6\n\
+         [reference]\nlength = 1.5\npressure = 1500\n[solve]\ntolerance = 1e-10\n"
+    );
+    read("rollers.toml", &text)
+}
+
+#[test]
+fn contacts_that_do_not_meet_are_what_each_is_alone() {
+    let parts = [roller("one", -70.0, -30.0, 210e3), roller("other", 55.0, -18.0, 120e3)];
+    let alone = parts.clone().map(|part| of_parts(&[part]));
+    for formulation in Formulation::nine() {
+        let formulation = formulation.tolerance(1e-8);
+        let both = Run::of(&discretised(&of_parts(&parts)), &formulation).expect("both");
+        for (contact, file) in alone.iter().enumerate() {
+            let single = Run::of(&discretised(file), &formulation).expect("alone");
+            let [together, apart] = [both.solution.points_of(contact), single.solution.points_of(0)];
+            assert_eq!(together.len(), apart.len());
+            let peak = single.measures().peak.pressure;
+            // Iterations stop when the slower contact has converged.
+            let accepted = if formulation.algorithm.name() == "kinematic" { 1e-8 } else { 2e-5 };
+            for (a, b) in together.iter().zip(apart) {
+                assert_abs_diff_eq!(a.position, b.position, epsilon = 1e-11);
+                assert_abs_diff_eq!(a.pressure, b.pressure, epsilon = accepted * peak);
+            }
+            assert_relative_eq!(both.contacts[contact].transmitted, single.transmitted(), max_relative = 1e-6);
+            let [edges, own] = [both.solution.edges_of(contact), single.solution.edges_of(0)];
+            assert_eq!(edges.len(), own.len());
+            for (a, b) in edges.iter().zip(own) {
+                assert_abs_diff_eq!(a.pressure, b.pressure, epsilon = accepted * peak);
+            }
+        }
+    }
+}
+
+#[test]
+fn order_of_contacts_does_not_matter() {
+    let parts = [roller("one", -70.0, -30.0, 210e3), roller("other", 55.0, -18.0, 120e3)];
+    let [one, other] = parts.clone();
+    let run = |parts: &[[String; 2]]| {
+        Run::of(&discretised(&of_parts(parts)), &Formulation::verification().tolerance(1e-10)).expect("run")
+    };
+    let (forth, back) = (run(&[one.clone(), other.clone()]), run(&[other, one]));
+    for (contact, opposite) in [(0, 1), (1, 0)] {
+        let [a, b] = [forth.contacts[contact].measures, back.contacts[opposite].measures];
+        assert_relative_eq!(a.half_width, b.half_width, max_relative = 1e-9);
+        assert_relative_eq!(a.peak.pressure, b.peak.pressure, max_relative = 1e-9);
+        assert_abs_diff_eq!(a.centre, b.centre, epsilon = 1e-9);
+    }
+}
+
+#[test]
+fn both_starts_carried_sets_and_another_load_keep_the_contacts_apart() {
+    let file = read("roller-between-plates.toml", &text_of("roller-between-plates.toml"));
+    let discretisation = discretised(&file);
+    let formulation = Formulation::verification();
+    let run = Run::of(&discretisation, &formulation).expect("run");
+    let same = |solution: &contact_vv::solution::Solution| {
+        assert_eq!(solution.contacts, run.solution.contacts);
+        for (a, b) in solution.points.iter().zip(&run.solution.points) {
+            assert_abs_diff_eq!(a.pressure, b.pressure, epsilon = 1e-5);
+        }
+    };
+    let nested = discretisation.solve(&Formulation { start: Start::Nested, ..formulation.clone() }).expect("nested");
+    same(&nested);
+    // The set is at hand: a step that confirms it, or two.
+    let carried = discretisation.solve_carrying(&formulation, &run.solution).expect("carried");
+    same(&carried);
+    assert!(carried.work.steps < run.solution.work.steps, "{} steps", carried.work.steps);
+    let again = discretisation.solve_again(&formulation, Change::NONE, &run.solution).expect("again");
+    same(&again);
+    assert!(again.work.steps <= 2, "{} steps", again.work.steps);
+}
+
+#[test]
+fn half_a_roller_between_plates_is_a_quarter_on_one_where_both_are_alike() {
+    // Both plates alike: the horizontal diameter stays straight, and a quarter of the roller is enough.
+    let text = text_of("roller-between-plates.toml");
+    let alike = text
+        .replace("young = 70e3\npoisson = 0.33", "young = 210e3\npoisson = 0.3")
+        .replace("gap = { circle = 50 }\nstretch = 1.8", "gap = { circle = 50 }\nstretch = 1.2");
+    let checks = alike.find("[[check]]").expect("checks");
+    let half = read("alike.toml", &alike[..checks]);
+    let formulation = Formulation::verification();
+    let run = Run::of(&discretised(&half), &formulation).expect("half");
+    let [above, below] = [run.solution.points_of(0), run.solution.points_of(1)];
+    for (a, b) in above.iter().zip(below) {
+        assert_abs_diff_eq!(a.pressure, b.pressure, epsilon = 1e-6);
+    }
+    let quarter = r#"
+plane = "strain"
+thickness = 1.0
+[[body]]
+name = "roller"
+young = 210e3
+poisson = 0.3
+shape = { disc = { centre = [0, 50], radius = 50 } }
+supports = [{ at = "axis", component = "x" }]
+loads = [{ rigid-face = { at = "cut", component = "y", force = -1000 } }]
+[[body]]
+name = "lower"
+young = 210e3
+poisson = 0.3
+shape = { rectangle = { x = [0, 60], y = [-60, 0], contact = "top" } }
+supports = [{ at = "left", component = "x" }, { at = "far", component = "y" }]
+[contact]
+first = "roller"
+second = "lower"
+gap = { circle = 50 }
+stretch = 1.2
+[mesh]
+elements = 12
+per = 0.8
+[reference]
+pressure = 1700
+"#;
+    let single = Run::of(&discretised(&read("quarter.toml", quarter)), &formulation).expect("quarter");
+    for (a, b) in single.solution.points_of(0).iter().zip(below) {
+        assert_abs_diff_eq!(a.pressure, b.pressure, epsilon = 1e-6);
+    }
+}
+
+#[test]
+fn meshes_are_fine_at_every_contact_of_a_body() {
+    let sizes = |scene: &Scene, mesh: &Mesh, contact: usize| -> Vec<f64> {
+        let pair = &scene.contacts[contact];
+        let part = &mesh.bodies[pair.first];
+        let own = &part.candidates[part.candidates_of(contact)];
+        own.windows(3).step_by(2).map(|three| three[2].coordinate - three[0].coordinate).collect()
+    };
+    for (name, fine, along) in
+        [("plate-on-two-supports", 0.05, [-30.0, 30.0]), ("roller-between-plates", 0.8 / 12.0, [0.0; 2])]
+    {
+        let file = read(name, &text_of(&format!("{name}.toml")));
+        let (scene, resolution) = (&file.problem.scene, file.problem.resolution);
+        let mesh = Mesh::of(scene, resolution).expect("mesh");
+        for (contact, origin) in along.into_iter().enumerate() {
+            assert_relative_eq!(scene.contacts[contact].path.origin()[0], origin);
+            let sizes = sizes(scene, &mesh, contact);
+            assert!(sizes.len() >= 18, "{name}: {} elements", sizes.len());
+            sizes.iter().for_each(|size| assert_relative_eq!(*size, fine, max_relative = 0.03));
+        }
+        // And coarse away from them, as foretold.
+        let [cells, candidates] = expected(scene, resolution);
+        assert!(mesh.cells() < 6000, "{name}: {} cells", mesh.cells());
+        assert!((1.0..6.0).contains(&(cells / mesh.cells() as f64)), "{name}: {cells} for {}", mesh.cells());
+        let most = mesh.bodies.iter().map(|body| body.candidates.len() / 2).max().expect("bodies") as f64;
+        assert!((0.9..1.1).contains(&(candidates / most)), "{name}: {candidates} candidates for {most}");
+    }
+}
+
+#[test]
+fn contact_beyond_the_candidates_is_told_for_the_contact_it_belongs_to() {
+    let text = text_of("roller-between-plates.toml");
+    for (contact, was, is) in [(0, "stretch = 1.2", "stretch = 0.8"), (1, "stretch = 1.8", "stretch = 1.2")] {
+        let short = text.replacen(was, is, 1);
+        let error = read("short.toml", &short).solve().expect_err("cut short").to_string();
+        let mut rows = short.lines().enumerate().filter(|(_, line)| line.starts_with("stretch"));
+        let row = rows.nth(contact).expect("a line").0 + 1;
+        assert!(error.contains(&format!("short.toml:{row}:")) && error.contains("widen"), "{error}");
+    }
+}
+
+#[test]
+fn node_belongs_to_one_contact_only() {
+    let file = read("plate-on-two-supports.toml", &text_of("plate-on-two-supports.toml"));
+    let mut scene = file.problem.scene.clone();
+    scene.contacts[1].path = scene.contacts[0].path;
+    let error = Mesh::of(&scene, file.problem.resolution).expect_err("shared");
+    assert!(matches!(&error, Error::SharedCandidate { contact: 1, body, .. } if body == "plate"), "{error}");
+}
+
+#[test]
+fn scene_without_a_contact_is_refused() {
+    let file = read("stack.toml", STACK);
+    let mut scene = file.problem.scene.clone();
+    scene.contacts.clear();
+    let error = Mesh::of(&scene, file.problem.resolution).expect_err("none").to_string();
+    assert!(error.contains("`contacts` = 0"), "{error}");
+}
+
+#[test]
+fn outputs_tell_every_contact_by_its_name() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let (csv, vtu, svg) = (path("p.csv"), path("f.vtu"), path("p.svg"));
+    let file = scene("roller-between-plates");
+    let (sound, json, error) =
+        contact_vv(&["solve", &file, "--json", "-", "--csv", &csv, "--vtu", &vtu, "--plot", &svg]);
+    assert!(sound, "{error}");
+    let document: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let contacts = document["contacts"].as_array().expect("a list");
+    assert_eq!(contacts.iter().map(|c| c["name"].as_str().expect("a name")).collect::<Vec<_>>(), ["above", "below"]);
+    let resultant = |k: usize| contacts[k]["resultant"].as_f64().expect("a number");
+    assert_relative_eq!(resultant(0), 2000.0, max_relative = 1e-8);
+    assert_relative_eq!(resultant(1), 2000.0, max_relative = 1e-8);
+    let rows = csv::Reader::from_path(&csv).expect("a table").into_records();
+    let names: Vec<String> = rows.map(|row| row.expect("a row")[4].to_string()).collect();
+    let count = |k: usize| contacts[k]["profile"].as_array().expect("a profile").len();
+    assert_eq!(names.iter().filter(|name| *name == "above").count(), count(0));
+    assert_eq!(names.iter().filter(|name| *name == "below").count(), count(1));
+    let drawn = std::fs::read_to_string(&svg).expect("a picture");
+    for title in ["Contact pressure, above", "Contact pressure, below", "Remaining gap, above", "Remaining gap, below"]
+    {
+        assert!(drawn.contains(title), "no `{title}`");
+    }
+    let (_, table, _) = contact_vv(&["solve", &file]);
+    assert!(
+        table.contains("contact `above`:\n  half-width") && table.contains("contact `below`:\n  half-width"),
+        "{table}"
+    );
+}
+
+#[test]
+fn worked_scenes_with_several_contacts_pass_and_fail_on_other_values() {
+    for (name, was, is) in [
+        ("three-rings", "value = 15.853095", "value = 15.86"),
+        ("roller-between-plates", "value = 863.81974", "value = 866"),
+        ("plate-on-two-supports", "value = 600", "value = 601.5"),
+    ] {
+        let failed = |text: &str| {
+            let file = read(name, text);
+            let (discretisation, run, _) = file.solve().expect("solved");
+            let checks = file.checks(&discretisation, &run).expect("checks");
+            checks.iter().filter(|check| check.verdict != Verdict::Pass).count()
+        };
+        let text = text_of(&format!("{name}.toml"));
+        assert_eq!(failed(&text), 0, "{name}");
+        assert!(text.contains(was));
+        assert_eq!(failed(&text.replacen(was, is, 1)), 1, "{name}");
+    }
+}
