@@ -2,9 +2,8 @@
 
 use approx::assert_relative_eq;
 use contact_vv::case::accuracy::estimate::{levels, richardson};
-use contact_vv::case::accuracy::fitted;
 use contact_vv::case::accuracy::study::{self, ASKED, Subject};
-use contact_vv::case::accuracy::{self, Answer, Asked, Quantity, percentage};
+use contact_vv::case::accuracy::{self, Answer, Asked, Quantity, ends, fitted, percentage};
 use contact_vv::case::{SceneFile, Verdict, problem};
 use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::mesh::{Order, Resolution};
@@ -184,7 +183,7 @@ fn growth_that_is_never_refined_would_not_be_noticed_by_elements_alone() {
     let exact = study::closed_form(&problem);
     let on = |elements: usize| {
         let edge = problem.scene.reference.length;
-        let plan = fitted::Plan::around(edge, f64::INFINITY, elements, Order::Quadratic, 0);
+        let plan = fitted::Plan::around([-edge, edge], f64::INFINITY, elements, Order::Quadratic, 0);
         let discretisation = Discretisation::of(plan.scene(&problem.scene), plan.resolution()).expect("meshed");
         contact_vv::case::Run::of(&discretisation, &Formulation::verification()).expect("solved")
     };
@@ -205,11 +204,12 @@ fn contact_end_is_found_within_a_tenth_of_an_element() {
                 Subject::Pin => (60.0 * ratio).to_radians(),
                 _ => problem.scene.reference.length,
             };
-            let plan =
-                fitted::Plan::around(edge * 1.03, fitted::longest(&problem.scene), elements, Order::Quadratic, 2);
-            let discretisation = Discretisation::of(plan.scene(&problem.scene), plan.resolution()).expect("meshed");
+            let longest = fitted::longest(&problem.scene);
+            let plan = fitted::Plan::around([-1.03 * edge, 1.03 * edge], longest, elements, Order::Quadratic, 2);
+            let scene = plan.scene(&problem.scene);
+            let discretisation = Discretisation::of(scene.clone(), plan.resolution()).expect("meshed");
             let solution = discretisation.solve(&Formulation::verification()).expect("solved");
-            let found = fitted::edge(&solution, plan.stretch);
+            let [_, found] = ends::ends(&solution, scene.contact());
             let element = edge / elements as f64;
             assert!(
                 (found - edge).abs() < 0.15 * element,

@@ -8,6 +8,7 @@ mod spacing;
 mod workbench;
 
 mod accuracy;
+mod accuracy_across;
 mod algorithm;
 #[path = "../architecture.rs"]
 mod architecture;

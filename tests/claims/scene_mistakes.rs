@@ -145,12 +145,6 @@ const MISTAKES: &[Mistake] = &[
     ),
     (
         "whole-disc",
-        "elements = 12\nper = 1.0",
-        "accuracy = \"1 %\"",
-        ["accuracy = \"1 %\"", "contact that begins at x = 0", "give `elements` and `per`"],
-    ),
-    (
-        "whole-disc",
         "quantity = \"pressure\"\nat = -0.5",
         "quantity = \"pressure\"\nat = -1.6",
         ["at = -1.6", "`at` is -1.6", "from -1.5 to 1.5"],

@@ -162,6 +162,37 @@ fn order_of_contacts_does_not_matter() {
 }
 
 #[test]
+fn scene_moved_with_its_origin_has_the_same_pressures() {
+    let at = |x: f64, y: f64, both: bool, gap: &str| {
+        let (from, reach) = if both { (x - 20.0, "both-sides = true") } else { (x, "") };
+        let held = format!("[{from}, {}]", y + 20.0);
+        let text = format!(
+            "plane = \"strain\"\nthickness = 1.0\n[[body]]\nname = \"block\"\nyoung = 70e3\npoisson = 0.3\n\
+             shape = {{ rectangle = {{ x = [{from}, {}], y = [{y}, {}], contact = \"bottom\" }} }}\n\
+             supports = [{{ at = {held}, component = \"x\" }}]\n\
+             loads = [{{ rigid-face = {{ at = \"far\", component = \"y\", force = -900 }} }}]\n\
+             [contact]\nfirst = \"block\"\norigin = [{x}, {y}]\n{reach}\ngap = {gap}\nstretch = 4\n\
+             [mesh]\nelements = 6\nper = 2\n[reference]\npressure = 300\n[solve]\ntolerance = 1e-9\n",
+            x + 20.0,
+            y + 20.0
+        );
+        let file = read("moved.toml", &text);
+        Run::of(&discretised(&file), &file.formulation).expect("run")
+    };
+    for both in [false, true] {
+        for gap in ["{ parabola = 300 }", "{ wedge = 0.02 }"] {
+            let [here, there] = [at(0.0, 0.0, both, gap), at(-37.0, 11.0, both, gap)];
+            let peak = here.measures().peak.pressure;
+            assert_eq!(here.solution.points.len(), there.solution.points.len());
+            for (a, b) in here.solution.points.iter().zip(&there.solution.points) {
+                assert_abs_diff_eq!(a.position, b.position, epsilon = 1e-12);
+                assert_abs_diff_eq!(a.pressure, b.pressure, epsilon = 1e-9 * peak);
+            }
+        }
+    }
+}
+
+#[test]
 fn both_starts_carried_sets_and_another_load_keep_the_contacts_apart() {
     let file = read("roller-between-plates.toml", &text_of("roller-between-plates.toml"));
     let discretisation = discretised(&file);

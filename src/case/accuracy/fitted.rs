@@ -1,12 +1,14 @@
-//! Meshes fitted to the contact: its end at a fixed place within an element, so that errors fall smoothly with the mesh.
+//! Meshes fitted to the contact: its ends at a fixed place within an element, so that errors fall smoothly with the mesh.
 //!
 //! On a mesh that does not know the contact its end lies anywhere within an element, and the error of the half-width
 //! wanders with it by several times its mean: on truncated Hertz with 8 8-node cells per half-width from −0.20 % to
 //! +0.14 %. With the end at one and the same place of the element it falls with the square of the element.
+//!
+//! A contact across x = 0 need not lie in its middle, and the candidates are the same on both sides of it. In geometric
+//! progression from x = 0 on they have both ends at that place.
 
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Grading, Profile, Scene, Shape};
-use crate::solution::{PointState, Solution};
 
 /// Where the contact ends, in elements beyond the end of its last whole one.
 ///
@@ -14,6 +16,8 @@ use crate::solution::{PointState, Solution};
 /// or a middle, and the error leaps there; here it is as far from either as it is small (truncated Hertz: +0.05 % in the
 /// half-width on 8 elements, against −0.2 % to +0.14 % over all places).
 const INTO: f64 = -0.125;
+/// Last element within the contact over the first one, or the first over the last, that is not exceeded for its inner end.
+const GRADED: f64 = 3.0;
 /// Gentlest growth of an answer: 4^(1/16).
 pub const LEVELS: u32 = 8;
 /// Growth along the surface and into the depth at level 0, and the coarsest element over the body.
@@ -32,12 +36,14 @@ pub fn level(asked: f64) -> u32 {
 pub struct Plan {
     /// Element order.
     pub order: Order,
-    /// Elements within the contact.
+    /// Elements within the contact, within half of it where it has both sides.
     pub elements: usize,
-    /// Candidate elements.
+    /// Candidate elements on each side of x = 0 that has any.
     pub candidates: usize,
     /// Candidate stretch \[mm, or rad\].
     pub stretch: f64,
+    /// Last candidate element of a side over the first one.
+    pub end: f64,
     /// Level of growth: every two levels the logarithm of the growth is halved.
     pub level: u32,
 }
@@ -45,19 +51,27 @@ pub struct Plan {
 impl Plan {
     /// So many equal elements over a stretch.
     pub fn even(order: Order, elements: usize, stretch: f64, level: u32) -> Self {
-        Self { order, elements, candidates: elements, stretch, level }
+        Self { order, elements, candidates: elements, stretch, end: 1.0, level }
     }
 
-    /// So many elements within a contact that ends at `edge`, and a quarter as many beyond it, within the longest stretch.
-    pub fn around(edge: f64, longest: f64, elements: usize, order: Order, level: u32) -> Self {
-        let size = edge / (elements as f64 + INTO);
-        let candidates = elements + elements.div_ceil(4);
-        let stretch = size * candidates as f64;
-        if stretch <= longest {
-            return Self { order, elements, candidates, stretch, level };
+    /// So many elements within half of a contact between its ends, and a quarter as many beyond the outer one, within the
+    /// longest stretch; where the contact begins on a symmetry line, that is the middle between its ends.
+    pub fn around([begin, edge]: [f64; 2], longest: f64, elements: usize, order: Order, level: u32) -> Self {
+        let [inner, outer] = [edge.min(-begin), edge.max(-begin)];
+        // Where the outer end is that of the longest stretch, elements end there too.
+        let (into, beyond) = if outer < longest { (INTO, elements.div_ceil(4)) } else { (0.0, 0) };
+        let wanted = (elements as f64 + into) * 2.0 * outer / (edge - begin);
+        let within = (wanted - into).round().max(1.0);
+        let place = within + into;
+        let slope = slope(inner / outer, [(place * inner / outer - INTO).round() + INTO, place]);
+        let candidates = within as usize + beyond;
+        let stretch = outer * reach(slope, candidates as f64) / reach(slope, place);
+        if stretch <= longest * (1.0 + 1e-9) {
+            let end = (slope * (candidates as f64 - 1.0)).exp();
+            return Self { order, elements, candidates, stretch: stretch.min(longest), end, level };
         }
-        let candidates = ((longest / size).ceil() as usize).max(1);
-        Self { order, elements, candidates, stretch: longest, level }
+        let candidates = ((longest * place / outer).ceil() as usize).max(1);
+        Self { order, elements, candidates, stretch: longest, end: 1.0, level }
     }
 
     /// Growth along the surface, into the depth, and the coarsest element over the body: `q₀^(2^(−level/2))`.
@@ -72,7 +86,7 @@ impl Plan {
         let mut fitted = scene.clone();
         let [along, depth, coarsest] = self.growth();
         let unit = self.stretch * scene.contact().path.metric() * self.elements as f64 / self.candidates as f64;
-        fitted.grading = Grading { unit, along, depth, first: 1.0, coarsest, end: 1.0 };
+        fitted.grading = Grading { unit, along, depth, first: 1.0, coarsest, end: self.end };
         fitted.contacts[0].stretch = self.stretch;
         fitted
     }
@@ -83,11 +97,37 @@ impl Plan {
     }
 }
 
+/// How far so many elements of a side reach, over its first one, of which each is `e^slope` times the one before.
+fn reach(slope: f64, elements: f64) -> f64 {
+    if slope.abs() < 1e-9 { elements } else { (slope * elements).exp_m1() / slope.exp_m1() }
+}
+
+/// Slope at which the inner end of a contact, over the outer one, lies at its place in elements, as the outer one does; 0
+/// where none within [`GRADED`] does.
+///
+/// An inner end on the side of the outer one counts as negative.
+fn slope(inner: f64, places: [f64; 2]) -> f64 {
+    let at = |slope: f64| places[0].signum() * reach(slope, places[0].abs()) / reach(slope, places[1]);
+    let steepest = GRADED.ln() / places[1].max(1.0);
+    // Growing elements draw the inner end towards x = 0.
+    let short = |slope: f64| at(slope).abs() < inner.abs();
+    if places[0].abs() >= places[1] || inner * places[0] <= 0.0 || short(-steepest) || !short(steepest) {
+        return 0.0;
+    }
+    let (mut low, mut high) = (-steepest, steepest);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        *if short(middle) { &mut high } else { &mut low } = middle;
+    }
+    low
+}
+
 /// Longest candidate stretch that the sides of the bodies and the gap allow \[mm, or rad\].
 pub fn longest(scene: &Scene) -> f64 {
     let pair = scene.contact();
-    let straight = pair.path.is_straight();
+    let (straight, across) = (pair.path.is_straight(), pair.path.has_both_sides());
     let side = |body: usize| match scene.bodies[body].shape {
+        Shape::Rectangle { x, .. } if across => (x[1] - pair.path.origin()[0]).min(pair.path.origin()[0] - x[0]),
         Shape::Rectangle { x, .. } => x[1] - x[0],
         Shape::Disc { radius, .. } if straight => radius * std::f64::consts::FRAC_1_SQRT_2,
         Shape::Ring { sweep, .. } => sweep.min(std::f64::consts::FRAC_PI_2),
@@ -96,58 +136,15 @@ pub fn longest(scene: &Scene) -> f64 {
     };
     let gap = match &pair.profile {
         Profile::Punch { half_width } => *half_width,
-        Profile::Table(points) => points.last().map_or(0.0, |[s, _]| *s),
+        Profile::Table(points) => match points[..] {
+            [[first, _], .., [last, _]] if first < 0.0 => last.min(-first),
+            [.., [last, _]] => last,
+            [] => 0.0,
+        },
         Profile::Circle { radius } => radius * std::f64::consts::FRAC_1_SQRT_2,
         // Beyond the trough the next crest comes near.
         Profile::Cosine { wavelength, .. } => 0.5 * wavelength,
         _ => f64::INFINITY,
     };
     pair.bodies().map(side).fold(gap, f64::min)
-}
-
-/// Pressure over the largest one from which on a point or an element counts as pressed: iterations that stop at a residual
-/// leave less outside the contact.
-const FAINT: f64 = 1e-3;
-
-/// Candidate elements that carry force, up to the last one.
-pub fn pressed(solution: &Solution) -> usize {
-    last_pressed(&solution.edges).map_or(0, |last| last + 1)
-}
-
-/// Whether the contact goes on to the last candidate.
-pub fn filled(solution: &Solution) -> bool {
-    last_pressed(&solution.points).is_some_and(|last| last + 1 == solution.points.len())
-}
-
-fn last_pressed(states: &[PointState]) -> Option<usize> {
-    let most = states.iter().map(|state| state.pressure).fold(0.0, f64::max);
-    states.iter().rposition(|state| state.pressure > FAINT * most)
-}
-
-/// Where the contact ends \[mm, or rad\].
-///
-/// Near a smooth end `p ∝ √(a − s)`, so that the force beyond s, `F = ∫ p ds`, goes with `(a − s)^{3/2}`: `F^{2/3}` at the
-/// corners of the last elements, as a polynomial through up to three of them, vanishes at a. The element in which the
-/// contact ends has felt the end most and is left out where there are enough others.
-pub fn edge(solution: &Solution, stretch: f64) -> f64 {
-    let edges = &solution.edges;
-    let Some(last) = last_pressed(edges) else { return f64::NAN };
-    let size = stretch / edges.len() as f64;
-    let beyond = |from: usize| -> f64 { edges[from..=last].iter().map(force).sum() };
-    let begin = |k: usize| size * k as f64;
-    let newest = if last >= 3 { last - 1 } else { last };
-    let nodes: Vec<[f64; 2]> =
-        (newest.saturating_sub(2)..=newest).map(|k| [beyond(k).powf(2.0 / 3.0), begin(k)]).collect();
-    let at_zero = (0..nodes.len()).map(|i| {
-        let others = (0..nodes.len()).filter(|&k| k != i);
-        others.fold(nodes[i][1], |term, k| term * nodes[k][0] / (nodes[k][0] - nodes[i][0]))
-    });
-    let found: f64 = at_zero.sum();
-    // One element alone, or a profile that does not end smoothly, says no more than where the last element is.
-    let (low, high) = (begin(last), begin(last + 1) + size);
-    if nodes.len() > 1 && found.is_finite() { found.clamp(low, high) } else { begin(last + 1) }
-}
-
-fn force(edge: &PointState) -> f64 {
-    edge.weight * edge.pressure
 }

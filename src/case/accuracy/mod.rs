@@ -1,7 +1,8 @@
 //! The cheapest mesh that meets an accuracy asked, found from coarse to fine.
 //!
 //! * [`estimate`] — Richardson with the observed order as a check.
-//! * [`fitted`] — meshes fitted to the contact found so far.
+//! * [`ends`] — where the contact found so far begins and ends.
+//! * [`fitted`] — meshes fitted to it.
 //! * `rungs` — the meshes of a search, each solved from the contact set of the one before.
 //! * `along` — the ladder along the contact: more and more elements on one growth.
 //! * `depth` — the ladder of growth: gentler and gentler on one surface mesh.
@@ -18,6 +19,7 @@
 
 mod along;
 mod depth;
+pub mod ends;
 pub mod estimate;
 pub mod fitted;
 mod rungs;
@@ -30,7 +32,7 @@ use crate::mesh::size::MOST;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 
-pub use search::{ONE_SIDED, solve};
+pub use search::solve;
 
 /// Smallest and largest relative error that may be asked for.
 pub const RANGE: [f64; 2] = [1e-5, 0.2];
@@ -152,7 +154,7 @@ pub struct Tried {
     pub purpose: &'static str,
     /// Element order.
     pub order: Order,
-    /// Elements within the contact.
+    /// Elements within the contact, within half of it where it has both sides.
     pub elements: usize,
     /// Growth along the surface.
     pub growth: f64,

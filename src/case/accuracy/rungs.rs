@@ -1,7 +1,7 @@
 //! The meshes of a search: how they are laid out, solved and remembered.
 
+use crate::case::accuracy::ends;
 use crate::case::accuracy::fitted::{self, Plan};
-use crate::case::accuracy::search::FIRST;
 use crate::case::accuracy::{Answer, Asked, Quantity, Quoted, Tried};
 use crate::case::run::Run;
 use crate::error::Error;
@@ -12,15 +12,6 @@ use crate::scene::Scene;
 
 /// Order of the cells of every answer.
 pub(super) const ORDER: Order = Order::Quadratic;
-
-/// How the contact ends.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum End {
-    /// At this contact coordinate, within the candidates.
-    At(f64),
-    /// Where the side of a body ends.
-    Filled,
-}
 
 /// A mesh solved.
 pub(super) struct Rung {
@@ -45,7 +36,8 @@ pub(super) struct Search<'a> {
     pub(super) asked: &'a Asked,
     /// Longest candidate stretch that the bodies allow.
     pub(super) longest: f64,
-    pub(super) end: End,
+    /// Where the contact begins and ends.
+    pub(super) ends: [f64; 2],
     pub(super) rungs: Vec<Rung>,
     pub(super) tried: Vec<Tried>,
 }
@@ -55,7 +47,7 @@ impl<'a> Search<'a> {
     pub(super) fn new(scene: &'a Scene, formulation: Formulation, asked: &'a Asked) -> Self {
         let longest = fitted::longest(scene);
         let (rungs, tried) = (Vec::new(), Vec::new());
-        Self { scene, formulation, asked, longest, end: End::Filled, rungs, tried }
+        Self { scene, formulation, asked, longest, ends: [-longest, longest], rungs, tried }
     }
 
     pub(super) fn quantities(&self) -> impl Iterator<Item = Quantity> {
@@ -64,35 +56,28 @@ impl<'a> Search<'a> {
 
     /// A mesh with so many elements within the contact as it is known so far.
     pub(super) fn plan(&self, elements: usize, level: u32) -> Plan {
-        match self.end {
-            End::At(edge) => Plan::around(edge, self.longest, elements, ORDER, level),
-            End::Filled => {
-                let stretch = self.rungs.last().map_or(self.longest, |rung| rung.plan.stretch);
-                Plan::even(ORDER, elements, stretch, level)
-            }
-        }
+        Plan::around(self.ends, self.longest, elements, ORDER, level)
     }
 
-    /// Takes the end of the contact from a rung.
+    /// Takes the ends of the contact from a rung.
     pub(super) fn look(&mut self, at: usize) {
         let Rung { plan, run } = &self.rungs[at];
-        self.end = match fitted::filled(&run.solution) {
-            true => End::Filled,
-            false => End::At(fitted::edge(&run.solution, plan.stretch)),
-        };
+        self.ends = ends::ends(&run.solution, plan.scene(self.scene).contact());
     }
 
+    /// Makes the contact known a tenth longer.
     pub(super) fn widen(&mut self) {
-        if let End::At(edge) = &mut self.end {
-            *edge = (1.1 * *edge).min(self.longest);
-        }
+        let [begin, edge] = self.ends;
+        let more = 0.05 * (edge - begin);
+        self.ends = [(begin - more).max(-self.longest), (edge + more).min(self.longest)];
     }
 
-    /// Whether the last candidate is pressed although the bodies allow more: the penetration beyond it is seen at nodes
+    /// Whether an outermost candidate is pressed although the bodies allow more: the penetration beyond it is seen at nodes
     /// only, and the next one may lie where the surfaces have parted again.
     pub(super) fn cut_off(&self, at: usize) -> bool {
         let Rung { plan, run } = &self.rungs[at];
-        run.solution.converged() && fitted::filled(&run.solution) && plan.stretch < self.longest * (1.0 - 1e-9)
+        let shorter = plan.stretch < self.longest * (1.0 - 1e-9);
+        run.solution.converged() && shorter && ends::filled(&run.solution, self.scene.contact()).contains(&true)
     }
 
     /// Solves on a mesh within the limits.
@@ -160,11 +145,11 @@ impl<'a> Search<'a> {
 
 impl Tried {
     /// A stretch beyond which contact went on.
-    pub(super) fn spilled(order: Order, stretch: f64) -> Self {
+    pub(super) fn spilled(order: Order, elements: usize, stretch: f64) -> Self {
         let [freedoms, steps] = [0; 2];
         let [peak, half_width, estimate] = [f64::NAN; 3];
-        let growth = Plan::even(order, FIRST, stretch, 0).growth()[0];
+        let growth = Plan::even(order, elements, stretch, 0).growth()[0];
         let purpose = "contact length";
-        Self { purpose, order, elements: FIRST, growth, stretch, freedoms, steps, peak, half_width, estimate }
+        Self { purpose, order, elements, growth, stretch, freedoms, steps, peak, half_width, estimate }
     }
 }

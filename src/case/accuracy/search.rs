@@ -1,8 +1,9 @@
 //! Which meshes are solved, and which one is answered.
 
 use crate::case::accuracy::depth::Depth;
+use crate::case::accuracy::ends;
 use crate::case::accuracy::fitted::{self, LEVELS, Plan};
-use crate::case::accuracy::rungs::{ORDER, Search};
+use crate::case::accuracy::rungs::{ORDER, Rung, Search};
 use crate::case::accuracy::{Answer, Asked, Tried};
 use crate::error::Error;
 use crate::formulation::{Formulation, Start};
@@ -10,20 +11,16 @@ use crate::scene::{Body, Scene, Shape};
 
 /// Elements of the first mesh, over the candidate stretch that the scene guesses.
 pub const FIRST: usize = 8;
-/// Pressed elements from which on a first mesh tells where the contact ends.
+/// Pressed elements on a side from which on a first mesh tells where the contact ends.
 const TOLD: usize = 3;
+/// Most elements of a first mesh on a side.
+const FINEST: usize = 128;
 /// Guesses of the stretch: each is twice as long, or as short as what was pressed.
 const GUESSES: usize = 16;
 /// Ladders that may fail to settle, each on gentler growth than the one before.
 const PATIENCE: usize = 3;
 /// Iteration tolerance over the error asked for.
 const ITERATION: f64 = 0.01;
-
-/// What is wrong with an accuracy for contact on both sides of x = 0, and what to do.
-pub const ONE_SIDED: [&str; 2] = [
-    "an `accuracy` chooses meshes of contact that begins at x = 0, and this one has `both-sides`",
-    "give `elements` and `per` instead, or model one half where the scene is symmetric",
-];
 
 /// The cheapest mesh found that meets what is asked, or the best that was found, with the reason.
 ///
@@ -41,10 +38,6 @@ pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<
         let what = "an accuracy chooses the mesh of one contact, and there are several".into();
         return Err(Error::Combination { what, remedy: "give elements instead".into() });
     }
-    if scene.contact().path.has_both_sides() {
-        let [what, remedy] = ONE_SIDED.map(String::from);
-        return Err(Error::Combination { what, remedy });
-    }
     let mut formulation = Formulation { start: Start::Closed, ..formulation.clone() };
     let settings = &mut formulation.settings;
     settings.tolerance = settings.tolerance.min(ITERATION * asked.relative).max(1e-12);
@@ -55,40 +48,39 @@ pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<
     search.refine()
 }
 
+/// What is next after a first mesh.
+enum Guess {
+    /// The contact is known well enough.
+    Known,
+    /// So many elements on a stretch of this length.
+    Again(usize, f64),
+    /// Nothing, for this reason.
+    Stopped(String),
+}
+
 impl Search<'_> {
     /// Finds where the contact ends on a cheap mesh; says why where it cannot.
     fn first(&mut self) -> Result<Option<String>, Error> {
         let mut stretch = self.scene.contact().stretch.min(self.longest);
-        let mut level = 0;
+        let (mut elements, mut level) = (FIRST, 0);
         for _ in 0..GUESSES {
-            match self.solve(Plan::even(ORDER, FIRST, stretch, level), "contact length") {
+            match self.solve(Plan::even(ORDER, elements, stretch, level), "contact length") {
                 Err(Error::DegenerateCell { .. }) if level < LEVELS => level += 2,
-                Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. })
-                    if stretch < self.longest =>
-                {
-                    self.tried.push(Tried::spilled(ORDER, stretch));
+                Err(error) if stretch < self.longest && self.is_short(&error) => {
+                    self.tried.push(Tried::spilled(ORDER, elements, stretch));
                     stretch = (2.0 * stretch).min(self.longest);
                 }
+                // A contact shorter than two elements.
+                Err(error @ Error::NoSpringLeft { .. }) if elements < FINEST && self.is_short(&error) => elements *= 2,
                 Err(error) => return Err(error),
-                Ok(at) => {
-                    let solution = &self.rungs[at].run.solution;
-                    let pressed = fitted::pressed(solution);
-                    if !solution.converged() {
-                        return Ok(Some(format!("the first iteration ended so: {}", solution.outcome)));
-                    }
-                    if pressed == 0 {
-                        return Ok(Some("no candidate is pressed".into()));
-                    }
-                    if self.cut_off(at) {
-                        stretch = (2.0 * stretch).min(self.longest);
-                        continue;
-                    }
-                    if pressed >= TOLD || fitted::filled(solution) {
+                Ok(at) => match self.guess(at) {
+                    Guess::Known => {
                         self.look(at);
                         return Ok(None);
                     }
-                    stretch *= (pressed + 1) as f64 / FIRST as f64;
-                }
+                    Guess::Stopped(reason) => return Ok(Some(reason)),
+                    Guess::Again(finer, other) => (elements, stretch) = (finer, other),
+                },
             }
         }
         match self.rungs.len() {
@@ -100,6 +92,48 @@ impl Search<'_> {
                 "give a stretch a little longer than the contact",
             )),
             _ => Ok(Some(format!("no contact length was found in {GUESSES} guesses"))),
+        }
+    }
+
+    /// Whether longer candidates may be solved: contact goes on beyond these, or all of it lies there and across x = 0
+    /// nothing holds a body against turning.
+    fn is_short(&self, error: &Error) -> bool {
+        match error {
+            Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. } => true,
+            Error::NoSpringLeft { .. } => self.scene.contact().path.has_both_sides(),
+            _ => false,
+        }
+    }
+
+    /// What a first mesh tells of the contact.
+    fn guess(&self, at: usize) -> Guess {
+        let Rung { plan: Plan { elements, stretch, .. }, run } = &self.rungs[at];
+        let (solution, pair) = (&run.solution, self.scene.contact());
+        let [pressed, outermost] = ends::pressed(solution, pair);
+        let filled = ends::filled(solution, pair).contains(&true);
+        let across = pair.path.has_both_sides();
+        let told = pressed >= if across { 2 * TOLD } else { TOLD };
+        // Across x = 0 one or two points hold no body against turning.
+        if !solution.converged() && (told || !across) {
+            return Guess::Stopped(format!("the first iteration ended so: {}", solution.outcome));
+        }
+        if pressed == 0 {
+            return Guess::Stopped("no candidate is pressed".into());
+        }
+        if filled && *stretch < self.longest * (1.0 - 1e-9) {
+            return Guess::Again(*elements, (2.0 * stretch).min(self.longest));
+        }
+        if solution.converged() && (told || filled) {
+            return Guess::Known;
+        }
+        match outermost + 1 {
+            enough if enough < *elements => Guess::Again(*elements, stretch * enough as f64 / *elements as f64),
+            // A shorter stretch would end within the contact.
+            _ if *elements < FINEST => Guess::Again(2 * elements, *stretch),
+            _ => Guess::Stopped(format!(
+                "the contact takes {pressed} of {} candidate elements, far from x = 0: put x = 0 nearer to it",
+                2 * elements
+            )),
         }
     }
 

@@ -95,9 +95,6 @@ impl MeshTable {
                 let message = "an accuracy chooses the mesh of one contact, and there are several";
                 return Err(source.refused(accuracy.span(), message, "give `elements` and `per` instead"));
             }
-            if scene.contact().path.has_both_sides() {
-                return Err(source.refused(accuracy.span(), accuracy::ONE_SIDED[0], accuracy::ONE_SIDED[1]));
-            }
             let first = Plan::even(Order::Quadratic, FIRST, scene.contact().stretch, 0);
             return Ok((first.scene(&scene), first.resolution()));
         }

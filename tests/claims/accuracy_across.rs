@@ -1,0 +1,245 @@
+//! An accuracy asked for a contact across x = 0 is met wherever the contact lies, and costs twice the half where it is symmetric.
+
+use std::f64::consts::PI;
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use contact_vv::case::accuracy::study::{self, ASKED};
+use contact_vv::case::accuracy::{self, Answer, Asked, ends, fitted};
+use contact_vv::case::{Run, SceneFile};
+use contact_vv::formulation::{Discretisation, Formulation};
+use contact_vv::mesh::{Mesh, Order};
+use contact_vv::scene::Scene;
+
+use crate::scene_file::text_of;
+
+/// Radius of the parabola \[mm\].
+const RADIUS: f64 = 50.0;
+/// A mesh made by hand, far finer than any that is answered.
+const FINE: &str = "elements = 40\nper = 2\ngrowth = { along = 1.2, depth = 1.15, coarsest = 0.08 }";
+
+/// A block on x from `left` to `right` under a parabola, pressed with Hertz's load for the half-width `a` at `centre`.
+///
+/// It rolls on the parabola until the contact lies under the load: Hertz's, but for the size of the block.
+fn rolling(a: f64, centre: f64, stretch: f64, [left, right]: [f64; 2], mesh: &str) -> String {
+    let load = PI * a * a * (210e3 / 0.91) / (4.0 * RADIUS);
+    // p = m + k x with the resultant and the moment of the load.
+    let [none, first, second] = [1, 2, 3].map(|k| (right.powi(k) - left.powi(k)) / f64::from(k));
+    let scale = load / (none * second - first * first);
+    let [mean, slope] = [(second - first * centre) * scale, (none * centre - first) * scale];
+    format!(
+        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
+         shape = {{ rectangle = {{ x = [{left}, {right}], y = [0, 40], contact = \"bottom\" }} }}\n\
+         supports = [{{ at = [{right}, 40], component = \"x\" }}]\n\
+         loads = [{{ pressure = {{ at = \"far\", law = {{ polynomial = {{ along = \"x\", coefficients = [{mean}, {slope}] }} }} }} }}]\n\
+         [contact]\nfirst = \"block\"\nboth-sides = true\ngap = {{ parabola = {RADIUS} }}\nstretch = {stretch}\n\
+         [reference]\nlength = 2\npressure = 4000\n[mesh]\n{mesh}\n"
+    )
+}
+
+const WIDE: [f64; 2] = [-40.0, 40.0];
+const ANY: &str = "accuracy = \"1 %\"";
+
+fn parsed(text: &str) -> SceneFile {
+    SceneFile::parse(Path::new("across.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+fn answered(scene: &Scene, asked: f64) -> Answer {
+    accuracy::solve(scene, &Formulation::verification(), &Asked::new(asked)).expect("solved")
+}
+
+fn by_hand(text: &str) -> Run {
+    parsed(text).solve().expect("solved").1
+}
+
+fn both(run: &Run) -> [f64; 2] {
+    [run.measures().peak.pressure, run.measures().half_width]
+}
+
+/// That an answer is met, within what is asked and what is estimated, but for what the truth itself leaves.
+fn met(answer: &Answer, asked: f64, truth: [f64; 2], place: &str) {
+    assert!(answer.unmet.is_none(), "{place}: {:?}", answer.unmet);
+    let error = study::error(&answer.run, truth);
+    assert!(error <= asked, "{place}: {error:e}");
+    assert!(error <= answer.estimate() + 1e-4, "{place}: {error:e} beyond {:e}", answer.estimate());
+}
+
+/// Both candidates beyond the ends are open, and the stretch reaches little beyond the outer end.
+fn covers(answer: &Answer, place: &str) {
+    let (solution, pair) = (&answer.run.solution, answer.scene.contact());
+    assert_eq!(ends::filled(solution, pair), [false; 2], "{place}");
+    let outer = answer.run.measures().edge.max(-answer.run.measures().begin);
+    assert!(pair.stretch > outer, "{place}: {} and {outer}", pair.stretch);
+    assert!(pair.stretch < outer + 1.5 * answer.run.measures().half_width, "{place}: {} and {outer}", pair.stretch);
+}
+
+/// Symmetric scenes: the half and the whole.
+fn twins() -> Vec<[Scene; 2]> {
+    let disc = text_of("whole-disc.toml").replace("elements = 12\nper = 1.0", ANY);
+    let half_disc = disc
+        .replace("whole = true", "half = true")
+        .replace("both-sides = true", "")
+        .replace("at = [0, 50]", "at = \"axis\"")
+        .replace("at = -0.5", "at = 0.5")
+        .replace("value = 3624.91511", "value = 1812.457555");
+    let half_disc = half_disc.split("[[check]]").next().expect("a scene").to_owned();
+    let block = rolling(2.0, 0.0, 5.0, WIDE, ANY);
+    let half_block = block
+        .replace("both-sides = true\n", "")
+        .replace("x = [-40, 40]", "x = [0, 40]")
+        .replace("at = [40, 40]", "at = \"left\"");
+    [[half_disc, disc], [half_block, block]].map(|texts| texts.map(|text| parsed(&text).problem.scene)).into()
+}
+
+#[test]
+fn symmetric_contact_takes_twice_the_freedoms_of_its_half_and_the_same_meshes() {
+    for scenes in twins() {
+        for asked in ASKED {
+            let [half, whole] = [&scenes[0], &scenes[1]].map(|scene| answered(scene, asked));
+            let place = format!("{}, {asked}", whole.scene.bodies[0].name);
+            assert!(half.unmet.is_none() && whole.unmet.is_none(), "{place}");
+            assert_eq!(whole.tried.len(), half.tried.len(), "{place}");
+            assert_relative_eq!(whole.run.freedoms as f64, 2.0 * half.run.freedoms as f64, max_relative = 0.01);
+            assert_relative_eq!(whole.scene.contact().stretch, half.scene.contact().stretch, max_relative = 1e-6);
+            assert!(study::error(&whole.run, both(&half.run)) <= 1e-6, "{place}");
+            assert_relative_eq!(whole.estimate(), half.estimate(), max_relative = 1e-3);
+        }
+    }
+}
+
+#[test]
+fn whole_disc_meets_hertz_to_each_accuracy() {
+    let [_, whole] = &twins()[0];
+    for asked in ASKED {
+        let answer = answered(whole, asked);
+        // a/R = 0.02: Hertz leaves out 0.013 %.
+        assert!(study::error(&answer.run, [2307.69231, 1.0]) <= asked + 1.5e-4, "{asked}");
+        covers(&answer, "disc");
+    }
+}
+
+#[test]
+fn contact_off_the_middle_meets_each_accuracy() {
+    // From nearly symmetric to one that leaves x = 0 out.
+    for centre in [0.12, 0.7, -1.3, 2.7] {
+        let text = |mesh: &str| rolling(2.0, centre, 6.0, WIDE, mesh);
+        let fine = both(&by_hand(&text(FINE)));
+        let scene = parsed(&text(ANY)).problem.scene;
+        for asked in ASKED {
+            let place = format!("centre {centre}, {asked}");
+            let answer = answered(&scene, asked);
+            met(&answer, asked, fine, &place);
+            covers(&answer, &place);
+            assert_relative_eq!(answer.run.measures().centre, centre, max_relative = 1e-3);
+        }
+    }
+}
+
+#[test]
+fn mirror_image_is_answered_with_the_mirrored_mesh() {
+    for (a, centre) in [(2.0, 1.3), (1.0, 2.5)] {
+        let [right, left] =
+            [centre, -centre].map(|centre| answered(&parsed(&rolling(a, centre, 6.0, WIDE, ANY)).problem.scene, 3e-3));
+        assert!(right.unmet.is_none() && left.unmet.is_none());
+        assert_eq!(right.run.freedoms, left.run.freedoms);
+        assert_relative_eq!(right.scene.contact().stretch, left.scene.contact().stretch, max_relative = 1e-6);
+        assert_relative_eq!(right.run.measures().centre, -left.run.measures().centre, max_relative = 1e-6);
+        assert!(study::error(&right.run, both(&left.run)) <= 1e-6);
+    }
+}
+
+#[test]
+fn both_ends_are_found_within_a_tenth_of_an_element() {
+    for (a, centre) in [(2.0, 0.0), (2.0, 0.4), (2.0, -1.1), (1.5, 2.2), (1.5, -2.2)] {
+        let scene = parsed(&rolling(a, centre, 6.0, WIDE, ANY)).problem.scene;
+        let elements = 8;
+        let guessed = [centre - 1.03 * a, centre + 1.03 * a];
+        let plan = fitted::Plan::around(guessed, 40.0, elements, Order::Quadratic, 2);
+        let scene = plan.scene(&scene);
+        let discretisation = Discretisation::of(scene.clone(), plan.resolution()).expect("meshed");
+        let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+        let found = ends::ends(&run.solution, scene.contact());
+        for (found, side) in found.into_iter().zip([-1.0, 1.0]) {
+            let exact = centre + side * run.measures().half_width;
+            let off = (found - exact) / (a / elements as f64);
+            assert!(off.abs() < 0.15, "{a} at {centre}: {found}, off by {off}");
+        }
+    }
+}
+
+#[test]
+fn elements_resolve_the_contact_and_both_its_ends_lie_at_one_place_of_an_element() {
+    let scene = parsed(&rolling(2.0, 0.0, 6.0, WIDE, ANY)).problem.scene;
+    for ends in [[-2.0, 2.0], [-1.0, 3.0], [-2.6, 1.4], [0.7, 4.7], [-4.8, -0.8], [-0.9, 1.1], [4.0, 5.0]] {
+        for elements in [4, 8, 16, 32] {
+            let plan = fitted::Plan::around(ends, 40.0, elements, Order::Quadratic, 4);
+            let mesh = Mesh::of(&plan.scene(&scene), plan.resolution()).expect("meshed");
+            let nodes: Vec<f64> = mesh.bodies[0].candidates.iter().map(|candidate| candidate.coordinate).collect();
+            let corners: Vec<f64> = nodes.iter().copied().step_by(2).collect();
+            assert!(corners[0] < ends[0] && corners[corners.len() - 1] > ends[1]);
+            let within = corners.windows(2).filter(|pair| pair[1] > ends[0] && pair[0] < ends[1]).count();
+            assert!(within.abs_diff(2 * elements) <= 1, "{within} elements of {elements} between {ends:?}");
+            for (end, side) in ends.into_iter().zip([-1.0, 1.0]) {
+                let after = corners.partition_point(|corner| *corner < end);
+                let place = (end - corners[after - 1]) / (corners[after] - corners[after - 1]);
+                let covered = if side > 0.0 { place } else { 1.0 - place };
+                assert!((covered - 0.875).abs() < 0.05, "{covered} of the element at {end} of {ends:?}, {elements}");
+            }
+        }
+    }
+}
+
+#[test]
+fn stretch_far_too_long_or_too_short_leads_to_the_same_contact() {
+    let solve = |a: f64, centre: f64, stretch: f64| {
+        let answer = answered(&parsed(&rolling(a, centre, stretch, WIDE, ANY)).problem.scene, 3e-3);
+        assert!(answer.unmet.is_none(), "{stretch}: {:?}", answer.unmet);
+        covers(&answer, &format!("{stretch}"));
+        answer
+    };
+    for (a, centre) in [(2.0, -1.3), (0.6, 5.0)] {
+        let nominal = solve(a, centre, 6.5);
+        // A stretch that ends before the load holds nothing against turning.
+        for stretch in [0.7, 2.4, 16.0, 40.0] {
+            let answer = solve(a, centre, stretch);
+            assert!(study::error(&answer.run, both(&nominal.run)) <= 6e-3, "{stretch}");
+            assert_relative_eq!(answer.scene.contact().stretch, nominal.scene.contact().stretch, max_relative = 0.2);
+        }
+    }
+}
+
+#[test]
+fn block_that_lifts_off_on_one_side_meets_each_accuracy() {
+    for slope in [15, -20] {
+        let text = text_of("eccentric-load.toml").replace("[100, 4]", &format!("[100, {slope}]"));
+        let text = text.split("[[check]]").next().expect("a scene").to_owned();
+        let on = |mesh: &str| text.replace("elements = 4\nper = 10", mesh);
+        let fine =
+            both(&by_hand(&on("elements = 120\nper = 10\ngrowth = { along = 1.2, depth = 1.15, coarsest = 0.08 }")));
+        let scene = parsed(&on(ANY)).problem.scene;
+        for asked in ASKED {
+            let answer = answered(&scene, asked);
+            met(&answer, asked, fine, &format!("slope {slope}, {asked}"));
+            assert_eq!(ends::filled(&answer.run.solution, answer.scene.contact()), [slope < 0, slope > 0]);
+            assert_relative_eq!(answer.scene.contact().stretch, 10.0, max_relative = 1e-9);
+        }
+    }
+}
+
+#[test]
+fn body_that_ends_sooner_on_one_side_limits_the_stretch_and_longer_contact_is_refused() {
+    let near = |a: f64| parsed(&rolling(a, 1.0, 3.0, [-40.0, 4.0], ANY)).problem.scene;
+    assert_relative_eq!(fitted::longest(&near(2.0)), 4.0);
+    let fine = both(&by_hand(&rolling(2.0, 1.0, 3.8, [-40.0, 4.0], FINE)));
+    met(&answered(&near(2.0), 3e-3), 3e-3, fine, "four on the right");
+    let scene = parsed(&rolling(3.0, -2.5, 3.0, [-40.0, 4.0], ANY)).problem.scene;
+    let error = accuracy::solve(&scene, &Formulation::verification(), &Asked::new(3e-3)).expect_err("beyond −4");
+    assert!(error.to_string().contains("s = -4"), "{error}");
+}
+
+#[test]
+fn contact_too_far_from_the_middle_for_its_width_is_told() {
+    let scene = parsed(&rolling(0.5, 30.0, 31.0, WIDE, ANY)).problem.scene;
+    let answer = answered(&scene, 1e-2);
+    assert!(answer.unmet.as_ref().is_some_and(|why| why.contains("put x = 0 nearer to it")), "{:?}", answer.unmet);
+}
