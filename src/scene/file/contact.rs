@@ -1,17 +1,12 @@
-//! The contact pair from its table.
-
-use std::ops::Range;
-use std::sync::Arc;
-
-use toml::Spanned;
+//! The contacts from their tables.
 
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
-use crate::scene::file::Source;
 use crate::scene::file::side::Side;
-use crate::scene::file::tables::{BodyTable, ContactTable, GapTable, Name, Pair, ReferenceTable};
+use crate::scene::file::tables::{BodyTable, ContactTable, Name};
 use crate::scene::file::units::Units;
-use crate::scene::{Body, Circle, ContactPair, Line, Path, Profile, ReferenceValues, Scene};
+use crate::scene::file::{Source, gap};
+use crate::scene::{Body, Circle, ContactPair, Line, Path, Profile};
 
 /// Largest stretch on an arc \[°\].
 const QUARTER: f64 = 90.0;
@@ -89,8 +84,8 @@ fn pair(
             source.number("stretch", &table.stretch, &expected, |x| x > 0.0 && x <= QUARTER)?.to_radians()
         }
     };
-    let profile = profile(source, units, &table.gap, across)?;
-    refuse_strange_gap(source, &path, &profile, &table.gap)?;
+    let profile = gap::profile(source, units, &table.gap, across)?;
+    gap::refuse_strange(source, &path, &profile, &table.gap)?;
     let named =
         [(Some(first), Some(&table.first), &table.first_side), (second, table.second.as_ref(), &table.second_side)];
     if let (None, Some(side)) = (second, &table.second_side) {
@@ -106,23 +101,7 @@ fn pair(
         sides.push(side);
     }
     let above = looks_down(source, table, &sides)?;
-    if let Profile::Table(points) = &profile
-        && let [[from, _], .., [to, _]] = points[..]
-        && (to < stretch || from < 0.0 && from > -stretch)
-    {
-        return Err(source.refused(table.gap.span(), "the table ends before the candidates do", "shorten `stretch`"));
-    }
-    if let Profile::Circle { radius } = profile
-        && stretch >= radius
-    {
-        return Err(source.refused(table.gap.span(), "the circle ends before the candidates do", "shorten `stretch`"));
-    }
-    if let Profile::Punch { half_width } = profile
-        && stretch > half_width * (1.0 + 1e-9)
-    {
-        let remedy = "shorten `stretch` to the end of the punch: nothing can touch beyond it";
-        return Err(source.refused(table.gap.span(), "the punch ends before the candidates do", remedy));
-    }
+    gap::refuse_ended(source, &profile, stretch, &table.gap)?;
     if matches!(profile, Profile::Hole { .. }) && !above {
         let message = format!("`{}` is the hole, and a gap `hole` is measured on the pin", table.first.get_ref());
         return Err(source.refused(table.first.span(), message, "name the pin as `first`"));
@@ -232,117 +211,3 @@ fn refuse_overlap(
 
 /// Deepest interference that may be drawn, over the length of the stretch.
 const DEEPEST: f64 = 0.1;
-
-/// Refuses gaps that are functions of a length on an arc, and of an angle on a line.
-fn refuse_strange_gap(source: Source, path: &Path, profile: &Profile, gap: &Spanned<GapTable>) -> Result<(), Error> {
-    let remedy = match (path, profile) {
-        (_, Profile::Drawn) | (Path::Arc(_), Profile::Uniform(_)) => return Ok(()),
-        (Path::Arc(arc), Profile::Hole { radius, .. }) if (radius / arc.radius - 1.0).abs() <= 1e-9 => return Ok(()),
-        (Path::Arc(_), Profile::Hole { .. }) => "give the hole's `radius` as that of `arc`: it is the pin's",
-        (Path::Arc(_), _) => "on an arc the gap is `uniform`, `drawn` or a `hole`",
-        (Path::Straight(_), Profile::Hole { .. }) => "a hole needs the pin's circle as `arc`",
-        (Path::Straight(_), _) => return Ok(()),
-    };
-    Err(source.refused(gap.span(), "this gap does not go with the path of the contact", remedy))
-}
-
-fn profile(source: Source, units: &Units, table: &Spanned<GapTable>, across: bool) -> Result<Profile, Error> {
-    let length = |key: &str, value: &Spanned<f64>| Ok::<f64, Error>(units.length * source.positive(key, value)?);
-    Ok(match table.get_ref() {
-        GapTable::Drawn => Profile::Drawn,
-        GapTable::Uniform(gap) => Profile::Uniform(units.length * source.finite("uniform", gap)?),
-        GapTable::Punch(half_width) => Profile::Punch { half_width: length("punch", half_width)? },
-        GapTable::Circle(radius) => Profile::Circle { radius: length("circle", radius)? },
-        GapTable::Parabola(radius) => Profile::Parabola { radius: length("parabola", radius)? },
-        GapTable::Even(list) => even(source, units, table.span(), list)?,
-        GapTable::Table(points) => Profile::Table(points_of(source, units, table.span(), points, across)?),
-        GapTable::Wedge(slope) => Profile::Wedge { slope: source.positive("wedge", slope)? },
-        GapTable::Cosine(cosine) => Profile::Cosine {
-            amplitude: length("amplitude", &cosine.amplitude)?,
-            wavelength: length("wavelength", &cosine.wavelength)?,
-        },
-        GapTable::Hole(hole) => {
-            Profile::Hole { radius: length("radius", &hole.radius)?, clearance: length("clearance", &hole.clearance)? }
-        }
-    })
-}
-
-/// Most points of a table.
-const MOST_POINTS: usize = 10_000;
-
-/// Points of a table: ascending from s = 0 on, or across it from below 0.
-fn points_of(
-    source: Source,
-    units: &Units,
-    place: Range<usize>,
-    list: &[Pair],
-    across: bool,
-) -> Result<Arc<[[f64; 2]]>, Error> {
-    if !(2..=MOST_POINTS).contains(&list.len()) {
-        let message = format!("the table has {} points", list.len());
-        return Err(source.refused(place, message, format!("give 2 to {MOST_POINTS} points [s, g]")));
-    }
-    let points = list.iter().map(|pair| Ok(source.pair("table", pair)?.map(|x| units.length * x)));
-    let points = points.collect::<Result<Vec<[f64; 2]>, Error>>()?;
-    let begins = |s: f64| if across { s <= 0.0 } else { s == 0.0 };
-    let wrong = |k: usize| if k == 0 { !begins(points[0][0]) } else { points[k][0] <= points[k - 1][0] };
-    if let Some(k) = (0..points.len()).find(|k| wrong(*k)) {
-        let place = list[k][0].span().start..list[k][1].span().end;
-        let remedy = match across {
-            true => "sort its points by s, beginning at 0 for a gap that is even, else below 0",
-            false => "sort its points by s, beginning at 0",
-        };
-        return Err(source.refused(place, "the table does not ascend from s = 0", remedy));
-    }
-    Ok(points.into())
-}
-
-/// Coefficients of an even polynomial at most; a shape that needs more is a table.
-const MOST_COEFFICIENTS: usize = 16;
-
-/// Even polynomial; the coefficient of s^n has the unit of length^(1−n).
-fn even(source: Source, units: &Units, place: Range<usize>, list: &[Spanned<f64>]) -> Result<Profile, Error> {
-    if !(1..=MOST_COEFFICIENTS).contains(&list.len()) {
-        let message = format!("`even` has {} coefficients", list.len());
-        return Err(source.refused(
-            place,
-            message,
-            format!("give one to {MOST_COEFFICIENTS}: of s², s⁴, s⁶, and so on"),
-        ));
-    }
-    let read = list.iter().zip(0..).map(|(given, k)| Ok(source.finite("even", given)? / units.length.powi(1 + 2 * k)));
-    Ok(Profile::Even { coefficients: read.collect::<Result<_, Error>>()? })
-}
-
-/// Reference values, those not given by the scene itself: ℓ half the candidate stretch, `g_ref = |g(ℓ)|` and
-/// `p_ref = E* g_ref/ℓ`, which on Hertz scenes is p₀ for a = ℓ.
-///
-/// Where the gap vanishes at ℓ nothing tells a pressure, and one must be given.
-pub fn reference(
-    source: Source,
-    units: &Units,
-    scene: &Scene,
-    table: Option<&ReferenceTable>,
-    gap: &Spanned<GapTable>,
-) -> Result<ReferenceValues, Error> {
-    let none = ReferenceTable::default();
-    let table = table.unwrap_or(&none);
-    let given = |key: &str, value: &Option<Spanned<f64>>, unit: f64| {
-        value.as_ref().map(|value| Ok::<f64, Error>(unit * source.positive(key, value)?)).transpose()
-    };
-    let (pair, modulus) = (scene.contact(), scene.contact_modulus());
-    let half = 0.5 * pair.stretch;
-    let length = given("length", &table.length, units.length)?.unwrap_or(half * pair.path.metric());
-    let pressure = given("pressure", &table.pressure, units.stress)?;
-    let widest = (0..=8).map(|k| pair.profile.gap(0.125 * f64::from(k) * pair.stretch).abs()).fold(0.0, f64::max);
-    let ends: &[f64] = if pair.path.has_both_sides() { &[half, -half] } else { &[half] };
-    // Waves may return to zero there, but for round-off.
-    let own = Some(ends.iter().map(|s| pair.profile.gap(*s).abs()).fold(0.0, f64::max))
-        .filter(|own| own.is_finite() && *own > 1e-6 * widest);
-    let opening = given("gap", &table.gap, units.length)?.or_else(|| pressure.map(|p| p * length / modulus)).or(own);
-    let Some(opening) = opening else {
-        let remedy = "give the pressure to expect: [reference] pressure = …";
-        return Err(source.refused(gap.span(), "the gap vanishes and tells no reference pressure", remedy));
-    };
-    Ok(ReferenceValues { length, pressure: pressure.unwrap_or(modulus * opening / length), gap: opening })
-}

@@ -6,7 +6,10 @@
 //! * `blocks` — bodies from blocks.
 //! * `disc` — how much of a disc is modelled.
 //! * `gmsh` — bodies from meshes.
-//! * [`contact`] — the pair, its path and its gap.
+//! * [`contact`] — contacts, their bodies, sides and paths.
+//! * `side` — the side of a body that carries a contact.
+//! * `gap` — the gap of a contact.
+//! * `reference` — reference values.
 //!
 //! Lengths, forces and stresses are in the units the file names, angles in degrees; the scene is in mm, N, MPa and radians.
 
@@ -14,7 +17,9 @@ mod blocks;
 pub mod bodies;
 pub mod contact;
 mod disc;
+mod gap;
 mod gmsh;
+mod reference;
 mod side;
 pub mod tables;
 pub mod units;
@@ -134,7 +139,7 @@ impl Tables<'_> {
             reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },
             grading: self.grading(source)?,
         };
-        scene.reference = contact::reference(source, &self.units, &scene, self.reference, &self.contacts[0].gap)?;
+        scene.reference = reference::values(source, &self.units, &scene, self.reference, &self.contacts[0].gap)?;
         Ok(scene)
     }
 
