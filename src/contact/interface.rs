@@ -172,7 +172,9 @@ pub(super) fn summed(row: Vec<(usize, f64)>) -> Vec<(usize, f64)> {
 fn not_facing(scene: &Scene, contact: usize, facing: &Facing, at: f64) -> Error {
     let from = facing.corners().fold(f64::INFINITY, f64::min);
     let to = facing.corners().fold(f64::NEG_INFINITY, f64::max);
-    let mut names = scene.contacts[contact].bodies().map(|body| scene.bodies[body].name.clone());
+    let pair = &scene.contacts[contact];
+    let [at, from, to] = [at, from, to].map(|s| pair.path.told(s));
+    let mut names = pair.bodies().map(|body| scene.bodies[body].name.clone());
     let mut name = || names.next().unwrap_or_default();
     Error::NotFacing { contact, first: name(), second: name(), at, from, to }
 }

@@ -1,9 +1,11 @@
 //! What was wrong, with the numbers and the remedy.
 
+pub mod coordinate;
 pub mod located;
 
 use std::path::PathBuf;
 
+pub use coordinate::Coordinate;
 pub use located::Located;
 
 /// Wrong input or broken numerics; not converging is an [`Outcome`](crate::solution::Outcome), never an error.
@@ -111,15 +113,15 @@ pub enum Error {
 
     /// A candidate stretch that holds no element of the first body.
     #[error(
-        "{place}: `candidate stretch` is {stretch} (mm, or rad on an arc): it must hold at least one element edge of `{body}`; lengthen it or refine the mesh"
+        "{place}: `candidate stretch` is {stretch}: it must hold at least one element edge of `{body}`; lengthen it or refine the mesh"
     )]
     EmptyStretch {
         /// Index of the contact in the scene.
         contact: usize,
         /// Name of the scene, and of the contact where there are several.
         place: String,
-        /// The candidate stretch \[mm, or rad on an arc\].
-        stretch: f64,
+        /// The candidate stretch.
+        stretch: Coordinate,
         /// Body that carries the contact points.
         body: String,
     },
@@ -139,7 +141,7 @@ pub enum Error {
 
     /// A candidate that no edge of the other body faces.
     #[error(
-        "contact of `{first}` and `{second}`: nothing of `{second}` faces the node of `{first}` at s = {at:.6}, its contact side lies between {from:.6} and {to:.6}; shorten the candidate stretch, or make the sides begin together"
+        "contact of `{first}` and `{second}`: nothing of `{second}` faces the node of `{first}` at s = {at}, its contact side lies between {from} and {to}; shorten the candidate stretch, or make the sides begin together"
     )]
     NotFacing {
         /// Index of the contact in the scene.
@@ -148,12 +150,12 @@ pub enum Error {
         first: String,
         /// Facing body.
         second: String,
-        /// Contact coordinate of the node \[mm, or rad on an arc\].
-        at: f64,
-        /// Where the facing edges begin \[mm, or rad on an arc\].
-        from: f64,
-        /// Where they end \[mm, or rad on an arc\].
-        to: f64,
+        /// Contact coordinate of the node.
+        at: Coordinate,
+        /// Where the facing edges begin.
+        from: Coordinate,
+        /// Where they end.
+        to: Coordinate,
     },
 
     /// No spring is left to hold a body that only contact holds.
@@ -178,32 +180,32 @@ pub enum Error {
 
     /// Contact that does not end where the candidates end.
     #[error(
-        "{bodies}: contact goes on beyond the candidates, which end at s = {end:.6} (mm, or rad on an arc): at s = {position:.6} the surfaces penetrate by {penetration:.3e} mm, and the pressure found is that of a shorter contact; widen the candidate stretch"
+        "{bodies}: contact goes on beyond the candidates, which end at s = {end}: at s = {position} the surfaces penetrate by {penetration:.3e} mm, and the pressure found is that of a shorter contact; widen the candidate stretch"
     )]
     ContactBeyondCandidates {
         /// Index of the contact in the scene.
         contact: usize,
         /// The bodies in contact.
         bodies: String,
-        /// Contact coordinate of the last candidate \[mm, or rad on an arc\].
-        end: f64,
-        /// Contact coordinate of the deepest penetration \[mm, or rad on an arc\].
-        position: f64,
+        /// Contact coordinate of the last candidate.
+        end: Coordinate,
+        /// Contact coordinate of the deepest penetration.
+        position: Coordinate,
         /// Penetration there \[mm\].
         penetration: f64,
     },
 
     /// Pressure that rises towards the last candidate although the surfaces go on.
     #[error(
-        "{bodies}: the pressure rises towards the last candidate at s = {end:.6} (mm, or rad on an arc) although the surfaces go on: the contact is cut short there, and the pressure found is that of a shorter one; widen the candidate stretch"
+        "{bodies}: the pressure rises towards the last candidate at s = {end} although the surfaces go on: the contact is cut short there, and the pressure found is that of a shorter one; widen the candidate stretch"
     )]
     ContactCutShort {
         /// Index of the contact in the scene.
         contact: usize,
         /// The bodies in contact.
         bodies: String,
-        /// Contact coordinate of the last candidate \[mm, or rad on an arc\].
-        end: f64,
+        /// Contact coordinate of the last candidate.
+        end: Coordinate,
     },
 
     /// A combination of element, algorithm, rule and scene that is not defined.

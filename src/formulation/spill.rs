@@ -126,10 +126,11 @@ fn refuse_one(
     for &at in End::of(&interface.pair) {
         match deepest(discretisation, interface, solution, change, accepted, at)? {
             Some(Spill { end, position, penetration }) if penetration.is_nan() || penetration > accepted => {
+                let [end, position] = [end, position].map(|s| interface.pair.path.told(s));
                 return Err(Error::ContactBeyondCandidates { contact, bodies, end, position, penetration });
             }
             Some(Spill { end, penetration, .. }) if penetration.is_finite() && rises(edges, tolerance, at) => {
-                return Err(Error::ContactCutShort { contact, bodies, end });
+                return Err(Error::ContactCutShort { contact, bodies, end: interface.pair.path.told(end) });
             }
             _ => {}
         }

@@ -38,7 +38,7 @@ pub(super) fn find(mesh: &mut Mesh, scene: &Scene) -> Result<(), Error> {
         }
         if mesh.bodies[pair.first].candidates_of(contact).is_empty() {
             let (place, body) = (scene.place_of(pair), scene.bodies[pair.first].name.clone());
-            return Err(Error::EmptyStretch { contact, place, stretch: pair.stretch, body });
+            return Err(Error::EmptyStretch { contact, place, stretch: pair.path.told(pair.stretch), body });
         }
     }
     Ok(())

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::error::Coordinate;
 use crate::scene::BoundaryName;
 use crate::scene::shape::Circle;
 
@@ -179,6 +180,14 @@ impl Path {
                 let d = [point[0] - circle.centre[0], point[1] - circle.centre[1]];
                 d[0].abs().atan2(-d[1])
             }
+        }
+    }
+
+    /// A contact coordinate as messages give it.
+    pub fn told(&self, s: f64) -> Coordinate {
+        match self {
+            Self::Straight(_) => Coordinate::Length(s),
+            Self::Arc(_) => Coordinate::Angle(s),
         }
     }
 

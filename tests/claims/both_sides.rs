@@ -230,13 +230,13 @@ fn contact_beyond_the_candidates_is_refused_on_either_side() {
             .expect_err("candidates end in the contact");
         let end = match error {
             Error::ContactBeyondCandidates { end, position, .. } => {
-                assert!(position * x > end * x, "{position} lies beyond {end}");
+                assert!(position.value() * x > end.value() * x, "{position} lies beyond {end}");
                 end
             }
             Error::ContactCutShort { end, .. } => end,
             other => panic!("{other}"),
         };
-        assert_relative_eq!(end, 2.5 * x, max_relative = 1e-9);
+        assert_relative_eq!(end.value(), 2.5 * x, max_relative = 1e-9);
     }
 }
 

@@ -20,8 +20,8 @@ fn node_that_nothing_faces_is_refused_with_its_coordinate() {
     shorter.bodies[1].candidates.pop();
     let mut late = mesh.clone();
     late.bodies[1].candidates[0].coordinate += 0.01;
-    let end = format!("{:.6}", scene.contact().stretch);
-    for (wrong, at) in [(shorter, end.as_str()), (late, "0.000000")] {
+    let end = format!("{:.6}°", scene.contact().stretch.to_degrees());
+    for (wrong, at) in [(shorter, end.as_str()), (late, "0.000000°")] {
         let error = Interface::between(&scene, &wrong, &condensed, 0).expect_err("nothing faces a node");
         let text = error.to_string();
         assert!(matches!(error, Error::NotFacing { .. }), "{text}");

@@ -30,8 +30,9 @@ fn contact_beyond_the_candidates_is_refused_by_every_formulation_with_place_dept
             continue;
         };
         let a = Cylinder::default().half_width();
+        let [end, position] = [end, position].map(|at| at.value());
         assert!((end / (0.7 * a) - 1.0).abs() < 1e-9);
-        assert!(*position > 0.7 * a && *position < 1.3 * a, "{}: {position}", formulation.name());
+        assert!(position > 0.7 * a && position < 1.3 * a, "{}: {position}", formulation.name());
         assert!(*penetration > 1e-3 * a * a / 100.0 && *penetration < 1e-2 * a, "{penetration}");
         let text = result.map(|_| ()).expect_err("refused").to_string();
         for part in ["`cylinder`", "1.75", "penetrate by", "widen the candidate stretch"] {
