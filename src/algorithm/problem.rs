@@ -39,6 +39,9 @@ pub const LIMITS: [f64; 2] = [1e-12, 1e6];
 /// A load below this fraction of the reference pressure on all points is round-off of the condensation.
 const UNLOADED: f64 = 1e-14;
 
+/// Pressure over `k |g|` of the deepest interference above which it presses: hard springs give way to all but this part.
+const PRESSED: f64 = 1e-9;
+
 /// Springs whose `k |w|` and `k |γ|` are together more than so many times the forces lose a digit where they cancel.
 const CANCELLING: f64 = 10.0;
 
@@ -143,10 +146,20 @@ impl ContactProblem<'_> {
         (self.stiffness * ColRef::from_slice(u)).iter().copied().collect()
     }
 
-    /// Whether the condensed load is no more than round-off, and no interference presses either.
+    /// Whether the condensed load is no more than round-off.
     pub fn is_unloaded(&self) -> bool {
-        let interferes = self.points.iter().any(|point| point.gap < -UNLOADED * self.scale.gap);
-        self.is_round_off(absolute(self.load)) && !interferes
+        self.is_round_off(absolute(self.load))
+    }
+
+    /// Whether interference presses with every point closed: not where the bodies are free to move out of it.
+    pub fn interference_presses(&self) -> bool {
+        let springs = self.initial_springs();
+        let work = &mut Work::default();
+        let Some(factor) = self.factorise(&springs.stiffness, work) else { return false };
+        let iterate = self.equilibrium(&factor, self.load, &springs, |point| point.gap, work);
+        let squeezed = |(point, k): (&ContactPoint, &f64)| k * (-point.gap).max(0.0);
+        let largest = self.points.iter().zip(&springs.stiffness).map(squeezed).fold(0.0, f64::max);
+        largest > 0.0 && iterate.pressure.iter().any(|p| *p > PRESSED * largest)
     }
 
     /// Whether a force is no more than round-off of the reference pressure on all points \[N\].

@@ -28,6 +28,12 @@ pub struct Contact {
     pub transmitted: f64,
 }
 
+/// Part of its largest pressure from which on a point of a weak contact counts as active, and above which pressures that
+/// the tolerance leaves open are no small part of it.
+const WEAK: f64 = 0.05;
+/// Pressure over that of the tolerance that rounding explains.
+const ROUND_OFF: f64 = 1e-6;
+
 /// A finished run.
 #[derive(Clone, Debug)]
 pub struct Run {
@@ -41,6 +47,8 @@ pub struct Run {
     pub solution: Solution,
     /// The numbers one quotes, contact by contact.
     pub contacts: Vec<Contact>,
+    /// Pressure that the tolerance leaves open, tolerance times the reference pressure \[MPa\].
+    pub told: f64,
     /// Operations of the sparse factorisation that condensed the bodies.
     pub sparse_operations: f64,
     /// Seconds by stage.
@@ -80,10 +88,11 @@ impl Run {
             sparse_operations: discretisation.condensed.operations(),
             contacts: (discretisation.interfaces.iter())
                 .map(|interface| Contact {
-                    measures: Measures::of(scene, &solution, interface.contact, floor),
+                    measures: Measures::of(scene, &solution, interface.contact, own_floor(&solution, interface, floor)),
                     transmitted: transmitted(interface, &solution),
                 })
                 .collect(),
+            told: floor,
             solution,
             seconds,
         })
@@ -109,7 +118,7 @@ impl Run {
     /// that oscillate.
     pub fn note(&self, contact: usize) -> Option<String> {
         let points = self.solution.points_of(contact);
-        let all = points.len();
+        let (all, several) = (points.len(), self.contacts.len() > 1);
         let measures = &self.contacts[contact].measures;
         let Measures { begin, edge, .. } = *measures;
         let (middle, reach) = (0.5 * (begin + edge), 0.5 * (edge - begin));
@@ -121,6 +130,11 @@ impl Run {
         match measures.active {
             _ if !self.solution.converged() => None,
             0 => Some("no contact: every candidate is open".into()),
+            _ if highest > 0.0 && self.told > WEAK * highest && several => Some(format!(
+                "the tolerance leaves {:.2e} MPa open, {:.0} % of the largest pressure here: ask for a smaller one",
+                self.told,
+                100.0 * self.told / highest
+            )),
             n if n < resolved.min(all) => {
                 Some(format!("contact rests on {n} of {all} candidate points: refine before quoting it"))
             }
@@ -143,6 +157,15 @@ impl Run {
         let end = decades();
         [end, decades()]
     }
+}
+
+/// The pressure from which on a point counts as active: `tolerance · p_ref`, or where a weaker one of several contacts has
+/// no such pressure the same part of its largest one; what is round-off of the reference counts nowhere \[MPa\].
+fn own_floor(solution: &Solution, interface: &Interface, floor: f64) -> f64 {
+    let pressures = solution.points_of(interface.contact).iter().map(|point| point.pressure);
+    let largest = pressures.fold(0.0, f64::max);
+    let weaker = solution.contacts.len() > 1 && largest < floor / WEAK && largest > ROUND_OFF * floor;
+    if weaker { WEAK * largest } else { floor }
 }
 
 /// Sum of the nodal contact forces on the upper (inner) body along the load line, both halves \[N\].

@@ -143,14 +143,18 @@ fn nodal_force(discretisation: &Discretisation, body: usize, node: usize, intern
 
 fn condensed_is_full(discretisation: &Discretisation, run: &Run) -> Result<Check, Error> {
     let full = discretisation.uncondensed_pressures(&run.formulation, &run.solution)?;
+    let several = discretisation.interfaces.len() > 1;
     let pressures = run.solution.spring_pressures.iter().copied();
     Ok(Check::norm(
         "Condensed and full system shall give the same contact pressures",
         "max |Δp| / p_max",
         largest_difference(pressures, full.into_iter()) / scale(discretisation, run),
         Reference::own("full system", 0.0),
-        1e-9,
-        "the same equations; round-off of two factorisations",
+        if several { 1e-7 } else { 1e-9 },
+        match several {
+            true => "the same equations; round-off of two factorisations, through bodies that contact alone may hold",
+            false => "the same equations; round-off of two factorisations",
+        },
     ))
 }
 

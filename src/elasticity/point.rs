@@ -8,7 +8,7 @@ use crate::mesh::Mesh;
 use crate::scene::Scene;
 
 /// How far outside a cell, over its size, a point still belongs to it: edges only approach a curved outline.
-const OUTSIDE: f64 = 0.1;
+const OUTSIDE: f64 = 0.02;
 /// Steps of Newton's method, and the last change of a natural coordinate, at which they end.
 const STEPS: usize = 30;
 const AT_REST: f64 = 1e-12;
@@ -19,13 +19,18 @@ const AT_REST: f64 = 1e-12;
 pub fn shapes_at(scene: &Scene, mesh: &Mesh, body: usize, point: [f64; 2]) -> Result<Vec<(usize, f64)>, Error> {
     let refused = match mesh.node_at(scene, body, point) {
         Ok(node) => return Ok(vec![(node, 1.0)]),
-        Err(refused) => refused,
+        Err(nearest) => nearest,
     };
     let near = mesh.bodies[body].cells.clone().filter_map(|cell| {
         let (natural, outside) = natural(mesh, cell, point.into())?;
         Some((outside, cell, natural))
     });
-    let Some((_, cell, natural)) = near.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Err(refused) };
+    let Some((_, cell, natural)) = near.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+        return Err(match refused {
+            Error::Unknown { place, name, known, .. } => Error::Unknown { place, kind: "cell around", name, known },
+            other => other,
+        });
+    };
     let nodes = mesh.cell(cell);
     let shapes = shape_functions::cell(nodes.len(), natural.into());
     Ok(nodes.iter().copied().zip(shapes.into_iter().map(|(value, _)| value)).collect())

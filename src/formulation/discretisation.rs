@@ -115,7 +115,7 @@ impl Discretisation {
     /// Refuses a problem in which nothing presses and springs alone would hold the bodies.
     pub(super) fn refuse_nothing(&self, problem: &ContactProblem) -> Result<(), Error> {
         let held = || problem.factorise(&vec![0.0; problem.points.len()], &mut Work::default()).is_some();
-        if problem.is_unloaded() && !held() {
+        if problem.is_unloaded() && !held() && !problem.interference_presses() {
             return Err(Error::NothingPresses { bodies: self.names() });
         }
         Ok(())

@@ -1,5 +1,7 @@
 //! Contact that goes on beyond the outermost candidates: the pressure found is that of a shorter body, and is refused.
 
+use std::collections::HashSet;
+
 use crate::contact::Interface;
 use crate::error::Error;
 use crate::formulation::{Change, Discretisation};
@@ -63,7 +65,7 @@ pub fn deepest(
     let Some(last) = at.outermost(&interface.stations) else { return Ok(None) };
     let end = last.coordinate;
     let surfaces: Vec<Vec<Surface>> =
-        pair.bodies().map(|body| surface(discretisation, pair, body)).collect::<Result<_, _>>()?;
+        pair.bodies().map(|body| surface(discretisation, interface, body)).collect::<Result<_, _>>()?;
     let beyond = |node: &&Surface| at.outwards(node.coordinate) > at.outwards(end) * (1.0 + SAME);
     if surfaces.iter().any(|surface| !surface.iter().any(|node| beyond(&node))) {
         return Ok(None);
@@ -158,12 +160,16 @@ struct Surface {
     normal: [f64; 2],
 }
 
-/// Nodes of the contact boundary of a body, by contact coordinate, with the normals of the first body.
-fn surface(discretisation: &Discretisation, pair: &ContactPair, body: usize) -> Result<Vec<Surface>, Error> {
-    let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
+/// Nodes of the contact boundary of a body, by contact coordinate, with the normals of the first body; those that are
+/// candidates of another contact are left to it.
+fn surface(discretisation: &Discretisation, interface: &Interface, body: usize) -> Result<Vec<Surface>, Error> {
+    let (scene, mesh, pair) = (&discretisation.scene, &discretisation.mesh, &interface.pair);
+    let others = mesh.bodies[body].candidates.iter().filter(|candidate| candidate.contact != interface.contact);
+    let others: HashSet<usize> = others.map(|candidate| candidate.node).collect();
     let mut nodes: Vec<usize> = mesh.boundary(scene, body, pair.side(body))?.iter().flatten().copied().collect();
     nodes.sort_unstable();
     nodes.dedup();
+    nodes.retain(|node| !others.contains(node));
     let all = nodes.into_iter().map(|node| {
         let point = mesh.points[node];
         Surface { node, coordinate: pair.path.coordinate(point), normal: pair.normal(point) }

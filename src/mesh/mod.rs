@@ -171,7 +171,7 @@ impl Mesh {
                 name: format!("({}, {})", point[0], point[1]),
                 known: nearest.map_or_else(String::new, |node| {
                     let [x, y] = self.points[node];
-                    format!("the nearest one, ({x}, {y}), and others: corners of the outline, centres of discs")
+                    format!("the nearest node, ({x}, {y}), and others: corners of the outline, centres of discs")
                 }),
             }),
         }

@@ -29,7 +29,12 @@ fn of_body(scene: &Scene, resolution: Resolution, body: usize) -> [f64; 2] {
     let more: f64 = others().map(|other| sides_of(other) * counted_on(other.stretch * other.path.metric())).sum();
     // The smallest of the candidates, as a length and in the contact coordinate.
     let even = grading.end.min(1.0 / grading.end);
-    let [size, step] = [length, pair.stretch].map(|whole| even * whole / candidates);
+    let [mut size, mut step] = [length, pair.stretch].map(|whole| even * whole / candidates);
+    for other in others() {
+        let whole = other.stretch * other.path.metric();
+        size = size.min(whole / counted_on(whole));
+        step = if other.path.is_straight() { step } else { step.min(other.stretch / counted_on(whole)) };
+    }
     let counted = |length: f64, first: f64, ratio: f64, coarsest: f64| {
         let until = if ratio > 1.0 { (coarsest / first).ln().max(0.0) / ratio.ln() } else { f64::INFINITY };
         (length / first).min(until + length / coarsest.max(first)) + 2.0

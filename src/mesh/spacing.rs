@@ -46,6 +46,40 @@ pub fn growing_from_both(from: f64, to: f64, ends: [f64; 2], ratio: f64, coarses
     stations(from, to, at_start)
 }
 
+/// Part of an interval that need not be one of its own.
+const ROUNDED: f64 = 0.05;
+/// Difference of stations, over the whole length, below which they are one.
+const SAME: f64 = 1e-9;
+
+/// Stations between two ends, with those of every fine stretch `[begin, end, size]` among them: within it intervals have
+/// about its size at most, outside all of them they grow by `ratio` up to `coarsest`, and so they do away from a finer one.
+pub fn fine_within([from, to]: [f64; 2], fine: &[[f64; 3]], ratio: f64, coarsest: f64) -> Vec<f64> {
+    let mut breaks: Vec<f64> = fine.iter().flat_map(|one| [one[0], one[1]]).chain([from, to]).collect();
+    breaks.retain(|at| (from..=to).contains(at));
+    breaks.sort_by(f64::total_cmp);
+    breaks.dedup_by(|next, before| *next - *before <= SAME * (to - from));
+    if let Some(last) = breaks.last_mut() {
+        *last = to;
+    }
+    let size = |middle: f64| {
+        let around = fine.iter().filter(|one| one[0] <= middle && middle <= one[1]);
+        around.map(|one| one[2]).fold(f64::INFINITY, f64::min)
+    };
+    let sizes: Vec<f64> = breaks.windows(2).map(|ends| size(0.5 * (ends[0] + ends[1]))).collect();
+    let lists = breaks.windows(2).enumerate().map(|(k, ends)| {
+        let neighbour = |k: Option<usize>| k.and_then(|k| sizes.get(k)).copied().unwrap_or(f64::INFINITY);
+        let beside = [neighbour(k.checked_sub(1)), neighbour(Some(k + 1))];
+        let length = ends[1] - ends[0];
+        if beside.iter().all(|beside| *beside >= sizes[k] * (1.0 - ROUNDED)) && sizes[k] < coarsest {
+            return uniform(ends[0], ends[1], (length / sizes[k] - ROUNDED).ceil().max(1.0) as usize);
+        }
+        // Next to a finer neighbour the first interval is one ratio longer than its last.
+        let first = beside.map(|beside| sizes[k].min(ratio * beside).min(coarsest));
+        growing_from_both(ends[0], ends[1], first, ratio, sizes[k].min(coarsest))
+    });
+    joined(&lists.collect::<Vec<_>>())
+}
+
 /// `n` intervals in geometric progression, the first as near to `first` as `n` intervals allow.
 pub fn fitted(from: f64, to: f64, n: usize, first: f64) -> Vec<f64> {
     let length = (to - from).abs();

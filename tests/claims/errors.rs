@@ -102,12 +102,12 @@ fn boundary_that_does_not_exist_is_refused_with_those_that_do() {
 fn support_away_from_nodes_and_force_outside_the_body_are_refused_with_their_coordinates() {
     let forces = vec![Load::Force { at: [4.25, 0.77], force: [1.0, 0.0] }];
     for (scene, at) in [
-        (block([4.0, 3.0], vec![held_at([1.25, 0.77], Component::X, 0.0)], vec![]), "(1.25, 0.77)"),
-        (block([4.0, 3.0], vec![held("left", Component::X, 0.0)], forces), "(4.25, 0.77)"),
+        (block([4.0, 3.0], vec![held_at([1.25, 0.77], Component::X, 0.0)], vec![]), "node at `(1.25, 0.77)`"),
+        (block([4.0, 3.0], vec![held("left", Component::X, 0.0)], forces), "cell around `(4.25, 0.77)`"),
     ] {
         let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
         let error = ElasticSystem::assemble(&scene, &mesh).expect_err("there is no such node");
-        names(&error, &["sample, body `body`", &format!("no node at `{at}`"), "corners of the outline"]);
+        names(&error, &["sample, body `body`", &format!("no {at}"), "corners of the outline"]);
     }
 }
 

@@ -519,6 +519,18 @@ const SEVERAL_CONTACTS: &[Mistake] = &[
     ),
     (
         "roller-between-plates",
+        "half = true }",
+        "whole = true }",
+        ["whole = true", "a whole disc touches on both sides of x = 0", "`both-sides = true`"],
+    ),
+    (
+        "roller-between-plates",
+        "gap = { circle = 50 }\nstretch = 1.2",
+        "both-sides = true\ngap = { circle = 50 }\nstretch = 1.2",
+        ["first = \"roller\"\nfirst-side", "lies on one side of s = 0, the contact on both", "leave `half` out"],
+    ),
+    (
+        "roller-between-plates",
         "second = \"lower\"\n",
         "",
         ["name = \"lower\"", "body `lower` takes no part in the contact", "leave it out"],

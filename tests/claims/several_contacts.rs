@@ -292,6 +292,114 @@ fn meshes_are_fine_at_every_contact_of_a_body() {
     }
 }
 
+/// A plate between punches above and below, with the stretches of both about places of their own.
+fn between_punches(places: [f64; 2], stretches: [f64; 2], growth: &str) -> String {
+    let contact = |k: usize, name: &str, side: &str, y: f64| {
+        format!(
+            "[[contact]]\nname = \"{name}\"\nfirst = \"plate\"\nfirst-side = \"{side}\"\norigin = [{}, {y}]\n\
+             both-sides = true\ngap = {{ parabola = 80 }}\nstretch = {}\n",
+            places[k], stretches[k]
+        )
+    };
+    format!(
+        "plane = \"strain\"\nthickness = 1.0\n[[body]]\nname = \"plate\"\nyoung = 210e3\npoisson = 0.3\n\
+         shape = {{ rectangle = {{ x = [-40, 40], y = [0, 30], contact = \"bottom\" }} }}\n\
+         supports = [{{ at = [-40, 30], component = \"x\" }}]\nloads = [{{ body-force = [0, -1] }}]\n{}{}\
+         [mesh]\nelements = 5\nper = 1\ngrowth = {{ along = {growth} }}\n[reference]\npressure = 300\n",
+        contact(0, "below", "contact", 0.0),
+        contact(1, "above", "far", 30.0)
+    )
+}
+
+#[test]
+fn every_stretch_begins_and_ends_on_a_node_whichever_contacts_share_the_body() {
+    let overlapping =
+        [([0.0, 0.0], [3.0, 1.3]), ([0.0, 0.0], [0.7, 9.9]), ([-1.0, 2.4], [2.0, 2.0]), ([5.0, 4.1], [4.0, 0.35])];
+    let plates = overlapping.map(|(places, stretches)| between_punches(places, stretches, "1.7"));
+    let roller = text_of("roller-between-plates.toml").replace("stretch = 1.2", "stretch = 0.77");
+    let thick = text_of("three-rings.toml")
+        .replace("outer = 55, sweep = 90", "outer = 155, sweep = 90")
+        .replace("inner = 55, outer = 80", "inner = 155, outer = 180")
+        .replace("radius = 55", "radius = 155")
+        .replacen("stretch = 90", "stretch = 50", 1);
+    for text in plates.iter().chain([&roller, &thick]) {
+        let file = read("stretches.toml", text);
+        let (scene, resolution) = (&file.problem.scene, file.problem.resolution);
+        let mesh = Mesh::of(scene, resolution).expect("mesh");
+        for (contact, pair) in scene.contacts.iter().enumerate() {
+            let part = &mesh.bodies[pair.first];
+            let own = &part.candidates[part.candidates_of(contact)];
+            assert_relative_eq!(own[own.len() - 1].coordinate, pair.stretch, max_relative = 1e-9);
+            assert_abs_diff_eq!(own[0].coordinate, pair.begin(), epsilon = 1e-9 * pair.stretch);
+            let asked = scene.grading.unit / resolution.elements as f64;
+            let longest = own.windows(3).step_by(2).map(|three| three[2].coordinate - three[0].coordinate);
+            let longest = longest.fold(0.0, f64::max) * pair.path.metric();
+            assert!(longest < 1.35 * asked, "{}: elements of {longest} for {asked}", pair.name);
+        }
+    }
+}
+
+#[test]
+fn mesh_of_a_short_stretch_without_growth_is_refused_before_it_is_built() {
+    let text = between_punches([-10.0, 10.0], [2.0, 1e-5], "1.0");
+    let error = SceneFile::parse(Path::new("large.toml"), &text).map(|_| ()).expect_err("too large").to_string();
+    assert!(error.contains("the mesh would have about"), "{error}");
+}
+
+#[test]
+fn contact_off_the_symmetry_line_counts_twice_where_it_is_said() {
+    // A half plate on a support in the middle and on one of two beside it; 1000 on the half.
+    let text = |symmetric: &str| {
+        format!(
+            "plane = \"strain\"\nthickness = 1.0\n[[body]]\nname = \"plate\"\nyoung = 70e3\npoisson = 0.33\n\
+             shape = {{ rectangle = {{ x = [0, 30], y = [0, 20], contact = \"bottom\" }} }}\n\
+             supports = [{{ at = \"left\", component = \"x\" }}]\n\
+             loads = [{{ rigid-face = {{ at = \"far\", component = \"y\", force = -1000 }} }}]\n\
+             [[contact]]\nname = \"middle\"\nfirst = \"plate\"\ngap = {{ parabola = 50 }}\nstretch = 2\n\
+             [[contact]]\nname = \"beside\"\nfirst = \"plate\"\norigin = [15, 0]\nboth-sides = true\n{symmetric}\
+             gap = {{ parabola = 50 }}\nstretch = 2\n[mesh]\nelements = 8\nper = 1\n[reference]\npressure = 600\n\
+             [solve]\ntolerance = 1e-8\n"
+        )
+    };
+    let forces = |symmetric: &str| {
+        let file = read("half.toml", &text(symmetric));
+        let (discretisation, run, _) = file.solve().expect("solved");
+        let checks = file.checks(&discretisation, &run).expect("checks");
+        assert!(checks.iter().all(|check| check.verdict == Verdict::Pass));
+        [run.contacts[0].transmitted, run.contacts[1].transmitted]
+    };
+    let ([middle, beside], [same, twice]) = (forces(""), forces("symmetric = true\n"));
+    assert_relative_eq!(0.5 * middle + beside, 1000.0, max_relative = 1e-7);
+    assert_relative_eq!(same, middle, max_relative = 1e-9);
+    assert_relative_eq!(twice, 2.0 * beside, max_relative = 1e-9);
+}
+
+#[test]
+fn weak_contact_beside_a_strong_one_is_told_as_such() {
+    let parts = [roller("strong", -70.0, -30.0, 210e3), roller("weak", 70.0, -0.003, 5.0)];
+    let file = of_parts(&parts);
+    let at =
+        |tolerance: f64| Run::of(&discretised(&file), &Formulation::verification().tolerance(tolerance)).expect("run");
+    let (coarse, fine) = (at(1e-3), at(1e-9));
+    assert!(coarse.note(1).is_some_and(|note| note.contains("the tolerance leaves 1.50e0 MPa open")));
+    for run in [coarse, fine] {
+        assert_eq!(run.note(0), None);
+        let weak = &run.contacts[1];
+        assert!(weak.measures.active > 10, "{} active points", weak.measures.active);
+        assert_relative_eq!(weak.transmitted, 0.3, max_relative = 1e-2);
+    }
+}
+
+#[test]
+fn interference_that_nothing_opposes_presses_nothing() {
+    // Both walls to the same side: the block steps back.
+    let text = between_punches([0.0, 0.0], [3.0, 3.0], "1.7").replace("loads = [{ body-force = [0, -1] }]\n", "");
+    let open = text.replacen("gap = { parabola = 80 }", "gap = { uniform = -0.01 }", 1);
+    let open = open.replacen("gap = { parabola = 80 }", "gap = { uniform = 0.03 }", 1);
+    let error = read("open.toml", &open).solve().map(|_| ()).expect_err("free").to_string();
+    assert!(error.contains("nothing presses on"), "{error}");
+}
+
 #[test]
 fn contact_beyond_the_candidates_is_told_for_the_contact_it_belongs_to() {
     let text = text_of("roller-between-plates.toml");

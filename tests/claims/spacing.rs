@@ -139,3 +139,24 @@ fn transfinite_block_keeps_stations_that_differ_on_opposite_sides_on_straight_li
         assert_abs_diff_eq!(lattice[1][i][0], lower[i] + 0.3 * (upper[i] - lower[i]), epsilon = 1e-15);
     }
 }
+
+#[test]
+fn fine_stretches_end_on_stations_and_sizes_grow_away_from_them() {
+    let fine = [[-3.0, 3.0, 0.5], [-1.0, 0.2, 0.1], [7.0, 8.0, 0.25]];
+    let stations = spacing::fine_within([-10.0, 20.0], &fine, 1.5, 4.0);
+    assert!(stations.windows(2).all(|two| two[0] < two[1]));
+    assert_eq!((stations[0], stations[stations.len() - 1]), (-10.0, 20.0));
+    for end in fine.iter().flat_map(|one| [one[0], one[1]]) {
+        assert!(stations.iter().any(|at| (at - end).abs() < 1e-12), "{end} is no station");
+    }
+    for two in stations.windows(2) {
+        let [middle, size] = [0.5 * (two[0] + two[1]), two[1] - two[0]];
+        for one in fine.iter().filter(|one| one[0] < middle && middle < one[1]) {
+            assert!(size <= one[2] * 1.06, "{size} at {middle}");
+        }
+        assert!(size <= 4.0);
+    }
+    // Neighbours differ by the ratio, and what fitting the last of a stretch takes.
+    let sizes: Vec<f64> = stations.windows(2).map(|two| two[1] - two[0]).collect();
+    assert!(sizes.windows(2).all(|two| two[0] / two[1] < 2.0 && two[1] / two[0] < 2.0), "{sizes:?}");
+}

@@ -36,7 +36,10 @@ pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<
     }
     if scene.contacts.len() > 1 {
         let what = "an accuracy chooses the mesh of one contact, and there are several".into();
-        return Err(Error::Combination { what, remedy: "give elements instead".into() });
+        return Err(Error::Combination {
+            what,
+            remedy: "leave the accuracy out, and give `elements` and `per`".into(),
+        });
     }
     let mut formulation = Formulation { start: Start::Closed, ..formulation.clone() };
     let settings = &mut formulation.settings;

@@ -10,7 +10,7 @@ use crate::mesh::Resolution;
 use crate::mesh::block::{Block, Point};
 use crate::mesh::spacing;
 use crate::scene::contact_pair::CONTACT;
-use crate::scene::{ContactPair, Face, Grading, Line, Path, Scene, Shape};
+use crate::scene::{ContactPair, Face, Grading, Path, Scene, Shape};
 
 /// What the outlines need to know of the scene: where the candidates end and how fine they are.
 pub(crate) struct Layout<'a> {
@@ -20,8 +20,8 @@ pub(crate) struct Layout<'a> {
     pub stretch: f64,
     /// Whether another contact lies on the side opposite to that called `contact`.
     pub opposite: bool,
-    /// Where candidates lie along x on straight paths: the body's own stretch first, then those of its other contacts.
-    pub spans: Vec<Span>,
+    /// The candidates of every contact of the body, where there are several that differ.
+    pub several: Vec<Fine>,
     /// Elements per grading unit before refinement.
     pub elements: f64,
     /// Times the whole mesh is halved.
@@ -31,13 +31,16 @@ pub(crate) struct Layout<'a> {
 impl<'a> Layout<'a> {
     pub fn new(scene: &'a Scene, resolution: Resolution, body: usize) -> Self {
         let pair = scene.contact_of(body);
+        let elements = resolution.elements as f64 * scene.bodies[body].density;
+        let own = scene.contacts.iter().filter(|pair| pair.bodies().any(|other| other == body));
+        let own: Vec<Fine> = own.map(|pair| Fine::of(pair, elements / scene.grading.unit)).collect();
         Self {
             grading: &scene.grading,
             path: &pair.path,
             stretch: pair.stretch,
             opposite: scene.contacts.iter().any(|other| is_opposite(other, body)),
-            spans: spans(scene, body),
-            elements: resolution.elements as f64 * scene.bodies[body].density,
+            several: if own.iter().all(|one| *one == own[0]) { vec![] } else { own },
+            elements,
             refinement: resolution.refinement,
         }
     }
@@ -64,19 +67,14 @@ impl<'a> Layout<'a> {
 
     /// Stations of the candidate stretch in the contact coordinate, from 0 on.
     fn candidates(&self) -> Vec<f64> {
-        self.candidates_of(self.stretch)
-    }
-
-    /// The same of another contact of the body.
-    fn candidates_of(&self, stretch: f64) -> Vec<f64> {
-        let length = stretch * self.path.metric();
-        let n = (self.elements * length / self.grading.unit).round().max(1.0) as usize;
-        spacing::stretched(0.0, stretch, n, self.grading.end)
+        let n = elements_on(self.stretch * self.path.metric(), self.elements / self.grading.unit);
+        spacing::stretched(0.0, self.stretch, n, self.grading.end)
     }
 
     /// Stations of an arc: the candidates, then growing element sizes up to each of the given angles in turn.
     fn arc(&self, radius: f64, until: &[f64]) -> Vec<f64> {
         let mut angles: Vec<f64> = match self.path {
+            _ if !self.several.is_empty() => self.angles_of_all(radius),
             Path::Straight(_) => self.candidates().iter().map(|x| (x / radius).asin()).collect(),
             Path::Arc(_) => self.candidates(),
         };
@@ -89,6 +87,15 @@ impl<'a> Layout<'a> {
             }
         }
         angles
+    }
+
+    /// Angles of the candidates of all contacts on an arc: every stretch ends on one, and elements are as fine as each asks.
+    fn angles_of_all(&self, radius: f64) -> Vec<f64> {
+        let angle = |fine: &Fine, s: f64| if fine.straight { (s / radius).asin() } else { s };
+        let fine: Vec<[f64; 3]> =
+            self.several.iter().map(|one| [0.0, angle(one, one.stretch), angle(one, one.size)]).collect();
+        let end = fine.iter().map(|one| one[1]).fold(0.0, f64::max);
+        spacing::fine_within([0.0, end], &fine, self.grading.along, self.grading.coarsest)
     }
 
     /// Depth stations from 0 (surface) to `depth`, starting near the size `surface` of the elements along the surface.
@@ -117,41 +124,31 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// Candidates along x about an origin, or from it on.
-#[derive(Clone, Copy)]
-pub(crate) struct Span {
+/// The candidates of one contact of a body.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Fine {
+    /// Where s = 0 lies along x; 0 on an arc.
     pub origin: f64,
+    /// Candidate stretch in its contact coordinate.
     pub stretch: f64,
+    /// Size of its elements in that coordinate.
+    pub size: f64,
     pub both_sides: bool,
+    pub straight: bool,
 }
 
-impl Span {
-    fn of(pair: &ContactPair) -> Option<Self> {
-        let Path::Straight(Line { origin, both_sides }) = pair.path else { return None };
-        Some(Self { origin: origin[0], stretch: pair.stretch, both_sides })
-    }
-
-    /// Where it begins and ends.
-    fn ends(&self) -> [f64; 2] {
-        [if self.both_sides { self.origin - self.stretch } else { self.origin }, self.origin + self.stretch]
-    }
-
-    fn is_apart(&self, other: &Self) -> bool {
-        let ([begin, end], [from, to]) = (self.ends(), other.ends());
-        end < from || begin > to
+impl Fine {
+    fn of(pair: &ContactPair, per_length: f64) -> Self {
+        let (straight, both_sides) = (pair.path.is_straight(), pair.path.has_both_sides());
+        let size = pair.stretch / elements_on(pair.stretch * pair.path.metric(), per_length) as f64;
+        let origin = if straight { pair.path.origin()[0] } else { 0.0 };
+        Self { origin, stretch: pair.stretch, size, both_sides, straight }
     }
 }
 
-/// The spans of the contacts of a body, without those that meet one before.
-fn spans(scene: &Scene, body: usize) -> Vec<Span> {
-    let own = scene.contacts.iter().filter(|pair| pair.bodies().any(|other| other == body));
-    let mut spans: Vec<Span> = Span::of(scene.contact_of(body)).into_iter().collect();
-    for span in own.filter_map(Span::of) {
-        if spans.iter().all(|other| other.is_apart(&span)) {
-            spans.push(span);
-        }
-    }
-    spans
+/// Elements on a length.
+fn elements_on(length: f64, per_length: f64) -> usize {
+    (per_length * length).round().max(1.0) as usize
 }
 
 /// Whether a contact of a body lies on another side of it than that called `contact`.

@@ -1,6 +1,6 @@
 //! Rectangle: one block, fine at the candidate stretch.
 
-use super::{Layout, Span, last_two};
+use super::{Layout, last_two};
 use crate::mesh::block::{Block, Side};
 use crate::mesh::spacing;
 use crate::scene::Face;
@@ -8,7 +8,8 @@ use crate::scene::Face;
 pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -> Vec<Block> {
     let along = columns(layout, x);
     let [before, last] = last_two(&layout.candidates());
-    let heights: Vec<f64> = layout.across(last - before, y[1] - y[0]);
+    let finest = layout.several.iter().map(|one| one.size).fold(last - before, f64::min);
+    let heights: Vec<f64> = layout.across(finest, y[1] - y[0]);
     let upwards: Vec<f64> = match contact {
         Face::Bottom => heights.iter().map(|d| y[0] + d).collect(),
         Face::Top => heights.iter().rev().map(|d| y[1] - d).collect(),
@@ -25,24 +26,18 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     }]
 }
 
-/// Stations along the contacts: candidates about every origin, growing sizes between them and to the ends of the body.
+/// Stations along the contact: from the left side on, or from the path's origin on to both sides.
 fn columns(layout: &Layout, [left, right]: [f64; 2]) -> Vec<f64> {
-    let mut spans = layout.spans.clone();
-    spans.sort_by(|a, b| a.origin.total_cmp(&b.origin));
-    let mut stations = Vec::new();
-    for span in &spans {
-        let candidates = candidates(layout, span);
-        let before = match stations.is_empty() {
-            true if span.both_sides => mirrored(span, beyond(layout, span, span.origin - left)),
-            true => vec![],
-            false => between(layout, &stations, &candidates),
-        };
-        stations = spacing::joined(&[stations, before, candidates]);
+    if !layout.several.is_empty() {
+        return columns_of_all(layout, [left, right]);
     }
-    if let Some(last) = spans.last() {
-        let after = beyond(layout, last, right - last.origin).iter().map(|s| last.origin + s).collect();
-        stations = spacing::joined(&[stations, after]);
+    if !layout.path.has_both_sides() {
+        return outwards(layout, right - left).iter().map(|s| left + s).collect();
     }
+    let origin = layout.path.origin()[0];
+    let leftwards = outwards(layout, origin - left).iter().rev().map(|s| origin - s).collect();
+    let rightwards = outwards(layout, right - origin).iter().map(|s| origin + s).collect();
+    let mut stations = spacing::joined(&[leftwards, rightwards]);
     // To the last bit, as supports and other bodies know them.
     if let [from, .., to] = &mut stations[..] {
         (*from, *to) = (left, right);
@@ -50,32 +45,27 @@ fn columns(layout: &Layout, [left, right]: [f64; 2]) -> Vec<f64> {
     stations
 }
 
-/// Candidates of a span, ascending.
-fn candidates(layout: &Layout, span: &Span) -> Vec<f64> {
-    let outwards = layout.candidates_of(span.stretch);
-    let right = outwards.iter().map(|s| span.origin + s).collect();
-    if span.both_sides { spacing::joined(&[mirrored(span, outwards), right]) } else { right }
-}
-
-/// Stations to the left of an origin from their distances, ascending.
-fn mirrored(span: &Span, distances: Vec<f64>) -> Vec<f64> {
-    distances.iter().rev().map(|s| span.origin - s).collect()
-}
-
-/// Distances from the origin of a span beyond its candidates up to the end of the body; sizes grow.
-fn beyond(layout: &Layout, span: &Span, end: f64) -> Vec<f64> {
-    let [before, last] = last_two(&layout.candidates_of(span.stretch));
-    if end <= last * (1.0 + 1e-9) {
-        return vec![last];
+/// Stations of one side: the candidates, then growing sizes up to the end of the body.
+fn outwards(layout: &Layout, end: f64) -> Vec<f64> {
+    let candidates = layout.candidates();
+    let [before, last] = last_two(&candidates);
+    let mut stations = candidates;
+    if end > last * (1.0 + 1e-9) {
+        let grading = layout.grading;
+        let rest = spacing::growing(last, end, (last - before) * grading.along, grading.along, grading.coarsest * end);
+        stations = spacing::joined(&[stations, rest]);
     }
-    let grading = layout.grading;
-    spacing::growing(last, end, (last - before) * grading.along, grading.along, grading.coarsest * end)
+    stations
 }
 
-/// Stations between the candidates of two contacts; sizes grow from both.
-fn between(layout: &Layout, left: &[f64], right: &[f64]) -> Vec<f64> {
-    let ([before, from], [to, after]) = (last_two(left), [right[0], right[1]]);
-    let along = layout.grading.along;
-    let first = [(from - before) * along, (after - to) * along];
-    spacing::growing_from_both(from, to, first, along, layout.grading.coarsest * (to - from))
+/// Stations along the contacts on both sides of the rectangle: every stretch begins, has its s = 0 and ends on one.
+fn columns_of_all(layout: &Layout, ends: [f64; 2]) -> Vec<f64> {
+    let straight = layout.several.iter().filter(|one| one.straight);
+    let fine = straight.flat_map(|one| {
+        let right = [one.origin, one.origin + one.stretch, one.size];
+        let left = one.both_sides.then_some([one.origin - one.stretch, one.origin, one.size]);
+        left.into_iter().chain([right])
+    });
+    let grading = layout.grading;
+    spacing::fine_within(ends, &fine.collect::<Vec<_>>(), grading.along, grading.coarsest * (ends[1] - ends[0]))
 }

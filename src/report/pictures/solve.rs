@@ -14,6 +14,8 @@ use crate::solution::{PointState, Residuals};
 const STATIONS: usize = 200;
 /// Upper end of the pressure axis over the highest pressure.
 const HEADROOM: f64 = 1.08;
+/// Part of the reference gap that rounding explains.
+const ROUND_OFF: f64 = 1e-9;
 /// Fewest steps an axis has room for.
 const STEPS: usize = 5;
 
@@ -54,7 +56,13 @@ fn notes(problem: &Problem, run: &Run) -> Vec<String> {
 }
 
 /// A quantity of the points of one contact against the contact coordinate.
-fn profile(problem: &Problem, run: &Run, contact: usize, [title, y]: [&str; 2], of: fn(&PointState) -> f64) -> Chart {
+fn profile(
+    problem: &Problem,
+    run: &Run,
+    contact: usize,
+    [title, y]: [&str; 2],
+    of: impl Fn(&PointState) -> f64,
+) -> Chart {
     let pair = &problem.scene.contacts[contact];
     let factor = display_factor(&pair.path);
     let ends = [pair.begin(), pair.stretch].map(|s| factor * s);
@@ -71,9 +79,15 @@ fn profile(problem: &Problem, run: &Run, contact: usize, [title, y]: [&str; 2], 
     chart
 }
 
-/// Gap that remains; 0 where the surfaces touch.
+/// Gap that remains; 0 where the surfaces touch but for round-off.
 fn gap(problem: &Problem, run: &Run, contact: usize) -> Chart {
-    profile(problem, run, contact, ["Remaining gap", "gap [mm]"], |point| point.gap)
+    let reference = problem.scene.reference.gap;
+    let told = |point: &PointState| if point.gap.abs() < ROUND_OFF * reference { 0.0 } else { point.gap };
+    let mut chart = profile(problem, run, contact, ["Remaining gap", "gap [mm]"], told);
+    if run.solution.points_of(contact).iter().all(|point| told(point) == 0.0) {
+        chart.y.range = Some((0.0, reference));
+    }
+    chart
 }
 
 /// Pressure against the contact coordinate, with the oracle's curve where there is one.

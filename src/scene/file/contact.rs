@@ -166,9 +166,11 @@ fn refuse_mirrored(source: Source, table: &ContactTable) -> Result<(), Error> {
         let remedy = "leave `both-sides` out and model one half, or leave `arc` out and give the gap along y = 0";
         return Err(source.refused(given.span(), "`both-sides` is for contact along y = 0, not along an arc", remedy));
     }
-    match table.symmetric.as_ref().filter(|symmetric| *symmetric.get_ref()) {
+    // Off the symmetry line of a half scene a contact has both its sides, and an image.
+    let on_line = table.origin.as_ref().is_none_or(|origin| *origin.get_ref()[0].get_ref() == 0.0);
+    match table.symmetric.as_ref().filter(|symmetric| on_line && *symmetric.get_ref()) {
         Some(symmetric) => {
-            let message = "the scene shows both sides of x = 0, and is not half of a symmetric one";
+            let message = "the contact has both sides of x = 0, and is not half of a symmetric one";
             Err(source.refused(symmetric.span(), message, "leave `symmetric` or `both-sides` out"))
         }
         None => Ok(()),

@@ -24,7 +24,8 @@ pub(super) fn values(
     let given = |key: &str, value: &Option<Spanned<f64>>, unit: f64| {
         value.as_ref().map(|value| Ok::<f64, Error>(unit * source.positive(key, value)?)).transpose()
     };
-    let (pair, modulus) = (scene.contact(), scene.contact_modulus());
+    let pair = scene.contact();
+    let modulus = scene.modulus_of(pair);
     let half = 0.5 * pair.stretch;
     let length = given("length", &table.length, units.length)?.unwrap_or(half * pair.path.metric());
     let pressure = given("pressure", &table.pressure, units.stress)?;

@@ -19,6 +19,8 @@ pub(super) struct Side {
     pub outward: Option<bool>,
     /// Where it runs.
     place: Place,
+    /// Whether its body lies on both sides of s = 0, where the shape tells.
+    across: Option<bool>,
     /// How far it goes along x, on its shorter side where the path has both \[mm\], or about the centre \[rad\].
     length: f64,
 }
@@ -44,7 +46,7 @@ impl Side {
                 let height = if face == Face::Bottom { y[0] } else { y[1] };
                 let place = Place::Straight { from: x[0], height };
                 let length = if path.has_both_sides() { (x[1] - origin).min(origin - x[0]) } else { x[1] - x[0] };
-                Self { outward: Some(face == Face::Bottom), place, length }
+                Self { outward: Some(face == Face::Bottom), place, across: None, length }
             }
             // Beyond 45° the radial candidates of a quarter are hardly pressed.
             Shape::Disc { centre, radius, contact, sector } => {
@@ -52,14 +54,17 @@ impl Side {
                 let down = face(*contact, name, [other, other])? == Face::Bottom;
                 let height = if down { centre[1] - radius } else { centre[1] + radius };
                 let place = Place::Disc { circle: Circle { centre: *centre, radius: *radius }, height };
-                Self { outward: Some(down || !path.is_straight()), place, length: radius * FRAC_1_SQRT_2 }
+                let outward = Some(down || !path.is_straight());
+                Self { outward, place, across: Some(sector.has_both_sides()), length: radius * FRAC_1_SQRT_2 }
             }
             Shape::Ring { inner, outer, sweep, contact, .. } => {
                 let outward = face(*contact, name, ["inner", "outer"])? == Face::Top;
                 let place = Place::Arc(if outward { *outer } else { *inner });
-                Self { outward: Some(outward), place, length: *sweep }
+                Self { outward: Some(outward), place, across: Some(false), length: *sweep }
             }
-            Shape::Eye { hole, .. } => Self { outward: Some(false), place: Place::Arc(*hole), length: PI },
+            Shape::Eye { hole, .. } => {
+                Self { outward: Some(false), place: Place::Arc(*hole), across: Some(false), length: PI }
+            }
             Shape::Blocks(blocks) => Self::of_pieces(pieces_of_blocks(blocks, name)?, path, stretch),
             Shape::Given(mesh) => Self::of_pieces(pieces_of_mesh(mesh, name)?, path, stretch),
         })
@@ -81,7 +86,7 @@ impl Side {
             (to[1] - from[1]) * direction[0] - (to[0] - from[0]) * direction[1] > 0.0
         };
         let outward = pieces.first().map(looks).filter(|first| pieces.iter().all(|piece| looks(piece) == *first));
-        Self { outward, place: Place::Pieces(pieces), length }
+        Self { outward, place: Place::Pieces(pieces), across: None, length }
     }
 
     /// How far along the path's direction the side begins \[mm\].
@@ -126,6 +131,17 @@ impl Side {
         let [x0, y0] = path.origin();
         let on_axis = |x: f64, size: f64| (x - x0).abs() <= 1e-9 * size;
         let one_side = path.is_straight() && !path.has_both_sides();
+        match self.across {
+            Some(true) if !path.has_both_sides() => {
+                let remedy = "the body is meshed for another contact, which has both sides: give this one `both-sides = true` too";
+                return refused("lies on both sides of s = 0, the contact on one", remedy);
+            }
+            Some(false) if path.has_both_sides() && matches!(self.place, Place::Disc { .. }) => {
+                let remedy = "leave `half` out, or give all contacts of the body the same sides of s = 0";
+                return refused("lies on one side of s = 0, the contact on both", remedy);
+            }
+            _ => {}
+        }
         if path.has_both_sides() && !matches!(self.place, Place::Arc(_)) && self.length <= 0.0 {
             let remedy = format!(
                 "with `both-sides` the candidates lie left and right of {line}: move the bodies there, or give `origin`"
@@ -188,7 +204,8 @@ impl Side {
                     return refused(&message, remedy);
                 }
                 if !near(self.depth(path), path.own_depth()) {
-                    let remedy = "move the body there, or give `gap = \"drawn\"` where it is drawn as it stands";
+                    let remedy =
+                        "move the body there, give its `origin`, or `gap = \"drawn\"` where it is drawn as it stands";
                     return refused(&format!("does not begin at {level}, or on `arc`"), remedy);
                 }
                 let on_arc = |point: &[f64; 2]| (path.depth(*point) / path.own_depth() - 1.0).abs() <= 1e-3;
