@@ -481,6 +481,7 @@ const SEVERAL_CONTACTS: &[Mistake] = &[
             "a `name` of its own",
         ],
     ),
+    ("plate-on-two-supports", "name = \"right\"", "name = \" \"", ["name = \" \"", "`name` is blank", "give it words"]),
     (
         "plate-on-two-supports",
         "origin = [30, 0]",

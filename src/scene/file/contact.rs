@@ -35,6 +35,7 @@ pub fn pairs(
 ) -> Result<Vec<ContactPair>, Error> {
     let mut pairs: Vec<ContactPair> = Vec::new();
     for table in contacts {
+        refuse_blank(source, table)?;
         let pair = pair(source, units, tables, bodies, table)?;
         if pairs.iter().any(|other| other.name == pair.name) {
             let place = table.name.as_ref().unwrap_or(&table.first).span();
@@ -47,10 +48,21 @@ pub fn pairs(
         if !pairs.iter().flat_map(ContactPair::bodies).any(|body| body == index) {
             let name = &table.name;
             let message = format!("body `{}` takes no part in the contact", name.get_ref());
-            return Err(source.refused(name.span(), message, "leave it out, or name it in `contact`"));
+            return Err(source.refused(name.span(), message, "leave it out, or name it in a contact"));
         }
     }
     Ok(pairs)
+}
+
+/// Refuses a name that no line of a table could show.
+fn refuse_blank(source: Source, table: &ContactTable) -> Result<(), Error> {
+    let blank = |name: &&Name| name.get_ref().trim().is_empty() || name.get_ref().contains(char::is_control);
+    match table.name.as_ref().filter(blank) {
+        Some(name) => {
+            Err(source.refused(name.span(), "the contact's `name` is blank, or not one line", "give it words"))
+        }
+        None => Ok(()),
+    }
 }
 
 /// One contact, its path and its gap.
