@@ -401,6 +401,24 @@ fn interference_that_nothing_opposes_presses_nothing() {
 }
 
 #[test]
+fn slab_wedged_between_walls_carries_its_compression_however_the_interference_is_shared() {
+    // No load, no support along y: σ = E/(1 − ν²) (i₁ + i₂)/H in plane strain with free sides.
+    let exact = 210e3 / (1.0 - 0.09) * 0.02 / 30.0;
+    let slab = between_punches([0.0, 0.0], [40.0, 40.0], "1.0").replace("loads = [{ body-force = [0, -1] }]\n", "");
+    for [below, above] in [[0.01, 0.01], [0.02, 0.0], [0.025, -0.005]] {
+        let text = slab.replacen("parabola = 80", &format!("uniform = {}", -below), 1);
+        let text =
+            text.replacen("parabola = 80", &format!("uniform = {}", -above), 1).replace("per = 1\n", "per = 10\n");
+        let file = read("wedged.toml", &text);
+        let run = Run::of(&discretised(&file), &Formulation::verification()).expect("run");
+        for contact in [0, 1] {
+            let points = run.solution.points_of(contact);
+            points.iter().for_each(|point| assert_relative_eq!(point.pressure, exact, max_relative = 1e-6));
+        }
+    }
+}
+
+#[test]
 fn contact_beyond_the_candidates_is_told_for_the_contact_it_belongs_to() {
     let text = text_of("roller-between-plates.toml");
     for (contact, was, is) in [(0, "stretch = 1.2", "stretch = 0.8"), (1, "stretch = 1.8", "stretch = 1.2")] {
@@ -410,6 +428,22 @@ fn contact_beyond_the_candidates_is_told_for_the_contact_it_belongs_to() {
         let row = rows.nth(contact).expect("a line").0 + 1;
         assert!(error.contains(&format!("short.toml:{row}:")) && error.contains("widen"), "{error}");
     }
+}
+
+#[test]
+fn what_another_contact_holds_is_no_contact_beyond_the_candidates() {
+    // A floor with a step of 0.005 between two neighbouring nodes: either level goes on below the candidates of the other.
+    let text = "plane = \"strain\"\nthickness = 1.0\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
+        shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }\n\
+        supports = [{ at = \"left\", component = \"x\" }]\n\
+        loads = [{ rigid-face = { at = \"far\", component = \"y\", force = -20000 } }]\n\
+        [[contact]]\nname = \"high\"\nfirst = \"block\"\ngap = { uniform = 0 }\nstretch = 5\n\
+        [[contact]]\nname = \"low\"\nfirst = \"block\"\norigin = [7.6, 0]\nboth-sides = true\nsymmetric = true\n\
+        gap = { uniform = 0.005 }\nstretch = 2.4\n[mesh]\nelements = 4\nper = 1\norder = 1\n[reference]\npressure = 2000\n";
+    let (_, run, _) = read("step.toml", text).solve().unwrap_or_else(|error| panic!("{error}"));
+    let [high, low] = [run.contacts[0].transmitted, run.contacts[1].transmitted];
+    assert!(low > 0.0 && high > low, "{high}, {low}");
+    assert_relative_eq!(high + low, 40000.0, max_relative = 1e-3);
 }
 
 #[test]
