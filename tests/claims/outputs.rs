@@ -30,7 +30,7 @@ fn numbers(piece: &UnstructuredGridPiece, name: &str) -> Vec<f64> {
 
 #[test]
 fn fields_written_for_paraview_are_those_of_the_solution() {
-    for name in ["blocks", "cylinder-on-block", "press-fit"] {
+    for name in ["blocks", "cylinder-on-block", "press-fit", "roller-between-plates"] {
         let file = SceneFile::read(Path::new(&scene(name))).expect("sound");
         let discretisation = Discretisation::of(file.problem.scene.clone(), file.problem.resolution).expect("meshed");
         let run = Run::of(&discretisation, &file.formulation).expect("solved");
@@ -52,14 +52,16 @@ fn fields_written_for_paraview_are_those_of_the_solution() {
             }
         }
         // With node elements every candidate is a contact point.
-        let pair = discretisation.scene.contact();
         let nodes = run.formulation.name().starts_with("node");
-        for point in run.solution.points.iter().filter(|_| nodes) {
-            let candidates = &mesh.bodies[pair.first].candidates;
-            let near = |node: usize| (pair.path.coordinate(mesh.points[node]) - point.position).abs() < 1e-9;
-            let node = candidates.iter().map(|candidate| candidate.node).find(|&node| near(node)).expect("a node");
-            assert_relative_eq!(p[node], point.pressure, max_relative = 1e-6, epsilon = 1e-9);
-            assert_relative_eq!(numbers(piece, "gap [mm]")[node], point.gap, max_relative = 1e-6, epsilon = 1e-9);
+        for (contact, pair) in discretisation.scene.contacts.iter().enumerate().filter(|_| nodes) {
+            let part = &mesh.bodies[pair.first];
+            let candidates = &part.candidates[part.candidates_of(contact)];
+            for point in run.solution.points_of(contact) {
+                let near = |node: usize| (pair.path.coordinate(mesh.points[node]) - point.position).abs() < 1e-9;
+                let node = candidates.iter().map(|candidate| candidate.node).find(|&node| near(node)).expect("a node");
+                assert_relative_eq!(p[node], point.pressure, max_relative = 1e-6, epsilon = 1e-9);
+                assert_relative_eq!(numbers(piece, "gap [mm]")[node], point.gap, max_relative = 1e-6, epsilon = 1e-9);
+            }
         }
     }
 }
