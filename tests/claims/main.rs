@@ -36,5 +36,6 @@ mod scene_file;
 mod scene_fuzz;
 mod scene_mistakes;
 mod several_contacts;
+mod shared_mesh;
 mod stability;
 mod timings;
