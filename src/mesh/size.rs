@@ -18,9 +18,10 @@ pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
 /// Cells and candidate elements of one body.
 fn of_body(scene: &Scene, resolution: Resolution, body: usize) -> [f64; 2] {
     let (pair, grading) = (scene.contact_of(body), &scene.grading);
-    let own = || scene.contacts.iter().filter(move |pair| pair.bodies().any(|other| other == body));
-    let touching = own().map(move |pair| pair.side(body));
-    let body = &scene.bodies[body];
+    let index = body;
+    let own = || scene.contacts_of(index);
+    let touching = own().map(move |pair| pair.side(index));
+    let body = &scene.bodies[index];
     let length = pair.stretch * pair.path.metric();
     let counted_on = |length: f64| (resolution.elements as f64 * length / grading.unit).round().max(1.0);
     let sides_of = |pair: &ContactPair| if pair.path.has_both_sides() { 2.0 } else { 1.0 };

@@ -204,9 +204,13 @@ impl Scene {
 
     /// The contact that a body is meshed for: the first on its side `contact`, else the first that it takes part in.
     pub fn contact_of(&self, body: usize) -> &ContactPair {
-        let own = || self.contacts.iter().filter(|pair| pair.bodies().any(|other| other == body));
-        let on_side = own().find(|pair| pair.side(body) == contact_pair::CONTACT);
-        on_side.or_else(|| own().next()).unwrap_or(self.contact())
+        let on_side = self.contacts_of(body).find(|pair| pair.side(body) == contact_pair::CONTACT);
+        on_side.or_else(|| self.contacts_of(body).next()).unwrap_or(self.contact())
+    }
+
+    /// The contacts that a body takes part in.
+    pub fn contacts_of(&self, body: usize) -> impl Iterator<Item = &ContactPair> {
+        self.contacts.iter().filter(move |pair| pair.bodies().any(|other| other == body))
     }
 
     /// A contact as messages name it: with the scene, where there are several.

@@ -32,13 +32,13 @@ impl<'a> Layout<'a> {
     pub fn new(scene: &'a Scene, resolution: Resolution, body: usize) -> Self {
         let pair = scene.contact_of(body);
         let elements = resolution.elements as f64 * scene.bodies[body].density;
-        let own = scene.contacts.iter().filter(|pair| pair.bodies().any(|other| other == body));
-        let own: Vec<Fine> = own.map(|pair| Fine::of(pair, elements / scene.grading.unit)).collect();
+        let per_length = elements / scene.grading.unit;
+        let own: Vec<Fine> = scene.contacts_of(body).map(|pair| Fine::of(pair, per_length)).collect();
         Self {
             grading: &scene.grading,
             path: &pair.path,
             stretch: pair.stretch,
-            opposite: scene.contacts.iter().any(|other| is_opposite(other, body)),
+            opposite: scene.contacts_of(body).any(|other| other.side(body) != CONTACT),
             several: if own.iter().all(|one| *one == own[0]) { vec![] } else { own },
             elements,
             refinement: resolution.refinement,
@@ -149,11 +149,6 @@ impl Fine {
 /// Elements on a length.
 fn elements_on(length: f64, per_length: f64) -> usize {
     (per_length * length).round().max(1.0) as usize
-}
-
-/// Whether a contact of a body lies on another side of it than that called `contact`.
-fn is_opposite(pair: &ContactPair, body: usize) -> bool {
-    pair.bodies().any(|other| other == body) && pair.side(body) != CONTACT
 }
 
 /// The last two stations of a list.
