@@ -5,15 +5,17 @@ use std::ops::Range;
 /// How an iteration ended; not converging is a result, never an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// All residuals are within the tolerance.
+    /// The iteration error is within the tolerance, in every contact.
     Converged,
     /// The state returned to an earlier one.
     Cycling {
         /// Steps from one return to the next.
         period: usize,
     },
-    /// A residual exceeded 1e6 or is not a number.
+    /// The iteration error grows without end, or a number is none.
     Diverged,
+    /// The state no longer changes, and the iteration error is above the tolerance: round-off, or springs at their limit.
+    Stalled,
     /// The largest number of steps was made.
     Exhausted,
 }
@@ -24,30 +26,59 @@ impl std::fmt::Display for Outcome {
             Self::Converged => f.write_str("converged"),
             Self::Cycling { period } => write!(f, "cycling (period {period})"),
             Self::Diverged => f.write_str("diverged"),
+            Self::Stalled => f.write_str("stalled"),
             Self::Exhausted => f.write_str("exhausted"),
         }
     }
 }
 
-/// Violations of the contact conditions and of equilibrium by the pressures as reported, as pure numbers.
-#[derive(Clone, Copy, Debug)]
-pub struct Residuals {
-    /// `max (w − g)⁺ / g_ref`.
-    pub penetration: f64,
-    /// `max (−p)⁺ / p_ref`.
-    pub tension: f64,
-    /// `max min(p/p_ref, h/g_ref)⁺`.
-    pub complementarity: f64,
-    /// `‖f̂ − S u − Σ A p⁺ b‖₁ / max(Σ A p⁺, ‖f̂‖₁)`.
-    pub balance: f64,
+/// How far an answer is from the discrete solution of its own element and mesh, on the scale of that solution: of several
+/// contacts the largest of each.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IterationError {
+    /// `|p − p*|/p*` of the largest pressure.
+    pub peak: f64,
+    /// Share of the force at the wrong place, `½ Σ A |p̄ − p̄*| / Σ A p̄*` over the means of the candidate edges; of a contact
+    /// that is open in the discrete solution the force that it carries over the largest force.
+    pub force: f64,
+    /// `|a − a*|/a*`, a the half-width by second moment, or `|c − c*|/a*` of the centre of pressure if that is larger.
+    pub width: f64,
+    /// `Σ F* |w − w*| / (Σ F* δ)`, δ = Σ F*/(E* t) the approach that the contact's own force makes.
+    pub approach: f64,
 }
 
-impl Residuals {
+impl IterationError {
+    /// Nothing is known.
+    pub const UNKNOWN: Self = Self { peak: f64::NAN, force: f64::NAN, width: f64::NAN, approach: f64::NAN };
+    /// There is none.
+    pub const NONE: Self = Self { peak: 0.0, force: 0.0, width: 0.0, approach: 0.0 };
+
     /// The largest of the four; NaN if any is.
     pub fn largest(&self) -> f64 {
-        let all = [self.penetration, self.tension, self.complementarity, self.balance];
-        if all.iter().any(|r| r.is_nan()) { f64::NAN } else { all.into_iter().fold(0.0, f64::max) }
+        let all = [self.peak, self.force, self.width, self.approach];
+        if all.iter().any(|error| error.is_nan()) { f64::NAN } else { all.into_iter().fold(0.0, f64::max) }
     }
+
+    /// The larger of each; NaN if either is.
+    pub fn worse(self, other: Self) -> Self {
+        let larger = |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) };
+        Self {
+            peak: larger(self.peak, other.peak),
+            force: larger(self.force, other.force),
+            width: larger(self.width, other.width),
+            approach: larger(self.approach, other.approach),
+        }
+    }
+}
+
+/// Error of the last step in the energy norm, `‖u − u*‖²_S`, and the bound that the step's own forces and gaps give, both over
+/// what the contact forces of the discrete solution store.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyError {
+    /// The error.
+    pub error: f64,
+    /// Its bound.
+    pub bound: f64,
 }
 
 /// Work done by an iteration: counts, not seconds.
@@ -75,7 +106,7 @@ impl Work {
     }
 }
 
-/// The state of one contact point, or the mean over one edge, at the end.
+/// The state of one contact point at the end.
 #[derive(Clone, Copy, Debug)]
 pub struct PointState {
     /// Contact coordinate `s` \[mm, or rad on an arc\].
@@ -88,13 +119,68 @@ pub struct PointState {
     pub gap: f64,
 }
 
+/// Means over one edge at the end.
+#[derive(Clone, Copy, Debug)]
+pub struct EdgeState {
+    /// Contact coordinates where it begins and ends \[mm, or rad on an arc\].
+    pub ends: [f64; 2],
+    /// Its area \[mm²\].
+    pub weight: f64,
+    /// Mean contact pressure \[MPa\].
+    pub pressure: f64,
+}
+
+impl EdgeState {
+    /// Length along the contact coordinate.
+    pub fn length(&self) -> f64 {
+        self.ends[1] - self.ends[0]
+    }
+
+    /// Its mirror image on s = 0.
+    pub fn mirrored(&self) -> Self {
+        Self { ends: [-self.ends[1], -self.ends[0]], ..*self }
+    }
+
+    /// Contact coordinate of the middle.
+    pub fn position(&self) -> f64 {
+        0.5 * (self.ends[0] + self.ends[1])
+    }
+}
+
 /// The part of a solution that belongs to one contact.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Share {
     /// Its contact points.
     pub points: Range<usize>,
     /// Its edges.
     pub edges: Range<usize>,
+    /// Approach that its own force makes, `Σ A p/(E* t)`: what lengths of this contact are measured by \[mm\].
+    pub approach: f64,
+}
+
+/// Contact points and edge means of a solution.
+#[derive(Clone, Debug)]
+pub struct States {
+    /// Contact points: contact by contact, in the order of the contact coordinate.
+    pub points: Vec<PointState>,
+    /// Means over the candidate edges.
+    pub edges: Vec<EdgeState>,
+}
+
+/// The same of one contact.
+#[derive(Clone, Copy, Debug)]
+pub struct Part<'a> {
+    /// Contact points, in the order of the contact coordinate.
+    pub points: &'a [PointState],
+    /// Means over the candidate edges.
+    pub edges: &'a [EdgeState],
+}
+
+impl States {
+    /// What belongs to a contact.
+    pub fn part(&self, share: &Share) -> Part<'_> {
+        Part { points: &self.points[share.points.clone()], edges: &self.edges[share.edges.clone()] }
+    }
 }
 
 /// One step of the iteration, as recorded.
@@ -102,9 +188,9 @@ pub struct Share {
 pub struct Step {
     /// Load increment the step belongs to, from 1.
     pub increment: usize,
-    /// Residuals after the step.
-    pub residuals: Residuals,
-    /// Points with pressure above `tolerance · p_ref`.
+    /// How far the step is from the discrete solution; unknown where that was not found.
+    pub error: IterationError,
+    /// Points with pressure above the tolerance times the largest pressure of their contact.
     pub active: usize,
     /// Approach \[mm\], spring force per area \[MPa\] and spring stiffness [MPa/mm] of the first contact point.
     pub first_point: [f64; 3],
@@ -117,10 +203,17 @@ pub struct Solution {
     pub outcome: Outcome,
     /// Contact points: contact by contact, in the order of the contact coordinate.
     pub points: Vec<PointState>,
-    /// Means over the candidate edges, the same for all elements: position of the middle, area, mean pressure and gap.
-    pub edges: Vec<PointState>,
+    /// Means over the candidate edges, the same for all elements.
+    pub edges: Vec<EdgeState>,
     /// Which points and edges belong to each contact of the scene.
     pub contacts: Vec<Share>,
+    /// What the iteration shall end in: the discrete solution, or under the rule `penalty` that of the springs' own law; none
+    /// where it was not found.
+    pub target: Option<States>,
+    /// The discrete solution itself, where springs of the rule `penalty` are the target.
+    pub rigid: Option<States>,
+    /// Error in the energy norm against the discrete solution; none without contact forces, or where that was not found.
+    pub energy: Option<EnergyError>,
     /// Spring force per area of each point before the projection to p ≥ 0 \[MPa\].
     pub spring_pressures: Vec<f64>,
     /// Displacements of the retained freedoms \[mm\].
@@ -141,8 +234,13 @@ impl Solution {
         &self.points[self.contacts[contact].points.clone()]
     }
 
+    /// All of one contact.
+    pub fn part(&self, contact: usize) -> Part<'_> {
+        Part { points: self.points_of(contact), edges: self.edges_of(contact) }
+    }
+
     /// Edge means of one contact.
-    pub fn edges_of(&self, contact: usize) -> &[PointState] {
+    pub fn edges_of(&self, contact: usize) -> &[EdgeState] {
         &self.edges[self.contacts[contact].edges.clone()]
     }
 
@@ -151,8 +249,13 @@ impl Solution {
         self.outcome == Outcome::Converged
     }
 
-    /// Largest residual after the last step; NaN where there was none.
-    pub fn residual(&self) -> f64 {
-        self.history.last().map_or(f64::NAN, |step| step.residuals.largest())
+    /// Iteration error after the last step; unknown where there was none.
+    pub fn error(&self) -> IterationError {
+        self.history.last().map_or(IterationError::UNKNOWN, |step| step.error)
+    }
+
+    /// The discrete solution: what contact does on this mesh by this contact element, whatever the algorithm.
+    pub fn discrete(&self) -> Option<&States> {
+        self.rigid.as_ref().or(self.target.as_ref())
     }
 }

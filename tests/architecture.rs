@@ -14,13 +14,13 @@ const ALLOWED: [(&str, &[&str]); 17] = [
     ("condensation", &["error", "clock", "elasticity"]),
     ("contact", &["error", "scene", "mesh", "condensation", "elasticity"]),
     ("solution", &[]),
-    ("algorithm", &["error", "condensation", "contact", "solution"]),
+    ("measure", &["scene", "mesh", "solution"]),
+    ("algorithm", &["error", "condensation", "contact", "solution", "measure"]),
     ("stability", &["error", "condensation", "contact", "algorithm", "solution"]),
     (
         "formulation",
         &["error", "clock", "scene", "mesh", "elasticity", "condensation", "contact", "algorithm", "solution"],
     ),
-    ("measure", &["scene", "mesh", "solution"]),
     ("oracle", &["error", "scene"]),
     (
         "case",

@@ -53,8 +53,7 @@ const SAFEGUARD: (f64, f64) = (100.0, 1.1);
 /// The last states of a fixed-point iteration, and what is made of them.
 ///
 /// Three safeguards. A state reached by acceleration is given up for the plain step before it where
-/// `‖f‖ > 100 F (n + 1)^−1.1`, n accelerated steps so far, F the residual of a tension p_ref and a penetration g_ref
-/// everywhere: a summable bound, which with nonexpansive plain steps leaves no way but to converge (Zhang, O'Donoghue &
+/// `‖f‖ > 100 F (n + 1)^−1.1`, n accelerated steps so far, F the residual of the first state: a summable bound, which with nonexpansive plain steps leaves no way but to converge (Zhang, O'Donoghue &
 /// Boyd 2020). A plain step follows where the residual rose, and after every Anderson step. A step that is not finite is
 /// not made.
 #[derive(Clone, Debug)]
@@ -63,8 +62,8 @@ pub struct Accelerator {
     pub kind: Acceleration,
     /// Weight of each component in the inner product, `A/k₀`.
     pub weights: Vec<f64>,
-    /// F: residuals are measured against it.
-    pub scale: f64,
+    /// F: residuals are measured against that of the first state.
+    first: Option<f64>,
     /// States `x` with their residuals `f`, the latest last.
     history: VecDeque<[Vec<f64>; 2]>,
     /// `G` of the state before, where the present one was reached by acceleration.
@@ -75,15 +74,15 @@ pub struct Accelerator {
 
 impl Accelerator {
     /// Nothing remembered yet.
-    pub fn new(kind: Acceleration, weights: Vec<f64>, scale: f64) -> Self {
-        Self { kind, weights, scale, history: VecDeque::new(), plain: None, accelerated: 0, size: f64::INFINITY }
+    pub fn new(kind: Acceleration, weights: Vec<f64>) -> Self {
+        Self { kind, weights, first: None, history: VecDeque::new(), plain: None, accelerated: 0, size: f64::INFINITY }
     }
 
     /// The state after `x`, whose residual is `f = G(x) − x`; adds to `rejected` where `x` is given up.
     pub fn next(&mut self, x: &[f64], f: &[f64], rejected: &mut usize) -> Vec<f64> {
         let size = self.dot(f, f).sqrt();
         let before = self.plain.take();
-        let within = size <= self.bound();
+        let within = size <= self.bound(size);
         if let Some(plain) = before.as_ref().filter(|_| !within) {
             *rejected += 1;
             self.keep(1);
@@ -107,9 +106,9 @@ impl Accelerator {
     }
 
     /// Largest residual of a state reached by acceleration that is accepted.
-    fn bound(&self) -> f64 {
+    fn bound(&mut self, size: f64) -> f64 {
         let (factor, exponent) = SAFEGUARD;
-        factor * self.scale * (self.accelerated as f64 + 1.0).powf(-exponent)
+        factor * *self.first.get_or_insert(size) * (self.accelerated as f64 + 1.0).powf(-exponent)
     }
 
     /// Forgets all but the latest states.

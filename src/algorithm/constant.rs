@@ -67,15 +67,10 @@ impl Algorithm for Constant {
     }
 }
 
-/// Inner product `Σ A x y/k₀`, in which the rule `correction` is nonexpansive, and the residual of `p_ref + k₀ g_ref`
-/// everywhere: a tension of `p_ref` at open points and a penetration of `g_ref` at closed ones.
+/// Inner product `Σ A x y/k₀`, in which the rule `correction` is nonexpansive.
 fn accelerator(problem: &ContactProblem, kind: Acceleration) -> Accelerator {
     let terms = problem.points.iter().zip(&problem.initial);
-    let weights: Vec<f64> = terms.map(|(point, k)| point.weight / k).collect();
-    let residual = |k: &f64| problem.scale.pressure + k * problem.scale.gap;
-    let scale =
-        problem.initial.iter().zip(&weights).map(|(k, weight)| weight * residual(k).powi(2)).sum::<f64>().sqrt();
-    Accelerator::new(kind, weights, scale)
+    Accelerator::new(kind, terms.map(|(point, k)| point.weight / k).collect())
 }
 
 impl Constant {

@@ -1,17 +1,19 @@
 //! The loop: it alone counts, stops and decides how an iteration ended.
 
 use std::collections::VecDeque;
+use std::ops::Range;
 
-use crate::algorithm::problem::reported;
+use crate::algorithm::exact::Law;
+use crate::algorithm::target::{self, Target};
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
-use crate::contact::ContactPoint;
+use crate::algorithm::{bound, parts};
 use crate::error::Error;
-use crate::solution::{Outcome, PointState, Residuals, Share, Solution, Step, Work};
+use crate::solution::{IterationError, Outcome, Share, Solution, States, Step, Work};
 
 /// When to stop.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings {
-    /// Largest residual accepted.
+    /// Largest iteration error accepted: of peak, force, width and approach of every contact, over the discrete solution's own.
     pub tolerance: f64,
     /// Load increments.
     pub increments: usize,
@@ -25,16 +27,30 @@ impl Default for Settings {
     }
 }
 
-/// A residual beyond this, or NaN, is divergence.
-const DIVERGED: f64 = 1e6;
-/// Two states closer than this are the same.
+/// Steps in which an error that has grown this many times beyond its least stays there is divergence.
+const GROWN: (usize, f64) = (20, 1e3);
+/// Two states closer than this are the same, and after so many steps without a larger change the iteration stands still.
+const STILL: (usize, f64) = (3, 1e-14);
+/// Steps in which an error that does not fall by this part of it, while no step changes the state by more than [`NOISE`],
+/// is left to round-off.
+const FALLS: (usize, f64) = (50, 1e-3);
+/// Change of a state in a step that may be round-off of an ill-conditioned system.
+const NOISE: f64 = 1e-7;
+/// Two states closer than this are one that returned.
 const SAME: f64 = 1e-10;
 /// A step larger than this is still a step.
 const MOVING: f64 = 1e-6;
+/// Decades by which springs may be too soft.
+const DECADES: i32 = 18;
+/// Factor above the softest springs that hold, for digits.
+const MARGIN: f64 = 100.0;
 /// Longest period looked for.
 const MEMORY: usize = 64;
+/// Steps after which the discrete solution is looked for, unless the pressed points stood still before: from there it is
+/// found in a few factorisations.
+const LOOK: usize = 5;
 
-/// Applies the load in increments and lets the algorithm step until the residuals are within the tolerance.
+/// Applies the load in increments and lets the algorithm step until the iteration error is within the tolerance.
 ///
 /// Increment n of N applies `(n/N) f̂` and starts from the springs of the one before; the gap enters whole, once.
 pub fn iterate(problem: &ContactProblem, algorithm: &mut dyn Algorithm, settings: Settings) -> Result<Solution, Error> {
@@ -48,7 +64,8 @@ pub fn iterate_from(
     algorithm: &mut dyn Algorithm,
     settings: Settings,
 ) -> Result<Solution, Error> {
-    let mut run = Run { problem, settings, work: Work::default(), history: Vec::new(), last: None };
+    let mut run =
+        Run { problem, settings, work: Work::default(), history: Vec::new(), last: None, target: None, rigid: None };
     let mut outcome = Outcome::Exhausted;
     for increment in 1..=settings.increments {
         outcome = run.increment(increment, algorithm, springs)?;
@@ -65,6 +82,19 @@ struct Run<'a> {
     work: Work,
     history: Vec<Step>,
     last: Option<Iterate>,
+    target: Option<Target>,
+    rigid: Option<Target>,
+}
+
+/// What is known of one increment.
+#[derive(Default)]
+struct Known {
+    target: Option<Target>,
+    /// Whether it was looked for.
+    looked: bool,
+    /// Iterates whose error is not yet known.
+    waiting: Vec<Iterate>,
+    pressed: Vec<bool>,
 }
 
 impl Run<'_> {
@@ -76,52 +106,110 @@ impl Run<'_> {
     ) -> Result<Outcome, Error> {
         let fraction = increment as f64 / self.settings.increments as f64;
         let load: Vec<f64> = self.problem.load.iter().map(|f| f * fraction).collect();
-        let mut earlier = VecDeque::new();
+        let law = if algorithm.is_elastic() { Law::Springs } else { Law::Rigid };
+        let first = self.history.len();
+        let (mut known, mut earlier, mut still, mut noise) = (Known::default(), VecDeque::new(), 0, 0);
+        let mut outcome = Outcome::Exhausted;
         algorithm.reload();
         while self.work.steps < self.settings.max_steps {
             let stiffness = springs.stiffness[0];
             let Some(iterate) = algorithm.step(self.problem, &load, springs, &mut self.work) else {
                 if springs.stiffness.iter().any(|k| !k.is_finite()) {
-                    return Ok(Outcome::Diverged);
+                    outcome = Outcome::Diverged;
+                    break;
                 }
-                return Err(Error::NoSpringLeft { bodies: "the bodies".into(), steps: self.work.steps });
+                return Err(self.nothing_holds(springs));
             };
             self.work.steps += 1;
-            let residuals = self.problem.residuals(&load, &iterate, algorithm.is_elastic());
-            self.record(increment, residuals, &iterate, stiffness);
-            let state = self.state(&iterate);
-            self.last = Some(iterate);
-            let largest = residuals.largest();
-            if largest <= self.settings.tolerance {
-                return Ok(Outcome::Converged);
+            self.record(increment, &iterate, stiffness);
+            if !is_finite(&iterate) {
+                self.last = Some(iterate);
+                outcome = Outcome::Diverged;
+                break;
             }
-            if largest.is_nan() || largest > DIVERGED {
-                return Ok(Outcome::Diverged);
+            let state = State::of(&iterate);
+            self.judge(&mut known, &load, law, &iterate);
+            self.last = Some(iterate);
+            let error = self.history.last().map_or(f64::NAN, |step| step.error.largest());
+            if error <= self.settings.tolerance {
+                outcome = Outcome::Converged;
+                break;
             }
             if let Some(period) = returned(&earlier, &state) {
-                return Ok(Outcome::Cycling { period });
+                outcome = Outcome::Cycling { period };
+                break;
+            }
+            still = if changes_less(&earlier, &state, STILL.1) { still + 1 } else { 0 };
+            noise = if changes_less(&earlier, &state, NOISE) { noise + 1 } else { 0 };
+            let rests = noise >= FALLS.0 && !falls(&self.history[first..]);
+            if known.looked && (still >= STILL.0 || rests) {
+                outcome = Outcome::Stalled;
+                break;
+            }
+            if has_grown(&self.history[first..]) {
+                outcome = Outcome::Diverged;
+                break;
             }
             earlier.push_front(state);
             earlier.truncate(MEMORY);
         }
-        Ok(Outcome::Exhausted)
+        if let (Law::Springs, Some(last)) = (law, &self.last) {
+            self.rigid = Target::of(self.problem, &load, Law::Rigid, &target::pressed(self.problem, last));
+        }
+        self.target = known.target;
+        Ok(outcome)
     }
 
-    fn record(&mut self, increment: usize, residuals: Residuals, iterate: &Iterate, stiffness: f64) {
-        let floor = self.settings.tolerance * self.problem.scale.pressure;
+    /// Looks for the discrete solution once it is near, and tells the error of every step since.
+    fn judge(&mut self, known: &mut Known, load: &[f64], law: Law, iterate: &Iterate) {
+        if known.target.is_none() && known.looked {
+            return;
+        }
+        known.waiting.push(iterate.clone());
+        if !known.looked {
+            let pressed = target::pressed(self.problem, iterate);
+            let is_last = self.work.steps >= self.settings.max_steps;
+            known.looked = known.waiting.len() >= LOOK || pressed == known.pressed || is_last;
+            known.pressed = pressed;
+            if known.looked {
+                known.target = Target::of(self.problem, load, law, &known.pressed);
+            }
+        }
+        if let Some(target) = &known.target {
+            let first = self.history.len() - known.waiting.len();
+            for (step, iterate) in self.history[first..].iter_mut().zip(&known.waiting) {
+                step.error = target.error(self.problem, iterate);
+            }
+            known.waiting.clear();
+        }
+    }
+
+    /// Why no system of springs and bodies could be solved: springs that are lost in the round-off of S, or none left.
+    fn nothing_holds(&self, springs: &Springs) -> Error {
+        let bodies = "the bodies".to_string();
+        if self.work.steps > 0 || springs.stiffness.iter().all(|k| *k <= 0.0) {
+            return Error::NoSpringLeft { bodies, steps: self.work.steps };
+        }
+        let stiffer = |times: f64| springs.stiffness.iter().map(|k| k * times).collect::<Vec<_>>();
+        let holds = |times: &f64| self.problem.factorise(&stiffer(*times), &mut Work::default()).is_some();
+        let decades = (1..=DECADES).map(|k| 10f64.powi(k));
+        let enough = decades.into_iter().find(holds).map(|times| times * MARGIN).unwrap_or(f64::NAN);
+        Error::SpringsTooSoft { bodies, times: enough }
+    }
+
+    fn record(&mut self, increment: usize, iterate: &Iterate, stiffness: f64) {
+        let mut active = 0;
+        for own in parts::points(self.problem.points) {
+            let pressures = || own.clone().map(|i| iterate.pressure[i]);
+            let floor = self.settings.tolerance * pressures().fold(0.0, f64::max);
+            active += pressures().filter(|p| *p > floor).count();
+        }
         self.history.push(Step {
             increment,
-            residuals,
-            active: iterate.pressure.iter().filter(|p| **p > floor).count(),
+            error: IterationError::UNKNOWN,
+            active,
             first_point: [iterate.approach[0], iterate.pressure[0], stiffness],
         });
-    }
-
-    /// Pressures and gaps as pure numbers.
-    fn state(&self, iterate: &Iterate) -> Vec<f64> {
-        let scale = &self.problem.scale;
-        let pressures = iterate.pressure.iter().map(|p| p / scale.pressure);
-        pressures.chain(iterate.approach.iter().map(|w| w / scale.gap)).collect()
     }
 
     fn solution(self, outcome: Outcome) -> Solution {
@@ -134,27 +222,26 @@ impl Run<'_> {
             internal: vec![f64::NAN; n],
         };
         let last = self.last.unwrap_or_else(nothing);
-        let mut contact_force = vec![0.0; n];
-        let states = points.iter().zip(&last.pressure).zip(&last.approach).map(|((point, p), w)| {
-            let pressure = reported(*p);
-            point.add_row(-point.weight * pressure, &mut contact_force);
-            PointState { position: point.position, weight: point.weight, pressure, gap: point.gap - w }
-        });
-        let states: Vec<PointState> = states.collect();
-        let (mut edges, mut contacts) = (Vec::new(), Vec::new());
-        let mut first = 0;
-        for group in points.chunk_by(|a, b| a.contact == b.contact) {
-            let own = first..first + group.len();
-            let means = edge_means(group, &states[own.clone()]);
-            contacts.push(Share { points: own, edges: edges.len()..edges.len() + means.len() });
-            edges.extend(means);
-            first += group.len();
-        }
+        let states = target::told(self.problem, &last);
+        let contact_force = parts::forces(points, &states.points, n).into_iter().map(|force| -force).collect();
+        let ranges = parts::points(points).zip(parts::edges(self.problem.edges));
+        let share = |(contact, (own, edges)): (usize, (Range<usize>, Range<usize>))| {
+            let force: f64 = states.points[own.clone()].iter().map(|state| state.weight * state.pressure).sum();
+            let target = self.target.as_ref().map(|target| target.approach(contact));
+            let approach = target.unwrap_or(force * self.problem.compliance[contact]);
+            Share { points: own, edges, approach }
+        };
+        let contacts = ranges.enumerate().map(share).collect();
+        let told = |target: &Option<Target>| -> Option<States> { target.as_ref().map(|t| t.told(self.problem)) };
+        let rigid = self.rigid.as_ref().or(self.target.as_ref());
         Solution {
             outcome,
-            edges,
+            energy: rigid.and_then(|target| bound::of(self.problem, &target.exact, &last)),
+            points: states.points,
+            edges: states.edges,
             contacts,
-            points: states,
+            target: told(&self.target),
+            rigid: told(&self.rigid),
             spring_pressures: last.pressure,
             displacement: last.displacement,
             contact_force,
@@ -165,33 +252,54 @@ impl Run<'_> {
     }
 }
 
-/// `p̄ = Σ A_ie p_i / Σ A_ie` over each edge e, from the parts of the points' areas that belong to it.
-fn edge_means(points: &[ContactPoint], states: &[PointState]) -> Vec<PointState> {
-    let count = points.iter().flat_map(|point| &point.shares).map(|(edge, _)| edge + 1).max().unwrap_or(0);
-    let mut means = vec![PointState { position: 0.0, weight: 0.0, pressure: 0.0, gap: 0.0 }; count];
-    for (point, state) in points.iter().zip(states) {
-        for &(edge, area) in &point.shares {
-            let mean = &mut means[edge];
-            mean.weight += area;
-            mean.position += area * state.position;
-            mean.pressure += area * state.pressure;
-            mean.gap += area * state.gap;
-        }
+/// Whether every number of an iterate is one.
+fn is_finite(iterate: &Iterate) -> bool {
+    let all = iterate.pressure.iter().chain(&iterate.approach).chain(&iterate.displacement);
+    all.into_iter().all(|x| x.is_finite())
+}
+
+/// Pressures and approaches after a step.
+struct State([Vec<f64>; 2]);
+
+impl State {
+    fn of(iterate: &Iterate) -> Self {
+        Self([iterate.pressure.clone(), iterate.approach.clone()])
     }
-    for mean in &mut means {
-        mean.position /= mean.weight;
-        mean.pressure /= mean.weight;
-        mean.gap /= mean.weight;
+
+    /// Whether two states differ nowhere by more than a share of the largest pressure, or of the largest approach.
+    fn is_within(&self, share: f64, other: &Self) -> bool {
+        self.0.iter().zip(&other.0).all(|(own, other)| {
+            let size = own.iter().chain(other).map(|x| x.abs()).fold(0.0, f64::max);
+            own.iter().zip(other).all(|(a, b)| (a - b).abs() <= share * size)
+        })
     }
-    means
+}
+
+/// Whether the last step changed no more than a share of the state.
+fn changes_less(earlier: &VecDeque<State>, state: &State, share: f64) -> bool {
+    earlier.front().is_some_and(|before| state.is_within(share, before))
+}
+
+/// Whether the least error of the last steps is below that of all before them.
+fn falls(history: &[Step]) -> bool {
+    let (steps, part) = FALLS;
+    let least = |steps: &[Step]| steps.iter().map(|step| step.error.largest()).fold(f64::INFINITY, f64::min);
+    let (before, last) = history.split_at(history.len().saturating_sub(steps));
+    least(last) < (1.0 - part) * least(before)
+}
+
+/// Whether the error has grown far beyond its least, and stayed there.
+fn has_grown(history: &[Step]) -> bool {
+    let (steps, times) = GROWN;
+    let errors = || history.iter().map(|step| step.error.largest());
+    let least = errors().fold(f64::INFINITY, f64::min);
+    history.len() > steps && errors().rev().take(steps).all(|error| error > times * least)
 }
 
 /// Period after which the state has returned, while the last step itself was a real one.
-fn returned(earlier: &VecDeque<Vec<f64>>, state: &[f64]) -> Option<usize> {
-    let size = state.iter().map(|x| x.abs()).fold(1.0, f64::max);
-    let within = |other: &Vec<f64>, share: f64| other.iter().zip(state).all(|(a, b)| (a - b).abs() <= share * size);
-    if within(earlier.front()?, MOVING) {
+fn returned(earlier: &VecDeque<State>, state: &State) -> Option<usize> {
+    if state.is_within(MOVING, earlier.front()?) {
         return None;
     }
-    earlier.iter().position(|other| within(other, SAME)).map(|index| index + 1).filter(|&period| period >= 2)
+    earlier.iter().position(|other| state.is_within(SAME, other)).map(|index| index + 1).filter(|&period| period >= 2)
 }

@@ -5,16 +5,20 @@ use crate::algorithm::rule::StiffnessRule;
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
 use crate::solution::Work;
 
+/// Part of the tolerance that penetrations may take: where pressures alternate, they feel a penetration several times over.
+const SHARE: f64 = 0.1;
+
 /// `(S + K_c(k^j)) u_j = f̂ + Σ A k^j g b`, `p_j = k^j (w_j − g)`.
 ///
 /// Tension opens a point; an open point that penetrates closes at `k_hard`; a closed point that penetrates by more than
 /// the tolerance goes to `k_hard`. Where one is already there, all hard springs pass their force on to the carried force,
-/// `r ← p`, so that the penetration `p/k_hard ≈ 1e-6 g_ref` falls below any tolerance (never needed at the default one).
+/// `r ← p`, so that the penetration `p/k_hard` falls below any tolerance (never needed at the default one).
 #[derive(Clone, Debug)]
 pub struct Kinematic {
     /// `Switching`, or `Penalty`: springs closed where w > g keep their initial stiffness.
     pub rule: StiffnessRule,
-    /// Penetration over `g_ref` that is tolerated.
+    /// Iteration error that is accepted: penetrations of a tenth of it are tolerated, over the approach that the contact's own
+    /// force makes.
     pub tolerance: f64,
     kept: KeptFactor,
 }
@@ -23,6 +27,16 @@ impl Kinematic {
     /// The algorithm before its first step.
     pub fn new(rule: StiffnessRule, tolerance: f64) -> Self {
         Self { rule, tolerance, kept: KeptFactor::default() }
+    }
+
+    /// Penetration that is tolerated in each contact, `SHARE · tolerance · Σ A p⁺/(E* t)` \[mm\].
+    fn tolerated(&self, problem: &ContactProblem, iterate: &Iterate) -> Vec<f64> {
+        let mut tolerated = vec![0.0; problem.compliance.len()];
+        for (point, p) in problem.points.iter().zip(&iterate.pressure) {
+            tolerated[point.contact] +=
+                SHARE * self.tolerance * point.weight * p.max(0.0) * problem.compliance[point.contact];
+        }
+        tolerated
     }
 }
 
@@ -43,18 +57,29 @@ impl Algorithm for Kinematic {
             }
             return Some(iterate);
         }
-        let (hard, tolerated) = (problem.scale.hard(), self.tolerance * problem.scale.gap);
-        let too_deep = |k: f64, i: usize| k > 0.0 && depth(i).abs() > tolerated;
-        let carry = springs.stiffness.iter().enumerate().any(|(i, &k)| k >= hard && too_deep(k, i));
-        for (i, &p) in iterate.pressure.iter().enumerate() {
-            let (k, r) = (springs.stiffness[i], springs.force[i]);
-            (springs.stiffness[i], springs.force[i]) = match () {
-                _ if k > 0.0 && p < 0.0 => (0.0, 0.0),
-                _ if k >= hard && carry => (hard, p),
-                _ if k <= 0.0 && depth(i) > 0.0 => (hard, 0.0),
-                _ if k < hard && too_deep(k, i) => (hard, 0.0),
-                _ => (k, r),
-            };
+        let (scale, tolerated) = (&problem.scale, self.tolerated(problem, &iterate));
+        let hard = scale.hard();
+        let too_deep = |k: f64, i: usize| k > 0.0 && depth(i).abs() > tolerated[problem.points[i].contact];
+        let next = |carry: bool, i: usize| {
+            let (k, r, p) = (springs.stiffness[i], springs.force[i], iterate.pressure[i]);
+            match () {
+                _ if k > 0.0 && p < 0.0 => [0.0, 0.0],
+                _ if scale.is_hard(k) && carry => [hard, p],
+                _ if k <= 0.0 && depth(i) > 0.0 => [hard, 0.0],
+                _ if !scale.is_hard(k) && too_deep(k, i) => [hard, 0.0],
+                _ => [k, r],
+            }
+        };
+        let all = |carry: bool| (0..problem.points.len()).map(|i| next(carry, i)).collect::<Vec<_>>();
+        let changes = |to: &[[f64; 2]]| {
+            let is_other = |(i, [k, r]): (usize, &[f64; 2])| *k != springs.stiffness[i] || *r != springs.force[i];
+            to.iter().enumerate().any(is_other)
+        };
+        let carry = springs.stiffness.iter().enumerate().any(|(i, &k)| scale.is_hard(k) && too_deep(k, i));
+        // What would not change and is asked for once more is not yet right: what penetration is left matters.
+        let to = Some(all(carry)).filter(|to| changes(to)).unwrap_or_else(|| all(true));
+        for (i, [k, r]) in to.into_iter().enumerate() {
+            (springs.stiffness[i], springs.force[i]) = (k, r);
         }
         Some(iterate)
     }

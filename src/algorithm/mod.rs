@@ -4,26 +4,36 @@
 //! * [`rule`] — how the springs' strain drives their stiffness or force.
 //! * [`varying`], [`constant`], [`kinematic`] — equations (3.2)–(3.14), one step each.
 //! * [`acceleration`] — of the fixed point of constant stiffness; an option.
+//! * [`exact`] — the discrete solution that all of them shall end in.
+//! * [`target`] — how far an iterate is from it.
+//! * [`bound`] — a bound on that, in the energy norm.
+//! * [`parts`] — points and edges contact by contact, and the means over edges.
 //! * [`mod@iterate`] — the loop.
 
 pub mod acceleration;
+pub mod bound;
 pub mod constant;
+pub mod exact;
 pub mod iterate;
 pub mod kept;
 pub mod kinematic;
+pub mod parts;
 pub mod problem;
 pub mod rule;
 pub mod settling;
+pub mod target;
 pub mod varying;
 
 use crate::solution::Work;
 
 pub use acceleration::Acceleration;
 pub use constant::Constant;
+pub use exact::{Exact, Law};
 pub use iterate::{Settings, iterate, iterate_from};
 pub use kinematic::Kinematic;
 pub use problem::{ContactProblem, Scale};
 pub use rule::StiffnessRule;
+pub use target::Target;
 pub use varying::Varying;
 
 /// The springs as they stand between two steps.

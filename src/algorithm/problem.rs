@@ -1,11 +1,11 @@
-//! What an algorithm sees: the condensed system, the contact points, and scales that make residuals pure numbers.
+//! What an algorithm sees: the condensed system, the contact points, and what its springs start from.
 
 use faer::{ColRef, Mat, MatMut};
 
 use crate::algorithm::{Iterate, Springs};
 use crate::condensation::dense::{DenseFactor, Padded};
-use crate::contact::ContactPoint;
-use crate::solution::{Residuals, Work};
+use crate::contact::{ContactEdge, ContactPoint};
+use crate::solution::Work;
 
 /// `S u + Σ A p b = f̂` with the contact conditions at every point.
 #[derive(Debug)]
@@ -16,17 +16,19 @@ pub struct ContactProblem<'a> {
     pub load: &'a [f64],
     /// Contact points.
     pub points: &'a [ContactPoint],
-    /// Scales.
+    /// Edges that they belong to, contact by contact.
+    pub edges: &'a [ContactEdge],
+    /// What springs start from and are kept within.
     pub scale: Scale,
+    /// Compliance `1/(E* t)` of each contact [mm/N]: its force times this is the approach that its errors are measured by.
+    pub compliance: Vec<f64>,
     /// Initial stiffness of each point [MPa/mm].
     pub initial: Vec<f64>,
 }
 
-/// Reference values of the scene.
+/// Reference values of the scene, which springs start from; what has converged is told without them.
 #[derive(Clone, Copy, Debug)]
 pub struct Scale {
-    /// `p_ref` \[MPa\].
-    pub pressure: f64,
     /// `g_ref` \[mm\].
     pub gap: f64,
     /// `E*/ℓ`: the spring stiffness of κ = 1 [MPa/mm].
@@ -36,19 +38,21 @@ pub struct Scale {
 /// Softest and stiffest spring, in units of `E*/ℓ`.
 pub const LIMITS: [f64; 2] = [1e-12, 1e6];
 
-/// A load below this fraction of the reference pressure on all points is round-off of the condensation.
-const UNLOADED: f64 = 1e-14;
-
 /// Pressure over `k |g|` of the deepest interference above which it presses: hard springs give way to all but this part.
 const PRESSED: f64 = 1e-9;
 
-/// Springs whose `k |w|` and `k |γ|` are together more than so many times the forces lose a digit where they cancel.
+/// Springs whose `k |b| |u|` and `k |γ|` are together more than so many times the forces lose a digit where they cancel.
 const CANCELLING: f64 = 10.0;
 
 impl Scale {
     /// Stiffness of a closed point, `k_hard = 1e6 E*/ℓ` [MPa/mm].
     pub fn hard(&self) -> f64 {
         LIMITS[1] * self.stiffness
+    }
+
+    /// Whether a stiffness is that of a closed point, but for rounding.
+    pub fn is_hard(&self, stiffness: f64) -> bool {
+        stiffness >= self.hard() * (1.0 - 1e-9)
     }
 
     /// Keeps a stiffness within `1e-12 … 1e6 E*/ℓ`; NaN passes through.
@@ -120,7 +124,7 @@ impl ContactProblem<'_> {
         for ((point, k), r) in self.points.iter().zip(stiffness).zip(&springs.force) {
             let (w, rest) = (point.approach(&u), unstrained(point));
             let p = r + k * (w - rest);
-            summands += point.weight * k * (w.abs() + rest.abs());
+            summands += point.weight * k * (point.size_of_approach(&u) + rest.abs());
             sums += point.weight * p.abs();
             pressure.push(p);
         }
@@ -146,9 +150,10 @@ impl ContactProblem<'_> {
         (self.stiffness * ColRef::from_slice(u)).iter().copied().collect()
     }
 
-    /// Whether the condensed load is no more than round-off.
-    pub fn is_unloaded(&self) -> bool {
-        self.is_round_off(absolute(self.load))
+    /// `|S| |u|`: the size of the terms in `S u` \[N\].
+    pub fn terms_of_internal_force(&self, u: &[f64]) -> Vec<f64> {
+        let n = u.len();
+        (0..n).map(|i| (0..n).map(|j| (self.stiffness[(i, j)] * u[j]).abs()).sum()).collect()
     }
 
     /// Whether interference presses with every point closed: not where the bodies are free to move out of it.
@@ -162,12 +167,6 @@ impl ContactProblem<'_> {
         largest > 0.0 && iterate.pressure.iter().any(|p| *p > PRESSED * largest)
     }
 
-    /// Whether a force is no more than round-off of the reference pressure on all points \[N\].
-    fn is_round_off(&self, force: f64) -> bool {
-        let reference: f64 = self.points.iter().map(|point| point.weight * self.scale.pressure).sum();
-        force <= UNLOADED * reference
-    }
-
     /// `load − S u − Σ A p b` from the internal force `S u` \[N\].
     fn imbalance(&self, load: &[f64], internal: &[f64], pressure: &[f64]) -> Vec<f64> {
         let mut residual: Vec<f64> = load.iter().zip(internal).map(|(f, s)| f - s).collect();
@@ -175,31 +174,6 @@ impl ContactProblem<'_> {
             point.add_row(-point.weight * p, &mut residual);
         }
         residual
-    }
-
-    /// The four residuals of an iterate, for the pressures as reported (projected to p ≥ 0).
-    ///
-    /// Where penetration is the springs' own law, only `k₀ (w − g)⁺` of open points counts as penetration.
-    pub fn residuals(&self, load: &[f64], iterate: &Iterate, elastic: bool) -> Residuals {
-        let reported: Vec<f64> = iterate.pressure.iter().map(|p| reported(*p)).collect();
-        let (mut penetration, mut tension, mut complementarity) = (0.0, 0.0, 0.0);
-        for (i, point) in self.points.iter().enumerate() {
-            let (p, h) = (iterate.pressure[i], point.gap - iterate.approach[i]);
-            let missing = if elastic { self.initial[i] * -h - p } else { 0.0 };
-            let depth = if elastic { missing.max(0.0) / self.scale.pressure } else { -h / self.scale.gap };
-            penetration = worse(penetration, depth);
-            tension = worse(tension, -p / self.scale.pressure);
-            complementarity = worse(complementarity, (p / self.scale.pressure).min(h / self.scale.gap));
-        }
-        let total: f64 = self.points.iter().zip(&reported).map(|(point, p)| point.weight * p).sum();
-        let applied = absolute(load);
-        let missing = absolute(&self.imbalance(load, &iterate.internal, &reported));
-        // Where nothing presses, what springs pull by turns the imbalance into a pure number.
-        let pulling = self.points.iter().zip(&iterate.pressure).map(|(point, p)| point.weight * p.abs());
-        let pressing = total.max(applied);
-        let scale = if self.is_round_off(pressing) { pulling.sum() } else { pressing };
-        let balance = if missing > 0.0 || missing.is_nan() { missing / scale } else { 0.0 };
-        Residuals { penetration, tension, complementarity, balance }
     }
 }
 
@@ -211,9 +185,4 @@ fn absolute(forces: &[f64]) -> f64 {
 /// Pressure as reported: projected to p ≥ 0; NaN stays NaN.
 pub fn reported(pressure: f64) -> f64 {
     if pressure < 0.0 { 0.0 } else { pressure }
-}
-
-/// The larger one, NaN if either is.
-fn worse(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }

@@ -58,7 +58,7 @@ fn solve(numbers: Numbers) -> Result<[f64; 2], Error> {
         other => other?,
     };
     // Only the pin's lower quarter is modelled: a contact that reaches its end goes on beyond it.
-    let spills = run.measures().edge > SPILLS * rod.stretch;
+    let spills = run.measures().edge() > SPILLS * rod.stretch;
     if spills || !run.solution.converged() {
         return Ok([f64::NAN; 2]);
     }

@@ -16,7 +16,7 @@ use crate::oracle::digitised::{
 use crate::oracle::{Oracle, ReferenceKind};
 use crate::scene::Material;
 use crate::scene::library::PinRod;
-use crate::solution::PointState;
+use crate::solution::{EdgeState, PointState};
 
 /// Name of the case.
 pub const CASE: &str = "gaertner 1977";
@@ -91,5 +91,11 @@ fn edges(scene: &DigitisedScene, elements: usize) -> Result<(f64, Vec<PointState
     let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
     let discretisation = Discretisation::of(rod.scene(), resolution)?;
     let run = Run::of(&discretisation, &Formulation::verification())?;
-    Ok((discretisation.scene.contact().stretch, run.solution.edges))
+    let middle = |edge: &EdgeState| PointState {
+        position: edge.position(),
+        weight: edge.weight,
+        pressure: if run.solution.converged() { edge.pressure } else { f64::NAN },
+        gap: f64::NAN,
+    };
+    Ok((discretisation.scene.contact().stretch, run.solution.edges.iter().map(middle).collect()))
 }

@@ -32,7 +32,7 @@ pub fn trials() -> Vec<Trial> {
         verification(),
         Some(truncated_hertz),
     );
-    all.extend(trials_of(TRUNCATED, truncated.clone(), truncated.resolution, Formulation::nine(), Some(nine)));
+    all.extend(trials_of(TRUNCATED, truncated.clone(), truncated.resolution, Formulation::compared(), Some(nine)));
     all.extend(trials_of(
         "cylinder, verification",
         cylinder.clone(),
@@ -42,23 +42,21 @@ pub fn trials() -> Vec<Trial> {
     ));
     let fine = Resolution { elements: 16, ..small.resolution };
     all.extend(trials_of("cylinder, a/R = 0.005", small, fine, verification(), Some(small_cylinder)));
-    all.extend(trials_of(CYLINDER, cylinder.clone(), cylinder.resolution, Formulation::nine(), Some(nine)));
+    all.extend(trials_of(CYLINDER, cylinder.clone(), cylinder.resolution, Formulation::compared(), Some(nine)));
     all
 }
 
 /// Relative errors of p₀, of a, and L2(p) over one and a half half-widths, against Hertz; NaN where the run did not converge.
 ///
-/// The peak is compared with what the same functional makes of the exact pressures at the same points.
 pub fn errors(run: &Run, exact: &Hertz) -> [f64; 3] {
     if !run.solution.converged() {
         return [f64::NAN; 3];
     }
     let (points, measures) = (&run.solution.points, &run.measures());
     let pressure = |x: f64| exact.pressure(x);
-    let peak = profile::peak_of(points, measures.half_width, pressure).pressure;
     let away = |value: f64, reference: f64| (value - reference).abs() / reference;
     [
-        away(measures.peak.pressure, peak),
+        away(measures.peak.pressure, exact.peak_pressure()),
         away(measures.half_width, exact.half_width()),
         profile::relative_l2(points, pressure, 1.5 * exact.half_width()),
     ]
@@ -81,7 +79,7 @@ fn peak_and_half_width(problem: &Problem, run: &Run, tolerance: [f64; 2], becaus
             "Half-width shall follow Hertz",
             "a [mm]",
             measures.1,
-            Reference::read(oracle.as_ref(), Quantity::HalfWidth),
+            Reference::read(oracle.as_ref(), Quantity::SecondMoment),
             tolerance[1],
             because[1],
         ),
@@ -130,7 +128,7 @@ fn small_cylinder(problem: &Problem, discretisation: &Discretisation, run: &Run)
 }
 
 fn nine(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
-    let because = "engineering tolerance of the paper's comparison; residuals to 1e-3";
+    let because = "engineering tolerance of the paper's comparison; iteration error to 3e-3";
     Ok(peak_and_half_width(problem, run, [1e-2, 1e-2], [because, because]))
 }
 

@@ -12,6 +12,9 @@
 //! * [`faults`] — the record of planted faults.
 //! * [`atlas`] — where each formulation converges, and where it was predicted to.
 //! * [`accuracy`] — the cheapest mesh for an accuracy asked.
+//! * [`converged`] — what is called converged.
+//! * [`records`] — files of recorded surveys.
+//! * [`unbounded`] — peaks without a limit.
 //! * [`scene_file`] — a user's own scene, with its checks.
 //! * [`stability`] — predicted rates and steps against measured ones.
 //! * [`cures`] — acceleration of constant stiffness, nested starts of kinematic load.
@@ -22,6 +25,7 @@
 pub mod accuracy;
 pub mod atlas;
 pub mod check;
+pub mod converged;
 pub mod cross_code;
 pub mod cures;
 pub mod exact;
@@ -33,6 +37,7 @@ pub mod limits;
 pub mod pictures;
 pub mod pin;
 pub mod problem;
+pub mod records;
 pub mod refinement;
 pub mod run;
 pub mod scene_file;
@@ -41,6 +46,7 @@ pub mod statements;
 pub mod suite;
 pub mod sweep;
 pub mod timings;
+pub mod unbounded;
 pub mod universal;
 
 pub use check::{Check, Reference, Verdict};

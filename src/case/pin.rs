@@ -27,7 +27,7 @@ pub fn trials() -> Vec<Trial> {
         all.extend(trials_of(&case, problem, resolution, vec![Formulation::verification()], Some(persson)));
     }
     if let Ok(rod) = problem::problem("pin-rod", None) {
-        all.extend(trials_of(PIN_ROD, rod.clone(), rod.resolution, Formulation::nine(), Some(one_another)));
+        all.extend(trials_of(PIN_ROD, rod.clone(), rod.resolution, Formulation::compared(), Some(one_another)));
     }
     all
 }
@@ -60,7 +60,7 @@ fn persson(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Res
             "The second-moment angle shall follow Persson",
             "2 √(∫pφ²/∫p) [rad]",
             converged(run.measures().half_width),
-            Reference::analytic(oracle.name(), exact_second_moment(problem, edge)),
+            read(Quantity::SecondMoment),
             3e-3,
             "edge within an element, plate finite",
         ),
@@ -77,20 +77,6 @@ fn persson(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Res
         ));
     }
     Ok(checks)
-}
-
-/// The same functional of the closed form, by the trapezoidal rule in `φ = ε sin t`, where the integrand is smooth.
-pub fn exact_second_moment(problem: &Problem, edge: f64) -> f64 {
-    let n = 4000;
-    let (mut moment, mut total) = (0.0, 0.0);
-    for k in 0..n {
-        let t = (k as f64 + 0.5) / n as f64 * std::f64::consts::FRAC_PI_2;
-        let phi = edge * t.sin();
-        let weight = problem.reference_pressure(phi) * t.cos();
-        total += weight;
-        moment += weight * phi * phi;
-    }
-    2.0 * (moment / total).sqrt()
 }
 
 /// Hoop stress at the node of the second body's contact boundary nearest to an angle \[MPa\].
@@ -113,7 +99,7 @@ fn one_another(_: &Problem, discretisation: &Discretisation, run: &Run) -> Resul
     let reference = Run::of(discretisation, &Formulation::verification())?;
     let converged = |value: f64| if run.solution.converged() { value } else { f64::NAN };
     let own = |value| Reference::own("node.kinematic at 1e-8", value);
-    let because = "engineering tolerance of the paper's comparison; residuals to 1e-3";
+    let because = "engineering tolerance of the paper's comparison; iteration error to 3e-3";
     Ok(vec![
         Check::relative(
             "All nine shall find the same peak pressure",
@@ -133,8 +119,8 @@ fn one_another(_: &Problem, discretisation: &Discretisation, run: &Run) -> Resul
         ),
         Check::norm(
             "All nine shall find the same profile of edge means",
-            "L2(p)",
-            converged(profile::relative_l2_between(&run.solution.edges, &reference.solution.edges)),
+            "share of the force elsewhere",
+            converged(profile::misplaced(&run.solution.edges, &reference.solution.edges)),
             own(0.0),
             1e-2,
             because,

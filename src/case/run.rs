@@ -2,14 +2,16 @@
 
 use std::time::Instant;
 
+use crate::algorithm::StiffnessRule;
+use crate::case::unbounded::{self, Unbounded};
 use crate::contact::Interface;
 use crate::error::Error;
-use crate::formulation::{Discretisation, Formulation};
+use crate::formulation::{Change, Discretisation, Formulation};
 use crate::measure::{Measures, profile, whole};
-use crate::solution::Solution;
+use crate::solution::{Solution, States};
 
-/// Active points on a half-width from which on it is worth quoting.
-pub const RESOLVED: usize = 4;
+/// Active points and pressed edges on a half-width from which on it is worth quoting.
+pub const RESOLVED: [usize; 2] = [4, 3];
 
 /// A point that carries so many times the peak is no part of the profile around it.
 const ABOVE: f64 = 1.2;
@@ -20,19 +22,46 @@ pub const INSIDE: f64 = 0.8;
 const ROUGH: f64 = 0.1;
 
 /// The numbers one quotes of a contact.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Contact {
     /// Half-width, peak and the like.
     pub measures: Measures,
     /// Force that the reported pressures exert on the upper (inner) body along the load line, both halves \[N\].
     pub transmitted: f64,
+    /// Errors against the solution of the same discrete problem; none where that was not found, or is open.
+    pub iteration: Option<Errors>,
+    /// What springs of the rule `penalty` cost: their solution against that of the contact conditions.
+    pub penalty: Option<Errors>,
+    /// What is known of a peak without a limit; none where it has one, or was not asked about.
+    pub unbounded: Option<Unbounded>,
+    /// Whether the contact is open in the discrete solution; none where that was not found.
+    pub open: Option<bool>,
 }
 
-/// Part of its largest pressure from which on a point of a weak contact counts as active, and above which pressures that
-/// the tolerance leaves open are no small part of it.
-const WEAK: f64 = 0.05;
-/// Pressure over that of the tolerance that rounding explains.
-const ROUND_OFF: f64 = 1e-6;
+/// Relative errors, with sign.
+#[derive(Clone, Copy, Debug)]
+pub struct Errors {
+    /// Of the peak pressure.
+    pub peak: f64,
+    /// Of the half-width.
+    pub half_width: f64,
+}
+
+impl Errors {
+    /// Of some measures against others that have a pressure.
+    fn between(found: &Measures, wanted: &Measures) -> Self {
+        let error = |found: f64, wanted: f64| (found - wanted) / wanted;
+        // On one point the second moment about it vanishes.
+        let half_width = if wanted.half_width > 0.0 { error(found.half_width, wanted.half_width) } else { 0.0 };
+        Self { peak: error(found.peak.pressure, wanted.peak.pressure), half_width }
+    }
+
+    /// The larger size of both; NaN if either is.
+    pub fn largest(&self) -> f64 {
+        let [peak, half_width] = [self.peak.abs(), self.half_width.abs()];
+        if peak.is_nan() || half_width.is_nan() { f64::NAN } else { peak.max(half_width) }
+    }
+}
 
 /// A finished run.
 #[derive(Clone, Debug)]
@@ -47,8 +76,6 @@ pub struct Run {
     pub solution: Solution,
     /// The numbers one quotes, contact by contact.
     pub contacts: Vec<Contact>,
-    /// Pressure that the tolerance leaves open, tolerance times the reference pressure \[MPa\].
-    pub told: f64,
     /// Operations of the sparse factorisation that condensed the bodies.
     pub sparse_operations: f64,
     /// Seconds by stage.
@@ -79,23 +106,27 @@ impl Run {
         let solution = solve()?;
         let mut seconds = discretisation.seconds.clone();
         seconds.push(("iteration", clock.elapsed().as_secs_f64()));
-        let scene = &discretisation.scene;
-        let floor = formulation.settings.tolerance * scene.reference.pressure;
         Ok(Self {
             formulation: formulation.clone(),
             freedoms: discretisation.system.freedoms(),
             retained: discretisation.condensed.retained(),
             sparse_operations: discretisation.condensed.operations(),
-            contacts: (discretisation.interfaces.iter())
-                .map(|interface| Contact {
-                    measures: Measures::of(scene, &solution, interface.contact, own_floor(&solution, interface, floor)),
-                    transmitted: transmitted(interface, &solution),
-                })
-                .collect(),
-            told: floor,
+            contacts: discretisation.interfaces.iter().map(|one| measured(discretisation, one, &solution)).collect(),
             solution,
             seconds,
         })
+    }
+
+    /// The same after a change of load or clearance.
+    pub fn under(discretisation: &Discretisation, formulation: &Formulation, change: Change) -> Result<Self, Error> {
+        Self::solved(discretisation, formulation, || discretisation.solve_changed(formulation, change))
+    }
+
+    /// The same run, told which of its peaks have no limit, from coarser meshes.
+    pub fn with_limits(mut self, discretisation: &Discretisation) -> Result<Self, Error> {
+        let found = unbounded::of(discretisation, &self)?;
+        self.contacts.iter_mut().zip(found).for_each(|(contact, unbounded)| contact.unbounded = unbounded);
+        Ok(self)
     }
 
     /// The numbers of the first contact, which is the only one of most scenes.
@@ -114,58 +145,108 @@ impl Run {
         self.solution.history.last().map_or(1.0, |step| step.increment as f64 / increments as f64)
     }
 
+    /// Largest iteration error of peak and half-width over all contacts, of those that are open in the discrete solution the
+    /// force that they carry; NaN where it is not known.
+    pub fn iteration_error(&self) -> f64 {
+        let of = |contact: &Contact| match contact.open {
+            Some(true) => self.solution.error().force,
+            _ => contact.iteration.map_or(f64::NAN, |errors| errors.largest()),
+        };
+        largest(self.contacts.iter().map(of))
+    }
+
+    /// Largest error of peak and half-width that a penalty makes; 0 without one, NaN where it is not known.
+    pub fn penalty_error(&self) -> f64 {
+        if self.formulation.rule != StiffnessRule::Penalty {
+            return 0.0;
+        }
+        let of = |contact: &Contact| match contact.open {
+            Some(true) => 0.0,
+            _ => contact.penalty.map_or(f64::NAN, |errors| errors.largest()),
+        };
+        largest(self.contacts.iter().map(of))
+    }
+
     /// What a user must know before quoting a contact of a converged run: no contact, contact on too few points, pressures
-    /// that oscillate.
+    /// that oscillate, an open middle, what a penalty costs.
     pub fn note(&self, contact: usize) -> Option<String> {
         let points = self.solution.points_of(contact);
-        let (all, several) = (points.len(), self.contacts.len() > 1);
-        let measures = &self.contacts[contact].measures;
-        let Measures { begin, edge, .. } = *measures;
+        let all = [points.len(), self.solution.edges_of(contact).len()];
+        let Contact { measures, penalty, open, unbounded, .. } = &self.contacts[contact];
+        let (begin, edge) = (measures.begin(), measures.edge());
         let (middle, reach) = (0.5 * (begin + edge), 0.5 * (edge - begin));
         let rough = profile::oscillation(&profile::about(points, middle), INSIDE * reach) / measures.peak.pressure;
-        let highest = points.iter().map(|point| point.pressure).fold(0.0, f64::max);
+        let highest = measures.largest.pressure;
         // As many on each side of x = 0, where the point there may be common to both.
         let across = points.first().is_some_and(|point| point.position < 0.0);
-        let resolved = if across { 2 * RESOLVED - 1 } else { RESOLVED };
+        let resolved = RESOLVED.map(|number| if across { 2 * number - 1 } else { number });
         match measures.active {
             _ if !self.solution.converged() => None,
-            0 => Some("no contact: every candidate is open".into()),
-            _ if highest > 0.0 && self.told > WEAK * highest && several => Some(format!(
-                "the tolerance leaves {:.2e} MPa open, {:.0} % of the largest pressure here: ask for a smaller one",
-                self.told,
-                100.0 * self.told / highest
+            _ if *open == Some(true) => Some("no contact: every candidate is open".into()),
+            _ if let Some(errors) = penalty => Some(format!(
+                "the springs of the penalty cost {:+.2} % of the peak and {:+.2} % of the half-width",
+                100.0 * errors.peak,
+                100.0 * errors.half_width
             )),
-            n if n < resolved.min(all) => {
-                Some(format!("contact rests on {n} of {all} candidate points: refine before quoting it"))
+            _ if let Some(Unbounded { growth, .. }) = unbounded => Some(format!(
+                "the peak has grown by {:.0} % with the last halving of the elements: it has no limit, or is narrower than the mesh shows",
+                100.0 * growth
+            )),
+            n if n < resolved[0].min(all[0]) => {
+                Some(format!("contact rests on {n} of {} candidate points: refine before quoting it", all[0]))
             }
+            _ if measures.pressed_edges < resolved[1].min(all[1]) => Some(format!(
+                "contact rests on {} of {} candidate edges: refine before quoting it",
+                measures.pressed_edges, all[1]
+            )),
             _ if rough > ROUGH => Some(format!(
-                "pressures depart from their neighbours by {:.0} % of the peak: quote means over edges",
+                "pressures of neighbouring points depart from one another by {:.0} % of the peak: quote means over edges, or use the node element",
                 100.0 * rough
             )),
             _ if highest > ABOVE * measures.peak.pressure => Some(format!(
                 "a point carries {highest:.4} MPa, more than the peak through its neighbours: a corner, or too coarse a mesh"
             )),
+            _ if measures.stretches.len() > 1 => Some(format!(
+                "the contact is closed on {} stretches and open between them: the half-width is that of all together",
+                measures.stretches.len()
+            )),
             _ => None,
         }
     }
 
-    /// Decades between the last residual and the tolerance, and between the last but one and the tolerance.
+    /// Decades between the last iteration error and the tolerance, and between the last but one and the tolerance.
     pub fn decision_margin(&self) -> [f64; 2] {
         let tolerance = self.formulation.settings.tolerance;
-        let mut last = self.solution.history.iter().rev().map(|step| step.residuals.largest());
-        let mut decades = || last.next().map_or(f64::NAN, |residual| (residual.max(1e-99) / tolerance).log10());
+        let mut last = self.solution.history.iter().rev().map(|step| step.error.largest());
+        let mut decades = || last.next().map_or(f64::NAN, |error| (error.max(1e-99) / tolerance).log10());
         let end = decades();
         [end, decades()]
     }
 }
 
-/// The pressure from which on a point counts as active: `tolerance · p_ref`, or where a weaker one of several contacts has
-/// no such pressure the same part of its largest one; what is round-off of the reference counts nowhere \[MPa\].
-fn own_floor(solution: &Solution, interface: &Interface, floor: f64) -> f64 {
-    let pressures = solution.points_of(interface.contact).iter().map(|point| point.pressure);
-    let largest = pressures.fold(0.0, f64::max);
-    let weaker = solution.contacts.len() > 1 && largest < floor / WEAK && largest > ROUND_OFF * floor;
-    if weaker { WEAK * largest } else { floor }
+/// The largest of some errors; NaN where one is not known.
+fn largest(errors: impl Iterator<Item = f64>) -> f64 {
+    errors.fold(0.0, |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) })
+}
+
+/// What was found of one contact.
+fn measured(discretisation: &Discretisation, interface: &Interface, solution: &Solution) -> Contact {
+    let (scene, contact) = (&discretisation.scene, interface.contact);
+    let of = |states: &States| Measures::of(scene, contact, states.part(&solution.contacts[contact]));
+    let measures = Measures::of(scene, contact, solution.part(contact));
+    let target = solution.target.as_ref().map(of);
+    let rigid = solution.rigid.as_ref().map(of);
+    let presses = |measures: &&Measures| measures.largest.pressure > 0.0;
+    let (pressing, rigidly) = (target.as_ref().filter(presses), rigid.as_ref().filter(presses));
+    let discrete = rigid.as_ref().or(target.as_ref());
+    Contact {
+        transmitted: transmitted(interface, solution),
+        iteration: pressing.map(|target| Errors::between(&measures, target)),
+        penalty: pressing.zip(rigidly).map(|(target, rigid)| Errors::between(target, rigid)),
+        unbounded: None,
+        open: discrete.map(|discrete| discrete.largest.pressure <= 0.0),
+        measures,
+    }
 }
 
 /// Sum of the nodal contact forces on the upper (inner) body along the load line, both halves \[N\].

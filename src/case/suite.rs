@@ -5,8 +5,8 @@ use std::sync::{Arc, OnceLock};
 use crate::case::check::{Check, Verdict};
 use crate::case::cross_code::{self, Answers};
 use crate::case::{
-    Problem, Run, accuracy, atlas, cures, exact, family, faults, gaertner, hertz, limits, pictures, pin, refinement,
-    stability, sweep, timings, universal,
+    Problem, Run, accuracy, atlas, converged, cures, exact, family, faults, gaertner, hertz, limits, pictures, pin,
+    refinement, stability, sweep, timings, universal,
 };
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
@@ -135,7 +135,7 @@ pub fn trials(
                     |error| Error::Combination { what: error.to_string(), remedy: "see the message before".into() },
                 )?;
             let run = Run::of(discretisation, &formulation)?;
-            let mut checks = Vec::new();
+            let mut checks: Vec<Check> = universal::bounded(&run).into_iter().collect();
             if let Some(judge) = judge {
                 checks.extend(judge(&problem, discretisation, &run)?);
                 if run.solution.converged() {
@@ -166,6 +166,7 @@ pub fn all() -> Vec<Trial> {
     trials.extend(sweep::trials());
     trials.extend(stability::trials());
     trials.extend(atlas::trials());
+    trials.extend(converged::trials());
     trials.extend(limits::trials());
     trials.extend(cures::trials());
     trials.extend(timings::trials());

@@ -1,14 +1,14 @@
 //! Surveys the stability atlas with a progress bar.
 
 use crate::case::atlas::{Plane, record, survey};
-use crate::case::cures;
+use crate::case::{cures, records};
 use crate::cli::{progress, say};
 use crate::error::Error;
 
 /// Surveys every point that is not yet recorded by this program, measures the reach of the cures, then writes the records.
 pub fn run() -> Result<(), Error> {
     let bar = progress(survey::size());
-    let unfinished = survey::unfinished()?;
+    let unfinished = records::unfinished("atlas")?;
     let surveyed = survey::survey(&Plane::ALL, &unfinished, &record::folder(), |points| bar.inc(points as u64));
     bar.finish_and_clear();
     surveyed?;

@@ -4,14 +4,13 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::case::{Problem, Reference, Run};
+use crate::case::run::Errors;
+use crate::case::{Check, Problem, Reference, Run, Verdict};
 use crate::cli::accuracy;
 use crate::cli::reactions::ReactionReading;
-use crate::measure::profile;
-use crate::mesh::Resolution;
+use crate::cli::solve::Found;
 use crate::oracle::Quantity;
-use crate::scene::Path;
-use crate::solution::PointState;
+use crate::solution::{IterationError, PointState};
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -34,15 +33,17 @@ struct Document<'a> {
     rejected: usize,
     coarser_steps: usize,
     seconds: BTreeMap<&'static str, f64>,
-    residuals: Residuals,
+    iteration_error: IterationParts,
     contacts: Vec<Contact<'a>>,
     reactions: &'a [ReactionReading],
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    checks: Vec<JudgedCheck<'a>>,
     oracles: Vec<OracleReading>,
     #[serde(skip_serializing_if = "Option::is_none")]
     accuracy: Option<accuracy::Document>,
 }
 
-/// Units of all numbers; residuals, errors and the spring stiffness κ are pure.
+/// Units of all numbers; errors and the spring stiffness κ are pure.
 #[derive(Serialize)]
 struct Units {
     length: &'static str,
@@ -64,20 +65,48 @@ struct Contact<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     centre: Option<f64>,
     active_points: usize,
+    /// Where every closed stretch begins and ends.
+    closed: Vec<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     note: Option<String>,
-    peak_pressure: f64,
+    /// Null where it has no limit.
+    peak_pressure: Option<f64>,
     peak_position: f64,
+    /// Growth of a peak without a limit at the last halving of the elements.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    peak_growth: Option<f64>,
+    pressure_at_zero: f64,
+    largest_point_pressure: f64,
+    largest_point_position: f64,
     resultant: f64,
+    /// Against the solution of the same discrete problem; null where that was not found.
+    iteration_error: Option<ContactError>,
+    /// What the springs of a penalty change of the discrete solution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    penalty_error: Option<ContactError>,
     profile: Vec<Point>,
 }
 
+/// What the iteration was judged by, at the worst contact.
 #[derive(Serialize)]
-struct Residuals {
-    penetration: f64,
-    tension: f64,
-    complementarity: f64,
-    balance: f64,
+struct IterationParts {
+    peak: f64,
+    force: f64,
+    width: f64,
+    approach: f64,
+}
+
+/// Relative errors, with sign.
+#[derive(Serialize)]
+struct ContactError {
+    peak_pressure: f64,
+    half_width: f64,
+}
+
+impl From<Errors> for ContactError {
+    fn from(errors: Errors) -> Self {
+        Self { peak_pressure: errors.peak, half_width: errors.half_width }
+    }
 }
 
 #[derive(Serialize)]
@@ -86,6 +115,32 @@ struct Point {
     pressure: f64,
     gap: f64,
     area: f64,
+}
+
+/// One of the file's own checks.
+#[derive(Serialize)]
+struct JudgedCheck<'a> {
+    quantity: &'a str,
+    value: f64,
+    reference: f64,
+    source: &'a str,
+    error: f64,
+    tolerance: f64,
+    passed: bool,
+}
+
+impl<'a> JudgedCheck<'a> {
+    fn of(check: &'a Check) -> Self {
+        Self {
+            quantity: &check.quantity,
+            value: check.value,
+            reference: check.reference.value,
+            source: &check.reference.name,
+            error: check.error,
+            tolerance: check.tolerance,
+            passed: check.verdict == Verdict::Pass,
+        }
+    }
 }
 
 /// What an oracle says of a quantity, and how far the run is from it.
@@ -104,23 +159,10 @@ pub struct OracleReading {
 }
 
 /// The document of a run.
-pub fn text(
-    problem: &Problem,
-    resolution: Resolution,
-    run: &Run,
-    reactions: &[ReactionReading],
-    accuracy: Option<accuracy::Document>,
-) -> String {
+pub fn text(found: &Found, accuracy: Option<accuracy::Document>) -> String {
+    let Found { problem, resolution, run, reactions, checks } = found;
     let solution = &run.solution;
-    let nan = f64::NAN;
-    let last = solution.history.last().map(|step| step.residuals);
-    let residuals =
-        last.map_or(Residuals { penetration: nan, tension: nan, complementarity: nan, balance: nan }, |r| Residuals {
-            penetration: r.penetration,
-            tension: r.tension,
-            complementarity: r.complementarity,
-            balance: r.balance,
-        });
+    let IterationError { peak, force, width, approach } = solution.error();
     let contacts = (0..run.contacts.len()).map(|contact| of_contact(problem, run, contact)).collect();
     let document = Document {
         case: &problem.name,
@@ -142,9 +184,10 @@ pub fn text(
         rejected: solution.work.rejected,
         coarser_steps: solution.coarser.steps,
         seconds: run.seconds.iter().copied().collect(),
-        residuals,
+        iteration_error: IterationParts { peak, force, width, approach },
         contacts,
         reactions,
+        checks: checks.iter().map(JudgedCheck::of).collect(),
         oracles: oracles(problem, run),
         accuracy,
     };
@@ -162,25 +205,33 @@ fn of_contact<'a>(problem: &'a Problem, run: &Run, contact: usize) -> Contact<'a
         half_width_nodes: measures.half_width_nodes,
         centre: pair.path.has_both_sides().then_some(measures.centre),
         active_points: measures.active,
+        closed: measures.stretches.iter().map(|stretch| [stretch.begin, stretch.end]).collect(),
         note: run.note(contact),
-        peak_pressure: measures.peak.pressure,
+        peak_pressure: found.unbounded.is_none().then_some(measures.peak.pressure),
+        peak_growth: found.unbounded.map(|unbounded| unbounded.growth),
         peak_position: measures.peak.position,
+        pressure_at_zero: measures.pressure_at_origin,
+        largest_point_pressure: measures.largest.pressure,
+        largest_point_position: measures.largest.position,
         resultant: found.transmitted,
+        iteration_error: found.iteration.map(ContactError::from),
+        penalty_error: found.penalty.map(ContactError::from),
         profile: run.solution.points_of(contact).iter().map(point).collect(),
     }
 }
 
-/// Readings of the problem's oracle for the quantities it knows; on arcs the half-width is the same functional of both.
+/// Readings of the problem's oracle for the quantities it knows, each beside the same quantity of the run.
 pub fn oracles(problem: &Problem, run: &Run) -> Vec<OracleReading> {
     let Some(oracle) = &problem.oracle else { return Vec::new() };
-    let on_arc = matches!(problem.scene.contact().path, Path::Arc(_));
-    let moment = profile::half_width_of(&run.solution.points, |s| problem.reference_pressure(s));
-    let half_width = if on_arc { moment } else { Reference::read(oracle.as_ref(), Quantity::HalfWidth).value };
     let read = |quantity| Reference::read(oracle.as_ref(), quantity).value;
     let resultant = read(Quantity::Resultant) * problem.scene.thickness;
+    let measures = run.measures();
+    let edge = if problem.scene.contact().path.is_straight() { Quantity::HalfWidth } else { Quantity::ContactAngle };
     let all = [
-        ("half_width", run.measures().half_width, half_width),
-        ("peak_pressure", run.measures().peak.pressure, read(Quantity::PeakPressure)),
+        ("half_width", measures.half_width, read(Quantity::SecondMoment)),
+        ("edge", 0.5 * (measures.edge() - measures.begin()), read(edge)),
+        ("peak_pressure", measures.peak.pressure, read(Quantity::PeakPressure)),
+        ("pressure_at_zero", measures.pressure_at_origin, read(Quantity::Pressure { at: 0.0 })),
         ("resultant", run.transmitted(), resultant),
     ];
     all.into_iter()

@@ -1,17 +1,21 @@
 //! What the user types.
 //!
 //! * [`accuracy`] — what `solve` says of an accuracy that was asked for.
+//! * [`converged`] — surveys what is called converged.
+//! * [`ended`] — how a command ended, as its exit code tells.
 //! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`timings`] — measures speed against accuracy.
 //! * [`suite`] — runs all trials with a progress bar.
 //! * [`solve`] — one case, with its outputs.
-//! * [`verify`] — every scene file of a folder.
+//! * [`verify`] — scene files with their checks.
 //! * [`reactions`] — what its supports exert.
 //! * [`json`] — the result of a solve as JSON.
 //! * [`vtu`] — its fields for ParaView.
 
 pub mod accuracy;
 pub mod atlas;
+pub mod converged;
+pub mod ended;
 pub mod json;
 pub mod reactions;
 pub mod solve;
@@ -30,6 +34,7 @@ use miette::GraphicalReportHandler;
 
 use crate::case::problem::PROBLEMS;
 use crate::case::timings::growth;
+use crate::cli::ended::Ended;
 use crate::error::Error;
 use crate::report;
 
@@ -53,10 +58,11 @@ enum Command {
     },
     /// Solve one case of the library, or a scene file of your own.
     Solve(Box<solve::Arguments>),
-    /// Solve every scene file of a folder and judge it by its own checks; fails where one fails.
+    /// Solve scene files and judge them by their own checks; fails where one fails.
     Verify {
-        /// Folder with scene files (*.toml).
-        folder: PathBuf,
+        /// Scene files (*.toml), or folders with some.
+        #[arg(required = true, value_name = "PATH")]
+        paths: Vec<PathBuf>,
         /// Print every check with its verdict, a line of JSON each, instead of the table.
         #[arg(long)]
         json: bool,
@@ -65,6 +71,8 @@ enum Command {
     Verdicts,
     /// Survey the stability atlas and write snapshots/atlas; broken off, it goes on where it stopped.
     Atlas,
+    /// Survey what is called converged and write snapshots/converged.csv; broken off, it goes on where it stopped.
+    Converged,
     /// Measure speed against accuracy on one thread and write snapshots/timings; other codes are asked where installed.
     Timings {
         /// Solve one mesh, elements per half-width and refinement, and print the largest memory of the process in bytes.
@@ -78,31 +86,32 @@ enum Command {
     Freeze,
 }
 
-/// Runs the command line; failed checks, stale pages and errors exit with a failure.
+/// Runs the command line. Exit codes: 0 all is well, 1 a check failed or the page is stale, 2 the input is wrong, 3 a run did
+/// not converge or holds no contact.
 pub fn main() -> ExitCode {
     let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false }) {
-        Command::Report { check } => report_command(check),
-        Command::Verdicts => Ok(suite::verdicts()),
-        Command::Atlas => atlas::run().map(|()| true),
+        Command::Report { check } => report_command(check).map(Ended::checked),
+        Command::Verdicts => Ok(Ended::checked(suite::verdicts())),
+        Command::Atlas => atlas::run().map(|()| Ended::Well),
+        Command::Converged => converged::run().map(|()| Ended::Well),
         Command::Timings { memory: Some(mesh) } => {
-            growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| true)
+            growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Ended::Well)
         }
-        Command::Timings { memory: None } => timings::run().map(|()| true),
-        Command::Verify { folder, json } => verify::run(&folder, json),
+        Command::Timings { memory: None } => timings::run().map(|()| Ended::Well),
+        Command::Verify { paths, json } => verify::run(&paths, json),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::List => {
             PROBLEMS.iter().for_each(|(name, title)| say(format!("{name:18} {title}")));
-            Ok(true)
+            Ok(Ended::Well)
         }
         #[cfg(feature = "python")]
-        Command::Freeze => freeze().map(|()| true),
+        Command::Freeze => freeze().map(|()| Ended::Well),
     };
     match outcome {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
+        Ok(ended) => ended.into(),
         Err(error) => {
             show(&error);
-            ExitCode::FAILURE
+            ExitCode::from(ended::WRONG_INPUT)
         }
     }
 }

@@ -65,18 +65,13 @@ pub fn verdicts() -> bool {
             Err(error) => lines.push(broken(&title, &error)),
         }
     }
-    tell(&lines)
-}
-
-/// Prints lines of JSON and tells whether none of them says that a check failed.
-pub fn tell(lines: &[Value]) -> bool {
     lines.iter().for_each(say);
     lines.iter().all(|line| line["verdict"] != "fail")
 }
 
 /// The checks of a trial, a line of JSON each.
-pub fn lines(title: &str, checks: &[Check]) -> Vec<Value> {
-    checks.iter().map(|check| line(title, check)).collect()
+pub fn lines<'a>(title: &str, checks: impl IntoIterator<Item = &'a Check>) -> Vec<Value> {
+    checks.into_iter().map(|check| line(title, check)).collect()
 }
 
 /// The line of a trial that broke off.
@@ -95,6 +90,10 @@ fn line(title: &str, check: &Check) -> Value {
         "requirement": check.requirement,
         "quantity": check.quantity,
         "kind": check.reference.kind,
+        "value": check.value,
+        "reference": check.reference.value,
+        "error": check.error,
+        "tolerance": check.tolerance,
         "verdict": verdict,
     })
 }

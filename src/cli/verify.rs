@@ -1,75 +1,137 @@
-//! `verify DIR`: every scene file of a folder, with its own checks.
+//! `verify PATH…`: scene files, and those of folders, with their own checks.
 
 use std::path::{Path, PathBuf};
 
+use comfy_table::{ContentArrangement, Table, presets};
 use rayon::prelude::*;
 
-use crate::case::{Finding, SceneFile};
+use crate::case::scene_file::Judgement;
+use crate::case::{Check, Run, SceneFile, Verdict};
+use crate::cli::ended::Ended;
 use crate::cli::{progress, say, show, suite};
 use crate::error::Error;
+use crate::report::format;
 
-/// Solves the scene files of a folder in the order of their names, prints the verdicts and tells whether none failed.
+/// A file that was solved.
+struct Verified {
+    name: String,
+    formulation: String,
+    run: Run,
+    judgement: Judgement,
+}
+
+/// Solves scene files in the order of their names, prints the verdicts and tells how they ended.
 ///
-/// A file that cannot be read or solved fails; the others are solved all the same.
-pub fn run(folder: &Path, json: bool) -> Result<bool, Error> {
-    let files = scene_files(folder)?;
+/// A file that cannot be read or solved is wrong input; the others are solved all the same.
+pub fn run(paths: &[PathBuf], json: bool) -> Result<Ended, Error> {
+    let mut files = Vec::new();
+    for path in paths {
+        files.extend(if path.is_dir() { scene_files(path)? } else { vec![path.clone()] });
+    }
     let bar = progress(files.len());
-    let judged: Vec<Result<Finding, Error>> = files
+    let verified: Vec<Result<Verified, Error>> = files
         .par_iter()
         .map(|file| {
             bar.set_message(file.display().to_string());
-            let finding = judge(file);
+            let verified = verify(file);
             bar.inc(1);
-            finding
+            verified
         })
         .collect();
     bar.finish_and_clear();
-    Ok(if json { tell_lines(&files, &judged) } else { tell_table(&files, judged) })
+    if json {
+        tell_lines(&files, &verified)
+    } else {
+        tell_table(&files, &verified)
+    }
+    let ended = verified.iter().flatten().map(|one| Ended::of(&one.run, Ended::checked(one.judgement.passed()))).max();
+    match verified.into_iter().find_map(Result::err) {
+        Some(error) => Err(error),
+        None => Ok(ended.unwrap_or(Ended::Well)),
+    }
 }
 
 /// Every check with its verdict, a line of JSON each; a file that is not solved has one line, which fails.
-fn tell_lines(files: &[PathBuf], judged: &[Result<Finding, Error>]) -> bool {
-    let of_file = |(file, finding): (&PathBuf, &Result<Finding, Error>)| match finding {
-        Ok(finding) => suite::lines(&finding.case, &finding.checks),
-        Err(error) => vec![suite::broken(&file.display().to_string(), error)],
-    };
-    suite::tell(&files.iter().zip(judged).flat_map(of_file).collect::<Vec<_>>())
+fn tell_lines(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
+    for (file, one) in files.iter().zip(verified) {
+        let lines = match one {
+            Ok(one) => suite::lines(&one.name, one.judgement.checks()),
+            Err(error) => vec![suite::broken(&file.display().to_string(), error)],
+        };
+        lines.iter().for_each(say);
+    }
 }
 
-fn tell_table(files: &[PathBuf], judged: Vec<Result<Finding, Error>>) -> bool {
-    let (mut findings, mut broken) = (Vec::new(), 0);
-    for (file, finding) in files.iter().zip(judged) {
-        match finding {
-            Ok(finding) => findings.push(finding),
-            Err(error) => {
-                broken += 1;
-                show(&error);
-                say(format!("{}: not solved", file.display()));
-            }
+/// A row for each file, then what did not pass: its own checks apart from what every run must satisfy.
+fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
+    table.set_header(["file", "formulation", "outcome", "steps", "its own checks", "checks of every run"]);
+    for Verified { name, formulation, run, judgement } in verified.iter().flatten() {
+        let outcome = run.solution.outcome.to_string();
+        let counted = [counted(&judgement.own), counted(&judgement.universal)];
+        let steps = run.solution.work.steps.to_string();
+        table.add_row([vec![name.clone(), formulation.clone(), outcome, steps], counted.into()].concat());
+    }
+    say(table);
+    for Verified { name, judgement, .. } in verified.iter().flatten() {
+        let own = std::iter::once(&judgement.converges).chain(&judgement.own);
+        let not_passed = |check: &&Check| check.verdict != Verdict::Pass;
+        own.filter(not_passed).for_each(|check| say(told(name, check)));
+        let every = format!("{name}, not by the file's own checks but by those of every run");
+        judgement.universal.iter().filter(not_passed).for_each(|check| say(told(&every, check)));
+    }
+    let broken = verified.iter().filter(|one| one.is_err()).count();
+    for (file, one) in files.iter().zip(verified) {
+        // The last one is told as the error of the command.
+        if let (Err(error), true) = (one, broken > 1) {
+            show(error);
+            say(format!("{}: not solved", file.display()));
         }
     }
-    suite::print(&findings);
     if broken > 0 {
         say(format!("{broken} of {} files not solved", files.len()));
     }
-    broken == 0 && suite::all_pass(&findings)
 }
 
-fn judge(file: &Path) -> Result<Finding, Error> {
+fn counted(checks: &[Check]) -> String {
+    let failed = checks.iter().filter(|check| check.verdict == Verdict::Fail).count();
+    match (checks.len(), failed) {
+        (0, _) => "none".into(),
+        (all, 0) => format!("{all} passed"),
+        (all, failed) => format!("{failed} of {all} FAILED"),
+    }
+}
+
+/// A check that did not pass, with its numbers.
+pub fn told(name: &str, check: &Check) -> String {
+    let limit =
+        if check.tolerance > 0.0 { format!(", at most {}", format::error(check.tolerance)) } else { String::new() };
+    format!(
+        "{name}: {} — {}: {} is {}, reference {}, error {}{limit}",
+        format::verdict(&check.verdict),
+        check.requirement,
+        check.quantity,
+        format::value(check.value),
+        format::value(check.reference.value),
+        format::error(check.error),
+    )
+}
+
+fn verify(file: &Path) -> Result<Verified, Error> {
     let scene_file = SceneFile::read(file)?;
-    let problem = &scene_file.problem;
     let (discretisation, run, answer) = scene_file.solve()?;
-    let mut checks = scene_file.checks(&discretisation, &run)?;
-    checks.extend(scene_file.accuracy.iter().zip(&answer).map(|(asked, answer)| answer.check(asked)));
-    let name = scene_file.formulation.name();
-    Ok(Finding { case: problem.name.clone(), name, run: Some(run), checks, ..Default::default() })
+    let mut judgement = scene_file.judge(&discretisation, &run)?;
+    judgement.own.extend(scene_file.accuracy.iter().zip(&answer).map(|(asked, answer)| answer.check(asked)));
+    let formulation = scene_file.formulation.name();
+    Ok(Verified { name: scene_file.problem.name.clone(), formulation, run, judgement })
 }
 
 fn scene_files(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let failed = |reason: String| Error::File {
         path: folder.into(),
         reason,
-        remedy: "give a folder with scene files, *.toml".into(),
+        remedy: "give a scene file, or a folder with some, *.toml".into(),
     };
     let entries = std::fs::read_dir(folder).map_err(|error| failed(error.to_string()))?;
     let paths = entries.map(|entry| entry.map(|entry| entry.path())).collect::<Result<Vec<_>, _>>();

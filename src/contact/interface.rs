@@ -1,8 +1,8 @@
 //! Nodes and edges of the candidate stretch, and what they face.
 
 use crate::condensation::Condensed;
-use crate::contact::dual;
 use crate::contact::facing::{Facing, natural};
+use crate::contact::{ContactEdge, dual};
 use crate::elasticity::shape_functions;
 use crate::error::Error;
 use crate::mesh::{Candidate, Mesh, candidates};
@@ -105,6 +105,14 @@ impl Interface {
             interface.stations.iter_mut().zip(rows).for_each(|(station, row)| station.facing = row);
         }
         Ok(interface)
+    }
+
+    /// Where the candidate edges begin and end.
+    pub fn contact_edges(&self) -> impl Iterator<Item = ContactEdge> + '_ {
+        self.edges.iter().map(|edge| {
+            let [a, b] = [edge[0], edge[1]].map(|station| self.stations[station].coordinate);
+            ContactEdge { contact: self.contact, ends: [a.min(b), a.max(b)] }
+        })
     }
 
     /// At a natural coordinate of an edge: shape functions `N_a`, contact coordinate `s`, and length per ξ \[mm\].

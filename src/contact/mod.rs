@@ -46,10 +46,24 @@ impl ContactPoint {
         self.row.iter().map(|&(freedom, value)| value * u[freedom]).sum()
     }
 
+    /// `|b|·|u|`: the size of the displacements whose difference the approach is \[mm\].
+    pub fn size_of_approach(&self, u: &[f64]) -> f64 {
+        self.row.iter().map(|&(freedom, value)| (value * u[freedom]).abs()).sum()
+    }
+
     /// Adds `factor · b` to a vector on the retained freedoms.
     pub fn add_row(&self, factor: f64, out: &mut [f64]) {
         self.row.iter().for_each(|&(freedom, value)| out[freedom] += factor * value);
     }
+}
+
+/// An edge of the first body in the candidate stretch of a contact.
+#[derive(Clone, Copy, Debug)]
+pub struct ContactEdge {
+    /// Index of the contact in the scene.
+    pub contact: usize,
+    /// Contact coordinates where it begins and ends \[mm, or rad on an arc\].
+    pub ends: [f64; 2],
 }
 
 /// A contact element: from facing edges to contact points.

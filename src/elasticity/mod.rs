@@ -148,6 +148,22 @@ impl BodySystem {
         motion.iter().zip(&self.force).map(|(m, f)| m * f).sum()
     }
 
+    /// `|K| |u|` for a vector of unknowns: the size of the terms in `K u` \[N\].
+    pub fn terms_of_product(&self, u: &[f64]) -> Vec<f64> {
+        let mut out = vec![0.0; u.len()];
+        let matrix = self.stiffness.as_ref();
+        for (column, &u_column) in u.iter().enumerate() {
+            let rows = matrix.row_idx_of_col(column);
+            for (row, &value) in rows.zip(matrix.val_of_col(column)) {
+                out[row] += (value * u_column).abs();
+                if row != column {
+                    out[column] += (value * u[row]).abs();
+                }
+            }
+        }
+        out
+    }
+
     /// `K u` for a vector of unknowns \[N\].
     pub fn product(&self, u: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; u.len()];

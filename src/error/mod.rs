@@ -169,6 +169,17 @@ pub enum Error {
         steps: usize,
     },
 
+    /// Initial springs too soft to be told from the round-off of the stiffness they are added to.
+    #[error(
+        "{bodies}: held by contact alone, and the initial springs are lost in the round-off of the bodies' stiffness; start them {times:.0e} times as stiff"
+    )]
+    SpringsTooSoft {
+        /// The bodies in contact.
+        bodies: String,
+        /// Factor on the initial stiffness that holds them, with two digits to spare.
+        times: f64,
+    },
+
     /// Nothing presses a body that only contact holds.
     #[error(
         "{bodies}: held by contact alone and nothing presses on: the pressure is zero and the position undetermined; apply a load or add a support"

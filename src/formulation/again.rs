@@ -29,6 +29,15 @@ impl Discretisation {
         change: Change,
         earlier: &Solution,
     ) -> Result<Solution, Error> {
+        self.after(formulation, change, &earlier.points)
+    }
+
+    /// The same from every candidate closed.
+    pub fn solve_changed(&self, formulation: &Formulation, change: Change) -> Result<Solution, Error> {
+        self.after(formulation, change, &[])
+    }
+
+    fn after(&self, formulation: &Formulation, change: Change, earlier: &[PointState]) -> Result<Solution, Error> {
         formulation.validate(&self.scene)?;
         self.refuse_change(formulation, change)?;
         let mut points = formulation.points(&self.interfaces);
@@ -39,8 +48,8 @@ impl Discretisation {
         let mut springs = problem.initial_springs();
         let closed = |point: &PointState| point.pressure > 0.0;
         let carries = formulation.algorithm == Iteration::Kinematic && formulation.settings.increments == 1;
-        if carries && earlier.points.len() == points.len() && earlier.points.iter().any(closed) {
-            let open = springs.stiffness.iter_mut().zip(&earlier.points).filter(|(_, point)| !closed(point));
+        if carries && earlier.len() == points.len() && earlier.iter().any(closed) {
+            let open = springs.stiffness.iter_mut().zip(earlier).filter(|(_, point)| !closed(point));
             open.for_each(|(k, _)| *k = 0.0);
         }
         let mut algorithm = formulation.algorithm();

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use crate::algorithm::{ContactProblem, Scale};
 use crate::clock::Clock;
 use crate::condensation::{self, Condensed, CoupledSpring};
-use crate::contact::{ContactPoint, Interface};
+use crate::contact::{ContactEdge, ContactPoint, Interface};
 use crate::elasticity::{ElasticSystem, Numbering};
 use crate::error::Error;
 use crate::formulation::{Change, Formulation, spill};
@@ -28,6 +28,8 @@ pub struct Discretisation {
     pub condensed: Condensed,
     /// Candidate stretch of every contact.
     pub interfaces: Vec<Interface>,
+    /// Edges of these stretches.
+    pub edges: Vec<ContactEdge>,
     /// Seconds by stage.
     pub seconds: Vec<(&'static str, f64)>,
     /// The same scene half as fine, built when a nested start first asks for it.
@@ -82,6 +84,7 @@ impl Discretisation {
             mesh,
             system,
             condensed,
+            edges: interfaces.iter().flat_map(Interface::contact_edges).collect(),
             interfaces,
             seconds: clock.laps,
             coarser: OnceLock::new(),
@@ -115,10 +118,16 @@ impl Discretisation {
     /// Refuses a problem in which nothing presses and springs alone would hold the bodies.
     pub(super) fn refuse_nothing(&self, problem: &ContactProblem) -> Result<(), Error> {
         let held = || problem.factorise(&vec![0.0; problem.points.len()], &mut Work::default()).is_some();
-        if problem.is_unloaded() && !held() && !problem.interference_presses() {
+        if self.is_unloaded(problem.load) && !held() && !problem.interference_presses() {
             return Err(Error::NothingPresses { bodies: self.names() });
         }
         Ok(())
+    }
+
+    /// Whether a condensed load is no more than round-off of the loads on the bodies.
+    fn is_unloaded(&self, condensed: &[f64]) -> bool {
+        let sum = |forces: &[f64]| forces.iter().map(|f| f.abs()).sum::<f64>();
+        sum(condensed) <= UNLOADED * self.system.bodies.iter().map(|body| sum(&body.force)).sum::<f64>()
     }
 
     /// What the algorithms see of this scene under a formulation.
@@ -129,14 +138,18 @@ impl Discretisation {
             0 => 1.0,
             n => formulation.stiffness_pattern[i % n],
         };
-        let scale = Scale { pressure: reference.pressure, gap: reference.gap, stiffness: unit };
+        let scale = Scale { gap: reference.gap, stiffness: unit };
+        let compliance =
+            self.scene.contacts.iter().map(|pair| 1.0 / (self.scene.modulus_of(pair) * self.scene.thickness));
         let nominal = formulation.stiffness * unit;
         let initial = |(i, point): (usize, &ContactPoint)| scale.clip(nominal * pattern(i) * point.relative_stiffness);
         ContactProblem {
             stiffness: &self.condensed.stiffness,
             load: &self.condensed.load,
             points,
+            edges: &self.edges,
             scale,
+            compliance: compliance.collect(),
             initial: points.iter().enumerate().map(initial).collect(),
         }
     }
@@ -174,6 +187,7 @@ impl Discretisation {
     pub(super) fn named(&self, error: Error) -> Error {
         match error {
             Error::NoSpringLeft { steps, .. } => Error::NoSpringLeft { bodies: self.names(), steps },
+            Error::SpringsTooSoft { times, .. } => Error::SpringsTooSoft { bodies: self.names(), times },
             other => other,
         }
     }
@@ -184,6 +198,9 @@ impl Discretisation {
         bodies.collect::<Vec<_>>().join(" and ")
     }
 }
+
+/// A condensed load below this fraction of the loads on the bodies is round-off of the condensation.
+const UNLOADED: f64 = 1e-13;
 
 /// Largest Poisson's ratios in plane strain that 4-node and 8-node cells take.
 ///

@@ -6,7 +6,7 @@ use crate::contact::Interface;
 use crate::error::Error;
 use crate::formulation::{Change, Discretisation};
 use crate::scene::{ContactPair, Profile};
-use crate::solution::{PointState, Solution};
+use crate::solution::{EdgeState, Solution};
 
 /// Difference of contact coordinates, relative, that rounding explains.
 const SAME: f64 = 1e-9;
@@ -102,7 +102,7 @@ pub fn deepest(
 }
 
 /// Refuses a solution whose contact goes on beyond the candidates, by the criterion of the candidates themselves:
-/// penetration over `g_ref` within the tolerance.
+/// penetration over the approach that its own force makes within the tolerance.
 ///
 /// Beyond steeply growing elements the next node may lie where the surfaces have parted again. A contact cut short shows all
 /// the same: its pressure rises towards the cut, as under the corner of a punch, where a contact that ends falls to zero.
@@ -122,7 +122,7 @@ fn refuse_one(
     change: Change,
     tolerance: f64,
 ) -> Result<(), Error> {
-    let accepted = tolerance * discretisation.scene.reference.gap;
+    let accepted = tolerance * solution.contacts[interface.contact].approach;
     let (contact, bodies) = (interface.contact, discretisation.scene.names_of(&interface.pair));
     let edges = solution.edges_of(contact);
     for &at in End::of(&interface.pair) {
@@ -141,7 +141,7 @@ fn refuse_one(
 }
 
 /// Whether the mean pressure of the outermost edge is above that of its neighbour by more than the tolerance explains.
-fn rises(edges: &[PointState], tolerance: f64, at: End) -> bool {
+fn rises(edges: &[EdgeState], tolerance: f64, at: End) -> bool {
     let outer = match (at, edges) {
         (End::Last, [.., before, last]) => Some((before, last)),
         (End::First, [first, after, ..]) => Some((after, first)),

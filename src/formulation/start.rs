@@ -79,7 +79,7 @@ impl Discretisation {
             let nearest = same.min_by(|a, b| apart(a).total_cmp(&apart(b)));
             *k = match nearest.map_or(0.0, |at| ended.stiffness[at]) {
                 open if open <= 0.0 => 0.0,
-                hard if hard >= finer.scale.hard() => hard,
+                hard if finer.scale.is_hard(hard) => hard,
                 _ => *k,
             };
         }

@@ -1,18 +1,23 @@
 //! The numbers one quotes: one formula for all contact elements.
 //!
-//! * [`profile`] — half-width, peak, edge and norms of a pressure profile.
+//! * [`profile`] — half-width, resultant and norms of a pressure profile.
+//! * [`mod@peak`] — its largest pressure, wherever that lies.
+//! * [`stretch`] — where its closed stretches begin and end.
 //! * [`order`] — observed order of accuracy, Richardson's uncertainty.
 
 pub mod order;
+pub mod peak;
 pub mod profile;
+pub mod stretch;
 
 use crate::scene::{ContactPair, Path, Scene};
-use crate::solution::Solution;
+use crate::solution::Part;
 
-pub use profile::Peak;
+pub use peak::Peak;
+pub use stretch::Stretch;
 
-/// Measures of one contact of a converged solution.
-#[derive(Clone, Copy, Debug)]
+/// Measures of the pressures of one contact.
+#[derive(Clone, Debug)]
 pub struct Measures {
     /// Half-width by second moment about the centre, `2 √(∫p (s − c)² / ∫p)` \[mm\]; on arcs the same functional of the
     /// angle \[rad\].
@@ -21,44 +26,63 @@ pub struct Measures {
     pub centre: f64,
     /// Half-width by counting active points: `Σ A / thickness` over them, half of it on both sides \[mm, or rad\].
     pub half_width_nodes: f64,
-    /// Active points.
+    /// Active points: with a pressure above [`ACTIVE`] times the largest.
     pub active: usize,
-    /// Contact coordinate of the first active point; −`edge` where the contact begins at 0 \[mm, or rad\].
-    pub begin: f64,
-    /// Contact coordinate of the last active point \[mm, or rad\].
-    pub edge: f64,
-    /// Peak pressure and where it lies.
+    /// Pressed edges, by the same bound.
+    pub pressed_edges: usize,
+    /// Closed stretches, in the order of the contact coordinate.
+    pub stretches: Vec<Stretch>,
+    /// The largest pressure of the profile, wherever it lies.
     pub peak: Peak,
+    /// Pressure at s = 0 \[MPa\].
+    pub pressure_at_origin: f64,
+    /// The largest pressure of a contact point.
+    pub largest: Peak,
     /// Force on the whole contact along the load line, both halves \[N\].
     pub resultant: f64,
 }
 
+/// Pressure over the largest of its contact from which on a point, or an edge, counts as pressed.
+pub const ACTIVE: f64 = 1e-3;
+
 impl Measures {
-    /// Measures of one contact of a solution; `floor` is the pressure from which a point counts as active \[MPa\].
-    pub fn of(scene: &Scene, solution: &Solution, contact: usize, floor: f64) -> Self {
-        let (pair, points) = (&scene.contacts[contact], solution.points_of(contact));
+    /// Measures of one contact.
+    pub fn of(scene: &Scene, contact: usize, part: Part) -> Self {
+        let Part { points, edges } = part;
+        let pair = &scene.contacts[contact];
         let across = pair.path.has_both_sides();
         let centre = if across { profile::centre(points) } else { 0.0 };
-        let centred = profile::about(points, centre);
-        let half_width = profile::second_moment_half_width(&centred);
-        let peak = if across { profile::peak_across(&centred, half_width) } else { profile::peak(points, half_width) };
+        let largest = points.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure));
+        let largest = largest.map_or(f64::NAN, |point| point.pressure);
+        let at = points.iter().find(|point| point.pressure >= largest).map_or(f64::NAN, |point| point.position);
+        let floor = ACTIVE * largest;
         let active = || points.iter().filter(|p| p.pressure > floor);
-        let ends = active().map(|p| p.position).fold(None, |ends: Option<[f64; 2]>, s| {
-            Some(ends.map_or([s, s], |[first, last]| [first.min(s), last.max(s)]))
-        });
-        let [begin, edge] = ends.unwrap_or([0.0, 0.0]);
         let sides = if across { 2.0 } else { 1.0 };
-        let length = sides * scene.thickness * pair.path.metric();
+        let peak = peak::of(edges, centre);
         Self {
-            half_width,
+            half_width: profile::second_moment_half_width(&profile::about(points, centre)),
             centre,
-            half_width_nodes: active().map(|p| p.weight).sum::<f64>() / length,
+            half_width_nodes: active().map(|p| p.weight).sum::<f64>() / (sides * scene.thickness * pair.path.metric()),
             active: active().count(),
-            begin: if across { begin } else { -edge },
-            edge,
-            peak: Peak { position: centre + peak.position, ..peak },
+            pressed_edges: edges.iter().filter(|edge| edge.pressure > floor).count(),
+            stretches: stretch::closed(pair, part, floor),
+            peak: if across { peak } else { Peak { position: peak.position.abs(), ..peak } },
+            pressure_at_origin: peak::pressure_at(edges, 0.0),
+            largest: Peak { position: at, pressure: largest },
             resultant: whole(pair) * profile::resultant(points, &pair.path),
         }
+    }
+
+    /// Where the first closed stretch begins; as far to the left as the last one ends to the right of a symmetry line.
+    pub fn begin(&self) -> f64 {
+        self.stretches
+            .first()
+            .map_or(0.0, |first| if first.begin > 0.0 || first.begin < 0.0 { first.begin } else { -self.edge() })
+    }
+
+    /// Where the last closed stretch ends \[mm, or rad\].
+    pub fn edge(&self) -> f64 {
+        self.stretches.last().map_or(0.0, |last| last.end)
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::{Edge, Mesh};
 use crate::error::Error;
-use crate::scene::{Scene, Shape};
+use crate::scene::Scene;
 
 /// Distance over the length of a side below which points are one.
 const SAME: f64 = 1e-6;
@@ -12,7 +12,7 @@ const SAME: f64 = 1e-6;
 /// Refuses bodies given cell by cell or block by block that do not hang together.
 pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {
     for (index, body) in scene.bodies.iter().enumerate() {
-        if !matches!(body.shape, Shape::Given(_) | Shape::Blocks(_)) {
+        if !body.shape.brings_mesh() {
             continue;
         }
         let refused = |what: &str, node: usize| {

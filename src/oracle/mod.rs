@@ -53,8 +53,10 @@ impl Source {
 /// What is asked of an oracle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Quantity {
-    /// Half-width of the contact \[mm\].
+    /// Half-width of the contact, where its pressure ends \[mm\].
     HalfWidth,
+    /// Half-width by second moment, `2 √(∫p s²/∫p)` \[mm\]; on arcs the same functional of the angle \[rad\].
+    SecondMoment,
     /// Half-angle of the contact, from the load line to its edge \[rad\].
     ContactAngle,
     /// Largest contact pressure \[MPa\].
@@ -82,6 +84,7 @@ impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::HalfWidth => f.pad("half-width"),
+            Self::SecondMoment => f.pad("half-width by second moment"),
             Self::ContactAngle => f.pad("contact half-angle"),
             Self::PeakPressure => f.pad("peak pressure"),
             Self::Resultant => f.pad("contact resultant"),

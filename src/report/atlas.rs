@@ -102,11 +102,11 @@ const INSTEAD: [(&str, &str, &str); 7] = [
     ),
     (
         "constant.correction",
-        "residuals that fall by the same small factor at each step",
+        "errors that fall by the same small factor at each step",
         "the range before this, at best near its middle; or an acceleration",
     ),
-    ("constant.secant", "stiffest spring asked for grows with the mesh; residuals stand", "`correction`"),
-    ("constant.literal", "forces left in open points; residuals stand or grow", "`correction`, which keeps forces"),
+    ("constant.secant", "stiffest spring asked for grows with the mesh; the error stands", "`correction`"),
+    ("constant.literal", "forces left in open points; the error stands or grows", "`correction`, which keeps forces"),
     ("kinematic.switching", "more steps than the halving law on line and layer elements", "node elements"),
     (
         "kinematic.penalty",
@@ -161,8 +161,7 @@ fn slices(charts: &[Chart]) -> String {
             for algorithm in Iteration::ALL {
                 let rule = algorithm.rules()[0].name();
                 let name = format!("{}.{}.{rule}", element.name(), algorithm.name());
-                let near =
-                    |record: &&Record| (record.stiffness / algorithm.default_stiffness(element)).log10().abs() < 0.5;
+                let near = |record: &&Record| (record.stiffness / algorithm.default_stiffness()).log10().abs() < 0.5;
                 let cells: Vec<String> = chart
                     .of_formulation(&name)
                     .filter_map(|row| row.iter().find(near))
@@ -203,7 +202,7 @@ fn predictions(findings: &[Finding]) -> String {
          The asymptotic rate of an iteration is the spectral radius of its error's matrix on the final contact set, made of the \
          flexibility of the contact and of its springs; – where too few steps lie between the final contact set and round-off. \
          Truncated Hertz, contact edge between two nodes. Where a start hardly holds the slowest mode, round-off comes before that is \
-         alone: there the spectral radius fails, and what holds is the iteration linearised on the final contact set and followed from its start over the same residuals.\n\n"
+         alone: there the spectral radius fails, and what holds is the iteration linearised on the final contact set and followed from its start over the same errors.\n\n"
             .into(),
         joined(rates::RATES, &rates::RATES_HEAD),
         "\n### Why `secant` and `literal` fail with constant stiffness\n\n\
@@ -239,4 +238,4 @@ What is behind the rows: *line and layer elements* have an alternating pressure 
 hardly feel, so that their runs end earlier or later than the limit's rates say, and varying stiffness does not converge from \
 hard starts. *Varying stiffness with correction* falls into its cycle from afar where the contact itself still attracts. \
 *Constant stiffness with secant* may pass where the whole gap of the point nearest the centre, in which \
-its instability sits, is below the tolerance: the residual does not see it swing.\n\n";
+its instability sits, is below the tolerance: the error does not see it swing.\n\n";

@@ -222,7 +222,7 @@ fn measures(findings: &[Finding], case: &str, factor: f64, unit: &str) -> String
                 measures.peak.pressure,
                 factor * measures.half_width,
                 factor * measures.half_width_nodes,
-                factor * measures.edge,
+                factor * measures.edge(),
                 run.transmitted(),
             ];
             let counts = [work.steps, work.factorisations, work.back_substitutions].map(|n| n.to_string());

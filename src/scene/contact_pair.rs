@@ -243,6 +243,15 @@ impl Path {
 }
 
 impl Profile {
+    /// Contact coordinate at which it ends \[mm\]; none where it goes on.
+    pub fn reach(&self) -> Option<f64> {
+        match *self {
+            Self::Punch { half_width } => Some(half_width),
+            Self::Circle { radius } => Some(radius),
+            _ => None,
+        }
+    }
+
     /// Initial gap at the contact coordinate `s` \[mm\]; infinite where there is no other side, NaN where only the bodies'
     /// meshes tell it. All but a table that begins below 0 are even in `s`.
     pub fn gap(&self, s: f64) -> f64 {

@@ -39,13 +39,13 @@ pub struct Scene {
     pub bodies: Vec<Body>,
     /// The contacts of the bodies with one another, or with rigid profiles; at least one.
     pub contacts: Vec<ContactPair>,
-    /// Reference values: they turn residuals and stiffnesses into pure numbers.
+    /// Reference values: they turn initial stiffnesses into pure numbers.
     pub reference: ReferenceValues,
     /// How the mesh coarsens away from the contact.
     pub grading: Grading,
 }
 
-/// Length, pressure and gap that make stiffnesses and residuals dimensionless.
+/// Length, pressure and gap that make stiffnesses dimensionless and that springs start from; what has converged does not depend on them.
 #[derive(Clone, Copy, Debug)]
 pub struct ReferenceValues {
     /// `ℓ` in `κ = k_n ℓ / E*` \[mm\].
@@ -229,13 +229,31 @@ impl Scene {
         }
         for pair in &self.contacts {
             positive(&self.place_of(pair), "candidate stretch", pair.stretch)?;
+            self.refuse_ended(pair)?;
         }
         for body in &self.bodies {
             body.material.validate(&format!("{}, body `{}`", self.name, body.name), self.plane)?;
         }
         Ok(())
     }
+
+    /// Refuses candidates where a body, or the rigid profile that it meets, has ended.
+    fn refuse_ended(&self, pair: &ContactPair) -> Result<(), Error> {
+        let bodies = pair.bodies().map(|body| &self.bodies[body]);
+        let reaches = bodies.map(|body| (format!("`{}`", body.name), body.shape.reach(&pair.path)));
+        let all = reaches.chain([("the rigid profile".to_string(), pair.profile.reach())]);
+        for (name, reach) in all {
+            if let Some(reach) = reach.filter(|reach| pair.stretch > reach * (1.0 + ROUNDING)) {
+                let (place, expected) = (self.place_of(pair), format!("{name} ends at {reach} mm"));
+                return Err(Error::value(place, "candidate stretch", pair.stretch, expected, "shorten it to there"));
+            }
+        }
+        Ok(())
+    }
 }
+
+/// Part of a length by which it may seem to go beyond its end.
+const ROUNDING: f64 = 1e-9;
 
 /// Refuses a value that is not finite and positive.
 pub(crate) fn positive(place: &str, key: &str, value: f64) -> Result<(), Error> {

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use crate::scene::BoundaryName;
+use crate::scene::{BoundaryName, Path};
 
 /// Outline of a body; each names its boundaries.
 #[derive(Clone, Debug)]
@@ -143,6 +143,20 @@ pub struct Grading {
 }
 
 impl Shape {
+    /// Whether the body brings its mesh instead of being meshed.
+    pub fn brings_mesh(&self) -> bool {
+        matches!(self, Self::Given(_) | Self::Blocks(_))
+    }
+
+    /// How far the surface of a disc goes along a straight path: to its outermost point \[mm\]; none for other bodies, which
+    /// end elsewhere.
+    pub fn reach(&self, path: &Path) -> Option<f64> {
+        match (self, path) {
+            (Self::Disc { radius, .. }, Path::Straight(_)) => Some(*radius),
+            _ => None,
+        }
+    }
+
     /// Names of the boundaries that supports and loads may refer to.
     pub fn boundaries(&self) -> Vec<BoundaryName> {
         let own: &[&'static str] = match self {

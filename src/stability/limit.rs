@@ -1,16 +1,9 @@
-//! The contact an iteration shall end in: found once, by an algorithm of its own start, before any other is judged.
+//! The contact an iteration shall end in, with what its errors are measured by.
 
-use crate::algorithm::{Constant, ContactProblem, Settings, StiffnessRule, iterate};
-use crate::error::Error;
+use crate::algorithm::{ContactProblem, Iterate, Law, Target};
+use crate::solution::IterationError;
 
-/// κ₀ of the search, in units of `E*/ℓ`: near the stiffness of the contact itself, where constant stiffness is quickest.
-const START: f64 = 3.0;
-/// Residuals of the limit.
-const TOLERANCE: f64 = 1e-8;
-/// Steps of the search: ten times what the slowest scene of the suite takes.
-const STEPS: usize = 20_000;
-
-/// Contact set, pressures and approaches of the converged problem.
+/// Contact set, pressures and approaches of the discrete solution.
 #[derive(Clone, Debug)]
 pub struct Limit {
     /// Whether each point carries pressure.
@@ -19,32 +12,31 @@ pub struct Limit {
     pub pressure: Vec<f64>,
     /// Approach of each point \[mm\].
     pub approach: Vec<f64>,
+    target: Target,
 }
 
 impl Limit {
-    /// The limit of a problem, by constant stiffness with the rule `correction` at κ = 3; none where that does not converge.
-    pub fn of(problem: &ContactProblem) -> Result<Option<Self>, Error> {
-        let stiffness = |relative: f64| START * problem.scale.stiffness * relative;
-        let problem = ContactProblem {
-            stiffness: problem.stiffness,
-            load: problem.load,
-            points: problem.points,
-            scale: problem.scale,
-            initial: problem.points.iter().map(|point| stiffness(point.relative_stiffness)).collect(),
-        };
-        let settings = Settings { tolerance: TOLERANCE, increments: 1, max_steps: STEPS };
-        let solution = iterate(&problem, &mut Constant::new(StiffnessRule::Correction), settings)?;
-        if !solution.converged() {
-            return Ok(None);
-        }
-        let scale = &problem.scale;
-        // An open point carries round-off, a closed one penetrates by round-off: the larger of the two pure numbers decides.
-        let closed = |(p, state): (&f64, &crate::solution::PointState)| p / scale.pressure > state.gap / scale.gap;
-        Ok(Some(Self {
-            closed: solution.spring_pressures.iter().zip(&solution.points).map(closed).collect(),
-            approach: problem.points.iter().zip(&solution.points).map(|(point, state)| point.gap - state.gap).collect(),
-            pressure: solution.spring_pressures,
-        }))
+    /// The limit of a problem; none where it has no discrete solution.
+    pub fn of(problem: &ContactProblem) -> Option<Self> {
+        let target = Target::of(problem, problem.load, Law::Rigid, &vec![true; problem.points.len()])?;
+        let exact = &target.exact;
+        Some(Self {
+            closed: exact.closed.clone(),
+            pressure: exact.iterate.pressure.clone(),
+            approach: exact.iterate.approach.clone(),
+            target,
+        })
+    }
+
+    /// How far pressures and approaches are from it.
+    pub fn error(&self, problem: &ContactProblem, pressure: Vec<f64>, approach: Vec<f64>) -> IterationError {
+        let [displacement, internal] = [Vec::new(), Vec::new()];
+        self.target.error(problem, &Iterate { displacement, approach, pressure, internal })
+    }
+
+    /// Approach that the force of the first contact makes: what its lengths are measured by \[mm\].
+    pub fn length(&self) -> f64 {
+        self.target.approach(0)
     }
 
     /// Contact coordinate of the last closed point; zero where none is.

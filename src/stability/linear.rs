@@ -4,23 +4,24 @@
 use faer::Mat;
 
 use crate::algorithm::ContactProblem;
+use crate::solution::IterationError;
 use crate::stability::{Limit, rate};
 
 /// Doublings of the number of steps that are followed: a million steps.
 const DOUBLINGS: usize = 20;
 
 /// Steps in which the linear iteration `δr⁺ = M δr` of [`rate::correction`], started without carried forces,
-/// `δr₀ = k₀ w* − p*`, brings penetration and the force of open points below a tolerance; infinite beyond a million.
+/// `δr₀ = k₀ w* − p*`, brings a part of the iteration error below a tolerance; infinite beyond a million.
 ///
-/// Unlike `ln τ / ln ρ` it does not count modes that the start hardly holds or the residual hardly sees. M is squared again
+/// Unlike `ln τ / ln ρ` it does not count modes that the start hardly holds or the error hardly sees. M is squared again
 /// and again, so that n steps cost log n products.
-pub fn steps(problem: &ContactProblem, limit: &Limit, tolerance: f64) -> Option<f64> {
+pub fn steps(problem: &ContactProblem, limit: &Limit, part: fn(&IterationError) -> f64, tolerance: f64) -> Option<f64> {
     let flexibility = rate::flexibility(problem, &problem.initial)?;
     let step = rate::correction_step(problem, &flexibility, &limit.closed);
     let each = problem.initial.iter().zip(&limit.approach).zip(&limit.pressure);
     let start: Vec<f64> = each.map(|((k, w), p)| k * w - p).collect();
     let start = Mat::from_fn(start.len(), 1, |i, _| start[i]);
-    let left = |error: &Mat<f64>| residual(problem, limit, &flexibility, error, tolerance) > tolerance;
+    let left = |error: &Mat<f64>| part(&error_of(problem, limit, &flexibility, error)) > tolerance;
     if !left(&start) {
         return Some(1.0);
     }
@@ -53,19 +54,10 @@ pub fn worked_off(problem: &ContactProblem, limit: &Limit) -> f64 {
     closed.map(|i| problem.initial[i] * problem.points[i].gap / mean).fold(1.0, f64::max)
 }
 
-/// Largest penetration of a closed point over `g_ref`, or force of an open one over `p_ref`, that an error `δr` makes; open
-/// points nearer than the tolerance owe nothing.
-fn residual(problem: &ContactProblem, limit: &Limit, flexibility: &Mat<f64>, error: &Mat<f64>, tolerance: f64) -> f64 {
+/// The iteration error that an error `δr` of the carried forces makes: `δw = −C δr`, `δp = δr + k₀ δw`.
+fn error_of(problem: &ContactProblem, limit: &Limit, flexibility: &Mat<f64>, error: &Mat<f64>) -> IterationError {
     let returned = flexibility * error;
-    let scale = &problem.scale;
-    let at = |i: usize| {
-        let approach = -returned[(i, 0)];
-        if limit.closed[i] {
-            return approach.abs() / scale.gap;
-        }
-        let gap = problem.points[i].gap - limit.approach[i];
-        let force = error[(i, 0)] + problem.initial[i] * approach;
-        if gap > tolerance * scale.gap { force.abs() / scale.pressure } else { 0.0 }
-    };
-    (0..limit.closed.len()).map(at).fold(0.0, f64::max)
+    let approach: Vec<f64> = limit.approach.iter().enumerate().map(|(i, w)| w - returned[(i, 0)]).collect();
+    let changed = |(i, p): (usize, &f64)| p + error[(i, 0)] - problem.initial[i] * returned[(i, 0)];
+    limit.error(problem, limit.pressure.iter().enumerate().map(changed).collect(), approach)
 }

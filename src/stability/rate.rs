@@ -90,7 +90,7 @@ pub fn secant(problem: &ContactProblem, stiffness: &[f64], approach: &[f64], sla
     let scale = &problem.scale;
     spectral_radius(&Mat::from_fn(n, n, |i, j| {
         let near = stiffness[i] <= 0.0 && problem.points[i].gap - approach[i] <= slack;
-        if near || stiffness[i] >= scale.hard() {
+        if near || scale.is_hard(stiffness[i]) {
             return 0.0;
         }
         let gap = scale.above_zero(problem.points[i].gap);

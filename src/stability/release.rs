@@ -8,41 +8,40 @@ use crate::algorithm::{ContactProblem, StiffnessRule};
 use crate::stability::{Limit, rate};
 
 /// Steps that are followed.
-const STEPS: usize = 1_000_000;
+const STEPS: usize = 100_000;
+/// The error is looked at again after so many more steps, over those taken.
+const LOOKS: f64 = 0.02;
 
-/// Steps until every point carries less than `τ p_ref` or is off its surface by less than `τ g_ref`; none where the limit's
-/// springs do not hold the bodies.
+/// Steps until the iteration error of all points together falls below a tolerance; none where the limit's springs do not
+/// hold the bodies.
 pub fn steps(problem: &ContactProblem, limit: &Limit, rule: StiffnessRule, tolerance: f64) -> Option<f64> {
     let target = limit.target(problem);
     let flexibility = rate::flexibility(problem, &target)?;
     // A spring at the ceiling does not move any more.
-    let moving = (0..target.len()).filter(|&i| target[i] < problem.scale.hard() && limit.approach[i] > 0.0);
-    let slowest = moving.map(|i| one_point(problem, limit, i, flexibility[(i, i)], rule, tolerance)).max();
-    Some(1.0 + slowest.unwrap_or(0) as f64)
-}
-
-/// Steps of one point with the flexibility C [mm/MPa].
-fn one_point(
-    problem: &ContactProblem,
-    limit: &Limit,
-    i: usize,
-    flexibility: f64,
-    rule: StiffnessRule,
-    tolerance: f64,
-) -> usize {
-    let (scale, gap) = (&problem.scale, problem.points[i].gap);
+    let moving = |i: usize| !problem.scale.is_hard(target[i]) && limit.approach[i] > 0.0;
+    let largest = limit.pressure.iter().copied().fold(0.0, f64::max);
     // What more force there was is gone in a step or two.
-    let mut pressure = scale.pressure.min(limit.pressure[i] + 0.5 * limit.approach[i] / flexibility);
+    let start = |i: usize| largest.min(limit.pressure[i] + 0.5 * limit.approach[i] / flexibility[(i, i)]);
+    let mut pressure: Vec<f64> =
+        (0..target.len()).map(|i| if moving(i) { start(i) } else { limit.pressure[i] }).collect();
+    let approach = |i: usize, p: f64| limit.approach[i] - flexibility[(i, i)] * (p - limit.pressure[i]);
+    let mut look = 0;
     for step in 0..STEPS {
-        let approach = limit.approach[i] - flexibility * (pressure - limit.pressure[i]);
-        let off = gap - approach;
-        if pressure <= tolerance * scale.pressure || off <= tolerance * scale.gap {
-            return step;
+        if step >= look {
+            let approaches = pressure.iter().enumerate().map(|(i, p)| approach(i, *p)).collect();
+            if limit.error(problem, pressure.clone(), approaches).largest() <= tolerance {
+                return Some(1.0 + step as f64);
+            }
+            look = step + 1 + (LOOKS * step as f64) as usize;
         }
-        pressure = match rule {
-            StiffnessRule::Correction => pressure - (pressure / approach).max(problem.initial[i]) * off,
-            _ => pressure * approach / gap,
-        };
+        for i in (0..target.len()).filter(|&i| moving(i)) {
+            let (p, gap) = (pressure[i], problem.points[i].gap);
+            let w = approach(i, p);
+            pressure[i] = match rule {
+                StiffnessRule::Correction => p - (p / w).max(problem.initial[i]) * (gap - w),
+                _ => p * w / gap,
+            };
+        }
     }
-    STEPS
+    Some(STEPS as f64)
 }

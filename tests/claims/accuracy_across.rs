@@ -68,7 +68,7 @@ fn met(answer: &Answer, asked: f64, truth: [f64; 2], place: &str) {
 fn covers(answer: &Answer, place: &str) {
     let (solution, pair) = (&answer.run.solution, answer.scene.contact());
     assert_eq!(ends::filled(solution, pair), [false; 2], "{place}");
-    let outer = answer.run.measures().edge.max(-answer.run.measures().begin);
+    let outer = answer.run.measures().edge().max(-answer.run.measures().begin());
     assert!(pair.stretch > outer, "{place}: {} and {outer}", pair.stretch);
     assert!(pair.stretch < outer + 1.5 * answer.run.measures().half_width, "{place}: {} and {outer}", pair.stretch);
 }

@@ -5,7 +5,7 @@ use contact_vv::algorithm::{
     Algorithm, Constant, ContactProblem, Iterate, Kinematic, Scale, Settings, Springs, StiffnessRule, Varying, iterate,
     rule,
 };
-use contact_vv::contact::ContactPoint;
+use contact_vv::contact::{ContactEdge, ContactPoint};
 use contact_vv::solution::{Outcome, Solution, Work};
 use faer::Mat;
 
@@ -16,10 +16,13 @@ pub struct Sample {
     pub stiffness: Mat<f64>,
     pub load: Vec<f64>,
     pub points: Vec<ContactPoint>,
+    pub edges: Vec<ContactEdge>,
     pub initial: Vec<f64>,
 }
 
-pub const SCALE: Scale = Scale { pressure: 10.0, gap: 0.1, stiffness: 100.0 };
+pub const SCALE: Scale = Scale { gap: 0.1, stiffness: 100.0 };
+/// 1/(E* t): the force of 60 N that closes [`one`] makes an approach of 0.06 mm.
+pub const COMPLIANCE: f64 = 1e-3;
 
 impl Sample {
     pub fn problem(&self) -> ContactProblem<'_> {
@@ -27,7 +30,9 @@ impl Sample {
             stiffness: &self.stiffness,
             load: &self.load,
             points: &self.points,
+            edges: &self.edges,
             scale: SCALE,
+            compliance: vec![COMPLIANCE],
             initial: self.initial.clone(),
         }
     }
@@ -45,12 +50,17 @@ pub fn point(row: Vec<(usize, f64)>, weight: f64, gap: f64) -> ContactPoint {
     ContactPoint { contact: 0, row, position: gap, weight, gap, relative_stiffness: 1.0, shares: vec![(0, weight)] }
 }
 
+pub fn edge(k: usize) -> ContactEdge {
+    ContactEdge { contact: 0, ends: [k as f64, k as f64 + 1.0] }
+}
+
 /// One freedom with stiffness 300 N/mm, a point of 2 mm² at the gap 0.1 mm.
 pub fn one(load: f64) -> Sample {
     Sample {
         stiffness: matrix(&[&[300.0]]),
         load: vec![load],
         points: vec![point(vec![(0, 1.0)], 2.0, 0.1)],
+        edges: vec![edge(0)],
         initial: vec![100.0],
     }
 }
@@ -61,6 +71,7 @@ pub fn two(load: [f64; 2], gaps: [f64; 2]) -> Sample {
         stiffness: matrix(&[&[300.0, -100.0], &[-100.0, 200.0]]),
         load: load.to_vec(),
         points: vec![point(vec![(0, 1.0)], 2.0, gaps[0]), point(vec![(0, 0.25), (1, 0.75)], 3.0, gaps[1])],
+        edges: vec![edge(0)],
         initial: vec![100.0, 150.0],
     }
 }
@@ -114,7 +125,8 @@ pub fn solvers() -> Vec<(&'static str, Box<dyn Algorithm>)> {
 /// The sample with the springs that an algorithm needs: secant on forces diverges below half of k* = p/g, here 2,500.
 pub fn started(sample: &Sample, name: &str) -> Sample {
     let initial = if name == "constant secant" { vec![3000.0; 2] } else { sample.initial.clone() };
-    Sample { stiffness: sample.stiffness.clone(), load: sample.load.clone(), points: sample.points.clone(), initial }
+    let (stiffness, load) = (sample.stiffness.clone(), sample.load.clone());
+    Sample { stiffness, load, points: sample.points.clone(), edges: sample.edges.clone(), initial }
 }
 
 #[test]
@@ -124,7 +136,7 @@ fn one_spring_finds_contact_and_separation_with_every_algorithm() {
         for (name, mut algorithm) in solvers() {
             let solution = one(load).solve(algorithm.as_mut(), tight(20_000));
             assert_eq!(solution.outcome, Outcome::Converged, "{name} under {load}");
-            // The residuals are within 1e-9 of p_ref = 10 and g_ref = 0.1.
+            // The iteration error is within 1e-9 of p* = 30.
             assert!(
                 (solution.points[0].pressure - pressure).abs() <= 1e-7,
                 "{name}: p = {}",
@@ -211,6 +223,7 @@ fn body_held_by_contact_alone_is_carried_by_its_pressures() {
         stiffness: matrix(&[&[100.0, -100.0], &[-100.0, 100.0]]),
         load: vec![20.0, 10.0],
         points: vec![point(vec![(0, 1.0)], 2.0, 0.05), point(vec![(1, 1.0)], 4.0, 0.05)],
+        edges: vec![edge(0)],
         initial: vec![100.0; 2],
     };
     // Both closed at one gap: no deformation, so that each carries its own load.
@@ -308,7 +321,7 @@ fn first_step_of_kinematic_load_is_equation_three_eleven() {
     let sample = one(90.0);
     let mut springs = sample.problem().initial_springs();
     let iterate = step(&mut Kinematic::new(StiffnessRule::Switching, 1e-3), &sample, &mut springs);
-    // (300 + 200) u = 90 + 2·100·0.1; p = 100 (u − 0.1) = 12; deeper than 1e-3 g_ref, so that it hardens.
+    // (300 + 200) u = 90 + 2·100·0.1; p = 100 (u − 0.1) = 12; deeper than 1e-4 of its approach, so that it hardens.
     assert_relative_eq!(iterate.displacement[0], 0.22, max_relative = 1e-14);
     assert_relative_eq!(iterate.pressure[0], 12.0, max_relative = 1e-12);
     assert_relative_eq!(springs.stiffness[0], 1e6 * 100.0);
@@ -326,8 +339,9 @@ fn kinematic_springs_open_under_tension_close_at_full_hardness_and_stay_otherwis
     assert_abs_diff_eq!(after(15.0, 100.0), 0.0, epsilon = 0.0);
     assert_relative_eq!(after(90.0, 0.0), hard);
     assert_abs_diff_eq!(after(15.0, 0.0), 0.0, epsilon = 0.0);
-    // Penetration 60/(300 + 2k): 1e-4 g_ref = 1e-5 at k ≈ 3e6, which is tolerated.
-    assert_relative_eq!(after(90.0, 3e6), 3e6);
+    // Of an approach of 60 N/(E* t) = 0.06 a tenth of the tolerance is 6e-6; penetration 60/(300 + 2k) is 3e-6 at k = 1e7.
+    assert_relative_eq!(after(90.0, 1e7), 1e7);
+    assert_relative_eq!(after(90.0, 3e6), hard);
 }
 
 #[test]

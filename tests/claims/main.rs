@@ -16,6 +16,7 @@ mod atlas;
 mod both_sides;
 mod condensation;
 mod contact;
+mod converged;
 mod cross_code;
 mod cures;
 mod digitised;

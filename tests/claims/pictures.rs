@@ -53,13 +53,13 @@ fn elements(svg: &str) -> Vec<String> {
 }
 
 #[test]
-fn picture_has_shape_pressure_and_residuals_and_is_valid() {
+fn picture_has_shape_pressure_and_iteration_error_and_is_valid() {
     for name in ["blocks", "press-fit", "cylinder-on-block", "flat-punch"] {
         let svg = solved(name).svg();
         let elements = elements(&svg);
         assert_eq!(elements.iter().filter(|element| *element == "svg").count(), 1, "{name}");
         assert!(elements.iter().filter(|element| *element == "polygon").count() > 20, "{name}: no bands");
-        for text in ["von Mises stress", "Contact pressure", "Residuals", "tolerance", "Displacements ×"] {
+        for text in ["von Mises stress", "Contact pressure", "Iteration error", "tolerance", "Displacements ×"] {
             assert!(svg.contains(text), "{name}: no `{text}`");
         }
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
@@ -109,7 +109,7 @@ fn detail_holds_the_contact_as_truly_displaced_and_is_marked_where_the_whole_dra
     assert_abs_diff_eq!(zoom.magnification, 1.0, epsilon = 0.0);
     let within = |(from, to): (f64, f64), x: f64| from <= x && x <= to;
     let candidates = discretisation.mesh.bodies.iter().flat_map(|body| &body.candidates);
-    let touching: Vec<_> = candidates.filter(|candidate| candidate.coordinate <= run.measures().edge).collect();
+    let touching: Vec<_> = candidates.filter(|candidate| candidate.coordinate <= run.measures().edge()).collect();
     assert!(touching.len() > 20);
     for candidate in touching {
         let (point, shift) = (field.points[candidate.node], field.displacements[candidate.node]);
@@ -120,7 +120,7 @@ fn detail_holds_the_contact_as_truly_displaced_and_is_marked_where_the_whole_dra
     }
     // The middle of the contact stands at the same place in both frames.
     let first = discretisation.mesh.bodies[discretisation.scene.contact().first].candidates.iter();
-    let first: Vec<usize> = first.filter(|at| at.coordinate <= run.measures().edge).map(|at| at.node).collect();
+    let first: Vec<usize> = first.filter(|at| at.coordinate <= run.measures().edge()).map(|at| at.node).collect();
     let middle = |factor: f64, pick: fn((f64, f64)) -> f64| {
         let drawn = first.iter().map(|&node| pick(field.points[node]) + factor * pick(field.displacements[node]));
         drawn.sum::<f64>() / first.len() as f64
@@ -142,7 +142,7 @@ fn curve(chart: &Chart, label: &str) -> Vec<(f64, f64)> {
 }
 
 #[test]
-fn charts_hold_the_pressures_and_the_residuals_of_every_step() {
+fn charts_hold_the_pressures_and_the_iteration_error_of_every_step() {
     let Solved { problem, run, .. } = solved("press-fit");
     let chart = solve::pressure(&problem, &run, 0);
     for (drawn, point) in curve(&chart, "node · kinematic").into_iter().zip(&run.solution.points) {
@@ -154,14 +154,14 @@ fn charts_hold_the_pressures_and_the_residuals_of_every_step() {
 
     let mut run = solved("cylinder-on-block").run;
     let last = run.solution.history.len() - 1;
-    run.solution.history[0].residuals.balance = f64::NAN;
-    run.solution.history[1].residuals.balance = f64::INFINITY;
-    let chart = solve::residuals(&run);
-    let balance = curve(&chart, "balance");
-    assert!(balance[0].1.is_nan() && balance[1].1.is_nan());
+    run.solution.history[0].error.force = f64::NAN;
+    run.solution.history[1].error.force = f64::INFINITY;
+    let chart = solve::iteration_error(&run);
+    let force = curve(&chart, "force");
+    assert!(force[0].1.is_nan() && force[1].1.is_nan());
     for (label, of) in [
-        ("tension", (|step| step.residuals.tension) as fn(&contact_vv::solution::Step) -> f64),
-        ("balance", |step| step.residuals.balance),
+        ("peak", (|step| step.error.peak) as fn(&contact_vv::solution::Step) -> f64),
+        ("force", |step| step.error.force),
     ] {
         for (k, (step, drawn)) in run.solution.history.iter().zip(curve(&chart, label)).enumerate() {
             assert_abs_diff_eq!(drawn.0, (k + 1) as f64, epsilon = 0.0);
@@ -195,6 +195,7 @@ fn run_without_numbers_without_steps_or_without_contact_is_drawn() {
     let mut open = solved("blocks");
     open.run.solution.points.iter_mut().for_each(|point| point.pressure = 0.0);
     open.run.contacts[0].measures.active = 0;
+    open.run.contacts[0].open = Some(true);
     let svg = open.svg();
     elements(&svg);
     assert!(svg.contains("No contact: every candidate is open."), "no contact is said");

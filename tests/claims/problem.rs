@@ -1,8 +1,8 @@
-//! What a step solves and how it is judged: system matrix, equilibrium, residuals.
+//! What a step solves: system matrix and equilibrium.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::algorithm::{ContactProblem, Iterate, Springs};
-use contact_vv::solution::{Residuals, Work};
+use contact_vv::solution::Work;
 
 use crate::algorithm::{exact, two};
 use crate::workbench::distance;
@@ -63,68 +63,4 @@ fn spring_force_of_an_iterate_is_the_carried_force_plus_stiffness_times_strain()
 pub fn iterate_of(problem: &ContactProblem, displacement: [f64; 2], approach: [f64; 2], pressure: [f64; 2]) -> Iterate {
     let internal = problem.internal_force(&displacement);
     Iterate { displacement: displacement.to_vec(), approach: approach.to_vec(), pressure: pressure.to_vec(), internal }
-}
-
-#[test]
-fn residuals_are_their_definitions() {
-    let sample = two([50.0, 20.0], [0.1, 0.3]);
-    let problem = sample.problem();
-    // First point 0.02 deep with p = 4; second 0.1 open with p = −3.
-    let found = problem.residuals(&[50.0, 20.0], &iterate_of(&problem, [0.12, 0.2], [0.12, 0.2], [4.0, -3.0]), false);
-    assert_relative_eq!(found.penetration, 0.02 / 0.1, max_relative = 1e-12);
-    assert_relative_eq!(found.tension, 3.0 / 10.0, max_relative = 1e-12);
-    assert_abs_diff_eq!(found.complementarity, 0.0, epsilon = 0.0);
-    // f − S u − A p⁺ b = [50 − 36 + 20 − 8, 20 + 12 − 40] = [26, −8] over max(Σ A p⁺ = 8, ‖f‖₁ = 70).
-    assert_relative_eq!(found.balance, 34.0 / 70.0, max_relative = 1e-12);
-
-    // p = 6 at a point 0.1 open: min(0.6, 1) = 0.6; with p = 20 it is 1.
-    let open = |p: f64| problem.residuals(&[50.0, 20.0], &iterate_of(&problem, [0.0; 2], [0.0, 0.2], [0.0, p]), false);
-    assert_relative_eq!(open(6.0).complementarity, 0.6, max_relative = 1e-12);
-    assert_relative_eq!(open(20.0).complementarity, 1.0, max_relative = 1e-12);
-    assert_abs_diff_eq!(open(6.0).penetration + open(6.0).tension, 0.0, epsilon = 0.0);
-    // Balance over Σ A p⁺ = 60 where that is the larger: [50 − 15, 20 − 45].
-    assert_relative_eq!(open(20.0).balance, 60.0 / 70.0, max_relative = 1e-12);
-    assert_relative_eq!(open(40.0).balance, (20.0 + 70.0) / 120.0, max_relative = 1e-12);
-}
-
-#[test]
-fn elastic_springs_are_not_blamed_for_their_own_penetration() {
-    let sample = two([50.0, 20.0], [0.1, 0.3]);
-    let problem = sample.problem();
-    let residual = |p: f64| {
-        problem.residuals(&[50.0, 20.0], &iterate_of(&problem, [0.12, 0.2], [0.12, 0.2], [p, 0.0]), true).penetration
-    };
-    // k₀ (w − g) = 100·0.02 = 2: what is missing of it counts, over p_ref = 10.
-    assert_abs_diff_eq!(residual(2.0), 0.0, epsilon = 1e-12);
-    assert_relative_eq!(residual(0.0), 0.2, max_relative = 1e-12);
-}
-
-#[test]
-fn largest_residual_is_nan_if_any_is() {
-    let of = |penetration: f64, tension: f64, complementarity: f64, balance: f64| {
-        Residuals { penetration, tension, complementarity, balance }.largest()
-    };
-    assert_relative_eq!(of(1.0, 2.0, 3.0, 4.0), 4.0);
-    assert_relative_eq!(of(4.0, 2.0, 3.0, 1.0), 4.0);
-    assert_relative_eq!(of(1.0, 4.0, 3.0, 1.0), 4.0);
-    assert_relative_eq!(of(1.0, 2.0, 4.0, 1.0), 4.0);
-    let nan = f64::NAN;
-    for residual in [of(nan, 0.0, 0.0, 0.0), of(0.0, nan, 0.0, 0.0), of(0.0, 0.0, nan, 0.0), of(0.0, 0.0, 0.0, nan)] {
-        assert!(residual.is_nan());
-    }
-}
-
-#[test]
-fn nan_in_any_part_of_an_iterate_reaches_the_residuals() {
-    let sample = two([50.0, 20.0], [0.1, 0.3]);
-    let problem = sample.problem();
-    let nan = f64::NAN;
-    for broken in [
-        iterate_of(&problem, [nan, 0.0], [0.0; 2], [0.0; 2]),
-        iterate_of(&problem, [0.0; 2], [0.0, nan], [0.0; 2]),
-        iterate_of(&problem, [0.0; 2], [nan, 0.0], [0.0; 2]),
-        iterate_of(&problem, [0.0; 2], [0.0; 2], [nan, 0.0]),
-    ] {
-        assert!(problem.residuals(&[50.0, 20.0], &broken, false).largest().is_nan());
-    }
 }

@@ -7,7 +7,7 @@ use crate::case::accuracy::rungs::{ORDER, Rung, Search};
 use crate::case::accuracy::{Answer, Asked, Tried};
 use crate::error::Error;
 use crate::formulation::{Formulation, Start};
-use crate::scene::{Body, Scene, Shape};
+use crate::scene::{Body, Scene};
 
 /// Elements of the first mesh, over the candidate stretch that the scene guesses.
 pub const FIRST: usize = 8;
@@ -27,7 +27,7 @@ const ITERATION: f64 = 0.01;
 /// An error is returned where not even a first mesh can be solved.
 pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<Answer, Error> {
     formulation.validate(scene)?;
-    let brought = |body: &&Body| matches!(body.shape, Shape::Given(_) | Shape::Blocks(_));
+    let brought = |body: &&Body| body.shape.brings_mesh();
     if let Some(body) = scene.bodies.iter().find(brought) {
         return Err(Error::Combination {
             what: format!("`{}` brings its mesh, which no accuracy can choose", body.name),

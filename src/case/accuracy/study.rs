@@ -2,7 +2,6 @@
 
 use crate::case::accuracy::{self, Answer, Asked};
 use crate::case::check::{Check, Reference};
-use crate::case::pin;
 use crate::case::problem::{self, Problem};
 use crate::case::run::Run;
 use crate::case::suite::{Finding, Table, Trial};
@@ -146,10 +145,7 @@ impl Subject {
 pub fn closed_form(problem: &Problem) -> [f64; 2] {
     let Some(oracle) = &problem.oracle else { return [f64::NAN; 2] };
     let read = |quantity| Reference::read(oracle.as_ref(), quantity).value;
-    let angle = read(Quantity::ContactAngle);
-    let half_width =
-        if angle.is_finite() { pin::exact_second_moment(problem, angle) } else { read(Quantity::HalfWidth) };
-    [read(Quantity::PeakPressure), half_width]
+    [Quantity::PeakPressure, Quantity::SecondMoment].map(read)
 }
 
 /// Larger relative error of peak and half-width; NaN where either is or the run did not converge.

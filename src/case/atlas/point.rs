@@ -3,12 +3,13 @@
 use crate::algorithm::StiffnessRule;
 use crate::case::atlas::plan::Row;
 use crate::case::atlas::record::{Class, Record};
-use crate::case::problem::Problem;
+use crate::case::records::rounded;
+use crate::case::run::Run;
 use crate::contact::ContactPoint;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation, Iteration};
-use crate::measure::profile::{relative_l2_between, weighted_line};
-use crate::solution::{PointState, Solution};
+use crate::measure::profile::weighted_line;
+use crate::solution::{IterationError, Solution};
 use crate::stability::{Limit, halving, linear, rate, release};
 
 /// A spectral radius up to here is 1 to round-off: pressures that no displacement feels stay as they are, and hurt nobody.
@@ -16,10 +17,7 @@ const INDIFFERENT: f64 = 1.0 + 1e-6;
 
 /// A scene on a mesh, condensed once for all its points.
 pub struct Site {
-    problem: Problem,
     discretisation: Discretisation,
-    /// Edge means of the verification formulation, where there is no closed form.
-    verified: Vec<PointState>,
 }
 
 /// What the points of one contact element on a site share.
@@ -30,15 +28,10 @@ pub struct Ground<'a> {
 }
 
 impl Site {
-    /// Mesh and condensation of a row, and the reference where there is no closed form.
+    /// Mesh and condensation of a row.
     pub fn of(row: &Row) -> Result<Self, Error> {
         let (problem, resolution) = row.problem()?;
-        let discretisation = Discretisation::of(problem.scene.clone(), resolution)?;
-        let verified = match problem.oracle {
-            Some(_) => Vec::new(),
-            None => discretisation.solve(&Formulation::verification())?.edges,
-        };
-        Ok(Self { problem, discretisation, verified })
+        Ok(Self { discretisation: Discretisation::of(problem.scene, resolution)? })
     }
 }
 
@@ -47,7 +40,7 @@ impl<'a> Ground<'a> {
     pub fn of(site: &'a Site, row: &Row) -> Result<Self, Error> {
         let formulation = row.formulation(1.0);
         let points = site.discretisation.points(&formulation);
-        let limit = Limit::of(&site.discretisation.problem(&formulation, &points))?;
+        let limit = Limit::of(&site.discretisation.problem(&formulation, &points));
         Ok(Self { site, points, limit })
     }
 
@@ -55,29 +48,31 @@ impl<'a> Ground<'a> {
     pub fn record(&self, row: &Row, stiffness: f64) -> Result<Record, Error> {
         let formulation = row.formulation(stiffness);
         let [predicted_rate, predicted_steps] = self.predicted(row, &formulation);
-        let record = |class, steps, residual, rate, error| Record {
+        let record = |class, steps, iteration_error, rate, [error, penalty]: [f64; 2]| Record {
             formulation: row.name(),
             ordinate: row.ordinate,
             stiffness: rounded(stiffness),
             class,
             steps,
-            residual: rounded(residual),
+            iteration_error: rounded(iteration_error),
             rate: rounded(rate),
             error: rounded(error),
+            penalty: rounded(penalty),
             predicted_rate: rounded(predicted_rate),
             predicted_steps: rounded(predicted_steps),
         };
-        match self.site.discretisation.solve(&formulation) {
-            Ok(solution) => {
-                let class = Class::of(solution.outcome);
-                let error = self.error(&solution);
-                Ok(record(class, solution.work.steps, solution.residual(), observed_rate(&solution), error))
+        match Run::of(&self.site.discretisation, &formulation) {
+            Ok(run) => {
+                let solution = &run.solution;
+                let [iteration, rate] = [solution.error().largest(), observed_rate(solution)];
+                let errors = [run.iteration_error(), run.penalty_error()];
+                Ok(record(Class::of(solution.outcome), solution.work.steps, iteration, rate, errors))
             }
             Err(Error::NoSpringLeft { steps, .. }) => {
-                Ok(record(Class::Unsupported, steps, f64::NAN, f64::NAN, f64::NAN))
+                Ok(record(Class::Unsupported, steps, f64::NAN, f64::NAN, [f64::NAN; 2]))
             }
             Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. }) => {
-                Ok(record(Class::Spilled, 0, f64::NAN, f64::NAN, f64::NAN))
+                Ok(record(Class::Spilled, 0, f64::NAN, f64::NAN, [f64::NAN; 2]))
             }
             Err(error) => Err(error),
         }
@@ -99,7 +94,7 @@ impl<'a> Ground<'a> {
                 return [f64::NAN, halving::steps(stretch, edge, spacing, formulation.stiffness) as f64];
             }
             (Iteration::Constant, StiffnessRule::Correction) => {
-                let steps = linear::steps(&problem, limit, tolerance);
+                let steps = linear::steps(&problem, limit, IterationError::largest, tolerance);
                 let steps = steps.map(|steps| steps.max(linear::worked_off(&problem, limit)));
                 rate::correction(&problem, &limit.closed).zip(steps)
             }
@@ -109,9 +104,7 @@ impl<'a> Ground<'a> {
             (Iteration::Varying, rule) => {
                 let rate = match rule {
                     StiffnessRule::Correction => rate::varying_correction(&problem, limit),
-                    _ => {
-                        rate::secant(&problem, &limit.target(&problem), &limit.approach, tolerance * problem.scale.gap)
-                    }
+                    _ => rate::secant(&problem, &limit.target(&problem), &limit.approach, tolerance * limit.length()),
                 };
                 rate.zip(release::steps(&problem, limit, rule, tolerance))
             }
@@ -120,41 +113,17 @@ impl<'a> Ground<'a> {
         let [rate, steps] = found.map_or([f64::NAN; 2], |(rate, steps)| [rate, steps]);
         [rate, if rate > INDIFFERENT { f64::INFINITY } else { steps }]
     }
-
-    /// L2 of the means over the edges, which no alternating mode of the points disturbs.
-    fn error(&self, solution: &Solution) -> f64 {
-        if !self.site.verified.is_empty() {
-            return relative_l2_between(&solution.edges, &self.site.verified);
-        }
-        let length = self.site.problem.scene.contact().stretch / solution.edges.len() as f64;
-        let reference: Vec<PointState> = (solution.edges.iter())
-            .map(|edge| PointState { pressure: self.mean_reference(edge.position, length), ..*edge })
-            .collect();
-        relative_l2_between(&solution.edges, &reference)
-    }
-
-    /// Mean of the closed form over an edge, from its values in the middles of equal parts.
-    fn mean_reference(&self, middle: f64, length: f64) -> f64 {
-        const PARTS: usize = 32;
-        let place = |part: usize| middle + length * ((part as f64 + 0.5) / PARTS as f64 - 0.5);
-        (0..PARTS).map(|part| self.site.problem.reference_pressure(place(part))).sum::<f64>() / PARTS as f64
-    }
 }
 
-/// Slope of the residual's logarithm over the latter half of the steps.
+/// Slope of the logarithm of the iteration error over the latter half of the steps.
 fn observed_rate(solution: &Solution) -> f64 {
-    let residuals: Vec<f64> = solution.history.iter().map(|step| step.residuals.largest()).collect();
-    let latter = &residuals[residuals.len() / 2..];
+    let errors: Vec<f64> = solution.history.iter().map(|step| step.error.largest()).collect();
+    let latter = &errors[errors.len() / 2..];
     if latter.len() < 5 {
         return f64::NAN;
     }
     let points: Vec<[f64; 3]> = latter.iter().enumerate().map(|(step, r)| [step as f64, r.ln(), 1.0]).collect();
     weighted_line(&points).1.exp()
-}
-
-/// Four significant digits: what a reviewer reads.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.3e}").parse().unwrap_or(f64::NAN)
 }
 
 /// Whether two rows share their ground: scene, mesh and contact points.

@@ -5,9 +5,13 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::case::atlas::plan::{Plane, Row};
+use crate::case::records;
 use crate::error::Error;
 use crate::oracle::cross_code::root;
 use crate::solution::Outcome;
+
+/// Error of p₀ and a that a run within the default tolerance may have.
+pub const RIGHT: f64 = 3e-3;
 
 /// What renews the records.
 pub const RENEW: &str = "run `cargo run --release -- atlas` and review the diff of snapshots/atlas";
@@ -25,8 +29,10 @@ pub enum Class {
     Slow,
     /// Returned to an earlier state.
     Cycling,
-    /// Residuals beyond 1e6, or no number.
+    /// The error grows without end, or is no number.
     Diverged,
+    /// Nothing changes any more, and the error is above the tolerance.
+    Stalled,
     /// No spring left to hold a body: the named error.
     Unsupported,
     /// Converged with contact beyond the candidates: the named error.
@@ -46,12 +52,14 @@ pub struct Record {
     pub class: Class,
     /// Steps made; zero where an error keeps them.
     pub steps: usize,
-    /// Largest residual after the last step.
-    pub residual: f64,
-    /// Factor by which the residual shrank at each of the latter half of the steps; NaN where these are fewer than five.
+    /// Iteration error after the last step.
+    pub iteration_error: f64,
+    /// Factor by which the iteration error shrank at each of the latter half of the steps; NaN where these are fewer than five.
     pub rate: f64,
-    /// L2 of the edges' mean pressures against the reference: Hertz, or on the pin-rod the verification formulation.
+    /// Larger error of p₀ and a against the solution of the same discrete problem.
     pub error: f64,
+    /// Larger error of p₀ and a that the springs of a penalty make; 0 without one.
+    pub penalty: f64,
     /// Spectral radius predicted; NaN where none is.
     pub predicted_rate: f64,
     /// Steps predicted; NaN where none are, infinite where it shall not converge.
@@ -60,8 +68,8 @@ pub struct Record {
 
 impl Class {
     /// All, from good to bad.
-    pub const ALL: [Self; 6] =
-        [Self::Converged, Self::Slow, Self::Cycling, Self::Diverged, Self::Unsupported, Self::Spilled];
+    pub const ALL: [Self; 7] =
+        [Self::Converged, Self::Slow, Self::Stalled, Self::Cycling, Self::Diverged, Self::Unsupported, Self::Spilled];
 
     /// The class of an outcome.
     pub fn of(outcome: Outcome) -> Self {
@@ -70,6 +78,7 @@ impl Class {
             Outcome::Exhausted => Self::Slow,
             Outcome::Cycling { .. } => Self::Cycling,
             Outcome::Diverged => Self::Diverged,
+            Outcome::Stalled => Self::Stalled,
         }
     }
 
@@ -80,6 +89,7 @@ impl Class {
             Self::Slow => "slow",
             Self::Cycling => "cycling",
             Self::Diverged => "diverged",
+            Self::Stalled => "stalled",
             Self::Unsupported => "unsupported",
             Self::Spilled => "spilled",
         }
@@ -87,6 +97,11 @@ impl Class {
 }
 
 impl Record {
+    /// Whether the run stopped where it shall: a penalty may stop far from there.
+    pub fn is_right(&self) -> bool {
+        self.class == Class::Converged && self.error + self.penalty <= RIGHT
+    }
+
     /// Whether the record is of this point.
     pub fn is_at(&self, row: &Row, stiffness: f64) -> bool {
         self.formulation == row.name() && same(self.ordinate, row.ordinate) && same(self.stiffness, stiffness)
@@ -111,7 +126,7 @@ pub fn read(plane: Plane) -> Result<Vec<Record>, Error> {
 /// The same from another folder.
 pub fn read_from(folder: &Path, plane: Plane) -> Result<Vec<Record>, Error> {
     let path = folder.join(plane.name()).with_extension("csv");
-    let records = read_file(&path)?;
+    let records: Vec<Record> = records::read(&path, RENEW)?;
     let stiffnesses = plane.stiffnesses();
     let planned: Vec<(Row, f64)> =
         plane.rows().into_iter().flat_map(|row| stiffnesses.iter().map(move |&stiffness| (row, stiffness))).collect();
@@ -122,31 +137,4 @@ pub fn read_from(folder: &Path, plane: Plane) -> Result<Vec<Record>, Error> {
         return Err(Error::Refused { file: path, key: "points".into(), found, remedy: RENEW.into() });
     }
     Ok(records)
-}
-
-/// The records of a file, whatever they are.
-pub fn read_file(path: &Path) -> Result<Vec<Record>, Error> {
-    let missing = |_| Error::MissingFile { file: path.into(), remedy: RENEW.into() };
-    let text = std::fs::read_to_string(path).map_err(missing)?;
-    csv::Reader::from_reader(text.as_bytes())
-        .deserialize()
-        .collect::<Result<_, _>>()
-        .map_err(|error| Error::Unreadable { file: path.into(), found: error.to_string(), remedy: RENEW.into() })
-}
-
-/// Writes records to a file, a line each.
-pub fn write_file(path: &Path, records: &[Record]) -> Result<(), Error> {
-    let failed =
-        |reason: String| Error::File { path: path.into(), reason, remedy: "check that it may be written".into() };
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for record in records {
-        writer.serialize(record).map_err(|error| failed(error.to_string()))?;
-    }
-    let text = writer.into_inner().map_err(|error| failed(error.to_string()))?;
-    if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder).map_err(|error| failed(error.to_string()))?;
-    }
-    // Whoever is broken off leaves the old file or the new one, never half of it.
-    let fresh = path.with_extension("csv.new");
-    std::fs::write(&fresh, text).and_then(|()| std::fs::rename(&fresh, path)).map_err(|error| failed(error.to_string()))
 }

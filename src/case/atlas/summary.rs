@@ -16,7 +16,7 @@ const SCENES: [Plane; 4] = [Plane::Stretch, Plane::Mesh, Plane::Cylinder, Plane:
 pub struct Digest {
     /// `element.algorithm.rule`.
     pub name: String,
-    /// Initial stiffnesses from and to which every run converges.
+    /// Initial stiffnesses from and to which every run ends right.
     pub safe: Option<[f64; 2]>,
     /// The initial stiffness with the fewest steps in the worst case, and these.
     pub best: Option<(f64, usize)>,
@@ -38,7 +38,7 @@ pub fn digests(charts: &[Chart]) -> Vec<Digest> {
         for algorithm in Iteration::ALL {
             for rule in algorithm.rules() {
                 let name = format!("{}.{}.{}", element.name(), algorithm.name(), rule.name());
-                digests.push(digest(charts, name, algorithm.default_stiffness(element)));
+                digests.push(digest(charts, name, algorithm.default_stiffness()));
             }
         }
     }
@@ -50,7 +50,7 @@ fn digest(charts: &[Chart], name: String, usual: f64) -> Digest {
     let rows: Vec<&[Record]> = scenes.flat_map(|chart| chart.of_formulation(&name)).collect();
     let columns = rows.first().map_or(0, |row| row.len());
     let column = |c: usize| rows.iter().map(move |row| &row[c]);
-    let holds = |c: usize| column(c).all(|record| record.class == Class::Converged);
+    let holds = |c: usize| column(c).all(Record::is_right);
     let safe = longest_run(columns, holds);
     let worst = |c: usize| column(c).map(|record| record.steps).max().unwrap_or(0);
     // Of equals the one nearest to the algorithm's own start.

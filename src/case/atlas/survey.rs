@@ -8,9 +8,8 @@ use rayon::prelude::*;
 use crate::case::atlas::plan::{Plane, Row};
 use crate::case::atlas::point::{Ground, Site, share_ground};
 use crate::case::atlas::record::{self, Record};
+use crate::case::records;
 use crate::error::Error;
-use crate::oracle::cross_code::frozen::sha256;
-use crate::oracle::cross_code::root;
 
 /// Rows of some planes by the mesh they share, in groups that also share their contact points.
 pub fn sites(planes: &[Plane]) -> Vec<Vec<Vec<Row>>> {
@@ -57,7 +56,7 @@ pub fn survey(planes: &[Plane], unfinished: &Path, records: &Path, done: impl Fn
         let points = plane.rows().into_iter().flat_map(|row| plane.stiffnesses().into_iter().map(move |k| (row, k)));
         let ordered: Vec<Record> =
             points.filter_map(|(row, k)| found.iter().find(|record| record.is_at(&row, k)).cloned()).collect();
-        record::write_file(&file(records, *plane), &ordered)?;
+        records::write(&file(records, *plane), &ordered)?;
     }
     Ok(())
 }
@@ -92,7 +91,7 @@ fn rows_of_a_ground(
             done(1);
         }
         let _alone = lock();
-        record::write_file(&path, &[kept(&path), fresh].concat())?;
+        records::write(&path, &[kept(&path), fresh].concat())?;
     }
     Ok(())
 }
@@ -105,27 +104,9 @@ fn entered<'a>(site: &'a OnceLock<Result<Site, Error>>, row: &Row) -> Result<&'a
 
 /// Finished rows; a file that cannot be read holds none, and is surveyed anew.
 fn kept(path: &Path) -> Vec<Record> {
-    record::read_file(path).unwrap_or_default()
+    records::read(path, record::RENEW).unwrap_or_default()
 }
 
 fn file(folder: &Path, plane: Plane) -> PathBuf {
     folder.join(plane.name()).with_extension("csv")
-}
-
-/// Folder of the running program's unfinished survey: another program starts afresh.
-pub fn unfinished() -> Result<PathBuf, Error> {
-    if !root().join("Cargo.toml").is_file() {
-        return Err(Error::File {
-            path: root(),
-            reason: "the checkout this program was built in is no longer there".into(),
-            remedy: "build it again where the checkout is now".into(),
-        });
-    }
-    let unreadable = |error: std::io::Error| Error::File {
-        path: "the running program".into(),
-        reason: error.to_string(),
-        remedy: "run it from a file that may be read".into(),
-    };
-    let program = std::env::current_exe().and_then(std::fs::read).map_err(unreadable)?;
-    Ok(root().join("target/atlas").join(&sha256(&program)[..16]))
 }

@@ -62,7 +62,7 @@ impl Found {
 
     fn oracle(&self, code: Code) -> OtherCode {
         let found = vec![
-            (Quantity::HalfWidth, self.half_width),
+            (Quantity::SecondMoment, self.half_width),
             (Quantity::PeakPressure, self.peak),
             (Quantity::Resultant, [self.resultant, 0.0]),
         ];
@@ -78,8 +78,7 @@ fn ours(benchmark: &Benchmark) -> Result<Vec<PhysicalAnswer>, Error> {
         let discretisation = Discretisation::of(benchmark.problem.scene.clone(), resolution)?;
         let run = Run::of(&discretisation, &Formulation::verification())?;
         let converged = |value: f64| if run.solution.converged() { value } else { f64::NAN };
-        let stretch = benchmark.problem.scene.contact().stretch;
-        let means = profile::means(&run.solution.edges, stretch, &benchmark.physical.stations);
+        let means = profile::means(&run.solution.edges, &benchmark.physical.stations);
         Ok(PhysicalAnswer {
             half_width: converged(run.measures().half_width),
             peak: converged(run.measures().peak.pressure),
@@ -158,7 +157,7 @@ pub fn agreement(benchmark: &Benchmark, ours: &Found, theirs: &Found, code: Code
             format!("The second-moment width shall agree with {name}"),
             width,
             ours.half_width[0],
-            read(Quantity::HalfWidth),
+            read(Quantity::SecondMoment),
             demanded,
             because(ours.half_width, theirs.half_width),
         ),

@@ -3,7 +3,6 @@
 use crate::case::cross_code::PHYSICAL;
 use crate::case::cross_code::benchmark::Benchmark;
 use crate::case::cross_code::physical::Found;
-use crate::case::pin;
 use crate::case::problem::Problem;
 use crate::case::suite::{Series as Curve, Table};
 use crate::measure::order::richardson;
@@ -43,10 +42,7 @@ fn closed_form(problem: &Problem) -> Option<[f64; 2]> {
         Reading::Value { value, .. } => Some(value),
         Reading::Silent | Reading::Unavailable(_) => None,
     };
-    let peak = value(Quantity::PeakPressure)?;
-    let width = value(Quantity::HalfWidth)
-        .or_else(|| value(Quantity::ContactAngle).map(|edge| pin::exact_second_moment(problem, edge)))?;
-    Some([peak, width])
+    Some([value(Quantity::PeakPressure)?, value(Quantity::SecondMoment)?])
 }
 
 /// A column of the closed form, its name and unit, and how a code's value is found.

@@ -84,7 +84,7 @@ fn runs(
             runs.rejected += solution.work.rejected;
             for (steps, tolerance) in steps.iter_mut().zip(TOLERANCES) {
                 let mut history = solution.history.iter();
-                steps.push(history.position(|step| step.residuals.largest() <= tolerance).map(|at| at + 1));
+                steps.push(history.position(|step| step.error.largest() <= tolerance).map(|at| at + 1));
             }
             if index == DRAWN && solution.converged() {
                 apart.push(difference(&solution, exact) / plane.scene.reference.pressure);

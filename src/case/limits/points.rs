@@ -93,5 +93,5 @@ fn departures(discretisation: &Discretisation, kappas: &[f64]) -> Result<Vec<[(f
 
 /// Largest departure of a pressure from its neighbours' line inside the contact, over the peak.
 fn departure(run: &Run) -> f64 {
-    profile::oscillation(&run.solution.points, INSIDE * run.measures().edge) / run.measures().peak.pressure
+    profile::oscillation(&run.solution.points, INSIDE * run.measures().edge()) / run.measures().peak.pressure
 }

@@ -43,7 +43,7 @@ pub(super) fn layer_thickness() -> Result<Finding, Error> {
         worst,
         Reference::analytic("Hertz", 0.0),
         1e-2,
-        "engineering tolerance of the paper's comparison; residuals to 1e-3",
+        "engineering tolerance of the paper's comparison; iterations to 1e-3",
     );
     let head = ["t₀ / h", "layer.varying", "layer.constant", "layer.kinematic"];
     let limit = Limit {

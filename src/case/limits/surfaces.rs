@@ -10,7 +10,7 @@ use crate::case::run::Run;
 use crate::case::suite::Finding;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
-use crate::measure::profile;
+use crate::measure::Measures;
 use crate::mesh::Order;
 use crate::scene::Load;
 use crate::scene::library::TruncatedHertz;
@@ -87,8 +87,8 @@ fn peak_of_any(discretisation: &Discretisation) -> Result<f64, Error> {
     let mut algorithm = Kinematic::new(formulation.rule, settings.tolerance);
     let solution = iterate(&problem, &mut algorithm, settings)?;
     let reference = &discretisation.scene.reference;
-    let width = profile::second_moment_half_width(&solution.points);
-    Ok(profile::peak(&solution.points, width).pressure / reference.pressure)
+    let measures = Measures::of(&discretisation.scene, 0, solution.part(0));
+    Ok(measures.peak.pressure / reference.pressure)
 }
 
 /// Loads over that whose Hertz contact is half as wide as the block.
@@ -100,7 +100,7 @@ pub(super) fn end() -> Result<Finding, Error> {
     let mut last = String::new();
     for factor in LOADS {
         let (run, load, width) = pressed(factor)?;
-        let edge = run.measures().edge / width;
+        let edge = run.measures().edge() / width;
         let at_end = run.solution.points.last().map_or(f64::NAN, |point| point.pressure) / run.measures().peak.pressure;
         let error = if run.solution.converged() { (run.transmitted() / load - 1.0).abs() } else { f64::NAN };
         balance = worse(balance, error);

@@ -85,7 +85,7 @@ impl MeshTable {
         place: &Range<usize>,
         scene: Scene,
     ) -> Result<(Scene, Resolution), Error> {
-        let brought = |body: &Body| matches!(body.shape, Shape::Given(_) | Shape::Blocks(_));
+        let brought = |body: &Body| body.shape.brings_mesh();
         if let Some(accuracy) = &self.accuracy {
             if let Some(body) = scene.bodies.iter().find(|body| brought(body)) {
                 let message = format!("`{}` brings its mesh, which no accuracy can choose", body.name);

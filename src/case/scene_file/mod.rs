@@ -14,7 +14,7 @@ use toml::Spanned;
 
 use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::case::accuracy::{self, Answer, Asked};
-use crate::case::check::{Check, Reference};
+use crate::case::check::{Check, Reference, Verdict};
 use crate::case::problem::Problem;
 use crate::case::run::Run;
 use crate::case::universal;
@@ -129,7 +129,7 @@ impl SceneFile {
         let Problem { scene, resolution, .. } = &self.problem;
         let Some(asked) = &self.accuracy else {
             let discretisation = Discretisation::of(scene.clone(), *resolution)?;
-            let run = Run::of(&discretisation, &self.formulation)?;
+            let run = Run::of(&discretisation, &self.formulation)?.with_limits(&discretisation)?;
             return Ok((discretisation, run, None));
         };
         let answer = accuracy::solve(scene, &self.formulation, asked)?;
@@ -139,24 +139,49 @@ impl SceneFile {
         Ok((discretisation, run, Some(answer)))
     }
 
-    /// The checks of a run: that it converged, what every converged run must satisfy, and those of the file.
-    pub fn checks(&self, discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
-        let tolerance = self.formulation.settings.tolerance;
-        let mut checks = vec![Check::norm(
+    /// Judges a run by the file's own checks, and by what every converged run must satisfy.
+    pub fn judge(&self, discretisation: &Discretisation, run: &Run) -> Result<Judgement, Error> {
+        let converges = Check::norm(
             "The iteration shall converge",
-            "residual",
-            if run.solution.converged() { run.solution.residual() } else { f64::NAN },
-            Reference::own("contact conditions", 0.0),
-            tolerance,
+            "iteration error",
+            run.solution.error().largest(),
+            Reference::own("the discrete solution", 0.0),
+            run.formulation.settings.tolerance,
             "the tolerance asked for",
-        )];
+        );
+        let mut universal: Vec<Check> = universal::bounded(run).into_iter().collect();
         if run.solution.converged() {
-            checks.extend(universal::checks(discretisation, run)?);
+            universal.extend(universal::checks(discretisation, run)?);
         }
-        for wanted in &self.wanted {
-            checks.push(wanted.check(discretisation, run)?);
-        }
-        Ok(checks)
+        Ok(Judgement { converges, own: self.own_checks(discretisation, run)?, universal })
+    }
+
+    /// The file's own checks of a run.
+    pub fn own_checks(&self, discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+        self.wanted.iter().map(|wanted| wanted.check(discretisation, run)).collect()
+    }
+}
+
+/// Checks of a run of a scene file.
+#[derive(Clone, Debug)]
+pub struct Judgement {
+    /// That it converged.
+    pub converges: Check,
+    /// Those of the file.
+    pub own: Vec<Check>,
+    /// What every run must satisfy whatever the file says: its failure is a fault of the solver or of the scene's digits.
+    pub universal: Vec<Check>,
+}
+
+impl Judgement {
+    /// All of them.
+    pub fn checks(&self) -> impl Iterator<Item = &Check> {
+        std::iter::once(&self.converges).chain(&self.universal).chain(&self.own)
+    }
+
+    /// Whether none failed.
+    pub fn passed(&self) -> bool {
+        self.checks().all(|check| check.verdict != Verdict::Fail)
     }
 }
 

@@ -26,9 +26,9 @@ pub(super) struct CheckTable {
     support: Option<Spanned<SupportName>>,
     value: Number,
     tolerance: Number,
-    kind: Name,
-    source: String,
-    because: String,
+    kind: Option<Name>,
+    source: Option<String>,
+    because: Option<String>,
 }
 
 /// What a check asks.
@@ -76,12 +76,16 @@ const KINDS: [(&str, ReferenceKind); 4] = [
 impl Wanted {
     pub(super) fn check(&self, discretisation: &Discretisation, run: &Run) -> Result<Check, Error> {
         let points = run.solution.points_of(self.contact);
-        let Contact { measures, transmitted } = run.contacts[self.contact];
+        let Contact { measures, transmitted, unbounded, .. } = &run.contacts[self.contact];
         let (name, value) = match self.quantity {
+            // A peak without a limit is no number to be judged.
+            Quantity::PeakPressure if unbounded.is_some() => {
+                ("peak pressure, which has no limit [MPa]".into(), f64::NAN)
+            }
             Quantity::PeakPressure => ("peak pressure [MPa]".into(), measures.peak.pressure),
             Quantity::HalfWidth => ("half-width [mm or rad]".into(), measures.half_width),
             Quantity::Centre => ("centre of pressure [mm]".into(), measures.centre),
-            Quantity::Resultant => ("resultant [N]".into(), transmitted),
+            Quantity::Resultant => ("resultant [N]".into(), *transmitted),
             Quantity::Pressure => {
                 let stretch = discretisation.scene.contacts[self.contact].stretch;
                 (format!("pressure at s = {:.6} [MPa]", self.at), profile::interpolate(points, stretch, self.at))
@@ -176,6 +180,7 @@ impl CheckTable {
             }
             (None, _) => None,
         };
+        let kind = self.kind.as_ref().map(|kind| source.choice("kind of reference", kind, &KINDS)).transpose()?;
         let value = source.finite("value", &self.value)?;
         let tolerance = source.positive("tolerance", &self.tolerance)?;
         Ok(Wanted {
@@ -185,9 +190,9 @@ impl CheckTable {
             support,
             value: unit * value,
             tolerance: if value.abs() > 0.0 { tolerance } else { unit * tolerance },
-            kind: source.choice("kind of reference", &self.kind, &KINDS)?,
-            source: self.source.clone(),
-            because: self.because.clone(),
+            kind: kind.unwrap_or(ReferenceKind::SelfConsistency),
+            source: self.source.clone().unwrap_or_else(|| "the value given".into()),
+            because: self.because.clone().unwrap_or_else(|| "the tolerance given".into()),
         })
     }
 }

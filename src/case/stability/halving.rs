@@ -77,7 +77,7 @@ fn pin_rod() -> Result<Finding, Error> {
             let scene = PinRod { stretch: degrees.to_radians(), ..Default::default() }.scene();
             let problem = Problem::new("pin-rod", "pin-rod", (scene, elements, None));
             let discretisation = Discretisation::of(problem.scene.clone(), problem.resolution)?;
-            let edge = Run::of(&discretisation, &Formulation::verification())?.measures().edge;
+            let edge = Run::of(&discretisation, &Formulation::verification())?.measures().edge();
             let stretch = discretisation.scene.contact().stretch;
             let spacing = stretch / (discretisation.interfaces[0].stations.len() - 1) as f64;
             let mut cells = vec![format!("{:.2}", stretch / edge), elements.to_string()];

@@ -7,7 +7,7 @@ use crate::contact::ContactPoint;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration};
 use crate::measure::profile::weighted_line;
-use crate::solution::{Residuals, Solution};
+use crate::solution::Solution;
 use crate::stability::{Limit, linear, rate};
 
 /// Initial stiffnesses of the rate studies: constant stiffness depends on them, varying stiffness does not.
@@ -15,12 +15,14 @@ const STARTS: [f64; 9] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0];
 const FEW_STARTS: [f64; 3] = [0.1, 3.0, 100.0];
 /// Rates between which prediction and measurement are compared: faster ones leave no steps to measure.
 const MEASURABLE: [f64; 2] = [0.05, 0.999];
-/// Residuals between which the rate is measured, in the latter half of the steps: below the first the contact set is
+/// Misplaced force between which the rate is measured, in the latter half of the steps: below the first the contact set is
 /// final, above the last is no round-off.
 const WINDOW: [f64; 2] = [1e-5, 2e-12];
+/// The least error of a run, times this, is still above what springs at their limit leave.
+const ABOVE_LEAST: f64 = 20.0;
 /// Steps that half must hold.
 const STEPS: usize = 20;
-/// Where the slope of the linearised iteration over the measured residuals differs from ln ρ by more than this, the start
+/// Where the slope of the linearised iteration over the measured errors differs from ln ρ by more than this, the start
 /// hardly holds the slowest mode and round-off comes before it is alone: the linearised slope is the prediction.
 const ALONE: f64 = 0.02;
 /// Starts that must be compared for each element and algorithm.
@@ -45,7 +47,7 @@ pub const RATES_HEAD: [&str; 8] = [
     "formulation",
     "κ₀",
     "predicted ρ",
-    "linearised, same residuals",
+    "linearised, same errors",
     "measured",
     "ln ρ off",
     "linearised off",
@@ -61,7 +63,7 @@ fn rates(element: Element, algorithm: Iteration) -> Result<Finding, Error> {
     let starts: &[f64] = if algorithm == Iteration::Varying { &FEW_STARTS } else { &STARTS };
     for &stiffness in starts {
         let mut formulation = Formulation { stiffness, ..Formulation::new(element, algorithm) }.tolerance(1e-12);
-        formulation.settings.max_steps = 6000;
+        formulation.settings.max_steps = 12_000;
         let (row, check) = one_start(&discretisation, &formulation)?;
         rows.push(row);
         checks.extend(check);
@@ -80,14 +82,14 @@ fn rates(element: Element, algorithm: Iteration) -> Result<Finding, Error> {
 
 /// The row of a start, and its check where there is enough to measure.
 ///
-/// Held against ρ; where that fails and the linearised iteration departs from ρ over the same residuals too, against its slope.
+/// Held against ρ; where that fails and the linearised iteration departs from ρ over the same errors too, against its slope.
 fn one_start(
     discretisation: &Discretisation,
     formulation: &Formulation,
 ) -> Result<(Vec<String>, Option<Check>), Error> {
     let solution = discretisation.solve(formulation)?;
     let predicted = predicted(discretisation, formulation)?;
-    let measured = measured(formulation.algorithm, &solution);
+    let measured = measured(&solution);
     let linearised = linearised(discretisation, formulation, measured)?;
     let rate = measured.map_or(f64::NAN, |measured| measured.rate);
     let against = |expected: f64| rate_check(formulation.stiffness, expected, rate);
@@ -128,7 +130,7 @@ pub fn rate_check(stiffness: f64, predicted: f64, measured: f64) -> Check {
         (measured.ln() - predicted.ln()).abs() / predicted.ln().abs(),
         Reference::own("spectral radius", 0.0),
         ACCEPTED,
-        "asymptotic: slope of the last residuals against the spectral radius on the final contact set",
+        "asymptotic: slope of the last errors against the spectral radius on the final contact set",
     )
 }
 
@@ -136,7 +138,7 @@ pub fn rate_check(stiffness: f64, predicted: f64, measured: f64) -> Check {
 fn predicted(discretisation: &Discretisation, formulation: &Formulation) -> Result<f64, Error> {
     let points: Vec<ContactPoint> = discretisation.points(formulation);
     let problem = discretisation.problem(formulation, &points);
-    let Some(limit) = Limit::of(&problem)? else { return Ok(f64::NAN) };
+    let Some(limit) = Limit::of(&problem) else { return Ok(f64::NAN) };
     let found = match formulation.rule {
         StiffnessRule::Correction => rate::correction(&problem, &limit.closed),
         _ => rate::secant(&problem, &limit.target(&problem), &limit.approach, 0.0),
@@ -144,13 +146,7 @@ fn predicted(discretisation: &Discretisation, formulation: &Formulation) -> Resu
     Ok(found.unwrap_or(f64::NAN))
 }
 
-/// What shrinks at the predicted rate. With varying stiffness that is the complementarity of the points outside the contact:
-/// penetration stands still where a gap is zero, as its spring is at the ceiling.
-fn residual(algorithm: Iteration, residuals: &Residuals) -> f64 {
-    if algorithm == Iteration::Varying { residuals.complementarity } else { residuals.largest() }
-}
-
-/// A slope of the residuals, and between which of them.
+/// A slope of the errors, and between which of them.
 #[derive(Clone, Copy)]
 struct Measured {
     rate: f64,
@@ -158,12 +154,13 @@ struct Measured {
     to: f64,
 }
 
-/// Slope of the residuals in the latter half of the window; none where that holds too few steps.
-fn measured(algorithm: Iteration, solution: &Solution) -> Option<Measured> {
-    let [from, to] = WINDOW;
-    let residuals: Vec<f64> = solution.history.iter().map(|step| residual(algorithm, &step.residuals)).collect();
-    let first = residuals.iter().rposition(|r| *r > from).map_or(0, |index| index + 1);
-    let within: Vec<f64> = residuals[first..].iter().copied().take_while(|r| *r > to).collect();
+/// Slope of the errors in the latter half of the window; none where that holds too few steps.
+fn measured(solution: &Solution) -> Option<Measured> {
+    let errors: Vec<f64> = solution.history.iter().map(|step| step.error.force).collect();
+    let least = errors.iter().copied().fold(f64::INFINITY, f64::min);
+    let [from, to] = [WINDOW[0], WINDOW[1].max(ABOVE_LEAST * least)];
+    let first = errors.iter().rposition(|r| *r > from).map_or(0, |index| index + 1);
+    let within: Vec<f64> = errors[first..].iter().copied().take_while(|r| *r > to).collect();
     let latter = &within[within.len() / 2..];
     if latter.len() < STEPS {
         return None;
@@ -172,7 +169,7 @@ fn measured(algorithm: Iteration, solution: &Solution) -> Option<Measured> {
     Some(Measured { rate: weighted_line(&line).1.exp(), from: latter[0], to: latter[latter.len() - 1] })
 }
 
-/// Mean slope of constant stiffness linearised on its final contact set, between the residuals that were measured.
+/// Mean slope of constant stiffness linearised on its final contact set, between the errors that were measured.
 fn linearised(
     discretisation: &Discretisation,
     formulation: &Formulation,
@@ -183,7 +180,7 @@ fn linearised(
     };
     let points: Vec<ContactPoint> = discretisation.points(formulation);
     let problem = discretisation.problem(formulation, &points);
-    let Some(limit) = Limit::of(&problem)? else { return Ok(None) };
-    let steps = |tolerance: f64| linear::steps(&problem, &limit, tolerance);
+    let Some(limit) = Limit::of(&problem) else { return Ok(None) };
+    let steps = |tolerance: f64| linear::steps(&problem, &limit, |error| error.force, tolerance);
     Ok(steps(from).zip(steps(to)).map(|(first, last)| ((to / from).ln() / (last - first)).exp()))
 }

@@ -12,31 +12,35 @@ mod table;
 
 use std::path::Path;
 
-use crate::case::Run;
 use crate::case::accuracy;
+use crate::case::{Check, Problem, Run, Verdict};
+use crate::cli::ended::Ended;
+use crate::cli::reactions::ReactionReading;
 use crate::cli::{self, json, reactions, say, vtu};
 use crate::error::Error;
 use crate::formulation::Discretisation;
+use crate::mesh::Resolution;
 use crate::report::pictures;
+use crate::solution::Outcome;
 
 pub use options::Arguments;
 use options::Task;
 use stages::Stages;
 
-/// Solves, prints a table unless JSON goes to standard output, and writes what was asked for; tells whether it converged.
+/// Solves, prints a table unless JSON goes to standard output, writes what was asked for, and tells how it ended.
 ///
 /// A mistake that shows only now is told with its line in the file.
-pub fn run(arguments: &Arguments) -> Result<bool, Error> {
+pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
     let task = arguments.task()?;
-    let places = task.places.clone();
+    let places = task.file.as_ref().map(|file| file.places.clone());
     solve(arguments, task).map_err(|error| match &places {
         Some(places) => places.locate(error),
         None => error,
     })
 }
 
-fn solve(arguments: &Arguments, task: Task) -> Result<bool, Error> {
-    let Task { mut problem, formulation: base, accuracy: asked, .. } = task;
+fn solve(arguments: &Arguments, task: Task) -> Result<Ended, Error> {
+    let Task { mut problem, formulation: base, accuracy: asked, file } = task;
     arguments.refuse_endings()?;
     let formulation = arguments.formulation(base);
     formulation.validate(&problem.scene)?;
@@ -58,14 +62,22 @@ fn solve(arguments: &Arguments, task: Task) -> Result<bool, Error> {
     let discretisation = Discretisation::announced(problem.scene.clone(), resolution, &|stage| stages.begin(stage))?;
     stages.begin(stages::ITERATION);
     let run = match &accurate {
-        None => Run::of(&discretisation, &formulation)?,
+        None => Run::of(&discretisation, &formulation)?.with_limits(&discretisation)?,
         Some((_, answer)) => answer.run.clone(),
     };
     stages.begin(stages::OUTPUTS);
-    let reactions = reactions::readings(&discretisation, &run)?;
+    let mut checks = file.map_or(Ok(Vec::new()), |file| file.own_checks(&discretisation, &run))?;
+    checks.extend(accurate.iter().map(|(asked, answer)| answer.check(asked)));
+    let found = Found {
+        problem: &problem,
+        resolution,
+        reactions: reactions::readings(&discretisation, &run)?,
+        run: &run,
+        checks,
+    };
     let document = arguments.json.is_some().then(|| {
         let accuracy = accurate.as_ref().map(cli::accuracy::Document::of);
-        json::text(&problem, resolution, &run, &reactions, accuracy)
+        json::text(&found, accuracy)
     });
     let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
     if let (Some(path), Some(text), false) = (&arguments.json, &document, to_stdout) {
@@ -85,16 +97,44 @@ fn solve(arguments: &Arguments, task: Task) -> Result<bool, Error> {
     match document.filter(|_| to_stdout) {
         Some(text) => say(text),
         None => {
-            table::print(&problem, resolution, &run, &reactions);
+            table::print(&found);
             accurate.iter().for_each(|accurate| cli::accuracy::print(accurate, &problem.scene.contact().path));
         }
     }
-    if !run.solution.converged() {
-        eprintln!(
-            "not converged: these numbers are those of the last step; allow more steps, or choose another algorithm or start"
-        );
+    if let Some(remedy) = remedy(&run) {
+        eprintln!("not converged: these numbers are those of the last step; {remedy}");
     }
-    Ok(run.solution.converged() && accurate.is_none_or(|(_, answer)| answer.unmet.is_none()))
+    let passed = found.checks.iter().all(|check| check.verdict != Verdict::Fail);
+    Ok(Ended::of(&run, Ended::checked(passed)))
+}
+
+/// What a solve found, as it is told.
+pub struct Found<'a> {
+    /// Scene and oracle.
+    pub problem: &'a Problem,
+    /// How fine the mesh is.
+    pub resolution: Resolution,
+    /// The run.
+    pub run: &'a Run,
+    /// What its supports exert.
+    pub reactions: Vec<ReactionReading>,
+    /// The file's own checks, and that of the accuracy asked for.
+    pub checks: Vec<Check>,
+}
+
+/// What to do where an iteration did not converge.
+fn remedy(run: &Run) -> Option<&'static str> {
+    match run.solution.outcome {
+        Outcome::Converged => None,
+        Outcome::Stalled => Some(
+            "nothing changes any more, for round-off or because springs are at their limit: ask for a larger --tolerance, or choose --element node with --algorithm kinematic",
+        ),
+        Outcome::Cycling { .. } => {
+            Some("more steps would repeat: choose another --stiffness, or --algorithm kinematic")
+        }
+        Outcome::Diverged => Some("choose another --stiffness, or --algorithm kinematic"),
+        Outcome::Exhausted => Some("allow more with --max-steps, choose another --stiffness, or --algorithm kinematic"),
+    }
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Error> {

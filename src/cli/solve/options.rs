@@ -8,12 +8,11 @@ use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::case::SceneFile;
 use crate::case::accuracy::{self, Asked};
 use crate::case::problem::{Problem, problem};
-use crate::case::scene_file::Places;
 use crate::error::Error;
 use crate::formulation::{Element, Formulation, Iteration, Start};
 use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
-use crate::scene::{Body, Shape};
+use crate::scene::Body;
 
 /// Arguments of `solve`.
 #[derive(Debug, Args)]
@@ -53,9 +52,12 @@ pub struct Arguments {
     /// Load increments.
     #[arg(long, value_name = "N")]
     increments: Option<usize>,
-    /// Largest residual accepted.
+    /// Largest error accepted of peak, profile, width and approach against the solution of the same discrete problem.
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     tolerance: Option<f64>,
+    /// Most steps of the iteration, over all increments.
+    #[arg(long, value_name = "N")]
+    max_steps: Option<usize>,
     /// Write the result as JSON to a file, or to standard output with `-`.
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
@@ -65,7 +67,7 @@ pub struct Arguments {
     /// Write displacement, stress, pressure and gap on the mesh as VTK for ParaView.
     #[arg(long, value_name = "FILE.vtu")]
     pub vtu: Option<PathBuf>,
-    /// Draw the deformed shape with its stresses, the pressure and the residuals of every step as SVG.
+    /// Draw the deformed shape with its stresses, the pressure and the iteration error of every step as SVG.
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
 }
@@ -114,8 +116,8 @@ pub struct Task {
     pub formulation: Formulation,
     /// The accuracy that the file asks for.
     pub accuracy: Option<Asked>,
-    /// Where bodies and contact stand in the file.
-    pub places: Option<Places>,
+    /// The file, where it is one.
+    pub file: Option<SceneFile>,
 }
 
 impl Arguments {
@@ -126,15 +128,15 @@ impl Arguments {
         if !is_file {
             let problem = problem(&self.case, self.a_over_r)?;
             let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
-            return Ok(Task { problem, formulation, accuracy: None, places: None });
+            return Ok(Task { problem, formulation, accuracy: None, file: None });
         }
         if self.a_over_r.is_some() {
             let remedy = "leave it out, and set the load in the file";
             return Err(Error::Combination { what: "a scene file has no a/R".into(), remedy: remedy.into() });
         }
         let file = SceneFile::read(path)?;
-        let SceneFile { problem, formulation, accuracy, places, .. } = file;
-        Ok(Task { problem, formulation, accuracy, places: Some(places) })
+        let SceneFile { problem, formulation, accuracy, .. } = file.clone();
+        Ok(Task { problem, formulation, accuracy, file: Some(file) })
     }
 
     /// The accuracy asked for here, else that of the file; the mesh is then chosen by it alone.
@@ -176,6 +178,7 @@ impl Arguments {
         let settings = &mut formulation.settings;
         settings.tolerance = self.tolerance.unwrap_or(settings.tolerance);
         settings.increments = self.increments.unwrap_or(settings.increments);
+        settings.max_steps = self.max_steps.unwrap_or(settings.max_steps);
         if let Some(acceleration) = self.acceleration {
             formulation.acceleration = match acceleration {
                 AccelerationName::None => Acceleration::None,
@@ -212,7 +215,7 @@ impl Arguments {
                 return Err(Error::value("solve", "--order", other, "it must be 1 or 2", "use 2 for 8-node cells"));
             }
         };
-        let brought = |body: &Body| matches!(body.shape, Shape::Given(_) | Shape::Blocks(_));
+        let brought = |body: &Body| body.shape.brings_mesh();
         if let (Some(elements), true) = (self.resolution, problem.scene.bodies.iter().all(brought)) {
             let remedy = "leave it out, and refine those meshes";
             return Err(Error::value("solve", "--resolution", elements, "every body brings its mesh", remedy));

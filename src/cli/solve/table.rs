@@ -2,12 +2,11 @@
 
 use crate::algorithm::Acceleration;
 use crate::case::run::Contact;
-use crate::case::{Problem, Run};
 use crate::cli::reactions::ReactionReading;
-use crate::cli::{json, say};
+use crate::cli::solve::Found;
+use crate::cli::{json, say, verify};
 use crate::formulation::Start;
 use crate::measure::display_factor;
-use crate::mesh::Resolution;
 use crate::report::format;
 use crate::scene::ContactPair;
 
@@ -15,7 +14,7 @@ use crate::scene::ContactPair;
 const ROUND_OFF: f64 = 1e-9;
 
 /// Prints what was solved, how it ended, what was measured, and how far that is from the oracle.
-pub fn print(problem: &Problem, resolution: Resolution, run: &Run, reactions: &[ReactionReading]) {
+pub fn print(Found { problem, resolution, run, reactions, checks }: &Found) {
     let order = resolution.order.nodes_per_cell();
     say(format!("{}: {}", problem.name, problem.title));
     say(format!(
@@ -26,11 +25,11 @@ pub fn print(problem: &Problem, resolution: Resolution, run: &Run, reactions: &[
     ));
     let work = &run.solution.work;
     say(format!(
-        "{} after {} steps, {} factorisations, residual {}",
+        "{} after {} steps, {} factorisations, iteration error {}",
         run.solution.outcome,
         work.steps,
         work.factorisations,
-        format::error(run.solution.residual())
+        format::error(run.solution.error().largest())
     ));
     if run.formulation.acceleration != Acceleration::None {
         say(format!("{} accelerated steps given up for the plain one", work.rejected));
@@ -55,6 +54,9 @@ pub fn print(problem: &Problem, resolution: Resolution, run: &Run, reactions: &[
         let force = if force.abs() < ROUND_OFF * largest { 0.0 } else { *force };
         say(format!("reaction on `{body}` at {at}: {component} {} N", format::value(force)));
     }
+    for check in checks {
+        say(verify::told("check", check));
+    }
     for oracle in json::oracles(problem, run) {
         say(format!(
             "{} ({}) {}: {}, error {}",
@@ -78,15 +80,27 @@ fn print_contact(pair: &ContactPair, found: &Contact, note: Option<String>, inde
         format::value(factor * measures.half_width_nodes)
     ));
     let place = |s: f64| format::value(if s.abs() < ROUND_OFF * measures.half_width { 0.0 } else { factor * s });
+    let peak = match found.unbounded {
+        None => format!("{} MPa", format::value(measures.peak.pressure)),
+        Some(_) => "without limit".into(),
+    };
     say(format!(
-        "{indent}peak pressure {} MPa at {} {unit}, resultant {} N",
-        format::value(measures.peak.pressure),
+        "{indent}peak pressure {peak} at {} {unit}, pressure at 0 {} MPa, largest at a point {} MPa at {} {unit}",
         place(measures.peak.position),
-        format::value(found.transmitted)
+        format::value(measures.pressure_at_origin),
+        format::value(measures.largest.pressure),
+        place(measures.largest.position),
     ));
-    if pair.path.has_both_sides() {
-        let [centre, begin, edge] = [measures.centre, measures.begin, measures.edge].map(place);
-        say(format!("{indent}centre of pressure at {centre} {unit}, pressed from {begin} to {edge} {unit}"));
+    say(format!("{indent}resultant {} N", format::value(found.transmitted)));
+    let pressed = measures.stretches.iter().map(|s| format!("from {} to {}", place(s.begin), place(s.end)));
+    let pressed = pressed.collect::<Vec<_>>().join(", ");
+    let centre = if pair.path.has_both_sides() {
+        format!(", centre of pressure at {} {unit}", place(measures.centre))
+    } else {
+        String::new()
+    };
+    if !pressed.is_empty() {
+        say(format!("{indent}pressed {pressed} {unit}{centre}"));
     }
     if let Some(note) = note {
         say(format!("{indent}note: {note}"));

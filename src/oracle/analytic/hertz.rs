@@ -17,7 +17,7 @@ pub struct Hertz {
 }
 
 impl Hertz {
-    /// Half-width `a = √(4PR / πE*)` \[mm\].
+    /// Half-width `a = √(4PR / πE*)` \[mm\], which is also `2 √(∫p x²/∫p)`.
     pub fn half_width(&self) -> f64 {
         (4.0 * self.load * self.radius / (PI * self.modulus)).sqrt()
     }
@@ -95,7 +95,7 @@ impl Oracle for Hertz {
         let mut parameters =
             vec![positive("load", self.load), positive("radius", self.radius), positive("modulus", self.modulus)];
         let value = match quantity {
-            Quantity::HalfWidth => self.half_width(),
+            Quantity::HalfWidth | Quantity::SecondMoment => self.half_width(),
             Quantity::PeakPressure => self.peak_pressure(),
             Quantity::Resultant => self.load,
             Quantity::Pressure { at } => {

@@ -30,6 +30,11 @@ impl FlatPunch {
     pub fn centre_pressure(&self) -> f64 {
         self.pressure(0.0)
     }
+
+    /// Half-width by second moment `2 √(∫p x²/∫p) = √2 a` \[mm\].
+    pub fn second_moment(&self) -> f64 {
+        std::f64::consts::SQRT_2 * self.half_width
+    }
 }
 
 impl Oracle for FlatPunch {
@@ -52,6 +57,7 @@ impl Oracle for FlatPunch {
         let mut parameters = vec![positive("load", self.load), positive("half_width", self.half_width)];
         let value = match quantity {
             Quantity::HalfWidth => self.half_width,
+            Quantity::SecondMoment => self.second_moment(),
             Quantity::Resultant => self.load,
             Quantity::Pressure { at } => {
                 parameters.push(finite("at", at));

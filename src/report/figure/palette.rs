@@ -26,11 +26,15 @@ pub const PALE: Colour = RGBColor(0xE4, 0xE4, 0xE0);
 /// The card every figure stands on, so that it reads on light and on dark pages.
 pub const CARD: Colour = RGBColor(0xFD, 0xFD, 0xFC);
 
-/// Runs on maps, by how they ended: quick, ordinary, long; then slow, cycling, diverged, unsupported, spilled.
-pub const ENDS: [Colour; 8] = [
+/// Runs on maps, by how they ended: quick, ordinary, long; stopped off the contact by a little, by more, by much; then slow or
+/// stalled, cycling, diverged, unsupported, spilled.
+pub const ENDS: [Colour; 11] = [
     RGBColor(0x00, 0x6D, 0x4F),
     RGBColor(0x5F, 0xC0, 0x92),
     RGBColor(0xCB, 0xE9, 0xD5),
+    RGBColor(0xF6, 0xE8, 0xA8),
+    RGBColor(0xE8, 0xC5, 0x47),
+    RGBColor(0xA8, 0x86, 0x1D),
     RGBColor(0xD9, 0xD9, 0xD4),
     RGBColor(0xE6, 0x9F, 0x00),
     RGBColor(0xD5, 0x5E, 0x00),

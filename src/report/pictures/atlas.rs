@@ -9,6 +9,8 @@ use crate::report::figure::{Axis, Cell, Chart, ClassMap, MapPanel, Series, panel
 
 /// Steps up to which a converged run is quick, and ordinary.
 const QUICK: [usize; 2] = [20, 200];
+/// Errors of p₀ and a that a run which stopped may have, told by colours where they are no iteration error.
+const OFF: [f64; 2] = [0.01, 0.1];
 /// Where the maps carry ticks: every third decade of twelve, by halves.
 const TICKS: [(usize, &str); 5] = [(0, "1e-6"), (6, "1e-3"), (12, "1"), (18, "1e3"), (24, "1e6")];
 
@@ -61,6 +63,7 @@ fn curves(row: &[Record], rule: &str) -> Vec<Series> {
     }
     let causes = [
         (Class::Slow, Marker::Circle),
+        (Class::Stalled, Marker::Circle),
         (Class::Cycling, Marker::Diamond),
         (Class::Diverged, Marker::Triangle),
         (Class::Unsupported, Marker::Square),
@@ -94,7 +97,10 @@ pub fn map(plane: &Plane) -> Result<String, Error> {
         format!("≤ {quick} steps"),
         format!("≤ {ordinary} steps"),
         "converged".into(),
-        "slow".into(),
+        format!("stopped off by ≤ {} %", 100.0 * OFF[0]),
+        format!("off by ≤ {} %", 100.0 * OFF[1]),
+        "off by more".into(),
+        "slow or stalled".into(),
         "cycling".into(),
         "diverged".into(),
         "no spring left".into(),
@@ -116,7 +122,8 @@ fn note() -> String {
     let limit = Settings::default().max_steps;
     format!(
         "The black line is predicted: on its one side the condensed matrices say that a run ends within {limit} steps, on \
-         the other that it does not. Slow: not at the tolerance after {limit} steps. No spring left: the named error. Spilled: \
+         the other that it does not. Off by: stopped there, and that far from p₀ or a of the discrete \
+         solution. Slow: not at the tolerance after {limit} steps. No spring left: the named error. Spilled: \
          contact beyond the candidates, the named error. Nothing is predicted for `literal` and `penalty`."
     )
 }
@@ -124,14 +131,17 @@ fn note() -> String {
 fn cell(record: &Record) -> Cell {
     let [quick, ordinary] = QUICK;
     let place = match record.class {
+        Class::Converged if !record.is_right() => {
+            3 + OFF.iter().filter(|limit| !(record.error + record.penalty <= **limit)).count()
+        }
         Class::Converged if record.steps <= quick => 0,
         Class::Converged if record.steps <= ordinary => 1,
         Class::Converged => 2,
-        Class::Slow => 3,
-        Class::Cycling => 4,
-        Class::Diverged => 5,
-        Class::Unsupported => 6,
-        Class::Spilled => 7,
+        Class::Slow | Class::Stalled => 6,
+        Class::Cycling => 7,
+        Class::Diverged => 8,
+        Class::Unsupported => 9,
+        Class::Spilled => 10,
     };
     let limit = Settings::default().max_steps as f64;
     let predicted = (!record.predicted_steps.is_nan()).then_some(record.predicted_steps <= limit);

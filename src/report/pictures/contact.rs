@@ -19,7 +19,7 @@ fn runs<'a>(findings: &'a [Finding], case: &'a str) -> impl Iterator<Item = &'a 
 /// Edge means of the pressure of every run; runs that did not converge stand hollow at the frame.
 fn curves<'a>(runs: impl Iterator<Item = &'a Run>, scale: f64, [x, y]: [f64; 2]) -> Vec<Series> {
     runs.map(|run| {
-        let points = run.solution.edges.iter().map(|p| (p.position * x, p.pressure / scale * y));
+        let points = run.solution.edges.iter().map(|p| (p.position() * x, p.pressure / scale * y));
         let converged = run.solution.converged();
         Series {
             label: label(&run.formulation),
@@ -55,7 +55,7 @@ pub fn cylinder(findings: &[Finding]) -> Result<String, Error> {
                 (0..20).map(|k| exact(from + (to - from) * (k as f64 + 0.5) / 20.0)).sum::<f64>() / 20.0
             };
             let points = run.solution.edges.iter().map(|edge| {
-                let (x, half) = (edge.position / a, 0.5 * edge.weight / problem.scene.thickness / a);
+                let (x, half) = (edge.position() / a, 0.5 * edge.weight / problem.scene.thickness / a);
                 (x, 100.0 * (edge.pressure / p0 - mean(x - half, x + half)))
             });
             let converged = run.solution.converged();

@@ -80,7 +80,7 @@ fn range(values: &[f64]) -> (Option<(f64, f64)>, Option<String>) {
 /// A square around the first contact as it is truly displaced, cut at the bodies; none where the contact is not small.
 fn detail(discretisation: &Discretisation, run: &Run, displacement: &[[f64; 2]], magnification: f64) -> Option<Detail> {
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
-    let [begin, edge] = [run.measures().begin, run.measures().edge];
+    let [begin, edge] = [run.measures().begin(), run.measures().edge()];
     let reach = 0.5 * (edge - begin) * scene.contact().path.metric();
     if !(reach > 0.0 && reach < SMALL * side(bounds(&mesh.points))) {
         return None;

@@ -1,4 +1,4 @@
-//! The picture of one run: deformed shape with stress, contact pressure, and the residuals step by step.
+//! The picture of one run: deformed shape with stress, contact pressure, and the iteration error step by step.
 
 use super::{deformed, label, style};
 use crate::case::{Problem, Run};
@@ -8,13 +8,13 @@ use crate::measure::display_factor;
 use crate::report::figure::palette::{self, Colour};
 use crate::report::figure::{Axis, Chart, Dash, Direction, Guide, Marker, Series, Sheet, Style};
 use crate::scene::ContactPair;
-use crate::solution::{PointState, Residuals};
+use crate::solution::{IterationError, PointState};
 
 /// Stations at which the closed form is drawn.
 const STATIONS: usize = 200;
 /// Upper end of the pressure axis over the highest pressure.
 const HEADROOM: f64 = 1.08;
-/// Part of the reference gap that rounding explains.
+/// Part of the largest gap that rounding explains.
 const ROUND_OFF: f64 = 1e-9;
 /// Fewest steps an axis has room for.
 const STEPS: usize = 5;
@@ -38,11 +38,11 @@ pub fn sheet(problem: &Problem, discretisation: &Discretisation, run: &Run) -> R
     })
 }
 
-/// A row for every contact, pressure and gap; the residuals stand in the first.
+/// A row for every contact, pressure and gap; the iteration error stands in the first.
 fn charts(problem: &Problem, run: &Run) -> Vec<Vec<Chart>> {
     let of = |contact| vec![pressure(problem, run, contact), gap(problem, run, contact)];
     let mut rows: Vec<Vec<Chart>> = (0..run.contacts.len()).map(of).collect();
-    rows.iter_mut().take(1).for_each(|first| first.push(residuals(run)));
+    rows.iter_mut().take(1).for_each(|first| first.push(iteration_error(run)));
     rows
 }
 
@@ -81,11 +81,13 @@ fn profile(
 
 /// Gap that remains; 0 where the surfaces touch but for round-off.
 fn gap(problem: &Problem, run: &Run, contact: usize) -> Chart {
-    let reference = problem.scene.reference.gap;
-    let told = |point: &PointState| if point.gap.abs() < ROUND_OFF * reference { 0.0 } else { point.gap };
+    let points = run.solution.points_of(contact);
+    let share = run.solution.contacts[contact].approach;
+    let widest = points.iter().map(|point| point.gap.abs()).filter(|gap| gap.is_finite()).fold(share, f64::max);
+    let told = |point: &PointState| if point.gap.abs() <= ROUND_OFF * widest { 0.0 } else { point.gap };
     let mut chart = profile(problem, run, contact, ["Remaining gap", "gap [mm]"], told);
-    if run.solution.points_of(contact).iter().all(|point| told(point) == 0.0) {
-        chart.y.range = Some((0.0, reference));
+    if points.iter().all(|point| told(point) == 0.0) {
+        chart.y.range = Some((0.0, if share > 0.0 { share } else { 1.0 }));
     }
     chart
 }
@@ -113,27 +115,26 @@ pub fn pressure(problem: &Problem, run: &Run, contact: usize) -> Chart {
     chart
 }
 
-/// What a curve shows: its name, the residual, its colour and sign.
-type Kind = (&'static str, fn(&Residuals) -> f64, Colour, Marker);
+/// What a curve shows: its name, the part of the error, its colour and sign.
+type Kind = (&'static str, fn(&IterationError) -> f64, Colour, Marker);
 
 const KINDS: [Kind; 4] = [
-    ("penetration", |r| r.penetration, palette::PURPLE, Marker::Circle),
-    ("tension", |r| r.tension, palette::SKY, Marker::Square),
-    ("complementarity", |r| r.complementarity, palette::ORANGE, Marker::Triangle),
-    ("balance", |r| r.balance, palette::INK, Marker::Diamond),
+    ("peak", |error| error.peak, palette::INK, Marker::Diamond),
+    ("force", |error| error.force, palette::PURPLE, Marker::Circle),
+    ("width", |error| error.width, palette::SKY, Marker::Square),
+    ("approach", |error| error.approach, palette::ORANGE, Marker::Triangle),
 ];
 
-/// The four residuals of every step with the tolerance; what a logarithm cannot show is left out.
-pub fn residuals(run: &Run) -> Chart {
+/// The iteration error of every step with the tolerance; what a logarithm cannot show is left out.
+pub fn iteration_error(run: &Run) -> Chart {
     let history = &run.solution.history;
     let last = history.len().max(STEPS) as f64;
-    let mut chart = Chart::new("Residuals", Axis::linear("step").over(0.0, last), Axis::log("residual"));
+    let mut chart = Chart::new("Iteration error", Axis::linear("step").over(0.0, last), Axis::log("relative error"));
     let shown = |value: f64| if value.is_finite() && value > 0.0 { value } else { f64::NAN };
     let mut at_rest = Vec::new();
     for (label, of, colour, marker) in KINDS {
         let steps = history.iter().enumerate();
-        let points: Vec<(f64, f64)> =
-            steps.map(|(step, state)| ((step + 1) as f64, shown(of(&state.residuals)))).collect();
+        let points: Vec<(f64, f64)> = steps.map(|(step, state)| ((step + 1) as f64, shown(of(&state.error)))).collect();
         if points.iter().all(|point| point.1.is_nan()) {
             at_rest.push(label);
             continue;
@@ -144,7 +145,7 @@ pub fn residuals(run: &Run) -> Chart {
     let at = run.formulation.settings.tolerance;
     chart.guides.push(Guide { direction: Direction::Horizontal, at, label: "tolerance".into() });
     if !at_rest.is_empty() {
-        chart.notes.push(format!("Residuals that are 0 or no number in every step: {}.", at_rest.join(", ")));
+        chart.notes.push(format!("Errors that are 0 or no number in every step: {}.", at_rest.join(", ")));
     }
     chart
 }

@@ -139,7 +139,7 @@ impl Tables<'_> {
             reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },
             grading: self.grading(source)?,
         };
-        scene.reference = reference::values(source, &self.units, &scene, self.reference, &self.contacts[0].gap)?;
+        scene.reference = reference::values(source, &self.units, &scene, self.reference)?;
         Ok(scene)
     }
 

@@ -1,23 +1,25 @@
-//! `[reference]`: what makes stiffnesses and residuals pure numbers.
+//! `[reference]`: what makes spring stiffnesses pure numbers. Springs start from it; what converges does not depend on it.
 
 use toml::Spanned;
 
 use crate::error::Error;
 use crate::scene::file::Source;
-use crate::scene::file::tables::{GapTable, ReferenceTable};
+use crate::scene::file::tables::ReferenceTable;
 use crate::scene::file::units::Units;
 use crate::scene::{ReferenceValues, Scene};
+
+/// `g_ref/ℓ` where the gap tells none.
+const SLOPE: f64 = 1e-3;
 
 /// Reference values, those not given by the scene itself: ℓ half the candidate stretch, `g_ref = |g(ℓ)|` and
 /// `p_ref = E* g_ref/ℓ`, which on Hertz scenes is p₀ for a = ℓ.
 ///
-/// With several contacts the first one tells them. Where the gap vanishes at ℓ nothing tells a pressure, and one must be given.
+/// With several contacts the first one tells them. Where the gap vanishes at ℓ it is taken as a thousandth of ℓ.
 pub(super) fn values(
     source: Source,
     units: &Units,
     scene: &Scene,
     table: Option<&ReferenceTable>,
-    gap: &Spanned<GapTable>,
 ) -> Result<ReferenceValues, Error> {
     let none = ReferenceTable::default();
     let table = table.unwrap_or(&none);
@@ -34,10 +36,7 @@ pub(super) fn values(
     // Waves may return to zero there, but for round-off.
     let own = Some(ends.iter().map(|s| pair.profile.gap(*s).abs()).fold(0.0, f64::max))
         .filter(|own| own.is_finite() && *own > 1e-6 * widest);
-    let opening = given("gap", &table.gap, units.length)?.or_else(|| pressure.map(|p| p * length / modulus)).or(own);
-    let Some(opening) = opening else {
-        let remedy = "give the pressure to expect: [reference] pressure = …";
-        return Err(source.refused(gap.span(), "the gap vanishes and tells no reference pressure", remedy));
-    };
+    let told = given("gap", &table.gap, units.length)?.or_else(|| pressure.map(|p| p * length / modulus)).or(own);
+    let opening = told.unwrap_or(SLOPE * length);
     Ok(ReferenceValues { length, pressure: pressure.unwrap_or(modulus * opening / length), gap: opening })
 }

@@ -391,7 +391,7 @@ pub struct HoleTable {
     pub clearance: Number,
 }
 
-/// `[reference]`: what makes residuals and stiffnesses pure numbers.
+/// `[reference]`: what makes initial stiffnesses pure numbers, and what springs start from.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ReferenceTable {

@@ -1,0 +1,157 @@
+//! The discrete solution itself: the one set of closed points under which nothing penetrates and nothing pulls.
+//!
+//! `S u + Σ A p b = f̂`, `p ≥ 0`, `w ≤ g`, `p (g − w) = 0` at every point are the conditions of least energy
+//! `½ uᵀS u − f̂ᵀu` over all `w ≤ g`. They have one displacement, up to motions that contact does not feel, whatever algorithm
+//! looks for it. S is small and dense, so that the set is found by changing it until it stands: every closed point that pulls
+//! opens, every open one that penetrates closes (primal-dual active set; Hintermüller, Ito & Kunisch 2002). Where a set
+//! returns, or leaves a body free, one point at a time is changed instead (the largest violation; Murty 1974).
+//!
+//! Where points are more than displacements can follow, pressures are not unique: those of least `Σ A p²` are found, the limit
+//! of equal springs that stiffen.
+
+use crate::algorithm::{ContactProblem, Iterate, Springs};
+use crate::solution::Work;
+
+/// What a closed point does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Law {
+    /// It touches: `w = g`.
+    Rigid,
+    /// Its initial spring carries `k₀ (w − g)`: what the rule `penalty` solves.
+    Springs,
+}
+
+/// The discrete solution.
+#[derive(Clone, Debug)]
+pub struct Exact {
+    /// Whether each point carries pressure.
+    pub closed: Vec<bool>,
+    /// Displacements, approaches, pressures.
+    pub iterate: Iterate,
+    /// Sets that were tried.
+    pub sets: usize,
+}
+
+/// Springs that hold closed points of mean area, over the mean diagonal of S. What they yield is carried over until it is round-off.
+const HOLDING: f64 = 1e5;
+/// Times what the springs carry is handed over: each leaves about `1/HOLDING` of the penetration before.
+const HANDED: usize = 4;
+/// Tension over the largest pressure of its contact that is round-off.
+const PULLS: f64 = 1e-10;
+/// Penetration over the lengths of which it is the difference that is round-off.
+const PENETRATES: f64 = 1e-13;
+/// Sets that are tried: changing one point at a time takes about one for each point that must change.
+const SETS: usize = 1000;
+
+impl Exact {
+    /// The solution under a load, looked for from a set of closed points; none where there is none, or it was not found.
+    pub fn of(problem: &ContactProblem, load: &[f64], law: Law, start: &[bool]) -> Option<Self> {
+        let mut search = Search { problem, load, law, holding: holding(problem, law), seen: Vec::new() };
+        let all = vec![true; problem.points.len()];
+        search.from(start.to_vec()).or_else(|| search.from(all))
+    }
+}
+
+/// Springs of closed points [MPa/mm].
+fn holding(problem: &ContactProblem, law: Law) -> Vec<f64> {
+    if law == Law::Springs {
+        return problem.initial.clone();
+    }
+    let n = problem.load.len();
+    let mean = (0..n).map(|i| problem.stiffness[(i, i)]).sum::<f64>() / n as f64;
+    let area = problem.points.iter().map(|point| point.weight).sum::<f64>() / problem.points.len() as f64;
+    vec![HOLDING * mean / area; problem.points.len()]
+}
+
+struct Search<'a> {
+    problem: &'a ContactProblem<'a>,
+    load: &'a [f64],
+    law: Law,
+    holding: Vec<f64>,
+    seen: Vec<Vec<bool>>,
+}
+
+impl Search<'_> {
+    /// Changes a set until it stands.
+    fn from(&mut self, mut closed: Vec<bool>) -> Option<Exact> {
+        self.seen.clear();
+        let mut one_by_one = false;
+        let mut violations: Vec<f64> = Vec::new();
+        let mut held: Option<Vec<bool>> = None;
+        for sets in 1..=SETS {
+            let Some(iterate) = self.solved(&closed) else {
+                // Too many points were opened at once.
+                closed = held.take()?;
+                one_by_one = true;
+                flip_worst(&mut closed, &violations)?;
+                continue;
+            };
+            violations = self.violations(&closed, &iterate)?;
+            if violations.iter().all(|violation| *violation <= 0.0) {
+                return Some(Exact { closed, iterate, sets });
+            }
+            one_by_one |= self.seen.contains(&closed);
+            self.seen.push(closed.clone());
+            held = Some(closed.clone());
+            if one_by_one {
+                flip_worst(&mut closed, &violations)?;
+            } else {
+                closed
+                    .iter_mut()
+                    .zip(&violations)
+                    .filter(|(_, v)| **v > 0.0)
+                    .for_each(|(closed, _)| *closed = !*closed);
+            }
+        }
+        None
+    }
+
+    /// Equilibrium with a set of points closed; none where it leaves a body free.
+    fn solved(&self, closed: &[bool]) -> Option<Iterate> {
+        let work = &mut Work::default();
+        let stiffness: Vec<f64> =
+            self.holding.iter().zip(closed).map(|(k, closed)| if *closed { *k } else { 0.0 }).collect();
+        let factor = self.problem.factorise(&stiffness, work)?;
+        let mut springs = Springs { force: vec![0.0; stiffness.len()], stiffness };
+        let handed = if self.law == Law::Rigid { HANDED } else { 0 };
+        for _ in 0..handed {
+            springs.force = self.problem.equilibrium(&factor, self.load, &springs, |point| point.gap, work).pressure;
+        }
+        Some(self.problem.equilibrium(&factor, self.load, &springs, |point| point.gap, work))
+    }
+
+    /// By how much each point is in the wrong state, over the largest pressure of its contact; 0 where it is right, none
+    /// where numbers are none.
+    fn violations(&self, closed: &[bool], iterate: &Iterate) -> Option<Vec<f64>> {
+        let points = self.problem.points;
+        let contacts = points.iter().map(|point| point.contact + 1).max().unwrap_or(0);
+        let mut largest = vec![0.0_f64; contacts];
+        points.iter().zip(&iterate.pressure).for_each(|(at, p)| largest[at.contact] = largest[at.contact].max(p.abs()));
+        let overall = largest.iter().copied().fold(0.0, f64::max);
+        let lengths = points.iter().zip(&iterate.approach).map(|(point, w)| point.gap.abs().min(f64::MAX) + w.abs());
+        let lengths: Vec<f64> = lengths.collect();
+        let longest = lengths.iter().copied().filter(|length| length.is_finite()).fold(0.0, f64::max);
+        let each = (0..points.len()).map(|i| {
+            let (p, depth) = (iterate.pressure[i], iterate.approach[i] - points[i].gap);
+            let scale = largest[points[i].contact].max(PULLS * overall);
+            match closed[i] {
+                true if p < -PULLS * scale => -p / scale,
+                true => 0.0,
+                false if depth > PENETRATES * longest => {
+                    depth * self.holding[i] / HOLDING / scale.max(f64::MIN_POSITIVE)
+                }
+                false => 0.0,
+            }
+        });
+        let each: Vec<f64> = each.collect();
+        let finite = iterate.pressure.iter().chain(&iterate.approach).all(|x| x.is_finite());
+        finite.then_some(each)
+    }
+}
+
+/// Changes the point that is most wrong.
+fn flip_worst(closed: &mut [bool], violations: &[f64]) -> Option<()> {
+    let worst = (0..closed.len()).max_by(|&a, &b| violations[a].total_cmp(&violations[b]))?;
+    closed[worst] = !closed[worst];
+    Some(())
+}

@@ -1,0 +1,187 @@
+//! What an iteration shall end in, and how far it is from there, on the scale of the solution itself and contact by contact.
+//!
+//! A residual needs a scale, and one that is guessed beforehand (a pressure, a gap, a stretch) calls answers converged that
+//! are far off where the guess is. Here the discrete solution is known ([`exact`](crate::algorithm::exact)), so that the
+//! error itself is: of peak, forces, width and approach, each over the solution's own. The algorithms do not see it: it stops
+//! the clock, for all of them at the same accuracy.
+//!
+//! Peak and forces are those of edges, not of points: pressures at the Gauss points of stiff springs alternate in a mode that
+//! no node feels.
+
+use std::ops::Range;
+
+use crate::algorithm::exact::{Exact, Law};
+use crate::algorithm::parts;
+use crate::algorithm::problem::reported;
+use crate::algorithm::{ContactProblem, Iterate};
+use crate::contact::ContactPoint;
+use crate::measure::{peak, profile};
+use crate::solution::{EdgeState, IterationError, PointState, States};
+
+/// The discrete solution of a problem under a load, with what errors are measured by.
+#[derive(Clone, Debug)]
+pub struct Target {
+    /// The solution.
+    pub exact: Exact,
+    contacts: Vec<OfContact>,
+    /// Largest force of a contact; of the load where no contact carries one \[N\].
+    largest_force: f64,
+}
+
+/// The solution of one contact.
+#[derive(Clone, Debug)]
+struct OfContact {
+    points: Range<usize>,
+    edges: Range<usize>,
+    means: Vec<EdgeState>,
+    /// Largest pressure, as it is quoted \[MPa\].
+    peak: f64,
+    moments: Moments,
+    /// `Σ F*/(E* t)` \[mm\].
+    approach: f64,
+}
+
+impl Target {
+    /// Looks for the discrete solution from a set of closed points.
+    pub fn of(problem: &ContactProblem, load: &[f64], law: Law, start: &[bool]) -> Option<Self> {
+        let exact = Exact::of(problem, load, law, start)?;
+        let states = states(problem.points, &exact.iterate);
+        let ranges = parts::points(problem.points).zip(parts::edges(problem.edges));
+        let contacts = ranges.enumerate().map(|(contact, (points, edges))| {
+            let moments = Moments::of(&states[points.clone()]);
+            let approach = moments.force * problem.compliance[contact];
+            let own = &problem.points[points.clone()];
+            let means = parts::means(&problem.edges[edges.clone()], own, &states[points.clone()]);
+            let peak = peak::of(&means, moments.centre).pressure;
+            OfContact { points, edges, means, peak, moments, approach }
+        });
+        let contacts: Vec<OfContact> = contacts.collect();
+        let largest = contacts.iter().map(|contact| contact.moments.force).fold(0.0, f64::max);
+        let applied: f64 = load.iter().map(|f| f.abs()).sum();
+        Some(Self { exact, contacts, largest_force: if largest > 0.0 { largest } else { applied } })
+    }
+
+    /// How far an iterate is from the solution, at the worst contact.
+    pub fn error(&self, problem: &ContactProblem, iterate: &Iterate) -> IterationError {
+        let states = states(problem.points, iterate);
+        let each = self.contacts.iter().map(|contact| self.error_of(contact, problem, iterate, &states));
+        each.fold(IterationError::NONE, IterationError::worse)
+    }
+
+    fn error_of(
+        &self,
+        contact: &OfContact,
+        problem: &ContactProblem,
+        iterate: &Iterate,
+        states: &[PointState],
+    ) -> IterationError {
+        let wanted = &contact.moments;
+        if wanted.force <= 0.0 {
+            let carried = contact.points.clone().map(|i| problem.points[i].weight * iterate.pressure[i].abs());
+            let force: f64 = carried.sum();
+            let force = if force > 0.0 { force / self.largest_force } else { force };
+            return IterationError { force, ..IterationError::NONE };
+        }
+        let found = Moments::of(&states[contact.points.clone()]);
+        let own = &problem.points[contact.points.clone()];
+        let means = parts::means(&problem.edges[contact.edges.clone()], own, &states[contact.points.clone()]);
+        let peak = peak::of(&means, found.centre).pressure;
+        let (mut work, mut force) = (0.0, 0.0);
+        for i in contact.points.clone() {
+            let carried = problem.points[i].weight * self.exact.iterate.pressure[i].max(0.0);
+            work += carried * (iterate.approach[i] - self.exact.iterate.approach[i]).abs();
+            force += carried;
+        }
+        IterationError {
+            peak: (peak / contact.peak - 1.0).abs(),
+            force: profile::misplaced(&means, &contact.means),
+            width: found.apart(wanted),
+            approach: work / (force * contact.approach),
+        }
+    }
+
+    /// Approach that the own force of a contact makes \[mm\].
+    pub fn approach(&self, contact: usize) -> f64 {
+        self.contacts[contact].approach
+    }
+
+    /// Points and edges as a solution tells them.
+    pub fn told(&self, problem: &ContactProblem) -> States {
+        told(problem, &self.exact.iterate)
+    }
+}
+
+/// Force, centre and second moment of the pressures of one contact.
+#[derive(Clone, Copy, Debug)]
+struct Moments {
+    /// `Σ A p` \[N\].
+    force: f64,
+    /// `Σ A p s/Σ A p`; 0 where the contact begins at s = 0.
+    centre: f64,
+    /// `Σ A p s²/Σ A p`, about s = 0.
+    second: f64,
+}
+
+impl Moments {
+    fn of(states: &[PointState]) -> Self {
+        let sum = |of: &dyn Fn(f64) -> f64| -> f64 {
+            states.iter().map(|state| state.weight * state.pressure * of(state.position)).sum()
+        };
+        let force = sum(&|_| 1.0);
+        let across = states.first().is_some_and(|state| state.position < 0.0);
+        let centre = if across { sum(&|s| s) / force } else { 0.0 };
+        Self { force, centre, second: sum(&|s| s * s) / force }
+    }
+
+    /// Half-width by second moment about a centre, `2 √(Σ A p (s − c)²/Σ A p)`.
+    fn half_width(&self) -> f64 {
+        2.0 * (self.second - self.centre * self.centre).max(0.0).sqrt()
+    }
+
+    /// The larger of the errors of half-width and centre, over the wanted half-width; 0 where that vanishes.
+    fn apart(&self, wanted: &Self) -> f64 {
+        let (own, size) = (self.half_width(), wanted.half_width());
+        let far = (own - size).abs().max((self.centre - wanted.centre).abs());
+        match () {
+            _ if own.is_nan() || self.centre.is_nan() => f64::NAN,
+            _ if size > 0.0 => far / size,
+            _ => 0.0,
+        }
+    }
+}
+
+/// Points and edges as a solution tells them.
+pub(super) fn told(problem: &ContactProblem, iterate: &Iterate) -> States {
+    let states = states(problem.points, iterate);
+    let ranges = parts::points(problem.points).zip(parts::edges(problem.edges));
+    let means = ranges.flat_map(|(points, edges)| {
+        parts::means(&problem.edges[edges], &problem.points[points.clone()], &states[points])
+    });
+    let edges = means.collect();
+    States { points: states, edges }
+}
+
+/// Points with their reported pressures and remaining gaps.
+fn states(points: &[ContactPoint], iterate: &Iterate) -> Vec<PointState> {
+    let each = points.iter().zip(&iterate.pressure).zip(&iterate.approach);
+    each.map(|((point, p), w)| PointState {
+        position: point.position,
+        weight: point.weight,
+        pressure: reported(*p),
+        gap: point.gap - w,
+    })
+    .collect()
+}
+
+/// Pressure over the largest of its contact from which on a point is a closed one to begin the search with.
+const PRESSED: f64 = 1e-3;
+
+/// The points that an iterate presses, by the largest pressure of their contact.
+pub(super) fn pressed(problem: &ContactProblem, iterate: &Iterate) -> Vec<bool> {
+    let mut pressed = vec![false; problem.points.len()];
+    for own in parts::points(problem.points) {
+        let largest = own.clone().map(|i| iterate.pressure[i]).fold(0.0, f64::max);
+        own.for_each(|i| pressed[i] = largest > 0.0 && iterate.pressure[i] > PRESSED * largest);
+    }
+    pressed
+}

@@ -1,0 +1,17 @@
+//! What is called converged: every scene, library and file, under all nine formulations, from candidates that hardly reach
+//! beyond the contact to such that are a hundred times as long, and under loads a ten-thousandth of the scene's own. No run may
+//! be called converged whose peak or half-width is not that of its own discrete problem.
+//!
+//! * [`plan`] — scenes, stretches, loads, tolerances.
+//! * [`run`] — one scene on one stretch, with all its runs.
+//! * [`survey`] — all of them, recorded and resumable.
+//! * [`judge`] — what the record must hold, and what it shows.
+
+pub mod judge;
+pub mod plan;
+pub mod run;
+pub mod survey;
+
+pub use judge::{STUDY, trials};
+pub use plan::{Site, sites};
+pub use run::Record;

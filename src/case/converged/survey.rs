@@ -1,0 +1,41 @@
+//! All sites, recorded under `snapshots`; a survey that was broken off goes on where it stopped.
+
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+
+use crate::case::converged::plan::{Site, sites};
+use crate::case::converged::run::{self, Record};
+use crate::case::records;
+use crate::error::Error;
+use crate::oracle::cross_code::root;
+
+/// What renews the record.
+pub const RENEW: &str = "run `cargo run --release -- converged` and review the diff of snapshots/converged.csv";
+
+/// The record.
+pub fn file() -> PathBuf {
+    root().join("snapshots/converged.csv")
+}
+
+/// Runs every site and writes the record; `done` is told when one more is ready. Finished sites are kept in the folder
+/// `unfinished`.
+pub fn survey(unfinished: &Path, record: &Path, done: impl Fn() + Sync) -> Result<usize, Error> {
+    let sites = sites()?;
+    let of_site = |site: &Site| -> Result<Vec<Record>, Error> {
+        let kept = unfinished.join(format!("{}-{}.csv", site.scene, site.stretch));
+        let found = match records::read(&kept, RENEW) {
+            Ok(found) => found,
+            Err(_) => {
+                let found = run::records(site)?;
+                records::write(&kept, &found)?;
+                found
+            }
+        };
+        done();
+        Ok(found)
+    };
+    let found: Vec<Record> = sites.par_iter().map(of_site).collect::<Result<Vec<_>, _>>()?.concat();
+    records::write(record, &found)?;
+    Ok(found.len())
+}

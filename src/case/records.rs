@@ -1,0 +1,60 @@
+//! Recorded surveys: lines of a CSV file, read whole and written whole.
+
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use crate::error::Error;
+use crate::oracle::cross_code::frozen::sha256;
+use crate::oracle::cross_code::root;
+
+/// The records of a file, whatever they are; `renew` says what makes them anew.
+pub fn read<T: DeserializeOwned>(path: &Path, renew: &str) -> Result<Vec<T>, Error> {
+    let missing = |_| Error::MissingFile { file: path.into(), remedy: renew.into() };
+    let text = std::fs::read_to_string(path).map_err(missing)?;
+    csv::Reader::from_reader(text.as_bytes())
+        .deserialize()
+        .collect::<Result<_, _>>()
+        .map_err(|error| Error::Unreadable { file: path.into(), found: error.to_string(), remedy: renew.into() })
+}
+
+/// Writes records to a file, a line each.
+pub fn write<T: Serialize>(path: &Path, records: &[T]) -> Result<(), Error> {
+    let failed =
+        |reason: String| Error::File { path: path.into(), reason, remedy: "check that it may be written".into() };
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for record in records {
+        writer.serialize(record).map_err(|error| failed(error.to_string()))?;
+    }
+    let text = writer.into_inner().map_err(|error| failed(error.to_string()))?;
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).map_err(|error| failed(error.to_string()))?;
+    }
+    // Whoever is broken off leaves the old file or the new one, never half of it.
+    let fresh = path.with_extension("csv.new");
+    std::fs::write(&fresh, text).and_then(|()| std::fs::rename(&fresh, path)).map_err(|error| failed(error.to_string()))
+}
+
+/// Four significant digits: what a reviewer reads.
+pub fn rounded(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(f64::NAN)
+}
+
+/// Folder of the running program's unfinished survey of a name: another program starts afresh.
+pub fn unfinished(name: &str) -> Result<PathBuf, Error> {
+    if !root().join("Cargo.toml").is_file() {
+        return Err(Error::File {
+            path: root(),
+            reason: "the checkout this program was built in is no longer there".into(),
+            remedy: "build it again where the checkout is now".into(),
+        });
+    }
+    let unreadable = |error: std::io::Error| Error::File {
+        path: "the running program".into(),
+        reason: error.to_string(),
+        remedy: "run it from a file that may be read".into(),
+    };
+    let program = std::env::current_exe().and_then(std::fs::read).map_err(unreadable)?;
+    Ok(root().join("target").join(name).join(&sha256(&program)[..16]))
+}

@@ -1,0 +1,189 @@
+//! The peak of a pressure profile, wherever it lies: the top of a polynomial through the mean pressures over pairs of edges
+//! around the highest one.
+//!
+//! Means over two edges, because they are what all contact elements tell alike: pressures that alternate from point to point
+//! or from edge to edge, and the consistent nodal pressures of 3-node edges, above the profile at corners and below it at
+//! mid-sides, leave them untouched. A mean is taken for what it is: `c_k` of `Σ c_k s^k` contributes the mean of `s^k` over
+//! both edges, not its value in the middle.
+
+use std::ops::RangeInclusive;
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::solution::EdgeState;
+
+/// A pressure and where it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    /// Contact coordinate \[mm, or rad on an arc\].
+    pub position: f64,
+    /// Pressure there \[MPa\].
+    pub pressure: f64,
+}
+
+/// Pairs whose mean differs from the one in question by no more than this part take part in the fit: on a semi-ellipse those within
+/// 0.28 half-widths, where a quartic is off by 1e-6.
+const DROP: f64 = 0.04;
+/// Coefficients of the polynomial, and the fewest pairs: as many, so that on a coarse mesh it goes through their means.
+const QUARTIC: usize = 5;
+/// Difference from the one in question up to which a pair may be one of these: beyond, the end of the contact bends the profile.
+const FAR: f64 = 0.3;
+/// Coefficients and fewest pairs of a parabola, where a quartic finds too few.
+const PARABOLA: usize = 3;
+/// Part of a pressure that rounding explains: a uniform one has its top anywhere.
+const ROUNDING: f64 = 1e-9;
+
+/// The largest pressure of a contact from the means over its edges, in the order of the contact coordinate; where that is the
+/// same all around, at `centre`. NaN without an edge.
+pub fn of(edges: &[EdgeState], centre: f64) -> Peak {
+    let pairs = pairs(edges);
+    let Some(highest) = highest(&pairs) else { return Peak { position: f64::NAN, pressure: f64::NAN } };
+    let fit = Fit::around(&pairs, highest);
+    let top = fit.top();
+    let middle = fit.value(centre);
+    let moved = middle.is_none_or(|middle| top.pressure > middle * (1.0 + ROUNDING));
+    if moved { top } else { Peak { position: centre, pressure: top.pressure } }
+}
+
+/// Pressure at a place, by the same fit around the pairs that hold it; 0 where no pressed one does.
+pub fn pressure_at(edges: &[EdgeState], place: f64) -> f64 {
+    let pairs = pairs(edges);
+    let away = |k: &usize| (pairs[*k].position() - place).abs();
+    let holds = |pair: &EdgeState| {
+        let near = ROUNDING * pair.length();
+        pair.pressure > 0.0 && pair.ends[0] - near <= place && place <= pair.ends[1] + near
+    };
+    let nearest = (0..pairs.len()).filter(|&k| holds(&pairs[k])).min_by(|a, b| away(a).total_cmp(&away(b)));
+    nearest.map_or(0.0, |k| Fit::around(&pairs, [k, k]).value(place).unwrap_or(f64::NAN))
+}
+
+/// Neighbouring edges two by two, each with the one after it, and with their images where the contact begins on a symmetry
+/// line, s = 0; a single edge stays alone.
+fn pairs(edges: &[EdgeState]) -> Vec<EdgeState> {
+    let on_one_side = edges.first().zip(edges.last()).is_some_and(|(a, b)| a.ends[0].abs() <= ROUNDING * b.ends[1]);
+    let images = if on_one_side { edges.iter().rev().map(EdgeState::mirrored).collect() } else { Vec::new() };
+    let all = [images, edges.to_vec()].concat();
+    let joined = |two: &[EdgeState]| {
+        let weight = two[0].weight + two[1].weight;
+        let force = two[0].weight * two[0].pressure + two[1].weight * two[1].pressure;
+        EdgeState { ends: [two[0].ends[0], two[1].ends[1]], weight, pressure: force / weight }
+    };
+    if all.len() < 2 { all } else { all.windows(2).map(joined).collect() }
+}
+
+/// The pair of the largest mean, first and last of neighbours that are the same.
+fn highest(pairs: &[EdgeState]) -> Option<[usize; 2]> {
+    let largest = pairs.iter().map(|pair| pair.pressure).fold(f64::NAN, f64::max);
+    let same = |pair: &EdgeState| pair.pressure >= largest * (1.0 - ROUNDING);
+    let first = pairs.iter().position(same)?;
+    let count = pairs[first..].iter().take_while(|pair| same(pair)).count();
+    Some([first, first + count - 1])
+}
+
+/// A polynomial in `x = (s − centre)/width` over some pairs of edges.
+struct Fit {
+    coefficients: Vec<f64>,
+    centre: f64,
+    width: f64,
+    /// The middles of its first and last pair, as x, beyond which it extrapolates; the end of the surface where the contact
+    /// goes on to that.
+    within: [f64; 2],
+}
+
+impl Fit {
+    /// Least squares over the means of the pressed pairs around some, weighted by their lengths.
+    fn around(pairs: &[EdgeState], at: [usize; 2]) -> Self {
+        let own = window(pairs, at);
+        let taken = &pairs[own.clone()];
+        let count = match taken.len() {
+            n if n >= QUARTIC => QUARTIC,
+            n if n >= PARABOLA => PARABOLA,
+            _ => 1,
+        };
+        let (from, to) = (taken[0].ends[0], taken[taken.len() - 1].ends[1]);
+        let (centre, width) = (0.5 * (from + to), 0.5 * (to - from));
+        let scaled = |s: f64| (s - centre) / width;
+        let mut normal = DMatrix::<f64>::zeros(count, count);
+        let mut rhs = DVector::<f64>::zeros(count);
+        for pair in taken {
+            let [a, b] = pair.ends.map(scaled);
+            let row = DVector::from_fn(count, |k, _| mean_of_power(a, b, k as i32));
+            normal += &row * row.transpose() * (b - a);
+            rhs += row * (pair.pressure * (b - a));
+        }
+        let solved = normal.lu().solve(&rhs);
+        let coefficients = solved.map_or(vec![f64::NAN], |found| found.iter().copied().collect());
+        let [first, last] = [taken[0].position(), taken[taken.len() - 1].position()].map(scaled);
+        let [begins, ends] = [*own.start() == 0, *own.end() + 1 == pairs.len()];
+        let within = [if begins { -1.0 } else { first }, if ends { 1.0 } else { last }];
+        Self { coefficients, centre, width, within }
+    }
+
+    fn at(&self, x: f64) -> f64 {
+        self.coefficients.iter().rev().fold(0.0, |sum, c| c + sum * x)
+    }
+
+    /// Value at a contact coordinate; none beyond its edges.
+    fn value(&self, s: f64) -> Option<f64> {
+        let x = (s - self.centre) / self.width;
+        (x.abs() <= 1.0 + ROUNDING).then(|| self.at(x))
+    }
+
+    /// The highest point between the middles of its outermost pairs: the best of a fine grid, then Newton's method on the slope.
+    fn top(&self) -> Peak {
+        const GRID: usize = 64;
+        let [from, to] = self.within;
+        let place = |k: usize| from + (to - from) * k as f64 / GRID as f64;
+        let best = (0..=GRID).max_by(|&a, &b| self.at(place(a)).total_cmp(&self.at(place(b)))).unwrap_or(0);
+        let mut x = place(best);
+        if best > 0 && best < GRID {
+            for _ in 0..8 {
+                let [slope, bend] = [1, 2].map(|order| self.derivative(x, order));
+                let next = x - slope / bend;
+                if !next.is_finite() || (next - place(best)).abs() > (to - from) / GRID as f64 {
+                    break;
+                }
+                x = next;
+            }
+        }
+        Peak { position: self.centre + self.width * x, pressure: self.at(x) }
+    }
+
+    fn derivative(&self, x: f64, order: usize) -> f64 {
+        let mut coefficients = self.coefficients.clone();
+        for _ in 0..order {
+            coefficients = coefficients.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c).collect();
+        }
+        coefficients.iter().rev().fold(0.0, |sum, c| c + sum * x)
+    }
+}
+
+/// Pressed pairs around some: those that hardly differ from them, and as many as a polynomial needs.
+fn window(pairs: &[EdgeState], [from, to]: [usize; 2]) -> RangeInclusive<usize> {
+    let size = pairs[from].pressure.max(pairs[to].pressure);
+    let pressed = |k: usize| pairs[k].pressure > 0.0;
+    let off = |k: usize| (pairs[k].pressure - size).abs() / size;
+    let (mut first, mut last) = (from, to);
+    loop {
+        let before = first.checked_sub(1).filter(|&k| pressed(k));
+        let after = Some(last + 1).filter(|&k| k < pairs.len() && pressed(k));
+        let allowed = match last - first + 1 {
+            n if n < PARABOLA => f64::INFINITY,
+            n if n < QUARTIC => FAR,
+            _ => DROP,
+        };
+        let within = |k: &usize| off(*k) <= allowed;
+        match (before.filter(within), after.filter(within)) {
+            // The nearer one in pressure first, so that the window stays around them.
+            (Some(k), Some(l)) if off(k) <= off(l) => first = k,
+            (_, Some(l)) => last = l,
+            (Some(k), None) => first = k,
+            (None, None) => return first..=last,
+        }
+    }
+}
+
+/// Mean of `x^k` over an interval.
+fn mean_of_power(a: f64, b: f64, k: i32) -> f64 {
+    (b.powi(k + 1) - a.powi(k + 1)) / (f64::from(k + 1) * (b - a))
+}

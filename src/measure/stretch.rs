@@ -1,0 +1,70 @@
+//! Where the closed stretches of a contact begin and end.
+
+use crate::scene::ContactPair;
+use crate::solution::{EdgeState, Part};
+
+/// A stretch that is pressed throughout.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretch {
+    /// Contact coordinate where it begins; 0 on a symmetry line \[mm, or rad on an arc\].
+    pub begin: f64,
+    /// Where it ends.
+    pub end: f64,
+    /// Whether it goes on to the first, and to the last candidate.
+    pub reaches: [bool; 2],
+}
+
+/// Every closed stretch: runs of edges whose mean is above a floor.
+///
+/// One that goes on to the outermost candidate ends there, or begins on the symmetry line; elsewhere its ends are found by
+/// [`end`].
+pub fn closed(pair: &ContactPair, part: Part, floor: f64) -> Vec<Stretch> {
+    let pressed: Vec<bool> = part.edges.iter().map(|edge| edge.pressure > floor).collect();
+    let mut stretches = Vec::new();
+    let mut first = 0;
+    for run in pressed.chunk_by(|a, b| a == b) {
+        if run[0] {
+            stretches.push(one(pair, part, floor, [first, first + run.len()]));
+        }
+        first += run.len();
+    }
+    stretches
+}
+
+/// The stretch of the edges from one on, up to another.
+fn one(pair: &ContactPair, Part { points, edges }: Part, floor: f64, [from, to]: [usize; 2]) -> Stretch {
+    let on_line = from == 0 && !pair.path.has_both_sides();
+    let [first, last] = [points.first(), points.last()].map(|p| p.is_some_and(|point| point.pressure > floor));
+    let reaches = [from == 0 && !on_line && first, to == edges.len() && last];
+    // The half that ends there, so that a mirror image ends where its image does.
+    let half = if on_line { to - from } else { (to - from).div_ceil(2) };
+    let mirrored: Vec<EdgeState> = edges[from..from + half].iter().rev().map(EdgeState::mirrored).collect();
+    let begin = match () {
+        _ if on_line => 0.0,
+        _ if reaches[0] => edges[0].ends[0],
+        _ => -end(&mirrored),
+    };
+    let end = if reaches[1] { edges[to - 1].ends[1] } else { end(&edges[to - half..to]) };
+    Stretch { begin, end, reaches }
+}
+
+/// Where a contact ends on edges that are all pressed, in the order towards that end \[mm, or rad\].
+///
+/// Near a smooth end `p ∝ √(a − s)`, so that the force beyond s, `F = ∫ p ds`, goes with `(a − s)^{3/2}`: `F^{2/3}` at the
+/// corners of the last edges, as a polynomial through up to three of them, vanishes at a. The edge in which the contact ends
+/// has felt the end most and is left out where there are enough others.
+pub fn end(edges: &[EdgeState]) -> f64 {
+    let Some(last) = edges.len().checked_sub(1) else { return f64::NAN };
+    let beyond = |from: usize| -> f64 { edges[from..].iter().map(|edge| edge.length() * edge.pressure).sum() };
+    let newest = if last >= 3 { last - 1 } else { last };
+    let nodes: Vec<[f64; 2]> =
+        (newest.saturating_sub(2)..=newest).map(|k| [beyond(k).powf(2.0 / 3.0), edges[k].ends[0]]).collect();
+    let at_zero = (0..nodes.len()).map(|i| {
+        let others = (0..nodes.len()).filter(|&k| k != i);
+        others.fold(nodes[i][1], |term, k| term * nodes[k][0] / (nodes[k][0] - nodes[i][0]))
+    });
+    let found: f64 = at_zero.sum();
+    // One edge alone, or a profile that does not end smoothly, says no more than where the last edge is.
+    let [low, end] = edges[last].ends;
+    if nodes.len() > 1 && found.is_finite() { found.clamp(low, end + (end - low)) } else { end }
+}
