@@ -27,7 +27,7 @@ pub fn stiffness(
     force: &mut [f64],
 ) -> Result<SparseColMat<Index, f64>, Error> {
     let material = &scene.bodies[body].material;
-    let kernel = CellStiffness::new(mesh.order, &material.stiffness(scene.plane), scene.thickness);
+    let kernel = CellStiffness::of(mesh.order, material, scene.plane, scene.thickness);
     let pattern = Pattern::of(graph, freedoms);
     let sum = |cells: Range<usize>| {
         let mut sum = Sum { values: vec![0.0; pattern.columns.row_idx().len()], force: vec![0.0; freedoms.equations] };

@@ -2,32 +2,54 @@
 
 use nalgebra::Matrix2;
 
+use crate::elasticity::dilatation::{Modes, Sample, Split};
 use crate::elasticity::{quadrature, shape_functions};
 use crate::mesh::Order;
+use crate::scene::{Material, PlaneHypothesis};
 
 /// `k = ∫ Bᵀ D B t dA` [N/mm] of 4-node (2×2 Gauss) or 8-node cells (3×3 Gauss); freedoms are u_x, u_y node by node.
 ///
-/// The slopes of the shape functions at the Gauss points are the same for all cells and tabulated once.
+/// Of nearly incompressible bodies `k = ∫ Bᵀ D₀ B t dA + λ₁ Σ b_j b_jᵀ` ([`dilatation`](crate::elasticity::dilatation)).
+/// The shape functions and their slopes at the Gauss points are the same for all cells and tabulated once.
 #[derive(Clone, Debug)]
 pub struct CellStiffness {
     /// Slopes `[∂N_a/∂ξ, ∂N_a/∂η]` and weight at each Gauss point.
     rule: Vec<(Vec<[f64; 2]>, f64)>,
-    elasticity: [[f64; 3]; 3],
+    /// Values `N_a` there.
+    shapes: Vec<Vec<f64>>,
+    split: Split,
     thickness: f64,
     order: Order,
     processor: pulp::Arch,
 }
 
 impl CellStiffness {
-    /// For cells of an order, with the plane stiffness D \[MPa\] and the thickness \[mm\].
+    /// For plain cells of an order, with the plane stiffness D \[MPa\] and the thickness \[mm\].
     pub fn new(order: Order, elasticity: &[[f64; 3]; 3], thickness: f64) -> Self {
+        Self::tabulated(order, Split { plain: *elasticity, excess: 0.0 }, thickness)
+    }
+
+    /// For cells of an order and a material, whose dilatation is smoothed where it is nearly incompressible.
+    pub fn of(order: Order, material: &Material, plane: PlaneHypothesis, thickness: f64) -> Self {
+        Self::tabulated(order, Split::of(material, plane), thickness)
+    }
+
+    fn tabulated(order: Order, split: Split, thickness: f64) -> Self {
         let points = match order {
             Order::Linear => 2,
             Order::Quadratic => 3,
         };
-        let at = |(at, weight)| (slopes(order.nodes_per_cell(), at), weight);
-        let rule = quadrature::gauss_square(points).into_iter().map(at).collect();
-        Self { rule, elasticity: *elasticity, thickness, order, processor: pulp::Arch::new() }
+        let nodes = order.nodes_per_cell();
+        let rule = quadrature::gauss_square(points);
+        let shapes = rule.iter().map(|&(at, _)| shape_functions::cell(nodes, at).iter().map(|shape| shape.0).collect());
+        Self {
+            shapes: shapes.collect(),
+            rule: rule.iter().map(|&(at, weight)| (slopes(nodes, at), weight)).collect(),
+            split,
+            thickness,
+            order,
+            processor: pulp::Arch::new(),
+        }
     }
 
     /// Entries of the matrix of a cell: 8² or 16².
@@ -43,6 +65,54 @@ impl CellStiffness {
             Order::Linear => self.integrate_pairs::<4>(points, k),
             Order::Quadratic => self.integrate_pairs::<8>(points, k),
         }
+    }
+
+    /// Stresses `σ = D₀ ε + λ₁ θ̄ m` \[MPa\] at some natural coordinates of the cell with nodes at some points.
+    ///
+    /// A Jacobian determinant that is not positive is returned as the error.
+    pub fn stresses(
+        &self,
+        points: &[[f64; 2]],
+        displacements: &[[f64; 2]],
+        at: [[f64; 2]; 4],
+    ) -> Result<[[f64; 3]; 4], f64> {
+        let smoothed = match self.order {
+            _ if self.split.excess <= 0.0 => [0.0; 4],
+            Order::Linear => self.smoothed::<4>(points, displacements, at)?,
+            Order::Quadratic => self.smoothed::<8>(points, displacements, at)?,
+        };
+        let mut stresses = [[0.0; 3]; 4];
+        for ((at, mean), stress) in at.into_iter().zip(smoothed).zip(&mut stresses) {
+            let mut strain = [0.0; 3];
+            for ([x, y], [u, v]) in gradients(points, at)?.0.into_iter().zip(displacements) {
+                strain[0] += x * u;
+                strain[1] += y * v;
+                strain[2] += y * u + x * v;
+            }
+            let d = &self.split.plain;
+            *stress = std::array::from_fn(|i| (0..3).map(|j| d[i][j] * strain[j]).sum());
+            stress[..2].iter_mut().for_each(|stress| *stress += mean);
+        }
+        Ok(stresses)
+    }
+
+    /// `λ₁ θ̄` \[MPa\] at some natural coordinates.
+    fn smoothed<const N: usize>(
+        &self,
+        points: &[[f64; 2]],
+        displacements: &[[f64; 2]],
+        at: [[f64; 2]; 4],
+    ) -> Result<[f64; 4], f64> {
+        let [points, displacements] =
+            [points, displacements].map(|all| std::array::from_fn(|a| all.get(a).copied().unwrap_or([f64::NAN; 2])));
+        let mut samples = [Sample::EMPTY; MOST_POINTS];
+        self.sample(&points, &mut samples)?;
+        let modes = self.modes::<N>(&points, &samples);
+        let places = at.map(|at| {
+            let shapes: Vec<f64> = shape_functions::cell(N, at).iter().map(|shape| shape.0).collect();
+            place(&shapes, &points)
+        });
+        Ok(modes.dilatation(&displacements, places).map(|theta| self.split.excess * theta))
     }
 
     fn integrate_pairs<const N: usize>(
@@ -71,23 +141,17 @@ impl CellStiffness {
         points: &[[f64; 2]; N],
         pairs: &mut [[[[f64; N]; 2]; 2]; N],
     ) -> Result<(), f64> {
-        let [[dxx, dxy, dxs], [dyx, dyy, dys], [dsx, dsy, dss]] = self.elasticity;
-        let mut at_points = [AtPoint { x: [0.0; N], y: [0.0; N], area: 0.0 }; MOST_POINTS];
-        for ((slopes, weight), at) in self.rule.iter().zip(&mut at_points) {
-            let (inverse, determinant) = jacobian(slopes, points)?;
-            at.area = weight * determinant * self.thickness;
-            for ((x, y), slope) in at.x.iter_mut().zip(&mut at.y).zip(slopes) {
-                [*x, *y] = gradient(&inverse, slope);
-            }
-        }
+        let [[dxx, dxy, dxs], [dyx, dyy, dys], [dsx, dsy, dss]] = self.split.plain;
+        let mut samples = [Sample::EMPTY; MOST_POINTS];
+        self.sample(points, &mut samples)?;
         for (a, pair) in pairs.iter_mut().enumerate() {
             let ([mut xx, mut xy], [mut yx, mut yy]) = ([[0.0; N]; 2], [[0.0; N]; 2]);
-            for at in &at_points[..self.rule.len()] {
-                let (x, y) = (at.area * at.x[a], at.area * at.y[a]);
-                add_scaled(&mut xx, x, &at.x);
-                add_scaled(&mut xy, x, &at.y);
-                add_scaled(&mut yx, y, &at.x);
-                add_scaled(&mut yy, y, &at.y);
+            for Sample { gradients: [along_x, along_y], area } in &samples[..self.rule.len()] {
+                let (x, y) = (area * along_x[a], area * along_y[a]);
+                add_scaled(&mut xx, x, along_x);
+                add_scaled(&mut xy, x, along_y);
+                add_scaled(&mut yx, y, along_x);
+                add_scaled(&mut yy, y, along_y);
             }
             // Strains B_a = (N_a,x, 0, N_a,y) of a displacement along x, (0, N_a,y, N_a,x) of one along y.
             let row = |xx_by: f64, xy_by: f64, yx_by: f64, yy_by: f64| -> [f64; N] {
@@ -98,7 +162,38 @@ impl CellStiffness {
                 [row(dsx, dss, dyx, dys), row(dss, dsy, dys, dyy)],
             ];
         }
+        if self.split.excess > 0.0 {
+            self.modes(points, &samples).add(self.split.excess, pairs);
+        }
         Ok(())
+    }
+
+    /// Writes what the sums need at each Gauss point.
+    #[inline(always)]
+    fn sample<const N: usize>(
+        &self,
+        points: &[[f64; 2]; N],
+        samples: &mut [Sample<N>; MOST_POINTS],
+    ) -> Result<(), f64> {
+        for ((slopes, weight), at) in self.rule.iter().zip(samples) {
+            let (inverse, determinant) = jacobian(slopes, points)?;
+            at.area = weight * determinant * self.thickness;
+            let [along_x, along_y] = &mut at.gradients;
+            for ((x, y), slope) in along_x.iter_mut().zip(along_y).zip(slopes) {
+                [*x, *y] = gradient(&inverse, slope);
+            }
+        }
+        Ok(())
+    }
+
+    /// Smoothed dilatations; inlined into the sums, they slowed plain cells by an eighth.
+    #[inline(never)]
+    fn modes<const N: usize>(&self, points: &[[f64; 2]; N], samples: &[Sample<N>; MOST_POINTS]) -> Modes<N> {
+        let mut places = [[0.0; 2]; MOST_POINTS];
+        for (at, shapes) in places.iter_mut().zip(&self.shapes) {
+            *at = place(shapes, points);
+        }
+        Modes::of(&samples[..self.rule.len()], &places)
     }
 }
 
@@ -122,14 +217,6 @@ impl<const N: usize> pulp::WithSimd for AddPairs<'_, N> {
 /// Gauss points of the largest rule.
 const MOST_POINTS: usize = 9;
 
-/// At a Gauss point: gradients `N_a,x`, `N_a,y`, and `t w det J`.
-#[derive(Clone, Copy)]
-struct AtPoint<const N: usize> {
-    x: [f64; N],
-    y: [f64; N],
-    area: f64,
-}
-
 /// `z ← z + a x`.
 #[inline(always)]
 fn add_scaled<const N: usize>(z: &mut [f64; N], a: f64, x: &[f64; N]) {
@@ -148,6 +235,11 @@ pub fn gradients(points: &[[f64; 2]], at: [f64; 2]) -> Result<(Vec<[f64; 2]>, f6
 /// `[∂N_a/∂ξ, ∂N_a/∂η]`.
 fn slopes(nodes: usize, at: [f64; 2]) -> Vec<[f64; 2]> {
     shape_functions::cell(nodes, at).into_iter().map(|(_, slope)| slope).collect()
+}
+
+/// `x = Σ N_a x_a`.
+fn place(shapes: &[f64], points: &[[f64; 2]]) -> [f64; 2] {
+    [0, 1].map(|k| shapes.iter().zip(points).map(|(value, point)| value * point[k]).sum())
 }
 
 /// Inverse and determinant of `J = [∂x/∂ξ, ∂y/∂ξ; ∂x/∂η, ∂y/∂η]`.

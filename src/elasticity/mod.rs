@@ -2,7 +2,8 @@
 //!
 //! * [`shape_functions`] — 4-node and 8-node quadrilaterals, and their edges.
 //! * [`quadrature`] — Gauss rules.
-//! * [`element`] — element stiffness.
+//! * [`dilatation`] — what keeps nearly incompressible cells from locking.
+//! * [`element`] — element stiffness, and stresses within a cell.
 //! * [`graph`] — which nodes share a cell, and the order in which they are eliminated.
 //! * [`freedoms`] — which displacement components are unknown, numbered in that order.
 //! * [`assembly`] — the stiffness matrix.
@@ -13,6 +14,7 @@
 //! * [`reactions`] — what supports exert.
 
 pub mod assembly;
+pub mod dilatation;
 pub mod element;
 pub mod freedoms;
 pub mod graph;

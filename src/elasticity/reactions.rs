@@ -19,7 +19,7 @@ pub fn internal_forces(
 ) -> Result<Vec<[f64; 2]>, Error> {
     let part = &mesh.bodies[body];
     let material = &scene.bodies[body].material;
-    let kernel = CellStiffness::new(mesh.order, &material.stiffness(scene.plane), scene.thickness);
+    let kernel = CellStiffness::of(mesh.order, material, scene.plane, scene.thickness);
     let mut k = vec![0.0; kernel.entries()];
     let mut forces = vec![[0.0; 2]; part.nodes.len()];
     for cell in part.cells.clone() {
