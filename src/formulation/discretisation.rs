@@ -9,8 +9,8 @@ use crate::contact::{ContactEdge, ContactPoint, Interface};
 use crate::elasticity::{ElasticSystem, Numbering};
 use crate::error::Error;
 use crate::formulation::{Change, Formulation, spill};
-use crate::mesh::{Mesh, Order, Resolution};
-use crate::scene::{PlaneHypothesis, Scene};
+use crate::mesh::{Mesh, Resolution};
+use crate::scene::Scene;
 use crate::solution::{Solution, Work};
 
 /// A scene meshed, assembled and condensed: what all nine formulations share.
@@ -49,7 +49,6 @@ impl Discretisation {
     pub fn announced(scene: Scene, resolution: Resolution, begins: &dyn Fn(&'static str)) -> Result<Self, Error> {
         let [meshing, assembling, condensing] = STAGES;
         let mut clock = Clock::start();
-        refuse_locking(&scene, resolution.order)?;
         begins(meshing);
         let mesh = Mesh::of(&scene, resolution)?;
         clock.lap("mesh");
@@ -201,32 +200,6 @@ impl Discretisation {
 
 /// A condensed load below this fraction of the loads on the bodies is round-off of the condensation.
 const UNLOADED: f64 = 1e-13;
-
-/// Largest Poisson's ratios in plane strain that 4-node and 8-node cells take.
-///
-/// On truncated Hertz 4-node cells lock: the peak is 1.7 % too high at 0.49, 11 % at 0.499. 8-node cells keep the
-/// half-width, but their nodal pressures oscillate: by 1 % of p₀ at 0.49, 15 % at 0.499, 90 % at 0.4999.
-pub const INCOMPRESSIBLE: [f64; 2] = [0.49, 0.499];
-
-/// Refuses a Poisson's ratio that the cells cannot follow in plane strain.
-fn refuse_locking(scene: &Scene, order: Order) -> Result<(), Error> {
-    let [linear, quadratic] = INCOMPRESSIBLE;
-    let (limit, cells, remedy) = match order {
-        Order::Linear => (linear, "4-node cells lock", "use 8-node cells, or a smaller ratio"),
-        Order::Quadratic => (quadratic, "the pressures of 8-node cells oscillate", "use a smaller ratio"),
-    };
-    let beyond = |poisson: f64| scene.plane == PlaneHypothesis::Strain && poisson > limit && poisson < 0.5;
-    match scene.bodies.iter().find(|body| beyond(body.material.poisson)) {
-        None => Ok(()),
-        Some(body) => Err(Error::value(
-            format!("{}, body `{}`", scene.name, body.name),
-            "poisson",
-            body.material.poisson,
-            format!("{cells} beyond {limit} in plane strain"),
-            remedy,
-        )),
-    }
-}
 
 /// κ of the springs that check the condensed solution against the full one: far stiffer than the bodies, and soft enough
 /// that round-off in the approach stays below 1e-12 of the pressure.

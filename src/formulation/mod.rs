@@ -24,7 +24,7 @@ use crate::scene::Scene;
 pub use crate::algorithm::Settings;
 pub use crate::algorithm::problem::LIMITS;
 pub use again::Change;
-pub use discretisation::{Discretisation, INCOMPRESSIBLE, STAGES};
+pub use discretisation::{Discretisation, STAGES};
 pub use fields::Fields;
 pub use reactions::Reaction;
 pub use start::Start;

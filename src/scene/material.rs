@@ -12,6 +12,32 @@ pub enum PlaneHypothesis {
     Stress,
 }
 
+/// Largest Poisson's ratio in plane strain.
+///
+/// At 0.5 a body keeps its volume, `λ = 2μν/(1 − 2ν)` is infinite and displacements alone no longer give the pressure. At
+/// 0.4999 `λ = 4999 μ`, and round-off in the stiffness takes four digits.
+pub const LARGEST_POISSON: f64 = 0.4999;
+
+impl PlaneHypothesis {
+    /// Whether bodies may have a Poisson's ratio.
+    pub fn takes(self, poisson: f64) -> bool {
+        match self {
+            Self::Strain => poisson > -1.0 && poisson <= LARGEST_POISSON,
+            Self::Stress => poisson > -1.0 && poisson < 1.0,
+        }
+    }
+
+    /// The Poisson's ratios that bodies may have, in words.
+    pub fn poisson_range(self) -> String {
+        match self {
+            Self::Strain => format!(
+                "above -1 and at most {LARGEST_POISSON} in plane strain, which serves for bodies that keep their volume"
+            ),
+            Self::Stress => "between -1 and 1, both excluded".into(),
+        }
+    }
+}
+
 /// Homogeneous isotropic linear elasticity.
 #[derive(Clone, Copy, Debug)]
 pub struct Material {
@@ -42,17 +68,17 @@ impl Material {
         [[c, c * nu, 0.0], [c * nu, c, 0.0], [0.0, 0.0, c * (1.0 - nu) / 2.0]]
     }
 
-    /// Refuses constants for which the elasticity matrix is not positive definite.
+    /// Refuses constants for which the elasticity matrix is not positive definite, or too close to infinite.
     pub fn validate(&self, place: &str, plane: PlaneHypothesis) -> Result<(), Error> {
         positive(place, "young", self.young)?;
-        let limit = match plane {
-            PlaneHypothesis::Strain => 0.5,
-            PlaneHypothesis::Stress => 1.0,
-        };
-        if self.poisson > -1.0 && self.poisson < limit {
+        if plane.takes(self.poisson) {
             return Ok(());
         }
-        let expected = format!("it must lie between -1 and {limit}, both excluded");
-        Err(Error::value(place, "poisson", self.poisson, expected, "use for instance 0.3"))
+        let expected = format!("it must lie {}", plane.poisson_range());
+        let remedy = match plane {
+            PlaneHypothesis::Strain => format!("use for instance 0.3, or {LARGEST_POISSON}"),
+            PlaneHypothesis::Stress => "use for instance 0.3".into(),
+        };
+        Err(Error::value(place, "poisson", self.poisson, expected, remedy))
     }
 }

@@ -23,7 +23,7 @@ use std::sync::Arc;
 use crate::error::Error;
 
 pub use contact_pair::{ContactPair, Line, Path, Profile};
-pub use material::{Material, PlaneHypothesis};
+pub use material::{LARGEST_POISSON, Material, PlaneHypothesis};
 pub use shape::{BlockShape, Circle, Face, GivenMesh, Grading, Sector, Shape};
 
 /// A contact problem: everything that is asked, nothing about how it is solved.

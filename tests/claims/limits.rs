@@ -3,10 +3,10 @@
 use contact_vv::case::run::RESOLVED;
 use contact_vv::case::{Run, Verdict, limits, problem};
 use contact_vv::error::Error;
-use contact_vv::formulation::{Change, Discretisation, Element, Formulation, INCOMPRESSIBLE, Iteration, spill};
+use contact_vv::formulation::{Change, Discretisation, Element, Formulation, Iteration, spill};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::library::{Bars, Cylinder, FlatPunch, Patch, PinRod};
-use contact_vv::scene::{Load, PlaneHypothesis, Profile, Scene};
+use contact_vv::scene::{Load, Profile, Scene};
 use contact_vv::solution::PointState;
 use contact_vv::stability::conditioning;
 
@@ -161,26 +161,6 @@ fn departure_from_the_neighbours_line_is_measured_within_the_limit() {
     assert!(departure(&bent, 3.0) < 1e-14);
     bent[1].pressure = f64::NAN;
     assert!(departure(&bent, 9.0).is_nan());
-}
-
-#[test]
-fn nearly_incompressible_bodies_are_refused_in_plane_strain_by_the_cells_that_cannot_follow() {
-    for (order, limit) in [(Order::Linear, INCOMPRESSIBLE[0]), (Order::Quadratic, INCOMPRESSIBLE[1])] {
-        for plane in [PlaneHypothesis::Strain, PlaneHypothesis::Stress] {
-            for poisson in [limit, 0.5 * (limit + 0.5)] {
-                let mut scene = Patch::default().scene();
-                scene.plane = plane;
-                scene.bodies[1].material.poisson = poisson;
-                let result = Discretisation::of(scene, resolution(2, 0, order)).map(|_| ());
-                let expected = plane == PlaneHypothesis::Stress || poisson <= limit;
-                assert_eq!(result.is_ok(), expected, "{order:?}, {plane:?}, {poisson}");
-                if let Err(error) = result {
-                    let text = error.to_string();
-                    assert!(text.contains("body `lower`") && text.contains(&limit.to_string()), "{text}");
-                }
-            }
-        }
-    }
 }
 
 #[test]

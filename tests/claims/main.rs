@@ -25,6 +25,7 @@ mod errors;
 mod fast_paths;
 mod formulation;
 mod gmsh;
+mod incompressible;
 mod limits;
 mod measure;
 mod mesh;

@@ -77,12 +77,8 @@ fn refuse_held_twice(source: Source, table: &BodyTable) -> Result<(), Error> {
 }
 
 fn material(source: Source, units: &Units, plane: PlaneHypothesis, table: &BodyTable) -> Result<Material, Error> {
-    let limit = match plane {
-        PlaneHypothesis::Strain => 0.5,
-        PlaneHypothesis::Stress => 1.0,
-    };
-    let expected = format!("a ratio between -1 and {limit}, both excluded");
-    let poisson = source.number("poisson", &table.poisson, &expected, |nu| nu > -1.0 && nu < limit)?;
+    let expected = format!("a ratio {}", plane.poisson_range());
+    let poisson = source.number("poisson", &table.poisson, &expected, |nu| plane.takes(nu))?;
     Ok(Material { young: units.stress * source.positive("young", &table.young)?, poisson })
 }
 
