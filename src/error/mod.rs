@@ -171,7 +171,7 @@ pub enum Error {
 
     /// Initial springs too soft to be told from the round-off of the stiffness they are added to.
     #[error(
-        "{bodies}: held by contact alone, and the initial springs are lost in the round-off of the bodies' stiffness; start them {times:.0e} times as stiff"
+        "{bodies}: held by contact alone, and the initial springs are lost in the round-off of the bodies' stiffness; raise `stiffness` {times:.0e} times"
     )]
     SpringsTooSoft {
         /// The bodies in contact.

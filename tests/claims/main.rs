@@ -39,5 +39,6 @@ mod scene_fuzz;
 mod scene_mistakes;
 mod several_contacts;
 mod shared_mesh;
+mod soft_springs;
 mod stability;
 mod timings;

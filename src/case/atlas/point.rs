@@ -71,6 +71,7 @@ impl<'a> Ground<'a> {
             Err(Error::NoSpringLeft { steps, .. }) => {
                 Ok(record(Class::Unsupported, steps, f64::NAN, f64::NAN, [f64::NAN; 2]))
             }
+            Err(Error::SpringsTooSoft { .. }) => Ok(record(Class::Unsupported, 0, f64::NAN, f64::NAN, [f64::NAN; 2])),
             Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. }) => {
                 Ok(record(Class::Spilled, 0, f64::NAN, f64::NAN, [f64::NAN; 2]))
             }

@@ -188,11 +188,14 @@ impl Judgement {
 impl Document {
     fn places(&self, source: Source) -> Places {
         let contacts: Vec<_> = self.contact.get_ref().0.iter().map(PlacesOfContact::of).collect();
+        let solve = self.solve.as_ref().map_or_else(|| self.contact.span(), Spanned::span);
+        let stiffness = self.solve.as_ref().and_then(|table| table.get_ref().stiffness.as_ref());
         Places {
             file: source.file.into(),
             text: source.text.into(),
             bodies: self.body.get_ref().iter().map(|body| (body.name.get_ref().clone(), body.name.span())).collect(),
-            solve: self.solve.as_ref().map_or_else(|| self.contact.span(), Spanned::span),
+            stiffness: stiffness.map_or_else(|| solve.clone(), Spanned::span),
+            solve,
             contacts,
         }
     }

@@ -21,6 +21,8 @@ pub struct Places {
     pub(super) contacts: Vec<PlacesOfContact>,
     /// How it is to be solved; the contacts where the file does not say.
     pub(super) solve: Range<usize>,
+    /// Initial stiffness of the springs; how it is to be solved where the file does not say.
+    pub(super) stiffness: Range<usize>,
 }
 
 /// Places of one contact in a file.
@@ -60,6 +62,7 @@ impl Places {
                 body.or_else(|| place.contains(" with ").then(|| self.solve.clone()))
             }
             Error::Combination { .. } => Some(self.solve.clone()),
+            Error::SpringsTooSoft { .. } => Some(self.stiffness.clone()),
             Error::NoSpringLeft { .. } | Error::NothingPresses { .. } => {
                 self.contacts.first().map(|at| at.first.clone())
             }
