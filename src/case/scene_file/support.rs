@@ -29,7 +29,7 @@ impl SupportName {
         supports.iter().position(is_it).map(|support| [body, support]).ok_or_else(|| {
             let shown = |at: &PlaceTable, component: &str| match at {
                 PlaceTable::Boundary(name) => format!("`{name}` along {component}"),
-                PlaceTable::Point([x, y]) => format!("[{x}, {y}] along {component}"),
+                PlaceTable::Point(point) => format!("{point:?} along {component}"),
             };
             let known: Vec<String> =
                 supports.iter().map(|support| shown(support.at.get_ref(), support.component.get_ref())).collect();

@@ -36,11 +36,11 @@ fn block(source: Source, units: &Units, spanned: &Spanned<BlockTable>) -> Result
     let table = spanned.get_ref();
     let point = |key: &str, pair: &Pair| Ok::<_, Error>(source.pair(key, pair)?.map(|x| units.length * x));
     let mut corners = [[0.0; 2]; 4];
-    for (corner, pair) in corners.iter_mut().zip(&table.corners) {
+    for (corner, pair) in corners.iter_mut().zip(source.entries::<_, 4>("corners", &table.corners)?) {
         *corner = point("corners", pair)?;
     }
     let mut elements = [0; 2];
-    for (count, given) in elements.iter_mut().zip(&table.elements) {
+    for (count, given) in elements.iter_mut().zip(source.entries::<_, 2>("elements", &table.elements)?) {
         *count = *given.get_ref();
         if !(1..=2000).contains(count) {
             return Err(source.refused(
@@ -52,7 +52,7 @@ fn block(source: Source, units: &Units, spanned: &Spanned<BlockTable>) -> Result
     }
     let mut growth = [1.0; 2];
     if let Some(pair) = &table.growth {
-        for ((ratio, given), count) in growth.iter_mut().zip(pair).zip(elements) {
+        for ((ratio, given), count) in growth.iter_mut().zip(source.entries::<_, 2>("growth", pair)?).zip(elements) {
             *ratio = source.number("growth", given, "a ratio between 0.2 and 5", |x| (0.2..=5.0).contains(&x))?;
             if (ratio.ln() * (count as f64 - 1.0)).abs() > MOST_GROWTH.ln() {
                 let message = format!("{count} elements growing by {ratio} differ by more than {MOST_GROWTH:e}");
@@ -77,7 +77,7 @@ fn block(source: Source, units: &Units, spanned: &Spanned<BlockTable>) -> Result
                 q / units.length
             );
             let remedy = "give the centre of a circle through both corners, less than half a turn apart";
-            return Err(source.refused(pair[0].span().start..pair[1].span().end, message, remedy));
+            return Err(source.refused(pair.span(), message, remedy));
         }
         *arc = Some(centre);
     }

@@ -156,8 +156,8 @@ fn support(source: Source, units: &Units, shape: &Shape, table: &SupportTable) -
             Place::Boundary(boundary(source, units, shape, &Spanned::new(span, name.clone()))?)
         }
         PlaceTable::Point(point) => {
-            let pair = point.map(|x| Spanned::new(span.clone(), x));
-            Place::Point(source.pair("at", &pair)?.map(|x| units.length * x))
+            let list = point.iter().map(|x| Spanned::new(span.clone(), *x)).collect();
+            Place::Point(source.pair("at", &Spanned::new(span, list))?.map(|x| units.length * x))
         }
     };
     let value = table.value.as_ref().map_or(Ok(0.0), |value| source.finite("value", value))?;

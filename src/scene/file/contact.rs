@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
 use crate::scene::file::side::Side;
-use crate::scene::file::tables::{BodyTable, ContactTable, Name};
+use crate::scene::file::tables::{BodyTable, ContactTable, Name, Pair};
 use crate::scene::file::units::Units;
 use crate::scene::file::{Source, gap};
 use crate::scene::{Body, Circle, ContactPair, Line, Path, Profile};
@@ -164,7 +164,7 @@ fn name_of(table: &ContactTable) -> String {
 /// Where s = 0 lies on a straight path.
 fn origin(source: Source, units: &Units, table: &ContactTable) -> Result<[f64; 2], Error> {
     let Some(given) = &table.origin else { return Ok([0.0, 0.0]) };
-    Ok(source.pair("origin", given.get_ref())?.map(|x| units.length * x))
+    Ok(source.pair("origin", given)?.map(|x| units.length * x))
 }
 
 /// Refuses a contact on both sides that would be mirrored there, or runs along an arc.
@@ -179,7 +179,8 @@ fn refuse_mirrored(source: Source, table: &ContactTable) -> Result<(), Error> {
         return Err(source.refused(given.span(), "`both-sides` is for contact along y = 0, not along an arc", remedy));
     }
     // Off the symmetry line of a half scene a contact has both its sides, and an image.
-    let on_line = table.origin.as_ref().is_none_or(|origin| *origin.get_ref()[0].get_ref() == 0.0);
+    let at_0 = |origin: &Pair| origin.get_ref().first().is_none_or(|x| *x.get_ref() == 0.0);
+    let on_line = table.origin.as_ref().is_none_or(at_0);
     match table.symmetric.as_ref().filter(|symmetric| on_line && *symmetric.get_ref()) {
         Some(symmetric) => {
             let message = "the contact has both sides of x = 0, and is not half of a symmetric one";

@@ -76,12 +76,11 @@ fn points_of(
     let begins = |s: f64| if across { s <= 0.0 } else { s == 0.0 };
     let wrong = |k: usize| if k == 0 { !begins(points[0][0]) } else { points[k][0] <= points[k - 1][0] };
     if let Some(k) = (0..points.len()).find(|k| wrong(*k)) {
-        let place = list[k][0].span().start..list[k][1].span().end;
         let remedy = match across {
             true => "sort its points by s, beginning at 0 for a gap that is even, else below 0",
             false => "sort its points by s, beginning at 0",
         };
-        return Err(source.refused(place, "the table does not ascend from s = 0", remedy));
+        return Err(source.refused(list[k].span(), "the table does not ascend from s = 0", remedy));
     }
     Ok(points.into())
 }

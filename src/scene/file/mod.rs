@@ -1,6 +1,7 @@
 //! A scene as a user writes it: tables of a TOML file, every value with its place.
 //!
 //! * [`tables`] — the keys.
+//! * [`values`] — values with their places.
 //! * [`units`] — names of units, and numbers in them.
 //! * [`bodies`] — outlines, supports and loads.
 //! * `blocks` — bodies from blocks.
@@ -23,6 +24,7 @@ mod reference;
 mod side;
 pub mod tables;
 pub mod units;
+pub mod values;
 
 use std::ops::Range;
 use std::path::Path;
@@ -32,7 +34,7 @@ use toml::Spanned;
 use crate::error::{Error, Located};
 use crate::scene::{Body, Grading, PlaneHypothesis, ReferenceValues, Scene};
 
-use tables::{ContactTable, GrowthTable, ReferenceTable};
+use tables::{ContactTable, GrowthTable, List, Pair, ReferenceTable};
 use units::Units;
 
 /// The text of a file, to point into.
@@ -76,9 +78,20 @@ impl Source<'_> {
         self.number(key, value, &format!("a finite number below {LARGEST:e}"), |x| x.abs() <= LARGEST)
     }
 
+    /// The entries of a list that must have so many.
+    pub fn entries<'a, T, const N: usize>(&self, key: &str, list: &'a List<T>) -> Result<&'a [T; N], Error> {
+        list.get_ref().as_slice().try_into().map_err(|_| {
+            let written: Vec<&str> = self.text.get(list.span()).unwrap_or_default().split_whitespace().collect();
+            let shown: String = written.join(" ").chars().take(LONGEST_SHOWN).collect();
+            let remedy = format!("give {N} entries, not {}", list.get_ref().len());
+            self.refused(list.span(), format!("`{key}` is {shown}"), remedy)
+        })
+    }
+
     /// A point or a vector.
-    pub fn pair(&self, key: &str, value: &[Spanned<f64>; 2]) -> Result<[f64; 2], Error> {
-        Ok([self.finite(key, &value[0])?, self.finite(key, &value[1])?])
+    pub fn pair(&self, key: &str, value: &Pair) -> Result<[f64; 2], Error> {
+        let [x, y] = self.entries(key, value)?;
+        Ok([self.finite(key, x)?, self.finite(key, y)?])
     }
 
     /// One of some names.
@@ -92,6 +105,8 @@ impl Source<'_> {
     }
 }
 
+/// Characters of a list that a message shows.
+const LONGEST_SHOWN: usize = 60;
 /// Largest magnitude of a number in a file.
 const LARGEST: f64 = 1e13;
 

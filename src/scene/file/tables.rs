@@ -7,12 +7,7 @@ use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
-/// A number and its place.
-pub type Number = Spanned<f64>;
-/// A name and its place.
-pub type Name = Spanned<String>;
-/// Two numbers and their places.
-pub type Pair = [Number; 2];
+pub use crate::scene::file::values::{List, Name, Number, Pair};
 
 /// `[units]`.
 #[derive(Debug, Deserialize)]
@@ -69,9 +64,9 @@ pub enum ShapeTable {
 #[serde(deny_unknown_fields)]
 pub struct BlockTable {
     /// Corners, counter-clockwise.
-    pub corners: [Pair; 4],
+    pub corners: List<Pair>,
     /// Elements from left to right and from bottom to top.
-    pub elements: [Spanned<usize>; 2],
+    pub elements: List<Spanned<usize>>,
     /// Size ratio of neighbouring elements, from left to right and from bottom to top.
     pub growth: Option<Pair>,
     /// Boundary of the first side.
@@ -176,7 +171,7 @@ pub enum PlaceTable {
     /// Boundary.
     Boundary(String),
     /// The node at a point.
-    Point([f64; 2]),
+    Point(Vec<f64>),
 }
 
 /// One load.
@@ -292,7 +287,7 @@ pub struct ContactTable {
     /// The path is an arc: contact coordinates are angles from the downward vertical \[°\].
     pub arc: Option<CircleTable>,
     /// Where s = 0 lies on a straight path; [0, 0] where it is left out.
-    pub origin: Option<Spanned<Pair>>,
+    pub origin: Option<Pair>,
     /// Candidates lie from 0 to here, on both sides where it has both: a length, or degrees on an arc.
     pub stretch: Number,
     /// The contact lies on both sides of s = 0; false where it is left out.
