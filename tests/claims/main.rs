@@ -38,6 +38,7 @@ mod scene_file;
 mod scene_fuzz;
 mod scene_lists;
 mod scene_mistakes;
+mod scene_unsupported;
 mod several_contacts;
 mod shared_mesh;
 mod soft_springs;

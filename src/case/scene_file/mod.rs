@@ -23,6 +23,7 @@ use crate::formulation::{Discretisation, Element, Formulation, Iteration, Start}
 use crate::mesh::size::solvable;
 use crate::scene::file::tables::{BodyTable, ContactTables, Name, Number, ReferenceTable, UnitsTable};
 use crate::scene::file::units::Units;
+use crate::scene::file::unsupported::Unsupported;
 use crate::scene::file::{Source, Tables};
 
 use mesh::MeshTable;
@@ -113,6 +114,10 @@ impl SceneFile {
         let document: Document = toml::from_str(text).map_err(|error| {
             let place = error.span().unwrap_or(0..0);
             let said = error.message().trim();
+            let written = text.get(place.clone()).unwrap_or_default();
+            if let Some(asked) = Unsupported::asked_by(written).filter(|_| said.starts_with("unknown")) {
+                return source.refused(place, asked.message(written), asked.instead);
+            }
             let what = if said.starts_with("missing field") { "add it" } else { "correct it" };
             source.refused(place, said, format!("{what}; tests/scenes/README.md describes every key"))
         })?;

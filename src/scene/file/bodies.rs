@@ -83,7 +83,7 @@ fn material(source: Source, units: &Units, plane: PlaneHypothesis, table: &BodyT
 }
 
 fn density(source: Source, table: &BodyTable) -> Result<f64, Error> {
-    let expected = "a number from 0.05 to 20: elements of this body over those of the mesh";
+    let expected = "a number from 0.05 to 20: elements of this body over those of the mesh, not mass";
     let within = |x: f64| (0.05..=20.0).contains(&x);
     table.density.as_ref().map_or(Ok(1.0), |density| source.number("density", density, expected, within))
 }

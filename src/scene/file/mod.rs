@@ -11,6 +11,7 @@
 //! * `side` — the side of a body that carries a contact.
 //! * `gap` — the gap of a contact.
 //! * `reference` — reference values.
+//! * [`unsupported`] — physics that is not done here.
 //!
 //! Lengths, forces and stresses are in the units the file names, angles in degrees; the scene is in mm, N, MPa and radians.
 
@@ -24,6 +25,7 @@ mod reference;
 mod side;
 pub mod tables;
 pub mod units;
+pub mod unsupported;
 pub mod values;
 
 use std::ops::Range;
@@ -36,6 +38,7 @@ use crate::scene::{Body, Grading, PlaneHypothesis, ReferenceValues, Scene};
 
 use tables::{ContactTable, GrowthTable, List, Pair, ReferenceTable};
 use units::Units;
+use unsupported::Unsupported;
 
 /// The text of a file, to point into.
 #[derive(Clone, Copy, Debug)]
@@ -99,7 +102,9 @@ impl Source<'_> {
         let found = known.iter().find(|(known, _)| known == name.get_ref());
         found.map(|(_, value)| *value).ok_or_else(|| {
             let names: Vec<String> = known.iter().map(|(name, _)| format!("`{name}`")).collect();
-            let remedy = format!("known: {}", names.join(", "));
+            let asked = Unsupported::asked_by(name.get_ref());
+            let instead = asked.map_or_else(String::new, |asked| format!("; {}: {}", asked.holds, asked.instead));
+            let remedy = format!("known: {}{instead}", names.join(", "));
             self.refused(name.span(), format!("there is no {what} `{}`", name.get_ref()), remedy)
         })
     }

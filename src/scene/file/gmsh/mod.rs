@@ -26,6 +26,12 @@ const LARGEST_FILE: u64 = 64 << 20;
 /// What Gmsh needs to be told for meshes of quadrilaterals.
 const OPTIONS: &str = "mesh with Mesh.RecombineAll = 1, or transfinite surfaces and Recombine; 8-node cells come from Mesh.ElementOrder = 2 and Mesh.SecondOrderIncomplete = 1";
 
+/// What makes quadrilaterals of triangles.
+const SUBDIVISION: &str =
+    "mesh with Mesh.SubdivisionAlgorithm = 1, which cuts all cells into quadrilaterals, and Mesh.RecombineAll = 1";
+/// What to do with a mesh of solids.
+const PLANE: &str = "scenes are plane: mesh the surfaces only (gmsh -2), in the plane z = 0, of quadrilaterals";
+
 /// Node tags of a side in ascending order.
 type SideKey = [u64; 2];
 
@@ -112,7 +118,11 @@ fn cells(source: Source, table: &GmshTable, gmsh: &Gmsh) -> Result<Vec<Vec<u64>>
         return Err(source.refused(name.span(), message, known_names(&known)));
     };
     let refused = |message: String, remedy: &str| Err(source.refused(name.span(), message, remedy));
-    let other = |piece: &&Piece| ![4, 8].contains(&piece.nodes.len()) || piece.is_triangular;
+    let other = |piece: &&Piece| ![4, 8].contains(&piece.nodes.len());
+    if let Some(piece) = pieces.iter().find(|piece| piece.is_triangular) {
+        let message = format!("cell {} of `{}` is a triangle, no quadrilateral", piece.tag, name.get_ref());
+        return refused(message, SUBDIVISION);
+    }
     if let Some(piece) = pieces.iter().find(other) {
         let message = format!("cell {} of `{}` is no quadrilateral of 4 or 8 nodes", piece.tag, name.get_ref());
         return refused(message, OPTIONS);

@@ -96,6 +96,10 @@ impl Gmsh {
             let entity: i64 = words.number("an entity")?;
             let begin = words.begin();
             let kind: u64 = words.number("an element type")?;
+            if dimension == 3 {
+                let message = format!("elements of Gmsh's type {kind} are solids");
+                return Err(words.source.refused(begin..words.at, message, super::PLANE));
+            }
             let Some((_, count, is_triangular)) = TYPES.iter().find(|(known, ..)| *known == kind).copied() else {
                 let message = format!("elements of Gmsh's type {kind} are not read");
                 return Err(words.source.refused(begin..words.at, message, super::OPTIONS));
@@ -214,7 +218,7 @@ fn nodes(words: &mut Words) -> Result<HashMap<u64, [f64; 2]>, Error> {
             }
             if z.abs() > 1e-9 * (1.0 + x.abs().max(y.abs())) {
                 let message = format!("node {tag} lies at z = {z}");
-                return Err(words.source.refused(begin..words.at, message, "mesh the body in the plane z = 0"));
+                return Err(words.source.refused(begin..words.at, message, super::PLANE));
             }
             if nodes.insert(tag, [x, y]).is_some() {
                 let message = format!("node {tag} stands twice");
