@@ -3,6 +3,8 @@
 //! * [`material`] — elastic constants and the plane hypothesis.
 //! * [`shape`] — the outlines the mesher knows.
 //! * [`contact_pair`] — who touches whom, along which path, with which initial gap.
+//! * [`path`] — the curve along which contact runs.
+//! * [`drawn`] — the gap between sides as they are drawn.
 //! * [`library`] — the scenes of the suite, each one struct of numbers in one place.
 //! * [`mod@file`] — a scene as a user writes it, in TOML.
 //! * [`variant`] — the same scene in other units, mirrored, or with its bodies swapped.
@@ -10,9 +12,11 @@
 //! Units are millimetre, newton and megapascal throughout.
 
 pub mod contact_pair;
+pub mod drawn;
 pub mod file;
 pub mod library;
 pub mod material;
+pub mod path;
 pub mod shape;
 pub mod variant;
 
@@ -22,8 +26,10 @@ use std::sync::Arc;
 
 use crate::error::Error;
 
-pub use contact_pair::{ContactPair, Line, Path, Profile};
+pub use contact_pair::{ContactPair, Profile};
+pub use drawn::{Curve, DrawnGap};
 pub use material::{LARGEST_POISSON, Material, PlaneHypothesis};
+pub use path::{Line, Path};
 pub use shape::{BlockShape, Circle, Face, GivenMesh, Grading, Sector, Shape};
 
 /// A contact problem: everything that is asked, nothing about how it is solved.

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::scene::{
-    BlockShape, Body, Circle, Component, GivenMesh, Load, Path, Place, Profile, Scene, Shape, StressField,
-    TractionField,
+    BlockShape, Body, Circle, Component, GivenMesh, Line, Load, Path, Place, Profile, Scene, Shape,
+    StressField, TractionField,
 };
 
 /// Metres per millimetre.
@@ -21,13 +21,11 @@ impl Scene {
         scene.reference.gap *= length;
         scene.reference.pressure *= pressure;
         for pair in &mut scene.contacts {
-            match &mut pair.path {
-                Path::Arc(circle) => *circle = scaled_circle(*circle, length),
-                Path::Straight(line) => {
-                    line.origin = line.origin.map(|x| x * length);
-                    pair.stretch *= length;
-                }
+            match pair.path {
+                Path::Arc(_) => {}
+                Path::Straight(_) => pair.stretch *= length,
             }
+            pair.path = scaled_path(&pair.path, length);
             pair.profile = scaled_profile(&pair.profile, length);
         }
         for body in &mut scene.bodies {
@@ -51,14 +49,9 @@ impl Scene {
             mirror_body(body);
         }
         for pair in &mut scene.contacts {
-            match &mut pair.path {
-                Path::Arc(circle) => circle.centre[0] = 0.0 - circle.centre[0],
-                Path::Straight(line) => {
-                    line.origin[0] = 0.0 - line.origin[0];
-                    if line.both_sides {
-                        pair.profile = mirrored_profile(&pair.profile);
-                    }
-                }
+            pair.path = mirrored_path(&pair.path);
+            if pair.path.has_both_sides() {
+                pair.profile = mirrored_profile(&pair.profile);
             }
         }
         scene
@@ -131,13 +124,32 @@ fn mirror_body(body: &mut Body) {
     }
 }
 
-/// Only a table may be no even function of s; one that begins at 0 stands for both sides.
+/// Tables and drawn sides may be no even functions of s; a table that begins at 0 stands for both sides.
 fn mirrored_profile(profile: &Profile) -> Profile {
     match profile {
         Profile::Table(points) if points.first().is_some_and(|[s, _]| *s < 0.0) => {
             Profile::Table(points.iter().rev().map(|[s, gap]| [-s, *gap]).collect())
         }
+        Profile::Bodies(drawn) => {
+            let path = mirrored_path(&drawn.path);
+            Profile::Bodies(Arc::new(drawn.moved(path, |[x, y]| [0.0 - x, y])))
+        }
         other => other.clone(),
+    }
+}
+
+fn mirrored_path(path: &Path) -> Path {
+    let mirrored = |[x, y]: [f64; 2]| [0.0 - x, y];
+    match *path {
+        Path::Arc(circle) => Path::Arc(Circle { centre: mirrored(circle.centre), ..circle }),
+        Path::Straight(line) => Path::Straight(Line { origin: mirrored(line.origin), ..line }),
+    }
+}
+
+fn scaled_path(path: &Path, length: f64) -> Path {
+    match *path {
+        Path::Arc(circle) => Path::Arc(scaled_circle(circle, length)),
+        Path::Straight(line) => Path::Straight(Line { origin: line.origin.map(|x| x * length), ..line }),
     }
 }
 
@@ -150,6 +162,10 @@ fn scaled_profile(profile: &Profile, length: f64) -> Profile {
         Profile::Uniform(gap) => Profile::Uniform(gap * length),
         Profile::Drawn => Profile::Drawn,
         Profile::Table(ref points) => Profile::Table(points.iter().map(|point| point.map(|x| x * length)).collect()),
+        Profile::Bodies(ref drawn) => {
+            let path = scaled_path(&drawn.path, length);
+            Profile::Bodies(Arc::new(drawn.moved(path, |point| point.map(|x| x * length))))
+        }
         Profile::Punch { half_width } => Profile::Punch { half_width: half_width * length },
         Profile::Circle { radius } => Profile::Circle { radius: radius * length },
         Profile::Parabola { radius } => Profile::Parabola { radius: radius * length },

@@ -36,6 +36,7 @@ mod reactions;
 mod scene;
 mod scene_file;
 mod scene_fuzz;
+mod scene_gap;
 mod scene_lists;
 mod scene_mistakes;
 mod scene_unsupported;

@@ -228,7 +228,7 @@ const MISTAKES: &[Mistake] = &[
         "cylinder-on-block",
         "gap = { circle = 50 }",
         "gap = { sphere = 50 }",
-        ["gap = { sphere = 50 }", "unknown variant `sphere`", "`circle`"],
+        ["gap = { sphere = 50 }", "unknown field `sphere`", "`circle`"],
     ),
     ("cylinder-on-block", "elements = 24", "elements = 0", ["elements = 0", "`elements` is 0", "8 to 32"]),
     ("cylinder-on-block", "per = 2.5", "per = 1e-7", ["elements = 24", "candidate elements", "fewer `elements`"]),

@@ -186,7 +186,12 @@ fn handed_over(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Resul
         Profile::Parabola { radius } => ("parabola", radius, 0.0),
         Profile::Hole { radius, clearance } => ("hole", radius, clearance),
         Profile::Uniform(_) | Profile::Punch { .. } => return Err(not_handed_over(&scene.name, "a uniform gap")),
-        Profile::Drawn | Profile::Table(_) | Profile::Even { .. } | Profile::Wedge { .. } | Profile::Cosine { .. } => {
+        Profile::Drawn
+        | Profile::Bodies(_)
+        | Profile::Table(_)
+        | Profile::Even { .. }
+        | Profile::Wedge { .. }
+        | Profile::Cosine { .. } => {
             return Err(not_handed_over(&scene.name, "this rigid profile"));
         }
     };

@@ -5,8 +5,8 @@ use crate::scene::contact_pair::CONTACT;
 use crate::scene::file::side::Side;
 use crate::scene::file::tables::{BodyTable, ContactTable, Name, Pair};
 use crate::scene::file::units::Units;
-use crate::scene::file::{Source, gap};
-use crate::scene::{Body, Circle, ContactPair, Line, Path, Profile};
+use crate::scene::file::{Source, compared, gap};
+use crate::scene::{Body, Circle, ContactPair, DrawnGap, Line, Path, Profile};
 
 /// Largest stretch on an arc \[°\].
 const QUARTER: f64 = 90.0;
@@ -82,37 +82,25 @@ fn pair(
     }
     let across = table.has_both_sides();
     refuse_mirrored(source, table)?;
-    let path = match &table.arc {
-        None => Path::Straight(Line { origin: origin(source, units, table)?, both_sides: across }),
-        Some(arc) => Path::Arc(Circle {
-            centre: source.pair("centre", &arc.centre)?.map(|x| units.length * x),
-            radius: units.length * source.positive("radius", &arc.radius)?,
-        }),
-    };
-    let stretch = match path {
-        Path::Straight(_) => units.length * source.positive("stretch", &table.stretch)?,
-        Path::Arc(_) => {
-            let expected = format!("an angle above 0 and up to {QUARTER}");
-            source.number("stretch", &table.stretch, &expected, |x| x > 0.0 && x <= QUARTER)?.to_radians()
-        }
-    };
-    let profile = gap::profile(source, units, &table.gap, across)?;
-    gap::refuse_strange(source, &path, &profile, &table.gap)?;
-    let named =
-        [(Some(first), Some(&table.first), &table.first_side), (second, table.second.as_ref(), &table.second_side)];
+    let (path, stretch) = way(source, units, table)?;
     if let (None, Some(side)) = (second, &table.second_side) {
         let remedy = "leave it out, or name the facing body as `second`";
         return Err(source.refused(side.span(), "`second-side` without `second`", remedy));
     }
-    let mut sides = Vec::new();
-    for (k, (body, name, boundary)) in named.into_iter().enumerate() {
-        let (Some(body), Some(name)) = (body, name) else { continue };
-        let side = named_side(source, &bodies[body], (name, boundary), &path, stretch)?;
+    let facing = second.zip(table.second.as_ref()).map(|(body, name)| (body, name, &table.second_side));
+    let named: Vec<_> = [(first, &table.first, &table.first_side)].into_iter().chain(facing).collect();
+    let side =
+        |&(body, name, boundary): &(usize, _, _)| named_side(source, &bodies[body], (name, boundary), &path, stretch);
+    let sides = named.iter().map(side).collect::<Result<Vec<Side>, Error>>()?;
+    let above = sides[0].outward.unwrap_or(true);
+    let drawn = DrawnGap { sides: sides.iter().map(|side| side.curves.clone()).collect(), path, above };
+    let profile = gap::profile(source, units, &table.gap, across, &drawn)?;
+    gap::refuse_strange(source, &path, &profile, &table.gap)?;
+    for (k, (side, (_, name, _))) in sides.iter().zip(&named).enumerate() {
         side.refuse_misfit(source, units, name, (&path, &profile), k == 0)?;
         side.refuse_short(source, units, name, &path, (stretch, &table.stretch))?;
-        sides.push(side);
     }
-    let above = looks_down(source, table, &sides)?;
+    refuse_one_way(source, table, &sides)?;
     gap::refuse_ended(source, &profile, stretch, &table.gap)?;
     if matches!(profile, Profile::Hole { .. }) && !above {
         let message = format!("`{}` is the hole, and a gap `hole` is measured on the pin", table.first.get_ref());
@@ -132,7 +120,27 @@ fn pair(
         symmetric,
     };
     refuse_overlap(source, units, table, &pair, &sides)?;
+    compared::refuse_other(source, units, table, &pair, &drawn)?;
     Ok(pair)
+}
+
+/// The path, and how far the candidates lie along it.
+fn way(source: Source, units: &Units, table: &ContactTable) -> Result<(Path, f64), Error> {
+    let path = match &table.arc {
+        None => Path::Straight(Line { origin: origin(source, units, table)?, both_sides: table.has_both_sides() }),
+        Some(arc) => Path::Arc(Circle {
+            centre: source.pair("centre", &arc.centre)?.map(|x| units.length * x),
+            radius: units.length * source.positive("radius", &arc.radius)?,
+        }),
+    };
+    let stretch = match path {
+        Path::Straight(_) => units.length * source.positive("stretch", &table.stretch)?,
+        Path::Arc(_) => {
+            let expected = format!("an angle above 0 and up to {QUARTER}");
+            source.number("stretch", &table.stretch, &expected, |x| x > 0.0 && x <= QUARTER)?.to_radians()
+        }
+    };
+    Ok((path, stretch))
 }
 
 /// The side of a body that is named, `contact` where none is.
@@ -190,8 +198,8 @@ fn refuse_mirrored(source: Source, table: &ContactTable) -> Result<(), Error> {
     }
 }
 
-/// Whether the first body is the upper or inner one; refuses two sides that look the same way.
-fn looks_down(source: Source, table: &ContactTable, sides: &[Side]) -> Result<bool, Error> {
+/// Refuses two sides that look the same way.
+fn refuse_one_way(source: Source, table: &ContactTable, sides: &[Side]) -> Result<(), Error> {
     let down = |k: usize| sides.get(k).and_then(|side| side.outward);
     match (down(0), down(1), &table.second) {
         (Some(first), Some(second), Some(name)) if first == second => {
@@ -200,7 +208,7 @@ fn looks_down(source: Source, table: &ContactTable, sides: &[Side]) -> Result<bo
                 format!("the contact sides of `{}` and `{}` both look {way}", table.first.get_ref(), name.get_ref());
             Err(source.refused(name.span(), message, "let one look down (or outwards) and the other up (or inwards)"))
         }
-        (first, ..) => Ok(first.unwrap_or(true)),
+        _ => Ok(()),
     }
 }
 
@@ -212,7 +220,7 @@ fn refuse_overlap(
     pair: &ContactPair,
     sides: &[Side],
 ) -> Result<(), Error> {
-    if !matches!(pair.profile, Profile::Drawn) {
+    if !matches!(pair.profile, Profile::Drawn | Profile::Bodies(_)) {
         return Ok(());
     }
     let depth = |k: usize| sides.get(k).map_or(pair.path.own_depth(), |side| side.depth(&pair.path));

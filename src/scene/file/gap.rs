@@ -7,9 +7,10 @@ use toml::Spanned;
 
 use crate::error::Error;
 use crate::scene::file::Source;
-use crate::scene::file::tables::{GapTable, Pair};
+use crate::scene::file::gap_keys::GapTable;
+use crate::scene::file::tables::Pair;
 use crate::scene::file::units::Units;
-use crate::scene::{Path, Profile};
+use crate::scene::{DrawnGap, Path, Profile};
 
 /// Refuses gaps that are functions of a length on an arc, and of an angle on a line.
 pub(super) fn refuse_strange(
@@ -19,26 +20,31 @@ pub(super) fn refuse_strange(
     gap: &Spanned<GapTable>,
 ) -> Result<(), Error> {
     let remedy = match (path, profile) {
-        (_, Profile::Drawn) | (Path::Arc(_), Profile::Uniform(_)) => return Ok(()),
+        (_, Profile::Drawn | Profile::Bodies(_)) | (Path::Arc(_), Profile::Uniform(_)) => return Ok(()),
         (Path::Arc(arc), Profile::Hole { radius, .. }) if (radius / arc.radius - 1.0).abs() <= 1e-9 => return Ok(()),
         (Path::Arc(_), Profile::Hole { .. }) => "give the hole's `radius` as that of `arc`: it is the pin's",
-        (Path::Arc(_), _) => "on an arc the gap is `uniform`, `drawn` or a `hole`",
+        (Path::Arc(_), _) => "on an arc the gap is `uniform`, `drawn`, from the bodies or a `hole`",
         (Path::Straight(_), Profile::Hole { .. }) => "a hole needs the pin's circle as `arc`",
         (Path::Straight(_), _) => return Ok(()),
     };
     Err(source.refused(gap.span(), "this gap does not go with the path of the contact", remedy))
 }
 
-/// The gap in mm as a function of the contact coordinate, on one side of s = 0 or across it.
+/// The gap in mm as a function of the contact coordinate, on one side of s = 0 or across it, or the drawn one.
 pub(super) fn profile(
     source: Source,
     units: &Units,
     table: &Spanned<GapTable>,
     across: bool,
+    drawn: &DrawnGap,
 ) -> Result<Profile, Error> {
     let length = |key: &str, value: &Spanned<f64>| Ok::<f64, Error>(units.length * source.positive(key, value)?);
     Ok(match table.get_ref() {
         GapTable::Drawn => Profile::Drawn,
+        GapTable::From(name) => {
+            source.choice("source of a gap", name, &[("bodies", ())])?;
+            Profile::Bodies(Arc::new(drawn.clone()))
+        }
         GapTable::Uniform(gap) => Profile::Uniform(units.length * source.finite("uniform", gap)?),
         GapTable::Punch(half_width) => Profile::Punch { half_width: length("punch", half_width)? },
         GapTable::Circle(radius) => Profile::Circle { radius: length("circle", radius)? },

@@ -5,11 +5,14 @@
 //! * [`units`] — names of units, and numbers in them.
 //! * [`bodies`] — outlines, supports and loads.
 //! * `blocks` — bodies from blocks.
+//! * `compared` — the gap given against the drawn one.
+//! * `curves` — the sides of shapes.
 //! * `disc` — how much of a disc is modelled.
 //! * `gmsh` — bodies from meshes.
 //! * [`contact`] — contacts, their bodies, sides and paths.
 //! * `side` — the side of a body that carries a contact.
 //! * `gap` — the gap of a contact.
+//! * [`gap_keys`] — its keys.
 //! * `reference` — reference values.
 //! * [`unsupported`] — physics that is not done here.
 //!
@@ -17,9 +20,12 @@
 
 mod blocks;
 pub mod bodies;
+mod compared;
 pub mod contact;
+mod curves;
 mod disc;
 mod gap;
+pub mod gap_keys;
 mod gmsh;
 mod reference;
 mod side;

@@ -1,14 +1,15 @@
 //! The sides that carry the contact: which way they look, and where they lie.
 
-use std::f64::consts::{FRAC_1_SQRT_2, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
 use toml::Spanned;
 
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
 use crate::scene::file::Source;
+use crate::scene::file::curves;
 use crate::scene::file::units::Units;
-use crate::scene::{BlockShape, Circle, Face, GivenMesh, Path, Profile, Shape};
+use crate::scene::{Circle, Curve, Face, Path, Profile, Shape};
 
 /// A straight piece of boundary, from its first point to its last, the body to its left \[mm\].
 type Piece = [[f64; 2]; 2];
@@ -17,6 +18,8 @@ type Piece = [[f64; 2]; 2];
 pub(super) struct Side {
     /// It looks down, or away from the centre of its arc; none where parts of it look one way and parts the other.
     pub outward: Option<bool>,
+    /// The curves that it is drawn with.
+    pub curves: Vec<Curve>,
     /// Where it runs.
     place: Place,
     /// Whether its body lies on both sides of s = 0, where the shape tells.
@@ -46,32 +49,44 @@ impl Side {
                 let height = if face == Face::Bottom { y[0] } else { y[1] };
                 let place = Place::Straight { from: x[0], height };
                 let length = if path.has_both_sides() { (x[1] - origin).min(origin - x[0]) } else { x[1] - x[0] };
-                Self { outward: Some(face == Face::Bottom), place, across: None, length }
+                let curves = vec![Curve::Line(x.map(|x| [x, height]))];
+                Self { outward: Some(face == Face::Bottom), curves, place, across: None, length }
             }
             // Beyond 45° the radial candidates of a quarter are hardly pressed.
             Shape::Disc { centre, radius, contact, sector } => {
                 let other = if sector.has_upper_part() { "top" } else { CONTACT };
                 let down = face(*contact, name, [other, other])? == Face::Bottom;
                 let height = if down { centre[1] - radius } else { centre[1] + radius };
-                let place = Place::Disc { circle: Circle { centre: *centre, radius: *radius }, height };
+                let circle = Circle { centre: *centre, radius: *radius };
+                let place = Place::Disc { circle, height };
                 let outward = Some(down || !path.is_straight());
-                Self { outward, place, across: Some(sector.has_both_sides()), length: radius * FRAC_1_SQRT_2 }
+                let touching = if down { 0.0 } else { PI };
+                let back = if path.has_both_sides() { FRAC_PI_2 } else { 0.0 };
+                let [left, right] = if down { [back, FRAC_PI_2] } else { [FRAC_PI_2, back] };
+                let mut curves = curves::of_circle(&circle, touching - left, touching);
+                curves.extend(curves::of_circle(&circle, touching, touching + right));
+                let length = radius * FRAC_1_SQRT_2;
+                Self { outward, curves, place, across: Some(sector.has_both_sides()), length }
             }
             Shape::Ring { inner, outer, sweep, contact, .. } => {
                 let outward = face(*contact, name, ["inner", "outer"])? == Face::Top;
-                let place = Place::Arc(if outward { *outer } else { *inner });
-                Self { outward: Some(outward), place, across: Some(false), length: *sweep }
+                let circle = if outward { outer } else { inner };
+                let curves = curves::of_circle(circle, 0.0, *sweep);
+                let place = Place::Arc(*circle);
+                Self { outward: Some(outward), curves, place, across: Some(false), length: *sweep }
             }
             Shape::Eye { hole, .. } => {
-                Self { outward: Some(false), place: Place::Arc(*hole), across: Some(false), length: PI }
+                let curves = curves::of_circle(hole, 0.0, PI);
+                Self { outward: Some(false), curves, place: Place::Arc(*hole), across: Some(false), length: PI }
             }
-            Shape::Blocks(blocks) => Self::of_pieces(pieces_of_blocks(blocks, name)?, path, stretch),
-            Shape::Given(mesh) => Self::of_pieces(pieces_of_mesh(mesh, name)?, path, stretch),
+            Shape::Blocks(blocks) => Self::of_pieces(curves::of_blocks(blocks, name)?, path, stretch),
+            Shape::Given(mesh) => Self::of_pieces(curves::of_mesh(mesh, name)?, path, stretch),
         })
     }
 
     /// Of the pieces within the stretch.
-    fn of_pieces(all: Vec<Piece>, path: &Path, stretch: f64) -> Self {
+    fn of_pieces(curves: Vec<Curve>, path: &Path, stretch: f64) -> Self {
+        let all: Vec<Piece> = curves.iter().flat_map(chords).collect();
         let farthest = |sign: f64| all.iter().flatten().map(|p| sign * path.coordinate(*p)).fold(0.0, f64::max);
         let length = if path.has_both_sides() { farthest(1.0).min(farthest(-1.0)) } else { farthest(1.0) };
         let within = stretch * (1.0 - 1e-9);
@@ -86,7 +101,7 @@ impl Side {
             (to[1] - from[1]) * direction[0] - (to[0] - from[0]) * direction[1] > 0.0
         };
         let outward = pieces.first().map(looks).filter(|first| pieces.iter().all(|piece| looks(piece) == *first));
-        Self { outward, place: Place::Pieces(pieces), across: None, length }
+        Self { outward, curves, place: Place::Pieces(pieces), across: None, length }
     }
 
     /// How far along the path's direction the side begins \[mm\].
@@ -124,7 +139,7 @@ impl Side {
         };
         let clearance = match profile {
             Profile::Hole { clearance, .. } => *clearance,
-            Profile::Drawn => f64::INFINITY,
+            Profile::Drawn | Profile::Bodies(_) => f64::INFINITY,
             other => other.gap(0.0).abs(),
         };
         let near = |a: f64, b: f64| (a - b).abs() <= clearance * (1.0 + 1e-6) + 1e-6 * a.abs().max(b.abs());
@@ -273,31 +288,9 @@ fn face(contact: Face, name: &str, [lower, upper]: [&str; 2]) -> Option<Face> {
 /// Chords that stand for an arc.
 const CHORDS: usize = 32;
 
-/// The sides that have a name, an arc as chords; none where no side has it.
-fn pieces_of_blocks(blocks: &[BlockShape], name: &str) -> Option<Vec<Piece>> {
-    let mut pieces = Vec::new();
-    for block in blocks {
-        for k in (0..4).filter(|&k| block.names[k].as_deref() == Some(name)) {
-            let [from, to] = [block.corners[k], block.corners[(k + 1) % 4]];
-            match block.arcs[k] {
-                None => pieces.push([from, to]),
-                Some(centre) => {
-                    let [a, b] = [from, to].map(|p| [p[0] - centre[0], p[1] - centre[1]]);
-                    let sweep = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
-                    let at = |k: usize| {
-                        let (sin, cos) = (sweep * k as f64 / CHORDS as f64).sin_cos();
-                        [centre[0] + a[0] * cos - a[1] * sin, centre[1] + a[0] * sin + a[1] * cos]
-                    };
-                    pieces.extend((0..CHORDS).map(|k| [at(k), at(k + 1)]));
-                }
-            }
-        }
-    }
-    (!pieces.is_empty()).then_some(pieces)
-}
-
-/// The edges of a boundary; none where it is not there, or runs inside.
-fn pieces_of_mesh(mesh: &GivenMesh, name: &str) -> Option<Vec<Piece>> {
-    let edges = mesh.boundaries.get(name).filter(|_| !mesh.inner.contains(name))?;
-    Some(edges.iter().map(|edge| [mesh.points[edge[0]], mesh.points[edge[1]]]).collect())
+/// A curve as straight pieces.
+fn chords(curve: &Curve) -> Vec<Piece> {
+    let count = if matches!(curve, Curve::Arc { .. }) { CHORDS } else { 1 };
+    let at = |k: usize| curve.point(k as f64 / count as f64);
+    (0..count).map(|k| [at(k), at(k + 1)]).collect()
 }

@@ -7,6 +7,8 @@ use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
+use crate::scene::file::gap_keys::GapTable;
+
 pub use crate::scene::file::values::{List, Name, Number, Pair};
 
 /// `[units]`.
@@ -284,6 +286,8 @@ pub struct ContactTable {
     pub second_side: Option<Name>,
     /// Initial gap along the path.
     pub gap: Spanned<GapTable>,
+    /// The gap is the one given even where the bodies are drawn with another; false where it is left out.
+    pub gap_only: Option<Spanned<bool>>,
     /// The path is an arc: contact coordinates are angles from the downward vertical \[°\].
     pub arc: Option<CircleTable>,
     /// Where s = 0 lies on a straight path; [0, 0] where it is left out.
@@ -338,52 +342,6 @@ pub struct CircleTable {
     pub centre: Pair,
     /// Radius.
     pub radius: Number,
-}
-
-/// `gap = { … }`, as a function of the contact coordinate s.
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum GapTable {
-    /// `gap = "drawn"`: as the bodies are drawn.
-    Drawn,
-    /// The same everywhere; negative is interference.
-    Uniform(Number),
-    /// Flat punch of this half-width, nothing beyond.
-    Punch(Number),
-    /// Circle of this radius on a plane.
-    Circle(Number),
-    /// Parabola s²/2R of this radius.
-    Parabola(Number),
-    /// Even polynomial, up to four coefficients of s², s⁴, s⁶, s⁸.
-    Even(Vec<Number>),
-    /// Wedge of this slope.
-    Wedge(Number),
-    /// Points [s, g], straight between them.
-    Table(Vec<Pair>),
-    /// Waves.
-    Cosine(CosineTable),
-    /// Pin in a hole.
-    Hole(HoleTable),
-}
-
-/// `cosine = { amplitude = Δ, wavelength = λ }`: Δ (1 − cos 2πs/λ).
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CosineTable {
-    /// Half the height of the waves.
-    pub amplitude: Number,
-    /// From crest to crest.
-    pub wavelength: Number,
-}
-
-/// `hole = { radius = R, clearance = c }`.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct HoleTable {
-    /// Radius of the pin.
-    pub radius: Number,
-    /// Radial clearance.
-    pub clearance: Number,
 }
 
 /// `[reference]`: what makes initial stiffnesses pure numbers, and what springs start from.

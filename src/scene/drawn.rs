@@ -1,0 +1,116 @@
+//! Sides as they are drawn, and the gap between two of them.
+
+use crate::scene::path::Path;
+
+/// A piece of a side along which the contact coordinate only rises or only falls.
+#[derive(Clone, Debug)]
+pub enum Curve {
+    /// Straight, between two points \[mm\].
+    Line([[f64; 2]; 2]),
+    /// Circular, less than half a turn.
+    Arc {
+        /// Centre \[mm\].
+        centre: [f64; 2],
+        /// Where it begins and ends \[mm\].
+        ends: [[f64; 2]; 2],
+    },
+    /// Edge of a mesh: first node, last node and, on 3-node edges, the middle one \[mm\].
+    Edge(Vec<[f64; 2]>),
+}
+
+/// The gap between two sides, or between one and the path, taken from the curves themselves and not from a mesh of them.
+#[derive(Clone, Debug)]
+pub struct DrawnGap {
+    /// Side of the first body and, unless the other side is rigid, of the second.
+    pub sides: Vec<Vec<Curve>>,
+    /// The curve along which the contact coordinate runs.
+    pub path: Path,
+    /// Whether the first body is the upper, or inner, one.
+    pub above: bool,
+}
+
+impl DrawnGap {
+    /// Distance of the sides along the path's direction at the contact coordinate `s` \[mm\], negative where they overlap;
+    /// infinite where a side has ended.
+    pub fn gap(&self, s: f64) -> f64 {
+        let s = if self.path.has_both_sides() { s } else { s.abs() };
+        let depth = |side: usize| match self.sides.get(side) {
+            Some(curves) => curves.iter().find_map(|curve| curve.depth(&self.path, s)),
+            None => Some(self.path.own_depth()),
+        };
+        match (depth(0), depth(1)) {
+            (Some(first), Some(second)) if self.above => second - first,
+            (Some(first), Some(second)) => first - second,
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// The same with every point, and the path, taken to another place.
+    pub fn moved(&self, path: Path, place: impl Fn([f64; 2]) -> [f64; 2]) -> Self {
+        let side = |curves: &Vec<Curve>| curves.iter().map(|curve| curve.moved(&place)).collect();
+        Self { sides: self.sides.iter().map(side).collect(), path, above: self.above }
+    }
+}
+
+/// Slack at the ends of a curve, over its farthest contact coordinate, that rounding explains.
+const SAME: f64 = 1e-9;
+/// Halvings after which a parameter has all its digits.
+const HALVINGS: usize = 60;
+
+impl Curve {
+    /// Depth at a contact coordinate \[mm\]; none where the curve does not reach.
+    fn depth(&self, path: &Path, s: f64) -> Option<f64> {
+        let [begin, end] = [0.0, 1.0].map(|t| self.at(path, t)[0]);
+        let slack = SAME * begin.abs().max(end.abs());
+        if s < begin.min(end) - slack || s > begin.max(end) + slack {
+            return None;
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            let before = (self.at(path, middle)[0] < s) == (begin < end);
+            *if before { &mut low } else { &mut high } = middle;
+        }
+        Some(self.at(path, 0.5 * (low + high))[1])
+    }
+
+    /// Contact coordinate and depth, as `t` runs from 0 to 1; on an edge they are those of its nodes, interpolated by its
+    /// shape functions, so that nodes on an arc make an arc.
+    fn at(&self, path: &Path, t: f64) -> [f64; 2] {
+        let of = |point: [f64; 2]| [path.coordinate(point), path.depth(point)];
+        let Self::Edge(nodes) = self else { return of(self.point(t)) };
+        let xi = 2.0 * t - 1.0;
+        let shapes = match nodes.len() {
+            3 => vec![0.5 * xi * (xi - 1.0), 0.5 * xi * (xi + 1.0), 1.0 - xi * xi],
+            _ => vec![1.0 - t, t],
+        };
+        let each = shapes.iter().zip(nodes).map(|(shape, node)| of(*node).map(|x| shape * x));
+        each.fold([0.0; 2], |sum, term| [sum[0] + term[0], sum[1] + term[1]])
+    }
+
+    /// The point at `0 ≤ t ≤ 1` \[mm\]; on an edge, of its chord.
+    pub fn point(&self, t: f64) -> [f64; 2] {
+        match self {
+            Self::Line([from, to]) => between(*from, *to, t),
+            Self::Edge(nodes) => between(nodes[0], nodes[1], t),
+            Self::Arc { centre, ends } => {
+                let [a, b] = ends.map(|end| [end[0] - centre[0], end[1] - centre[1]]);
+                let sweep = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
+                let (sin, cos) = (t * sweep).sin_cos();
+                [centre[0] + a[0] * cos - a[1] * sin, centre[1] + a[0] * sin + a[1] * cos]
+            }
+        }
+    }
+
+    fn moved(&self, place: &impl Fn([f64; 2]) -> [f64; 2]) -> Self {
+        match self {
+            Self::Line(ends) => Self::Line(ends.map(place)),
+            Self::Arc { centre, ends } => Self::Arc { centre: place(*centre), ends: ends.map(place) },
+            Self::Edge(nodes) => Self::Edge(nodes.iter().copied().map(place).collect()),
+        }
+    }
+}
+
+fn between(from: [f64; 2], to: [f64; 2], t: f64) -> [f64; 2] {
+    [0, 1].map(|k| from[k] + (to[k] - from[k]) * t)
+}

@@ -1,0 +1,123 @@
+//! The curve along which contact runs, and the contact coordinate on it.
+
+use crate::error::Coordinate;
+use crate::scene::shape::Circle;
+
+/// The curve along which the contact coordinate `s` runs.
+#[derive(Clone, Copy, Debug)]
+pub enum Path {
+    /// A horizontal line; the normal is vertical and areas are horizontal projections.
+    Straight(Line),
+    /// `s = θ` \[rad\] from the downward vertical about a centre; normals are radial and areas those of the circle.
+    Arc(Circle),
+}
+
+/// A horizontal line that contact runs along.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// Where s = 0 lies \[mm\].
+    pub origin: [f64; 2],
+    /// Contact on both sides of the origin, `s = x − x₀`; else from it on, `s = |x − x₀|` \[mm\].
+    pub both_sides: bool,
+}
+
+impl Path {
+    /// y = 0 from x = 0 on.
+    pub const HORIZONTAL: Self = Self::Straight(Line { origin: [0.0, 0.0], both_sides: false });
+
+    /// Whether `s` runs from negative to positive.
+    pub fn has_both_sides(&self) -> bool {
+        matches!(self, Self::Straight(Line { both_sides: true, .. }))
+    }
+
+    /// Whether it is a line.
+    pub fn is_straight(&self) -> bool {
+        matches!(self, Self::Straight(_))
+    }
+
+    /// Where s = 0 lies, or the arc's centre \[mm\].
+    pub fn origin(&self) -> [f64; 2] {
+        match self {
+            Self::Straight(line) => line.origin,
+            Self::Arc(circle) => circle.centre,
+        }
+    }
+
+    /// Length of path per unit of the contact coordinate: 1 on a plane, the radius on an arc [mm/rad].
+    pub fn metric(&self) -> f64 {
+        match self {
+            Self::Straight(_) => 1.0,
+            Self::Arc(circle) => circle.radius,
+        }
+    }
+
+    /// Contact coordinate of a point: `|x − x₀|`, `x − x₀`, or the angle from the downward vertical.
+    pub fn coordinate(&self, point: [f64; 2]) -> f64 {
+        match self {
+            Self::Straight(Line { origin, both_sides: false }) => (point[0] - origin[0]).abs(),
+            Self::Straight(Line { origin, both_sides: true }) => point[0] - origin[0],
+            Self::Arc(circle) => {
+                let d = [point[0] - circle.centre[0], point[1] - circle.centre[1]];
+                d[0].abs().atan2(-d[1])
+            }
+        }
+    }
+
+    /// A contact coordinate as messages give it.
+    pub fn told(&self, s: f64) -> Coordinate {
+        match self {
+            Self::Straight(_) => Coordinate::Length(s),
+            Self::Arc(_) => Coordinate::Angle(s),
+        }
+    }
+
+    /// Unit vector along the gap at a point, pointing down or away from the arc's centre.
+    pub fn direction(&self, point: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::Straight(_) => [0.0, -1.0],
+            Self::Arc(circle) => {
+                let d = [point[0] - circle.centre[0], point[1] - circle.centre[1]];
+                let length = d[0].hypot(d[1]);
+                if d[0].abs() <= 1e-12 * length {
+                    return [0.0, d[1].signum()];
+                }
+                if d[1].abs() <= 1e-12 * length {
+                    return [d[0].signum(), 0.0];
+                }
+                [d[0] / length, d[1] / length]
+            }
+        }
+    }
+
+    /// How far a point lies along [`Path::direction`]: `y₀ − y`, or its distance from the arc's centre \[mm\].
+    pub fn depth(&self, point: [f64; 2]) -> f64 {
+        match self {
+            Self::Straight(line) => line.origin[1] - point[1],
+            Self::Arc(circle) => (point[0] - circle.centre[0]).hypot(point[1] - circle.centre[1]),
+        }
+    }
+
+    /// The depth of the path itself: 0, or the radius \[mm\].
+    pub fn own_depth(&self) -> f64 {
+        match self {
+            Self::Straight(_) => 0.0,
+            Self::Arc(circle) => circle.radius,
+        }
+    }
+
+    /// Cosine between the normals at two contact coordinates: 1 on a plane, `cos(s − s')` on an arc.
+    pub fn alignment(&self, s: f64, other: f64) -> f64 {
+        match self {
+            Self::Straight(_) => 1.0,
+            Self::Arc(_) => (s - other).cos(),
+        }
+    }
+
+    /// Part of a pressure at `s` that acts along the load line: 1 on a plane, `cos θ` on an arc.
+    pub fn share(&self, s: f64) -> f64 {
+        match self {
+            Self::Straight(_) => 1.0,
+            Self::Arc(_) => s.cos(),
+        }
+    }
+}

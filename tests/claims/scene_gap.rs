@@ -1,0 +1,196 @@
+//! The gap given in a contact and the gap between the drawn bodies are one, or the file says that they need not be.
+
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use contact_vv::case::{Run, SceneFile};
+use contact_vv::formulation::Discretisation;
+use contact_vv::scene::Profile;
+
+use crate::scene_file::{folder, text_of};
+
+/// What a file gets in place of what it has.
+type Change = (&'static str, &'static str);
+
+fn changed(name: &str, changes: &[Change]) -> String {
+    changes.iter().fold(text_of(&format!("{name}.toml")), |text, (was, is)| {
+        assert!(text.contains(was), "{name}: {was}");
+        text.replacen(was, is, 1)
+    })
+}
+
+fn read(name: &str, changes: &[Change]) -> Result<SceneFile, String> {
+    SceneFile::parse(&folder().join(format!("{name}.toml")), &changed(name, changes)).map_err(|error| error.to_string())
+}
+
+fn profile(name: &str, changes: &[Change], contact: usize) -> Profile {
+    let file = read(name, changes).unwrap_or_else(|error| panic!("{error}"));
+    file.problem.scene.contacts[contact].profile.clone()
+}
+
+/// Height of a circle's lower arc above its lowest point.
+fn arc(radius: f64, s: f64) -> f64 {
+    radius - (radius * radius - s * s).sqrt()
+}
+
+const HOLE: &[Change] = &[
+    ("inner = 40, outer = 70", "inner = 40.05, outer = 70"),
+    ("gap = { uniform = -0.02 }", "gap = { hole = { radius = 40, clearance = 0.05 } }"),
+    ("ring = { centre = [0, 0], inner = 40.05", "ring = { centre = [0, 0.05], inner = 40.05"),
+];
+/// A lower block whose upper side falls from 0 to −0.1 at x = 10.
+const INCLINED: Change = (
+    "{ rectangle = { x = [0, 10], y = [-5, 0], contact = \"top\" } }",
+    "{ blocks = [{ corners = [[0, -5], [10, -5], [10, -0.1], [0, 0]], elements = [8, 4], bottom = \"far\", \
+     right = \"right\", top = \"contact\", left = \"left\" }] }",
+);
+
+/// The file, what is changed in it, and the place and the two gaps of the message.
+const OTHERS: &[(&str, &[Change], [&str; 3])] = &[
+    // The radius of one cylinder instead of that of both: 1/R = 1/50 + 1/30.
+    (
+        "two-cylinders",
+        &[("gap = \"drawn\"", "gap = { parabola = 30 }")],
+        ["at s = 1.5", "the gap is 0.0375 as given", "0.060029 between the drawn bodies"],
+    ),
+    ("whole-disc", &[("circle = 50", "circle = 40")], ["at s = 1.5", "0.028135 as given", "0.022505 between"]),
+    // In the units of the file.
+    ("cylinder-in-metres", &[("circle = 0.05", "circle = 0.06")], ["at s = 0.005", "0.0002087 as given", "0.00025063"]),
+    ("blocks", &[("y = [-5, 0]", "y = [-5, -0.005]")], ["at s = ", "the gap is 0.01 as given", "and 0.005 between"]),
+    ("blocks", &[INCLINED], ["at s = 10", "the gap is 0.01 as given", "and 0.1 between"]),
+    ("blocks", &[INCLINED, ("uniform = 0.01", "wedge = 0.02")], ["at s = 10", "the gap is 0.2", "and 0.1 between"]),
+    (
+        "press-fit",
+        &[("inner = 40, outer", "inner = 40.02, outer")],
+        ["at s = ", "the gap is -0.02", "and 0.02 between"],
+    ),
+    ("press-fit", &[HOLE[0], HOLE[1]], ["at s = 0", "the gap is 0 as given", "and 0.05 between"]),
+    ("roller-between-plates", &[("circle = 50", "circle = 60")], ["at s = 1.2", "0.012001", "0.014402 between"]),
+];
+
+#[test]
+fn gap_other_than_the_drawn_one_names_place_and_both_unless_it_is_said() {
+    for (name, changes, wanted) in OTHERS {
+        let text = changed(name, changes);
+        let error = read(name, changes).map(|_| ()).expect_err(name);
+        let line = 1 + text[..text.find("gap = ").expect("a gap")].matches('\n').count();
+        assert!(error.contains(&format!("{name}.toml:{line}: ")), "line {line}: {error}");
+        for part in wanted.iter().chain(&["`gap = { from = \"bodies\" }`", "`gap-only = true`"]) {
+            assert!(error.contains(part), "`{part}` is not in: {error}");
+        }
+        let said = text.replacen("gap = ", "gap-only = true\ngap = ", 1);
+        SceneFile::parse(Path::new("said.toml"), &said).unwrap_or_else(|error| panic!("{error}"));
+    }
+}
+
+#[test]
+fn gap_alike_and_drawings_that_tell_no_gap_are_taken() {
+    for (name, changes) in [
+        // A parabola with the curvature of both circles.
+        ("two-cylinders", &[("gap = \"drawn\"", "gap = { parabola = 18.75 }")][..]),
+        ("blocks", &[("y = [-5, 0]", "y = [-5, -0.01]")]),
+        ("blocks", &[INCLINED, ("uniform = 0.01", "wedge = 0.01")]),
+        // Flat sides on one another, or on the line of the contact.
+        ("blocks", &[("uniform = 0.01", "parabola = 300")]),
+        ("rigid-cosine", &[]),
+        // Rings drawn on one circle.
+        ("press-fit", &[]),
+        ("press-fit", &[HOLE[1]]),
+        ("press-fit", HOLE),
+    ] {
+        read(name, changes).unwrap_or_else(|error| panic!("{error}"));
+    }
+}
+
+#[test]
+fn gap_from_the_bodies_is_that_of_their_circles() {
+    let cylinders = profile("two-cylinders", &[("gap = \"drawn\"", "gap = { from = \"bodies\" }")], 0);
+    let whole = profile("whole-disc", &[("{ circle = 50 }", "{ from = \"bodies\" }")], 0);
+    // A second contact: at the highest point, the plate above.
+    let above = profile("roller-between-plates", &[("{ circle = 50 }", "{ from = \"bodies\" }")], 0);
+    for s in [0.0, 1e-3, 0.4, 1.1, 1.2] {
+        for (gap, wanted) in [
+            (cylinders.gap(s), arc(50.0, s) + arc(30.0, s)),
+            (whole.gap(s), arc(50.0, s)),
+            (whole.gap(-s), arc(50.0, s)),
+            (above.gap(s), arc(50.0, s)),
+        ] {
+            assert_relative_eq!(gap, wanted, epsilon = 1e-13);
+        }
+    }
+    // No other side where the block has ended.
+    let block = profile("cylinder-on-block", &[("{ circle = 50 }", "{ from = \"bodies\" }")], 0);
+    assert!(block.gap(50.1).is_infinite());
+    let hole = profile("press-fit", &[HOLE[0], HOLE[2], ("{ uniform = -0.02 }", "{ from = \"bodies\" }")], 0);
+    let wanted = Profile::Hole { radius: 40.0, clearance: 0.05 };
+    for angle in [0.0, 0.3, 1.0, 1.5] {
+        assert_relative_eq!(hole.gap(angle), wanted.gap(angle), epsilon = 1e-13);
+    }
+}
+
+#[test]
+fn gap_from_meshes_and_blocks_is_that_of_their_curves() {
+    // Rings of a mesh with edges that do not face one another: interference everywhere, no sag of the edges in it.
+    let rings = profile("rings-from-gmsh", &[("gap = \"drawn\"", "gap = { from = \"bodies\" }")], 0);
+    for k in 0..=60 {
+        assert_relative_eq!(rings.gap(f64::from(k) / 60.0 * std::f64::consts::FRAC_PI_2), -0.02, epsilon = 1e-6);
+    }
+    let inclined = profile("blocks", &[INCLINED, ("{ uniform = 0.01 }", "{ from = \"bodies\" }")], 0);
+    for s in [0.0, 2.5, 10.0] {
+        assert_relative_eq!(inclined.gap(s), 0.01 * s, epsilon = 1e-14);
+    }
+}
+
+#[test]
+fn gap_from_the_bodies_needs_no_reference_and_gives_hertz() {
+    let file =
+        read("two-cylinders", &[("gap = \"drawn\"", "gap = { from = \"bodies\" }"), ("pressure = 1562", "gap = 1562")]);
+    let scene = file.expect("sound").problem.scene;
+    let without = changed("two-cylinders", &[("gap = \"drawn\"", "gap = { from = \"bodies\" }")])
+        .replace("[reference]\nlength = 1.0\npressure = 1562.80524\n", "");
+    let file = SceneFile::parse(Path::new("two.toml"), &without).expect("sound");
+    assert!(file.problem.scene.reference.gap < scene.reference.gap);
+    for scene in [file.problem.scene.clone(), file.problem.scene.mirrored()] {
+        let discretisation = Discretisation::of(scene, file.problem.resolution).expect("meshed");
+        let run = Run::of(&discretisation, &file.formulation).expect("solved");
+        assert_relative_eq!(run.measures().peak.pressure, 1562.80524, max_relative = 2e-3);
+        assert_relative_eq!(run.measures().half_width, 1.0, max_relative = 2e-3);
+    }
+}
+
+#[test]
+fn gap_from_the_bodies_is_the_same_in_metres_and_mirrored() {
+    let tilted = ("gap = { uniform = -0.01 }", "gap = { from = \"bodies\" }");
+    for (name, change) in [("whole-disc", ("{ circle = 50 }", "{ from = \"bodies\" }")), ("press-fit", tilted)] {
+        let text = text_of(&format!("{name}.toml")).replace("uniform = -0.02", "uniform = -0.01");
+        let text = text.replace("inner = 40, outer = 70", "inner = 39.99, outer = 70").replacen(change.0, change.1, 1);
+        let scene = SceneFile::parse(Path::new("same.toml"), &text).expect("sound").problem.scene;
+        let (metres, mirrored) = (scene.in_metres(), scene.mirrored());
+        let unit = if scene.contact().path.is_straight() { 1e-3 } else { 1.0 };
+        let sides: &[f64] = if scene.contact().path.has_both_sides() { &[1.0, -1.0] } else { &[1.0] };
+        for s in [0.1, 0.7, 1.3].iter().flat_map(|s| sides.iter().map(move |side| side * s)) {
+            let gap = scene.contact().profile.gap(s);
+            assert!(gap.abs() > 0.0 && gap.is_finite(), "{name}: {gap}");
+            assert_relative_eq!(metres.contact().profile.gap(unit * s), 1e-3 * gap, epsilon = 1e-15);
+            let image = if sides.len() > 1 { -s } else { s };
+            assert_relative_eq!(mirrored.contact().profile.gap(image), gap, epsilon = 1e-13);
+        }
+    }
+}
+
+#[test]
+fn keys_of_the_gap_that_do_not_go_together_are_refused() {
+    for (is, found, remedy) in [
+        ("gap = { from = \"mesh\" }", "there is no source of a gap `mesh`", "known: `bodies`"),
+        ("gap-only = true\ngap = { from = \"bodies\" }", "the gap is that of the drawn bodies", "leave it out"),
+        ("gap-only = true\ngap = \"drawn\"", "the gap is that of the drawn bodies", "leave it out"),
+        ("gap = { circle = 50, parabola = 50 }", "the gap has two keys", "README.md"),
+        ("gap = {}", "the gap has no key", "README.md"),
+        ("gap = \"flat\"", "`flat`", "`drawn`"),
+        ("gap = { round = 50 }", "unknown field `round`", "`circle`"),
+    ] {
+        let error = read("cylinder-on-block", &[("gap = { circle = 50 }", is)]).map(|_| ()).expect_err(is);
+        assert!(error.contains("cylinder-on-block.toml:2"), "{error}");
+        assert!(error.contains(found) && error.contains(remedy), "{is}: {error}");
+    }
+}
