@@ -23,11 +23,14 @@ fn of_body(scene: &Scene, resolution: Resolution, body: usize) -> [f64; 2] {
     let touching = own().map(move |pair| pair.side(index));
     let body = &scene.bodies[index];
     let length = pair.stretch * pair.path.metric();
+    let kinks_of = |pair: &ContactPair| pair.profile.kinks().iter().filter(|s| **s < pair.stretch).count() as f64;
     let counted_on = |length: f64| (resolution.elements as f64 * length / grading.unit).round().max(1.0);
     let sides_of = |pair: &ContactPair| if pair.path.has_both_sides() { 2.0 } else { 1.0 };
-    let (candidates, sides) = (counted_on(length), sides_of(pair));
+    let (candidates, sides) = (counted_on(length) + kinks_of(pair), sides_of(pair));
     let others = || own().filter(|other| !std::ptr::eq(*other, pair));
-    let more: f64 = others().map(|other| sides_of(other) * counted_on(other.stretch * other.path.metric())).sum();
+    let more: f64 = others()
+        .map(|other| sides_of(other) * (counted_on(other.stretch * other.path.metric()) + kinks_of(other)))
+        .sum();
     // The smallest of the candidates, as a length and in the contact coordinate.
     let even = grading.end.min(1.0 / grading.end);
     let [mut size, mut step] = [length, pair.stretch].map(|whole| even * whole / candidates);
@@ -87,7 +90,10 @@ pub fn solvable(scene: &Scene, resolution: Resolution) -> Result<(), (String, St
         return Ok(());
     }
     let message = format!("the mesh would have about {total:.1e} cells and {candidates:.0} candidate elements");
-    let remedy =
-        format!("ask for fewer `elements`, a longer `stretch` or faster growth: {most:.0e} and {along} are solved");
+    let kinks = scene.contacts.iter().map(|pair| pair.profile.kinks().len()).max().unwrap_or(0);
+    let smooth = if kinks > resolution.elements { "`smooth = true` for the table, " } else { "" };
+    let remedy = format!(
+        "ask for {smooth}fewer `elements`, a longer `stretch` or faster growth: {most:.0e} and {along} are solved"
+    );
     Err((message, remedy))
 }

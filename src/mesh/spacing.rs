@@ -12,6 +12,39 @@ pub fn stretched(from: f64, to: f64, n: usize, end: f64) -> Vec<f64> {
     stations(from, to, sizes)
 }
 
+/// About `n` intervals in geometric progression, the last `end` times the first, and none longer than that asks by more than
+/// [`ROUNDED`]: every one of the ascending `breaks` between the ends is a station.
+pub fn broken(from: f64, to: f64, n: usize, end: f64, breaks: &[f64]) -> Vec<f64> {
+    let asked = stretched(from, to, n, end);
+    // Stations and places among them count from 0 on.
+    let count = |place: f64| {
+        let k = asked.partition_point(|station| *station <= place).clamp(1, n) - 1;
+        k as f64 + (place - asked[k]) / (asked[k + 1] - asked[k])
+    };
+    let place = |count: f64| {
+        let k = (count as usize).min(n - 1);
+        asked[k] + (asked[k + 1] - asked[k]) * (count - k as f64)
+    };
+    let mut all = vec![from];
+    let mut begin = 0.0;
+    let within = breaks.iter().copied().filter(|place| *place > from && *place < to);
+    for next in within.chain([to]) {
+        let last = all[all.len() - 1];
+        if next < to && (next - last <= TOGETHER * (to - from) || to - next <= TOGETHER * (to - from)) {
+            continue;
+        }
+        let length = count(next) - begin;
+        let parts = (length - ROUNDED).ceil().max(1.0);
+        all.extend((1..parts as usize).map(|k| place(begin + length * k as f64 / parts)));
+        all.push(next);
+        begin = count(next);
+    }
+    all
+}
+
+/// Distance of two breaks, over the whole length, up to which they share a station.
+const TOGETHER: f64 = 1e-6;
+
 /// Intervals growing from `first` by `ratio` up to `coarsest`, scaled to end at `to` exactly.
 pub fn growing(from: f64, to: f64, first: f64, ratio: f64, coarsest: f64) -> Vec<f64> {
     let length = (to - from).abs();

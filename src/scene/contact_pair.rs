@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::scene::BoundaryName;
 use crate::scene::drawn::DrawnGap;
 use crate::scene::path::Path;
+use crate::scene::spline::MonotoneCubic;
 
 /// Contact of one body with another, or with a rigid profile.
 #[derive(Clone, Debug)]
@@ -68,6 +69,8 @@ pub enum Profile {
     /// Points `[s, g]` by ascending s, straight lines between them; no other side beyond the last \[mm\].
     /// A table that begins at 0 holds for both signs of s, one that begins below 0 as it stands.
     Table(Arc<[[f64; 2]]>),
+    /// A monotone cubic through such points.
+    Smooth(Arc<MonotoneCubic>),
     /// Waves, `g = Δ (1 − cos 2π s/λ)` \[mm\].
     Cosine {
         /// Δ \[mm\].
@@ -141,6 +144,7 @@ impl Profile {
         match *self {
             Self::Table(ref points) if is_even(points) => between(points, s.abs()),
             Self::Table(ref points) => between(points, s),
+            Self::Smooth(ref cubic) => cubic.gap(if is_even(&cubic.points) { s.abs() } else { s }),
             Self::Bodies(ref drawn) => drawn.gap(s),
             Self::Uniform(gap) => gap,
             Self::Drawn => f64::NAN,
@@ -157,7 +161,23 @@ impl Profile {
             Self::Hole { radius, clearance } => hole_gap(radius, clearance, s),
         }
     }
+
+    /// Distances from s = 0, ascending, at which the slope of the gap leaps on either side of it.
+    pub fn kinks(&self) -> Vec<f64> {
+        let Self::Table(points) = self else { return Vec::new() };
+        let slope = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]) / (b[0] - a[0]);
+        let leaps = points.windows(3).filter(|three| {
+            let [before, after] = [slope(three[0], three[1]), slope(three[1], three[2])];
+            (after - before).abs() > STRAIGHT * (after.abs() + before.abs())
+        });
+        let mut places: Vec<f64> = leaps.map(|three| three[1][0].abs()).filter(|s| *s > 0.0).collect();
+        places.sort_by(f64::total_cmp);
+        places
+    }
 }
+
+/// Difference of slopes, over their sum, up to which three points lie in line.
+const STRAIGHT: f64 = 1e-9;
 
 /// Whether a table tells one side of an even gap.
 fn is_even(points: &[[f64; 2]]) -> bool {

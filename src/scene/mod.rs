@@ -5,6 +5,7 @@
 //! * [`contact_pair`] — who touches whom, along which path, with which initial gap.
 //! * [`path`] — the curve along which contact runs.
 //! * [`drawn`] — the gap between sides as they are drawn.
+//! * [`spline`] — a monotone cubic through points.
 //! * [`library`] — the scenes of the suite, each one struct of numbers in one place.
 //! * [`mod@file`] — a scene as a user writes it, in TOML.
 //! * [`variant`] — the same scene in other units, mirrored, or with its bodies swapped.
@@ -18,6 +19,7 @@ pub mod library;
 pub mod material;
 pub mod path;
 pub mod shape;
+pub mod spline;
 pub mod variant;
 
 use std::borrow::Cow;
@@ -31,6 +33,7 @@ pub use drawn::{Curve, DrawnGap};
 pub use material::{LARGEST_POISSON, Material, PlaneHypothesis};
 pub use path::{Line, Path};
 pub use shape::{BlockShape, Circle, Face, GivenMesh, Grading, Sector, Shape};
+pub use spline::MonotoneCubic;
 
 /// A contact problem: everything that is asked, nothing about how it is solved.
 #[derive(Clone, Debug)]

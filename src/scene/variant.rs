@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::scene::{
-    BlockShape, Body, Circle, Component, GivenMesh, Line, Load, Path, Place, Profile, Scene, Shape,
+    BlockShape, Body, Circle, Component, GivenMesh, Line, Load, MonotoneCubic, Path, Place, Profile, Scene, Shape,
     StressField, TractionField,
 };
 
@@ -130,6 +130,11 @@ fn mirrored_profile(profile: &Profile) -> Profile {
         Profile::Table(points) if points.first().is_some_and(|[s, _]| *s < 0.0) => {
             Profile::Table(points.iter().rev().map(|[s, gap]| [-s, *gap]).collect())
         }
+        Profile::Smooth(cubic) if cubic.points.first().is_some_and(|[s, _]| *s < 0.0) => {
+            let points = cubic.points.iter().rev().map(|[s, gap]| [-s, *gap]).collect();
+            let slopes = cubic.slopes.iter().rev().map(|slope| -slope).collect();
+            Profile::Smooth(Arc::new(MonotoneCubic { points, slopes }))
+        }
         Profile::Bodies(drawn) => {
             let path = mirrored_path(&drawn.path);
             Profile::Bodies(Arc::new(drawn.moved(path, |[x, y]| [0.0 - x, y])))
@@ -162,6 +167,10 @@ fn scaled_profile(profile: &Profile, length: f64) -> Profile {
         Profile::Uniform(gap) => Profile::Uniform(gap * length),
         Profile::Drawn => Profile::Drawn,
         Profile::Table(ref points) => Profile::Table(points.iter().map(|point| point.map(|x| x * length)).collect()),
+        Profile::Smooth(ref cubic) => {
+            let points = cubic.points.iter().map(|point| point.map(|x| x * length)).collect();
+            Profile::Smooth(Arc::new(MonotoneCubic { points, slopes: cubic.slopes.clone() }))
+        }
         Profile::Bodies(ref drawn) => {
             let path = scaled_path(&drawn.path, length);
             Profile::Bodies(Arc::new(drawn.moved(path, |point| point.map(|x| x * length))))

@@ -39,6 +39,7 @@ mod scene_fuzz;
 mod scene_gap;
 mod scene_lists;
 mod scene_mistakes;
+mod scene_table;
 mod scene_unsupported;
 mod several_contacts;
 mod shared_mesh;

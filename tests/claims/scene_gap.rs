@@ -186,6 +186,7 @@ fn keys_of_the_gap_that_do_not_go_together_are_refused() {
         ("gap-only = true\ngap = \"drawn\"", "the gap is that of the drawn bodies", "leave it out"),
         ("gap = { circle = 50, parabola = 50 }", "the gap has two keys", "README.md"),
         ("gap = {}", "the gap has no key", "README.md"),
+        ("gap = { circle = 50, smooth = true }", "`smooth` goes with a `table` only", "README.md"),
         ("gap = \"flat\"", "`flat`", "`drawn`"),
         ("gap = { round = 50 }", "unknown field `round`", "`circle`"),
     ] {

@@ -134,13 +134,15 @@ pub fn longest(scene: &Scene) -> f64 {
         Shape::Disc { .. } | Shape::Eye { .. } => std::f64::consts::FRAC_PI_2,
         Shape::Blocks(_) | Shape::Given(_) => f64::INFINITY,
     };
+    let length = |points: &[[f64; 2]]| match points {
+        [[first, _], .., [last, _]] if *first < 0.0 => last.min(-first),
+        [.., [last, _]] => *last,
+        [] => 0.0,
+    };
     let gap = match &pair.profile {
         Profile::Punch { half_width } => *half_width,
-        Profile::Table(points) => match points[..] {
-            [[first, _], .., [last, _]] if first < 0.0 => last.min(-first),
-            [.., [last, _]] => last,
-            [] => 0.0,
-        },
+        Profile::Table(points) => length(points),
+        Profile::Smooth(cubic) => length(&cubic.points),
         Profile::Circle { radius } => radius * std::f64::consts::FRAC_1_SQRT_2,
         // Beyond the trough the next crest comes near.
         Profile::Cosine { wavelength, .. } => 0.5 * wavelength,

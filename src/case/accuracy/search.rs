@@ -9,6 +9,11 @@ use crate::error::Error;
 use crate::formulation::{Formulation, Start};
 use crate::scene::{Body, Scene};
 
+/// Why no accuracy chooses the mesh of a gap with kinks: their nodes would hide how the error falls with the elements.
+pub const KINKED: &str =
+    "an accuracy chooses the mesh, and the table of the gap has kinks, which have nodes of their own";
+/// What to do about it.
+pub const UNKINKED: &str = "add `smooth = true` to the table, or give `elements` and `per` instead of the accuracy";
 /// Elements of the first mesh, over the candidate stretch that the scene guesses.
 pub const FIRST: usize = 8;
 /// Pressed elements on a side from which on a first mesh tells where the contact ends.
@@ -40,6 +45,9 @@ pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<
             what,
             remedy: "leave the accuracy out, and give `elements` and `per`".into(),
         });
+    }
+    if !scene.contact().profile.kinks().is_empty() {
+        return Err(Error::Combination { what: KINKED.into(), remedy: UNKINKED.into() });
     }
     let mut formulation = Formulation { start: Start::Closed, ..formulation.clone() };
     let settings = &mut formulation.settings;

@@ -189,6 +189,7 @@ fn handed_over(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Resul
         Profile::Drawn
         | Profile::Bodies(_)
         | Profile::Table(_)
+        | Profile::Smooth(_)
         | Profile::Even { .. }
         | Profile::Wedge { .. }
         | Profile::Cosine { .. } => {

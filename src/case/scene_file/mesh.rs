@@ -5,7 +5,11 @@ use std::ops::Range;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::case::accuracy::{self, Asked, Quantity, fitted::Plan, search::FIRST};
+use crate::case::accuracy::{
+    self, Asked, Quantity,
+    fitted::Plan,
+    search::{FIRST, KINKED, UNKINKED},
+};
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::scene::file::Source;
@@ -94,6 +98,9 @@ impl MeshTable {
             if scene.contacts.len() > 1 {
                 let message = "an accuracy chooses the mesh of one contact, and there are several";
                 return Err(source.refused(accuracy.span(), message, "give `elements` and `per` instead"));
+            }
+            if !scene.contact().profile.kinks().is_empty() {
+                return Err(source.refused(accuracy.span(), KINKED, UNKINKED));
             }
             let first = Plan::even(Order::Quadratic, FIRST, scene.contact().stretch, 0);
             return Ok((first.scene(&scene), first.resolution()));

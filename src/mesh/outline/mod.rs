@@ -20,6 +20,8 @@ pub(crate) struct Layout<'a> {
     pub stretch: f64,
     /// Whether another contact lies on the side opposite to that called `contact`.
     pub opposite: bool,
+    /// Contact coordinates at which nodes must lie: kinks of the gap, which no edge shall straddle.
+    pub kinks: Vec<f64>,
     /// The candidates of every contact of the body, where there are several that differ.
     pub several: Vec<Fine>,
     /// Elements per grading unit before refinement.
@@ -38,6 +40,7 @@ impl<'a> Layout<'a> {
             grading: &scene.grading,
             path: &pair.path,
             stretch: pair.stretch,
+            kinks: pair.profile.kinks(),
             opposite: scene.contacts_of(body).any(|other| other.side(body) != CONTACT),
             several: if own.iter().all(|one| *one == own[0]) { vec![] } else { own },
             elements,
@@ -68,7 +71,7 @@ impl<'a> Layout<'a> {
     /// Stations of the candidate stretch in the contact coordinate, from 0 on.
     fn candidates(&self) -> Vec<f64> {
         let n = elements_on(self.stretch * self.path.metric(), self.elements / self.grading.unit);
-        spacing::stretched(0.0, self.stretch, n, self.grading.end)
+        spacing::broken(0.0, self.stretch, n, self.grading.end, &self.kinks)
     }
 
     /// Stations of an arc: the candidates, then growing element sizes up to each of the given angles in turn.
@@ -92,8 +95,9 @@ impl<'a> Layout<'a> {
     /// Angles of the candidates of all contacts on an arc: every stretch ends on one, and elements are as fine as each asks.
     fn angles_of_all(&self, radius: f64) -> Vec<f64> {
         let angle = |fine: &Fine, s: f64| if fine.straight { (s / radius).asin() } else { s };
+        let pieces = self.several.iter().flat_map(|one| one.pieces().map(move |[from, to]| (one, from, to)));
         let fine: Vec<[f64; 3]> =
-            self.several.iter().map(|one| [0.0, angle(one, one.stretch), angle(one, one.size)]).collect();
+            pieces.map(|(one, from, to)| [angle(one, from), angle(one, to), angle(one, one.size)]).collect();
         let end = fine.iter().map(|one| one[1]).fold(0.0, f64::max);
         spacing::fine_within([0.0, end], &fine, self.grading.along, self.grading.coarsest)
     }
@@ -125,7 +129,7 @@ impl<'a> Layout<'a> {
 }
 
 /// The candidates of one contact of a body.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(PartialEq)]
 pub(crate) struct Fine {
     /// Where s = 0 lies along x; 0 on an arc.
     pub origin: f64,
@@ -133,6 +137,8 @@ pub(crate) struct Fine {
     pub stretch: f64,
     /// Size of its elements in that coordinate.
     pub size: f64,
+    /// Where nodes must lie within it.
+    pub kinks: Vec<f64>,
     pub both_sides: bool,
     pub straight: bool,
 }
@@ -142,7 +148,14 @@ impl Fine {
         let (straight, both_sides) = (pair.path.is_straight(), pair.path.has_both_sides());
         let size = pair.stretch / elements_on(pair.stretch * pair.path.metric(), per_length) as f64;
         let origin = if straight { pair.path.origin()[0] } else { 0.0 };
-        Self { origin, stretch: pair.stretch, size, both_sides, straight }
+        Self { origin, stretch: pair.stretch, size, kinks: pair.profile.kinks(), both_sides, straight }
+    }
+
+    /// The stretch from s = 0 on, cut at the kinks.
+    fn pieces(&self) -> impl Iterator<Item = [f64; 2]> {
+        let within = self.kinks.iter().copied().filter(|s| *s < self.stretch);
+        let ends: Vec<f64> = [0.0].into_iter().chain(within).chain([self.stretch]).collect();
+        (1..ends.len()).map(move |k| [ends[k - 1], ends[k]])
     }
 }
 

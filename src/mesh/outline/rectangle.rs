@@ -62,9 +62,11 @@ fn outwards(layout: &Layout, end: f64) -> Vec<f64> {
 fn columns_of_all(layout: &Layout, ends: [f64; 2]) -> Vec<f64> {
     let straight = layout.several.iter().filter(|one| one.straight);
     let fine = straight.flat_map(|one| {
-        let right = [one.origin, one.origin + one.stretch, one.size];
-        let left = one.both_sides.then_some([one.origin - one.stretch, one.origin, one.size]);
-        left.into_iter().chain([right])
+        one.pieces().flat_map(|[from, to]| {
+            let right = [one.origin + from, one.origin + to, one.size];
+            let left = one.both_sides.then_some([one.origin - to, one.origin - from, one.size]);
+            left.into_iter().chain([right])
+        })
     });
     let grading = layout.grading;
     spacing::fine_within(ends, &fine.collect::<Vec<_>>(), grading.along, grading.coarsest * (ends[1] - ends[0]))

@@ -10,7 +10,7 @@ use crate::scene::file::Source;
 use crate::scene::file::gap_keys::GapTable;
 use crate::scene::file::tables::Pair;
 use crate::scene::file::units::Units;
-use crate::scene::{DrawnGap, Path, Profile};
+use crate::scene::{DrawnGap, MonotoneCubic, Path, Profile};
 
 /// Refuses gaps that are functions of a length on an arc, and of an angle on a line.
 pub(super) fn refuse_strange(
@@ -50,7 +50,10 @@ pub(super) fn profile(
         GapTable::Circle(radius) => Profile::Circle { radius: length("circle", radius)? },
         GapTable::Parabola(radius) => Profile::Parabola { radius: length("parabola", radius)? },
         GapTable::Even(list) => even(source, units, table.span(), list)?,
-        GapTable::Table(points) => Profile::Table(points_of(source, units, table.span(), points, across)?),
+        GapTable::Table { points, smooth } => {
+            let points = points_of(source, units, table.span(), points, across)?;
+            if *smooth { Profile::Smooth(Arc::new(MonotoneCubic::through(&points))) } else { Profile::Table(points) }
+        }
         GapTable::Wedge(slope) => Profile::Wedge { slope: source.positive("wedge", slope)? },
         GapTable::Cosine(cosine) => Profile::Cosine {
             amplitude: length("amplitude", &cosine.amplitude)?,
@@ -115,8 +118,12 @@ pub(super) fn refuse_ended(
     stretch: f64,
     gap: &Spanned<GapTable>,
 ) -> Result<(), Error> {
-    if let Profile::Table(points) = profile
-        && let [[from, _], .., [to, _]] = points[..]
+    let points: &[[f64; 2]] = match profile {
+        Profile::Table(points) => points,
+        Profile::Smooth(cubic) => &cubic.points,
+        _ => &[],
+    };
+    if let [[from, _], .., [to, _]] = *points
         && (to < stretch || from < 0.0 && from > -stretch)
     {
         return Err(source.refused(gap.span(), "the table ends before the candidates do", "shorten `stretch`"));

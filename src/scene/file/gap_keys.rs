@@ -27,8 +27,13 @@ pub enum GapTable {
     Even(Vec<Number>),
     /// Wedge of this slope.
     Wedge(Number),
-    /// Points [s, g], straight between them.
-    Table(Vec<Pair>),
+    /// Points [s, g]: straight between them, or a monotone cubic through them.
+    Table {
+        /// The points.
+        points: Vec<Pair>,
+        /// Whether it is the cubic.
+        smooth: bool,
+    },
     /// Waves.
     Cosine(CosineTable),
     /// Pin in a hole.
@@ -55,7 +60,7 @@ pub struct HoleTable {
     pub clearance: Number,
 }
 
-/// All keys that a gap may have: one of them.
+/// All keys that a gap may have: one of them, and `smooth` beside `table`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Keys {
@@ -67,6 +72,7 @@ struct Keys {
     even: Option<Vec<Number>>,
     wedge: Option<Number>,
     table: Option<Vec<Pair>>,
+    smooth: Option<bool>,
     cosine: Option<CosineTable>,
     hole: Option<HoleTable>,
 }
@@ -96,6 +102,10 @@ impl<'de> Deserialize<'de> for GapTable {
 impl Keys {
     /// The one gap that is given.
     fn gap(self) -> Result<GapTable, &'static str> {
+        if self.smooth.is_some() && self.table.is_none() {
+            return Err("`smooth` goes with a `table` only");
+        }
+        let smooth = self.smooth.unwrap_or(false);
         let given = [
             self.from.map(GapTable::From),
             self.uniform.map(GapTable::Uniform),
@@ -104,7 +114,7 @@ impl Keys {
             self.parabola.map(GapTable::Parabola),
             self.even.map(GapTable::Even),
             self.wedge.map(GapTable::Wedge),
-            self.table.map(GapTable::Table),
+            self.table.map(|points| GapTable::Table { points, smooth }),
             self.cosine.map(GapTable::Cosine),
             self.hole.map(GapTable::Hole),
         ];
