@@ -18,6 +18,7 @@
 pub mod accuracy;
 pub mod atlas;
 pub mod checks;
+pub mod converged;
 pub mod cross_code;
 pub mod cures;
 pub mod decisions;

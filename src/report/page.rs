@@ -5,7 +5,9 @@ use std::fmt::Write;
 use crate::case::{Finding, hertz, pin, statements, sweep};
 use crate::error::Error;
 use crate::formulation::Formulation;
-use crate::report::{accuracy, atlas, checks, cross_code, cures, decisions, format, limits, matrix, pictures, timings};
+use crate::report::{
+    accuracy, atlas, checks, converged, cross_code, cures, decisions, format, limits, matrix, pictures, timings,
+};
 
 /// The page and its charts.
 #[derive(Clone, Debug)]
@@ -30,6 +32,7 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
         exact(findings),
         behaviour(findings),
         timings::section(findings)?,
+        converged::section(findings),
         accuracy::section(findings),
         atlas::section(findings)?,
         cures::section(findings),

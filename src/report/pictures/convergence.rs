@@ -1,7 +1,7 @@
-//! Steps against initial stiffness (Fig. 11), orders of accuracy, and the path of the iterations (Figs 6, 7).
+//! Steps against initial stiffness (Fig. 11), shares that converge, orders of accuracy, and the path of the iterations (Figs 6, 7).
 
 use super::{curve, label, of_picture, style};
-use crate::case::{Finding, cures, pictures, sweep};
+use crate::case::{Finding, converged, cures, pictures, sweep};
 use crate::error::Error;
 use crate::formulation::{Element, Formulation, Iteration};
 use crate::report::figure::palette::{self, Dash, Marker, Style};
@@ -45,6 +45,21 @@ pub fn cures(findings: &[Finding]) -> Result<String, Error> {
         charts.push(chart);
     }
     panels("Steps of constant stiffness, plain and accelerated", &charts, 3)
+}
+
+/// Share of the runs that converge against the candidate stretch, one panel per algorithm.
+pub fn shares(findings: &[Finding]) -> Result<String, Error> {
+    let panel = |algorithm: Iteration| {
+        let share = Axis::linear("converged [%]").over(0.0, 100.0);
+        let mut chart = Chart::new(algorithm.name(), Axis::log("candidate stretch / a").over(1.0, 150.0), share);
+        for element in Element::ALL {
+            let formulation = Formulation::new(element, algorithm);
+            let own = of_picture(findings, converged::judge::PICTURE).find(|s| s.label == formulation.name());
+            chart.series.extend(own.map(|s| curve(s, label(&formulation), style(&formulation))));
+        }
+        chart
+    };
+    panels("Share of the runs that converge", &Iteration::ALL.map(panel), 3)
 }
 
 /// Errors of truncated Hertz on nested meshes.

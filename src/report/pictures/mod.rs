@@ -41,6 +41,7 @@ pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
         ("orders.svg", convergence::orders(findings).svg()?),
         ("steps-against-stiffness.svg", convergence::steps(findings)?),
         ("cures.svg", convergence::cures(findings)?),
+        ("converged.svg", convergence::shares(findings)?),
         ("iteration-paths.svg", convergence::paths(findings)?),
         ("field-cylinder.svg", fields::cylinder(findings)?),
         ("field-pin-rod.svg", fields::pin_rod(findings)?),

@@ -1,0 +1,51 @@
+//! The section on what is called converged.
+
+use crate::case::Finding;
+use crate::case::converged::STUDY;
+use crate::report::{checks, format};
+
+/// Squares of errors below this part of the stored energy are round-off, of which no bound says anything.
+const ROUND_OFF: f64 = 1e-18;
+
+/// The section: criterion, shares that converge, and how loose the bound in the energy norm is.
+pub fn section(findings: &[Finding]) -> String {
+    let own: Vec<&Finding> = findings.iter().filter(|finding| finding.case == STUDY).collect();
+    let mut text = format!(
+        "## What is called converged\n\n\
+         A run stops by its error against the solution of its own discrete problem, which an active set finds beside it, and \
+         not by a residual, whose scale someone must guess. Per contact, relative to that solution: the *peak*, the share of \
+         the *force* at the wrong place, half-width and centre as *width*, and the *approach* over the one that the \
+         contact's own force makes. The largest of the four, over all contacts, is the iteration error; converged is an \
+         iteration error within the tolerance. The algorithms do not see it. `src/algorithm/target.rs` has the formulas.\n\n\
+         {}\
+         Every scene file and library scene, and a block of 400 half-widths, under all nine formulations; candidates from hardly longer \
+         than the contact to such that are a hundred times as long, where the bodies allow it; three loads; two tolerances. A run that does not \
+         converge within its steps says so: that is no fault of it.\n\n\
+         ![Share of the runs that converge, by candidate stretch](snapshots/charts/converged.svg)\n\
+         *Share of the runs that converge at the default tolerance, by candidate stretch, over all scenes and loads.*\n\n",
+        bound(findings)
+    );
+    for table in own.iter().flat_map(|finding| &finding.tables) {
+        text += &format::folded_table(table);
+    }
+    text + &checks::table(&own)
+}
+
+/// How far the bound `‖u − u*‖²_S ≤ Σ P h + Σ F* v + Σ T (h* − h)` is above what it bounds, over the runs of the suite.
+fn bound(findings: &[Finding]) -> String {
+    let energies = findings.iter().filter_map(|finding| finding.run.as_ref()?.solution.energy);
+    let mut ratios: Vec<f64> =
+        energies.filter(|energy| energy.error > ROUND_OFF).map(|energy| (energy.bound / energy.error).sqrt()).collect();
+    ratios.sort_by(f64::total_cmp);
+    let [Some(least), Some(median), Some(largest)] = [ratios.first(), ratios.get(ratios.len() / 2), ratios.last()]
+        .map(|ratio| ratio.map(|x| format::significant(*x, 3)))
+    else {
+        return String::new();
+    };
+    format!(
+        "Without that solution a bound can be had in the energy norm, from a run's own forces, gaps and penetrations alone \
+         (`src/algorithm/bound.rs`). It holds in every run of the suite (a check of every run), and is {least} to {largest} times the \
+         error, {median} in the median of {} runs: an energy does not tell the peak, and so it is shown and not stopped by.\n\n",
+        ratios.len()
+    )
+}
