@@ -102,7 +102,7 @@ fn frozen(scene: &'static str) -> Vec<Trial> {
             Ok(())
         })
     };
-    Formulation::nine().into_iter().map(test).collect()
+    Formulation::compared().into_iter().map(test).collect()
 }
 
 /// Drift lock: classes near a boundary of the recorded atlas, and steps elsewhere, are what they were.

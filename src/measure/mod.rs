@@ -40,6 +40,8 @@ pub struct Measures {
     pub largest: Peak,
     /// Force on the whole contact along the load line, both halves \[N\].
     pub resultant: f64,
+    /// Whether the contact lies on both sides of s = 0.
+    across: bool,
 }
 
 /// Pressure over the largest of its contact from which on a point, or an edge, counts as pressed.
@@ -70,14 +72,17 @@ impl Measures {
             pressure_at_origin: peak::pressure_at(edges, 0.0),
             largest: Peak { position: at, pressure: largest },
             resultant: whole(pair) * profile::resultant(points, &pair.path),
+            across,
         }
     }
 
     /// Where the first closed stretch begins; as far to the left as the last one ends to the right of a symmetry line.
     pub fn begin(&self) -> f64 {
-        self.stretches
-            .first()
-            .map_or(0.0, |first| if first.begin > 0.0 || first.begin < 0.0 { first.begin } else { -self.edge() })
+        match self.stretches.first() {
+            Some(first) if self.across || first.begin > 0.0 => first.begin,
+            Some(_) => -self.edge(),
+            None => 0.0,
+        }
     }
 
     /// Where the last closed stretch ends \[mm, or rad\].

@@ -13,7 +13,7 @@ pub fn stretched(from: f64, to: f64, n: usize, end: f64) -> Vec<f64> {
 }
 
 /// About `n` intervals in geometric progression, the last `end` times the first, and none longer than that asks by more than
-/// [`ROUNDED`]: every one of the ascending `breaks` between the ends is a station.
+/// a twentieth: every one of the ascending `breaks` between the ends is a station.
 pub fn broken(from: f64, to: f64, n: usize, end: f64, breaks: &[f64]) -> Vec<f64> {
     let asked = stretched(from, to, n, end);
     // Stations and places among them count from 0 on.

@@ -191,7 +191,7 @@ fn kinematic_load_from_the_softest_springs_converges_or_says_that_they_are_lost(
             Err(error) => {
                 let text = error.to_string();
                 assert!(
-                    decade <= -10 && text.contains("lost in the round-off") && text.contains("times as stiff"),
+                    decade <= -10 && text.contains("lost in the round-off") && text.contains("raise `stiffness`"),
                     "1e{decade}: {text}"
                 );
             }

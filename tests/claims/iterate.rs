@@ -157,14 +157,14 @@ fn error_of_an_iterate_is_told_part_by_part_and_at_the_worst_contact() {
     let target = Target::of(&problem, &sample.load, Law::Rigid, &[true; 2]).expect("a solution");
     let right = &target.exact.iterate;
     assert!(distance(&right.pressure, &wanted) <= 1e-9 && target.error(&problem, right).largest() <= 1e-12);
-    for contact in 0..2 {
+    for (contact, pressure) in wanted.iter().enumerate() {
         let mut iterate = right.clone();
         iterate.pressure[contact] *= 1.02;
         iterate.approach[contact] += 0.003;
         let error = target.error(&problem, &iterate);
         assert_relative_eq!(error.peak, 0.02, max_relative = 1e-9);
         assert_relative_eq!(error.force, 0.01, max_relative = 1e-9);
-        let force = problem.points[contact].weight * wanted[contact];
+        let force = problem.points[contact].weight * pressure;
         assert_relative_eq!(error.approach, 0.003 / (COMPLIANCE * force), max_relative = 1e-9);
         assert_abs_diff_eq!(error.width, 0.0, epsilon = 0.0);
         assert_relative_eq!(target.approach(contact), COMPLIANCE * force, max_relative = 1e-9);

@@ -46,3 +46,4 @@ mod shared_mesh;
 mod soft_springs;
 mod stability;
 mod timings;
+mod told;

@@ -3,7 +3,6 @@
 use contact_vv::case::SceneFile;
 use contact_vv::case::atlas::point::{Ground, Site};
 use contact_vv::case::atlas::{Class, Plane};
-use contact_vv::error::Error;
 
 use crate::scene_file::{folder, text_of};
 

@@ -71,7 +71,8 @@ pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
 /// Nothing is called converged that is not.
 pub fn right(recorded: &[Record]) -> Check {
     let converged: Vec<&Record> = recorded.iter().filter(|record| record.class == Class::Converged).collect();
-    let wrong = converged.iter().filter(|record| !(record.error <= SLACK * record.tolerance)).count();
+    let right = converged.iter().filter(|record| record.error <= SLACK * record.tolerance).count();
+    let wrong = converged.len() - right;
     Check::at_most(
         "No run shall be called converged with a peak or a half-width off its discrete solution by three tolerances",
         format!("wrong, of {} converged runs of {}", converged.len(), recorded.len()),

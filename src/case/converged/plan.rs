@@ -1,7 +1,5 @@
 //! Which runs the study holds.
 
-use std::path::PathBuf;
-
 use crate::case::problem::{self, PROBLEMS, Problem};
 use crate::case::scene_file::SceneFile;
 use crate::error::Error;
@@ -63,9 +61,7 @@ impl Site {
                 let numbers = TruncatedHertz { size: SIZE, ..Default::default() };
                 Ok(Problem::new(LONG, "block of 400 half-widths", problem::truncated_hertz(numbers)))
             }
-            file if file.ends_with(".toml") => {
-                Ok(SceneFile::read(&PathBuf::from(root()).join("tests/scenes").join(file))?.problem)
-            }
+            file if file.ends_with(".toml") => Ok(SceneFile::read(&root().join("tests/scenes").join(file))?.problem),
             name => problem::problem(name, None),
         }
     }

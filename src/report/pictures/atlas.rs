@@ -132,7 +132,7 @@ fn cell(record: &Record) -> Cell {
     let [quick, ordinary] = QUICK;
     let place = match record.class {
         Class::Converged if !record.is_right() => {
-            3 + OFF.iter().filter(|limit| !(record.error + record.penalty <= **limit)).count()
+            3 + OFF.len() - OFF.iter().filter(|limit| record.error + record.penalty <= **limit).count()
         }
         Class::Converged if record.steps <= quick => 0,
         Class::Converged if record.steps <= ordinary => 1,

@@ -1,0 +1,191 @@
+//! What is told of a run: the peak where it is, edges, quantities beside references of the same, and how a command ended.
+
+use std::f64::consts::PI;
+use std::path::Path;
+use std::process::Command;
+
+use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::case::{Run, SceneFile};
+use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::mesh::Order;
+use contact_vv::scene::library::PinRod;
+
+use crate::outputs::{contact_vv, scene};
+use crate::scene_file::text_of;
+use crate::workbench::resolution;
+
+/// A block under a rigid profile, pressed by `load` N/mm on its half.
+fn pressed(gap: &str, load: f64, stretch: f64, rest: &str) -> String {
+    let size = 24.0 * stretch;
+    format!(
+        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
+         shape = {{ rectangle = {{ x = [0, {size}], y = [0, {size}], contact = \"bottom\" }} }}\n\
+         supports = [{{ at = \"left\", component = \"x\" }}]\n\
+         loads = [{{ traction = {{ at = \"far\", value = [0, {}] }} }}]\n\
+         [contact]\nfirst = \"block\"\ngap = {gap}\nstretch = {stretch}\n\
+         [mesh]\nelements = 24\nper = 2\ngrowth = {{ along = 1.3, depth = 1.25, coarsest = 0.05 }}\n{rest}",
+        -load / size
+    )
+}
+
+fn run_of(text: &str) -> Run {
+    SceneFile::parse(Path::new("told.toml"), text)
+        .unwrap_or_else(|error| panic!("{error}\n{text}"))
+        .solve()
+        .expect("solved")
+        .1
+}
+
+#[test]
+fn peak_off_the_centre_of_an_even_gap_is_the_peak_and_the_pressure_at_the_centre_is_told_apart() {
+    // g = c₂ s² + c₄ s⁴ + c₆ s⁶ closed to a: g' = Σ b_n cos nθ at s = a cos θ, p = (E*/2) Σ b_n sin nφ, P = π a E* b₁/4
+    // (Muskhelishvili 1953, on Chebyshev's polynomials).
+    let [c2, c4, c6] = [3e-4, -5e-5, 2e-5];
+    let (a, modulus) = (2.0_f64, 210e3 / 0.91);
+    let (x, y, z) = (2.0 * c2 * a, 4.0 * c4 * a.powi(3), 6.0 * c6 * a.powi(5));
+    let b = [x + 0.75 * y + 0.625 * z, 0.25 * y + 0.3125 * z, 0.0625 * z];
+    let pressure = |s: f64| {
+        let phi = (s / a).acos();
+        0.5 * modulus * (b[0] * phi.sin() + b[1] * (3.0 * phi).sin() + b[2] * (5.0 * phi).sin())
+    };
+    let stations = (0..=2000).map(|k| a * f64::from(k) / 2000.0);
+    let (place, peak) = stations.map(|s| (s, pressure(s))).max_by(|p, q| p.1.total_cmp(&q.1)).expect("stations");
+    assert!(place > 1.0 && peak > 1.1 * pressure(0.0));
+    let load = 0.5 * PI * a * modulus * b[0] / 4.0;
+    for order in [1, 2] {
+        let text = pressed(&format!("{{ even = [{c2}, {c4}, {c6}] }}"), load, 3.0, "");
+        let run = run_of(&text.replace("per = 2\n", &format!("per = 2\norder = {order}\n")));
+        let found = run.measures();
+        assert_relative_eq!(found.peak.pressure, peak, max_relative = 0.01);
+        assert_abs_diff_eq!(found.peak.position, place, epsilon = 0.05);
+        assert_relative_eq!(found.pressure_at_origin, pressure(0.0), max_relative = 0.01);
+        assert_relative_eq!(found.edge(), a, max_relative = 0.01);
+    }
+}
+
+#[test]
+fn contact_with_an_open_middle_is_told_with_both_its_ends() {
+    let text = pressed("{ table = [[0, 0.02], [6, 0.02], [10, 0], [14, 0.02], [336, 9]] }", 200.0, 14.0, "");
+    let run = run_of(&text.replace("elements = 24\nper = 2", "elements = 60\nper = 14"));
+    let found = run.measures();
+    let [stretch] = found.stretches[..] else { panic!("{:?}", found.stretches) };
+    assert!(6.0 < stretch.begin && stretch.begin < 10.0 && 10.0 < stretch.end && stretch.end < 14.0, "{stretch:?}");
+    assert!((found.peak.position - 10.0).abs() < 0.5 && found.pressure_at_origin <= 0.0);
+    assert_abs_diff_eq!(found.begin(), stretch.begin, epsilon = 0.0);
+}
+
+#[test]
+fn peak_without_a_limit_is_told_as_such_and_fails_a_check_of_it() {
+    let (_, table, _) = contact_vv(&["solve", &scene("flat-punch")]);
+    assert!(table.contains("without limit"), "{table}");
+    let (_, json, _) = contact_vv(&["solve", &scene("flat-punch"), "--json", "-"]);
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let contact = &json["contacts"][0];
+    assert!(contact["peak_pressure"].is_null() && contact["peak_growth"].as_f64().is_some_and(|growth| growth > 0.05));
+    let text = text_of("flat-punch.toml") + "\n[[check]]\nquantity = \"peak-pressure\"\nvalue = 800\ntolerance = 10\n";
+    let file = SceneFile::parse(Path::new("flat-punch.toml"), &text).expect("sound");
+    let (discretisation, run, _) = file.solve().expect("solved");
+    let judgement = file.judge(&discretisation, &run).expect("judged");
+    assert!(judgement.own.last().expect("the check").error.is_nan() && !judgement.passed());
+    // A smooth one has a limit.
+    let (_, json, _) = contact_vv(&["solve", &scene("two-cylinders"), "--json", "-"]);
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert!(json["contacts"][0]["peak_pressure"].is_f64() && json["contacts"][0]["peak_growth"].is_null(), "{json}");
+}
+
+#[test]
+fn quantity_is_compared_with_a_reference_of_the_same_quantity() {
+    for (case, most) in [("flat-punch", 0.01), ("cylinder", 0.01), ("truncated-hertz", 0.01), ("pin-plate", 0.02)] {
+        let (_, json, error) = contact_vv(&["solve", case, "--json", "-"]);
+        let json: serde_json::Value = serde_json::from_str(&json).unwrap_or_else(|_| panic!("{error}"));
+        let oracles = json["oracles"].as_array().expect("oracles");
+        let compared: Vec<_> =
+            oracles.iter().filter_map(|one| Some((one["quantity"].as_str()?, one["error"].as_f64()?))).collect();
+        assert!(compared.len() >= 2, "{case}: {oracles:?}");
+        for (quantity, error) in compared {
+            assert!(error.abs() <= most, "{case}: {quantity} is off by {error}");
+        }
+    }
+}
+
+#[test]
+fn pin_in_a_rod_has_one_peak_whatever_the_contact_element() {
+    let discretisation =
+        Discretisation::of(PinRod::default().scene(), resolution(16, 0, Order::Quadratic)).expect("meshed");
+    let peaks = Element::ALL.map(|element| {
+        let run = Run::of(&discretisation, &Formulation::new(element, Iteration::Kinematic)).expect("solved");
+        assert!(run.solution.converged(), "{}: {}", element.name(), run.solution.outcome);
+        run.measures().peak.pressure
+    });
+    for peak in peaks {
+        assert_relative_eq!(peak, peaks[2], max_relative = 0.01);
+    }
+}
+
+#[test]
+fn checks_of_every_run_scale_with_the_digits_of_the_scene() {
+    // Contact on both sides, off the middle, and a layer that recedes: right scenes that a fixed 1e-9 called wrong.
+    let receding = text_of("plate-on-two-supports.toml");
+    let eccentric = text_of("eccentric-load.toml").replace("coefficients = [100, 4]", "coefficients = [100, -7.3]");
+    let unchecked = text_of("eccentric-load.toml").split("[[check]]").next().expect("a head").to_string();
+    let punch =
+        unchecked.replace("gap = { uniform = 0 }", "gap = { punch = 9.5 }").replace("stretch = 10", "stretch = 9.5");
+    for text in [receding, eccentric, punch, text_of("whole-disc.toml")] {
+        let file = SceneFile::parse(Path::new("scale.toml"), &text).unwrap_or_else(|error| panic!("{error}"));
+        let (discretisation, run, _) = file.solve().expect("solved");
+        let judgement = file.judge(&discretisation, &run).expect("judged");
+        assert!(judgement.universal.len() >= 8);
+        for check in &judgement.universal {
+            assert!(
+                check.error <= check.tolerance || check.tolerance <= 0.0,
+                "{}: {:e}",
+                check.requirement,
+                check.error
+            );
+            assert!(check.tolerance < 1e-4, "{}: {:e}", check.requirement, check.tolerance);
+        }
+    }
+}
+
+#[test]
+fn checks_need_neither_kind_nor_source_nor_reason() {
+    let text = text_of("blocks.toml") + "\n[[check]]\nquantity = \"resultant\"\nvalue = 4000\ntolerance = 1e-6\n";
+    let file = SceneFile::parse(Path::new("plain.toml"), &text).expect("sound");
+    let (discretisation, run, _) = file.solve().expect("solved");
+    assert!(file.judge(&discretisation, &run).expect("judged").passed());
+}
+
+/// Exit code of a command.
+fn code(arguments: &[&str]) -> Option<i32> {
+    Command::new(env!("CARGO_BIN_EXE_contact-vv")).args(arguments).output().expect("started").status.code()
+}
+
+#[test]
+fn exit_codes_tell_how_a_command_ended() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let add = |name: &str, text: String| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).expect("written");
+        path.display().to_string()
+    };
+    let blocks = text_of("blocks.toml");
+    let failing = add("failing.toml", blocks.replace("value = 4000", "value = 4100"));
+    let broken = add("broken.toml", blocks.replace("young = 70e3", "young = 0"));
+    let slow = add("slow.toml", text_of("cylinder-in-metres.toml"));
+    let open = add("open.toml", text_of("press-fit.toml").replace("uniform = -0.02", "uniform = 0.02"));
+    for (arguments, wanted) in [
+        (vec!["solve", &scene("blocks")], 0),
+        (vec!["verify", &scene("blocks")], 0),
+        (vec!["solve", &failing], 1),
+        (vec!["verify", &failing], 1),
+        (vec!["verify", &scene("blocks"), &failing], 1),
+        (vec!["solve", &broken], 2),
+        (vec!["verify", &broken], 2),
+        (vec!["solve", "no-such-file.toml"], 2),
+        (vec!["solve", "cylinder", "--no-such-option"], 2),
+        (vec!["solve", &slow, "--max-steps", "2"], 3),
+        (vec!["solve", &open], 3),
+    ] {
+        assert_eq!(code(&arguments), Some(wanted), "{arguments:?}");
+    }
+}
