@@ -24,7 +24,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use crate::error::Error;
-use crate::scene::{BoundaryName, Place, Scene, Shape};
+use crate::scene::{BoundaryName, Grading, Place, Scene, Shape};
 
 pub use candidates::Candidate;
 
@@ -44,6 +44,21 @@ impl Order {
             Self::Linear => 4,
             Self::Quadratic => 8,
         }
+    }
+
+    /// The grading of a mesh with n times as many elements: growth `q^(n^−e)`, and the coarsest element over n^e.
+    ///
+    /// Refinement goes to the solution only if elements get smaller everywhere. 4-node cells err with the square of the
+    /// growth's logarithm as with that of the element, e = 1; 8-node ones with its fourth power, e = ½. Fewer elements leave
+    /// the grading as it is.
+    pub fn refined(self, grading: &Grading, times: f64) -> Grading {
+        let exponent = match self {
+            Self::Linear => 1.0,
+            Self::Quadratic => 0.5,
+        };
+        let slower = times.max(1.0).powf(-exponent);
+        let [along, depth] = [grading.along, grading.depth].map(|growth| growth.powf(slower));
+        Grading { along, depth, coarsest: grading.coarsest * slower, ..*grading }
     }
 
     /// 1 or 2, as users write it.

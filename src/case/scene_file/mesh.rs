@@ -16,6 +16,9 @@ use crate::scene::file::Source;
 use crate::scene::file::tables::{GrowthTable, Name, Number};
 use crate::scene::{Body, Scene, Shape};
 
+/// Elements up to which the default growth is as it is described; beyond, it follows them.
+const USUAL: f64 = 16.0;
+
 /// `[mesh]`: `elements` of the candidate stretch on every length `per`, or an `accuracy`; bodies that bring their mesh need
 /// neither.
 #[derive(Debug, Default, Deserialize)]
@@ -132,6 +135,10 @@ impl MeshTable {
             return missing("per");
         }
         let order = self.order(source, place, &scene)?;
+        let mut scene = scene;
+        if self.growth.is_none() {
+            scene.grading = order.refined(&scene.grading, elements as f64 / USUAL);
+        }
         Ok((scene, Resolution { elements, refinement: 0, order }))
     }
 

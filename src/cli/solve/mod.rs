@@ -48,7 +48,7 @@ fn solve(arguments: &Arguments, task: Task) -> Result<Ended, Error> {
     let stages = Stages::new();
     let accurate = match asked {
         None => {
-            problem.resolution = arguments.resolution(&problem)?;
+            arguments.refine(&mut problem)?;
             None
         }
         Some(asked) => {

@@ -43,7 +43,8 @@ pub struct Arguments {
     /// Element order: 1 (4-node) or 2 (8-node).
     #[arg(long)]
     order: Option<u8>,
-    /// Elements per half-width, or per 10 mm of arc on pins; in a scene file per the length it names.
+    /// Elements per half-width, or per 10 mm of arc on pins; in a scene file per the length it names. Growth away from the contact
+    /// gets gentler with more of them.
     #[arg(long, value_name = "N")]
     resolution: Option<usize>,
     /// Relative error that peak and half-width may have, such as "0.1 %": chooses elements, growth and candidates of 8-node cells.
@@ -205,8 +206,8 @@ impl Arguments {
         formulation
     }
 
-    /// The mesh asked for, if it can be solved.
-    pub fn resolution(&self, problem: &Problem) -> Result<Resolution, Error> {
+    /// Gives the problem the mesh asked for, if it can be solved; growth follows the elements.
+    pub fn refine(&self, problem: &mut Problem) -> Result<(), Error> {
         let order = match self.order {
             None => problem.resolution.order,
             Some(1) => Order::Linear,
@@ -221,11 +222,11 @@ impl Arguments {
             return Err(Error::value("solve", "--resolution", elements, "every body brings its mesh", remedy));
         }
         let elements = self.resolution.unwrap_or(problem.resolution.elements);
-        let resolution = Resolution { elements, refinement: 0, order };
-        match solvable(&problem.scene, resolution) {
-            Ok(()) => Ok(resolution),
-            Err((message, remedy)) => Err(Error::value("solve", "--resolution", elements, message, remedy)),
-        }
+        let times = elements as f64 / problem.resolution.elements as f64;
+        problem.scene.grading = order.refined(&problem.scene.grading, times);
+        problem.resolution = Resolution { elements, refinement: 0, order };
+        solvable(&problem.scene, problem.resolution)
+            .map_err(|(message, remedy)| Error::value("solve", "--resolution", elements, message, remedy))
     }
 
     /// Refuses names of outputs that would not tell their format.
