@@ -1,6 +1,7 @@
 //! Closed forms, one file each; a parameter outside its range makes a reading unavailable, never a panic.
 //!
 //! * [`hertz`]: line contact and the stresses below it.
+//! * [`even_gap`]: a rigid profile of even gap on a half-plane, and the stresses below it.
 //! * [`persson`]: a pin in a hole with clearance.
 //! * [`lame`]: press fit of two rings.
 //! * [`bars`]: two bars closing a gap.
@@ -11,6 +12,7 @@
 use super::Reading;
 
 pub mod bars;
+pub mod even_gap;
 pub mod hertz;
 pub mod lame;
 pub mod persson;
