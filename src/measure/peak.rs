@@ -24,6 +24,17 @@ pub struct Peak {
 /// Pairs whose mean differs from the one in question by no more than this part take part in the fit: on a semi-ellipse those within
 /// 0.28 half-widths, where a quartic is off by 1e-6.
 const DROP: f64 = 0.04;
+/// Departure of the means from the fit, root mean square over the peak, from which on a narrower fit is looked for: a quartic over
+/// [`DROP`] of a semi-ellipse departs by 1e-6, one over both humps and the hollow of a profile that peaks off its centre by
+/// 1e-3, on any mesh.
+const MISFIT: f64 = 1e-5;
+/// Fewest pairs of a narrower fit: two more than the coefficients, so that its departure says something.
+const NARROW: usize = QUARTIC + 2;
+/// Part of the departure that a narrower fit must stay below: of a smooth profile it falls with the fifth power of the width or
+/// faster, of pressures that oscillate hardly at all.
+const BETTER: f64 = 0.5;
+/// Halvings of [`DROP`] that are tried.
+const HALVINGS: i32 = 6;
 /// Coefficients of the polynomial, and the fewest pairs: as many, so that on a coarse mesh it goes through their means.
 const QUARTIC: usize = 5;
 /// Difference from the one in question up to which a pair may be one of these: beyond, the end of the contact bends the profile.
@@ -88,12 +99,32 @@ struct Fit {
     /// The middles of its first and last pair, as x, beyond which it extrapolates; the end of the surface where the contact
     /// goes on to that.
     within: [f64; 2],
+    /// Root mean square of what its means depart from it \[MPa\].
+    misfit: f64,
 }
 
 impl Fit {
-    /// Least squares over the means of the pressed pairs around some, weighted by their lengths.
+    /// The widest fit around some pairs, unless a narrower one departs far less from its means.
     fn around(pairs: &[EdgeState], at: [usize; 2]) -> Self {
-        let own = window(pairs, at);
+        let widest = window(pairs, at, DROP);
+        let (mut count, mut best) = (widest.clone().count(), Self::over(pairs, widest));
+        let size = pairs[at[0]].pressure.abs();
+        for halving in 1..=HALVINGS {
+            let own = window(pairs, at, DROP * 0.5_f64.powi(halving));
+            if best.misfit <= MISFIT * size || own.clone().count() < NARROW {
+                break;
+            }
+            if own.clone().count() < count {
+                count = own.clone().count();
+                let narrower = Self::over(pairs, own);
+                best = if narrower.misfit <= BETTER * best.misfit { narrower } else { best };
+            }
+        }
+        best
+    }
+
+    /// Least squares over the means of some pairs, weighted by their lengths.
+    fn over(pairs: &[EdgeState], own: RangeInclusive<usize>) -> Self {
         let taken = &pairs[own.clone()];
         let count = match taken.len() {
             n if n >= QUARTIC => QUARTIC,
@@ -105,18 +136,23 @@ impl Fit {
         let scaled = |s: f64| (s - centre) / width;
         let mut normal = DMatrix::<f64>::zeros(count, count);
         let mut rhs = DVector::<f64>::zeros(count);
-        for pair in taken {
+        let row_of = |pair: &EdgeState| {
             let [a, b] = pair.ends.map(scaled);
-            let row = DVector::from_fn(count, |k, _| mean_of_power(a, b, k as i32));
-            normal += &row * row.transpose() * (b - a);
-            rhs += row * (pair.pressure * (b - a));
+            (b - a, DVector::from_fn(count, |k, _| mean_of_power(a, b, k as i32)))
+        };
+        for pair in taken {
+            let (length, row) = row_of(pair);
+            normal += &row * row.transpose() * length;
+            rhs += row * (pair.pressure * length);
         }
-        let solved = normal.lu().solve(&rhs);
-        let coefficients = solved.map_or(vec![f64::NAN], |found| found.iter().copied().collect());
+        let solved = normal.lu().solve(&rhs).unwrap_or_else(|| DVector::from_element(count, f64::NAN));
+        let squares = taken.iter().map(|pair| (row_of(pair).1.dot(&solved) - pair.pressure).powi(2));
+        let misfit = (squares.sum::<f64>() / taken.len().saturating_sub(count).max(1) as f64).sqrt();
+        let coefficients = solved.iter().copied().collect();
         let [first, last] = [taken[0].position(), taken[taken.len() - 1].position()].map(scaled);
         let [begins, ends] = [*own.start() == 0, *own.end() + 1 == pairs.len()];
         let within = [if begins { -1.0 } else { first }, if ends { 1.0 } else { last }];
-        Self { coefficients, centre, width, within }
+        Self { coefficients, centre, width, within, misfit }
     }
 
     fn at(&self, x: f64) -> f64 {
@@ -158,8 +194,8 @@ impl Fit {
     }
 }
 
-/// Pressed pairs around some: those that hardly differ from them, and as many as a polynomial needs.
-fn window(pairs: &[EdgeState], [from, to]: [usize; 2]) -> RangeInclusive<usize> {
+/// Pressed pairs around some: those that differ from them by no more than a drop, and as many as a polynomial needs.
+fn window(pairs: &[EdgeState], [from, to]: [usize; 2], drop: f64) -> RangeInclusive<usize> {
     let size = pairs[from].pressure.max(pairs[to].pressure);
     let pressed = |k: usize| pairs[k].pressure > 0.0;
     let off = |k: usize| (pairs[k].pressure - size).abs() / size;
@@ -170,7 +206,7 @@ fn window(pairs: &[EdgeState], [from, to]: [usize; 2]) -> RangeInclusive<usize> 
         let allowed = match last - first + 1 {
             n if n < PARABOLA => f64::INFINITY,
             n if n < QUARTIC => FAR,
-            _ => DROP,
+            _ => drop,
         };
         let within = |k: &usize| off(*k) <= allowed;
         match (before.filter(within), after.filter(within)) {
