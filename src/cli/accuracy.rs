@@ -30,6 +30,8 @@ struct OneQuantity {
     estimate: f64,
     from_elements: f64,
     from_growth: f64,
+    from_finer_mesh: f64,
+    from_iteration: f64,
     observed_order: f64,
     observed_order_of_growth: f64,
 }
@@ -56,6 +58,8 @@ impl Document {
             estimate: quoted.relative,
             from_elements: quoted.elements,
             from_growth: quoted.growth,
+            from_finer_mesh: quoted.check,
+            from_iteration: quoted.iteration,
             observed_order: quoted.order,
             observed_order_of_growth: quoted.growth_order,
         };
@@ -97,11 +101,13 @@ pub fn print((asked, answer): &(Asked, Answer), path: &Path) {
     say(format!("accuracy asked: {} %", 100.0 * asked.relative));
     for quoted in &answer.estimates {
         say(format!(
-            "{}: estimated error {}, {} from the elements and {} from growth; observed order {} along the contact, {} of growth",
+            "{}: estimated error {}: {} from the elements, {} from growth, {} from the iteration, and at least {} by a finer mesh; observed order {} along the contact, {} of growth",
             quoted.quantity.name(),
             known(quoted.relative, format::error),
             known(quoted.elements, format::error),
             known(quoted.growth, format::error),
+            known(quoted.iteration, format::error),
+            known(quoted.check, format::error),
             known(quoted.order, |order| format!("{order:.1}")),
             known(quoted.growth_order, |order| format!("{order:.1}"))
         ));

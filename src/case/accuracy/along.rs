@@ -58,7 +58,8 @@ impl Search<'_> {
             let fine: Vec<Fine> = (0..ladder.len()).map(|from| self.first_of(&ladder[from..], &estimates)).collect();
             let small = |fine: &&Fine| fine.errors.iter().all(|&error| error <= SHARE * self.asked.relative);
             let settled = estimates.iter().all(|e| e.uncertainty <= SETTLED * self.asked.relative * e.limit.abs());
-            found.chosen = fine.iter().filter(small).take(CHOSEN).cloned().collect();
+            let enough = |fine: &&Fine| self.rungs[fine.rung].plan.elements >= self.least;
+            found.chosen = fine.iter().filter(small).filter(enough).take(CHOSEN).cloned().collect();
             found.finest = fine.into_iter().last();
             if settled && !found.chosen.is_empty() {
                 return Ok(found);

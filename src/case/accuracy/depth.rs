@@ -1,6 +1,7 @@
 //! The ladder of growth: gentler and gentler away from the contact, on one and the same surface mesh.
 
 use crate::case::accuracy::along::Fine;
+use crate::case::accuracy::confirmed::iterated;
 use crate::case::accuracy::estimate::{envelope, levels};
 use crate::case::accuracy::fitted::{LEVELS, Plan};
 use crate::case::accuracy::rungs::{Search, Step};
@@ -9,7 +10,7 @@ use crate::error::Error;
 
 /// What gentler growth says of a mesh.
 pub(super) enum Depth {
-    /// It meets what is asked.
+    /// It meets what is asked, as far as the ladders tell.
     Met(Vec<Quoted>),
     /// It does not, by this estimate; from this level of growth on its surface mesh does, as far as is known.
     From(u32, Vec<Quoted>),
@@ -79,7 +80,17 @@ impl Search<'_> {
                 ((distance + estimate.uncertainty) / estimate.limit.abs(), estimate.order)
             });
             let elements = fine.errors[k];
-            Quoted { quantity, relative: elements + growth, elements, growth, order: fine.orders[k], growth_order }
+            let iteration = iterated(&self.rungs[fine.rung].run, quantity);
+            Quoted {
+                quantity,
+                relative: elements + growth + iteration,
+                elements,
+                growth,
+                check: f64::NAN,
+                iteration,
+                order: fine.orders[k],
+                growth_order,
+            }
         };
         self.quantities().enumerate().map(one).collect()
     }

@@ -38,6 +38,8 @@ pub(super) struct Search<'a> {
     pub(super) longest: f64,
     /// Where the contact begins and ends.
     pub(super) ends: [f64; 2],
+    /// Fewest elements of an answer: fewer did not agree with a finer mesh.
+    pub(super) least: usize,
     pub(super) rungs: Vec<Rung>,
     pub(super) tried: Vec<Tried>,
 }
@@ -47,7 +49,7 @@ impl<'a> Search<'a> {
     pub(super) fn new(scene: &'a Scene, formulation: Formulation, asked: &'a Asked) -> Self {
         let longest = fitted::longest(scene);
         let (rungs, tried) = (Vec::new(), Vec::new());
-        Self { scene, formulation, asked, longest, ends: [-longest, longest], rungs, tried }
+        Self { scene, formulation, asked, longest, ends: [-longest, longest], least: 1, rungs, tried }
     }
 
     pub(super) fn quantities(&self) -> impl Iterator<Item = Quantity> {

@@ -1,12 +1,13 @@
 //! Which meshes are solved, and which one is answered.
 
-use crate::case::accuracy::depth::Depth;
+use crate::case::accuracy::depth::{Depth, largest};
 use crate::case::accuracy::ends;
 use crate::case::accuracy::fitted::{self, LEVELS, Plan};
 use crate::case::accuracy::rungs::{ORDER, Rung, Search};
+use crate::case::accuracy::slow;
 use crate::case::accuracy::{Answer, Asked, Tried};
 use crate::error::Error;
-use crate::formulation::{Formulation, Start};
+use crate::formulation::{Formulation, Iteration, Start};
 use crate::scene::{Body, Scene};
 
 /// Why no accuracy chooses the mesh of a gap with kinks: their nodes would hide how the error falls with the elements.
@@ -48,6 +49,9 @@ pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<
     }
     if !scene.contact().profile.kinks().is_empty() {
         return Err(Error::Combination { what: KINKED.into(), remedy: UNKINKED.into() });
+    }
+    if formulation.algorithm != Iteration::Kinematic {
+        return slow::solve(scene, formulation, asked);
     }
     let mut formulation = Formulation { start: Start::Closed, ..formulation.clone() };
     let settings = &mut formulation.settings;
@@ -148,7 +152,8 @@ impl Search<'_> {
         }
     }
 
-    /// From growth to growth: on each the ladder along the contact, then gentler growth on the surface meshes it chose.
+    /// From growth to growth: on each the ladder along the contact, then gentler growth on the surface meshes it chose, and a
+    /// mesh finer in both directions for the one that is answered.
     fn refine(mut self) -> Result<Answer, Error> {
         let mut level = fitted::level(self.asked.relative);
         let mut best = (self.rungs.len() - 1, vec![]);
@@ -165,20 +170,39 @@ impl Search<'_> {
             let mut next = u32::MAX;
             for fine in &along.chosen {
                 match self.on_gentler_growth(fine)? {
-                    Depth::Met(quoted) => return Ok(self.answer(fine.rung, quoted, None)),
+                    Depth::Met(quoted) => {
+                        let quoted = self.confirmed(fine, quoted)?;
+                        if largest(&quoted) <= self.asked.relative {
+                            return Ok(self.answer(fine.rung, quoted, None));
+                        }
+                        why = "a mesh finer in both directions differs by more than was asked".into();
+                        self.least = self.rungs[fine.rung].plan.elements + 1;
+                        best = (fine.rung, quoted);
+                    }
                     Depth::From(gentler, quoted) => {
+                        why = "the growth away from the contact leaves too large an error".into();
                         best = (fine.rung, quoted);
                         next = next.min(gentler);
                     }
-                    Depth::Stopped(reason) => return Ok(self.answer(best.0, best.1, Some(reason))),
+                    Depth::Stopped(reason) => {
+                        if best.1.is_empty() {
+                            best = (fine.rung, self.quoted(fine, None));
+                        }
+                        return Ok(self.answer(best.0, best.1, Some(reason)));
+                    }
                 }
             }
-            why = "the growth away from the contact leaves too large an error".into();
-            level = next.max(level + 1);
+            level = if next < u32::MAX { next.max(level + 1) } else { level + 1 };
         }
-        if let Some(finest) = finest.filter(|_| best.1.is_empty()) {
-            best = (finest.rung, self.told(&finest)?);
+        let Some(finest) = finest.filter(|_| best.1.is_empty()) else {
+            return Ok(self.answer(best.0, best.1, Some(why)));
+        };
+        // The ladder did not settle, and its finest mesh may be fine enough all the same.
+        let mut quoted = self.told(&finest)?;
+        if largest(&quoted) <= self.asked.relative {
+            quoted = self.confirmed(&finest, quoted)?;
         }
-        Ok(self.answer(best.0, best.1, Some(why)))
+        let unmet = Some(why).filter(|_| !(largest(&quoted) <= self.asked.relative));
+        Ok(self.answer(finest.rung, quoted, unmet))
     }
 }

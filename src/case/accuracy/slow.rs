@@ -1,0 +1,63 @@
+//! Algorithms other than kinematic load: the mesh is chosen by kinematic load on the same contact element, whose discrete
+//! solution they share, and the mesh answered is run by the one asked for.
+//!
+//! An iteration to a hundredth of the accuracy on every mesh is what constant and varying stiffness do not reach in their
+//! steps; one to what the mesh leaves of the accuracy they often do. The error of that iteration is known
+//! (`src/algorithm/target.rs`) and is part of the estimate.
+
+use crate::case::accuracy::confirmed::iterated;
+use crate::case::accuracy::{Answer, Asked, Quoted, Tried, search};
+use crate::case::run::Run;
+use crate::error::Error;
+use crate::formulation::{Discretisation, Formulation, Iteration};
+use crate::scene::Scene;
+
+/// Part of the accuracy that the mesh may take; the rest is the iteration's.
+const MESH: f64 = 0.8;
+/// Part of what the mesh leaves that the iteration is asked for.
+const ITERATION: f64 = 0.9;
+/// Part of the accuracy that it is asked for where the mesh leaves nothing.
+const LEAST: f64 = 0.1;
+
+/// The mesh by kinematic load, its run by the formulation asked.
+pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<Answer, Error> {
+    let choosing = Formulation {
+        quadrature: formulation.quadrature,
+        layer_thickness: formulation.layer_thickness,
+        ..Formulation::new(formulation.element, Iteration::Kinematic)
+    };
+    let of_mesh = Asked { relative: MESH * asked.relative, ..asked.clone() };
+    let mut answer = search::solve(scene, &choosing, &of_mesh)?;
+    let mut formulation = formulation.clone();
+    let room = ITERATION * (asked.relative - answer.estimate());
+    let room = if room > 0.0 { room } else { LEAST * asked.relative };
+    formulation.settings.tolerance = formulation.settings.tolerance.min(room);
+    let run = Run::of(&Discretisation::of(answer.scene.clone(), answer.resolution)?, &formulation)?;
+    let with_iteration = |one: &Quoted| {
+        let iteration = iterated(&run, one.quantity);
+        Quoted { relative: one.relative - one.iteration + iteration, iteration, ..*one }
+    };
+    answer.estimates = answer.estimates.iter().map(with_iteration).collect();
+    answer.tried.extend(answer.tried.last().copied().map(|last| Tried {
+        purpose: "answer",
+        elements: answer.resolution.elements,
+        growth: answer.scene.grading.along,
+        stretch: answer.scene.contact().stretch,
+        freedoms: run.freedoms,
+        steps: run.solution.work.steps,
+        peak: run.measures().peak.pressure,
+        half_width: run.measures().half_width,
+        estimate: answer.estimate(),
+        ..last
+    }));
+    if answer.estimate() <= asked.relative {
+        answer.unmet = None;
+    } else if answer.unmet.is_none() {
+        let (name, outcome, error) = (formulation.name(), &run.solution.outcome, 100.0 * run.iteration_error());
+        answer.unmet = Some(format!(
+            "the iteration {name} ended so: {outcome}, with an error of {error:.2e} % on the mesh that kinematic load chose"
+        ));
+    }
+    answer.run = run;
+    Ok(answer)
+}
