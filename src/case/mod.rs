@@ -13,6 +13,7 @@
 //! * [`atlas`] — where each formulation converges, and where it was predicted to.
 //! * [`accuracy`] — the cheapest mesh for an accuracy asked.
 //! * [`converged`] — what is called converged.
+//! * [`met`] — whether an accuracy called met is met.
 //! * [`records`] — files of recorded surveys.
 //! * [`unbounded`] — peaks without a limit.
 //! * [`scene_file`] — a user's own scene, with its checks.
@@ -34,6 +35,7 @@ pub mod faults;
 pub mod gaertner;
 pub mod hertz;
 pub mod limits;
+pub mod met;
 pub mod pictures;
 pub mod pin;
 pub mod problem;

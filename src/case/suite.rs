@@ -5,8 +5,8 @@ use std::sync::{Arc, OnceLock};
 use crate::case::check::{Check, Verdict};
 use crate::case::cross_code::{self, Answers};
 use crate::case::{
-    Problem, Run, accuracy, atlas, converged, cures, exact, family, faults, gaertner, hertz, limits, pictures, pin,
-    refinement, stability, sweep, timings, universal,
+    Problem, Run, accuracy, atlas, converged, cures, exact, family, faults, gaertner, hertz, limits, met, pictures,
+    pin, refinement, stability, sweep, timings, universal,
 };
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
@@ -171,6 +171,7 @@ pub fn all() -> Vec<Trial> {
     trials.extend(cures::trials());
     trials.extend(timings::trials());
     trials.extend(accuracy::study::trials());
+    trials.extend(met::trials());
     trials.extend(family::trials());
     trials.extend(cross_code::trials(Answers::Frozen));
     trials.extend(faults::trials());

@@ -2,6 +2,7 @@
 //!
 //! * [`accuracy`] — what `solve` says of an accuracy that was asked for.
 //! * [`converged`] — surveys what is called converged.
+//! * [`met`] — surveys whether accuracies called met are met.
 //! * [`ended`] — how a command ended, as its exit code tells.
 //! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`timings`] — measures speed against accuracy.
@@ -17,6 +18,7 @@ pub mod atlas;
 pub mod converged;
 pub mod ended;
 pub mod json;
+pub mod met;
 pub mod reactions;
 pub mod solve;
 pub mod suite;
@@ -73,6 +75,8 @@ enum Command {
     Atlas,
     /// Survey what is called converged and write snapshots/converged.csv; broken off, it goes on where it stopped.
     Converged,
+    /// Survey whether accuracies called met are met and write snapshots/met.csv; broken off, it resumes.
+    Met,
     /// Measure speed against accuracy on one thread and write snapshots/timings; other codes are asked where installed.
     Timings {
         /// Solve one mesh, elements per half-width and refinement, and print the largest memory of the process in bytes.
@@ -94,6 +98,7 @@ pub fn main() -> ExitCode {
         Command::Verdicts => Ok(Ended::checked(suite::verdicts())),
         Command::Atlas => atlas::run().map(|()| Ended::Well),
         Command::Converged => converged::run().map(|()| Ended::Well),
+        Command::Met => met::run().map(|()| Ended::Well),
         Command::Timings { memory: Some(mesh) } => {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Ended::Well)
         }

@@ -29,6 +29,7 @@ mod incompressible;
 mod limits;
 mod measure;
 mod mesh;
+mod met;
 mod oracles;
 mod outputs;
 mod pictures;

@@ -1,0 +1,20 @@
+//! Whether an accuracy called met is met: random scenes of closed form, solved to four accuracies, from guesses of the
+//! candidate stretch up to ten times too long or three times too short.
+//!
+//! * [`plan`] — which scenes, and which accuracies.
+//! * [`draw`] — the random numbers.
+//! * [`scenes`] — a random scene of each family, and the truth about it.
+//! * [`run`] — one scene solved to one accuracy, against the truth.
+//! * [`survey`] — all of them, recorded and resumable.
+//! * [`judge`] — what the record must hold, and what it shows.
+
+pub mod draw;
+pub mod judge;
+pub mod plan;
+pub mod run;
+pub mod scenes;
+pub mod survey;
+
+pub use judge::{STUDY, trials};
+pub use plan::{ASKED, Family, Site, sites};
+pub use run::Record;

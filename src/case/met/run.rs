@@ -1,0 +1,81 @@
+//! One scene solved to one accuracy, against the truth.
+
+use serde::{Deserialize, Serialize};
+
+use crate::case::accuracy::{self, Answer, Asked, Quantity};
+use crate::case::met::plan::{ASKED, Family, Site};
+use crate::case::met::scenes::Sample;
+use crate::case::records::rounded;
+use crate::error::Error;
+use crate::formulation::{Element, Formulation, Iteration};
+
+/// One answer.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// Family of the scene.
+    pub family: Family,
+    /// Its number in the family.
+    pub number: usize,
+    /// Relative error asked for.
+    pub asked: f64,
+    /// Whether it is said to be met.
+    pub met: bool,
+    /// Estimated relative error, the larger one of peak and half-width; NaN where there is none.
+    pub estimate: f64,
+    /// Relative error of the peak, with sign.
+    pub peak: f64,
+    /// Relative error of the half-width, with sign.
+    pub half_width: f64,
+    /// Degrees of freedom of the mesh answered.
+    pub dofs: usize,
+    /// Those of all meshes solved.
+    pub dofs_in_all: usize,
+}
+
+impl Record {
+    /// Of an answer.
+    pub fn of(site: &Site, asked: f64, sample: &Sample, answer: &Answer) -> Self {
+        let [peak, half_width] = [0, 1].map(|k| rounded(Quantity::ALL[k].of(&answer.run) / sample.truth[k] - 1.0));
+        Self {
+            family: site.family,
+            number: site.number,
+            asked,
+            met: answer.unmet.is_none(),
+            estimate: rounded(answer.estimate()),
+            peak,
+            half_width,
+            dofs: answer.run.freedoms,
+            dofs_in_all: answer.tried.iter().map(|tried| tried.freedoms).sum(),
+        }
+    }
+
+    /// The larger error of peak and half-width; NaN where either is.
+    pub fn error(&self) -> f64 {
+        let [peak, half_width] = [self.peak.abs(), self.half_width.abs()];
+        if peak.is_nan() || half_width.is_nan() { f64::NAN } else { peak.max(half_width) }
+    }
+
+    /// Said to be met, and not so.
+    pub fn is_falsely_met(&self) -> bool {
+        let within = self.error() <= self.asked && self.estimate <= self.asked;
+        self.met && !within
+    }
+
+    /// Said not to be met beside an estimate within what is asked.
+    pub fn is_contradictory(&self) -> bool {
+        !self.met && self.estimate <= self.asked
+    }
+}
+
+/// A scene solved to every accuracy.
+pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
+    let sample = site.sample();
+    ASKED.into_iter().map(|asked| record(site, asked, &sample)).collect()
+}
+
+/// A scene solved to one accuracy.
+pub fn record(site: &Site, asked: f64, sample: &Sample) -> Result<Record, Error> {
+    let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+    let answer = accuracy::solve(&sample.scene, &formulation, &Asked::new(asked))?;
+    Ok(Record::of(site, asked, sample, &answer))
+}

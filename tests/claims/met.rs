@@ -1,0 +1,236 @@
+//! An accuracy called met is met, whatever the profile, the material, the size and the guess of the contact's length.
+
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
+use contact_vv::case::Verdict;
+use contact_vv::case::accuracy::{self, Asked};
+use contact_vv::case::met::judge::{consistent, is_as_recorded, right};
+use contact_vv::case::met::run::record;
+use contact_vv::case::met::{ASKED, Family, Record, Site, sites};
+use contact_vv::formulation::{Element, Formulation, Iteration};
+use contact_vv::measure::peak;
+use contact_vv::oracle::analytic::even_gap::EvenGap;
+use contact_vv::oracle::analytic::hertz::Hertz;
+use contact_vv::solution::EdgeState;
+
+/// What the closed forms of cylinders and pins leave out, relative.
+const LEFT_OUT: f64 = 1.5e-5;
+/// Places on the sides of a block, over the half-width.
+const PLACES: [[f64; 2]; 6] = [[4.0, 0.0], [4.0, 0.3], [4.0, 4.0], [0.0, 4.0], [0.7, 5.0], [9.0, 2.0]];
+
+fn site(family: Family, number: usize) -> Site {
+    Site { family, number }
+}
+
+/// One of each closed form of an even gap.
+fn profiles() -> [EvenGap; 3] {
+    let polynomial = |parts| EvenGap::polynomial(2e5, 2.0, parts);
+    [polynomial([0.01, 0.0, 0.0]), polynomial([1e-3, 2e-3, -1e-4]), EvenGap::rounded_wedge(2e5, 2.0, 50.0, 0.5, 4000)]
+}
+
+/// `∫ p f(s) ds` by the midpoint rule in φ, `s = a cos φ`.
+fn integral(solution: &EvenGap, of: impl Fn(f64) -> f64) -> f64 {
+    const PARTS: usize = 2000;
+    let a = solution.half_width;
+    let at = |part: usize| PI * (part as f64 + 0.5) / PARTS as f64;
+    let one = |phi: f64| solution.pressure(phi) * of(a * phi.cos()) * a * phi.sin();
+    (0..PARTS).map(|part| one(at(part))).sum::<f64>() * PI / PARTS as f64
+}
+
+#[test]
+fn parabola_is_hertz_inside_the_body_too() {
+    let solution = &profiles()[0];
+    let hertz = Hertz { load: solution.load(), radius: 50.0, modulus: 2e5 };
+    assert_relative_eq!(solution.half_width, hertz.half_width(), max_relative = 1e-12);
+    assert_relative_eq!(solution.peak_pressure(), hertz.peak_pressure(), max_relative = 1e-12);
+    assert_relative_eq!(solution.second_moment(), hertz.half_width(), max_relative = 1e-12);
+    for [x, z] in PLACES.map(|place| place.map(|s| 2.0 * s)) {
+        let [found, wanted] = [solution.stress(x, z), hertz.stress(x, z)];
+        for (found, wanted) in found.into_iter().zip(wanted) {
+            assert_relative_eq!(found, wanted, max_relative = 1e-10, epsilon = 1e-12 * hertz.peak_pressure());
+        }
+    }
+}
+
+#[test]
+fn closed_forms_are_those_of_their_own_pressure_integrated() {
+    for solution in profiles() {
+        let [load, moment] = [integral(&solution, |_| 1.0), integral(&solution, |s| s * s)];
+        assert_relative_eq!(load, solution.load(), max_relative = 1e-6);
+        assert_relative_eq!(2.0 * (moment / load).sqrt(), solution.second_moment(), max_relative = 1e-6);
+        for [x, z] in PLACES.map(|place| place.map(|s| 2.0 * s)) {
+            // Flamant.
+            let of = |powers: [i32; 2]| {
+                let kernel =
+                    |s: f64| z * z.powi(powers[1]) * (x - s).powi(powers[0]) / ((x - s).powi(2) + z * z).powi(2);
+                -2.0 / PI * integral(&solution, kernel)
+            };
+            let wanted = [of([2, 0]), of([0, 2]), of([1, 1])];
+            for (found, wanted) in solution.stress(x, z).into_iter().zip(wanted) {
+                assert_relative_eq!(found, wanted, max_relative = 1e-6, epsilon = 1e-9 * solution.peak_pressure());
+            }
+            // The slope of the surface is that of its displacement under the pressure.
+            let lowered = 2.0 / (PI * solution.modulus) * integral(&solution, |s| 1.0 / (x - s));
+            if x > solution.half_width {
+                assert_relative_eq!(solution.opening(x, 0.0), -lowered, max_relative = 1e-6);
+            }
+        }
+    }
+}
+
+#[test]
+fn slope_of_a_wedge_is_the_sum_of_its_series() {
+    let [_, _, wedge] = profiles();
+    for theta in [0.1, 0.8, 1.2, 1.4, 1.5] {
+        let sum: f64 = wedge.slopes.iter().enumerate().map(|(k, b)| b * ((2 * k + 1) as f64 * theta).cos()).sum();
+        assert_relative_eq!(sum, (2.0 * theta.cos()).min(0.5) / 50.0, max_relative = 1e-3);
+    }
+}
+
+#[test]
+fn peak_of_a_hollow_profile_converges_with_the_mesh() {
+    let solution = EvenGap::polynomial(2e5, 2.0, [1e-3, 2e-3, 1e-4]);
+    assert!(solution.peak_pressure() > 1.01 * solution.pressure(0.5 * PI));
+    // Force between two places, exactly: ∫ sin nφ sin φ dφ.
+    let force = |x: f64| {
+        let phi = (x / 2.0).clamp(-1.0, 1.0).acos();
+        let one = |n: f64| if n > 1.0 { ((n - 1.0) * phi).sin() / (n - 1.0) } else { phi };
+        let sum: f64 = (solution.slopes.iter().enumerate())
+            .map(|(k, b)| b * 0.5 * (one((2 * k + 1) as f64) - ((2 * k + 2) as f64 * phi).sin() / (2 * k + 2) as f64))
+            .sum();
+        -0.5 * solution.modulus * solution.half_width * sum
+    };
+    let error_on = |elements: usize| {
+        let ends = |k: usize| [k, k + 1].map(|k| 2.0 * k as f64 / elements as f64);
+        let edge = |k: usize| {
+            let [from, to] = ends(k);
+            EdgeState { ends: [from, to], weight: to - from, pressure: (force(to) - force(from)) / (to - from) }
+        };
+        let found = peak::of(&(0..elements).map(edge).collect::<Vec<_>>(), 0.0);
+        (found.pressure / solution.peak_pressure() - 1.0).abs()
+    };
+    let errors = [8, 16, 32, 64, 128].map(error_on);
+    let allowed = [1e-2, 1e-3, 1e-4, 2e-5, 2e-5];
+    assert!(errors.iter().zip(allowed).all(|(error, allowed)| *error <= allowed), "{errors:?}");
+}
+
+#[test]
+fn scenes_are_the_same_each_time_and_as_many_as_promised() {
+    assert!(sites().len() >= 400);
+    for family in Family::ALL {
+        let [first, again, other] = [3, 3, 4].map(|number| site(family, number).sample());
+        let numbers = |sample: &contact_vv::case::met::scenes::Sample| sample.truth.map(f64::to_bits);
+        assert_eq!(numbers(&first), numbers(&again));
+        assert_ne!(numbers(&first), numbers(&other));
+    }
+}
+
+#[test]
+fn scenes_of_each_family_meet_each_accuracy() {
+    for family in Family::ALL {
+        for number in [0, 1, 2] {
+            let sample = site(family, number).sample();
+            for asked in ASKED {
+                let found = record(&site(family, number), asked, &sample).expect("solved");
+                let place = format!("{}, {number}, {asked}: {found:?}", family.name());
+                assert!(found.met && !found.is_falsely_met() && !found.is_contradictory(), "{place}");
+                assert!(found.error() <= found.estimate + LEFT_OUT, "{place}");
+            }
+        }
+    }
+}
+
+#[test]
+fn closed_forms_of_cylinder_and_pin_leave_out_little() {
+    for (family, number) in [(Family::Cylinder, 38), (Family::Cylinder, 50), (Family::Pin, 2), (Family::Pin, 3)] {
+        let sample = site(family, number).sample();
+        let found = record(&site(family, number), 5e-5, &sample).expect("solved");
+        assert!(found.error() <= LEFT_OUT, "{}, {number}: {found:?}", family.name());
+    }
+}
+
+#[test]
+fn waves_that_three_coarse_meshes_agree_on_by_accident_are_not_called_met() {
+    let sample = site(Family::Cosine, 41).sample();
+    let found = record(&site(Family::Cosine, 41), 1e-3, &sample).expect("solved");
+    assert!(found.met && !found.is_falsely_met(), "{found:?}");
+}
+
+#[test]
+fn slow_algorithms_are_run_on_the_mesh_that_kinematic_load_chose() {
+    let sample = site(Family::Polynomial, 0).sample();
+    let mut met = 0;
+    for formulation in Formulation::nine() {
+        let asked = Asked::new(1e-2);
+        let answer = accuracy::solve(&sample.scene, &formulation, &asked).expect("solved");
+        let name = formulation.name();
+        assert_eq!(answer.run.formulation.name(), name);
+        assert_eq!(answer.unmet.is_none(), answer.estimate() <= asked.relative, "{name}: {:?}", answer.unmet);
+        let found = Record::of(&site(Family::Polynomial, 0), asked.relative, &sample, &answer);
+        assert!(!found.is_falsely_met(), "{name}: {found:?}");
+        assert!(found.error() <= found.estimate, "{name}: {found:?}");
+        assert!(found.met || answer.unmet.is_some_and(|why| why.contains(&name)), "{name}");
+        met += usize::from(found.met);
+    }
+    assert!(met >= 7, "{met}");
+}
+
+#[test]
+fn iteration_that_stops_early_is_the_reason_why_an_accuracy_is_not_met() {
+    let sample = site(Family::Polynomial, 0).sample();
+    let mut formulation = Formulation::new(Element::Line, Iteration::Constant);
+    formulation.settings.max_steps = 2;
+    let answer = accuracy::solve(&sample.scene, &formulation, &Asked::new(3e-3)).expect("solved");
+    assert!(answer.unmet.as_ref().is_some_and(|why| why.contains("line.constant")), "{:?}", answer.unmet);
+    assert!(!(answer.estimate() <= 3e-3), "{:e}", answer.estimate());
+}
+
+fn sound() -> Vec<Record> {
+    let one = |number: usize| Record {
+        family: Family::Wedge,
+        number,
+        asked: 1e-3,
+        met: true,
+        estimate: 8e-4,
+        peak: 5e-4,
+        half_width: -2e-4,
+        dofs: 1000,
+        dofs_in_all: 9000,
+    };
+    (0..3).map(one).collect()
+}
+
+#[test]
+fn judge_fails_on_one_answer_falsely_met_and_on_what_is_not_a_number() {
+    let verdicts = |records: &[Record]| [right(records), consistent(records)].map(|check| check.verdict);
+    let spoiled = |spoil: fn(&mut Record)| {
+        let mut records = sound();
+        spoil(&mut records[1]);
+        verdicts(&records)
+    };
+    let (pass, fail) = (Verdict::Pass, Verdict::Fail);
+    assert_eq!(verdicts(&sound()), [pass.clone(), pass.clone()]);
+    assert_eq!(verdicts(&[]), [fail.clone(), fail.clone()]);
+    let wrong = [fail.clone(), pass.clone()];
+    assert_eq!(spoiled(|one| one.half_width = -1.1e-3), wrong);
+    assert_eq!(spoiled(|one| one.peak = f64::NAN), wrong);
+    assert_eq!(spoiled(|one| one.estimate = f64::NAN), wrong);
+    assert_eq!(spoiled(|one| one.estimate = 2e-3), wrong);
+    assert_eq!(spoiled(|one| one.met = false), [pass.clone(), fail]);
+    assert_eq!(spoiled(|one| (one.met, one.estimate) = (false, 2e-3)), [pass.clone(), pass]);
+}
+
+#[test]
+fn record_that_moved_is_noticed() {
+    let kept = &sound()[0];
+    let moved = |spoil: fn(&mut Record)| {
+        let mut fresh = kept.clone();
+        spoil(&mut fresh);
+        !is_as_recorded(kept, &fresh)
+    };
+    assert!(!moved(|_| ()));
+    assert!(!moved(|one| one.peak *= 1.0005));
+    assert!(moved(|one| one.peak *= 1.1) && moved(|one| one.peak = f64::NAN));
+    assert!(moved(|one| one.estimate *= 0.9) && moved(|one| one.dofs += 2) && moved(|one| one.met = false));
+}
