@@ -202,7 +202,7 @@ impl Search<'_> {
         if largest(&quoted) <= self.asked.relative {
             quoted = self.confirmed(&finest, quoted)?;
         }
-        let unmet = Some(why).filter(|_| !(largest(&quoted) <= self.asked.relative));
+        let unmet = if largest(&quoted) <= self.asked.relative { None } else { Some(why) };
         Ok(self.answer(finest.rung, quoted, unmet))
     }
 }
