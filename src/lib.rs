@@ -7,11 +7,11 @@
 //! * [`elasticity`] — how bodies resist.
 //! * [`condensation`] — what the contact sees of the bodies.
 //! * [`contact`] — how bodies touch: line, layer and node elements as lists of contact points.
+//! * [`measure`] — the numbers one quotes.
 //! * [`algorithm`] — how to find it: varying stiffness, constant stiffness, kinematic load.
 //! * [`solution`] — what came out.
 //! * [`stability`] — where it must fail, before it is run.
 //! * [`formulation`] — one point of the grid element × algorithm × rule × stiffness, on a discretised scene.
-//! * [`measure`] — the numbers one quotes.
 //! * [`oracle`] — independent truth.
 //! * [`mod@case`] — claims: problems, checks, studies.
 //! * [`report`] — the page.

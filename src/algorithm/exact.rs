@@ -32,7 +32,8 @@ pub struct Exact {
     pub sets: usize,
 }
 
-/// Springs that hold closed points of mean area, over the mean diagonal of S. What they yield is carried over until it is round-off.
+/// Springs that hold closed points of mean area, over the mean diagonal of S. What they yield is carried over until it
+/// is round-off.
 const HOLDING: f64 = 1e5;
 /// Times what the springs carry is handed over: each leaves about `1/HOLDING` of the penetration before.
 const HANDED: usize = 4;

@@ -236,7 +236,7 @@ impl Run<'_> {
         let rigid = self.rigid.as_ref().or(self.target.as_ref());
         Solution {
             outcome,
-            energy: rigid.and_then(|target| bound::of(self.problem, &target.exact, &last)),
+            energy: rigid.filter(|_| is_finite(&last)).and_then(|target| bound::of(self.problem, &target.exact, &last)),
             points: states.points,
             edges: states.edges,
             contacts,

@@ -1,7 +1,8 @@
-//! Recorded surveys: lines of a CSV file, read whole and written whole.
+//! Recorded surveys: lines of a CSV file, read whole and written whole; one that was broken off goes on where it stopped.
 
 use std::path::{Path, PathBuf};
 
+use rayon::prelude::*;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -34,6 +35,40 @@ pub fn write<T: Serialize>(path: &Path, records: &[T]) -> Result<(), Error> {
     // Whoever is broken off leaves the old file or the new one, never half of it.
     let fresh = path.with_extension("csv.new");
     std::fs::write(&fresh, text).and_then(|()| std::fs::rename(&fresh, path)).map_err(|error| failed(error.to_string()))
+}
+
+/// The record of a survey of a name.
+pub fn file(name: &str) -> PathBuf {
+    root().join("snapshots").join(name).with_extension("csv")
+}
+
+/// What makes it anew.
+pub fn renewal(name: &str) -> String {
+    format!("run `cargo run --release -- {name}` and review the diff of snapshots/{name}.csv")
+}
+
+/// Runs every site, whose records are kept under its key in the folder `unfinished`, and writes them all to `record`; `done` is
+/// told when one more is ready.
+pub fn survey<S: Sync, T: Serialize + DeserializeOwned + Clone + Send>(
+    [unfinished, record]: [&Path; 2],
+    sites: &[S],
+    key: impl Fn(&S) -> String + Sync,
+    run: impl Fn(&S) -> Result<Vec<T>, Error> + Sync,
+    done: impl Fn() + Sync,
+) -> Result<usize, Error> {
+    let of_site = |site: &S| -> Result<Vec<T>, Error> {
+        let kept = unfinished.join(key(site) + ".csv");
+        let found = read(&kept, "").or_else(|_| {
+            let found = run(site)?;
+            write(&kept, &found)?;
+            Ok(found)
+        });
+        done();
+        found
+    };
+    let found = sites.par_iter().map(of_site).collect::<Result<Vec<_>, _>>()?.concat();
+    write(record, &found)?;
+    Ok(found.len())
 }
 
 /// Four significant digits: what a reviewer reads.

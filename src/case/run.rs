@@ -7,7 +7,7 @@ use crate::case::unbounded::{self, Unbounded};
 use crate::contact::Interface;
 use crate::error::Error;
 use crate::formulation::{Change, Discretisation, Formulation};
-use crate::measure::{Measures, profile, whole};
+use crate::measure::{Measures, larger, profile, whole};
 use crate::solution::{Solution, States};
 
 /// Active points and pressed edges on a half-width from which on it is worth quoting.
@@ -58,8 +58,7 @@ impl Errors {
 
     /// The larger size of both; NaN if either is.
     pub fn largest(&self) -> f64 {
-        let [peak, half_width] = [self.peak.abs(), self.half_width.abs()];
-        if peak.is_nan() || half_width.is_nan() { f64::NAN } else { peak.max(half_width) }
+        larger(self.peak.abs(), self.half_width.abs())
     }
 }
 
@@ -226,7 +225,7 @@ impl Run {
 
 /// The largest of some errors; NaN where one is not known.
 fn largest(errors: impl Iterator<Item = f64>) -> f64 {
-    errors.fold(0.0, |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) })
+    errors.fold(0.0, larger)
 }
 
 /// What was found of one contact.

@@ -15,13 +15,12 @@
 
 pub mod accuracy;
 pub mod atlas;
-pub mod converged;
 pub mod ended;
 pub mod json;
-pub mod met;
 pub mod reactions;
 pub mod solve;
 pub mod suite;
+pub mod survey;
 pub mod timings;
 pub mod verify;
 pub mod vtu;
@@ -97,8 +96,8 @@ pub fn main() -> ExitCode {
         Command::Report { check } => report_command(check).map(Ended::checked),
         Command::Verdicts => Ok(Ended::checked(suite::verdicts())),
         Command::Atlas => atlas::run().map(|()| Ended::Well),
-        Command::Converged => converged::run().map(|()| Ended::Well),
-        Command::Met => met::run().map(|()| Ended::Well),
+        Command::Converged => survey::converged().map(|()| Ended::Well),
+        Command::Met => survey::met().map(|()| Ended::Well),
         Command::Timings { memory: Some(mesh) } => {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Ended::Well)
         }

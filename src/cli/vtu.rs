@@ -11,7 +11,8 @@ use crate::measure::profile;
 use crate::mesh::Order;
 use crate::solution::PointState;
 
-/// The text of the file. Lengths in mm, stresses in MPa, tension positive; pressure is 0 and the gap NaN away from the candidates.
+/// The text of the file. Lengths in mm, stresses in MPa, tension positive; pressure is 0 and the gap NaN away from the
+/// candidates.
 pub fn text(discretisation: &Discretisation, run: &Run) -> Result<String, Error> {
     let mesh = &discretisation.mesh;
     let fields = discretisation.recover_under(run.share(), &run.solution)?;

@@ -4,7 +4,8 @@ use nalgebra::Vector2;
 
 use crate::contact::{ContactElement, ContactPoint, Interface, Quadrature};
 
-/// A thin element of thickness `t(ξ) = t₀ + g(ξ)` (`t₀` where the bodies interfere), moduli `E_n` across and `G = 0` along it, and no membrane stiffness.
+/// A thin element of thickness `t(ξ) = t₀ + g(ξ)` (`t₀` where the bodies interfere), moduli `E_n` across and `G = 0`
+/// along it, and no membrane stiffness.
 ///
 /// Its nodes lie on both edges, `X_a` and `X_a + (t₀ + g_a) n_a`. On η = 0 the strain across it is
 /// `ε = e·∇u·e` with the director `e = ∂x/∂η / |∂x/∂η|`, and `σ = E_n ε = (E_n/t) w` with `w = t ε`.

@@ -146,7 +146,8 @@ impl Formulation {
         Self::new(Element::Node, Iteration::Kinematic).tolerance(1e-8)
     }
 
-    /// All nine, stopped where the engineering comparison of the paper needs it: p₀ and a to 1 %, a third of it for the iteration.
+    /// All nine, stopped where the engineering comparison of the paper needs it: p₀ and a to 1 %, a third of it for the
+    /// iteration.
     pub fn compared() -> Vec<Self> {
         Self::nine().into_iter().map(|formulation| formulation.tolerance(3e-3)).collect()
     }

@@ -48,8 +48,9 @@ impl End {
     }
 }
 
-/// The deepest penetration beyond an end of the candidates of an interface, in a solution whose outermost point is closed, its gap being no
-/// more than the length accepted, or beyond whose outermost point the initial gap narrows again.
+/// The deepest penetration beyond an end of the candidates of an interface, in a solution whose outermost point is
+/// closed, its gap being no more than the length accepted, or beyond whose outermost point the initial gap narrows
+/// again.
 ///
 /// None where that point is open and the gap goes on widening, and where the surface of either body ends with the
 /// candidates: a patch, a ring, a punch.

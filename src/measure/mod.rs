@@ -96,6 +96,11 @@ pub fn whole(pair: &ContactPair) -> f64 {
     if pair.symmetric { 2.0 } else { 1.0 }
 }
 
+/// The larger of two numbers; NaN if either is.
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}
+
 /// `|value − reference| / |reference|`.
 pub fn relative_error(value: f64, reference: f64) -> f64 {
     (value - reference).abs() / reference.abs()

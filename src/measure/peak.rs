@@ -10,6 +10,7 @@ use std::ops::RangeInclusive;
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::measure::larger;
 use crate::solution::EdgeState;
 
 /// A pressure and where it is.
@@ -21,12 +22,13 @@ pub struct Peak {
     pub pressure: f64,
 }
 
-/// Pairs whose mean differs from the one in question by no more than this part take part in the fit: on a semi-ellipse those within
+/// Pairs whose mean differs from the one in question by no more than this part take part in the fit: on a semi-ellipse
+/// those within
 /// 0.28 half-widths, where a quartic is off by 1e-6.
 const DROP: f64 = 0.04;
-/// Departure of the means from the fit, root mean square over the peak, from which on a narrower fit is looked for: a quartic over
-/// [`DROP`] of a semi-ellipse departs by 1e-6, one over both humps and the hollow of a profile that peaks off its centre by
-/// 1e-3, on any mesh.
+/// Departure of the means from the fit, root mean square over the peak, from which on a narrower fit is looked for: a
+/// quartic over [`DROP`] of a semi-ellipse departs by 1e-6, one over both humps and the hollow of a profile that peaks
+/// off its centre by 1e-3, on any mesh.
 const MISFIT: f64 = 1e-5;
 /// Fewest pairs of a narrower fit: two more than the coefficients, so that its departure says something.
 const NARROW: usize = QUARTIC + 2;
@@ -37,7 +39,8 @@ const BETTER: f64 = 0.5;
 const HALVINGS: i32 = 6;
 /// Coefficients of the polynomial, and the fewest pairs: as many, so that on a coarse mesh it goes through their means.
 const QUARTIC: usize = 5;
-/// Difference from the one in question up to which a pair may be one of these: beyond, the end of the contact bends the profile.
+/// Difference from the one in question up to which a pair may be one of these: beyond, the end of the contact bends the
+/// profile.
 const FAR: f64 = 0.3;
 /// Coefficients and fewest pairs of a parabola, where a quartic finds too few.
 const PARABOLA: usize = 3;
@@ -82,9 +85,9 @@ fn pairs(edges: &[EdgeState]) -> Vec<EdgeState> {
     if all.len() < 2 { all } else { all.windows(2).map(joined).collect() }
 }
 
-/// The pair of the largest mean, first and last of neighbours that are the same.
+/// The pair of the largest mean, first and last of neighbours that are the same; none where a mean is no number.
 fn highest(pairs: &[EdgeState]) -> Option<[usize; 2]> {
-    let largest = pairs.iter().map(|pair| pair.pressure).fold(f64::NAN, f64::max);
+    let largest = pairs.iter().map(|pair| pair.pressure).reduce(larger)?;
     let same = |pair: &EdgeState| pair.pressure >= largest * (1.0 - ROUNDING);
     let first = pairs.iter().position(same)?;
     let count = pairs[first..].iter().take_while(|pair| same(pair)).count();
@@ -165,7 +168,8 @@ impl Fit {
         (x.abs() <= 1.0 + ROUNDING).then(|| self.at(x))
     }
 
-    /// The highest point between the middles of its outermost pairs: the best of a fine grid, then Newton's method on the slope.
+    /// The highest point between the middles of its outermost pairs: the best of a fine grid, then Newton's method on
+    /// the slope.
     fn top(&self) -> Peak {
         const GRID: usize = 64;
         let [from, to] = self.within;

@@ -56,8 +56,8 @@ pub fn relative_l2_between(edges: &[EdgeState], reference: &[EdgeState]) -> f64 
     (error / scale).sqrt()
 }
 
-/// Share of the force that another profile has elsewhere, `½ Σ A |p̄ − p̄_ref| / Σ A p̄_ref` over the same edges; NaN where their
-/// numbers differ.
+/// Share of the force that another profile has elsewhere, `½ Σ A |p̄ − p̄_ref| / Σ A p̄_ref` over the same edges; NaN
+/// where their numbers differ.
 pub fn misplaced(edges: &[EdgeState], reference: &[EdgeState]) -> f64 {
     if edges.len() != reference.len() {
         return f64::NAN;

@@ -3,6 +3,7 @@
 use crate::case::Finding;
 use crate::case::accuracy::study::ACCURACY;
 use crate::case::met::STUDY;
+use crate::case::met::scenes::GUESS;
 use crate::report::{checks, format};
 
 /// The section: one row a scene and an accuracy, and the checks.
@@ -29,11 +30,12 @@ pub fn section(findings: &[Finding]) -> String {
 /// Whether an accuracy called met is met: answers by family and accuracy, and the checks.
 fn met(findings: &[Finding]) -> String {
     let own: Vec<&Finding> = findings.iter().filter(|finding| finding.case == STUDY).collect();
-    let mut text = String::from(
+    let [shortest, longest] = GUESS;
+    let mut text = format!(
         "### Whether an accuracy called met is met\n\n\
          Random scenes of closed form: even polynomials and wedges with a round tip on blocks that carry the stresses of the \
          half-plane on their sides (`src/oracle/analytic/even_gap.rs`), waves (Westergaard), cylinders (Hertz) and pins in a wide plate \
-         (Persson). Size, material, load and the guess of the candidate stretch, 0.3 to 10 times the contact, are drawn. The error is \
+         (Persson). Size, material, load and the guess of the candidate stretch, {shortest} to {longest} times the contact, are drawn. The error is \
          the larger one of peak pressure and half-width against the closed form. `cargo run --release -- met` renews the record; the \
          report recomputes a part of it.\n\n",
     );

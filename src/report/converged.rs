@@ -2,6 +2,7 @@
 
 use crate::case::Finding;
 use crate::case::converged::STUDY;
+use crate::case::converged::plan::{LOADS, SIZE, STRETCHES, TOLERANCES};
 use crate::report::{checks, format};
 
 /// Squares of errors below this part of the stored energy are round-off, of which no bound says anything.
@@ -18,17 +19,26 @@ pub fn section(findings: &[Finding]) -> String {
          contact's own force makes. The largest of the four, over all contacts, is the iteration error; converged is an \
          iteration error within the tolerance. The algorithms do not see it. `src/algorithm/target.rs` has the formulas.\n\n\
          {}\
-         Every scene file and library scene, and a block of 400 half-widths, under all nine formulations; candidates from hardly longer \
-         than the contact to such that are a hundred times as long, where the bodies allow it; three loads; two tolerances. A run that does not \
-         converge within its steps says so: that is no fault of it.\n\n\
+         Every scene file and library scene, and a block of {SIZE} half-widths, under every element and algorithm; candidates as \
+         long as the scene has them and of {stretches} half-widths, where the bodies allow it; loads of {loads} of the scene's own; \
+         tolerances of {tolerances}. A run that does not converge says so, and is not wrong.\n\n\
          ![Share of the runs that converge, by candidate stretch](snapshots/charts/converged.svg)\n\
          *Share of the runs that converge at the default tolerance, by candidate stretch, over all scenes and loads.*\n\n",
-        bound(findings)
+        bound(findings),
+        stretches = list(&STRETCHES[1..]),
+        loads = list(&LOADS),
+        tolerances = list(&TOLERANCES),
     );
     for table in own.iter().flat_map(|finding| &finding.tables) {
         text += &format::folded_table(table);
     }
     text + &checks::table(&own)
+}
+
+/// Numbers one after the other.
+fn list(numbers: &[f64]) -> String {
+    let each: Vec<String> = numbers.iter().map(|x| if *x < 0.1 { format!("{x:e}") } else { x.to_string() }).collect();
+    each.join(", ")
 }
 
 /// How far the bound `‖u − u*‖²_S ≤ Σ P h + Σ F* v + Σ T (h* − h)` is above what it bounds, over the runs of the suite.
@@ -44,7 +54,7 @@ fn bound(findings: &[Finding]) -> String {
     };
     format!(
         "Without that solution a bound can be had in the energy norm, from a run's own forces, gaps and penetrations alone \
-         (`src/algorithm/bound.rs`). It holds in every run of the suite (a check of every run), and is {least} to {largest} times the \
+         (`src/algorithm/bound.rs`). That it holds is a check of every run. It is {least} to {largest} times the \
          error, {median} in the median of {} runs: an energy does not tell the peak, and so it is shown and not stopped by.\n\n",
         ratios.len()
     )

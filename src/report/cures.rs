@@ -8,6 +8,7 @@ use crate::report::{checks, format};
 pub fn section(findings: &[Finding]) -> String {
     let (starts, planes) = (record::stiffnesses(), record::PLANES.len());
     let [least, most] = [starts[0], starts[starts.len() - 1]];
+    let (times, share) = (reach::TIMES, 100.0 / reach::TIMES);
     let mut text = format!(
         "## Cures\n\n\
          Options beside the paper's algorithms, off by default.\n\n\
@@ -15,8 +16,8 @@ pub fn section(findings: &[Finding]) -> String {
          1979): converging whatever κ₀, but slowly away from the best one. Crossed secant (Ramière & Helfer 2015; \
          for Uzawa's iteration of contact Koliesnikova & Ramière, arXiv:2603.12205) and Anderson acceleration (Walker & Ni \
          2011) with the safeguard of Zhang, O'Donoghue & Boyd 2020, on truncated Hertz: initial stiffnesses in third decades \
-         from {least:e} to {most:e}, on {planes} planes of candidate stretch and mesh. Where the plain share exceeds 40 %, no share can be \
-         2.5 times as large: at the engineering tolerance the possible factor stands in brackets, and the \
+         from {least:e} to {most:e}, on {planes} planes of candidate stretch and mesh. Where the plain share exceeds {share:.0} %, no share can be \
+         {times} times as large: at the engineering tolerance the possible factor stands in brackets, and the \
          requirement is gated at the tight one. Step counts of long accelerated runs depend on round-off: these are \
          the recorded ones, held live within the drift that noise causes.\n\n",
     );

@@ -54,7 +54,8 @@ pub struct Scene {
     pub grading: Grading,
 }
 
-/// Length, pressure and gap that make stiffnesses dimensionless and that springs start from; what has converged does not depend on them.
+/// Length, pressure and gap that make stiffnesses dimensionless and that springs start from; what has converged does
+/// not depend on them.
 #[derive(Clone, Copy, Debug)]
 pub struct ReferenceValues {
     /// `ℓ` in `κ = k_n ℓ / E*` \[mm\].
@@ -262,7 +263,7 @@ impl Scene {
 }
 
 /// Part of a length by which it may seem to go beyond its end.
-const ROUNDING: f64 = 1e-9;
+pub(crate) const ROUNDING: f64 = 1e-9;
 
 /// Refuses a value that is not finite and positive.
 pub(crate) fn positive(place: &str, key: &str, value: f64) -> Result<(), Error> {

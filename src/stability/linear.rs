@@ -43,7 +43,8 @@ pub fn steps(problem: &ContactProblem, limit: &Limit, part: fn(&IterationError) 
     Some((taken + 2) as f64)
 }
 
-/// Steps `max k₀ g/p̄` over the closed points in which hard springs work off their gaps; p̄ is the mean pressure of the candidates.
+/// Steps `max k₀ g/p̄` over the closed points in which hard springs work off their gaps; p̄ is the mean pressure of the
+/// candidates.
 ///
 /// Hard springs without a gap hold every candidate at w ≈ 0 with about p̄. As long as `k₀ g > p`, the rule wants less than
 /// no force, and the projection `max(0, ·)` lets the carried force fall by no more than p a step: the gap opens by p/k₀.

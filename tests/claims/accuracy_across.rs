@@ -1,4 +1,5 @@
-//! An accuracy asked for a contact across x = 0 is met wherever the contact lies, and costs twice the half where it is symmetric.
+//! An accuracy asked for a contact across x = 0 is met wherever the contact lies, and costs twice the half where it is
+//! symmetric.
 
 use std::f64::consts::PI;
 use std::path::Path;

@@ -7,6 +7,7 @@ use contact_vv::algorithm::{Acceleration, StiffnessRule};
 use contact_vv::case::{Run, SceneFile};
 use contact_vv::formulation::{Change, Discretisation, Element, Formulation, Iteration};
 use contact_vv::mesh::Order;
+use contact_vv::scene::Scene;
 use contact_vv::scene::library::{Cylinder, PinRod};
 use contact_vv::solution::Outcome;
 
@@ -17,6 +18,10 @@ use crate::workbench::resolution;
 fn parsed(text: &str) -> Discretisation {
     let file = SceneFile::parse(Path::new("converged.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"));
     Discretisation::of(file.problem.scene, file.problem.resolution).expect("meshed")
+}
+
+fn meshed(scene: Scene, elements: usize) -> Discretisation {
+    Discretisation::of(scene, resolution(elements, 0, Order::Quadratic)).expect("meshed")
 }
 
 /// All nine, and the accelerations of the constant one.
@@ -117,8 +122,8 @@ fn weaker_load_is_judged_on_its_own_scale() {
 
 #[test]
 fn stiff_starts_of_the_papers_sweep_are_right_where_they_are_called_converged() {
-    let cylinder = Discretisation::of(Cylinder::default().scene(), resolution(4, 0, Order::Quadratic)).expect("meshed");
-    let pin = Discretisation::of(PinRod::default().scene(), resolution(4, 0, Order::Quadratic)).expect("meshed");
+    let cylinder = meshed(Cylinder::default().scene(), 4);
+    let pin = meshed(PinRod::default().scene(), 4);
     for (place, discretisation) in [("cylinder", cylinder), ("pin–rod", pin)] {
         for element in Element::ALL {
             let stiff = [1e-3, 1.0, 3162.0, 1e5]
@@ -130,8 +135,7 @@ fn stiff_starts_of_the_papers_sweep_are_right_where_they_are_called_converged() 
 
 #[test]
 fn penalty_tells_what_its_springs_cost() {
-    let discretisation =
-        Discretisation::of(Cylinder::default().scene(), resolution(8, 0, Order::Quadratic)).expect("meshed");
+    let discretisation = meshed(Cylinder::default().scene(), 8);
     let with = |stiffness: f64| {
         let (element, rule) = (Element::Node, StiffnessRule::Penalty);
         let formulation = Formulation { stiffness, rule, ..Formulation::new(element, Iteration::Kinematic) };
@@ -147,42 +151,20 @@ fn penalty_tells_what_its_springs_cost() {
         assert_abs_diff_eq!(told.half_width, error(|run| run.measures().half_width), epsilon = 1e-6);
         assert_eq!(run.penalty_error() > 0.1, stiffness < 1.0);
     }
-    let (sound, json, _) = contact_vv(&[
-        "solve",
-        "cylinder",
-        "--rule",
-        "penalty",
-        "--algorithm",
-        "kinematic",
-        "--stiffness",
-        "0.3",
-        "--json",
-        "-",
-    ]);
+    let penalty = ["solve", "cylinder", "--rule", "penalty", "--algorithm", "kinematic", "--stiffness", "0.3"];
+    let (sound, json, _) = contact_vv(&[&penalty[..], &["--json", "-"]].concat());
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     assert!(
         sound && json["contacts"][0]["penalty_error"]["half_width"].as_f64().is_some_and(|error| error > 0.5),
         "{json}"
     );
-    let (_, table, _) = contact_vv(&[
-        "solve",
-        "cylinder",
-        "--rule",
-        "penalty",
-        "--algorithm",
-        "kinematic",
-        "--element",
-        "node",
-        "--stiffness",
-        "0.3",
-    ]);
+    let (_, table, _) = contact_vv(&[&penalty[..], &["--element", "node"]].concat());
     assert!(table.contains("springs of the penalty cost -36.58 % of the peak"), "{table}");
 }
 
 #[test]
 fn kinematic_load_from_the_softest_springs_converges_or_says_that_they_are_lost() {
-    let discretisation =
-        Discretisation::of(Cylinder::default().scene(), resolution(6, 0, Order::Quadratic)).expect("meshed");
+    let discretisation = meshed(Cylinder::default().scene(), 6);
     for decade in -12..=6 {
         let formulation =
             Formulation { stiffness: 10f64.powi(decade), ..Formulation::new(Element::Node, Iteration::Kinematic) };
@@ -224,8 +206,7 @@ fn more_steps_are_asked_for_with_an_option_that_is_offered() {
 
 #[test]
 fn energy_error_of_every_run_is_below_its_bound() {
-    let discretisation =
-        Discretisation::of(PinRod::default().scene(), resolution(6, 0, Order::Quadratic)).expect("meshed");
+    let discretisation = meshed(PinRod::default().scene(), 6);
     for formulation in all() {
         for max_steps in [1, 2, 5, 20, 500] {
             let mut formulation = formulation.clone();
@@ -240,8 +221,7 @@ fn energy_error_of_every_run_is_below_its_bound() {
 
 #[test]
 fn error_told_is_that_against_the_solution_told() {
-    let discretisation =
-        Discretisation::of(Cylinder::default().scene(), resolution(6, 0, Order::Quadratic)).expect("meshed");
+    let discretisation = meshed(Cylinder::default().scene(), 6);
     let mut formulation = Formulation::new(Element::Line, Iteration::Varying);
     formulation.settings.max_steps = 4;
     let run = Run::of(&discretisation, &formulation).expect("solved");

@@ -215,7 +215,8 @@ fn share_below_the_multiple_of_the_plain_one_turns_red() {
     assert_eq!(reach::times(plain, plain).verdict, Verdict::Fail);
 }
 
-/// What follows a state of ten times the first residual after so many quiet evaluations: times it was given up, and the plain step before it.
+/// What follows a state of ten times the first residual after so many quiet evaluations: times it was given up, and the
+/// plain step before it.
 fn after_a_jump(quiet: usize) -> (usize, Vec<f64>, Vec<f64>) {
     let mut accelerator = Accelerator::new(Acceleration::CrossedSecant, vec![1.0]);
     let (mut x, mut plain, mut rejected) = (vec![0.0], vec![0.0], 0);

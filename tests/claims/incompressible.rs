@@ -209,8 +209,8 @@ fn displacements(scene: &Scene, mesh: &Mesh) -> Vec<[f64; 2]> {
 const LENGTH: f64 = 16.0;
 const HALF_HEIGHT: f64 = 1.0;
 
-/// A cantilever `0 ≤ x ≤ L`, `|y − c| ≤ c` clamped at x = 0 under a shear force of 1 N/mm at its end, and the displacement it has in
-/// plane strain (Timoshenko & Goodier, Theory of Elasticity, §21, with E/(1−ν²) and ν/(1−ν)).
+/// A cantilever `0 ≤ x ≤ L`, `|y − c| ≤ c` clamped at x = 0 under a shear force of 1 N/mm at its end, and the
+/// displacement it has in plane strain (Timoshenko & Goodier, Theory of Elasticity, §21, with E/(1−ν²) and ν/(1−ν)).
 fn cantilever(material: Material) -> (Scene, impl Fn([f64; 2]) -> [f64; 2]) {
     let (l, c, inertia) = (LENGTH, HALF_HEIGHT, 2.0 * HALF_HEIGHT.powi(3) / 3.0);
     let Material { young: e, poisson: nu } = plain(material);
@@ -276,7 +276,8 @@ fn internal_forces_of_rubber_balance_its_loads_node_by_node() {
         let u = displacements(&scene, &mesh);
         let internal = reactions::internal_forces(&scene, &mesh, 0, &u).expect("forces");
         let applied = loads::at_nodes(&scene, &mesh, 0).expect("forces");
-        // The supports take nothing: they hold the beam where it would be anyway. 1 N/mm on 2.5 mm, with four digits lost to λ/μ.
+        // The supports take nothing: they hold the beam where it would be anyway. 1 N/mm on 2.5 mm, with four digits
+        // lost to λ/μ.
         for (point, (one, other)) in mesh.points.iter().zip(internal.iter().zip(&applied)) {
             assert!(distance(one, other) <= 1e-6, "{order:?} at {point:?}: {one:?}, not {other:?}");
         }

@@ -265,7 +265,8 @@ fn varying_stiffness_and_kinematic_load_factorise_at_every_step() {
 
 #[test]
 fn increments_apply_the_load_in_equal_parts_and_stop_where_one_fails() {
-    // Under a quarter of the load the point is open, w* = 0.075; then p* = 7.5, 18.75, 30: hardly any force is off by all of it.
+    // Under a quarter of the load the point is open, w* = 0.075; then p* = 7.5, 18.75, 30: hardly any force is off by
+    // all of it.
     let settings = Settings { tolerance: 1.0, increments: 4, max_steps: 100 };
     let mut playback = Playback::of(vec![1e-3]);
     let solution = one(90.0).solve(&mut playback, settings);

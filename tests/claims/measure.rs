@@ -97,6 +97,15 @@ fn peak_of_a_semi_ellipse_is_not_biased_by_the_fit() {
 }
 
 #[test]
+fn pressure_that_is_no_number_anywhere_leaves_no_peak() {
+    for lost in [0, 7, 23] {
+        let mut edges = edges(-1.5, 1.5, 24, force_of_semi_ellipse(5.0, 1.0));
+        edges[lost].pressure = f64::NAN;
+        assert!(peak::of(&edges, 0.0).pressure.is_nan(), "edge {lost}");
+    }
+}
+
+#[test]
 fn peak_off_the_centre_of_an_even_profile_is_found_there() {
     // p = 1 + 0.5 s² − 0.2 s⁴: 1 at the centre, 1.3125 at √1.25.
     let force = |s: f64| s + s.powi(3) / 6.0 - 0.04 * s.powi(5);

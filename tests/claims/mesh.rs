@@ -7,7 +7,7 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::elasticity::{element, quadrature};
 use contact_vv::mesh::{Mesh, Order, candidates::candidate_edges};
 use contact_vv::scene::library::{Cylinder, Patch, PinPlate, PinRod, PressFit};
-use contact_vv::scene::{Grading, Path, Place, Profile, Scene, Sector, Shape};
+use contact_vv::scene::{Path, Place, Profile, Scene, Sector, Shape};
 
 use crate::workbench::{ORDERS, library, resolution};
 
@@ -467,47 +467,4 @@ fn elements_grow_away_from_the_contact_and_no_faster_than_asked() {
     assert!((0.3..=1.5).contains(&(first / along)), "first element {first} deep and {along} long");
     let sizes: Vec<f64> = heights.windows(2).map(|two| two[1] - two[0]).collect();
     assert!(sizes.iter().all(|s| *s >= 0.99 * first));
-}
-
-#[test]
-fn refinement_of_default_meshes_goes_to_the_solution() {
-    use contact_vv::case::SceneFile;
-    use contact_vv::case::problem::truncated_hertz;
-    use contact_vv::formulation::{Discretisation, Formulation};
-    use contact_vv::scene::library::TruncatedHertz;
-    use std::path::Path;
-
-    let numbers = TruncatedHertz::default();
-    let (mut scene, _, _) = truncated_hertz(TruncatedHertz::default());
-    // The growth that scene files have by default.
-    scene.grading = Grading { along: 1.7, depth: 1.6, coarsest: 0.3, ..scene.grading };
-    let peak = 2.0 * numbers.load() / (std::f64::consts::PI * numbers.half_width());
-    for (order, most) in [(Order::Linear, 3e-4), (Order::Quadratic, 2e-4)] {
-        let error = |elements: usize, follows: bool| {
-            let mut scene = scene.clone();
-            if follows {
-                scene.grading = order.refined(&scene.grading, elements as f64 / 8.0);
-            }
-            let discretisation = Discretisation::of(scene, resolution(elements, 0, order)).expect("meshed");
-            let run = contact_vv::case::Run::of(&discretisation, &Formulation::verification()).expect("solved");
-            (run.measures().peak.pressure / peak - 1.0).abs()
-        };
-        let [coarse, fine] = [error(8, true), error(48, true)];
-        assert!(fine <= most && fine < 0.2 * coarse, "{order:?}: {coarse:e}, {fine:e}");
-        if order == Order::Linear {
-            let stays = error(48, false);
-            assert!(stays > 3.0 * fine, "growth that stays leaves {stays:e}");
-        }
-    }
-    // In scene files it follows the elements beyond sixteen, where none is given.
-    let text = |elements: usize, growth: &str| {
-        let text = crate::scene_file::text_of("two-cylinders.toml");
-        text.replace("elements = 12\n", &format!("elements = {elements}\n{growth}"))
-    };
-    let grading = |elements: usize, growth: &str| {
-        let file = SceneFile::parse(Path::new("grown.toml"), &text(elements, growth)).expect("sound");
-        file.problem.scene.grading
-    };
-    assert!((grading(16, "").along - 1.7).abs() < 1e-12 && (grading(64, "").along - 1.7_f64.sqrt()).abs() < 1e-12);
-    assert!((grading(64, "growth = { along = 1.4 }\n").along - 1.4).abs() < 1e-12);
 }

@@ -80,8 +80,8 @@ fn mistakes_that_show_only_when_solving_name_the_line_of_their_body_or_contact()
     }
 }
 
-/// What is spoiled in which file; what stands in the line that the message must name, what it must say was found, and what to do.
-/// The file, what is spoiled in it, how, and the line, finding and remedy that the message must name.
+/// What is spoiled in which file; what stands in the line that the message must name, what it must say was found, and
+/// what to do. The file, what is spoiled in it, how, and the line, finding and remedy that the message must name.
 type Mistake = (&'static str, &'static str, &'static str, [&'static str; 3]);
 
 const MISTAKES: &[Mistake] = &[

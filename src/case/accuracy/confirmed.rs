@@ -14,8 +14,8 @@ use crate::error::Error;
 const FINER: (usize, usize) = (2, 12);
 /// Levels by which its growth is gentler.
 const GENTLER: u32 = 2;
-/// Error over the distance to the finer mesh where it is halved: 4/3 is enough for the second order, and 3/2 was exceeded in forty of
-/// 1600 answers to scenes of closed form, by up to a quarter.
+/// Error over the distance to the finer mesh where it is halved: 4/3 is enough for the second order, and 3/2 was
+/// exceeded in forty of 1600 answers to scenes of closed form, by up to a quarter.
 const SAFETY: f64 = 2.0;
 /// Factor on an estimate that no finer mesh confirms (Roache's for two meshes).
 const UNCONFIRMED: f64 = 3.0;
@@ -57,8 +57,8 @@ impl Search<'_> {
     }
 }
 
-/// Relative error that the iteration of a run leaves in a quantity, with what springs of the rule `penalty` cost; NaN where it is
-/// not known.
+/// Relative error that the iteration of a run leaves in a quantity, with what springs of the rule `penalty` cost; NaN
+/// where it is not known.
 pub(super) fn iterated(run: &Run, quantity: Quantity) -> f64 {
     let contact = &run.contacts[0];
     let of = |errors: Errors| match quantity {

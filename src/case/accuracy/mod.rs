@@ -13,7 +13,8 @@
 //!
 //! Refining the elements along the contact alone does not show what the growth away from it leaves: on truncated Hertz a
 //! growth of 4 leaves 0.3 % however many elements there are. So there are two ladders, and the error of a mesh is the sum
-//! of what both say of it, and no less than what one mesh finer in both directions says. Meshes finer than the one answered are solved for the estimate only; they are part of the cost.
+//! of what both say of it, and no less than what one mesh finer in both directions says. Meshes finer than the one
+//! answered are solved for the estimate only; they are part of the cost.
 //!
 //! Cells have 8 nodes: of the hand-made meshes of the study only that of the small cylinder at 1 % has 4-node cells, with 315
 //! freedoms against 363; at 0.3 % they need about twice the freedoms, and none of up to 12 elements per half-width meets

@@ -16,7 +16,7 @@ use crate::scene::Scene;
 const MESH: f64 = 0.8;
 /// Part of what the mesh leaves that the iteration is asked for.
 const ITERATION: f64 = 0.9;
-/// Part of the accuracy that it is asked for where the mesh leaves nothing.
+/// Part of the accuracy that it is asked for where the mesh leaves nothing; the tolerance of the formulation is not looked at.
 const LEAST: f64 = 0.1;
 
 /// The mesh by kinematic load, its run by the formulation asked.
@@ -31,7 +31,7 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> 
     let mut formulation = formulation.clone();
     let room = ITERATION * (asked.relative - answer.estimate());
     let room = if room > 0.0 { room } else { LEAST * asked.relative };
-    formulation.settings.tolerance = formulation.settings.tolerance.min(room);
+    formulation.settings.tolerance = room;
     let run = Run::of(&Discretisation::of(answer.scene.clone(), answer.resolution)?, &formulation)?;
     let with_iteration = |one: &Quoted| {
         let iteration = iterated(&run, one.quantity);

@@ -11,6 +11,7 @@ use crate::case::check::{Check, Reference};
 use crate::case::suite::{Finding, Trial};
 use crate::error::Error;
 use crate::formulation::Settings;
+use crate::measure::larger;
 
 /// Name of the trials.
 pub const ATLAS: &str = "stability atlas";
@@ -120,7 +121,7 @@ fn predicted(chart: &Chart) -> Vec<Check> {
             format!("converged, of {} predicted to fail", failing.len()),
             count(failing.iter().filter(|r| r.class == Class::Converged).count(), failing.len()),
             Reference::own("predicted", 0.0),
-            "spectral radius above 1, or more than 2.5 times the limit of steps; `secant` with constant stiffness is reported",
+            format!("spectral radius above 1, or more than {FACTOR} times the limit of steps; `secant` with constant stiffness is reported"),
         ));
     }
     if expected || !ending.is_empty() {
@@ -129,12 +130,12 @@ fn predicted(chart: &Chart) -> Vec<Check> {
             format!("not converged, of {} predicted to", ending.len()),
             count(ending.iter().filter(|r| r.class != Class::Converged).count(), ending.len()),
             Reference::own("predicted", 0.0),
-            "less than the limit of steps over 2.5; varying stiffness with correction is attracted from nearby only",
+            format!("less than the limit of steps over {FACTOR}; varying stiffness with correction is attracted from nearby only"),
         ));
     }
     if expected || !ratios.is_empty() {
         checks.push(Check::at_most(
-            "On nodes the steps shall be predicted within a factor of 2.5",
+            format!("On nodes the steps shall be predicted within a factor of {FACTOR}"),
             format!("largest factor between predicted and measured steps, {} points", ratios.len()),
             worst(&ratios),
             Reference::own("factor", FACTOR),
@@ -192,6 +193,5 @@ fn honest(chart: &Chart) -> Check {
 
 /// The largest; NaN where any is or there is none.
 fn worst(values: &[f64]) -> f64 {
-    let larger = |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) };
     values.iter().copied().reduce(larger).unwrap_or(f64::NAN)
 }

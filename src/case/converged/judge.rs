@@ -4,14 +4,14 @@ use rayon::prelude::*;
 
 use crate::case::atlas::Class;
 use crate::case::check::{Check, Reference};
+use crate::case::converged::NAME;
 use crate::case::converged::plan::{LOADS, STRETCHES, Site, TOLERANCES, sites};
 use crate::case::converged::run::{self, Record};
-use crate::case::converged::survey::{RENEW, file};
 use crate::case::records;
 use crate::case::suite::{Finding, Series, Table, Trial};
 use crate::case::sweep::SLACK;
 use crate::error::Error;
-use crate::formulation::Formulation;
+use crate::formulation::{Formulation, Settings};
 
 /// Name of the study.
 pub const STUDY: &str = "what is called converged";
@@ -28,7 +28,7 @@ pub fn trials() -> Vec<Trial> {
 }
 
 fn judge() -> Result<Finding, Error> {
-    let recorded: Vec<Record> = records::read(&file(), RENEW)?;
+    let recorded: Vec<Record> = records::read(&records::file(NAME), &records::renewal(NAME))?;
     let checks = vec![recomputed(&recorded)?, right(&recorded)];
     let tables = vec![by_stretch(&recorded), by_load(&recorded)];
     Ok(Finding { checks, tables, series: series(&recorded), ..Default::default() })
@@ -55,9 +55,8 @@ fn recomputed(recorded: &[Record]) -> Result<Check, Error> {
 }
 
 fn of_site<'a>(recorded: &'a [Record], site: &'a Site) -> impl Iterator<Item = &'a Record> {
-    recorded
-        .iter()
-        .filter(move |record| record.scene == site.scene && record.stretch.to_bits() == site.stretch.to_bits())
+    let scene = site.scene();
+    recorded.iter().filter(move |record| record.scene == scene && record.stretch.to_bits() == site.stretch.to_bits())
 }
 
 /// Whether a fresh run is the recorded one: outcome and steps always, the error where it is above round-off.
@@ -74,7 +73,9 @@ pub fn right(recorded: &[Record]) -> Check {
     let right = converged.iter().filter(|record| record.error <= SLACK * record.tolerance).count();
     let wrong = converged.len() - right;
     Check::at_most(
-        "No run shall be called converged with a peak or a half-width off its discrete solution by three tolerances",
+        format!(
+            "No run shall be called converged with a peak or a half-width off its discrete solution by {SLACK} tolerances"
+        ),
         format!("wrong, of {} converged runs of {}", converged.len(), recorded.len()),
         if converged.is_empty() { f64::NAN } else { wrong as f64 },
         Reference::own("active set", 0.0),
@@ -106,7 +107,10 @@ fn by_stretch(recorded: &[Record]) -> Table {
     let stretches = STRETCHES.map(|stretch| if stretch > 0.0 { format!("{stretch} a") } else { "own".into() });
     let head = [vec!["formulation".into(), "tolerance".into()], stretches.into()].concat();
     Table {
-        title: "Share of the runs that converge within 2000 steps, by candidate stretch, all loads".into(),
+        title: format!(
+            "Share of the runs that converge within {} steps, by candidate stretch, all loads",
+            Settings::default().max_steps
+        ),
         head,
         rows,
     }

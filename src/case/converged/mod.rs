@@ -4,13 +4,14 @@
 //!
 //! * [`plan`] — scenes, stretches, loads, tolerances.
 //! * [`run`] — one scene on one stretch, with all its runs.
-//! * [`survey`] — all of them, recorded and resumable.
 //! * [`judge`] — what the record must hold, and what it shows.
 
 pub mod judge;
 pub mod plan;
 pub mod run;
-pub mod survey;
+
+/// Name of the command that surveys it, and of its record.
+pub const NAME: &str = "converged";
 
 pub use judge::{STUDY, trials};
 pub use plan::{Site, sites};

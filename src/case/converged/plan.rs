@@ -1,5 +1,7 @@
 //! Which runs the study holds.
 
+use std::path::PathBuf;
+
 use crate::case::problem::{self, PROBLEMS, Problem};
 use crate::case::scene_file::SceneFile;
 use crate::error::Error;
@@ -16,26 +18,36 @@ pub const TOLERANCES: [f64; 2] = [1e-3, 1e-6];
 /// A block long enough for every stretch.
 const LONG: &str = "long-block";
 /// Its size over the half-width.
-const SIZE: f64 = 400.0;
+pub const SIZE: f64 = 400.0;
+
+/// Where a scene comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Origin {
+    /// The library, by its name there.
+    Library(&'static str),
+    /// The long block.
+    Long,
+    /// A scene file.
+    File(PathBuf),
+}
 
 /// A scene on a candidate stretch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Site {
-    /// Name of the scene: of the library, or the stem of a file.
-    pub scene: String,
+    /// The scene.
+    pub origin: Origin,
     /// One of [`STRETCHES`].
     pub stretch: f64,
 }
 
 /// Every scene on every stretch, in the order of the record.
 pub fn sites() -> Result<Vec<Site>, Error> {
-    let of = |scene: String| STRETCHES.map(|stretch| Site { scene: scene.clone(), stretch });
-    Ok(scenes()?.into_iter().flat_map(of).collect())
+    let of = |origin: Origin| STRETCHES.map(|stretch| Site { origin: origin.clone(), stretch });
+    Ok(origins()?.into_iter().flat_map(of).collect())
 }
 
-/// Names of all scenes.
-fn scenes() -> Result<Vec<String>, Error> {
-    let library = PROBLEMS.iter().map(|(name, _)| name.to_string()).chain([LONG.to_string()]);
+/// All scenes: the library, the long block, the files.
+fn origins() -> Result<Vec<Origin>, Error> {
     let folder = root().join("tests/scenes");
     let failed = |error: std::io::Error| Error::File {
         path: folder.clone(),
@@ -44,25 +56,38 @@ fn scenes() -> Result<Vec<String>, Error> {
     };
     let mut files = Vec::new();
     for entry in std::fs::read_dir(&folder).map_err(failed)? {
-        let path = entry.map_err(failed)?.path();
-        if path.extension().is_some_and(|end| end == "toml") {
-            files.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
-        }
+        files.push(entry.map_err(failed)?.path());
     }
+    files.retain(|path| path.extension().is_some_and(|end| end == "toml"));
     files.sort();
-    Ok(library.chain(files.into_iter().map(|stem| format!("{stem}.toml"))).collect())
+    let library = PROBLEMS.iter().map(|(name, _)| Origin::Library(name));
+    Ok(library.chain([Origin::Long]).chain(files.into_iter().map(Origin::File)).collect())
 }
 
 impl Site {
+    /// Name of the scene.
+    pub fn scene(&self) -> String {
+        match &self.origin {
+            Origin::Library(name) => (*name).into(),
+            Origin::Long => LONG.into(),
+            Origin::File(path) => path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
+        }
+    }
+
+    /// Name of its own.
+    pub fn key(&self) -> String {
+        format!("{}-{}", self.scene(), self.stretch)
+    }
+
     /// The scene on its own stretch.
     pub fn problem(&self) -> Result<Problem, Error> {
-        match self.scene.as_str() {
-            LONG => {
+        match &self.origin {
+            Origin::Library(name) => problem::problem(name, None),
+            Origin::Long => {
                 let numbers = TruncatedHertz { size: SIZE, ..Default::default() };
-                Ok(Problem::new(LONG, "block of 400 half-widths", problem::truncated_hertz(numbers)))
+                Ok(Problem::new(LONG, "block of many half-widths", problem::truncated_hertz(numbers)))
             }
-            file if file.ends_with(".toml") => Ok(SceneFile::read(&root().join("tests/scenes").join(file))?.problem),
-            name => problem::problem(name, None),
+            Origin::File(path) => Ok(SceneFile::read(path)?.problem),
         }
     }
 }

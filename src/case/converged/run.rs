@@ -70,7 +70,7 @@ fn discretised(site: &Site) -> Result<Option<Discretisation>, Error> {
 /// A run; none where the formulation is not defined for the scene, or nothing presses.
 fn one(site: &Site, discretisation: &Discretisation, load: f64, formulation: &Formulation) -> Option<Record> {
     let record = |class, steps, error| Record {
-        scene: site.scene.clone(),
+        scene: site.scene(),
         stretch: site.stretch,
         load,
         formulation: formulation.name(),

@@ -5,7 +5,7 @@ use crate::case::problem;
 use crate::case::suite::{Finding, Table};
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration, Start};
-use crate::measure::{Measures, relative_error};
+use crate::measure::{Measures, larger, relative_error};
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::scene::library::{Cylinder, PinRod, TruncatedHertz};
@@ -50,11 +50,11 @@ pub fn steps(name: &str, scene: &Scene) -> Result<Finding, Error> {
             let mut row = vec![name.to_string(), element.name().into(), format!("{stiffness:e}")];
             for mesh in &meshes {
                 let nested = mesh.solve(&Formulation { start: Start::Nested, ..closed.clone() })?;
-                most = worse(most, if nested.converged() { nested.work.steps as f64 } else { f64::NAN });
+                most = larger(most, if nested.converged() { nested.work.steps as f64 } else { f64::NAN });
                 let mut cell = format!("{} (+{})", count(&nested), nested.coarser.steps);
                 if mesh.resolution.elements <= COMPARED {
                     let other = mesh.solve(&closed)?;
-                    apart = worse(apart, difference(scene, [&nested, &other]));
+                    apart = larger(apart, difference(scene, [&nested, &other]));
                     cell = format!("{} → {cell}", count(&other));
                 }
                 row.push(cell);
@@ -95,9 +95,4 @@ fn difference(scene: &Scene, solutions: [&Solution; 2]) -> f64 {
 
 fn count(solution: &Solution) -> String {
     if solution.converged() { solution.work.steps.to_string() } else { solution.outcome.to_string() }
-}
-
-/// The larger one, NaN if either is.
-fn worse(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }

@@ -13,6 +13,7 @@ use crate::case::atlas::record::folder;
 use crate::case::problem;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration, Settings};
+use crate::measure::larger;
 use crate::mesh::{Order, Resolution};
 use crate::scene::library::TruncatedHertz;
 use crate::solution::Solution;
@@ -93,7 +94,6 @@ fn runs(
         runs.steps.iter_mut().zip(steps).for_each(|(all, steps)| all.push(steps));
     }
     // None that converges on the drawn plane is no agreement.
-    let larger = |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) };
     runs.apart = apart.into_iter().reduce(larger).unwrap_or(f64::NAN);
     Ok(runs)
 }

@@ -3,9 +3,9 @@
 use rayon::prelude::*;
 
 use crate::case::check::{Check, Reference};
+use crate::case::met::NAME;
 use crate::case::met::plan::{ASKED, Family, Site, sites};
 use crate::case::met::run::{self, Record};
-use crate::case::met::survey::{RENEW, file};
 use crate::case::records;
 use crate::case::suite::{Finding, Table, Trial};
 use crate::error::Error;
@@ -29,7 +29,7 @@ pub fn trials() -> Vec<Trial> {
 }
 
 fn judge() -> Result<Finding, Error> {
-    let recorded: Vec<Record> = records::read(&file(), RENEW)?;
+    let recorded: Vec<Record> = records::read(&records::file(NAME), &records::renewal(NAME))?;
     let checks = vec![recomputed(&recorded)?, right(&recorded), consistent(&recorded)];
     Ok(Finding { checks, tables: vec![by_family(&recorded)], ..Default::default() })
 }

@@ -5,7 +5,6 @@
 //! * [`draw`] — the random numbers.
 //! * [`scenes`] — a random scene of each family, and the truth about it.
 //! * [`run`] — one scene solved to one accuracy, against the truth.
-//! * [`survey`] — all of them, recorded and resumable.
 //! * [`judge`] — what the record must hold, and what it shows.
 
 pub mod draw;
@@ -13,7 +12,9 @@ pub mod judge;
 pub mod plan;
 pub mod run;
 pub mod scenes;
-pub mod survey;
+
+/// Name of the command that surveys it, and of its record.
+pub const NAME: &str = "met";
 
 pub use judge::{STUDY, trials};
 pub use plan::{ASKED, Family, Site, sites};

@@ -32,6 +32,13 @@ pub struct Site {
     pub number: usize,
 }
 
+impl Site {
+    /// Name of its own.
+    pub fn key(&self) -> String {
+        format!("{}-{}", self.family.name(), self.number)
+    }
+}
+
 impl Family {
     /// All of them.
     pub const ALL: [Self; 5] = [Self::Polynomial, Self::Wedge, Self::Cosine, Self::Cylinder, Self::Pin];

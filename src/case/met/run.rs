@@ -8,6 +8,7 @@ use crate::case::met::scenes::Sample;
 use crate::case::records::rounded;
 use crate::error::Error;
 use crate::formulation::{Element, Formulation, Iteration};
+use crate::measure::larger;
 
 /// One answer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -51,8 +52,7 @@ impl Record {
 
     /// The larger error of peak and half-width; NaN where either is.
     pub fn error(&self) -> f64 {
-        let [peak, half_width] = [self.peak.abs(), self.half_width.abs()];
-        if peak.is_nan() || half_width.is_nan() { f64::NAN } else { peak.max(half_width) }
+        larger(self.peak.abs(), self.half_width.abs())
     }
 
     /// Said to be met, and not so.

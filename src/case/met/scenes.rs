@@ -20,6 +20,8 @@ use crate::scene::{
     ReferenceValues, Scene, Shape, StressField, Support,
 };
 
+/// Guess of the candidate stretch over the length of the contact, where the bodies allow it.
+pub const GUESS: [f64; 2] = [0.3, 10.0];
 /// Terms of the series of a wedge: what is left out is 1e-8 of the peak.
 const TERMS: usize = 4000;
 /// Points on half of a contact at which a drawn polynomial is looked at.
@@ -45,7 +47,7 @@ impl Site {
         let mut draw = Draw::new((1000 * family + self.number) as u64);
         let material = Material { young: draw.decades(1e3, 4e5), poisson: draw.between(0.0, 0.45) };
         // The first number of a seed is like that of the next one.
-        let guess = draw.decades(0.3, 10.0);
+        let guess = draw.decades(GUESS[0], GUESS[1]);
         match self.family {
             Family::Polynomial => polynomial(&mut draw, material, guess, self.number % 2 == 1),
             Family::Wedge => wedge(&mut draw, material, guess),

@@ -43,11 +43,12 @@ pub struct Arguments {
     /// Element order: 1 (4-node) or 2 (8-node).
     #[arg(long)]
     order: Option<u8>,
-    /// Elements per half-width, or per 10 mm of arc on pins; in a scene file per the length it names. Growth away from the contact
-    /// gets gentler with more of them.
+    /// Elements per half-width, or per 10 mm of arc on pins; in a scene file per the length it names. Growth away from
+    /// the contact gets gentler with more of them.
     #[arg(long, value_name = "N")]
     resolution: Option<usize>,
-    /// Relative error that peak and half-width may have, such as "0.1 %": chooses elements, growth and candidates of 8-node cells.
+    /// Relative error that peak and half-width may have, such as "0.1 %": chooses elements, growth and candidates of
+    /// 8-node cells.
     #[arg(long, value_name = "PERCENT")]
     accuracy: Option<String>,
     /// Load increments.

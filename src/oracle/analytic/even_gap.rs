@@ -95,7 +95,8 @@ impl EvenGap {
 
     /// Stresses `[σ_x, σ_z, τ_xz]` \[MPa\] in the half-plane; `x` right, `z ≥ 0` into the body \[mm\], tension positive.
     ///
-    /// Flamant's solution, integrated: with `ζ = x + iz = a cosh ω`, `ω = η + iθ` and `F = ∫ p ds/(s − ζ) = −(πE*/2) Σ b_n e^{−nω}`,
+    /// Flamant's solution, integrated: with `ζ = x + iz = a cosh ω`, `ω = η + iθ` and `F = ∫ p ds/(s − ζ) = −(πE*/2) Σ
+    /// b_n e^{−nω}`,
     ///
     /// * `σ_x + σ_z = −(2/π) Im F`,
     /// * `σ_z − σ_x = (2/π) z Re F'`,

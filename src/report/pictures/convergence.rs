@@ -1,4 +1,5 @@
-//! Steps against initial stiffness (Fig. 11), shares that converge, orders of accuracy, and the path of the iterations (Figs 6, 7).
+//! Steps against initial stiffness (Fig. 11), shares that converge, orders of accuracy, and the path of the iterations
+//! (Figs 6, 7).
 
 use super::{curve, label, of_picture, style};
 use crate::case::{Finding, converged, cures, pictures, sweep};

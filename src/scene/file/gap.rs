@@ -10,7 +10,7 @@ use crate::scene::file::Source;
 use crate::scene::file::gap_keys::GapTable;
 use crate::scene::file::tables::Pair;
 use crate::scene::file::units::Units;
-use crate::scene::{DrawnGap, MonotoneCubic, Path, Profile};
+use crate::scene::{DrawnGap, MonotoneCubic, Path, Profile, ROUNDING};
 
 /// Refuses gaps that are functions of a length on an arc, and of an angle on a line.
 pub(super) fn refuse_strange(
@@ -128,16 +128,13 @@ pub(super) fn refuse_ended(
     {
         return Err(source.refused(gap.span(), "the table ends before the candidates do", "shorten `stretch`"));
     }
-    if let Profile::Circle { radius } = *profile
-        && stretch >= radius
-    {
-        return Err(source.refused(gap.span(), "the circle ends before the candidates do", "shorten `stretch`"));
-    }
-    if let Profile::Punch { half_width } = *profile
-        && stretch > half_width * (1.0 + 1e-9)
-    {
-        let remedy = "shorten `stretch` to the end of the punch: nothing can touch beyond it";
-        return Err(source.refused(gap.span(), "the punch ends before the candidates do", remedy));
+    if profile.reach().is_some_and(|reach| stretch > reach * (1.0 + ROUNDING)) {
+        let what = match profile {
+            Profile::Circle { .. } => "circle",
+            _ => "punch",
+        };
+        let remedy = "shorten `stretch` to there: nothing can touch beyond it";
+        return Err(source.refused(gap.span(), format!("the {what} ends before the candidates do"), remedy));
     }
     Ok(())
 }

@@ -1,0 +1,110 @@
+//! Records of surveys: judged, resumed and recomputed, and red where they are spoiled.
+
+use std::cell::Cell;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use contact_vv::case::Verdict;
+use contact_vv::case::atlas::Class;
+use contact_vv::case::converged::judge::{is_as_recorded, right};
+use contact_vv::case::converged::run::{Record, records as runs_of};
+use contact_vv::case::converged::{NAME, sites};
+use contact_vv::case::{records, unbounded};
+
+fn record() -> Record {
+    Record {
+        scene: "cylinder".into(),
+        stretch: 2.0,
+        load: 1e-2,
+        formulation: "node.kinematic".into(),
+        tolerance: 1e-3,
+        class: Class::Converged,
+        steps: 7,
+        error: 1e-4,
+    }
+}
+
+#[test]
+fn converged_run_that_is_wrong_or_not_known_to_be_right_is_red() {
+    assert_eq!(right(&[record()]).verdict, Verdict::Pass);
+    assert_eq!(right(&[]).verdict, Verdict::Fail, "nothing was looked at");
+    for error in [3.1e-3, f64::INFINITY, f64::NAN] {
+        let spoiled = Record { error, ..record() };
+        assert_eq!(right(&[record(), spoiled.clone()]).verdict, Verdict::Fail, "{error}");
+        let stopped = Record { class: Class::Slow, ..spoiled };
+        assert_eq!(right(&[record(), stopped]).verdict, Verdict::Pass, "{error} of a run that did not converge");
+    }
+}
+
+#[test]
+fn run_that_moved_is_not_as_recorded() {
+    assert!(is_as_recorded(&record(), &record()));
+    let unknown = Record { error: f64::NAN, ..record() };
+    assert!(is_as_recorded(&unknown, &unknown));
+    for moved in [
+        unknown.clone(),
+        Record { error: 1.1e-4, ..record() },
+        Record { steps: 8, ..record() },
+        Record { class: Class::Slow, ..record() },
+        Record { load: 1.0, ..record() },
+        Record { formulation: "line.kinematic".into(), ..record() },
+        Record { tolerance: 1e-6, ..record() },
+    ] {
+        assert!(!is_as_recorded(&record(), &moved) && !is_as_recorded(&moved, &record()), "{moved:?}");
+    }
+}
+
+#[test]
+fn recorded_site_is_what_a_fresh_run_finds() {
+    let kept: Vec<Record> = records::read(&records::file(NAME), "").expect("recorded");
+    let site = sites().expect("scenes").into_iter().find(|site| site.key() == "cylinder-2").expect("surveyed");
+    let fresh = runs_of(&site).expect("run");
+    let kept: Vec<&Record> = kept.iter().filter(|kept| kept.scene == "cylinder" && kept.stretch == 2.0).collect();
+    assert!(fresh.len() == kept.len() && fresh.len() == 54, "{} of {}", fresh.len(), kept.len());
+    assert!(kept.into_iter().zip(&fresh).all(|(kept, fresh)| is_as_recorded(kept, fresh)));
+}
+
+#[test]
+fn survey_that_was_broken_off_goes_on_where_it_stopped() {
+    let folder = tempfile::tempdir().expect("folder");
+    let [unfinished, file] = ["unfinished", "record.csv"].map(|name| folder.path().join(name));
+    let (made, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let survey = |broken: bool, [unfinished, file]: [&Path; 2]| {
+        let run = |steps: &usize| {
+            made.fetch_add(1, Ordering::Relaxed);
+            match broken && *steps == 2 {
+                true => records::read(Path::new("broken off"), ""),
+                false => Ok(vec![Record { steps: *steps, ..record() }]),
+            }
+        };
+        let done = || {
+            done.fetch_add(1, Ordering::Relaxed);
+        };
+        records::survey([unfinished, file], &[0, 1, 2], usize::to_string, run, done)
+    };
+    let paths = [unfinished.as_path(), file.as_path()];
+    assert!(survey(true, paths).is_err() && !file.exists());
+    let before = made.swap(0, Ordering::Relaxed);
+    assert_eq!(survey(false, paths).expect("surveyed"), 3);
+    // What a broken survey finished depends on which thread met the fault; the fault itself is run again.
+    assert!((1..=3).contains(&made.load(Ordering::Relaxed)) && before + made.load(Ordering::Relaxed) == 4);
+    let steps: Vec<usize> =
+        records::read::<Record>(&file, "").expect("read").into_iter().map(|record| record.steps).collect();
+    assert_eq!(steps, [0, 1, 2]);
+}
+
+#[test]
+fn series_without_a_limit_grows_and_one_with_a_limit_does_not() {
+    let at = |of: &dyn Fn(f64) -> f64| unbounded::grows([4.0, 2.0, 1.0].map(of));
+    assert!(at(&|h| 100.0 - 10.0 * h.ln()).is_some(), "a logarithm");
+    assert!(at(&|h| 100.0 * h.powf(-0.3)).is_some(), "a corner");
+    assert!(at(&|h| 100.0 - h * h).is_none() && at(&|h| 100.0 - 3.0 * h).is_none(), "first and second order");
+    for lost in 0..3 {
+        let nan = Cell::new(0);
+        let spoiled = at(&|h| {
+            nan.set(nan.get() + 1);
+            if nan.get() == lost + 1 { f64::NAN } else { 100.0 * h.powf(-0.3) }
+        });
+        assert!(spoiled.is_none(), "NaN tells of no growth");
+    }
+}
