@@ -80,3 +80,38 @@ fn list_of_another_length_names_file_line_key_value_and_remedy() {
         wanted.iter().for_each(|part| assert!(error.contains(part), "{is}: `{part}` is not in: {error}"));
     }
 }
+
+/// A file, tables in it, and the same by position instead of by key.
+const BY_POSITION: &[(&str, &str, &str)] = &[
+    ("rigid-cosine", "cosine = { amplitude = 0.01, wavelength = 40 }", "cosine = [0.01, 40, 7]"),
+    (
+        "rigid-cosine",
+        "rectangle = { x = [0, 20], y = [0, 40], contact = \"bottom\" }",
+        "rectangle = [[0, 20], [0, 40], \"bottom\"]",
+    ),
+    (
+        "rigid-cosine",
+        "traction = { at = \"far\", value = [0, -62.618859641] }",
+        "traction = [\"far\", [0, -62.618859641]]",
+    ),
+    ("rigid-cosine", "[mesh]\nelements = 16\nper = 8\n", "[mesh]\nelements = 16\nper = 8\ngrowth = [1.5, 1.4, 3]\n"),
+    ("rigid-cosine", "supports = [{ at = \"left\", component = \"x\" }", "supports = [[\"left\", \"x\"]"),
+    ("whole-disc", "disc = { centre = [0, 50], radius = 50, whole = true }", "disc = [[0, 50], 50]"),
+    ("press-fit", "arc = { centre = [0, 0], radius = 40 }", "arc = [[0, 0], 40]"),
+    ("press-fit", "[reference]\n", "[[reference]]\n"),
+    ("press-fit", "[solve]\n", "[[solve]]\n"),
+];
+
+#[test]
+fn table_by_position_is_refused() {
+    for (name, was, is) in BY_POSITION {
+        let text = text_of(&format!("{name}.toml"));
+        assert!(text.contains(was), "{name}: {was}\n{text}");
+        let spoiled = text.replacen(was, is, 1);
+        let file = folder().join(format!("{name}.toml"));
+        let error = SceneFile::parse(&file, &spoiled).map(|_| ()).expect_err(is).to_string();
+        let line = 1 + spoiled[..spoiled.find(is).expect("a place")].matches('\n').count();
+        let near = (line..line + 4).any(|line| error.starts_with(&format!("{}:{line}: ", file.display())));
+        assert!(near && error.contains("a table with its keys"), "{is}: {error}");
+    }
+}

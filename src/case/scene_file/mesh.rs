@@ -5,15 +5,12 @@ use std::ops::Range;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::case::accuracy::{
-    self, Asked, Quantity,
-    fitted::Plan,
-    search::{FIRST, KINKED, UNKINKED},
-};
+use crate::case::accuracy::search::{KINKED, UNKINKED};
+use crate::case::accuracy::{self, Asked, Quantity};
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::scene::file::Source;
-use crate::scene::file::tables::{GrowthTable, Name, Number};
+use crate::scene::file::tables::{GrowthTable, Keyed, Name, Number};
 use crate::scene::{Body, Scene, Shape};
 
 /// Elements up to which the default growth is as it is described; beyond, it follows them.
@@ -27,7 +24,7 @@ pub(super) struct MeshTable {
     elements: Option<Spanned<usize>>,
     per: Option<Number>,
     order: Option<Spanned<u8>>,
-    growth: Option<Spanned<GrowthTable>>,
+    growth: Option<Spanned<Keyed<GrowthTable>>>,
     accuracy: Option<Name>,
     quantity: Option<Spanned<Vec<Name>>>,
 }
@@ -40,7 +37,7 @@ impl MeshTable {
 
     /// How the mesh grows, where it is said.
     pub(super) fn growth(&self) -> Option<&GrowthTable> {
-        self.growth.as_ref().map(Spanned::get_ref)
+        self.growth.as_ref().map(|growth| &**growth.get_ref())
     }
 
     /// What is asked; none where the mesh is given.
@@ -94,19 +91,12 @@ impl MeshTable {
     ) -> Result<(Scene, Resolution), Error> {
         let brought = |body: &Body| body.shape.brings_mesh();
         if let Some(accuracy) = &self.accuracy {
-            if let Some(body) = scene.bodies.iter().find(|body| brought(body)) {
-                let message = format!("`{}` brings its mesh, which no accuracy can choose", body.name);
-                return Err(source.refused(accuracy.span(), message, "leave `accuracy` out, and refine the mesh"));
-            }
-            if scene.contacts.len() > 1 {
-                let message = "an accuracy chooses the mesh of one contact, and there are several";
-                return Err(source.refused(accuracy.span(), message, "give `elements` and `per` instead"));
-            }
-            if !scene.contact().profile.kinks().is_empty() {
+            if scene.contacts.iter().any(|pair| !pair.profile.kinks().is_empty()) {
                 return Err(source.refused(accuracy.span(), KINKED, UNKINKED));
             }
-            let first = Plan::even(Order::Quadratic, FIRST, scene.contact().stretch, 0);
-            return Ok((first.scene(&scene), first.resolution()));
+            // Refuses given meshes of several orders.
+            self.order(source, place, &scene)?;
+            return Ok(accuracy::first(&scene));
         }
         let needed = scene.bodies.iter().any(|body| !brought(body));
         let unused = [

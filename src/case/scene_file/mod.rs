@@ -21,7 +21,7 @@ use crate::case::universal;
 use crate::error::Error;
 use crate::formulation::{Discretisation, Element, Formulation, Iteration, Start};
 use crate::mesh::size::solvable;
-use crate::scene::file::tables::{BodyTable, ContactTables, Name, Number, ReferenceTable, UnitsTable};
+use crate::scene::file::tables::{BodyTable, ContactTables, Keyed, Name, Number, ReferenceTable, UnitsTable};
 use crate::scene::file::units::Units;
 use crate::scene::file::unsupported::Unsupported;
 use crate::scene::file::{Source, Tables};
@@ -54,14 +54,14 @@ struct Document {
     title: Option<String>,
     plane: Name,
     thickness: Number,
-    units: Option<UnitsTable>,
-    body: Spanned<Vec<BodyTable>>,
+    units: Option<Keyed<UnitsTable>>,
+    body: Spanned<Vec<Keyed<BodyTable>>>,
     contact: Spanned<ContactTables>,
-    reference: Option<ReferenceTable>,
-    mesh: Option<Spanned<MeshTable>>,
-    solve: Option<Spanned<SolveTable>>,
+    reference: Option<Keyed<ReferenceTable>>,
+    mesh: Option<Spanned<Keyed<MeshTable>>>,
+    solve: Option<Spanned<Keyed<SolveTable>>>,
     #[serde(default)]
-    check: Vec<CheckTable>,
+    check: Vec<Keyed<CheckTable>>,
 }
 
 /// `[solve]`: everything optional.
@@ -206,7 +206,7 @@ impl Document {
     }
 
     fn read(&self, source: Source, name: String) -> Result<SceneFile, Error> {
-        let units = Units::of(source, self.units.as_ref())?;
+        let units = Units::of(source, self.units.as_deref())?;
         let bodies = self.body.get_ref();
         if bodies.is_empty() {
             return Err(source.refused(self.body.span(), "there is no body", "add one as [[body]]"));
@@ -215,7 +215,7 @@ impl Document {
         let Some(contact) = contacts.first() else {
             return Err(source.refused(self.contact.span(), "there is no contact", "add one as [contact]"));
         };
-        let none = Spanned::new(self.body.span(), MeshTable::default());
+        let none = Spanned::new(self.body.span(), Keyed::default());
         let table = self.mesh.as_ref().unwrap_or(&none);
         let mesh = table.get_ref();
         let accuracy = mesh.asked(source)?;
@@ -226,7 +226,7 @@ impl Document {
             thickness: &self.thickness,
             bodies,
             contacts,
-            reference: self.reference.as_ref(),
+            reference: self.reference.as_deref(),
             per: mesh.per(&contact.stretch),
             growth: mesh.growth(),
         };
@@ -234,7 +234,7 @@ impl Document {
         if let Err((message, remedy)) = solvable(&scene, resolution) {
             return Err(source.refused(mesh.place(&table.span()), message, remedy));
         }
-        let default = SolveTable::default();
+        let default = Keyed::default();
         let formulation = self.solve.as_ref().map_or(&default, Spanned::get_ref).formulation(source)?;
         let wanted = self.check.iter().map(|check| check.wanted(source, &units, bodies, &scene));
         let wanted = wanted.collect::<Result<_, _>>()?;

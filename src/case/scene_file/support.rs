@@ -5,7 +5,7 @@ use toml::Spanned;
 
 use crate::error::Error;
 use crate::scene::file::Source;
-use crate::scene::file::tables::{BodyTable, Name, PlaceTable, SupportTable};
+use crate::scene::file::tables::{BodyTable, Keyed, Name, PlaceTable, SupportTable};
 
 /// `support = { body = "…", at = "…", component = "…" }`.
 #[derive(Debug, Deserialize)]
@@ -18,12 +18,12 @@ pub(super) struct SupportName {
 
 impl SupportName {
     /// Index of the body, and of the support in it; what does not exist is told with its line and what there is.
-    pub(super) fn find(&self, source: Source, bodies: &[BodyTable]) -> Result<[usize; 2], Error> {
+    pub(super) fn find(&self, source: Source, bodies: &[Keyed<BodyTable>]) -> Result<[usize; 2], Error> {
         let names: Vec<_> =
             bodies.iter().enumerate().map(|(index, body)| (body.name.get_ref().as_str(), index)).collect();
         let body = source.choice("body", &self.body, &names)?;
         let supports = &bodies[body].supports;
-        let is_it = |support: &SupportTable| {
+        let is_it = |support: &Keyed<SupportTable>| {
             support.at.get_ref() == self.at.get_ref() && support.component.get_ref() == self.component.get_ref()
         };
         supports.iter().position(is_it).map(|support| [body, support]).ok_or_else(|| {

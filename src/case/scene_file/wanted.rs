@@ -11,7 +11,7 @@ use crate::measure::{display_factor, profile};
 use crate::oracle::ReferenceKind;
 use crate::scene::Scene;
 use crate::scene::file::Source;
-use crate::scene::file::tables::{BodyTable, Name, Number};
+use crate::scene::file::tables::{BodyTable, Keyed, Name, Number};
 use crate::scene::file::units::Units;
 
 use super::support::SupportName;
@@ -133,7 +133,7 @@ impl CheckTable {
         &self,
         source: Source,
         units: &Units,
-        bodies: &[BodyTable],
+        bodies: &[Keyed<BodyTable>],
         scene: &Scene,
     ) -> Result<Wanted, Error> {
         let quantity = source.choice("quantity", &self.quantity, &QUANTITIES)?;

@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use crate::error::Error;
 use crate::scene::file::Source;
-use crate::scene::file::tables::{BlockTable, Pair};
+use crate::scene::file::tables::{BlockTable, Keyed, Pair};
 use crate::scene::file::units::Units;
 use crate::scene::{BlockShape, Shape};
 
@@ -22,7 +22,7 @@ pub fn shape(
     source: Source,
     units: &Units,
     place: Range<usize>,
-    tables: &[Spanned<BlockTable>],
+    tables: &[Spanned<Keyed<BlockTable>>],
 ) -> Result<Shape, Error> {
     if tables.is_empty() || tables.len() > MOST {
         return Err(source.refused(place, format!("there are {} blocks", tables.len()), format!("give 1 to {MOST}")));
@@ -32,7 +32,7 @@ pub fn shape(
     Ok(Shape::Blocks(blocks))
 }
 
-fn block(source: Source, units: &Units, spanned: &Spanned<BlockTable>) -> Result<BlockShape, Error> {
+fn block(source: Source, units: &Units, spanned: &Spanned<Keyed<BlockTable>>) -> Result<BlockShape, Error> {
     let table = spanned.get_ref();
     let point = |key: &str, pair: &Pair| Ok::<_, Error>(source.pair(key, pair)?.map(|x| units.length * x));
     let mut corners = [[0.0; 2]; 4];
@@ -99,7 +99,7 @@ fn block(source: Source, units: &Units, spanned: &Spanned<BlockTable>) -> Result
 const MOST_GROWTH: f64 = 1e6;
 
 /// Refuses blocks that meet along a part of a side, or with other elements: their nodes would not be common.
-fn refuse_unequal(source: Source, tables: &[Spanned<BlockTable>], blocks: &[BlockShape]) -> Result<(), Error> {
+fn refuse_unequal(source: Source, tables: &[Spanned<Keyed<BlockTable>>], blocks: &[BlockShape]) -> Result<(), Error> {
     let size = blocks.iter().flat_map(|b| b.corners).flatten().fold(0.0, |size: f64, x| size.max(x.abs()));
     let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
     let same = |a, b| apart(a, b) <= SAME * size;

@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use crate::error::Error;
 use crate::scene::file::tables::{
-    BodyTable, LawTable, LoadTable, PlaceTable, RingTable, ShapeTable, SupportTable, TractionTable,
+    BodyTable, Keyed, LawTable, LoadTable, PlaceTable, RingTable, ShapeTable, SupportTable, TractionTable,
 };
 use crate::scene::file::units::Units;
 use crate::scene::file::{Source, blocks, disc, gmsh};
@@ -38,7 +38,7 @@ pub fn body(
 }
 
 /// Refuses two bodies of one name.
-pub fn refuse_equal_names(source: Source, bodies: &[BodyTable]) -> Result<(), Error> {
+pub fn refuse_equal_names(source: Source, bodies: &[Keyed<BodyTable>]) -> Result<(), Error> {
     for (k, body) in bodies.iter().enumerate() {
         if bodies[..k].iter().any(|other| other.name.get_ref() == body.name.get_ref()) {
             let message = format!("a second body is called `{}`", body.name.get_ref());
@@ -51,7 +51,7 @@ pub fn refuse_equal_names(source: Source, bodies: &[BodyTable]) -> Result<(), Er
 /// Refuses a component that is prescribed twice at one place, or prescribed and loaded as a rigid face.
 fn refuse_held_twice(source: Source, table: &BodyTable) -> Result<(), Error> {
     for (k, support) in table.supports.iter().enumerate() {
-        let same = |other: &SupportTable| {
+        let same = |other: &Keyed<SupportTable>| {
             other.component.get_ref() == support.component.get_ref() && other.at.get_ref() == support.at.get_ref()
         };
         if table.supports[..k].iter().any(same) {

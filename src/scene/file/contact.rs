@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
 use crate::scene::file::side::Side;
-use crate::scene::file::tables::{BodyTable, ContactTable, Name, Pair};
+use crate::scene::file::tables::{BodyTable, ContactTable, Keyed, Name, Pair};
 use crate::scene::file::units::Units;
 use crate::scene::file::{Source, compared, gap};
 use crate::scene::{Body, Circle, ContactPair, DrawnGap, Line, Path, Profile};
@@ -29,7 +29,7 @@ pub fn is_across(contacts: &[ContactTable], body: &BodyTable) -> bool {
 pub fn pairs(
     source: Source,
     units: &Units,
-    tables: &[BodyTable],
+    tables: &[Keyed<BodyTable>],
     bodies: &[Body],
     contacts: &[ContactTable],
 ) -> Result<Vec<ContactPair>, Error> {
@@ -69,7 +69,7 @@ fn refuse_blank(source: Source, table: &ContactTable) -> Result<(), Error> {
 fn pair(
     source: Source,
     units: &Units,
-    tables: &[BodyTable],
+    tables: &[Keyed<BodyTable>],
     bodies: &[Body],
     table: &ContactTable,
 ) -> Result<ContactPair, Error> {

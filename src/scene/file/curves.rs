@@ -1,6 +1,6 @@
 //! The sides of shapes as curves.
 
-use crate::scene::{BlockShape, Circle, Curve, GivenMesh};
+use crate::scene::{BlockShape, Circle, Curve};
 
 /// A circle from an angle to another, from the downward vertical \[rad\]: two curves, each less than half a turn.
 pub(super) fn of_circle(circle: &Circle, from: f64, to: f64) -> Vec<Curve> {
@@ -24,10 +24,4 @@ pub(super) fn of_blocks(blocks: &[BlockShape], name: &str) -> Option<Vec<Curve>>
         |block: &BlockShape| (0..4).filter(|&k| named(block, k)).map(|k| curve(block, k)).collect::<Vec<_>>();
     let curves: Vec<Curve> = blocks.iter().flat_map(of_block).collect();
     (!curves.is_empty()).then_some(curves)
-}
-
-/// The edges of a boundary; none where it is not there, or runs inside.
-pub(super) fn of_mesh(mesh: &GivenMesh, name: &str) -> Option<Vec<Curve>> {
-    let edges = mesh.boundaries.get(name).filter(|_| !mesh.inner.contains(name))?;
-    Some(edges.iter().map(|edge| Curve::Edge(edge.iter().map(|&node| mesh.points[node]).collect())).collect())
 }

@@ -6,7 +6,7 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
-use crate::scene::file::values::{Name, Number, Pair};
+use crate::scene::file::values::{Keyed, Name, Number, Pair};
 
 /// `gap = "drawn"` or `gap = { … }`, as a function of the contact coordinate s.
 #[derive(Debug)]
@@ -35,9 +35,9 @@ pub enum GapTable {
         smooth: bool,
     },
     /// Waves.
-    Cosine(CosineTable),
+    Cosine(Keyed<CosineTable>),
     /// Pin in a hole.
-    Hole(HoleTable),
+    Hole(Keyed<HoleTable>),
 }
 
 /// `cosine = { amplitude = Δ, wavelength = λ }`: Δ (1 − cos 2πs/λ).
@@ -73,8 +73,8 @@ struct Keys {
     wedge: Option<Number>,
     table: Option<Vec<Pair>>,
     smooth: Option<bool>,
-    cosine: Option<CosineTable>,
-    hole: Option<HoleTable>,
+    cosine: Option<Keyed<CosineTable>>,
+    hole: Option<Keyed<HoleTable>>,
 }
 
 impl<'de> Deserialize<'de> for GapTable {

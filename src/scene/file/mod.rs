@@ -136,7 +136,7 @@ pub struct Tables<'a> {
     /// Thickness.
     pub thickness: &'a Spanned<f64>,
     /// Bodies.
-    pub bodies: &'a [tables::BodyTable],
+    pub bodies: &'a [tables::Keyed<tables::BodyTable>],
     /// The contacts, at least one.
     pub contacts: &'a [ContactTable],
     /// Reference values.
@@ -152,7 +152,9 @@ impl Tables<'_> {
     pub fn scene(&self, source: Source) -> Result<Scene, Error> {
         let known = [("strain", PlaneHypothesis::Strain), ("stress", PlaneHypothesis::Stress)];
         let plane = source.choice("plane hypothesis", self.plane, &known)?;
-        let body = |table| bodies::body(source, &self.units, plane, contact::is_across(self.contacts, table), table);
+        let body = |table: &tables::Keyed<tables::BodyTable>| {
+            bodies::body(source, &self.units, plane, contact::is_across(self.contacts, table), table)
+        };
         let bodies = self.bodies.iter().map(body).collect::<Result<Vec<Body>, Error>>()?;
         bodies::refuse_equal_names(source, self.bodies)?;
         let contacts = contact::pairs(source, &self.units, self.bodies, &bodies, self.contacts)?;

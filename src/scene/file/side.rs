@@ -80,7 +80,7 @@ impl Side {
                 Self { outward: Some(false), curves, place: Place::Arc(*hole), across: Some(false), length: PI }
             }
             Shape::Blocks(blocks) => Self::of_pieces(curves::of_blocks(blocks, name)?, path, stretch),
-            Shape::Given(mesh) => Self::of_pieces(curves::of_mesh(mesh, name)?, path, stretch),
+            Shape::Given(mesh) => Self::of_pieces(mesh.curves(name)?, path, stretch),
         })
     }
 

@@ -9,7 +9,7 @@ use toml::Spanned;
 
 use crate::scene::file::gap_keys::GapTable;
 
-pub use crate::scene::file::values::{List, Name, Number, Pair};
+pub use crate::scene::file::values::{Keyed, List, Name, Number, Pair};
 
 /// `[units]`.
 #[derive(Debug, Deserialize)]
@@ -39,7 +39,7 @@ pub struct BodyTable {
     pub density: Option<Number>,
     /// Prescribed displacements.
     #[serde(default)]
-    pub supports: Vec<SupportTable>,
+    pub supports: Vec<Keyed<SupportTable>>,
     /// Loads.
     #[serde(default)]
     pub loads: Vec<LoadTable>,
@@ -50,15 +50,15 @@ pub struct BodyTable {
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ShapeTable {
     /// Axis-parallel rectangle.
-    Rectangle(RectangleTable),
+    Rectangle(Keyed<RectangleTable>),
     /// A disc, or a sector of it.
-    Disc(DiscTable),
+    Disc(Keyed<DiscTable>),
     /// Sector of a ring from the downward vertical.
-    Ring(RingTable),
+    Ring(Keyed<RingTable>),
     /// Blocks that share whole sides.
-    Blocks(Vec<Spanned<BlockTable>>),
+    Blocks(Vec<Spanned<Keyed<BlockTable>>>),
     /// A physical group of a Gmsh mesh.
-    Gmsh(GmshTable),
+    Gmsh(Keyed<GmshTable>),
 }
 
 /// `{ corners = [[x, y], …], elements = [n, m], bottom = "contact", … }`.
@@ -81,7 +81,7 @@ pub struct BlockTable {
     pub left: Option<Name>,
     /// Centres of the sides that are arcs.
     #[serde(default)]
-    pub arcs: ArcsTable,
+    pub arcs: Keyed<ArcsTable>,
 }
 
 /// `arcs = { bottom = [x, y] }`: centres.
@@ -181,15 +181,15 @@ pub enum PlaceTable {
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LoadTable {
     /// `{ traction = { at = "far", value = [tx, ty] } }`, or `x` and `y` each with a law.
-    Traction(TractionTable),
+    Traction(Keyed<TractionTable>),
     /// `{ pressure = { at = "far", law = { … } } }`, normal to the boundary, positive inwards.
-    Pressure(PressureTable),
+    Pressure(Keyed<PressureTable>),
     /// `{ body-force = [fx, fy] }`, force per volume.
     BodyForce(Pair),
     /// `{ force = { at = [x, y], value = [fx, fy] } }`.
-    Force(ForceTable),
+    Force(Keyed<ForceTable>),
     /// `{ rigid-face = { at = "far", component = "y", force = -100 } }`: the face stays flat and takes a total force.
-    RigidFace(RigidFaceTable),
+    RigidFace(Keyed<RigidFaceTable>),
 }
 
 /// A traction on a boundary.
@@ -223,9 +223,9 @@ pub enum LawTable {
     /// The same everywhere.
     Uniform(Number),
     /// `Σ c_k x^k`, or of y.
-    Polynomial(PolynomialTable),
+    Polynomial(Keyed<PolynomialTable>),
     /// `Σ c_k cos kθ`.
-    Cosine(SeriesTable),
+    Cosine(Keyed<SeriesTable>),
 }
 
 /// `polynomial = { along = "x", coefficients = [c0, c1, …] }`.
@@ -289,7 +289,7 @@ pub struct ContactTable {
     /// The gap is the one given even where the bodies are drawn with another; false where it is left out.
     pub gap_only: Option<Spanned<bool>>,
     /// The path is an arc: contact coordinates are angles from the downward vertical \[°\].
-    pub arc: Option<CircleTable>,
+    pub arc: Option<Keyed<CircleTable>>,
     /// Where s = 0 lies on a straight path; [0, 0] where it is left out.
     pub origin: Option<Pair>,
     /// Candidates lie from 0 to here, on both sides where it has both: a length, or degrees on an arc.
@@ -320,7 +320,8 @@ impl<'de> Deserialize<'de> for ContactTables {
             }
 
             fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Self::Value, A::Error> {
-                Vec::deserialize(SeqAccessDeserializer::new(list)).map(ContactTables)
+                let several: Vec<Keyed<ContactTable>> = Vec::deserialize(SeqAccessDeserializer::new(list))?;
+                Ok(ContactTables(several.into_iter().map(|one| one.0).collect()))
             }
         }
         deserializer.deserialize_any(OneOrMore)
