@@ -10,6 +10,7 @@
 //! of equal springs that stiffen.
 
 use crate::algorithm::{ContactProblem, Iterate, Springs};
+use crate::contact::ContactPoint;
 use crate::solution::Work;
 
 /// What a closed point does.
@@ -32,14 +33,14 @@ pub struct Exact {
     pub sets: usize,
 }
 
-/// Springs that hold closed points of mean area, over the mean diagonal of S. What they yield is carried over until it
-/// is round-off.
+/// Springs that hold closed points of the mean area of their contact, over the mean diagonal of S there. What they yield
+/// is carried over until it is round-off.
 const HOLDING: f64 = 1e5;
 /// Times what the springs carry is handed over: each leaves about `1/HOLDING` of the penetration before.
 const HANDED: usize = 4;
 /// Tension over the largest pressure of its contact that is round-off.
 const PULLS: f64 = 1e-10;
-/// Penetration over the lengths of which it is the difference that is round-off.
+/// Penetration over the largest lengths of its contact, of which it is the difference, that is round-off.
 const PENETRATES: f64 = 1e-13;
 /// Sets that are tried: changing one point at a time takes about one for each point that must change.
 const SETS: usize = 1000;
@@ -58,10 +59,21 @@ fn holding(problem: &ContactProblem, law: Law) -> Vec<f64> {
     if law == Law::Springs {
         return problem.initial.clone();
     }
-    let n = problem.load.len();
-    let mean = (0..n).map(|i| problem.stiffness[(i, i)]).sum::<f64>() / n as f64;
-    let area = problem.points.iter().map(|point| point.weight).sum::<f64>() / problem.points.len() as f64;
-    vec![HOLDING * mean / area; problem.points.len()]
+    let diagonal = |point: &ContactPoint| -> f64 {
+        point.row.iter().map(|&(freedom, b)| b * b * problem.stiffness[(freedom, freedom)]).sum()
+    };
+    let mut sums = vec![[0.0; 2]; contacts(problem)];
+    for point in problem.points {
+        let [stiffness, area] = &mut sums[point.contact];
+        *stiffness += diagonal(point);
+        *area += point.weight;
+    }
+    problem.points.iter().map(|point| HOLDING * sums[point.contact][0] / sums[point.contact][1]).collect()
+}
+
+/// Number of contacts that have points.
+fn contacts(problem: &ContactProblem) -> usize {
+    problem.points.iter().map(|point| point.contact + 1).max().unwrap_or(0)
 }
 
 struct Search<'a> {
@@ -125,20 +137,21 @@ impl Search<'_> {
     /// where numbers are none.
     fn violations(&self, closed: &[bool], iterate: &Iterate) -> Option<Vec<f64>> {
         let points = self.problem.points;
-        let contacts = points.iter().map(|point| point.contact + 1).max().unwrap_or(0);
-        let mut largest = vec![0.0_f64; contacts];
+        let mut largest = vec![0.0_f64; contacts(self.problem)];
         points.iter().zip(&iterate.pressure).for_each(|(at, p)| largest[at.contact] = largest[at.contact].max(p.abs()));
         let overall = largest.iter().copied().fold(0.0, f64::max);
-        let lengths = points.iter().zip(&iterate.approach).map(|(point, w)| point.gap.abs().min(f64::MAX) + w.abs());
-        let lengths: Vec<f64> = lengths.collect();
-        let longest = lengths.iter().copied().filter(|length| length.is_finite()).fold(0.0, f64::max);
+        let mut longest = vec![0.0_f64; largest.len()];
+        for point in points.iter().filter(|point| point.gap.is_finite()) {
+            let length = point.gap.abs() + point.size_of_approach(&iterate.displacement);
+            longest[point.contact] = longest[point.contact].max(length);
+        }
         let each = (0..points.len()).map(|i| {
             let (p, depth) = (iterate.pressure[i], iterate.approach[i] - points[i].gap);
             let scale = largest[points[i].contact].max(PULLS * overall);
             match closed[i] {
                 true if p < -PULLS * scale => -p / scale,
                 true => 0.0,
-                false if depth > PENETRATES * longest => {
+                false if depth > PENETRATES * longest[points[i].contact] => {
                     depth * self.holding[i] / HOLDING / scale.max(f64::MIN_POSITIVE)
                 }
                 false => 0.0,
