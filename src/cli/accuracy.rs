@@ -3,10 +3,10 @@
 use comfy_table::{Table, presets};
 use serde::Serialize;
 
-use crate::case::accuracy::{Answer, Asked, Quoted, Tried};
+use crate::case::accuracy::{Answer, Asked, Quoted, Tried, TriedContact};
 use crate::cli::say;
+use crate::measure::display_factor;
 use crate::report::format;
-use crate::scene::Path;
 
 /// The same as JSON; an estimate that is not known is null.
 #[derive(Serialize)]
@@ -18,7 +18,7 @@ pub struct Document {
     estimate: f64,
     freedoms: usize,
     freedoms_in_all: usize,
-    stretch: f64,
+    stretches: Vec<f64>,
     growth: [f64; 2],
     quantities: Vec<OneQuantity>,
     tried: Vec<OneMesh>,
@@ -26,6 +26,7 @@ pub struct Document {
 
 #[derive(Serialize)]
 struct OneQuantity {
+    contact: String,
     quantity: &'static str,
     estimate: f64,
     from_elements: f64,
@@ -42,18 +43,24 @@ struct OneMesh {
     order: u8,
     elements: usize,
     growth: f64,
-    stretch: f64,
     freedoms: usize,
     steps: usize,
+    contacts: Vec<OneContact>,
+    estimate: f64,
+}
+
+#[derive(Serialize)]
+struct OneContact {
+    stretch: f64,
     peak_pressure: f64,
     half_width: f64,
-    estimate: f64,
 }
 
 impl Document {
     /// What was asked and what came out.
     pub fn of((asked, answer): &(Asked, Answer)) -> Self {
         let quantity = |quoted: &Quoted| OneQuantity {
+            contact: answer.scene.contacts[quoted.contact].name.clone(),
             quantity: quoted.quantity.name(),
             estimate: quoted.relative,
             from_elements: quoted.elements,
@@ -63,16 +70,19 @@ impl Document {
             observed_order: quoted.order,
             observed_order_of_growth: quoted.growth_order,
         };
+        let contact = |found: &TriedContact| OneContact {
+            stretch: found.stretch,
+            peak_pressure: found.peak,
+            half_width: found.half_width,
+        };
         let mesh = |tried: &Tried| OneMesh {
             purpose: tried.purpose,
             order: tried.order.number(),
             elements: tried.elements,
             growth: tried.growth,
-            stretch: tried.stretch,
             freedoms: tried.freedoms,
             steps: tried.steps,
-            peak_pressure: tried.peak,
-            half_width: tried.half_width,
+            contacts: tried.contacts.iter().map(contact).collect(),
             estimate: tried.estimate,
         };
         Self {
@@ -82,7 +92,7 @@ impl Document {
             estimate: answer.estimate(),
             freedoms: answer.run.freedoms,
             freedoms_in_all: in_all(answer),
-            stretch: answer.scene.contact().stretch,
+            stretches: answer.scene.contacts.iter().map(|pair| pair.stretch).collect(),
             growth: [answer.scene.grading.along, answer.scene.grading.depth],
             quantities: answer.estimates.iter().map(quantity).collect(),
             tried: answer.tried.iter().map(mesh).collect(),
@@ -95,21 +105,29 @@ fn in_all(answer: &Answer) -> usize {
 }
 
 /// Prints what was asked, what is estimated, and what was tried.
-pub fn print((asked, answer): &(Asked, Answer), path: &Path) {
-    let factor = crate::measure::display_factor(path);
-    let unit = if factor > 1.0 { "°" } else { "mm" };
+pub fn print((asked, answer): &(Asked, Answer)) {
+    let contacts = &answer.scene.contacts;
     say(format!("accuracy asked: {} %", 100.0 * asked.relative));
     for quoted in &answer.estimates {
+        let of = if contacts.len() > 1 { format!("{}, ", contacts[quoted.contact].name) } else { String::new() };
+        let order = |order: f64| known(order, |order| format!("{order:.1}"));
+        let (parts, orders) = match quoted.growth.is_finite() {
+            true => (
+                format!(
+                    "{} from the elements, {} from growth",
+                    known(quoted.elements, format::error),
+                    format::error(quoted.growth)
+                ),
+                format!("{} along the contact, {} of growth", order(quoted.order), order(quoted.growth_order)),
+            ),
+            false => (format!("{} from the mesh", known(quoted.elements, format::error)), order(quoted.order)),
+        };
         say(format!(
-            "{}: estimated error {}: {} from the elements, {} from growth, {} from the iteration, and at least {} by a finer mesh; observed order {} along the contact, {} of growth",
+            "{of}{}: estimated error {}: {parts}, {} from the iteration, and at least {} by a finer mesh; observed order {orders}",
             quoted.quantity.name(),
             known(quoted.relative, format::error),
-            known(quoted.elements, format::error),
-            known(quoted.growth, format::error),
             known(quoted.iteration, format::error),
             known(quoted.check, format::error),
-            known(quoted.order, |order| format!("{order:.1}")),
-            known(quoted.growth_order, |order| format!("{order:.1}"))
         ));
     }
     match &answer.unmet {
@@ -123,21 +141,32 @@ pub fn print((asked, answer): &(Asked, Answer), path: &Path) {
     }
     let mut table = Table::new();
     table.load_style(presets::NOTHING);
+    let factors: Vec<f64> = contacts.iter().map(|pair| display_factor(&pair.path)).collect();
+    let unit = match factors.iter().filter(|factor| **factor > 1.0).count() {
+        0 => "mm",
+        arcs if arcs == factors.len() => "°",
+        _ => "mm, °",
+    };
     let stretch = format!("stretch [{unit}]");
     let half_width = format!("half-width [{unit}]");
     let head = ["tried for", "cells", "elements", "growth", &stretch, "freedoms", "steps", "peak [MPa]", &half_width];
     table.set_header(head.into_iter().chain(["estimate"]));
+    // One line a contact.
+    let lines = |tried: &Tried, of: fn(&TriedContact, f64) -> String| -> String {
+        let each: Vec<String> = tried.contacts.iter().zip(&factors).map(|(found, factor)| of(found, *factor)).collect();
+        each.join("\n")
+    };
     for tried in &answer.tried {
         table.add_row([
             tried.purpose.to_owned(),
             format!("{}-node", tried.order.nodes_per_cell()),
             tried.elements.to_string(),
-            format!("{:.3}", tried.growth),
-            format::value(factor * tried.stretch),
+            known(tried.growth, |growth| format!("{growth:.3}")),
+            lines(tried, |found, factor| format::value(factor * found.stretch)),
             if tried.freedoms == 0 { "contact beyond".into() } else { tried.freedoms.to_string() },
             tried.steps.to_string(),
-            known(tried.peak, format::value),
-            known(factor * tried.half_width, format::value),
+            lines(tried, |found, _| known(found.peak, format::value)),
+            lines(tried, |found, factor| known(factor * found.half_width, format::value)),
             known(tried.estimate, format::error),
         ]);
     }

@@ -1,8 +1,7 @@
 //! What the user types.
 //!
 //! * [`accuracy`] — what `solve` says of an accuracy that was asked for.
-//! * [`converged`] — surveys what is called converged.
-//! * [`met`] — surveys whether accuracies called met are met.
+//! * [`survey`] — surveys what is called converged, and what is called met, with a progress bar.
 //! * [`ended`] — how a command ended, as its exit code tells.
 //! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`timings`] — measures speed against accuracy.

@@ -10,8 +10,8 @@ pub type Point = [f64; 2];
 pub struct Side {
     /// Lattice points: corner, mid-side, corner, …
     pub points: Vec<Point>,
-    /// Name of the boundary, or of the line inside the body; none for sides nothing refers to.
-    pub name: Option<BoundaryName>,
+    /// Names of the boundary, or of the line inside the body; none for sides nothing refers to.
+    pub names: Vec<BoundaryName>,
     /// Whether the side lies inside the body.
     pub inside: bool,
 }
@@ -32,17 +32,17 @@ pub struct Block {
 impl Side {
     /// A side on a named boundary.
     pub fn named(boundary: impl Into<BoundaryName>, points: Vec<Point>) -> Self {
-        Self { points, name: Some(boundary.into()), inside: false }
+        Self { points, names: vec![boundary.into()], inside: false }
     }
 
     /// A side inside the body.
     pub fn inner(points: Vec<Point>) -> Self {
-        Self { points, name: None, inside: true }
+        Self { points, names: vec![], inside: true }
     }
 
     /// A named line inside the body, which may carry a load.
     pub fn line(name: impl Into<BoundaryName>, points: Vec<Point>) -> Self {
-        Self { points, name: Some(name.into()), inside: true }
+        Self { points, names: vec![name.into()], inside: true }
     }
 
     /// The side with every point moved to its image.
@@ -51,7 +51,7 @@ impl Side {
     }
 
     /// The side from its end to its begin.
-    fn backwards(mut self) -> Self {
+    pub(super) fn backwards(mut self) -> Self {
         self.points.reverse();
         self
     }
@@ -89,7 +89,7 @@ impl Block {
 
     /// The block with the sides of a boundary, or of a line inside, made anew from their points.
     pub fn instead_of(self, boundary: &str, made: impl Fn(Vec<Point>) -> Side) -> Self {
-        let anew = |side: Side| if side.name.as_deref() == Some(boundary) { made(side.points) } else { side };
+        let anew = |side: Side| if side.names.iter().any(|name| name == boundary) { made(side.points) } else { side };
         Self { bottom: anew(self.bottom), right: anew(self.right), top: anew(self.top), left: anew(self.left) }
     }
 

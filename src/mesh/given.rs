@@ -1,8 +1,12 @@
-//! Bodies whose mesh was made elsewhere: taken as they are.
+//! Bodies whose mesh was made elsewhere: taken as they are, or with every cell cut into a lattice of smaller ones.
 
+use std::collections::BTreeMap;
+
+use super::block::{Block, Point, Side};
+use super::spacing;
 use super::{BodyMesh, Mesh, Order};
 use crate::error::Error;
-use crate::scene::{GivenMesh, Scene, Shape};
+use crate::scene::{BoundaryName, Curve, GivenMesh, Scene, Shape};
 
 impl Mesh {
     /// Adds a body with the nodes, cells and boundaries it came with.
@@ -23,8 +27,8 @@ impl Mesh {
     }
 }
 
-/// Refuses an order or a refinement that the given meshes of a scene do not have.
-pub(super) fn refuse_others(scene: &Scene, order: Order, refinement: u32) -> Result<(), Error> {
+/// Refuses an order that the given meshes of a scene do not have.
+pub(super) fn refuse_others(scene: &Scene, order: Order) -> Result<(), Error> {
     for body in &scene.bodies {
         let Shape::Given(given) = &body.shape else { continue };
         let place = format!("{}, body `{}`", scene.name, body.name);
@@ -33,12 +37,25 @@ pub(super) fn refuse_others(scene: &Scene, order: Order, refinement: u32) -> Res
             let expected = format!("its mesh has cells of {} nodes", own.nodes_per_cell());
             return Err(Error::value(place, "order", order.number(), expected, "give all bodies cells of one order"));
         }
-        if refinement > 0 {
-            let expected = "its mesh is given and is not refined here";
-            return Err(Error::value(place, "refinement", refinement, expected, "give a finer mesh"));
-        }
     }
     Ok(())
+}
+
+impl Mesh {
+    /// The part of a body, as if it had been made elsewhere.
+    pub fn given(&self, body: usize) -> GivenMesh {
+        let own = &self.bodies[body];
+        let shifted = |nodes: &[usize]| nodes.iter().map(|node| node - own.nodes.start).collect();
+        let all = own.boundaries.iter().chain(&own.lines);
+        GivenMesh {
+            points: self.points[own.nodes.clone()].to_vec(),
+            cells: own.cells.clone().map(|cell| shifted(self.cell(cell))).collect(),
+            boundaries: all
+                .map(|(name, edges)| (name.clone(), edges.iter().map(|edge| shifted(edge)).collect()))
+                .collect(),
+            inner: own.lines.keys().cloned().collect(),
+        }
+    }
 }
 
 impl GivenMesh {
@@ -47,6 +64,49 @@ impl GivenMesh {
         match self.cells.first().map(Vec::len) {
             Some(4) => Order::Linear,
             _ => Order::Quadratic,
+        }
+    }
+
+    /// Every cell as a block, halved both ways so many times. Sides on the arcs of the outline stay on their circle.
+    pub(super) fn blocks(&self, refinement: u32) -> Vec<Block> {
+        let fractions = spacing::lattice(&[0.0, 1.0], refinement);
+        let arcs = self.arcs();
+        let mut names: BTreeMap<[usize; 2], Vec<&BoundaryName>> = BTreeMap::new();
+        for (name, edge) in self.boundaries.iter().flat_map(|(name, edges)| edges.iter().map(move |edge| (name, edge)))
+        {
+            names.entry([edge[0], edge[1]]).or_default().push(name);
+        }
+        // Edges lie with their body to the left, as the sides of cells do.
+        let side = |cell: &[usize], k: usize| {
+            let ends = [cell[k], cell[(k + 1) % 4]];
+            let middle = cell.get(4 + k).map(|&node| self.points[node]);
+            let at = |t: &f64| on_side(ends.map(|node| self.points[node]), middle, arcs.get(&ends).copied(), *t);
+            let names: Vec<BoundaryName> = names.get(&ends).into_iter().flatten().map(|name| (*name).clone()).collect();
+            let inside = names.iter().any(|name| self.inner.contains(name));
+            Side { points: fractions.iter().map(at).collect(), names, inside }
+        };
+        let block = |cell: &Vec<usize>| Block {
+            bottom: side(cell, 0),
+            right: side(cell, 1),
+            top: side(cell, 2).backwards(),
+            left: side(cell, 3).backwards(),
+        };
+        self.cells.iter().map(block).collect()
+    }
+}
+
+/// Point at the fraction `t` of a side of a cell: of an arc about a centre, of the parabola through its middle, of a line.
+fn on_side([a, b]: [Point; 2], middle: Option<Point>, centre: Option<Point>, t: f64) -> Point {
+    match (centre, middle) {
+        _ if t <= 0.0 => a,
+        _ if t >= 1.0 => b,
+        (Some(centre), None) => Curve::Arc { centre, ends: [a, b] }.point(t),
+        (Some(centre), Some(m)) if t <= 0.5 => Curve::Arc { centre, ends: [a, m] }.point(2.0 * t),
+        (Some(centre), Some(m)) => Curve::Arc { centre, ends: [m, b] }.point(2.0 * t - 1.0),
+        (None, None) => Curve::Line([a, b]).point(t),
+        (None, Some(m)) => {
+            let [first, second, last] = [(1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0)];
+            [0, 1].map(|k| first * a[k] + second * m[k] + last * b[k])
         }
     }
 }

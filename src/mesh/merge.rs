@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::block::Block;
-use super::{BodyMesh, Edge, Mesh, Order};
+use super::{BodyMesh, Mesh, Order};
 
 /// Points closer than this fraction of the body's size are one node.
 const SAME: f64 = 1e-9;
@@ -54,15 +54,15 @@ impl Mesh {
                 (&block.left, (0..rows).rev().map(|j| (0, j)).collect()),
             ];
             for (side, stations) in sides {
-                let Some(name) = side.name.clone() else { continue };
                 let named = if side.inside { &mut body.lines } else { &mut body.boundaries };
-                let edges: &mut Vec<Edge> = named.entry(name).or_default();
-                for three in stations.windows(3).step_by(2) {
+                for three in stations.windows(3).step_by(2).filter(|_| !side.names.is_empty()) {
                     let mut edge = vec![node(three[0].0, three[0].1), node(three[2].0, three[2].1)];
                     if quadratic {
                         edge.push(node(three[1].0, three[1].1));
                     }
-                    edges.push(edge);
+                    for name in &side.names {
+                        named.entry(name.clone()).or_default().push(edge.clone());
+                    }
                 }
             }
         }

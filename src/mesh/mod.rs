@@ -3,7 +3,7 @@
 //! * [`spacing`] — one-dimensional laws of element size.
 //! * [`block`] — transfinite interpolation inside four sides.
 //! * `outline` — from the scene's shapes to blocks.
-//! * `given` — meshes made elsewhere.
+//! * `given` — meshes made elsewhere, and their halving.
 //! * `sound` — whether given meshes hang together.
 //! * [`candidates`] — the contact nodes with their normals.
 //! * [`size`] — how large a mesh would be.
@@ -125,11 +125,12 @@ impl Mesh {
                 "use 8 to 32",
             ));
         }
-        given::refuse_others(scene, resolution.order, resolution.refinement)?;
+        given::refuse_others(scene, resolution.order)?;
         let mut mesh = Self { order: resolution.order, points: vec![], connectivity: vec![], bodies: vec![] };
         for (index, body) in scene.bodies.iter().enumerate() {
             match &body.shape {
-                Shape::Given(given) => mesh.append_given(given),
+                Shape::Given(given) if resolution.refinement == 0 => mesh.append_given(given),
+                Shape::Given(given) => mesh.append(&given.blocks(resolution.refinement)),
                 shape => mesh.append(&outline::Layout::new(scene, resolution, index).blocks(shape)),
             }
         }

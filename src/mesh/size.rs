@@ -11,8 +11,10 @@ pub const MOST: [f64; 2] = [500e3, 2e3];
 /// About how many cells and how many candidate elements a mesh would have.
 pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
     let sizes: Vec<[f64; 2]> = (0..scene.bodies.len()).map(|body| of_body(scene, resolution, body)).collect();
+    let cells: f64 = sizes.iter().map(|[cells, _]| cells).sum();
     let largest = sizes.iter().map(|[_, candidates]| *candidates).fold(0.0, f64::max);
-    [sizes.iter().map(|[cells, _]| cells).sum(), largest]
+    let halved = 2.0_f64.powi(resolution.refinement as i32);
+    [cells * halved * halved, largest * halved]
 }
 
 /// Cells and candidate elements of one body.
@@ -24,7 +26,8 @@ fn of_body(scene: &Scene, resolution: Resolution, body: usize) -> [f64; 2] {
     let body = &scene.bodies[index];
     let length = pair.stretch * pair.path.metric();
     let kinks_of = |pair: &ContactPair| pair.profile.kinks().iter().filter(|s| **s < pair.stretch).count() as f64;
-    let counted_on = |length: f64| (resolution.elements as f64 * length / grading.unit).round().max(1.0);
+    let elements = resolution.elements as f64 * body.density;
+    let counted_on = |length: f64| (elements * length / grading.unit).round().max(1.0);
     let sides_of = |pair: &ContactPair| if pair.path.has_both_sides() { 2.0 } else { 1.0 };
     let (candidates, sides) = (counted_on(length) + kinks_of(pair), sides_of(pair));
     let others = || own().filter(|other| !std::ptr::eq(*other, pair));
@@ -51,7 +54,6 @@ fn of_body(scene: &Scene, resolution: Resolution, body: usize) -> [f64; 2] {
         [along, counted(deep, first, grading.depth, grading.coarsest * deep)]
     };
     let structured = || {
-        let (size, step, candidates) = (size / body.density, step / body.density, candidates * body.density);
         let [along, depth] = match body.shape {
             Shape::Rectangle { x, y, .. } => [(x, size, grading.along), (y, size * grading.first, grading.depth)]
                 .map(|([from, to], first, ratio)| counted(to - from, first, ratio, grading.coarsest * (to - from))),
@@ -61,7 +63,7 @@ fn of_body(scene: &Scene, resolution: Resolution, body: usize) -> [f64; 2] {
             Shape::Blocks(_) | Shape::Given(_) => [0.0, 0.0],
         };
         let others = others().count() as f64;
-        let columns = sides * (candidates + along) + more * body.density + 2.0 * others * along;
+        let columns = sides * (candidates + along) + more + 2.0 * others * along;
         columns * (candidates.min(along) + depth * (1.0 + others.min(1.0)))
     };
     match &body.shape {
@@ -78,7 +80,7 @@ fn of_body(scene: &Scene, resolution: Resolution, body: usize) -> [f64; 2] {
             };
             [cells, touching.map(elements).sum()]
         }
-        _ => [structured(), (sides * candidates + more) * body.density],
+        _ => [structured(), sides * candidates + more],
     }
 }
 

@@ -35,8 +35,9 @@ fn met(findings: &[Finding]) -> String {
         "### Whether an accuracy called met is met\n\n\
          Random scenes of closed form: even polynomials and wedges with a round tip on blocks that carry the stresses of the \
          half-plane on their sides (`src/oracle/analytic/even_gap.rs`), waves (Westergaard), cylinders (Hertz) and pins in a wide plate \
-         (Persson). Size, material, load and the guess of the candidate stretch, {shortest} to {longest} times the contact, are drawn. The error is \
-         the larger one of peak pressure and half-width against the closed form. `cargo run --release -- met` renews the record; the \
+         (Persson); such scenes whose body brings a coarse mesh, its inner nodes shaken, and two of them in one, whatever their \
+         sizes. Size, material, load and the guess of the candidate stretch, {shortest} to {longest} times the contact, are drawn. The error is \
+         the larger one of peak pressure and half-width against the closed form, over both contacts. `cargo run --release -- met` renews the record; the \
          report recomputes a part of it.\n\n",
     );
     for table in own.iter().flat_map(|finding| &finding.tables) {

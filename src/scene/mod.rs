@@ -15,6 +15,7 @@
 pub mod contact_pair;
 pub mod drawn;
 pub mod file;
+pub mod given;
 pub mod library;
 pub mod material;
 pub mod path;
@@ -30,9 +31,10 @@ use crate::error::Error;
 
 pub use contact_pair::{ContactPair, Profile};
 pub use drawn::{Curve, DrawnGap};
+pub use given::GivenMesh;
 pub use material::{LARGEST_POISSON, Material, PlaneHypothesis};
 pub use path::{Line, Path};
-pub use shape::{BlockShape, Circle, Face, GivenMesh, Grading, Sector, Shape};
+pub use shape::{BlockShape, Circle, Face, Grading, Sector, Shape};
 pub use spline::MonotoneCubic;
 
 /// A contact problem: everything that is asked, nothing about how it is solved.

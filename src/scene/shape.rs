@@ -3,10 +3,9 @@
 //! Angles are measured from the downward vertical, counter-clockwise positive:
 //! the point at angle `θ` and radius `r` about a centre `c` is `c + r (sin θ, −cos θ)`.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use crate::scene::{BoundaryName, Path};
+use crate::scene::{BoundaryName, GivenMesh, Path};
 
 /// Outline of a body; each names its boundaries.
 #[derive(Clone, Debug)]
@@ -79,19 +78,6 @@ pub struct BlockShape {
     pub elements: [usize; 2],
     /// Size ratio of neighbouring elements, from left to right and from bottom to top.
     pub growth: [f64; 2],
-}
-
-/// Nodes, cells and boundaries of one body.
-#[derive(Clone, Debug)]
-pub struct GivenMesh {
-    /// Node positions \[mm\].
-    pub points: Vec<[f64; 2]>,
-    /// Four or eight nodes each: corners counter-clockwise, then mid-sides from the first edge on.
-    pub cells: Vec<Vec<usize>>,
-    /// Edges by boundary: first node, last node and, for 8-node cells, the mid-side node; the body lies to their left.
-    pub boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>>,
-    /// Those of them that run inside the body: no side of them is the outer one.
-    pub inner: BTreeSet<BoundaryName>,
 }
 
 /// Parts of a disc.

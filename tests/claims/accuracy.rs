@@ -2,6 +2,7 @@
 
 use approx::assert_relative_eq;
 use contact_vv::case::accuracy::estimate::{levels, richardson};
+use contact_vv::case::accuracy::longest::longest;
 use contact_vv::case::accuracy::study::{self, ASKED, Subject};
 use contact_vv::case::accuracy::{self, Answer, Asked, Quantity, ends, fitted, percentage};
 use contact_vv::case::{SceneFile, Verdict, problem};
@@ -88,7 +89,7 @@ fn stretch_four_times_too_long_or_half_as_much_too_short_leads_to_the_same_conta
             // The library's stretch is twice the half-width, on the pin one and a half times the half-angle.
             let contact =
                 if subject == Subject::Pin { scene.contact().stretch / 1.5 } else { 0.5 * scene.contact().stretch };
-            scene.contacts[0].stretch = (factor * contact).min(fitted::longest(&scene));
+            scene.contacts[0].stretch = (factor * contact).min(longest(&scene, scene.contact()));
             let answer = answered(&scene, 3e-3);
             let place = format!("{}, {factor}", subject.name());
             assert!(answer.unmet.is_none(), "{place}");
@@ -204,12 +205,12 @@ fn contact_end_is_found_within_a_tenth_of_an_element() {
                 Subject::Pin => (60.0 * ratio).to_radians(),
                 _ => problem.scene.reference.length,
             };
-            let longest = fitted::longest(&problem.scene);
+            let longest = longest(&problem.scene, problem.scene.contact());
             let plan = fitted::Plan::around([-1.03 * edge, 1.03 * edge], longest, elements, Order::Quadratic, 2);
             let scene = plan.scene(&problem.scene);
             let discretisation = Discretisation::of(scene.clone(), plan.resolution()).expect("meshed");
             let solution = discretisation.solve(&Formulation::verification()).expect("solved");
-            let [_, found] = ends::ends(&solution, scene.contact());
+            let [_, found] = ends::ends(solution.part(0), scene.contact());
             let element = edge / elements as f64;
             assert!(
                 (found - edge).abs() < 0.15 * element,

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 use approx::assert_relative_eq;
+use contact_vv::case::accuracy::longest::longest;
 use contact_vv::case::accuracy::study::{self, ASKED};
 use contact_vv::case::accuracy::{self, Answer, Asked, ends, fitted};
 use contact_vv::case::{Run, SceneFile};
@@ -71,7 +72,7 @@ fn met(answer: &Answer, asked: f64, truth: [f64; 2], place: &str) {
 /// Both candidates beyond the ends are open, and the stretch reaches little beyond the outer end.
 fn covers(answer: &Answer, place: &str) {
     let (solution, pair) = (&answer.run.solution, answer.scene.contact());
-    assert_eq!(ends::filled(solution, pair), [false; 2], "{place}");
+    assert_eq!(ends::filled(solution.part(0), pair), [false; 2], "{place}");
     let outer = answer.run.measures().edge().max(-answer.run.measures().begin());
     assert!(pair.stretch > outer, "{place}: {} and {outer}", pair.stretch);
     assert!(pair.stretch < outer + 1.5 * answer.run.measures().half_width, "{place}: {} and {outer}", pair.stretch);
@@ -162,7 +163,7 @@ fn both_ends_are_found_within_a_tenth_of_an_element() {
         let scene = plan.scene(&scene);
         let discretisation = Discretisation::of(scene.clone(), plan.resolution()).expect("meshed");
         let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
-        let found = ends::ends(&run.solution, scene.contact());
+        let found = ends::ends(run.solution.part(0), scene.contact());
         for (found, side) in found.into_iter().zip([-1.0, 1.0]) {
             let exact = centre + side * run.measures().half_width;
             let off = (found - exact) / (a / elements as f64);
@@ -224,7 +225,7 @@ fn block_that_lifts_off_on_one_side_meets_each_accuracy() {
         for asked in ASKED {
             let answer = answered(&scene, asked);
             met(&answer, asked, fine, &format!("slope {slope}, {asked}"));
-            assert_eq!(ends::filled(&answer.run.solution, answer.scene.contact()), [slope < 0, slope > 0]);
+            assert_eq!(ends::filled(answer.run.solution.part(0), answer.scene.contact()), [slope < 0, slope > 0]);
             assert_relative_eq!(answer.scene.contact().stretch, 10.0, max_relative = 1e-9);
         }
     }
@@ -233,7 +234,7 @@ fn block_that_lifts_off_on_one_side_meets_each_accuracy() {
 #[test]
 fn body_that_ends_sooner_on_one_side_limits_the_stretch_and_longer_contact_is_refused() {
     let near = |a: f64| parsed(&rolling(a, 1.0, 3.0, [-40.0, 4.0], ANY)).problem.scene;
-    assert_relative_eq!(fitted::longest(&near(2.0)), 4.0);
+    assert_relative_eq!(longest(&near(2.0), near(2.0).contact()), 4.0);
     let fine = both(&by_hand(&rolling(2.0, 1.0, 3.8, [-40.0, 4.0], FINE)));
     met(&answered(&near(2.0), 3e-3), 3e-3, fine, "four on the right");
     let scene = parsed(&rolling(3.0, -2.5, 3.0, [-40.0, 4.0], ANY)).problem.scene;

@@ -26,6 +26,7 @@ mod fast_paths;
 mod formulation;
 mod gmsh;
 mod growth;
+mod halved;
 mod incompressible;
 mod limits;
 mod measure;

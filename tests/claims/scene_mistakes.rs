@@ -511,12 +511,6 @@ const SEVERAL_CONTACTS: &[Mistake] = &[
         ["contact = \"outer fit\"\nquantity = \"reaction\"", "a reaction belongs to a support", "leave `contact` out"],
     ),
     (
-        "plate-on-two-supports",
-        "elements = 16\nper = 0.8",
-        "accuracy = \"1 %\"",
-        ["accuracy = ", "the mesh of one contact, and there are several", "`elements` and `per`"],
-    ),
-    (
         "roller-between-plates",
         "half = true }",
         "whole = true }",

@@ -7,7 +7,7 @@ use crate::case::accuracy::along::Fine;
 use crate::case::accuracy::depth::largest;
 use crate::case::accuracy::rungs::{Search, Step};
 use crate::case::accuracy::{Quantity, Quoted};
-use crate::case::run::{Errors, Run};
+use crate::case::run::{Contact, Errors};
 use crate::error::Error;
 
 /// Elements of the finer mesh over those of the mesh, and the fewest.
@@ -16,9 +16,9 @@ const FINER: (usize, usize) = (2, 12);
 const GENTLER: u32 = 2;
 /// Error over the distance to the finer mesh where it is halved: 4/3 is enough for the second order, and 3/2 was
 /// exceeded in forty of 1600 answers to scenes of closed form, by up to a quarter.
-const SAFETY: f64 = 2.0;
+pub(super) const SAFETY: f64 = 2.0;
 /// Factor on an estimate that no finer mesh confirms (Roache's for two meshes).
-const UNCONFIRMED: f64 = 3.0;
+pub(super) const UNCONFIRMED: f64 = 3.0;
 /// Times that a finer mesh may turn out too short for the contact.
 const TRIES: usize = 3;
 
@@ -31,7 +31,7 @@ impl Search<'_> {
         };
         let [own, finer] = [fine.rung, check].map(|at| &self.rungs[at].run);
         let one = |one: Quoted| {
-            let [value, wanted] = [own, finer].map(|run| one.quantity.of(run));
+            let [value, wanted] = [own, finer].map(|run| one.quantity.of(&run.contacts[0]));
             let check = SAFETY * ((value - wanted) / wanted).abs();
             let enough = one.relative - one.iteration >= check;
             let relative = if enough { one.relative } else { check + one.iteration };
@@ -57,10 +57,9 @@ impl Search<'_> {
     }
 }
 
-/// Relative error that the iteration of a run leaves in a quantity, with what springs of the rule `penalty` cost; NaN
+/// Relative error that the iteration of a run leaves in a quantity of a contact, with what springs of the rule `penalty` cost; NaN
 /// where it is not known.
-pub(super) fn iterated(run: &Run, quantity: Quantity) -> f64 {
-    let contact = &run.contacts[0];
+pub(super) fn iterated(contact: &Contact, quantity: Quantity) -> f64 {
     let of = |errors: Errors| match quantity {
         Quantity::PeakPressure => errors.peak.abs(),
         Quantity::HalfWidth => errors.half_width.abs(),

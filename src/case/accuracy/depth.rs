@@ -7,6 +7,7 @@ use crate::case::accuracy::fitted::{LEVELS, Plan};
 use crate::case::accuracy::rungs::{Search, Step};
 use crate::case::accuracy::{Quantity, Quoted};
 use crate::error::Error;
+use crate::measure::larger;
 
 /// What gentler growth says of a mesh.
 pub(super) enum Depth {
@@ -74,14 +75,15 @@ impl Search<'_> {
     pub(super) fn quoted(&self, fine: &Fine, growth: Option<(&[usize], usize)>) -> Vec<Quoted> {
         let one = |(k, quantity): (usize, Quantity)| {
             let (growth, growth_order) = growth.map_or((f64::NAN, f64::NAN), |(ladder, from)| {
-                let values: Vec<f64> = ladder.iter().map(|&at| quantity.of(&self.rungs[at].run)).collect();
+                let values: Vec<f64> = ladder.iter().map(|&at| quantity.of(&self.rungs[at].run.contacts[0])).collect();
                 let estimate = levels(&values);
                 let distance = envelope(values[from..].iter().copied(), estimate.limit);
                 ((distance + estimate.uncertainty) / estimate.limit.abs(), estimate.order)
             });
             let elements = fine.errors[k];
-            let iteration = iterated(&self.rungs[fine.rung].run, quantity);
+            let iteration = iterated(&self.rungs[fine.rung].run.contacts[0], quantity);
             Quoted {
+                contact: 0,
                 quantity,
                 relative: elements + growth + iteration,
                 elements,
@@ -98,10 +100,5 @@ impl Search<'_> {
 
 /// Largest relative error; NaN where one is.
 pub(super) fn largest(quoted: &[Quoted]) -> f64 {
-    quoted.iter().fold(
-        0.0,
-        |worst: f64, one| {
-            if worst.is_nan() || one.relative.is_nan() { f64::NAN } else { worst.max(one.relative) }
-        },
-    )
+    quoted.iter().map(|one| one.relative).fold(0.0, larger)
 }

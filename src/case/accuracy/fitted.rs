@@ -8,7 +8,7 @@
 //! progression from x = 0 on they have both ends at that place.
 
 use crate::mesh::{Order, Resolution};
-use crate::scene::{Grading, Profile, Scene, Shape};
+use crate::scene::{Grading, Scene};
 
 /// Where the contact ends, in elements beyond the end of its last whole one.
 ///
@@ -120,33 +120,4 @@ fn slope(inner: f64, places: [f64; 2]) -> f64 {
         *if short(middle) { &mut high } else { &mut low } = middle;
     }
     low
-}
-
-/// Longest candidate stretch that the sides of the bodies and the gap allow \[mm, or rad\].
-pub fn longest(scene: &Scene) -> f64 {
-    let pair = scene.contact();
-    let (straight, across) = (pair.path.is_straight(), pair.path.has_both_sides());
-    let side = |body: usize| match scene.bodies[body].shape {
-        Shape::Rectangle { x, .. } if across => (x[1] - pair.path.origin()[0]).min(pair.path.origin()[0] - x[0]),
-        Shape::Rectangle { x, .. } => x[1] - x[0],
-        Shape::Disc { radius, .. } if straight => radius * std::f64::consts::FRAC_1_SQRT_2,
-        Shape::Ring { sweep, .. } => sweep.min(std::f64::consts::FRAC_PI_2),
-        Shape::Disc { .. } | Shape::Eye { .. } => std::f64::consts::FRAC_PI_2,
-        Shape::Blocks(_) | Shape::Given(_) => f64::INFINITY,
-    };
-    let length = |points: &[[f64; 2]]| match points {
-        [[first, _], .., [last, _]] if *first < 0.0 => last.min(-first),
-        [.., [last, _]] => *last,
-        [] => 0.0,
-    };
-    let gap = match &pair.profile {
-        Profile::Punch { half_width } => *half_width,
-        Profile::Table(points) => length(points),
-        Profile::Smooth(cubic) => length(&cubic.points),
-        Profile::Circle { radius } => radius * std::f64::consts::FRAC_1_SQRT_2,
-        // Beyond the trough the next crest comes near.
-        Profile::Cosine { wavelength, .. } => 0.5 * wavelength,
-        _ => f64::INFINITY,
-    };
-    pair.bodies().map(side).fold(gap, f64::min)
 }

@@ -3,10 +3,13 @@
 //! * [`estimate`] — Richardson with the observed order as a check.
 //! * [`ends`] — where the contact found so far begins and ends.
 //! * [`fitted`] — meshes fitted to it.
+//! * [`mod@longest`] — how far candidates may go.
 //! * `rungs` — the meshes of a search, each solved from the contact set of the one before.
 //! * `along` — the ladder along the contact: more and more elements on one growth.
 //! * `depth` — the ladder of growth: gentler and gentler on one surface mesh.
 //! * `confirmed` — the last word on a mesh: one finer in both directions.
+//! * `halved` — bodies that bring their mesh, and several contacts: all of the mesh halved again and again.
+//! * `sizes` — sizes of elements where there are several contacts.
 //! * `slow` — the mesh chosen by kinematic load, and run by another algorithm.
 //! * [`search`] — which meshes are solved, and which one is answered.
 //! * [`study`] — what an accuracy costs against meshes made by hand.
@@ -26,18 +29,21 @@ mod depth;
 pub mod ends;
 pub mod estimate;
 pub mod fitted;
+mod halved;
+pub mod longest;
 mod rungs;
 pub mod search;
+mod sizes;
 mod slow;
 pub mod study;
 
 use crate::case::check::{Check, Reference};
-use crate::case::run::Run;
+use crate::case::run::{Contact, Run};
 use crate::mesh::size::MOST;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 
-pub use search::solve;
+pub use search::{first, solve};
 
 /// Smallest and largest relative error that may be asked for.
 pub const RANGE: [f64; 2] = [1e-5, 0.2];
@@ -76,11 +82,11 @@ impl Quantity {
         }
     }
 
-    /// Its value in a run [MPa; mm or rad].
-    pub fn of(self, run: &Run) -> f64 {
+    /// Its value in a contact [MPa; mm or rad].
+    pub fn of(self, contact: &Contact) -> f64 {
         match self {
-            Self::PeakPressure => run.measures().peak.pressure,
-            Self::HalfWidth => run.measures().half_width,
+            Self::PeakPressure => contact.measures.peak.pressure,
+            Self::HalfWidth => contact.measures.half_width,
         }
     }
 }
@@ -135,16 +141,18 @@ impl Answer {
     }
 }
 
-/// The estimate of one quantity.
+/// The estimate of one quantity of a contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Quoted {
+    /// Index of the contact in the scene.
+    pub contact: usize,
     /// The quantity.
     pub quantity: Quantity,
     /// Estimated relative error of the mesh answered; NaN where nothing is known.
     pub relative: f64,
     /// Part of it that comes from the elements along the contact; NaN where it is not known.
     pub elements: f64,
-    /// Part of it that comes from the growth away from the contact; NaN where it is not known.
+    /// Part of it that comes from the growth away from the contact; NaN where it is not known, or was refined with them.
     pub growth: f64,
     /// What the distance to a mesh finer in both directions says of it; NaN where none was solved.
     pub check: f64,
@@ -157,26 +165,33 @@ pub struct Quoted {
 }
 
 /// One mesh that was solved.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Tried {
     /// What it was solved for.
     pub purpose: &'static str,
     /// Element order.
     pub order: Order,
-    /// Elements within the contact, within half of it where it has both sides.
+    /// Elements within the contact, within half of it where it has both sides; within that of fewest where there are several.
     pub elements: usize,
-    /// Growth along the surface.
+    /// Growth along the surface; NaN where every body brings its mesh.
     pub growth: f64,
-    /// Candidate stretch \[mm, or rad\].
-    pub stretch: f64,
     /// Freedoms; 0 where contact went on beyond the candidates.
     pub freedoms: usize,
     /// Steps of the iteration.
     pub steps: usize,
+    /// What was found, contact by contact.
+    pub contacts: Vec<TriedContact>,
+    /// Largest estimated relative error of the quantities asked for; NaN where there is none yet.
+    pub estimate: f64,
+}
+
+/// What one mesh says of one contact.
+#[derive(Clone, Copy, Debug)]
+pub struct TriedContact {
+    /// Candidate stretch \[mm, or rad\].
+    pub stretch: f64,
     /// Peak pressure \[MPa\].
     pub peak: f64,
     /// Half-width \[mm, or rad\].
     pub half_width: f64,
-    /// Largest estimated relative error of the quantities asked for; NaN where there is none yet.
-    pub estimate: f64,
 }

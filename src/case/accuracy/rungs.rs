@@ -1,14 +1,15 @@
 //! The meshes of a search: how they are laid out, solved and remembered.
 
 use crate::case::accuracy::ends;
-use crate::case::accuracy::fitted::{self, Plan};
-use crate::case::accuracy::{Answer, Asked, Quantity, Quoted, Tried};
-use crate::case::run::Run;
+use crate::case::accuracy::fitted::Plan;
+use crate::case::accuracy::longest::longest;
+use crate::case::accuracy::{Answer, Asked, Quantity, Quoted, Tried, TriedContact};
+use crate::case::run::{Contact, Run};
 use crate::error::Error;
 use crate::formulation::{Discretisation, Formulation};
 use crate::mesh::Order;
 use crate::mesh::size::{MOST, expected};
-use crate::scene::Scene;
+use crate::scene::{ContactPair, Scene};
 
 /// Order of the cells of every answer.
 pub(super) const ORDER: Order = Order::Quadratic;
@@ -47,7 +48,7 @@ pub(super) struct Search<'a> {
 impl<'a> Search<'a> {
     /// Nothing is known yet.
     pub(super) fn new(scene: &'a Scene, formulation: Formulation, asked: &'a Asked) -> Self {
-        let longest = fitted::longest(scene);
+        let longest = longest(scene, scene.contact());
         let (rungs, tried) = (Vec::new(), Vec::new());
         Self { scene, formulation, asked, longest, ends: [-longest, longest], least: 1, rungs, tried }
     }
@@ -64,7 +65,7 @@ impl<'a> Search<'a> {
     /// Takes the ends of the contact from a rung.
     pub(super) fn look(&mut self, at: usize) {
         let Rung { plan, run } = &self.rungs[at];
-        self.ends = ends::ends(&run.solution, plan.scene(self.scene).contact());
+        self.ends = ends::ends(run.solution.part(0), plan.scene(self.scene).contact());
     }
 
     /// Makes the contact known a tenth longer.
@@ -79,7 +80,7 @@ impl<'a> Search<'a> {
     pub(super) fn cut_off(&self, at: usize) -> bool {
         let Rung { plan, run } = &self.rungs[at];
         let shorter = plan.stretch < self.longest * (1.0 - 1e-9);
-        run.solution.converged() && shorter && ends::filled(&run.solution, self.scene.contact()).contains(&true)
+        run.solution.converged() && shorter && ends::filled(run.solution.part(0), self.scene.contact()).contains(&true)
     }
 
     /// Solves on a mesh within the limits.
@@ -113,11 +114,9 @@ impl<'a> Search<'a> {
             order: plan.order,
             elements: plan.elements,
             growth: plan.growth()[0],
-            stretch: plan.stretch,
             freedoms: run.freedoms,
             steps: run.solution.work.steps,
-            peak: run.measures().peak.pressure,
-            half_width: run.measures().half_width,
+            contacts: Tried::contacts(&plan.scene(self.scene), &run),
             estimate: f64::NAN,
         });
         self.rungs.push(Rung { plan, run });
@@ -149,9 +148,18 @@ impl Tried {
     /// A stretch beyond which contact went on.
     pub(super) fn spilled(order: Order, elements: usize, stretch: f64) -> Self {
         let [freedoms, steps] = [0; 2];
-        let [peak, half_width, estimate] = [f64::NAN; 3];
         let growth = Plan::even(order, elements, stretch, 0).growth()[0];
+        let contacts = vec![TriedContact { stretch, peak: f64::NAN, half_width: f64::NAN }];
         let purpose = "contact length";
-        Self { purpose, order, elements, growth, stretch, freedoms, steps, peak, half_width, estimate }
+        Self { purpose, order, elements, growth, freedoms, steps, contacts, estimate: f64::NAN }
+    }
+
+    /// What a run says of each contact of its scene.
+    pub(super) fn contacts(scene: &Scene, run: &Run) -> Vec<TriedContact> {
+        let one = |(pair, contact): (&ContactPair, &Contact)| {
+            let (peak, half_width) = (contact.measures.peak.pressure, contact.measures.half_width);
+            TriedContact { stretch: pair.stretch, peak, half_width }
+        };
+        scene.contacts.iter().zip(&run.contacts).map(one).collect()
     }
 }

@@ -3,12 +3,14 @@
 use crate::case::accuracy::depth::{Depth, largest};
 use crate::case::accuracy::ends;
 use crate::case::accuracy::fitted::{self, LEVELS, Plan};
+use crate::case::accuracy::halved;
 use crate::case::accuracy::rungs::{ORDER, Rung, Search};
 use crate::case::accuracy::slow;
 use crate::case::accuracy::{Answer, Asked, Tried};
 use crate::error::Error;
 use crate::formulation::{Formulation, Iteration, Start};
-use crate::scene::{Body, Scene};
+use crate::mesh::Resolution;
+use crate::scene::Scene;
 
 /// Why no accuracy chooses the mesh of a gap with kinks: their nodes would hide how the error falls with the elements.
 pub const KINKED: &str =
@@ -16,7 +18,7 @@ pub const KINKED: &str =
 /// What to do about it.
 pub const UNKINKED: &str = "add `smooth = true` to the table, or give `elements` and `per` instead of the accuracy";
 /// Elements of the first mesh, over the candidate stretch that the scene guesses.
-pub const FIRST: usize = 8;
+const FIRST: usize = 8;
 /// Pressed elements on a side from which on a first mesh tells where the contact ends.
 const TOLD: usize = 3;
 /// Most elements of a first mesh on a side.
@@ -33,21 +35,7 @@ const ITERATION: f64 = 0.01;
 /// An error is returned where not even a first mesh can be solved.
 pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<Answer, Error> {
     formulation.validate(scene)?;
-    let brought = |body: &&Body| body.shape.brings_mesh();
-    if let Some(body) = scene.bodies.iter().find(brought) {
-        return Err(Error::Combination {
-            what: format!("`{}` brings its mesh, which no accuracy can choose", body.name),
-            remedy: "ask for no accuracy, and refine that mesh".into(),
-        });
-    }
-    if scene.contacts.len() > 1 {
-        let what = "an accuracy chooses the mesh of one contact, and there are several".into();
-        return Err(Error::Combination {
-            what,
-            remedy: "leave the accuracy out, and give `elements` and `per`".into(),
-        });
-    }
-    if !scene.contact().profile.kinks().is_empty() {
+    if scene.contacts.iter().any(|pair| !pair.profile.kinks().is_empty()) {
         return Err(Error::Combination { what: KINKED.into(), remedy: UNKINKED.into() });
     }
     if formulation.algorithm != Iteration::Kinematic {
@@ -56,11 +44,23 @@ pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<
     let mut formulation = Formulation { start: Start::Closed, ..formulation.clone() };
     let settings = &mut formulation.settings;
     settings.tolerance = settings.tolerance.min(ITERATION * asked.relative).max(1e-12);
+    if halved::applies(scene) {
+        return halved::solve(scene, &formulation, asked);
+    }
     let mut search = Search::new(scene, formulation, asked);
     if let Some(why) = search.first()? {
         return Ok(search.answer(0, vec![], Some(why)));
     }
     search.refine()
+}
+
+/// The scene on the first mesh of the search.
+pub fn first(scene: &Scene) -> (Scene, Resolution) {
+    if halved::applies(scene) {
+        return halved::first(scene);
+    }
+    let plan = Plan::even(ORDER, FIRST, scene.contact().stretch, 0);
+    (plan.scene(scene), plan.resolution())
 }
 
 /// What is next after a first mesh.
@@ -124,8 +124,8 @@ impl Search<'_> {
     fn guess(&self, at: usize) -> Guess {
         let Rung { plan: Plan { elements, stretch, .. }, run } = &self.rungs[at];
         let (solution, pair) = (&run.solution, self.scene.contact());
-        let [pressed, outermost] = ends::pressed(solution, pair);
-        let filled = ends::filled(solution, pair).contains(&true);
+        let [pressed, outermost] = ends::pressed(solution.part(0), pair);
+        let filled = ends::filled(solution.part(0), pair).contains(&true);
         let across = pair.path.has_both_sides();
         let told = pressed >= if across { 2 * TOLD } else { TOLD };
         // Across x = 0 one or two points hold no body against turning.

@@ -34,22 +34,14 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> 
     formulation.settings.tolerance = room;
     let run = Run::of(&Discretisation::of(answer.scene.clone(), answer.resolution)?, &formulation)?;
     let with_iteration = |one: &Quoted| {
-        let iteration = iterated(&run, one.quantity);
+        let iteration = iterated(&run.contacts[one.contact], one.quantity);
         Quoted { relative: one.relative - one.iteration + iteration, iteration, ..*one }
     };
     answer.estimates = answer.estimates.iter().map(with_iteration).collect();
-    answer.tried.extend(answer.tried.last().copied().map(|last| Tried {
-        purpose: "answer",
-        elements: answer.resolution.elements,
-        growth: answer.scene.grading.along,
-        stretch: answer.scene.contact().stretch,
-        freedoms: run.freedoms,
-        steps: run.solution.work.steps,
-        peak: run.measures().peak.pressure,
-        half_width: run.measures().half_width,
-        estimate: answer.estimate(),
-        ..last
-    }));
+    let same = answer.tried.iter().find(|tried| tried.freedoms == run.freedoms).cloned();
+    let (steps, contacts) = (run.solution.work.steps, Tried::contacts(&answer.scene, &run));
+    let last = same.map(|same| Tried { purpose: "answer", steps, contacts, estimate: answer.estimate(), ..same });
+    answer.tried.extend(last);
     if answer.estimate() <= asked.relative {
         answer.unmet = None;
     } else if answer.unmet.is_none() {

@@ -6,7 +6,7 @@ use crate::case::atlas::Class;
 use crate::case::check::{Check, Reference};
 use crate::case::converged::NAME;
 use crate::case::converged::plan::{LOADS, STRETCHES, Site, TOLERANCES, sites};
-use crate::case::converged::run::{self, Record};
+use crate::case::converged::run::{self, ROUND_OFF, Record};
 use crate::case::records;
 use crate::case::suite::{Finding, Series, Table, Trial};
 use crate::case::sweep::SLACK;
@@ -63,7 +63,8 @@ fn of_site<'a>(recorded: &'a [Record], site: &'a Site) -> impl Iterator<Item = &
 pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
     let key = |record: &Record| (record.formulation.clone(), record.load.to_bits(), record.tolerance.to_bits());
     let [a, b] = [kept.error, fresh.error];
-    let alike = (a.is_nan() && b.is_nan()) || (a - b).abs() <= DIGITS * a.abs().max(b.abs()) + 1e-3 * kept.tolerance;
+    let alike =
+        (a.is_nan() && b.is_nan()) || (a - b).abs() <= DIGITS * a.abs().max(b.abs()) + ROUND_OFF * kept.tolerance;
     key(kept) == key(fresh) && kept.class == fresh.class && kept.steps == fresh.steps && alike
 }
 

@@ -13,6 +13,9 @@ use crate::mesh::Resolution;
 /// Candidate elements of a contact: beyond them elements get longer with the stretch.
 const ELEMENTS: f64 = 64.0;
 
+/// Error over the tolerance that is round-off, and recorded as none.
+pub const ROUND_OFF: f64 = 1e-3;
+
 /// One run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
@@ -30,7 +33,8 @@ pub struct Record {
     pub class: Class,
     /// Steps made.
     pub steps: usize,
-    /// Largest error of p₀ and a against the solution of the same discrete problem; NaN where there is none.
+    /// Largest error of p₀ and a against the solution of the same discrete problem; 0 where it is round-off, NaN where
+    /// there is none.
     pub error: f64,
 }
 
@@ -77,7 +81,7 @@ fn one(site: &Site, discretisation: &Discretisation, load: f64, formulation: &Fo
         tolerance: formulation.settings.tolerance,
         class,
         steps,
-        error: rounded(error),
+        error: if error < ROUND_OFF * formulation.settings.tolerance { 0.0 } else { rounded(error) },
     };
     match Run::under(discretisation, formulation, Change { load, ..Change::NONE }) {
         Ok(run) => {

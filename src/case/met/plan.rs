@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 /// Relative errors asked for.
 pub const ASKED: [f64; 4] = [1e-2, 3e-3, 1e-3, 3e-4];
-/// Scenes of a family.
-pub const EACH: usize = 80;
+/// Scenes of a family whose mesh is fitted to one contact, and of one whose mesh is halved.
+pub const EACH: [usize; 2] = [80, 40];
 
 /// A kind of scene with a closed form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -21,6 +21,10 @@ pub enum Family {
     Cylinder,
     /// Pins in a wide plate.
     Pin,
+    /// Profiles on blocks, and cylinders, that bring a coarse mesh.
+    Mesh,
+    /// Two profiles on blocks, cylinders or waves in one scene, whatever their sizes.
+    Pair,
 }
 
 /// A scene of the study.
@@ -41,7 +45,13 @@ impl Site {
 
 impl Family {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Polynomial, Self::Wedge, Self::Cosine, Self::Cylinder, Self::Pin];
+    pub const ALL: [Self; 7] =
+        [Self::Polynomial, Self::Wedge, Self::Cosine, Self::Cylinder, Self::Pin, Self::Mesh, Self::Pair];
+
+    /// Number of its scenes.
+    pub fn each(self) -> usize {
+        EACH[usize::from(matches!(self, Self::Mesh | Self::Pair))]
+    }
 
     /// Name in the record.
     pub fn name(self) -> &'static str {
@@ -51,6 +61,8 @@ impl Family {
             Self::Cosine => "cosine",
             Self::Cylinder => "cylinder",
             Self::Pin => "pin",
+            Self::Mesh => "mesh",
+            Self::Pair => "pair",
         }
     }
 
@@ -62,11 +74,13 @@ impl Family {
             Self::Cosine => "waves on a block",
             Self::Cylinder => "cylinder on a plane",
             Self::Pin => "pin in a wide plate",
+            Self::Mesh => "body that brings a coarse mesh",
+            Self::Pair => "two contacts",
         }
     }
 }
 
 /// Every scene, in the order of the record.
 pub fn sites() -> Vec<Site> {
-    Family::ALL.into_iter().flat_map(|family| (0..EACH).map(move |number| Site { family, number })).collect()
+    Family::ALL.into_iter().flat_map(|family| (0..family.each()).map(move |number| Site { family, number })).collect()
 }

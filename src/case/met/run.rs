@@ -23,7 +23,7 @@ pub struct Record {
     pub met: bool,
     /// Estimated relative error, the larger one of peak and half-width; NaN where there is none.
     pub estimate: f64,
-    /// Relative error of the peak, with sign.
+    /// Relative error of the peak, with sign; the larger one of several contacts.
     pub peak: f64,
     /// Relative error of the half-width, with sign.
     pub half_width: f64,
@@ -36,7 +36,12 @@ pub struct Record {
 impl Record {
     /// Of an answer.
     pub fn of(site: &Site, asked: f64, sample: &Sample, answer: &Answer) -> Self {
-        let [peak, half_width] = [0, 1].map(|k| rounded(Quantity::ALL[k].of(&answer.run) / sample.truth[k] - 1.0));
+        let error = |k: usize| {
+            let each = answer.run.contacts.iter().zip(&sample.truths);
+            let errors = each.map(|(contact, truth)| Quantity::ALL[k].of(contact) / truth[k] - 1.0);
+            rounded(errors.reduce(|a, b| if a.abs() >= b.abs() || a.is_nan() { a } else { b }).unwrap_or(f64::NAN))
+        };
+        let [peak, half_width] = [error(0), error(1)];
         Self {
             family: site.family,
             number: site.number,

@@ -8,8 +8,10 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
+use crate::case::accuracy::longest::longest;
 use crate::case::met::draw::Draw;
 use crate::case::met::plan::{Family, Site};
+use crate::mesh::{Mesh, Order, Resolution};
 use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::even_gap::EvenGap;
 use crate::oracle::analytic::hertz::Hertz;
@@ -36,8 +38,8 @@ const PLATE: [f64; 2] = [1000.0, 1e-6];
 pub struct Sample {
     /// The scene.
     pub scene: Scene,
-    /// Peak pressure \[MPa\], and half-width by second moment \[mm, or rad\].
-    pub truth: [f64; 2],
+    /// Of each contact the peak pressure \[MPa\], and the half-width by second moment \[mm, or rad\].
+    pub truths: Vec<[f64; 2]>,
 }
 
 impl Site {
@@ -45,15 +47,24 @@ impl Site {
     pub fn sample(&self) -> Sample {
         let family = Family::ALL.iter().position(|family| *family == self.family).unwrap_or(0);
         let mut draw = Draw::new((1000 * family + self.number) as u64);
+        self.family.sample(&mut draw, self.number)
+    }
+}
+
+impl Family {
+    /// A scene of the family.
+    fn sample(self, draw: &mut Draw, number: usize) -> Sample {
         let material = Material { young: draw.decades(1e3, 4e5), poisson: draw.between(0.0, 0.45) };
         // The first number of a seed is like that of the next one.
         let guess = draw.decades(GUESS[0], GUESS[1]);
-        match self.family {
-            Family::Polynomial => polynomial(&mut draw, material, guess, self.number % 2 == 1),
-            Family::Wedge => wedge(&mut draw, material, guess),
-            Family::Cosine => cosine(&mut draw, material, guess),
-            Family::Cylinder => cylinder(&mut draw, material, guess),
-            Family::Pin => pin(&mut draw, material, guess),
+        match self {
+            Self::Polynomial => polynomial(draw, material, guess, number % 2 == 1),
+            Self::Wedge => wedge(draw, material, guess),
+            Self::Cosine => cosine(draw, material, guess),
+            Self::Cylinder => cylinder(draw, material, guess),
+            Self::Pin => pin(draw, material, guess),
+            Self::Mesh => brought(draw, number),
+            Self::Pair => pair(draw, number),
         }
     }
 }
@@ -66,7 +77,7 @@ fn block(solution: EvenGap, material: Material, profile: Profile, [size, guess]:
     let truth = [solution.peak_pressure(), solution.second_moment()];
     let mut scene = numbers.scene(StressField(Arc::new(move |[x, depth]: [f64; 2]| solution.stress(x, depth))));
     scene.contacts[0].profile = profile;
-    Sample { scene, truth }
+    Sample { scene, truths: vec![truth] }
 }
 
 /// `g = c₂ s² + c₄ s⁴ + c₆ s⁶`, drawn until it is pressed all over the contact, and open all over the block beyond it.
@@ -137,7 +148,7 @@ fn cosine(draw: &mut Draw, material: Material, guess: f64) -> Sample {
         reference: ReferenceValues { length: half_width, pressure: 2.0 * pressure * sine, gap: amplitude },
         grading: Grading { unit: half_width, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
     };
-    Sample { scene, truth: [2.0 * pressure * sine, second_moment_of_waves(wavelength, sine)] }
+    Sample { scene, truths: vec![[2.0 * pressure * sine, second_moment_of_waves(wavelength, sine)]] }
 }
 
 /// `2 √(∫p x²/∫p)` of a wave, by the midpoint rule in t, `sin(πx/λ) = sin ψ sin t`, where the integrand is smooth.
@@ -164,7 +175,7 @@ fn cylinder(draw: &mut Draw, Material { young, poisson }: Material, guess: f64) 
     let numbers = Cylinder { radius, young, poisson, a_over_r, stretch: guess, model };
     let scene = numbers.scene();
     let hertz = Hertz { load: numbers.load(), radius, modulus: scene.contact_modulus() };
-    Sample { scene, truth: [hertz.peak_pressure(), hertz.half_width()] }
+    Sample { scene, truths: vec![[hertz.peak_pressure(), hertz.half_width()]] }
 }
 
 /// Persson's pin, pressed to a half-angle of 15 to 80 degrees.
@@ -190,5 +201,41 @@ fn pin(draw: &mut Draw, material: Material, guess: f64) -> Sample {
         poisson: material.poisson,
         plane: Plane::Stress,
     };
-    Sample { scene: numbers.scene(), truth: [solution.peak_pressure(), solution.second_moment()] }
+    Sample { scene: numbers.scene(), truths: vec![[solution.peak_pressure(), solution.second_moment()]] }
+}
+
+/// A scene of another family whose body brings its mesh: of 4- or 8-node cells, two to six of them on the half-width, its
+/// inner nodes shaken.
+fn brought(draw: &mut Draw, number: usize) -> Sample {
+    let of = [Family::Polynomial, Family::Wedge, Family::Cosine, Family::Cylinder][number % 4];
+    let (elements, shake) = (draw.between(2.0, 7.0) as usize, draw.between(0.0, 0.2));
+    let order = if draw.between(0.0, 2.0) < 1.0 { Order::Linear } else { Order::Quadratic };
+    let Sample { mut scene, truths } = of.sample(draw, number);
+    let guess = scene.contacts[0].stretch;
+    // Its cells have the size of a part of the contact, whatever the guess.
+    scene.contacts[0].stretch = (1.5 * scene.grading.unit).min(longest(&scene, scene.contact()));
+    if let Ok(mesh) = Mesh::of(&scene, Resolution { elements, refinement: 0, order }) {
+        // Shaken, a line inside would no longer be straight, and its load another one.
+        let straight = mesh.bodies[0].lines.is_empty();
+        let mesh = if straight { mesh.shaken(shake) } else { mesh };
+        scene.bodies[0].shape = Shape::Given(Arc::new(mesh.given(0)));
+    }
+    scene.contacts[0].stretch = guess;
+    Sample { scene, truths }
+}
+
+/// Two scenes of other families in one.
+fn pair(draw: &mut Draw, number: usize) -> Sample {
+    let families = [Family::Polynomial, Family::Wedge, Family::Cosine, Family::Cylinder];
+    let Sample { mut scene, mut truths } = families[number % 4].sample(draw, number);
+    let other = families[number / 4 % 4].sample(draw, number);
+    let bodies = scene.bodies.len();
+    scene.bodies.extend(other.scene.bodies);
+    scene.contacts.extend(other.scene.contacts.into_iter().map(|pair| ContactPair {
+        first: pair.first + bodies,
+        second: pair.second.map(|second| second + bodies),
+        ..pair
+    }));
+    truths.extend(other.truths);
+    Sample { scene, truths }
 }

@@ -98,7 +98,7 @@ fn solve(arguments: &Arguments, task: Task) -> Result<Ended, Error> {
         Some(text) => say(text),
         None => {
             table::print(&found);
-            accurate.iter().for_each(|accurate| cli::accuracy::print(accurate, &problem.scene.contact().path));
+            accurate.iter().for_each(cli::accuracy::print);
         }
     }
     if let Some(remedy) = remedy(&run) {

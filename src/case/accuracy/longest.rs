@@ -1,0 +1,49 @@
+//! How far candidates may go.
+
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
+
+use crate::scene::{ContactPair, Profile, Scene, Shape};
+
+/// Longest candidates of a contact that the sides of its bodies and the gap allow \[mm, or rad\].
+pub fn longest(scene: &Scene, pair: &ContactPair) -> f64 {
+    let (straight, across) = (pair.path.is_straight(), pair.path.has_both_sides());
+    let farthest = |points: Vec<[f64; 2]>| {
+        let towards = |sign: f64| points.iter().map(|point| sign * pair.path.coordinate(*point)).fold(0.0, f64::max);
+        if across { towards(1.0).min(towards(-1.0)) } else { towards(1.0) }
+    };
+    let side = |body: usize| match &scene.bodies[body].shape {
+        Shape::Rectangle { x, .. } if across => (x[1] - pair.path.origin()[0]).min(pair.path.origin()[0] - x[0]),
+        Shape::Rectangle { x, .. } => x[1] - x[0],
+        Shape::Disc { radius, .. } if straight => radius * FRAC_1_SQRT_2,
+        Shape::Ring { sweep, .. } => sweep.min(FRAC_PI_2),
+        Shape::Disc { .. } | Shape::Eye { .. } => FRAC_PI_2,
+        Shape::Blocks(blocks) => {
+            let sides = blocks.iter().flat_map(|block| (0..4).map(move |k| (block, k)));
+            let touching = sides.filter(|(block, k)| block.names[*k].as_deref() == Some(pair.side(body)));
+            farthest(touching.flat_map(|(block, k)| [block.corners[k], block.corners[(k + 1) % 4]]).collect())
+        }
+        Shape::Given(mesh) => {
+            let edges = mesh.boundaries.get(pair.side(body)).into_iter().flatten().flatten();
+            farthest(edges.map(|&node| mesh.points[node]).collect())
+        }
+    };
+    pair.bodies().map(side).fold(of_gap(&pair.profile), f64::min)
+}
+
+/// How far a gap goes \[mm, or rad\].
+fn of_gap(profile: &Profile) -> f64 {
+    let length = |points: &[[f64; 2]]| match points {
+        [[first, _], .., [last, _]] if *first < 0.0 => last.min(-first),
+        [.., [last, _]] => *last,
+        [] => 0.0,
+    };
+    match profile {
+        Profile::Punch { half_width } => *half_width,
+        Profile::Table(points) => length(points),
+        Profile::Smooth(cubic) => length(&cubic.points),
+        Profile::Circle { radius } => radius * FRAC_1_SQRT_2,
+        // Beyond the trough the next crest comes near.
+        Profile::Cosine { wavelength, .. } => 0.5 * wavelength,
+        _ => f64::INFINITY,
+    }
+}

@@ -1,0 +1,102 @@
+//! A mesh made elsewhere, and the circles that its outline follows.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::scene::{BoundaryName, Curve};
+
+/// Nodes, cells and boundaries of one body.
+#[derive(Clone, Debug)]
+pub struct GivenMesh {
+    /// Node positions \[mm\].
+    pub points: Vec<[f64; 2]>,
+    /// Four or eight nodes each: corners counter-clockwise, then mid-sides from the first edge on.
+    pub cells: Vec<Vec<usize>>,
+    /// Edges by boundary: first node, last node and, for 8-node cells, the mid-side node; the body lies to their left.
+    pub boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>>,
+    /// Those of them that run inside the body: no side of them is the outer one.
+    pub inner: BTreeSet<BoundaryName>,
+}
+
+/// Largest turn from one chord of an arc to the next: the corners of a square lie on a circle too \[rad\].
+const TURN: f64 = 0.5;
+/// Distance of a node from the circle of its neighbours, over the rise of a chord, that rounding explains.
+const SAME: f64 = 1e-4;
+/// Radius over the chord above which an arc is a straight line.
+const STRAIGHT: f64 = 1e5;
+
+impl GivenMesh {
+    /// Edges of the outline that lie on a circle, by their first and last node, and its centre \[mm\]: three neighbours of two
+    /// nodes each, or two of three, all of whose nodes lie on it.
+    pub fn arcs(&self) -> BTreeMap<[usize; 2], [f64; 2]> {
+        let outline = self.outline();
+        let next: BTreeMap<usize, &Vec<usize>> = outline.iter().map(|edge| (edge[0], edge)).collect();
+        let mut arcs = BTreeMap::new();
+        for first in &outline {
+            let wanted = if first.len() == 3 { 2 } else { 3 };
+            let run: Vec<&Vec<usize>> =
+                std::iter::successors(Some(first), |edge| next.get(&edge[1]).copied()).take(wanted).collect();
+            if let Some(centre) = self.centre_of(&run).filter(|_| run.len() == wanted) {
+                arcs.extend(run.iter().map(|edge| ([edge[0], edge[1]], centre)));
+            }
+        }
+        arcs
+    }
+
+    /// Edges that belong to one cell only, the body to their left.
+    fn outline(&self) -> Vec<Vec<usize>> {
+        let mut sides: BTreeMap<[usize; 2], Option<Vec<usize>>> = BTreeMap::new();
+        for cell in &self.cells {
+            for k in 0..4 {
+                let [a, b] = [cell[k], cell[(k + 1) % 4]];
+                let edge = [a, b].into_iter().chain(cell.get(4 + k).copied()).collect();
+                sides.entry([a.min(b), a.max(b)]).and_modify(|known| *known = None).or_insert(Some(edge));
+            }
+        }
+        sides.into_values().flatten().collect()
+    }
+
+    /// Centre of the circle on which all nodes of some edges in a row lie; none where there is none.
+    fn centre_of(&self, run: &[&Vec<usize>]) -> Option<[f64; 2]> {
+        let nodes = run.iter().flat_map(|edge| [Some(edge[0]), edge.get(2).copied()]).flatten();
+        let points: Vec<[f64; 2]> = nodes.chain(run.last().map(|edge| edge[1])).map(|node| self.points[node]).collect();
+        let (first, middle, last) = (points[0], points[points.len() / 2], *points.last()?);
+        let centre = circumcentre([first, middle, last])?;
+        let radius = distance(first, centre);
+        let turn = |three: &[[f64; 2]]| {
+            let [a, b] = [1, 2].map(|k| [0, 1].map(|axis| three[k][axis] - three[k - 1][axis]));
+            (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1])
+        };
+        let is_round = |pair: &[[f64; 2]]| {
+            let chord = distance(pair[0], pair[1]);
+            let rise = chord * chord / (8.0 * radius);
+            radius <= STRAIGHT * chord && (distance(pair[1], centre) - radius).abs() <= SAME * rise
+        };
+        let bends = points.windows(3).all(|three| turn(three).abs() <= TURN);
+        (bends && points.windows(2).all(is_round)).then_some(centre)
+    }
+
+    /// The edges of a boundary on the outline as curves, arcs where they lie on a circle; none where it is not there, or runs
+    /// inside.
+    pub fn curves(&self, boundary: &str) -> Option<Vec<Curve>> {
+        let edges = self.boundaries.get(boundary).filter(|_| !self.inner.contains(boundary))?;
+        let arcs = self.arcs();
+        let curve = |edge: &Vec<usize>| match arcs.get(&[edge[0], edge[1]]) {
+            Some(&centre) => Curve::Arc { centre, ends: [0, 1].map(|k| self.points[edge[k]]) },
+            None => Curve::Edge(edge.iter().map(|&node| self.points[node]).collect()),
+        };
+        Some(edges.iter().map(curve).collect())
+    }
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// Centre of the circle through three points; none where they lie on a line.
+fn circumcentre([a, b, c]: [[f64; 2]; 3]) -> Option<[f64; 2]> {
+    let [u, v] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1]]);
+    let twice = 2.0 * (u[0] * v[1] - u[1] * v[0]);
+    let [uu, vv] = [u, v].map(|p| p[0] * p[0] + p[1] * p[1]);
+    let centre = [a[0] + (v[1] * uu - u[1] * vv) / twice, a[1] + (u[0] * vv - v[0] * uu) / twice];
+    centre.iter().all(|x| x.is_finite()).then_some(centre)
+}

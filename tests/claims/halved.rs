@@ -1,0 +1,231 @@
+//! Meshes that are given are halved on their circles, and an accuracy is met with them and with several contacts.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::case::accuracy::{self, Asked};
+use contact_vv::case::met::{Family, Site};
+use contact_vv::case::{Run, SceneFile};
+use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::mesh::{Mesh, Order, Resolution};
+use contact_vv::scene::library::{Cylinder, CylinderModel};
+use contact_vv::scene::{BlockShape, Curve, GivenMesh, Scene, Shape};
+
+use crate::outputs::{contact_vv, scene};
+use crate::scene_file::text_of;
+use crate::workbench::resolution;
+
+/// The first body of a scene with the mesh it would have, as if that had been made elsewhere.
+fn brought(mut scene: Scene, resolution: Resolution) -> Scene {
+    let mesh = Mesh::of(&scene, resolution).expect("meshed").given(0);
+    scene.bodies[0].shape = Shape::Given(Arc::new(mesh));
+    scene
+}
+
+fn given(scene: &Scene) -> &GivenMesh {
+    match &scene.bodies[0].shape {
+        Shape::Given(mesh) => mesh,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn halved(order: Order, refinement: u32) -> Resolution {
+    Resolution { refinement, ..resolution(1, 0, order) }
+}
+
+#[test]
+fn outline_on_a_circle_is_seen_and_nothing_else_is() {
+    for order in [Order::Linear, Order::Quadratic] {
+        let cylinder = Cylinder { model: CylinderModel::Half, ..Default::default() };
+        let scene = brought(cylinder.scene(), resolution(4, 0, order));
+        let mesh = given(&scene);
+        let arcs = mesh.arcs();
+        for name in ["contact", "top"] {
+            // A turn of half a radian or more from chord to chord is a corner.
+            let round = mesh.boundaries[name].iter().filter(|edge| arcs.contains_key(&[edge[0], edge[1]])).count();
+            assert!(round + 1 >= mesh.boundaries[name].len(), "{order:?}, {name}: {round}");
+        }
+        for centre in arcs.values() {
+            assert_abs_diff_eq!(centre[0], 0.0, epsilon = 1e-6 * cylinder.radius);
+            assert_relative_eq!(centre[1], cylinder.radius, max_relative = 1e-6);
+        }
+        assert!(mesh.boundaries["axis"].iter().all(|edge| !arcs.contains_key(&[edge[0], edge[1]])));
+        let curves = mesh.curves("contact").expect("there");
+        assert!(curves.iter().filter(|curve| matches!(curve, Curve::Arc { .. })).count() + 1 >= curves.len());
+        assert!(mesh.curves("middle").is_none(), "a line inside");
+        assert!(mesh.curves("elsewhere").is_none());
+    }
+    // The corners of a square lie on a circle.
+    let points = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let boundaries = [("contact".into(), vec![vec![0, 1]])].into();
+    let square = GivenMesh { points, cells: vec![vec![0, 1, 2, 3]], boundaries, inner: Default::default() };
+    assert!(square.arcs().is_empty());
+}
+
+#[test]
+fn halving_keeps_boundaries_and_lines_and_goes_to_the_circle() {
+    let cylinder = Cylinder { model: CylinderModel::Half, ..Default::default() };
+    for order in [Order::Linear, Order::Quadratic] {
+        let scene = brought(cylinder.scene(), resolution(4, 0, order));
+        let coarse = Mesh::of(&scene, halved(order, 0)).expect("meshed");
+        for times in 1..=2_u32 {
+            let mesh = Mesh::of(&scene, halved(order, times)).expect("meshed");
+            assert_eq!(mesh.cells(), coarse.cells() << (2 * times));
+            let names = |mesh: &Mesh| -> Vec<(String, usize)> {
+                let own = &mesh.bodies[0];
+                let all = own.boundaries.iter().chain(&own.lines);
+                let mut all: Vec<_> = all.map(|(name, edges)| (name.to_string(), edges.len())).collect();
+                all.sort();
+                all
+            };
+            let wanted: Vec<_> = names(&coarse).into_iter().map(|(name, edges)| (name, edges << times)).collect();
+            assert_eq!(names(&mesh), wanted);
+            let on_circle = |node: &usize| {
+                let [x, y] = mesh.points[*node];
+                (x.hypot(y - cylinder.radius) / cylinder.radius - 1.0).abs() < 1e-9
+            };
+            // All but what lies on the one chord that is a corner.
+            let nodes: Vec<usize> = mesh.bodies[0].boundaries["contact"].iter().flatten().copied().collect();
+            let off = nodes.iter().filter(|node| !on_circle(node)).count();
+            let on_chord = mesh.bodies[0].boundaries["contact"][0].len() << times;
+            assert!(off <= on_chord, "{order:?}, {times}: {off} of {}", nodes.len());
+            let axis = mesh.boundary(&scene, 0, "axis").expect("there");
+            assert!(axis.iter().flatten().all(|node| mesh.points[*node][0].abs() < 1e-9));
+        }
+    }
+}
+
+#[test]
+fn given_mesh_halved_is_the_drawn_mesh_halved() {
+    let site = Site { family: Family::Polynomial, number: 4 };
+    let drawn = site.sample().scene;
+    for order in [Order::Linear, Order::Quadratic] {
+        let scene = brought(drawn.clone(), resolution(3, 0, order));
+        let given = Mesh::of(&scene, halved(order, 2)).expect("meshed");
+        let wanted = Mesh::of(&drawn, Resolution { refinement: 2, ..resolution(3, 0, order) }).expect("meshed");
+        let sorted = |mesh: &Mesh| {
+            let mut points = mesh.points.clone();
+            points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+            points
+        };
+        let size = wanted.points.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
+        assert_eq!(given.points.len(), wanted.points.len());
+        // Rounding must not change the order of neighbours.
+        let rounded = |mesh: &Mesh| -> Vec<[i64; 2]> {
+            let mut all: Vec<_> =
+                sorted(mesh).iter().map(|point| point.map(|x| (1e7 * x / size).round() as i64)).collect();
+            all.sort_unstable();
+            all
+        };
+        for (a, b) in rounded(&given).iter().zip(&rounded(&wanted)) {
+            assert!(a[0].abs_diff(b[0]) <= 1 && a[1].abs_diff(b[1]) <= 1, "{a:?} {b:?}");
+        }
+    }
+}
+
+/// Answers with their errors against the truth: none claims what is not so.
+fn errors_of(scene: &Scene, truths: &[[f64; 2]], asked: f64) -> (bool, f64) {
+    let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+    let answer = accuracy::solve(scene, &formulation, &Asked::new(asked)).expect("solved");
+    assert_eq!(answer.estimates.len(), 2 * truths.len());
+    let error = answer.estimates.iter().map(|one| {
+        let found = one.quantity.of(&answer.run.contacts[one.contact]);
+        (found / truths[one.contact][one.quantity as usize] - 1.0).abs()
+    });
+    (answer.unmet.is_none(), error.fold(0.0, f64::max))
+}
+
+#[test]
+fn chain_of_blocks_meets_an_accuracy() {
+    for number in [2, 6] {
+        let mut sample = Site { family: Family::Polynomial, number }.sample();
+        let Shape::Rectangle { x, y, .. } = sample.scene.bodies[0].shape else { panic!("a block") };
+        let block = |x: [f64; 2], names: [Option<&'static str>; 4], elements: [usize; 2]| BlockShape {
+            corners: [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]],
+            arcs: [None; 4],
+            names: names.map(|name| name.map(Into::into)),
+            elements,
+            growth: [1.0, 1.5],
+        };
+        let middle = 1.2 * sample.scene.grading.unit;
+        sample.scene.bodies[0].shape = Shape::Blocks(vec![
+            block([x[0], middle], [Some("contact"), None, Some("far"), Some("left")], [4, 8]),
+            block([middle, x[1]], [Some("contact"), Some("right"), Some("far"), None], [6, 8]),
+        ]);
+        for asked in [1e-2, 3e-3] {
+            let (met, error) = errors_of(&sample.scene, &sample.truths, asked);
+            assert!(met && error <= asked, "{number}: {error:e} of {asked}");
+        }
+    }
+}
+
+#[test]
+fn contacts_of_any_two_sizes_meet_an_accuracy() {
+    // The widths of numbers 3 and 43 differ by five decades.
+    for number in [3, 10, 20, 43] {
+        let sample = Site { family: Family::Pair, number }.sample();
+        let (met, error) = errors_of(&sample.scene, &sample.truths, 3e-3);
+        assert!(met && error <= 3e-3, "{number}: {error:e}");
+    }
+}
+
+#[test]
+fn bodies_of_the_random_meshes_bring_them() {
+    for number in 0..Family::Mesh.each() {
+        let sample = Site { family: Family::Mesh, number }.sample();
+        assert!(sample.scene.bodies[0].shape.brings_mesh(), "{number}");
+    }
+}
+
+#[test]
+fn weak_contact_beside_a_strong_one_is_solved_to_its_own_digits() {
+    let sample = Site { family: Family::Pair, number: 43 }.sample();
+    let mut scene = sample.scene.clone();
+    scene.contacts.iter_mut().zip(&sample.truths).for_each(|(pair, truth)| pair.stretch = 1.5 * truth[1]);
+    let (scene, resolution) = accuracy::first(&scene);
+    let mut alone = scene.clone();
+    alone.contacts.truncate(1);
+    alone.bodies.truncate(1);
+    let solved = |scene: Scene| {
+        let formulation = Formulation::new(Element::Node, Iteration::Kinematic).tolerance(1e-6);
+        let run = Run::of(&Discretisation::of(scene, resolution).expect("meshed"), &formulation).expect("solved");
+        assert!(run.solution.converged() && run.iteration_error() <= 1e-6, "{:e}", run.iteration_error());
+        run
+    };
+    let (both, weak) = (solved(scene), solved(alone));
+    let [both, weak] = [&both, &weak].map(|run| run.contacts[0].measures.peak.pressure);
+    assert_relative_eq!(both, weak, max_relative = 1e-6);
+}
+
+#[test]
+fn scene_files_with_meshes_and_several_contacts_may_ask_for_an_accuracy() {
+    let several = text_of("plate-on-two-supports.toml").replace("elements = 16\nper = 0.8", "accuracy = \"1 %\"");
+    let file = SceneFile::parse(Path::new("several.toml"), &several).expect("sound");
+    assert!(file.accuracy.is_some());
+    for (name, asked) in [
+        ("cylinder-between-blocks", "0.1 %"),
+        ("roller-between-plates", "0.3 %"),
+        ("three-rings", "0.1 %"),
+        ("rings-from-gmsh", "0.1 %"),
+    ] {
+        let (sound, json, error) = contact_vv(&["solve", &scene(name), "--accuracy", asked, "--json", "-"]);
+        let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+        assert!(sound && json["accuracy"]["met"] == true, "{name}: {error}");
+        let quantities = json["accuracy"]["quantities"].as_array().expect("a list");
+        assert_eq!(quantities.len(), 2 * json["contacts"].as_array().expect("a list").len());
+    }
+}
+
+#[test]
+fn accuracy_out_of_reach_is_said_not_to_be_met_with_the_best_that_was_found() {
+    let (sound, table, _) = contact_vv(&["solve", &scene("three-rings"), "--accuracy", "0.001 %"]);
+    assert_eq!(sound, !table.contains("NOT met"), "{table}");
+    // 4-node cells whose number is limited.
+    let mut asked = Asked::new(1e-5);
+    asked.most_cells = 2e4;
+    let scene = brought(Cylinder::default().scene(), resolution(4, 0, Order::Linear));
+    let answer = accuracy::solve(&scene, &Formulation::verification(), &asked).expect("solved");
+    let why = answer.unmet.clone().expect("not met");
+    assert!(why.contains("cells") && answer.estimate() > 1e-5, "{why}");
+}
