@@ -24,6 +24,15 @@ pub struct Reference {
     pub value: f64,
 }
 
+/// Of what a check is asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scope {
+    /// Of the case, or the study, that declares it.
+    Own,
+    /// Of every run, whatever the case.
+    Universal,
+}
+
 /// A requirement held against a reference.
 #[derive(Clone, Debug)]
 pub struct Check {
@@ -43,6 +52,8 @@ pub struct Check {
     pub because: String,
     /// The verdict.
     pub verdict: Verdict,
+    /// Of what it is asked.
+    pub scope: Scope,
 }
 
 impl Reference {
@@ -135,7 +146,13 @@ impl Check {
             tolerance,
             because: because.into(),
             verdict,
+            scope: Scope::Own,
         }
+    }
+
+    /// The same, asked of every run.
+    pub fn universal(self) -> Self {
+        Self { scope: Scope::Universal, ..self }
     }
 
     /// A check whose reference is absent.
@@ -149,6 +166,7 @@ impl Check {
             tolerance: f64::NAN,
             because: String::new(),
             verdict: Verdict::NotRun(why),
+            scope: Scope::Own,
         }
     }
 }

@@ -26,14 +26,15 @@ pub fn bounded(run: &Run) -> Option<Check> {
     let EnergyError { error, bound } = run.solution.energy?;
     // Where round-off is larger, a square may come out below zero.
     let [error, bound] = [error, bound].map(|square| larger(square, 0.0).sqrt());
-    Some(Check::norm(
+    let check = Check::norm(
         "The forces and gaps of the last step shall bound its error against the discrete solution",
         "error / (bound + 1e-8) − 1, in the energy norm",
         larger(error / (bound + SQUARED) - 1.0, 0.0),
         Reference::own("active set", 0.0),
         1e-6,
         "an inequality, derived beside it; 1e-8 of the stored energy's root is round-off",
-    ))
+    );
+    Some(check.universal())
 }
 
 /// Root of the round-off of an energy.
@@ -53,7 +54,7 @@ pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, 
     if run.formulation.name() == Formulation::verification().name() && run.formulation.settings.tolerance <= 1e-8 {
         checks.push(path_independence(discretisation, run)?);
     }
-    Ok(checks)
+    Ok(checks.into_iter().map(Check::universal).collect())
 }
 
 /// Contact resultant = applied load, on a body that only contact holds along the load line.

@@ -1,8 +1,9 @@
 //! Bodies that bring their mesh, and several contacts: from mesh to mesh all elements are halved.
 //!
 //! Cells that are given are cut both ways. Where all bodies are meshed here, the elements on the contacts are halved and the
-//! growth follows them, which needs far fewer cells. No ladder fits such meshes to the ends of the contact, so that the error of the half-width wanders with the place of the
-//! end within its element. The estimate of a mesh is what all finer ones say of it, and it needs two of them.
+//! growth follows them, which needs far fewer cells. No ladder fits such meshes to the ends of the contact, so that the
+//! error of the half-width wanders with the place of the end within its element. The estimate of a mesh is what all finer
+//! ones say of it, and it needs two of them.
 
 use crate::case::accuracy::confirmed::{SAFETY, UNCONFIRMED, iterated};
 use crate::case::accuracy::depth::largest;
