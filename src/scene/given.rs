@@ -25,14 +25,14 @@ const SAME: f64 = 1e-4;
 const STRAIGHT: f64 = 1e5;
 
 impl GivenMesh {
-    /// Edges of the outline that lie on a circle, by their first and last node, and its centre \[mm\]: three neighbours of two
-    /// nodes each, or two of three, all of whose nodes lie on it.
+    /// Edges of the outline that lie on a circle, by their first and last node, and its centre \[mm\]: four neighbours of two
+    /// nodes each, or two of three, all of whose nodes lie on it. Three make no circle: those of a flat between two bevels do.
     pub fn arcs(&self) -> BTreeMap<[usize; 2], [f64; 2]> {
         let outline = self.outline();
         let next: BTreeMap<usize, &Vec<usize>> = outline.iter().map(|edge| (edge[0], edge)).collect();
         let mut arcs = BTreeMap::new();
         for first in &outline {
-            let wanted = if first.len() == 3 { 2 } else { 3 };
+            let wanted = if first.len() == 3 { 2 } else { 4 };
             let run: Vec<&Vec<usize>> =
                 std::iter::successors(Some(first), |edge| next.get(&edge[1]).copied()).take(wanted).collect();
             if let Some(centre) = self.centre_of(&run).filter(|_| run.len() == wanted) {

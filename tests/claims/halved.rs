@@ -229,3 +229,27 @@ fn accuracy_out_of_reach_is_said_not_to_be_met_with_the_best_that_was_found() {
     let why = answer.unmet.clone().expect("not met");
     assert!(why.contains("cells") && answer.estimate() > 1e-5, "{why}");
 }
+
+#[test]
+fn flat_between_two_bevels_is_no_circle() {
+    let points =
+        vec![[-2.0, 0.1], [-1.0, 0.0], [1.0, 0.0], [2.0, 0.1], [2.0, 2.0], [1.0, 2.0], [-1.0, 2.0], [-2.0, 2.0]];
+    let cells = vec![vec![0, 1, 6, 7], vec![1, 2, 5, 6], vec![2, 3, 4, 5]];
+    let boundaries = [("contact".into(), vec![vec![0, 1], vec![1, 2], vec![2, 3]])].into();
+    assert!(GivenMesh { points, cells, boundaries, inner: Default::default() }.arcs().is_empty());
+}
+
+#[test]
+fn contact_that_stays_open_meets_nothing_and_neighbours_share_no_node() {
+    let text = text_of("plate-on-two-supports.toml").replace("elements = 16\nper = 0.8", "accuracy = \"1 %\"");
+    let file = SceneFile::parse(Path::new("several.toml"), &text).expect("sound");
+    let mut near = file.problem.scene;
+    let apart = (near.contacts[0].path.origin()[0] - near.contacts[1].path.origin()[0]).abs();
+    let reach: f64 = near.contacts.iter().map(|pair| accuracy::longest::longest(&near, pair)).sum();
+    assert!(reach < apart, "{reach} of {apart}");
+    // Nothing presses.
+    near.bodies.iter_mut().for_each(|body| body.loads.clear());
+    if let Ok(answer) = accuracy::solve(&near, &Formulation::verification(), &Asked::new(1e-2)) {
+        assert!(answer.unmet.is_some());
+    }
+}

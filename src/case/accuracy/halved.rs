@@ -16,7 +16,7 @@ use crate::formulation::{Discretisation, Formulation};
 use crate::measure::larger;
 use crate::mesh::size::{MOST, expected};
 use crate::mesh::{Order, Resolution};
-use crate::scene::{Grading, Scene, Shape};
+use crate::scene::{ContactPair, Grading, Scene, Shape};
 
 /// Elements of the first mesh on the shortest candidate stretch, then on the shortest half-contact.
 const FIRST: usize = 4;
@@ -26,6 +26,8 @@ const GROWTH: [f64; 3] = [1.7, 1.6, 0.3];
 const MARGIN: f64 = 1.25;
 /// By how much candidates are lengthened where the contact goes on beyond them.
 const LONGER: f64 = 1.5;
+/// Cells of a mesh that only looks where the contacts end.
+const CHEAP: f64 = 5e4;
 /// Elements in a contact from which on a mesh tells where it ends.
 const TOLD: usize = 3;
 /// First meshes, and ladders begun anew because a contact went on beyond its candidates.
@@ -78,6 +80,9 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> 
                 why = reason;
                 break;
             }
+        }
+        if (0..halving.scene.contacts.len()).all(|contact| halving.is_open(contact)) {
+            return Ok(halving.answer(0, vec![], Some("no contact: every candidate is open".into())));
         }
         for level in 0..halving.runs.len().saturating_sub(FINER) {
             let quoted = halving.quoted(level);
@@ -135,6 +140,7 @@ impl Halving<'_> {
             return Ok(());
         }
         for attempt in 0..TRIES {
+            self.look_from_afar();
             if let Some(what) = self.too_large(0) {
                 let remedy =
                     "guess the candidate stretches better, or give `elements` and `per` instead of the accuracy";
@@ -143,11 +149,28 @@ impl Halving<'_> {
             match self.solve(0, "contact length") {
                 Err(error) if attempt + 1 == TRIES || !self.lengthens(&error) => return Err(error),
                 Err(_) => {}
-                Ok(run) if self.fits(&run) => break,
-                Ok(_) => {}
+                Ok(run) => {
+                    let stretches = |scene: &Scene| scene.contacts.iter().map(|pair| pair.stretch).collect::<Vec<_>>();
+                    let before = stretches(&self.scene);
+                    if self.fits(&run) || stretches(&self.scene) == before {
+                        break;
+                    }
+                }
             }
         }
         Ok(())
+    }
+
+    /// Lengthens the candidates guessed shortest, by which elements are sized, until a first mesh is a cheap one.
+    fn look_from_afar(&mut self) {
+        let length = |pair: &ContactPair| pair.stretch * pair.path.metric();
+        while expected(&self.scene, self.resolution)[0] > CHEAP {
+            let pairs = self.scene.contacts.iter_mut().zip(&self.longest);
+            let may = pairs.filter(|(pair, longest)| pair.stretch < **longest * (1.0 - 1e-9));
+            let Some((pair, longest)) = may.min_by(|(a, _), (b, _)| length(a).total_cmp(&length(b))) else { return };
+            pair.stretch = (2.0 * pair.stretch).min(*longest);
+            sizes::fit(&mut self.scene, 1.0);
+        }
     }
 
     /// Whether each body brings its mesh.
@@ -228,7 +251,14 @@ impl Halving<'_> {
                 self.runs.push(run);
                 Ok(Next::Solved)
             }
-            Ok(run) => Ok(Next::Stopped(format!("the iteration ended so on the last mesh: {}", run.solution.outcome))),
+            Ok(run) => {
+                let reason = format!("the iteration ended so on the last mesh: {}", run.solution.outcome);
+                // Without another one it is what is answered.
+                if self.runs.is_empty() {
+                    self.runs.push(run);
+                }
+                Ok(Next::Stopped(reason))
+            }
             Err(error) if self.lengthens(&error) => Ok(Next::Longer),
             Err(error @ Error::DegenerateCell { .. }) => Ok(Next::Stopped(error.to_string())),
             Err(error) => Err(error),

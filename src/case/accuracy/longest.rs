@@ -4,6 +4,10 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 use crate::scene::{ContactPair, Profile, Scene, Shape};
 
+/// Longest candidates over the distance to the next contact on the same side: a little less than halfway, since a node belongs
+/// to one contact.
+const BETWEEN: f64 = 0.49;
+
 /// Longest candidates of a contact that the sides of its bodies and the gap allow \[mm, or rad\].
 pub fn longest(scene: &Scene, pair: &ContactPair) -> f64 {
     let (straight, across) = (pair.path.is_straight(), pair.path.has_both_sides());
@@ -27,7 +31,17 @@ pub fn longest(scene: &Scene, pair: &ContactPair) -> f64 {
             farthest(edges.map(|&node| mesh.points[node]).collect())
         }
     };
-    pair.bodies().map(side).fold(of_gap(&pair.profile), f64::min)
+    let next = |other: &ContactPair| {
+        let shares = |body: usize| other.bodies().any(|theirs| theirs == body) && other.side(body) == pair.side(body);
+        let apart = (other.path.origin()[0] - pair.path.origin()[0]).abs();
+        if straight && other.path.is_straight() && apart > 0.0 && pair.bodies().any(shares) {
+            BETWEEN * apart
+        } else {
+            f64::INFINITY
+        }
+    };
+    let neighbours = scene.contacts.iter().map(next);
+    pair.bodies().map(side).chain(neighbours).fold(of_gap(&pair.profile), f64::min)
 }
 
 /// How far a gap goes \[mm, or rad\].
