@@ -1,13 +1,13 @@
 //! Each link of the chain on the cylinder at three sizes: `cargo bench`.
 
 use contact_vv::algorithm::{Algorithm, Constant, ContactProblem, Kinematic, StiffnessRule, Varying};
+use contact_vv::case::library::Cylinder;
 use contact_vv::condensation::Plain;
 use contact_vv::elasticity::{ElasticSystem, Numbering};
-use contact_vv::formulation::{Discretisation, Formulation};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::Scene;
-use contact_vv::scene::library::Cylinder;
 use contact_vv::solution::Work;
+use contact_vv::solve::{Discretisation, Formulation};
 use divan::{Bencher, black_box};
 
 /// Times the default mesh is halved: about 2e3, 9e3 and 3e4 freedoms.

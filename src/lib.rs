@@ -11,13 +11,16 @@
 //! * [`algorithm`] — how to find it: varying stiffness, constant stiffness, kinematic load.
 //! * [`solution`] — what came out.
 //! * [`stability`] — where it must fail, before it is run.
-//! * [`formulation`] — one point of the grid element × algorithm × rule × stiffness, on a discretised scene.
+//! * [`solve`] — one way from a scene to a solution, by any formulation: element × algorithm × rule × stiffness.
+//! * [`accuracy`] — the cheapest mesh for an accuracy asked.
 //! * [`oracle`] — independent truth.
-//! * [`mod@case`] — claims: problems, checks, studies.
+//! * [`mod@case`] — claims: problems and checks.
+//! * [`study`] — what is found out over many solves.
 //! * [`report`] — the page.
 //! * [`cli`] — what the user types.
 //!
-//! Beside the chain stand [`error`], what was wrong, and [`clock`], what each stage took.
+//! Beside the chain stand [`error`], what was wrong, [`clock`], what each stage took, and [`figure`] and [`markdown`], how results are drawn
+//! and written.
 //!
 //! # Signs and units
 //!
@@ -38,6 +41,7 @@
 #![warn(missing_docs)]
 #![deny(unsafe_code)]
 
+pub mod accuracy;
 pub mod algorithm;
 pub mod case;
 pub mod cli;
@@ -46,11 +50,14 @@ pub mod condensation;
 pub mod contact;
 pub mod elasticity;
 pub mod error;
-pub mod formulation;
+pub mod figure;
+pub mod markdown;
 pub mod measure;
 pub mod mesh;
 pub mod oracle;
 pub mod report;
 pub mod scene;
 pub mod solution;
+pub mod solve;
 pub mod stability;
+pub mod study;

@@ -3,14 +3,16 @@
 use std::fmt::Write;
 use std::sync::{Arc, Mutex};
 
-use contact_vv::case::atlas::{Chart, Plane, record};
-#[cfg(feature = "python")]
-use contact_vv::case::cross_code;
+use contact_vv::case::Verdict;
 use contact_vv::case::problem::{PROBLEMS, problem};
-use contact_vv::case::{Run, Verdict, suite};
-use contact_vv::formulation::{Discretisation, Formulation};
+use contact_vv::markdown::significant;
 use contact_vv::oracle::ReferenceKind;
-use contact_vv::report::format::significant;
+use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Formulation};
+use contact_vv::study::atlas::{Chart, Plane, record};
+#[cfg(feature = "python")]
+use contact_vv::study::cross_code;
+use contact_vv::study::suite;
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 
 /// Scenes whose runs are frozen.

@@ -1,15 +1,15 @@
 //! Cases with exact solutions: patch test, two bars, own weight, press fit, flat punch.
 
 use crate::case::check::{Check, Reference};
+use crate::case::library::{Bars, FlatPunch, OwnWeight, Patch, PressFit};
 use crate::case::problem::{self, Problem};
-use crate::case::run::Run;
-use crate::case::suite::{Trial, trials as trials_of};
 use crate::error::Error;
-use crate::formulation::{Discretisation, Element, Formulation, Iteration};
 use crate::mesh::{Order, Resolution};
 use crate::oracle::{Quantity, ReferenceKind};
 use crate::scene::PlaneHypothesis;
-use crate::scene::library::{Bars, FlatPunch, OwnWeight, Patch, PressFit};
+use crate::solve::run::Run;
+use crate::solve::{Discretisation, Element, Formulation, Iteration};
+use crate::study::suite::{Trial, trials as trials_of};
 
 /// Factors on the start stiffness of neighbouring points in the patch test.
 const UNEVEN: [f64; 5] = [1.0, 30.0, 5.0, 100.0, 10.0];

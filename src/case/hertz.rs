@@ -1,16 +1,16 @@
 //! The Hertz cases: truncated Hertz, and the cylinder of the paper.
 
 use crate::case::check::{Check, Reference};
+use crate::case::library::{Cylinder, TruncatedHertz};
 use crate::case::problem::{self, Problem};
-use crate::case::run::Run;
-use crate::case::suite::{Trial, trials as trials_of};
 use crate::error::Error;
-use crate::formulation::{Discretisation, Formulation};
 use crate::measure::profile;
 use crate::mesh::Resolution;
 use crate::oracle::Quantity;
 use crate::oracle::analytic::hertz::Hertz;
-use crate::scene::library::{Cylinder, TruncatedHertz};
+use crate::solve::run::Run;
+use crate::solve::{Discretisation, Formulation};
+use crate::study::suite::{Trial, trials as trials_of};
 
 /// Name of the case of all nine on the cylinder.
 pub const CYLINDER: &str = "cylinder";

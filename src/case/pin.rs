@@ -2,13 +2,13 @@
 
 use crate::case::check::{Check, Reference};
 use crate::case::problem::{self, Problem};
-use crate::case::run::Run;
-use crate::case::suite::{Trial, trials as trials_of};
 use crate::error::Error;
-use crate::formulation::{Discretisation, Formulation};
 use crate::measure::profile;
 use crate::mesh::Resolution;
 use crate::oracle::Quantity;
+use crate::solve::run::Run;
+use crate::solve::{Discretisation, Formulation};
+use crate::study::suite::{Trial, trials as trials_of};
 
 /// Name of the case of all nine on the pin–rod.
 pub const PIN_ROD: &str = "pin-rod";

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
+use crate::case::library::{
+    Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
+};
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::{Plane, bars, hertz::Hertz, lame, persson::PinInHole, punch, uniform::Uniform, weight};
 use crate::oracle::{Oracle, Quantity};
-use crate::scene::library::{
-    Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
-};
 use crate::scene::{PlaneHypothesis, Scene, StressField};
 
 /// An oracle that can be shared between threads.

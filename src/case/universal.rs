@@ -1,14 +1,14 @@
 //! What every converged run must satisfy, whatever the problem: equilibrium, invariance, condensed = full, path independence.
 
 use crate::case::check::{Check, Reference};
-use crate::case::run::{Contact, Run};
 use crate::elasticity::ElasticSystem;
 use crate::error::Error;
-use crate::formulation::{Discretisation, Formulation};
 use crate::measure::{larger, profile, whole};
 use crate::mesh::Mesh;
 use crate::scene::{ContactPair, Path, Scene};
 use crate::solution::{EdgeState, EnergyError, Share};
+use crate::solve::run::{Contact, Run};
+use crate::solve::{Discretisation, Formulation};
 use crate::stability::conditioning::{self, Influence};
 
 /// Load increments of the path-independence check.

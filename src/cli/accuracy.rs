@@ -3,10 +3,10 @@
 use comfy_table::{Table, presets};
 use serde::Serialize;
 
-use crate::case::accuracy::{Answer, Asked, Quoted, Tried, TriedContact};
+use crate::accuracy::{Answer, Asked, Quoted, Tried, TriedContact};
 use crate::cli::say;
+use crate::markdown;
 use crate::measure::display_factor;
-use crate::report::format;
 
 /// The same as JSON; an estimate that is not known is null.
 #[derive(Serialize)]
@@ -115,19 +115,19 @@ pub fn print((asked, answer): &(Asked, Answer)) {
             true => (
                 format!(
                     "{} from the elements, {} from growth",
-                    known(quoted.elements, format::error),
-                    format::error(quoted.growth)
+                    known(quoted.elements, markdown::error),
+                    markdown::error(quoted.growth)
                 ),
                 format!("{} along the contact, {} of growth", order(quoted.order), order(quoted.growth_order)),
             ),
-            false => (format!("{} from the mesh", known(quoted.elements, format::error)), order(quoted.order)),
+            false => (format!("{} from the mesh", known(quoted.elements, markdown::error)), order(quoted.order)),
         };
         say(format!(
             "{of}{}: estimated error {}: {parts}, {} from the iteration, and at least {} by a finer mesh; observed order {orders}",
             quoted.quantity.name(),
-            known(quoted.relative, format::error),
-            known(quoted.iteration, format::error),
-            known(quoted.check, format::error),
+            known(quoted.relative, markdown::error),
+            known(quoted.iteration, markdown::error),
+            known(quoted.check, markdown::error),
         ));
     }
     match &answer.unmet {
@@ -162,12 +162,12 @@ pub fn print((asked, answer): &(Asked, Answer)) {
             format!("{}-node", tried.order.nodes_per_cell()),
             tried.elements.to_string(),
             known(tried.growth, |growth| format!("{growth:.3}")),
-            lines(tried, |found, factor| format::value(factor * found.stretch)),
+            lines(tried, |found, factor| markdown::value(factor * found.stretch)),
             if tried.freedoms == 0 { "contact beyond".into() } else { tried.freedoms.to_string() },
             tried.steps.to_string(),
-            lines(tried, |found, _| known(found.peak, format::value)),
-            lines(tried, |found, factor| known(factor * found.half_width, format::value)),
-            known(tried.estimate, format::error),
+            lines(tried, |found, _| known(found.peak, markdown::value)),
+            lines(tried, |found, factor| known(factor * found.half_width, markdown::value)),
+            known(tried.estimate, markdown::error),
         ]);
     }
     say(table);

@@ -1,9 +1,9 @@
 //! Surveys the stability atlas with a progress bar.
 
-use crate::case::atlas::{Plane, record, survey};
-use crate::case::{cures, records};
 use crate::cli::{progress, say};
 use crate::error::Error;
+use crate::study::atlas::{Plane, record, survey};
+use crate::study::{cures, records};
 
 /// Surveys every point that is not yet recorded by this program, measures the reach of the cures, then writes the records.
 pub fn run() -> Result<(), Error> {

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use crate::case::Run;
+use crate::solve::Run;
 
 /// The end of a command, from good to bad; wrong input is an [`Error`](crate::error::Error) and exits with 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -4,13 +4,14 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::case::run::Errors;
-use crate::case::{Check, Problem, Reference, Run, Verdict};
+use crate::case::{Check, Problem, Reference, Verdict};
 use crate::cli::accuracy;
 use crate::cli::reactions::ReactionReading;
 use crate::cli::solve::Found;
 use crate::oracle::Quantity;
 use crate::solution::{IterationError, PointState};
+use crate::solve::Run;
+use crate::solve::run::Errors;
 
 #[derive(Serialize)]
 struct Document<'a> {

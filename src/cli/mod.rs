@@ -33,10 +33,10 @@ use indicatif::{ProgressBar, ProgressStyle};
 use miette::GraphicalReportHandler;
 
 use crate::case::problem::PROBLEMS;
-use crate::case::timings::growth;
 use crate::cli::ended::Ended;
 use crate::error::Error;
 use crate::report;
+use crate::study::timings::growth;
 
 /// Contact elements and iterations for frictionless elastic contact in 2D, verified.
 ///
@@ -179,6 +179,6 @@ fn root() -> Result<PathBuf, Error> {
 /// Renews the frozen results of both codes.
 #[cfg(feature = "python")]
 fn freeze() -> Result<(), Error> {
-    crate::case::cross_code::renewal::freeze()?.into_iter().for_each(say);
+    crate::study::cross_code::renewal::freeze()?.into_iter().for_each(say);
     Ok(())
 }

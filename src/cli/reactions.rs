@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use crate::case::Run;
 use crate::error::Error;
-use crate::formulation::{Discretisation, Reaction};
 use crate::scene::{BoundaryName, Component, Place};
+use crate::solve::Run;
+use crate::solve::{Discretisation, Reaction};
 
 /// What a support exerts on the modelled part of its body.
 #[derive(Clone, Debug, Serialize)]

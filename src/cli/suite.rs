@@ -4,10 +4,12 @@ use comfy_table::{ContentArrangement, Table, presets};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
-use crate::case::{Check, Finding, Verdict, suite};
+use crate::case::{Check, Verdict};
 use crate::cli::{progress, say};
 use crate::error::Error;
-use crate::report::{format, matrix};
+use crate::markdown;
+use crate::report::matrix;
+use crate::study::{Finding, suite};
 
 /// Runs every trial, two or more at a time, in the order of the page; the first that breaks off ends it.
 pub fn run() -> Result<Vec<Finding>, Error> {
@@ -44,12 +46,12 @@ pub fn print(findings: &[Finding]) {
     say(format!("\nchecks: {pass} passed, {fail} failed, {not_run} not run"));
     for finding in findings {
         for check in finding.checks.iter().filter(|check| check.verdict != Verdict::Pass) {
-            let error = format::error(check.error);
+            let error = markdown::error(check.error);
             say(format!(
                 "{} × {}: {} — {}: error {error}",
                 finding.case,
                 finding.name,
-                format::verdict(&check.verdict),
+                markdown::verdict(&check.verdict),
                 check.requirement
             ));
         }

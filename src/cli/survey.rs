@@ -3,9 +3,9 @@
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::case::{converged, met, records};
 use crate::cli::{progress, say};
 use crate::error::Error;
+use crate::study::{converged, met, records};
 
 /// What is called converged.
 pub fn converged() -> Result<(), Error> {

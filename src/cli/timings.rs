@@ -5,13 +5,13 @@ use std::time::Instant;
 
 use indicatif::ProgressBar;
 
-use crate::case::timings::machine::Machine;
-use crate::case::timings::others::{self, PEERS};
-use crate::case::timings::record::{Beside, FOLDER, Measured, Record};
-use crate::case::timings::{growth, precision, targets};
 use crate::cli::{progress, say};
 use crate::error::Error;
 use crate::oracle::cross_code::Code;
+use crate::study::timings::machine::Machine;
+use crate::study::timings::others::{self, PEERS};
+use crate::study::timings::record::{Beside, FOLDER, Measured, Record};
+use crate::study::timings::{growth, precision, targets};
 
 /// Repeats of the comparison of nine formulations with one.
 const REPEATS: usize = 5;

@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 use comfy_table::{ContentArrangement, Table, presets};
 use rayon::prelude::*;
 
-use crate::case::scene_file::Judgement;
-use crate::case::{Check, Run, SceneFile, Verdict};
+use crate::case::file::Judgement;
+use crate::case::{Check, SceneFile, Verdict};
 use crate::cli::ended::Ended;
 use crate::cli::{progress, say, show, suite};
 use crate::error::Error;
-use crate::report::format;
+use crate::markdown;
+use crate::solve::Run;
 
 /// A file that was solved.
 struct Verified {
@@ -106,15 +107,15 @@ fn counted(checks: &[Check]) -> String {
 /// A check that did not pass, with its numbers.
 pub fn told(name: &str, check: &Check) -> String {
     let limit =
-        if check.tolerance > 0.0 { format!(", at most {}", format::error(check.tolerance)) } else { String::new() };
+        if check.tolerance > 0.0 { format!(", at most {}", markdown::error(check.tolerance)) } else { String::new() };
     format!(
         "{name}: {} — {}: {} is {}, reference {}, error {}{limit}",
-        format::verdict(&check.verdict),
+        markdown::verdict(&check.verdict),
         check.requirement,
         check.quantity,
-        format::value(check.value),
-        format::value(check.reference.value),
-        format::error(check.error),
+        markdown::value(check.value),
+        markdown::value(check.reference.value),
+        markdown::error(check.error),
     )
 }
 

@@ -4,12 +4,12 @@ use vtkio::model::{
     Attribute, Attributes, ByteOrder, CellType, Cells, DataSet, UnstructuredGridPiece, Version, VertexNumbers, Vtk,
 };
 
-use crate::case::Run;
 use crate::error::Error;
-use crate::formulation::Discretisation;
 use crate::measure::profile;
 use crate::mesh::Order;
 use crate::solution::PointState;
+use crate::solve::Discretisation;
+use crate::solve::Run;
 
 /// The text of the file. Lengths in mm, stresses in MPa, tension positive; pressure is 0 and the gap NaN away from the
 /// candidates.

@@ -1,10 +1,11 @@
 //! The section on accuracies that are asked for.
 
-use crate::case::Finding;
-use crate::case::accuracy::study::ACCURACY;
-use crate::case::met::STUDY;
-use crate::case::met::scenes::GUESS;
-use crate::report::{checks, format};
+use crate::markdown;
+use crate::report::checks;
+use crate::study::Finding;
+use crate::study::accuracy::ACCURACY;
+use crate::study::met::STUDY;
+use crate::study::met::scenes::GUESS;
 
 /// The section: one row a scene and an accuracy, and the checks.
 pub fn section(findings: &[Finding]) -> String {
@@ -21,7 +22,7 @@ pub fn section(findings: &[Finding]) -> String {
          larger ones of peak pressure and half-width (second-moment angle). A mesh made by hand is the cheapest found whose worst \
          error over eight loads is within the asked one. Meshes finer than the one answered are solved for the estimate: *in all* \
          counts the freedoms of every mesh solved.\n\n{}\n{}\n{}",
-        format::markdown(&head, &rows),
+        markdown::table(&head, &rows),
         checks::table(&own),
         met(findings)
     )
@@ -41,7 +42,7 @@ fn met(findings: &[Finding]) -> String {
          report recomputes a part of it.\n\n",
     );
     for table in own.iter().flat_map(|finding| &finding.tables) {
-        text += &format!("{}\n", format::markdown(&table.head, &table.rows));
+        text += &format!("{}\n", markdown::table(&table.head, &table.rows));
     }
     text + &checks::table(&own) + "\n"
 }

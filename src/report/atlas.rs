@@ -2,14 +2,15 @@
 
 use std::fmt::Write;
 
-use crate::case::atlas::plan::STRETCH;
-use crate::case::atlas::summary::{self, Digest};
-use crate::case::atlas::{ATLAS, Chart, Class, Plane, Record};
-use crate::case::stability::{basin, failing, fixed_target, halving, rates};
-use crate::case::{Finding, Table};
 use crate::error::Error;
-use crate::formulation::{Element, Iteration};
-use crate::report::{checks, format};
+use crate::markdown;
+use crate::report::checks;
+use crate::solve::{Element, Iteration};
+use crate::study::atlas::plan::STRETCH;
+use crate::study::atlas::summary::{self, Digest};
+use crate::study::atlas::{ATLAS, Chart, Class, Plane, Record};
+use crate::study::stability::{basin, failing, fixed_target, halving, rates};
+use crate::study::{Finding, Table};
 
 /// The whole section.
 pub fn section(findings: &[Finding]) -> Result<String, Error> {
@@ -31,7 +32,7 @@ pub fn section(findings: &[Finding]) -> Result<String, Error> {
          *The same over initial stiffness and mesh.*\n\n";
     text += &slices(&charts);
     text += &predictions(findings);
-    let _ = write!(text, "\n{}\n", format::titled(&summary::findings(&charts)));
+    let _ = write!(text, "\n{}\n", markdown::titled(&summary::findings(&charts)));
     text += EXPLAINED;
     let own = |finding: &&Finding| CASES.contains(&finding.case.as_str());
     Ok(text + &checks::table(&findings.iter().filter(own).collect::<Vec<_>>()))
@@ -145,7 +146,7 @@ fn methods(digests: &[Digest]) -> String {
         let safe: Vec<String> = safe.collect();
         rows.push(vec![method.into(), safe.join("; "), ends.join(", "), seen.into(), instead.into()]);
     }
-    format::markdown(&head.map(String::from), &rows)
+    markdown::table(&head.map(String::from), &rows)
 }
 
 /// Steps along the slices, at the default initial stiffness of each algorithm.
@@ -167,7 +168,7 @@ fn slices(charts: &[Chart]) -> String {
                     .filter_map(|row| row.iter().find(near))
                     .map(|r| match r.class {
                         Class::Converged => {
-                            format!("{} steps, L2 {}", r.steps, format::error(r.error))
+                            format!("{} steps, L2 {}", r.steps, markdown::error(r.error))
                         }
                         class => class.name().into(),
                     })
@@ -181,7 +182,7 @@ fn slices(charts: &[Chart]) -> String {
         }
         let head: Vec<String> =
             std::iter::once(chart.plane.label().to_string()).chain(ordinates.iter().map(f64::to_string)).collect();
-        let _ = writeln!(text, "{}", format::markdown(&head, &rows));
+        let _ = writeln!(text, "{}", markdown::table(&head, &rows));
     }
     text
 }
@@ -191,9 +192,9 @@ fn predictions(findings: &[Finding]) -> String {
         |case: &str| -> Vec<&Table> { findings.iter().filter(|f| f.case == case).flat_map(|f| &f.tables).collect() };
     let joined = |case: &str, head: &[&str]| {
         let rows: Vec<Vec<String>> = of(case).into_iter().flat_map(|table| table.rows.clone()).collect();
-        format::markdown(&head.iter().map(|text| text.to_string()).collect::<Vec<_>>(), &rows)
+        markdown::table(&head.iter().map(|text| text.to_string()).collect::<Vec<_>>(), &rows)
     };
-    let each = |case: &str| of(case).into_iter().map(format::folded_table).collect::<String>();
+    let each = |case: &str| of(case).into_iter().map(markdown::folded_table).collect::<String>();
     [
         "### Constant stiffness towards fixed springs\n\n`(S + K₀) u⁺ = f̂ + (K₀ − K*) u` converges if and only if S + K* and S + 2K₀ − K* are positive definite: in effect k₀ ≥ k*/2. \
          Softer springs diverge, stiffer ones crawl. Target springs carry the contact's own pressure without a gap, cut off at the κ* given.\n\n".to_string(),

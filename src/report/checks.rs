@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::case::check::Scope;
-use crate::case::{Check, Finding, Verdict};
-use crate::report::format;
+use crate::case::{Check, Verdict};
+use crate::markdown;
+use crate::study::Finding;
 
 /// The requirements of some findings, each once, and the table of their checks; requirements that every run must meet are
 /// left to [`universal`].
@@ -41,21 +42,21 @@ fn rows(members: &[&Finding]) -> String {
         }
     }
     let (summary, passed) = counted(members);
-    format::folded(&summary, &format::markdown(&head.map(String::from), &rows), !passed)
+    markdown::folded(&summary, &markdown::table(&head.map(String::from), &rows), !passed)
 }
 
 fn row(name: &str, check: &Check) -> Vec<String> {
     let is_norm = (check.value - check.error).abs() <= 0.0;
-    let found = if is_norm { String::new() } else { format::value(check.value) };
+    let found = if is_norm { String::new() } else { markdown::value(check.value) };
     let reference = match check.reference.value {
-        v if v.abs() > 0.0 => format!("{} {}", check.reference.name, format::value(v)),
+        v if v.abs() > 0.0 => format!("{} {}", check.reference.name, markdown::value(v)),
         _ => check.reference.name.clone(),
     };
     let error = match check.verdict {
         Verdict::NotRun(_) => "–".into(),
-        _ => format::error(check.error),
+        _ => markdown::error(check.error),
     };
-    let tolerance = if check.tolerance > 0.0 { format::error(check.tolerance) } else { "–".into() };
+    let tolerance = if check.tolerance > 0.0 { markdown::error(check.tolerance) } else { "–".into() };
     vec![
         name.into(),
         check.quantity.clone(),
@@ -65,7 +66,7 @@ fn row(name: &str, check: &Check) -> Vec<String> {
         error,
         tolerance,
         check.because.clone(),
-        format::verdict(&check.verdict),
+        markdown::verdict(&check.verdict),
     ]
 }
 
@@ -93,16 +94,16 @@ pub fn universal(findings: &[Finding]) -> String {
                 requirement.into(),
                 checks.len().to_string(),
                 bounded(error, tolerance),
-                format::error(tolerance),
+                markdown::error(tolerance),
                 because.into(),
-                format::verdict(&verdict),
+                markdown::verdict(&verdict),
             ]
         })
         .collect();
-    format::markdown(&head, &rows)
+    markdown::table(&head, &rows)
 }
 
 /// Round-off is not worth its digits: what is below its tolerance of 1e-9 is shown as that.
 fn bounded(error: f64, tolerance: f64) -> String {
-    if tolerance <= 1e-9 && error <= tolerance { "< 1e-9".into() } else { format::error(error) }
+    if tolerance <= 1e-9 && error <= tolerance { "< 1e-9".into() } else { markdown::error(error) }
 }

@@ -1,9 +1,10 @@
 //! The section on what is called converged.
 
-use crate::case::Finding;
-use crate::case::converged::STUDY;
-use crate::case::converged::plan::{LOADS, SIZE, STRETCHES, TOLERANCES};
-use crate::report::{checks, format};
+use crate::markdown;
+use crate::report::checks;
+use crate::study::Finding;
+use crate::study::converged::STUDY;
+use crate::study::converged::plan::{LOADS, SIZE, STRETCHES, TOLERANCES};
 
 /// Squares of errors below this part of the stored energy are round-off, of which no bound says anything.
 const ROUND_OFF: f64 = 1e-18;
@@ -30,7 +31,7 @@ pub fn section(findings: &[Finding]) -> String {
         tolerances = list(&TOLERANCES),
     );
     for table in own.iter().flat_map(|finding| &finding.tables) {
-        text += &format::folded_table(table);
+        text += &markdown::folded_table(table);
     }
     text + &checks::table(&own)
 }
@@ -48,7 +49,7 @@ fn bound(findings: &[Finding]) -> String {
         energies.filter(|energy| energy.error > ROUND_OFF).map(|energy| (energy.bound / energy.error).sqrt()).collect();
     ratios.sort_by(f64::total_cmp);
     let [Some(least), Some(median), Some(largest)] = [ratios.first(), ratios.get(ratios.len() / 2), ratios.last()]
-        .map(|ratio| ratio.map(|x| format::significant(*x, 3)))
+        .map(|ratio| ratio.map(|x| markdown::significant(*x, 3)))
     else {
         return String::new();
     };

@@ -2,14 +2,15 @@
 
 use std::fmt::Write;
 
-use crate::case::cross_code::{DISCRETE, PHYSICAL, shown};
-use crate::case::faults::{self, Fault};
-use crate::case::{Check, Finding, Verdict};
+use crate::case::{Check, Verdict};
 use crate::error::Error;
+use crate::markdown;
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::Frozen;
 use crate::oracle::cross_code::{Code, SET_UP};
-use crate::report::format;
+use crate::study::Finding;
+use crate::study::cross_code::{DISCRETE, PHYSICAL, shown};
+use crate::study::faults::{self, Fault};
 
 /// Both senses, with the versions the frozen answers came from.
 pub fn section(findings: &[Finding]) -> Result<String, Error> {
@@ -59,7 +60,7 @@ fn discrete(findings: &[Finding]) -> String {
         };
         std::iter::once(finding.name.clone()).chain(groups.map(cell)).collect()
     });
-    format::markdown(&head.collect::<Vec<_>>(), &rows.collect::<Vec<_>>())
+    markdown::table(&head.collect::<Vec<_>>(), &rows.collect::<Vec<_>>())
 }
 
 /// The rows of one table over all scenes.
@@ -67,7 +68,7 @@ fn benchmark(findings: &[Finding], title: &str, head: &[&str]) -> String {
     let tables = findings.iter().filter(|finding| finding.case == PHYSICAL).flat_map(|finding| &finding.tables);
     let rows: Vec<Vec<String>> =
         tables.filter(|table| table.title == title).flat_map(|table| table.rows.clone()).collect();
-    format::markdown(&head.iter().map(|cell| cell.to_string()).collect::<Vec<_>>(), &rows)
+    markdown::table(&head.iter().map(|cell| cell.to_string()).collect::<Vec<_>>(), &rows)
 }
 
 /// Title of a table, the kind of its checks, and the cases that belong to it.
@@ -101,21 +102,18 @@ fn of_kind(findings: &[Finding], kind: ReferenceKind, belongs: &dyn Fn(&str) -> 
         let worst = checks.iter().max_by(|a, b| fraction(a).total_cmp(&fraction(b)));
         let worst = worst.filter(|check| fraction(check) > 0.0 && check.verdict == Verdict::Pass);
         let told = worst.map_or(String::new(), |check| {
-            let (error, tolerance) = (format::error(check.error), bound(check.tolerance));
+            let (error, tolerance) = (markdown::error(check.error), bound(check.tolerance));
             format!("{}: {error}, {tolerance} allowed", check.quantity)
         });
         let verdict = checks.iter().map(|check| &check.verdict).find(|verdict| **verdict != Verdict::Pass);
-        vec![case.into(), checks.len().to_string(), told, format::verdict(verdict.unwrap_or(&Verdict::Pass))]
+        vec![case.into(), checks.len().to_string(), told, markdown::verdict(verdict.unwrap_or(&Verdict::Pass))]
     });
-    format::markdown(
-        &["case", "checks", "closest to its limit", "verdict"].map(String::from),
-        &rows.collect::<Vec<_>>(),
-    )
+    markdown::table(&["case", "checks", "closest to its limit", "verdict"].map(String::from), &rows.collect::<Vec<_>>())
 }
 
 /// A tolerance, which may be smaller than what an error is shown as.
 fn bound(tolerance: f64) -> String {
-    if tolerance < 1e-8 { format!("{tolerance:.0e}") } else { format::error(tolerance) }
+    if tolerance < 1e-8 { format!("{tolerance:.0e}") } else { markdown::error(tolerance) }
 }
 
 /// Which check turned red for each planted fault.
@@ -137,6 +135,6 @@ pub fn planted() -> Result<String, Error> {
     Ok(format!(
         "## Does it bite?\n\nFaults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red, of the suite \
          and of the worked scene files.\n\n{}\n",
-        format::markdown(&head.map(String::from), &rows.collect::<Vec<_>>())
+        markdown::table(&head.map(String::from), &rows.collect::<Vec<_>>())
     ))
 }

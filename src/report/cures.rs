@@ -1,8 +1,9 @@
 //! Cures of what fails or is slow: options that are not the paper's.
 
-use crate::case::cures::{self, nested, reach, record};
-use crate::case::{Finding, Table};
-use crate::report::{checks, format};
+use crate::markdown;
+use crate::report::checks;
+use crate::study::cures::{self, nested, reach, record};
+use crate::study::{Finding, Table};
 
 /// The section.
 pub fn section(findings: &[Finding]) -> String {
@@ -25,16 +26,16 @@ pub fn section(findings: &[Finding]) -> String {
         let all = findings.iter().filter(|f| f.case == case).flat_map(|f| &f.tables);
         all.filter(|table| table.title == title).flat_map(|table| table.rows.clone()).collect::<Vec<_>>()
     };
-    text += &format::markdown(&reach::SHARES_HEAD.map(String::from), &of(cures::REACH, "shares"));
+    text += &markdown::table(&reach::SHARES_HEAD.map(String::from), &of(cures::REACH, "shares"));
     text += &format!(
         "\n![Steps of constant stiffness, plain and accelerated](snapshots/charts/cures.svg)\n\
          *Steps of constant stiffness, plain and accelerated; runs that take more than {} stand hollow above the frame.*\n\n",
         record::STEPS
     );
-    let planes = format::markdown(&reach::PLANES_HEAD.map(String::from), &of(cures::REACH, "planes"));
-    text += &format::folded("Lowest and highest κ₀ that converge, on each plane", &planes, false);
+    let planes = markdown::table(&reach::PLANES_HEAD.map(String::from), &of(cures::REACH, "planes"));
+    text += &markdown::folded("Lowest and highest κ₀ that converge, on each plane", &planes, false);
     for table in tables(findings, cures::RULES) {
-        text += &(format::titled(table) + "\n");
+        text += &(markdown::titled(table) + "\n");
     }
     text += "The rule `literal` keeps stiffnesses beside its forces: it is no fixed point of them. \
              The rule `secant` drives the spring of a closed gap to its ceiling.\n\n\
@@ -42,7 +43,7 @@ pub fn section(findings: &[Finding]) -> String {
              one element. Steps with every candidate closed → steps from the nested start (+ all steps on \
              coarser meshes).\n\n";
     let rows: Vec<Vec<String>> = tables(findings, cures::NESTED).flat_map(|table| table.rows.clone()).collect();
-    text += &format::folded("Steps by scene, element and mesh", &format::markdown(&nested::head(), &rows), false);
+    text += &markdown::folded("Steps by scene, element and mesh", &markdown::table(&nested::head(), &rows), false);
     let own = |finding: &&Finding| [cures::REACH, cures::RULES, cures::NESTED].contains(&finding.case.as_str());
     text + &checks::table(&findings.iter().filter(own).collect::<Vec<_>>())
 }

@@ -1,8 +1,8 @@
 //! What the paper misprints or leaves open, what is not covered, and the sources: prose whose numbers come from the code.
 
-use crate::formulation::{Element, Formulation, Iteration, LIMITS, Settings};
-use crate::report::format;
-use crate::scene::library::{Cylinder, PinRod};
+use crate::case::library::{Cylinder, PinRod};
+use crate::markdown;
+use crate::solve::{Element, Formulation, Iteration, LIMITS, Settings};
 
 /// Misprints and gaps of the paper, and what is read instead.
 const MISPRINTS: [[&str; 3]; 6] = [
@@ -21,7 +21,7 @@ const MISPRINTS: [[&str; 3]; 6] = [
 /// Table of misprints.
 pub fn misprints() -> String {
     let rows: Vec<Vec<String>> = MISPRINTS.iter().map(|row| row.map(String::from).into()).collect();
-    format::markdown(&["where", "printed", "read as"].map(String::from), &rows)
+    markdown::table(&["where", "printed", "read as"].map(String::from), &rows)
 }
 
 /// Decisions where the source is silent, and what each changes.
@@ -78,7 +78,7 @@ pub fn open_points() -> String {
          "terms of the order of (a/R)²".into()],
     ];
     let rows: Vec<Vec<String>> = rows.into_iter().map(Vec::from).collect();
-    format::markdown(&["open in the paper", "decided", "what it changes"].map(String::from), &rows)
+    markdown::table(&["open in the paper", "decided", "what it changes"].map(String::from), &rows)
 }
 
 /// What is deliberately not covered.

@@ -1,7 +1,8 @@
 //! Where everything else breaks: one row a limit, then the tables that show more, then the requirements.
 
-use crate::case::{Finding, Table, limits};
-use crate::report::{checks, format};
+use crate::markdown;
+use crate::report::checks;
+use crate::study::{Finding, Table, limits};
 
 /// The section of the page.
 pub fn section(findings: &[Finding]) -> String {
@@ -15,9 +16,9 @@ pub fn section(findings: &[Finding]) -> String {
         "## Where everything else breaks\n\n\
          Each row pushes one thing until something gives. What the user sees is what the program said in that run.\n\n",
     );
-    text += &format::markdown(&limits::HEAD.map(String::from), &rows);
+    text += &markdown::table(&limits::HEAD.map(String::from), &rows);
     for table in tables(false) {
-        text += &format!("\n{}", format::folded_table(table));
+        text += &format!("\n{}", markdown::folded_table(table));
     }
     text + &checks::table(&members)
 }

@@ -1,9 +1,10 @@
 //! The verdict matrix: case × formulation, and the summary table of the terminal.
 
-use crate::case::{Finding, Verdict};
-use crate::formulation::{Element, Iteration};
-use crate::report::format;
+use crate::case::Verdict;
+use crate::markdown;
 use crate::solution::Outcome;
+use crate::solve::{Element, Iteration};
+use crate::study::Finding;
 
 /// Names of the nine formulations, in the order of the columns.
 fn columns() -> Vec<String> {
@@ -43,7 +44,7 @@ pub fn verdict_matrix(findings: &[Finding]) -> String {
             std::iter::once(case.to_string()).chain(cells).collect()
         })
         .collect();
-    format::markdown(&head, &rows)
+    markdown::table(&head, &rows)
 }
 
 /// Verdicts of the studies in Markdown.
@@ -54,10 +55,10 @@ pub fn study_table(findings: &[Finding]) -> String {
         .map(|(case, members)| {
             let checks: usize = members.iter().map(|finding| finding.checks.len()).sum();
             let worst = members.iter().map(|finding| finding.verdict()).max_by_key(severity).unwrap_or(Verdict::Pass);
-            vec![case.to_string(), checks.to_string(), format::verdict(&worst)]
+            vec![case.to_string(), checks.to_string(), markdown::verdict(&worst)]
         })
         .collect();
-    format::markdown(&head, &rows)
+    markdown::table(&head, &rows)
 }
 
 fn severity(verdict: &Verdict) -> u8 {
@@ -114,9 +115,9 @@ pub fn summary_rows(findings: &[Finding]) -> Vec<Vec<String>> {
                 finding.checks.iter().filter(|check| check.reference.kind == crate::oracle::ReferenceKind::Analytic);
             let errors = truth.map(|check| {
                 let found = if check.tolerance > 0.0 {
-                    format::error(check.error)
+                    markdown::error(check.error)
                 } else {
-                    format::significant(check.value, 3)
+                    markdown::significant(check.value, 3)
                 };
                 format!("{} {found}", check.quantity)
             });
@@ -127,7 +128,7 @@ pub fn summary_rows(findings: &[Finding]) -> Vec<Vec<String>> {
                 outcome,
                 steps,
                 errors,
-                format::verdict(&finding.verdict()),
+                markdown::verdict(&finding.verdict()),
             ]
         })
         .collect()

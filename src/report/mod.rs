@@ -1,7 +1,6 @@
 //! The page: `VALIDATION.md` and its charts, made from the findings of the suite and from nothing else.
 //!
 //! * [`page`] — the order of the sections.
-//! * [`mod@format`] — how numbers and tables are written.
 //! * [`matrix`] — the verdict matrix and the summary table of the terminal.
 //! * [`accuracy`] — the section on accuracies that are asked for.
 //! * [`atlas`] — where methods fail, from the records and the predictions.
@@ -12,7 +11,6 @@
 //! * [`cures`] — options that are not the paper's.
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
-//! * [`figure`] — how a chart or drawing is made.
 //! * [`files`] — writing, and comparing with what is committed.
 
 pub mod accuracy;
@@ -22,9 +20,7 @@ pub mod converged;
 pub mod cross_code;
 pub mod cures;
 pub mod decisions;
-pub mod figure;
 pub mod files;
-pub mod format;
 pub mod limits;
 pub mod matrix;
 pub mod page;

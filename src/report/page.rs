@@ -2,12 +2,14 @@
 
 use std::fmt::Write;
 
-use crate::case::{Finding, hertz, pin, statements, sweep};
+use crate::case::{hertz, pin};
 use crate::error::Error;
-use crate::formulation::Formulation;
+use crate::markdown;
 use crate::report::{
-    accuracy, atlas, checks, converged, cross_code, cures, decisions, format, limits, matrix, pictures, timings,
+    accuracy, atlas, checks, converged, cross_code, cures, decisions, limits, matrix, pictures, timings,
 };
+use crate::solve::Formulation;
+use crate::study::{Finding, statements, sweep};
 
 /// The page and its charts.
 #[derive(Clone, Debug)]
@@ -70,7 +72,7 @@ fn paper(findings: &[Finding]) -> String {
     let own: Vec<String> = Formulation::nine().iter().filter(|f| f.is_in_the_paper()).map(Formulation::name).collect();
     format!(
         "## The paper's statements\n\n{}\nThe paper itself shows {} of the nine formulations: {}. The others are ours.\n\n",
-        format::markdown(&["statement", "measured", "judgement"].map(String::from), &rows),
+        markdown::table(&["statement", "measured", "judgement"].map(String::from), &rows),
         own.len(),
         own.join(", ")
     )
@@ -201,7 +203,7 @@ fn studies(findings: &[Finding], names: &[&str]) -> String {
 fn tables(findings: &[Finding], names: &[&str]) -> String {
     let of =
         |name: &&str| findings.iter().filter(move |f| f.case == **name).flat_map(|f| &f.tables).collect::<Vec<_>>();
-    names.iter().flat_map(of).map(|table| format::titled(table) + "\n").collect()
+    names.iter().flat_map(of).map(|table| markdown::titled(table) + "\n").collect()
 }
 
 /// What one quotes of every run of a case; `factor` turns the contact coordinate into `unit`.
@@ -229,10 +231,11 @@ fn measures(findings: &[Finding], case: &str, factor: f64, unit: &str) -> String
                 run.transmitted(),
             ];
             let counts = [work.steps, work.factorisations, work.back_substitutions].map(|n| n.to_string());
-            let quoted = quoted.map(|x| if run.solution.converged() { format::significant(x, 5) } else { "–".into() });
+            let quoted =
+                quoted.map(|x| if run.solution.converged() { markdown::significant(x, 5) } else { "–".into() });
             let first = [run.formulation.name(), run.solution.outcome.to_string()];
             first.into_iter().chain(counts).chain(quoted).collect()
         })
         .collect();
-    format!("**{case}: measures**\n\n{}\n", format::markdown(&head, &rows))
+    format!("**{case}: measures**\n\n{}\n", markdown::table(&head, &rows))
 }

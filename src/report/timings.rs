@@ -2,17 +2,18 @@
 
 use std::fmt::Write;
 
-use crate::case::Finding;
-use crate::case::timings::growth::{LARGE, STAGES};
-use crate::case::timings::judge::TIMINGS;
-use crate::case::timings::others::Stages;
-use crate::case::timings::precision::{ASKED, Family, LOADS, Point, TOLERANCE};
-use crate::case::timings::record::Record;
-use crate::case::timings::statistics::exponent;
-use crate::case::timings::targets::{cheapest, targets, theirs};
 use crate::error::Error;
+use crate::markdown;
 use crate::oracle::cross_code::Code;
-use crate::report::{checks, format};
+use crate::report::checks;
+use crate::study::Finding;
+use crate::study::timings::growth::{LARGE, STAGES};
+use crate::study::timings::judge::TIMINGS;
+use crate::study::timings::others::Stages;
+use crate::study::timings::precision::{ASKED, Family, LOADS, Point, TOLERANCE};
+use crate::study::timings::record::Record;
+use crate::study::timings::statistics::exponent;
+use crate::study::timings::targets::{cheapest, targets, theirs};
 
 /// The whole section.
 pub fn section(findings: &[Finding]) -> Result<String, Error> {
@@ -25,7 +26,7 @@ pub fn section(findings: &[Finding]) -> Result<String, Error> {
             vec![t.what, t.asked, t.measured, met.into()]
         })
         .collect();
-    text += &format::markdown(&["what", "asked for", "measured", "met"].map(String::from), &rows);
+    text += &markdown::table(&["what", "asked for", "measured", "met"].map(String::from), &rows);
     text += &precision();
     text += &what_pays(&record);
     text += &default_meshes(findings);
@@ -103,7 +104,7 @@ fn precision() -> String {
             rest += &chart(&format!("precision-{name}-{nodes}-node-work"), &caption);
         }
     }
-    text + &format::folded("4-node cells, and the same against counted operations", &rest, false)
+    text + &markdown::folded("4-node cells, and the same against counted operations", &rest, false)
 }
 
 /// Freedoms and seconds needed for each error asked for.
@@ -120,7 +121,7 @@ fn what_pays(record: &Record) -> String {
                     let enough = points.iter().filter(|point| point.error() <= error);
                     let cheapest = enough.min_by(|a, b| a.seconds.total_cmp(&b.seconds));
                     cheapest.map_or("–".into(), |p| {
-                        format!("{}, {} ms", p.freedoms, format::significant(1e3 * p.seconds, 2))
+                        format!("{}, {} ms", p.freedoms, markdown::significant(1e3 * p.seconds, 2))
                     })
                 });
                 let first = [format!("{nodes}-node, {grading}"), formulation.element.name().to_owned()];
@@ -134,7 +135,7 @@ fn what_pays(record: &Record) -> String {
         "### What pays\n\n![What pays](snapshots/charts/what-pays.svg)\n*Graded against uniform meshes, 4-node against 8-node cells, node \
          against line and layer elements.*\n\nFreedoms and milliseconds of the cheapest mesh whose median errors of p₀ and a are \
          both within:\n\n{}\n",
-        format::markdown(&head, &rows)
+        markdown::table(&head, &rows)
     )
 }
 
@@ -147,7 +148,7 @@ fn default_meshes(findings: &[Finding]) -> String {
          cylinder does.\n\n",
     );
     for table in findings.iter().filter(|finding| finding.case == TIMINGS).flat_map(|finding| &finding.tables) {
-        let _ = write!(text, "{}:\n\n{}\n", table.title, format::markdown(&table.head, &table.rows));
+        let _ = write!(text, "{}:\n\n{}\n", table.title, markdown::table(&table.head, &table.rows));
     }
     text
 }
@@ -156,7 +157,7 @@ fn default_meshes(findings: &[Finding]) -> String {
 fn stage_for_stage(record: &Record) -> String {
     let mut rows = Vec::new();
     let mut row = |code: String, freedoms: usize, stages: &Stages| {
-        let milliseconds = [stages.stiffness, stages.linear, stages.rest].map(|s| format::significant(1e3 * s, 2));
+        let milliseconds = [stages.stiffness, stages.linear, stages.rest].map(|s| markdown::significant(1e3 * s, 2));
         rows.push([vec![code, freedoms.to_string()], milliseconds.into()].concat());
     };
     for beside in &record.measured.beside {
@@ -175,7 +176,7 @@ fn stage_for_stage(record: &Record) -> String {
         "### Stage for stage\n\nTruncated Hertz to 0.1 % in p₀ and a, each code on its own cheapest mesh, one thread. Stiffness: \
          cells integrated and assembled. Linear solutions: ordering, factorisation, elimination, as often as a code does them. Ours count \
          the mesh too, theirs do not.\n\n{}\n",
-        format::markdown(&head.map(String::from), &rows)
+        markdown::table(&head.map(String::from), &rows)
     )
 }
 
@@ -188,7 +189,7 @@ fn stages(record: &Record) -> String {
     let row = |stage: &&str| {
         let share = median(stage) / total;
         let bar = "█".repeat((40.0 * share).round() as usize);
-        vec![(*stage).to_owned(), format::significant(1e3 * median(stage), 2), format!("{:.0} %", 100.0 * share), bar]
+        vec![(*stage).to_owned(), markdown::significant(1e3 * median(stage), 2), format!("{:.0} %", 100.0 * share), bar]
     };
     let rows: Vec<Vec<String>> = STAGES.iter().map(row).collect();
     format!(
@@ -196,7 +197,7 @@ fn stages(record: &Record) -> String {
         one.counts.freedoms,
         one.counts.retained,
         one.counts.steps,
-        format::markdown(&["stage", "ms", "share", ""].map(String::from), &rows)
+        markdown::table(&["stage", "ms", "share", ""].map(String::from), &rows)
     )
 }
 
@@ -209,8 +210,8 @@ fn peers(record: &Record) -> String {
                 format!("{} {}", p.code, p.version),
                 p.freedoms.to_string(),
                 p.steps.to_string(),
-                format::significant(p.seconds.median, 3),
-                format::significant(p.ours.median, 3),
+                markdown::significant(p.seconds.median, 3),
+                markdown::significant(p.ours.median, 3),
                 format!("{:.0}", p.seconds.median / p.ours.median),
                 p.errors.map(percent).join(", "),
                 p.our_errors.map(percent).join(", "),
@@ -232,6 +233,6 @@ fn peers(record: &Record) -> String {
         "### The same mesh in codes one would pick instead\n\nThe cylinder on our 8-node mesh, handed over; ours is the contact solve from the \
          assembled matrix on; errors against Hertz, whose model error is part of them. {}.\n\n{}\n",
         counted.join(". "),
-        format::markdown(&head.map(String::from), &rows)
+        markdown::table(&head.map(String::from), &rows)
     )
 }

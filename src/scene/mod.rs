@@ -6,7 +6,6 @@
 //! * [`path`] — the curve along which contact runs.
 //! * [`drawn`] — the gap between sides as they are drawn.
 //! * [`spline`] — a monotone cubic through points.
-//! * [`library`] — the scenes of the suite, each one struct of numbers in one place.
 //! * [`mod@file`] — a scene as a user writes it, in TOML.
 //! * [`variant`] — the same scene in other units, mirrored, or with its bodies swapped.
 //!
@@ -14,9 +13,7 @@
 
 pub mod contact_pair;
 pub mod drawn;
-pub mod file;
 pub mod given;
-pub mod library;
 pub mod material;
 pub mod path;
 pub mod shape;

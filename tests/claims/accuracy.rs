@@ -1,14 +1,14 @@
 //! An accuracy that is asked for is met, by a mesh hardly larger than one made by hand, or said not to be.
 
 use approx::assert_relative_eq;
-use contact_vv::case::accuracy::estimate::{levels, richardson};
-use contact_vv::case::accuracy::longest::longest;
-use contact_vv::case::accuracy::study::{self, ASKED, Subject};
-use contact_vv::case::accuracy::{self, Answer, Asked, Quantity, ends, fitted, percentage};
+use contact_vv::accuracy::estimate::{levels, richardson};
+use contact_vv::accuracy::longest::longest;
+use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted, percentage};
 use contact_vv::case::{SceneFile, Verdict, problem};
-use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::Scene;
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::study::accuracy::{self as study, ASKED, Subject};
 
 use crate::scene_file::files;
 
@@ -186,7 +186,7 @@ fn growth_that_is_never_refined_would_not_be_noticed_by_elements_alone() {
         let edge = problem.scene.reference.length;
         let plan = fitted::Plan::around([-edge, edge], f64::INFINITY, elements, Order::Quadratic, 0);
         let discretisation = Discretisation::of(plan.scene(&problem.scene), plan.resolution()).expect("meshed");
-        contact_vv::case::Run::of(&discretisation, &Formulation::verification()).expect("solved")
+        contact_vv::solve::Run::of(&discretisation, &Formulation::verification()).expect("solved")
     };
     let (some, many) = (on(16), on(48));
     let [first, last] = [&some, &many].map(|run| study::error(run, exact));

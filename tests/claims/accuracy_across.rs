@@ -5,13 +5,14 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use contact_vv::case::accuracy::longest::longest;
-use contact_vv::case::accuracy::study::{self, ASKED};
-use contact_vv::case::accuracy::{self, Answer, Asked, ends, fitted};
-use contact_vv::case::{Run, SceneFile};
-use contact_vv::formulation::{Discretisation, Formulation};
+use contact_vv::accuracy::longest::longest;
+use contact_vv::accuracy::{self, Answer, Asked, ends, fitted};
+use contact_vv::case::SceneFile;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Scene;
+use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Formulation};
+use contact_vv::study::accuracy::{self as study, ASKED};
 
 use crate::scene_file::text_of;
 

@@ -2,10 +2,10 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use contact_vv::case::atlas::judge::is_as_recorded;
-use contact_vv::case::atlas::{Chart, Class, Plane, Record, record, summary, survey};
-use contact_vv::case::records;
 use contact_vv::error::Error;
+use contact_vv::study::atlas::judge::is_as_recorded;
+use contact_vv::study::atlas::{Chart, Class, Plane, Record, record, summary, survey};
+use contact_vv::study::records;
 
 fn point(formulation: &str, ordinate: f64, stiffness: f64, class: Class, steps: usize) -> Record {
     Record {
@@ -145,7 +145,7 @@ fn a_point_is_as_recorded_only_if_class_counts_measures_and_predictions_are() {
 fn rows_on_the_same_mesh_share_one_condensation() {
     let sites = survey::sites(&Plane::ALL);
     let on_the_centre =
-        |rows: &&Vec<Vec<contact_vv::case::atlas::Row>>| rows[0][0].mesh() == Plane::Increments.rows()[0].mesh();
+        |rows: &&Vec<Vec<contact_vv::study::atlas::Row>>| rows[0][0].mesh() == Plane::Increments.rows()[0].mesh();
     assert_eq!(sites.iter().filter(on_the_centre).count(), 1);
     // Seven stretches and five meshes, the centre in both, and the two scenes of the paper.
     assert_eq!(sites.len(), 7 + 5 - 1 + 2);

@@ -3,13 +3,14 @@
 use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::{Run, SceneFile, Verdict};
+use contact_vv::case::{SceneFile, Verdict};
 use contact_vv::error::Error;
-use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::measure::{peak, profile};
 use contact_vv::mesh::size::expected;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::solution::{EdgeState, PointState};
+use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 
 use crate::scene_file::text_of;
 use crate::workbench::resolution;

@@ -1,12 +1,12 @@
 //! The condensed system against the same elimination done densely.
 
 use approx::assert_relative_eq;
+use contact_vv::case::library::{Cylinder, Patch, PinPlate, PinRod};
 use contact_vv::condensation::dense::DenseFactor;
 use contact_vv::condensation::{Condensed, CoupledSpring, solve_uncondensed};
 use contact_vv::elasticity::{BodySystem, ElasticSystem};
 use contact_vv::error::Error;
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::library::{Cylinder, Patch, PinPlate, PinRod};
 use contact_vv::scene::{Circle, Component, Face, Load, Path, Scene, Sector, Shape};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 

@@ -1,12 +1,12 @@
 //! Contact elements: areas, rows, stiffnesses and shares of the points they make.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::case::library::{Cylinder, Patch, PinRod, PressFit};
 use contact_vv::contact::facing::{Facing, FacingNode};
 use contact_vv::contact::interface::Station;
 use contact_vv::contact::{ContactElement, ContactPoint, Interface, Layer, Line, Node, Quadrature};
 use contact_vv::elasticity::ElasticSystem;
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::library::{Cylinder, Patch, PinRod, PressFit};
 use contact_vv::scene::{Circle, ContactPair, Path, Profile, Scene};
 use nalgebra::{DMatrix, Vector2};
 

@@ -4,12 +4,13 @@ use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::algorithm::{Acceleration, StiffnessRule};
-use contact_vv::case::{Run, SceneFile};
-use contact_vv::formulation::{Change, Discretisation, Element, Formulation, Iteration};
+use contact_vv::case::SceneFile;
+use contact_vv::case::library::{Cylinder, PinRod};
 use contact_vv::mesh::Order;
 use contact_vv::scene::Scene;
-use contact_vv::scene::library::{Cylinder, PinRod};
 use contact_vv::solution::Outcome;
+use contact_vv::solve::Run;
+use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration};
 
 use crate::outputs::{contact_vv, scene};
 use crate::scene_file::text_of;

@@ -1,17 +1,17 @@
 //! The comparison with other codes bites: spoiled answers, spoiled scenes, changed scripts.
 
-use contact_vv::case::cross_code::answers::{changes, largest_change, relative_difference, reproduced};
-use contact_vv::case::cross_code::discrete::{Twin, against, problems};
-use contact_vv::case::cross_code::physical::{Found, agreement};
-use contact_vv::case::cross_code::{Answers, benchmark};
-use contact_vv::case::faults::{Fault, is_caught};
 use contact_vv::case::problem::problem;
 use contact_vv::case::{Check, Verdict};
-use contact_vv::formulation::Discretisation;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::oracle::cross_code::frozen::{Digest, Frozen, script_hash};
 use contact_vv::oracle::cross_code::{Code, PhysicalAnswer};
 use contact_vv::scene::{Load, Path, PlaneHypothesis, Profile, Scene};
+use contact_vv::solve::Discretisation;
+use contact_vv::study::cross_code::answers::{changes, largest_change, relative_difference, reproduced};
+use contact_vv::study::cross_code::discrete::{Twin, against, problems};
+use contact_vv::study::cross_code::physical::{Found, agreement};
+use contact_vv::study::cross_code::{Answers, benchmark};
+use contact_vv::study::faults::{Fault, is_caught};
 
 fn all_pass(checks: &[Check]) -> bool {
     !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)

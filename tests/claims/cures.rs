@@ -3,12 +3,12 @@
 use approx::assert_relative_eq;
 use contact_vv::algorithm::acceleration::{Acceleration, Accelerator};
 use contact_vv::case::Verdict;
-use contact_vv::case::cures::{reach, record};
 use contact_vv::case::problem::problem;
 use contact_vv::error::Error;
-use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration, Start};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::solution::{Outcome, Solution};
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Start};
+use contact_vv::study::cures::{reach, record};
 
 use crate::workbench::distance;
 

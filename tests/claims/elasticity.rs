@@ -4,9 +4,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::case::library::{Cylinder, PinRod};
 use contact_vv::elasticity::{ElasticSystem, Freedom, stress};
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::library::{Cylinder, PinRod};
 use contact_vv::scene::{
     Circle, Component, Face, Load, Material, Path, PlaneHypothesis, Scene, Shape, StressField, Support,
 };

@@ -1,12 +1,12 @@
 //! Wrong input is refused in words that name the place, the key, the value found and the remedy.
 
 use contact_vv::algorithm::StiffnessRule;
+use contact_vv::case::library::{Cylinder, FlatPunch, Patch, PinRod, PressFit};
 use contact_vv::elasticity::ElasticSystem;
 use contact_vv::error::Error;
-use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::library::{Cylinder, FlatPunch, Patch, PinRod, PressFit};
 use contact_vv::scene::{Component, Load, Place, Scene, Support};
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 
 use crate::workbench::{block, held, held_at, resolution};
 

@@ -1,11 +1,11 @@
 //! Nodes that do not face one another: projection on to the facing edge, and what it balances.
 
 use approx::assert_abs_diff_eq;
+use contact_vv::case::library::{Patch, PinRod};
 use contact_vv::contact::{ContactElement, Interface, Node};
 use contact_vv::elasticity::ElasticSystem;
 use contact_vv::error::Error;
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::library::{Patch, PinRod};
 use contact_vv::scene::{Profile, Scene};
 
 use crate::contact::{elements, interface};

@@ -3,16 +3,16 @@
 use contact_vv::algorithm::ContactProblem;
 use contact_vv::algorithm::kept::KeptFactor;
 use contact_vv::algorithm::settling::Settling;
+use contact_vv::case::library::{Cylinder, PinRod};
 use contact_vv::condensation::Plain;
 use contact_vv::condensation::dense::DenseFactor;
 use contact_vv::condensation::trailing::Trailing;
 use contact_vv::elasticity::element::CellStiffness;
 use contact_vv::elasticity::{ElasticSystem, Freedom, Numbering};
-use contact_vv::formulation::{Change, Discretisation, Element, Formulation, Iteration};
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::library::{Cylinder, PinRod};
 use contact_vv::scene::{Component, Scene};
 use contact_vv::solution::Work;
+use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration};
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 

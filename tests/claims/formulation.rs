@@ -2,12 +2,12 @@
 
 use approx::assert_relative_eq;
 use contact_vv::algorithm::StiffnessRule;
+use contact_vv::case::library::{Bars, Cylinder, CylinderModel, OwnWeight, Patch, PinPlate, PinRod, PressFit};
 use contact_vv::elasticity::ElasticSystem;
-use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Scene;
-use contact_vv::scene::library::{Bars, Cylinder, CylinderModel, OwnWeight, Patch, PinPlate, PinRod, PressFit};
 use contact_vv::solution::Solution;
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 
 use crate::workbench::{ORDERS, distance, resolution};
 
@@ -160,7 +160,7 @@ fn telling_the_problem_differently_leaves_steps_and_pressures_unchanged() {
     let scenes = [
         Cylinder::default().scene(),
         Cylinder { model: CylinderModel::HalfLoadedAbove, ..Cylinder::default() }.scene(),
-        contact_vv::scene::library::TruncatedHertz::default().scene(field),
+        contact_vv::case::library::TruncatedHertz::default().scene(field),
         PinRod::default().scene(),
         PinPlate::default().scene(),
         PressFit::default().scene(),

@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use approx::assert_relative_eq;
-use contact_vv::case::{Run, SceneFile};
+use contact_vv::case::SceneFile;
 use contact_vv::error::Error;
-use contact_vv::formulation::Discretisation;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::{GivenMesh, Shape};
+use contact_vv::solve::Discretisation;
+use contact_vv::solve::Run;
 
 use crate::workbench::noise;
 

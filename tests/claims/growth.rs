@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
+use contact_vv::case::SceneFile;
+use contact_vv::case::library::TruncatedHertz;
 use contact_vv::case::problem::truncated_hertz;
-use contact_vv::case::{Run, SceneFile};
-use contact_vv::formulation::{Discretisation, Formulation};
 use contact_vv::mesh::Order;
 use contact_vv::scene::Grading;
-use contact_vv::scene::library::TruncatedHertz;
+use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Formulation};
 
 use crate::scene_file::text_of;
 use crate::workbench::resolution;

@@ -4,13 +4,14 @@ use std::path::Path;
 use std::sync::Arc;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::accuracy::{self, Asked};
-use contact_vv::case::met::{Family, Site};
-use contact_vv::case::{Run, SceneFile};
-use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::accuracy::{self, Asked};
+use contact_vv::case::SceneFile;
+use contact_vv::case::library::{Cylinder, CylinderModel};
 use contact_vv::mesh::{Mesh, Order, Resolution};
-use contact_vv::scene::library::{Cylinder, CylinderModel};
 use contact_vv::scene::{BlockShape, Curve, GivenMesh, Scene, Shape};
+use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::study::met::{Family, Site};
 
 use crate::outputs::{contact_vv, scene};
 use crate::scene_file::text_of;

@@ -6,18 +6,18 @@ use std::f64::consts::FRAC_PI_2;
 use std::path::Path as FilePath;
 use std::sync::Arc;
 
-use contact_vv::case::run::Run;
+use contact_vv::case::library::{Cylinder, Patch, TruncatedHertz};
 use contact_vv::case::{SceneFile, problem};
 use contact_vv::elasticity::dilatation::ORDINARY;
 use contact_vv::elasticity::element::{self, CellStiffness};
 use contact_vv::elasticity::{ElasticSystem, loads, quadrature, reactions, stress};
-use contact_vv::formulation::{Discretisation, Formulation};
 use contact_vv::measure::profile;
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::library::{Cylinder, Patch, TruncatedHertz};
 use contact_vv::scene::{
     Circle, Component, Face, LARGEST_POISSON, Load, Material, Path, PlaneHypothesis, Scene, Shape, StressField,
 };
+use contact_vv::solve::run::Run;
+use contact_vv::solve::{Discretisation, Formulation};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use crate::workbench::{

@@ -1,14 +1,16 @@
 //! What used to be called converged and was wrong is refused or noted; what is right is not.
 
-use contact_vv::case::run::RESOLVED;
-use contact_vv::case::{Run, Verdict, limits, problem};
+use contact_vv::case::library::{Bars, Cylinder, FlatPunch, Patch, PinRod};
+use contact_vv::case::{Verdict, problem};
 use contact_vv::error::Error;
-use contact_vv::formulation::{Change, Discretisation, Element, Formulation, Iteration, spill};
 use contact_vv::mesh::{Mesh, Order, Resolution};
-use contact_vv::scene::library::{Bars, Cylinder, FlatPunch, Patch, PinRod};
 use contact_vv::scene::{Load, Profile, Scene};
 use contact_vv::solution::PointState;
+use contact_vv::solve::Run;
+use contact_vv::solve::run::RESOLVED;
+use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, spill};
 use contact_vv::stability::conditioning;
+use contact_vv::study::limits;
 
 use crate::workbench::{distorted_patch, resolution};
 

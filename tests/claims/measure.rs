@@ -3,13 +3,13 @@
 use std::f64::consts::PI;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::case::library::{Cylinder, PinRod};
 use contact_vv::measure::order::{observed, richardson};
 use contact_vv::measure::peak::{self, Peak};
 use contact_vv::measure::profile::{
     means, misplaced, relative_l2, relative_l2_between, resultant, second_moment_half_width, weighted_line,
 };
 use contact_vv::measure::{Measures, display_factor, relative_error, whole};
-use contact_vv::scene::library::{Cylinder, PinRod};
 use contact_vv::scene::{Circle, Path};
 use contact_vv::solution::{EdgeState, Part, PointState};
 

@@ -4,9 +4,9 @@ use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::case::library::{Cylinder, Patch, PinPlate, PinRod, PressFit};
 use contact_vv::elasticity::{element, quadrature};
 use contact_vv::mesh::{Mesh, Order, candidates::candidate_edges};
-use contact_vv::scene::library::{Cylinder, Patch, PinPlate, PinRod, PressFit};
 use contact_vv::scene::{Path, Place, Profile, Scene, Sector, Shape};
 
 use crate::workbench::{ORDERS, library, resolution};
@@ -402,7 +402,7 @@ fn boundary_nodes_of_a_mesh_are_nodes_of_its_refinement() {
 
 #[test]
 fn all_nodes_of_a_rectangle_are_nodes_of_its_refinement() {
-    for scene in [Patch::default().scene(), contact_vv::scene::library::FlatPunch::default().scene()] {
+    for scene in [Patch::default().scene(), contact_vv::case::library::FlatPunch::default().scene()] {
         for order in ORDERS {
             let (coarse, fine) = (mesh_of(&scene, 8, 0, order), mesh_of(&scene, 8, 1, order));
             for (b, body) in coarse.bodies.iter().enumerate() {

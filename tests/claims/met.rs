@@ -3,16 +3,16 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
+use contact_vv::accuracy::{self, Asked};
 use contact_vv::case::Verdict;
-use contact_vv::case::accuracy::{self, Asked};
-use contact_vv::case::met::judge::{consistent, is_as_recorded, right};
-use contact_vv::case::met::run::record;
-use contact_vv::case::met::{ASKED, Family, Record, Site, sites};
-use contact_vv::formulation::{Element, Formulation, Iteration};
 use contact_vv::measure::peak;
 use contact_vv::oracle::analytic::even_gap::EvenGap;
 use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::solution::EdgeState;
+use contact_vv::solve::{Element, Formulation, Iteration};
+use contact_vv::study::met::judge::{consistent, is_as_recorded, right};
+use contact_vv::study::met::run::record;
+use contact_vv::study::met::{ASKED, Family, Record, Site, sites};
 
 /// What the closed forms of cylinders and pins leave out, relative.
 const LEFT_OUT: f64 = 1.5e-5;
@@ -120,7 +120,7 @@ fn scenes_are_the_same_each_time_and_as_many_as_promised() {
     assert!(sites().len() >= 400);
     for family in Family::ALL {
         let [first, again, other] = [3, 3, 4].map(|number| site(family, number).sample());
-        let numbers = |sample: &contact_vv::case::met::scenes::Sample| {
+        let numbers = |sample: &contact_vv::study::met::scenes::Sample| {
             sample.truths.iter().flatten().map(|truth| truth.to_bits()).collect::<Vec<_>>()
         };
         assert_eq!(numbers(&first), numbers(&again));

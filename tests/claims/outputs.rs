@@ -1,11 +1,12 @@
 //! What `solve` writes is what was solved, and asking for it changes nothing.
 
 use approx::assert_relative_eq;
-use contact_vv::case::{Run, SceneFile};
+use contact_vv::case::SceneFile;
 use contact_vv::cli::vtu;
 use contact_vv::elasticity::stress::von_mises;
-use contact_vv::formulation::Discretisation;
 use contact_vv::scene::PlaneHypothesis;
+use contact_vv::solve::Discretisation;
+use contact_vv::solve::Run;
 use std::path::Path;
 use std::process::Command;
 use vtkio::model::{Attribute, CellType, DataSet, IOBuffer, Piece, UnstructuredGridPiece, Vtk};

@@ -4,10 +4,11 @@ use std::path::Path;
 use std::process::Command;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::{Problem, Run, SceneFile};
-use contact_vv::formulation::{Discretisation, STAGES};
-use contact_vv::report::figure::{Chart, Direction};
+use contact_vv::case::{Problem, SceneFile};
+use contact_vv::figure::{Chart, Direction};
 use contact_vv::report::pictures::{deformed, solve};
+use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, STAGES};
 
 struct Solved {
     problem: Problem,

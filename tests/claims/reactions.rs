@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::{Run, SceneFile};
+use contact_vv::case::SceneFile;
 use contact_vv::elasticity::reactions::internal_forces;
-use contact_vv::formulation::{Discretisation, Reaction};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Component;
 use contact_vv::solution::Solution;
+use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Reaction};
 
 use crate::workbench::{block, resolution};
 

@@ -3,11 +3,11 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::elasticity::ElasticSystem;
-use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::library::{
+use contact_vv::case::library::{
     Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit,
 };
+use contact_vv::elasticity::ElasticSystem;
+use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::{Circle, Material, Path, PlaneHypothesis, Profile, Scene};
 
 use crate::workbench::{STEEL, library, resolution};

@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use approx::assert_relative_eq;
-use contact_vv::case::{Run, SceneFile, Verdict};
-use contact_vv::formulation::{Discretisation, Formulation};
-use contact_vv::scene::library::Cylinder;
+use contact_vv::case::library::Cylinder;
+use contact_vv::case::{SceneFile, Verdict};
 use contact_vv::scene::{Load, Profile};
+use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Formulation};
 
 pub fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenes")

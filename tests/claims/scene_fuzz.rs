@@ -1,10 +1,11 @@
 //! Whatever stands in a scene file, it is read or refused: no panic, no hang, no mesh beyond the stated size.
 
-use contact_vv::case::accuracy::{self, Asked};
-use contact_vv::case::{Run, SceneFile};
-use contact_vv::formulation::Discretisation;
+use contact_vv::accuracy::{self, Asked};
+use contact_vv::case::SceneFile;
 use contact_vv::mesh::Mesh;
 use contact_vv::mesh::size::MOST;
+use contact_vv::solve::Discretisation;
+use contact_vv::solve::Run;
 
 use crate::scene_file::files;
 use crate::workbench::noise;

@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use contact_vv::case::{Run, SceneFile};
-use contact_vv::formulation::Discretisation;
+use contact_vv::case::SceneFile;
 use contact_vv::scene::Profile;
+use contact_vv::solve::Discretisation;
+use contact_vv::solve::Run;
 
 use crate::scene_file::{folder, text_of};
 

@@ -3,10 +3,12 @@
 use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::{Run, SceneFile, accuracy};
-use contact_vv::formulation::Discretisation;
+use contact_vv::accuracy;
+use contact_vv::case::SceneFile;
 use contact_vv::mesh::{Mesh, Resolution, candidates};
 use contact_vv::scene::{MonotoneCubic, Profile, Scene};
+use contact_vv::solve::Discretisation;
+use contact_vv::solve::Run;
 
 use crate::scene_file::text_of;
 

@@ -3,11 +3,12 @@
 use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::{Run, SceneFile, Verdict};
+use contact_vv::case::{SceneFile, Verdict};
 use contact_vv::error::Error;
-use contact_vv::formulation::{Change, Discretisation, Element, Formulation, Start};
 use contact_vv::measure::Measures;
 use contact_vv::mesh::Mesh;
+use contact_vv::solve::Run;
+use contact_vv::solve::{Change, Discretisation, Element, Formulation, Start};
 
 use crate::outputs::{contact_vv, scene};
 use crate::scene_file::text_of;

@@ -1,8 +1,8 @@
 //! Springs lost in the round-off of the bodies' stiffness: told with file and key, and recorded by the atlas.
 
 use contact_vv::case::SceneFile;
-use contact_vv::case::atlas::point::{Ground, Site};
-use contact_vv::case::atlas::{Class, Plane};
+use contact_vv::study::atlas::point::{Ground, Site};
+use contact_vv::study::atlas::{Class, Plane};
 
 use crate::scene_file::{folder, text_of};
 

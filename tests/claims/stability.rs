@@ -3,14 +3,14 @@
 use approx::assert_relative_eq;
 use contact_vv::algorithm::{Algorithm, Constant, ContactProblem, Springs, StiffnessRule, Varying};
 use contact_vv::case::Verdict;
+use contact_vv::case::library::TruncatedHertz;
 use contact_vv::case::problem::{problem, truncated_hertz};
-use contact_vv::case::stability::rates::rate_check;
 use contact_vv::contact::ContactPoint;
-use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::mesh::{Order, Resolution};
-use contact_vv::scene::library::TruncatedHertz;
 use contact_vv::solution::{IterationError, Work};
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::stability::{Limit, halving, linear, rate, release};
+use contact_vv::study::stability::rates::rate_check;
 
 fn discretisation() -> Discretisation {
     let scene = problem("truncated-hertz", None).expect("a scene of the library").scene;

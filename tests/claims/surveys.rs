@@ -5,11 +5,12 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use contact_vv::case::Verdict;
-use contact_vv::case::atlas::Class;
-use contact_vv::case::converged::judge::{is_as_recorded, right};
-use contact_vv::case::converged::run::{Record, records as runs_of};
-use contact_vv::case::converged::{NAME, sites};
-use contact_vv::case::{records, unbounded};
+use contact_vv::solve::unbounded;
+use contact_vv::study::atlas::Class;
+use contact_vv::study::converged::judge::{is_as_recorded, right};
+use contact_vv::study::converged::run::{Record, records as runs_of};
+use contact_vv::study::converged::{NAME, sites};
+use contact_vv::study::records;
 
 fn record() -> Record {
     Record {

@@ -2,15 +2,15 @@
 
 use approx::assert_relative_eq;
 use contact_vv::case::problem::problem;
-use contact_vv::case::timings::growth;
-use contact_vv::case::timings::judge::moved;
-use contact_vv::case::timings::meshes::judged;
-use contact_vv::case::timings::precision::{self, Family, LOADS, Point, half_widths};
-use contact_vv::case::timings::record::Record;
-use contact_vv::case::timings::statistics::{Spread, exponent};
-use contact_vv::case::timings::targets::targets;
 use contact_vv::case::{Problem, Verdict};
 use contact_vv::mesh::Order;
+use contact_vv::study::timings::growth;
+use contact_vv::study::timings::judge::moved;
+use contact_vv::study::timings::meshes::judged;
+use contact_vv::study::timings::precision::{self, Family, LOADS, Point, half_widths};
+use contact_vv::study::timings::record::Record;
+use contact_vv::study::timings::statistics::{Spread, exponent};
+use contact_vv::study::timings::targets::targets;
 
 #[test]
 fn spread_is_median_least_and_most_and_a_broken_value_spoils_it() {

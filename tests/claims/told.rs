@@ -5,10 +5,11 @@ use std::path::Path;
 use std::process::Command;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::{Run, SceneFile};
-use contact_vv::formulation::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::case::SceneFile;
+use contact_vv::case::library::PinRod;
 use contact_vv::mesh::Order;
-use contact_vv::scene::library::PinRod;
+use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 
 use crate::outputs::{contact_vv, scene};
 use crate::scene_file::text_of;

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use contact_vv::elasticity::BodySystem;
-use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
-use contact_vv::scene::library::{
+use contact_vv::case::library::{
     Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
 };
+use contact_vv::elasticity::BodySystem;
+use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
 use contact_vv::scene::{
     Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
     ReferenceValues, Scene, Shape, StressField, Support,

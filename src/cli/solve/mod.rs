@@ -12,16 +12,17 @@ mod table;
 
 use std::path::Path;
 
-use crate::case::accuracy;
-use crate::case::{Check, Problem, Run, Verdict};
+use crate::accuracy;
+use crate::case::{Check, Problem, Verdict};
 use crate::cli::ended::Ended;
 use crate::cli::reactions::ReactionReading;
 use crate::cli::{self, json, reactions, say, vtu};
 use crate::error::Error;
-use crate::formulation::Discretisation;
 use crate::mesh::Resolution;
 use crate::report::pictures;
 use crate::solution::Outcome;
+use crate::solve::Discretisation;
+use crate::solve::Run;
 
 pub use options::Arguments;
 use options::Task;

@@ -4,15 +4,15 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
+use crate::accuracy::{self, Asked};
 use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::case::SceneFile;
-use crate::case::accuracy::{self, Asked};
 use crate::case::problem::{Problem, problem};
 use crate::error::Error;
-use crate::formulation::{Element, Formulation, Iteration, Start};
 use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Body;
+use crate::solve::{Element, Formulation, Iteration, Start};
 
 /// Arguments of `solve`.
 #[derive(Debug, Args)]

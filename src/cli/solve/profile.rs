@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use crate::case::Run;
 use crate::error::Error;
 use crate::scene::Scene;
+use crate::solve::Run;
 
 /// Position, pressure, gap, area and contact of every contact point.
 pub fn csv(scene: &Scene, run: &Run, path: &Path) -> Result<String, Error> {

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 
-use crate::formulation::STAGES;
+use crate::solve::STAGES;
 
 /// The search for a mesh that meets an accuracy.
 pub const ACCURACY: &str = "meshes for the accuracy";

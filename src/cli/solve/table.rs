@@ -1,14 +1,14 @@
 //! The result of a solve as lines on standard output.
 
 use crate::algorithm::Acceleration;
-use crate::case::run::Contact;
 use crate::cli::reactions::ReactionReading;
 use crate::cli::solve::Found;
 use crate::cli::{json, say, verify};
-use crate::formulation::Start;
+use crate::markdown;
 use crate::measure::display_factor;
-use crate::report::format;
 use crate::scene::ContactPair;
+use crate::solve::Start;
+use crate::solve::run::Contact;
 
 /// A reaction below this part of the largest force, or a place below this part of the half-width, is round-off, told as 0.
 const ROUND_OFF: f64 = 1e-9;
@@ -29,7 +29,7 @@ pub fn print(Found { problem, resolution, run, reactions, checks }: &Found) {
         run.solution.outcome,
         work.steps,
         work.factorisations,
-        format::error(run.solution.error().largest())
+        markdown::error(run.solution.error().largest())
     ));
     if run.formulation.acceleration != Acceleration::None {
         say(format!("{} accelerated steps given up for the plain one", work.rejected));
@@ -52,7 +52,7 @@ pub fn print(Found { problem, resolution, run, reactions, checks }: &Found) {
     let largest = forces.chain(reactions.iter().map(|reaction| reaction.force)).map(f64::abs).fold(0.0, f64::max);
     for ReactionReading { body, at, component, force } in reactions {
         let force = if force.abs() < ROUND_OFF * largest { 0.0 } else { *force };
-        say(format!("reaction on `{body}` at {at}: {component} {} N", format::value(force)));
+        say(format!("reaction on `{body}` at {at}: {component} {} N", markdown::value(force)));
     }
     for check in checks {
         say(verify::told("check", check));
@@ -63,8 +63,8 @@ pub fn print(Found { problem, resolution, run, reactions, checks }: &Found) {
             oracle.name,
             oracle.kind,
             oracle.quantity,
-            format::value(oracle.reference),
-            format::error(oracle.error)
+            markdown::value(oracle.reference),
+            markdown::error(oracle.error)
         ));
     }
 }
@@ -76,22 +76,22 @@ fn print_contact(pair: &ContactPair, found: &Contact, note: Option<String>, inde
     let measures = &found.measures;
     say(format!(
         "{indent}half-width by second moment {} {unit}, by counting {} {unit}",
-        format::value(factor * measures.half_width),
-        format::value(factor * measures.half_width_nodes)
+        markdown::value(factor * measures.half_width),
+        markdown::value(factor * measures.half_width_nodes)
     ));
-    let place = |s: f64| format::value(if s.abs() < ROUND_OFF * measures.half_width { 0.0 } else { factor * s });
+    let place = |s: f64| markdown::value(if s.abs() < ROUND_OFF * measures.half_width { 0.0 } else { factor * s });
     let peak = match found.unbounded {
-        None => format!("{} MPa", format::value(measures.peak.pressure)),
+        None => format!("{} MPa", markdown::value(measures.peak.pressure)),
         Some(_) => "without limit".into(),
     };
     say(format!(
         "{indent}peak pressure {peak} at {} {unit}, pressure at 0 {} MPa, largest at a point {} MPa at {} {unit}",
         place(measures.peak.position),
-        format::value(measures.pressure_at_origin),
-        format::value(measures.largest.pressure),
+        markdown::value(measures.pressure_at_origin),
+        markdown::value(measures.largest.pressure),
         place(measures.largest.position),
     ));
-    say(format!("{indent}resultant {} N", format::value(found.transmitted)));
+    say(format!("{indent}resultant {} N", markdown::value(found.transmitted)));
     let pressed = measures.stretches.iter().map(|s| format!("from {} to {}", place(s.begin), place(s.end)));
     let pressed = pressed.collect::<Vec<_>>().join(", ");
     let centre = if pair.path.has_both_sides() {

@@ -1,11 +1,11 @@
 //! Steps against initial stiffness with their prediction (Fig. 11), and the maps of the stability atlas.
 
-use crate::case::atlas::plan::STRETCH;
-use crate::case::atlas::{Chart as Plane, Class, Plane as Name, Record};
 use crate::error::Error;
-use crate::formulation::{Element, Iteration, Settings};
-use crate::report::figure::palette::{self, Colour, Dash, Marker, Style};
-use crate::report::figure::{Axis, Cell, Chart, ClassMap, MapPanel, Series, panels};
+use crate::figure::palette::{self, Colour, Dash, Marker, Style};
+use crate::figure::{Axis, Cell, Chart, ClassMap, MapPanel, Series, panels};
+use crate::solve::{Element, Iteration, Settings};
+use crate::study::atlas::plan::STRETCH;
+use crate::study::atlas::{Chart as Plane, Class, Plane as Name, Record};
 
 /// Steps up to which a converged run is quick, and ordinary.
 const QUICK: [usize; 2] = [20, 200];

@@ -2,12 +2,14 @@
 
 use super::{label, style};
 use crate::case::problem::problem;
-use crate::case::{Finding, Run, hertz, pin};
+use crate::case::{hertz, pin};
 use crate::error::Error;
+use crate::figure::palette::Style;
+use crate::figure::{Axis, Band, Chart, Direction, Series, panels};
 use crate::measure::display_factor;
-use crate::report::figure::palette::Style;
-use crate::report::figure::{Axis, Band, Chart, Direction, Series, panels};
 use crate::scene::ReferenceValues;
+use crate::solve::Run;
+use crate::study::Finding;
 
 /// Stations at which the closed form is drawn.
 const STATIONS: usize = 200;

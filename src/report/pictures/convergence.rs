@@ -2,12 +2,12 @@
 //! (Figs 6, 7).
 
 use super::{curve, label, of_picture, style};
-use crate::case::{Finding, converged, cures, pictures, sweep};
+use crate::case::library::Bars;
 use crate::error::Error;
-use crate::formulation::{Element, Formulation, Iteration};
-use crate::report::figure::palette::{self, Dash, Marker, Style};
-use crate::report::figure::{Axis, Chart, IterationPaths, Path, State, panels};
-use crate::scene::library::Bars;
+use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{Axis, Chart, IterationPaths, Path, State, panels};
+use crate::solve::{Element, Formulation, Iteration};
+use crate::study::{Finding, converged, cures, pictures, sweep};
 
 /// Steps against initial stiffness, one panel per scene and algorithm.
 pub fn steps(findings: &[Finding]) -> Result<String, Error> {

@@ -1,11 +1,11 @@
 //! Profiles of all codes, and their differences to the closed form on a scale where they can be seen.
 
 use super::{curve, of_picture, with};
-use crate::case::Finding;
-use crate::case::cross_code::shown::PROFILES;
 use crate::error::Error;
-use crate::report::figure::palette::{self, Dash, Marker, Style};
-use crate::report::figure::{Axis, Chart, panels};
+use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{Axis, Chart, panels};
+use crate::study::Finding;
+use crate::study::cross_code::shown::PROFILES;
 
 /// Scene, axis of the contact coordinate, unit of pressure, and the closed form's name.
 type Panel = (&'static str, &'static str, &'static str);

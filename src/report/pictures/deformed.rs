@@ -1,10 +1,10 @@
 //! The deformed bodies of one run with their von Mises stress, the contact enlarged where it is small.
 
-use crate::case::Run;
 use crate::error::Error;
-use crate::formulation::Discretisation;
-use crate::report::figure::{ColourMap, Detail, Field, Window};
-use crate::report::format::significant;
+use crate::figure::{ColourMap, Detail, Field, Window};
+use crate::markdown::significant;
+use crate::solve::Discretisation;
+use crate::solve::Run;
 
 /// Largest displacement in the drawing, over the size of the bodies.
 const SHOWN: f64 = 0.05;

@@ -1,10 +1,10 @@
 //! Vertical stress on the deformed meshes (the paper's Figs 9 and 13).
 
 use crate::case::problem::problem;
-use crate::case::{FieldData, Finding, pictures};
 use crate::error::Error;
-use crate::report::figure::palette::ColourMap;
-use crate::report::figure::{Detail, Field, Window};
+use crate::figure::palette::ColourMap;
+use crate::figure::{Detail, Field, Window};
+use crate::study::{FieldData, Finding, pictures};
 
 fn data<'a>(findings: &'a [Finding], scene: &str) -> Result<&'a FieldData, Error> {
     let name = pictures::field(scene);

@@ -21,12 +21,12 @@ pub mod schematics;
 pub mod solve;
 pub mod timings;
 
-use crate::case::atlas::{Chart as Plane, Plane as Name, record};
-use crate::case::{Finding, Series};
 use crate::error::Error;
-use crate::formulation::{Element, Formulation, Iteration};
-use crate::report::figure::palette::{self, Dash, Marker, Style};
-use crate::report::figure::{self, Chart};
+use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{self, Chart};
+use crate::solve::{Element, Formulation, Iteration};
+use crate::study::atlas::{Chart as Plane, Plane as Name, record};
+use crate::study::{Finding, Series};
 
 /// All charts: file name and SVG.
 pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {

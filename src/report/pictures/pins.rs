@@ -1,10 +1,10 @@
 //! Hoop stress and displacement along the pin (Fig. 15), and the dimensionless family.
 
 use super::{curve, of_picture, with};
-use crate::case::{Finding, pictures};
 use crate::error::Error;
-use crate::report::figure::palette::{self, Dash, Marker, Style};
-use crate::report::figure::{Axis, Band, Chart, Direction, panels};
+use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{Axis, Band, Chart, Direction, panels};
+use crate::study::{Finding, pictures};
 
 /// Hoop stress and normal displacement along the arcs of pin and rod.
 pub fn along(findings: &[Finding]) -> Result<String, Error> {

@@ -1,8 +1,8 @@
 //! The scenes with their loads and supports (the paper's Figs 8 and 12).
 
+use crate::case::library::{Cylinder, PinRod};
 use crate::error::Error;
-use crate::report::figure::scenes::{CylinderScene, PinRodScene};
-use crate::scene::library::{Cylinder, PinRod};
+use crate::figure::scenes::{CylinderScene, PinRodScene};
 
 /// The cylinder on its rigid plane.
 pub fn cylinder() -> Result<String, Error> {

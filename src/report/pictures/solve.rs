@@ -1,14 +1,15 @@
 //! The picture of one run: deformed shape with stress, contact pressure, and the iteration error step by step.
 
 use super::{deformed, label, style};
-use crate::case::{Problem, Run};
+use crate::case::Problem;
 use crate::error::Error;
-use crate::formulation::Discretisation;
+use crate::figure::palette::{self, Colour};
+use crate::figure::{Axis, Chart, Dash, Direction, Guide, Marker, Series, Sheet, Style};
 use crate::measure::display_factor;
-use crate::report::figure::palette::{self, Colour};
-use crate::report::figure::{Axis, Chart, Dash, Direction, Guide, Marker, Series, Sheet, Style};
 use crate::scene::ContactPair;
 use crate::solution::{IterationError, PointState};
+use crate::solve::Discretisation;
+use crate::solve::Run;
 
 /// Stations at which the closed form is drawn.
 const STATIONS: usize = 200;

@@ -1,15 +1,15 @@
 //! Error against seconds and work, what finer meshes pay, and growth with the number of freedoms.
 
 use super::{label, style};
-use crate::case::timings::growth::{Growth, LARGE, STAGES};
-use crate::case::timings::others::OtherPoint;
-use crate::case::timings::precision::{Family, LOADS, Point};
-use crate::case::timings::record::Record;
-use crate::case::timings::statistics::exponent;
 use crate::error::Error;
-use crate::formulation::Formulation;
-use crate::report::figure::palette::{self, Colour, Dash, Marker, Style};
-use crate::report::figure::{Axis, Chart, Direction, Guide, Series, panels};
+use crate::figure::palette::{self, Colour, Dash, Marker, Style};
+use crate::figure::{Axis, Chart, Direction, Guide, Series, panels};
+use crate::solve::Formulation;
+use crate::study::timings::growth::{Growth, LARGE, STAGES};
+use crate::study::timings::others::OtherPoint;
+use crate::study::timings::precision::{Family, LOADS, Point};
+use crate::study::timings::record::Record;
+use crate::study::timings::statistics::exponent;
 
 /// What a run costs.
 #[derive(Clone, Copy, PartialEq, Eq)]

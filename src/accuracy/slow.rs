@@ -1,0 +1,55 @@
+//! Algorithms other than kinematic load: the mesh is chosen by kinematic load on the same contact element, whose discrete
+//! solution they share, and the mesh answered is run by the one asked for.
+//!
+//! An iteration to a hundredth of the accuracy on every mesh is what constant and varying stiffness do not reach in their
+//! steps; one to what the mesh leaves of the accuracy they often do. The error of that iteration is known
+//! (`src/algorithm/target.rs`) and is part of the estimate.
+
+use crate::accuracy::confirmed::iterated;
+use crate::accuracy::{Answer, Asked, Quoted, Tried, search};
+use crate::error::Error;
+use crate::scene::Scene;
+use crate::solve::run::Run;
+use crate::solve::{Discretisation, Formulation, Iteration};
+
+/// Part of the accuracy that the mesh may take; the rest is the iteration's.
+const MESH: f64 = 0.8;
+/// Part of what the mesh leaves that the iteration is asked for.
+const ITERATION: f64 = 0.9;
+/// Part of the accuracy that it is asked for where the mesh leaves nothing; the tolerance of the formulation is not looked at.
+const LEAST: f64 = 0.1;
+
+/// The mesh by kinematic load, its run by the formulation asked.
+pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<Answer, Error> {
+    let choosing = Formulation {
+        quadrature: formulation.quadrature,
+        layer_thickness: formulation.layer_thickness,
+        ..Formulation::new(formulation.element, Iteration::Kinematic)
+    };
+    let of_mesh = Asked { relative: MESH * asked.relative, ..asked.clone() };
+    let mut answer = search::solve(scene, &choosing, &of_mesh)?;
+    let mut formulation = formulation.clone();
+    let room = ITERATION * (asked.relative - answer.estimate());
+    let room = if room > 0.0 { room } else { LEAST * asked.relative };
+    formulation.settings.tolerance = room;
+    let run = Run::of(&Discretisation::of(answer.scene.clone(), answer.resolution)?, &formulation)?;
+    let with_iteration = |one: &Quoted| {
+        let iteration = iterated(&run.contacts[one.contact], one.quantity);
+        Quoted { relative: one.relative - one.iteration + iteration, iteration, ..*one }
+    };
+    answer.estimates = answer.estimates.iter().map(with_iteration).collect();
+    let same = answer.tried.iter().find(|tried| tried.freedoms == run.freedoms).cloned();
+    let (steps, contacts) = (run.solution.work.steps, Tried::contacts(&answer.scene, &run));
+    let last = same.map(|same| Tried { purpose: "answer", steps, contacts, estimate: answer.estimate(), ..same });
+    answer.tried.extend(last);
+    if answer.estimate() <= asked.relative {
+        answer.unmet = None;
+    } else if answer.unmet.is_none() {
+        let (name, outcome, error) = (formulation.name(), &run.solution.outcome, 100.0 * run.iteration_error());
+        answer.unmet = Some(format!(
+            "the iteration {name} ended so: {outcome}, with an error of {error:.2e} % on the mesh that kinematic load chose"
+        ));
+    }
+    answer.run = run;
+    Ok(answer)
+}

@@ -1,0 +1,58 @@
+//! The gap given in a contact against the gap between the bodies as they are drawn.
+
+use crate::case::file::Source;
+use crate::case::file::tables::ContactTable;
+use crate::case::file::units::Units;
+use crate::error::Error;
+use crate::scene::{ContactPair, DrawnGap, Profile};
+
+/// Difference, over the largest gap given on the stretch, up to which both are one.
+const ALIKE: f64 = 0.02;
+/// Gap, over the length of the stretch, up to which sides are drawn on one another: such a drawing tells no gap.
+const FLAT: f64 = 1e-6;
+/// Places along one side of s = 0 at which gaps are compared.
+const PLACES: i32 = 64;
+
+/// Refuses a gap that differs from the drawn one, unless the contact says that the drawing tells none.
+pub(super) fn refuse_other(
+    source: Source,
+    units: &Units,
+    table: &ContactTable,
+    pair: &ContactPair,
+    drawn: &DrawnGap,
+) -> Result<(), Error> {
+    let gap_only = table.gap_only.as_ref().filter(|given| *given.get_ref());
+    match (&pair.profile, gap_only) {
+        (Profile::Drawn | Profile::Bodies(_), Some(given)) => {
+            let message = "`gap-only` is true, and the gap is that of the drawn bodies";
+            return Err(source.refused(given.span(), message, "leave it out, or give the gap as a function"));
+        }
+        (Profile::Drawn | Profile::Bodies(_), None) | (_, Some(_)) => return Ok(()),
+        _ => {}
+    }
+    let first = if pair.path.has_both_sides() { -PLACES } else { 0 };
+    let places = (first..=PLACES).map(|k| pair.stretch * f64::from(k) / f64::from(PLACES));
+    let gaps: Vec<[f64; 3]> = places.map(|s| [s, pair.profile.gap(s), drawn.gap(s)]).collect();
+    let told: Vec<&[f64; 3]> = gaps.iter().filter(|[_, given, drawn]| given.is_finite() && drawn.is_finite()).collect();
+    let largest = |k: usize| told.iter().map(|gap| gap[k].abs()).fold(0.0, f64::max);
+    let flat = FLAT * pair.stretch * pair.path.metric();
+    let apart = |gap: &[f64; 3]| (gap[1] - gap[2]).abs();
+    let Some([s, given, drawn]) = told.iter().max_by(|a, b| apart(a).total_cmp(&apart(b))) else { return Ok(()) };
+    if largest(2) <= flat || (given - drawn).abs() <= ALIKE * largest(1) + flat {
+        return Ok(());
+    }
+    let [given, drawn] = [given, drawn].map(|gap| rounded(gap / units.length));
+    let place = if pair.path.is_straight() { rounded(s / units.length) } else { rounded(s.to_degrees()) };
+    let (between, other) = match pair.second {
+        Some(_) => ("between the drawn bodies", "where the drawing shall not tell it"),
+        None => ("between the drawn body and a flat rigid side", "where the rigid side is not flat"),
+    };
+    let message = format!("at s = {place} the gap is {given} as given, and {drawn} {between}");
+    let remedy = format!("correct it, give `gap = {{ from = \"bodies\" }}`, or add `gap-only = true` {other}");
+    Err(source.refused(table.gap.span(), message, remedy))
+}
+
+/// Five significant digits.
+fn rounded(x: f64) -> f64 {
+    format!("{x:.4e}").parse().unwrap_or(x)
+}

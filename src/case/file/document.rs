@@ -1,0 +1,284 @@
+//! A user's scene file: a case with its mesh, its formulation and its checks.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use crate::accuracy::{self, Answer, Asked};
+use crate::algorithm::{Acceleration, StiffnessRule};
+use crate::case::check::{Check, Reference, Verdict};
+use crate::case::file::tables::{BodyTable, ContactTables, Keyed, Name, Number, ReferenceTable, UnitsTable};
+use crate::case::file::units::Units;
+use crate::case::file::unsupported::Unsupported;
+use crate::case::file::{Source, Tables};
+use crate::case::problem::Problem;
+use crate::case::universal;
+use crate::error::Error;
+use crate::mesh::size::solvable;
+use crate::solve::run::Run;
+use crate::solve::{Discretisation, Element, Formulation, Iteration, Start};
+
+use super::mesh::MeshTable;
+use super::places::{Places, PlacesOfContact};
+use super::wanted::{CheckTable, Wanted};
+
+/// Largest file that is read \[bytes\].
+const LARGEST_FILE: u64 = 1 << 20;
+
+/// A scene with everything needed to solve and judge it.
+#[derive(Clone)]
+pub struct SceneFile {
+    /// Scene and mesh.
+    pub problem: Problem,
+    /// How it is solved.
+    pub formulation: Formulation,
+    /// The accuracy that chooses the mesh; without one it is the problem's.
+    pub accuracy: Option<Asked>,
+    /// Where bodies and contact stand in the file.
+    pub places: Places,
+    wanted: Vec<Wanted>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Document {
+    title: Option<String>,
+    plane: Name,
+    thickness: Number,
+    units: Option<Keyed<UnitsTable>>,
+    body: Spanned<Vec<Keyed<BodyTable>>>,
+    contact: Spanned<ContactTables>,
+    reference: Option<Keyed<ReferenceTable>>,
+    mesh: Option<Spanned<Keyed<MeshTable>>>,
+    solve: Option<Spanned<Keyed<SolveTable>>>,
+    #[serde(default)]
+    check: Vec<Keyed<CheckTable>>,
+}
+
+/// `[solve]`: everything optional.
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct SolveTable {
+    element: Option<Name>,
+    algorithm: Option<Name>,
+    rule: Option<Name>,
+    stiffness: Option<Number>,
+    acceleration: Option<Name>,
+    start: Option<Name>,
+    increments: Option<Spanned<usize>>,
+    tolerance: Option<Number>,
+    max_steps: Option<Spanned<usize>>,
+}
+
+const RULES: [StiffnessRule; 5] = [
+    StiffnessRule::Secant,
+    StiffnessRule::Correction,
+    StiffnessRule::Literal,
+    StiffnessRule::Switching,
+    StiffnessRule::Penalty,
+];
+
+impl SceneFile {
+    /// Reads a file; what is wrong in it is told with its line.
+    pub fn read(file: &Path) -> Result<Self, Error> {
+        let unreadable = |reason: String| Error::File {
+            path: file.into(),
+            reason,
+            remedy: "give a scene file; `solve --help` tells where its keys are described".into(),
+        };
+        let failed = |error: std::io::Error| unreadable(error.to_string());
+        if !std::fs::metadata(file).map_err(failed)?.is_file() {
+            return Err(unreadable("this is no file".into()));
+        }
+        let mut text = String::new();
+        let size =
+            File::open(file).map_err(failed)?.take(LARGEST_FILE + 1).read_to_string(&mut text).map_err(failed)?;
+        if size as u64 > LARGEST_FILE {
+            return Err(unreadable(format!("it has more than {LARGEST_FILE} bytes, which no scene needs")));
+        }
+        Self::parse(file, &text)
+    }
+
+    /// The same from a text; the file is only named.
+    pub fn parse(file: &Path, text: &str) -> Result<Self, Error> {
+        let source = Source { file, text };
+        let document: Document = toml::from_str(text).map_err(|error| {
+            let place = error.span().unwrap_or(0..0);
+            let said = error.message().trim();
+            let written = text.get(place.clone()).unwrap_or_default();
+            if let Some(asked) = Unsupported::asked_by(written).filter(|_| said.starts_with("unknown")) {
+                return source.refused(place, asked.message(written), asked.instead);
+            }
+            let what = if said.starts_with("missing field") { "add it" } else { "correct it" };
+            source.refused(place, said, format!("{what}; tests/scenes/README.md describes every key"))
+        })?;
+        let name = file.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned());
+        document.read(source, name)
+    }
+
+    /// Solves the scene on its mesh, or on the one that its accuracy chooses.
+    pub fn solve(&self) -> Result<(Discretisation, Run, Option<Answer>), Error> {
+        self.solved().map_err(|error| self.places.locate(error))
+    }
+
+    fn solved(&self) -> Result<(Discretisation, Run, Option<Answer>), Error> {
+        let Problem { scene, resolution, .. } = &self.problem;
+        let Some(asked) = &self.accuracy else {
+            let discretisation = Discretisation::of(scene.clone(), *resolution)?;
+            let run = Run::of(&discretisation, &self.formulation)?.with_limits(&discretisation)?;
+            return Ok((discretisation, run, None));
+        };
+        let answer = accuracy::solve(scene, &self.formulation, asked)?;
+        let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution)?;
+        // From the formulation's own start, not from the contact set of another mesh: what is judged stands alone.
+        let run = Run::of(&discretisation, &answer.run.formulation)?;
+        Ok((discretisation, run, Some(answer)))
+    }
+
+    /// Judges a run by the file's own checks, and by what every converged run must satisfy.
+    pub fn judge(&self, discretisation: &Discretisation, run: &Run) -> Result<Judgement, Error> {
+        let converges = Check::norm(
+            "The iteration shall converge",
+            "iteration error",
+            run.solution.error().largest(),
+            Reference::own("the discrete solution", 0.0),
+            run.formulation.settings.tolerance,
+            "the tolerance asked for",
+        );
+        let mut universal: Vec<Check> = universal::bounded(run).into_iter().collect();
+        if run.solution.converged() {
+            universal.extend(universal::checks(discretisation, run)?);
+        }
+        Ok(Judgement { converges, own: self.own_checks(discretisation, run)?, universal })
+    }
+
+    /// The file's own checks of a run.
+    pub fn own_checks(&self, discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+        self.wanted.iter().map(|wanted| wanted.check(discretisation, run)).collect()
+    }
+}
+
+/// Checks of a run of a scene file.
+#[derive(Clone, Debug)]
+pub struct Judgement {
+    /// That it converged.
+    pub converges: Check,
+    /// Those of the file.
+    pub own: Vec<Check>,
+    /// What every run must satisfy whatever the file says: its failure is a fault of the solver or of the scene's digits.
+    pub universal: Vec<Check>,
+}
+
+impl Judgement {
+    /// All of them.
+    pub fn checks(&self) -> impl Iterator<Item = &Check> {
+        std::iter::once(&self.converges).chain(&self.universal).chain(&self.own)
+    }
+
+    /// Whether none failed.
+    pub fn passed(&self) -> bool {
+        self.checks().all(|check| check.verdict != Verdict::Fail)
+    }
+}
+
+impl Document {
+    fn places(&self, source: Source) -> Places {
+        let contacts: Vec<_> = self.contact.get_ref().0.iter().map(PlacesOfContact::of).collect();
+        let solve = self.solve.as_ref().map_or_else(|| self.contact.span(), Spanned::span);
+        let stiffness = self.solve.as_ref().and_then(|table| table.get_ref().stiffness.as_ref());
+        Places {
+            file: source.file.into(),
+            text: source.text.into(),
+            bodies: self.body.get_ref().iter().map(|body| (body.name.get_ref().clone(), body.name.span())).collect(),
+            stiffness: stiffness.map_or_else(|| solve.clone(), Spanned::span),
+            solve,
+            contacts,
+        }
+    }
+
+    fn read(&self, source: Source, name: String) -> Result<SceneFile, Error> {
+        let units = Units::of(source, self.units.as_deref())?;
+        let bodies = self.body.get_ref();
+        if bodies.is_empty() {
+            return Err(source.refused(self.body.span(), "there is no body", "add one as [[body]]"));
+        }
+        let contacts = &self.contact.get_ref().0[..];
+        let Some(contact) = contacts.first() else {
+            return Err(source.refused(self.contact.span(), "there is no contact", "add one as [contact]"));
+        };
+        let none = Spanned::new(self.body.span(), Keyed::default());
+        let table = self.mesh.as_ref().unwrap_or(&none);
+        let mesh = table.get_ref();
+        let accuracy = mesh.asked(source)?;
+        let tables = Tables {
+            name: &name,
+            units,
+            plane: &self.plane,
+            thickness: &self.thickness,
+            bodies,
+            contacts,
+            reference: self.reference.as_deref(),
+            per: mesh.per(&contact.stretch),
+            growth: mesh.growth(),
+        };
+        let (scene, resolution) = mesh.resolution(source, &table.span(), tables.scene(source)?)?;
+        if let Err((message, remedy)) = solvable(&scene, resolution) {
+            return Err(source.refused(mesh.place(&table.span()), message, remedy));
+        }
+        let default = Keyed::default();
+        let formulation = self.solve.as_ref().map_or(&default, Spanned::get_ref).formulation(source)?;
+        let wanted = self.check.iter().map(|check| check.wanted(source, &units, bodies, &scene));
+        let wanted = wanted.collect::<Result<_, _>>()?;
+        let title = self.title.clone().unwrap_or_else(|| "a scene file".into());
+        Ok(SceneFile {
+            problem: Problem { name, title, scene, resolution, oracle: None },
+            formulation,
+            accuracy,
+            places: self.places(source),
+            wanted,
+        })
+    }
+}
+
+impl SolveTable {
+    fn formulation(&self, source: Source) -> Result<Formulation, Error> {
+        let elements = Element::ALL.map(|element| (element.name(), element));
+        let algorithms = Iteration::ALL.map(|algorithm| (algorithm.name(), algorithm));
+        let element = named(source, "contact element", &self.element, &elements)?.unwrap_or(Element::Node);
+        let algorithm = named(source, "algorithm", &self.algorithm, &algorithms)?.unwrap_or(Iteration::Kinematic);
+        let mut formulation = Formulation::new(element, algorithm);
+        let rules = RULES.map(|rule| (rule.name(), rule));
+        formulation.rule = named(source, "rule", &self.rule, &rules)?.unwrap_or(formulation.rule);
+        let accelerations = Acceleration::ALL.map(|acceleration| (acceleration.name(), acceleration));
+        formulation.acceleration =
+            named(source, "acceleration", &self.acceleration, &accelerations)?.unwrap_or(Acceleration::None);
+        let starts = [Start::Closed, Start::Nested].map(|start| (start.name(), start));
+        formulation.start = named(source, "start", &self.start, &starts)?.unwrap_or(Start::Closed);
+        if let Some(stiffness) = &self.stiffness {
+            formulation.stiffness = source.positive("stiffness", stiffness)?;
+        }
+        if let Some(tolerance) = &self.tolerance {
+            formulation.settings.tolerance = source.positive("tolerance", tolerance)?;
+        }
+        let count = |key: &str, value: &Option<Spanned<usize>>, most: usize, default: usize| match value {
+            Some(value) if !(1..=most).contains(value.get_ref()) => {
+                let message = format!("`{key}` is {}", value.get_ref());
+                Err(source.refused(value.span(), message, format!("give 1 to {most}")))
+            }
+            Some(value) => Ok(*value.get_ref()),
+            None => Ok(default),
+        };
+        let settings = &mut formulation.settings;
+        settings.increments = count("increments", &self.increments, 1000, settings.increments)?;
+        settings.max_steps = count("max-steps", &self.max_steps, 1_000_000, settings.max_steps)?;
+        Ok(formulation)
+    }
+}
+
+/// What a name stands for; none where it is left out.
+fn named<T: Copy>(source: Source, what: &str, name: &Option<Name>, known: &[(&str, T)]) -> Result<Option<T>, Error> {
+    name.as_ref().map(|name| source.choice(what, name, known)).transpose()
+}

@@ -1,0 +1,175 @@
+//! Bodies from Gmsh meshes: ASCII files of format 4.1, their physical surfaces and curves.
+
+mod reader;
+mod words;
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+use std::sync::Arc;
+
+use toml::Spanned;
+
+use crate::case::file::Source;
+use crate::case::file::tables::GmshTable;
+use crate::case::file::units::Units;
+use crate::error::Error;
+use crate::scene::contact_pair::CONTACT;
+use crate::scene::{BoundaryName, GivenMesh, Shape};
+
+use reader::{Gmsh, Piece};
+
+/// Largest mesh file that is read \[bytes\].
+const LARGEST_FILE: u64 = 64 << 20;
+
+/// What Gmsh needs to be told for meshes of quadrilaterals.
+const OPTIONS: &str = "mesh with Mesh.RecombineAll = 1, or transfinite surfaces and Recombine; 8-node cells come from Mesh.ElementOrder = 2 and Mesh.SecondOrderIncomplete = 1";
+
+/// What makes quadrilaterals of triangles.
+const SUBDIVISION: &str =
+    "mesh with Mesh.SubdivisionAlgorithm = 1, which cuts all cells into quadrilaterals, and Mesh.RecombineAll = 1";
+/// What to do with a mesh of solids.
+const PLANE: &str = "scenes are plane: mesh the surfaces only (gmsh -2), in the plane z = 0, of quadrilaterals";
+
+/// Node tags of a side in ascending order.
+type SideKey = [u64; 2];
+
+/// The physical surface of a mesh file as a body.
+pub fn shape(source: Source, units: &Units, table: &GmshTable) -> Result<Shape, Error> {
+    let path = source.file.parent().unwrap_or(Path::new("")).join(table.file.get_ref());
+    let text = text(source, &path, &table.file)?;
+    let gmsh = Gmsh::parse(Source { file: &path, text: &text })?;
+    let cells = cells(source, table, &gmsh)?;
+    let sides = sides(&cells);
+    let mut numbers = HashMap::new();
+    let mut points = Vec::new();
+    let mut number = |tag: u64| -> usize {
+        *numbers.entry(tag).or_insert_with(|| {
+            points.push(gmsh.nodes.get(&tag).copied().unwrap_or([f64::NAN; 2]).map(|x| units.length * x));
+            points.len() - 1
+        })
+    };
+    let own = cells.iter().map(|cell| cell.iter().map(|tag| number(*tag)).collect()).collect();
+    let mut boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>> = BTreeMap::new();
+    let mut inner = BTreeSet::new();
+    for (name, pieces) in &gmsh.curves {
+        let own = pieces.iter().filter_map(|piece| sides.get(&key(piece.nodes[0], piece.nodes[1])));
+        let own: Vec<&(Vec<u64>, usize)> = own.collect();
+        if own.iter().any(|(_, cells)| *cells > 1) {
+            inner.insert(name.clone().into());
+        }
+        let edges: Vec<Vec<usize>> =
+            own.iter().map(|(side, _)| side.iter().map(|tag| number(*tag)).collect()).collect();
+        if !edges.is_empty() {
+            boundaries.insert(name.clone().into(), edges);
+        }
+    }
+    if table.contact.get_ref() != CONTACT && boundaries.contains_key(CONTACT) {
+        let remedy = "rename that group: the boundary given as `contact` takes this name";
+        return Err(source.refused(table.contact.span(), "another physical curve is called `contact`", remedy));
+    }
+    let known: Vec<&str> = boundaries.keys().map(AsRef::as_ref).collect();
+    let Some(contact) = boundaries.get(table.contact.get_ref().as_str()) else {
+        let message = format!("no physical curve `{}` bounds `{}`", table.contact.get_ref(), table.group.get_ref());
+        return Err(source.refused(table.contact.span(), message, known_names(&known)));
+    };
+    if inner.contains(table.contact.get_ref().as_str()) {
+        let message = format!("the curve `{}` runs inside `{}`", table.contact.get_ref(), table.group.get_ref());
+        return Err(source.refused(table.contact.span(), message, "name a curve on the outline of the body"));
+    }
+    let contact = contact.clone();
+    boundaries.insert(CONTACT.into(), contact);
+    Ok(Shape::Given(Arc::new(GivenMesh { points, cells: own, boundaries, inner })))
+}
+
+/// The names there are, or what to do where there are none.
+fn known_names(known: &[&str]) -> String {
+    if known.is_empty() {
+        return "there are none: give the body a Physical Surface and its sides Physical Curves in Gmsh".into();
+    }
+    format!("known: {}", known.join(", "))
+}
+
+fn text(source: Source, path: &Path, name: &Spanned<String>) -> Result<String, Error> {
+    let refused = |reason: String| {
+        let remedy = "give the file as seen from the folder of the scene file; save it as version 4.1, ASCII";
+        source.refused(name.span(), format!("`{}` cannot be read: {reason}", path.display()), remedy)
+    };
+    let failed = |error: std::io::Error| refused(error.to_string());
+    if !std::fs::metadata(path).map_err(failed)?.is_file() {
+        return Err(refused("this is no file".into()));
+    }
+    let mut bytes = Vec::new();
+    File::open(path).map_err(failed)?.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(failed)?;
+    if bytes.len() as u64 > LARGEST_FILE {
+        return Err(refused(format!("it has more than {LARGEST_FILE} bytes")));
+    }
+    // Binary files are told from their second line on.
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// Cells of the physical surface, counter-clockwise; Gmsh lists them clockwise where its surface is turned over.
+fn cells(source: Source, table: &GmshTable, gmsh: &Gmsh) -> Result<Vec<Vec<u64>>, Error> {
+    let name = &table.group;
+    let Some(pieces) = gmsh.surfaces.get(name.get_ref()) else {
+        let known: Vec<&str> = gmsh.surfaces.keys().map(String::as_str).collect();
+        let message = format!("there is no physical surface `{}`", name.get_ref());
+        return Err(source.refused(name.span(), message, known_names(&known)));
+    };
+    let refused = |message: String, remedy: &str| Err(source.refused(name.span(), message, remedy));
+    let other = |piece: &&Piece| ![4, 8].contains(&piece.nodes.len());
+    if let Some(piece) = pieces.iter().find(|piece| piece.is_triangular) {
+        let message = format!("cell {} of `{}` is a triangle, no quadrilateral", piece.tag, name.get_ref());
+        return refused(message, SUBDIVISION);
+    }
+    if let Some(piece) = pieces.iter().find(other) {
+        let message = format!("cell {} of `{}` is no quadrilateral of 4 or 8 nodes", piece.tag, name.get_ref());
+        return refused(message, OPTIONS);
+    }
+    let Some(first) = pieces.first() else {
+        return refused(format!("the physical surface `{}` has no cells", name.get_ref()), OPTIONS);
+    };
+    if let Some(piece) = pieces.iter().find(|piece| piece.nodes.len() != first.nodes.len()) {
+        let message =
+            format!("cells {} and {} have {} and {} nodes", first.tag, piece.tag, first.nodes.len(), piece.nodes.len());
+        return refused(message, "mesh the whole body with one order");
+    }
+    let area = |piece: &Piece| {
+        let at = |k: usize| gmsh.nodes.get(&piece.nodes[k % 4]).copied().unwrap_or([f64::NAN; 2]);
+        (0..4).map(|k| at(k)[0] * at(k + 1)[1] - at(k + 1)[0] * at(k)[1]).sum::<f64>()
+    };
+    let clockwise = area(first) < 0.0;
+    if let Some(piece) = pieces.iter().find(|piece| area(piece) == 0.0 || (area(piece) < 0.0) != clockwise) {
+        let message = format!(
+            "cell {} of `{}` is degenerate, or turned over against cell {}",
+            piece.tag,
+            name.get_ref(),
+            first.tag
+        );
+        return refused(message, "orient all surfaces of the body alike (Reverse Surface), and repair the mesh");
+    }
+    let turned = |piece: &Piece| match (clockwise, piece.nodes.len()) {
+        (false, _) => piece.nodes.clone(),
+        (true, 4) => [0, 3, 2, 1].map(|k: usize| piece.nodes[k]).to_vec(),
+        (true, _) => [0, 3, 2, 1, 7, 6, 5, 4].map(|k: usize| piece.nodes[k]).to_vec(),
+    };
+    Ok(pieces.iter().map(turned).collect())
+}
+
+/// Every side of a cell: first, last and middle node, a cell to its left; and of how many cells it is one.
+fn sides(cells: &[Vec<u64>]) -> HashMap<SideKey, (Vec<u64>, usize)> {
+    let mut sides: HashMap<SideKey, (Vec<u64>, usize)> = HashMap::new();
+    for cell in cells {
+        for k in 0..4 {
+            let (from, to) = (cell[k], cell[(k + 1) % 4]);
+            let side = || ([from, to].into_iter().chain(cell.get(4 + k).copied()).collect(), 0);
+            sides.entry(key(from, to)).or_insert_with(side).1 += 1;
+        }
+    }
+    sides
+}
+
+fn key(a: u64, b: u64) -> SideKey {
+    [a.min(b), a.max(b)]
+}

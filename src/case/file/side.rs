@@ -1,0 +1,296 @@
+//! The sides that carry the contact: which way they look, and where they lie.
+
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
+
+use toml::Spanned;
+
+use crate::case::file::Source;
+use crate::case::file::curves;
+use crate::case::file::units::Units;
+use crate::error::Error;
+use crate::scene::contact_pair::CONTACT;
+use crate::scene::{Circle, Curve, Face, Path, Profile, Shape};
+
+/// A straight piece of boundary, from its first point to its last, the body to its left \[mm\].
+type Piece = [[f64; 2]; 2];
+
+/// The side of a body that carries the contact.
+pub(super) struct Side {
+    /// It looks down, or away from the centre of its arc; none where parts of it look one way and parts the other.
+    pub outward: Option<bool>,
+    /// The curves that it is drawn with.
+    pub curves: Vec<Curve>,
+    /// Where it runs.
+    place: Place,
+    /// Whether its body lies on both sides of s = 0, where the shape tells.
+    across: Option<bool>,
+    /// How far it goes along x, on its shorter side where the path has both \[mm\], or about the centre \[rad\].
+    length: f64,
+}
+
+enum Place {
+    /// Straight, at a height: x of its beginning, and the height.
+    Straight { from: f64, height: f64 },
+    /// Circle.
+    Arc(Circle),
+    /// A disc, which takes part in either; the height at which it touches.
+    Disc { circle: Circle, height: f64 },
+    /// Pieces given one by one.
+    Pieces(Vec<Piece>),
+}
+
+impl Side {
+    /// The side of a shape that has a name; none where no contact can lie on it.
+    pub(super) fn of(shape: &Shape, name: &str, path: &Path, stretch: f64) -> Option<Self> {
+        let origin = path.origin()[0];
+        Some(match shape {
+            Shape::Rectangle { x, y, contact } => {
+                let face = face(*contact, name, ["far", "far"])?;
+                let height = if face == Face::Bottom { y[0] } else { y[1] };
+                let place = Place::Straight { from: x[0], height };
+                let length = if path.has_both_sides() { (x[1] - origin).min(origin - x[0]) } else { x[1] - x[0] };
+                let curves = vec![Curve::Line(x.map(|x| [x, height]))];
+                Self { outward: Some(face == Face::Bottom), curves, place, across: None, length }
+            }
+            // Beyond 45° the radial candidates of a quarter are hardly pressed.
+            Shape::Disc { centre, radius, contact, sector } => {
+                let other = if sector.has_upper_part() { "top" } else { CONTACT };
+                let down = face(*contact, name, [other, other])? == Face::Bottom;
+                let height = if down { centre[1] - radius } else { centre[1] + radius };
+                let circle = Circle { centre: *centre, radius: *radius };
+                let place = Place::Disc { circle, height };
+                let outward = Some(down || !path.is_straight());
+                let touching = if down { 0.0 } else { PI };
+                let back = if path.has_both_sides() { FRAC_PI_2 } else { 0.0 };
+                let [left, right] = if down { [back, FRAC_PI_2] } else { [FRAC_PI_2, back] };
+                let mut curves = curves::of_circle(&circle, touching - left, touching);
+                curves.extend(curves::of_circle(&circle, touching, touching + right));
+                let length = radius * FRAC_1_SQRT_2;
+                Self { outward, curves, place, across: Some(sector.has_both_sides()), length }
+            }
+            Shape::Ring { inner, outer, sweep, contact, .. } => {
+                let outward = face(*contact, name, ["inner", "outer"])? == Face::Top;
+                let circle = if outward { outer } else { inner };
+                let curves = curves::of_circle(circle, 0.0, *sweep);
+                let place = Place::Arc(*circle);
+                Self { outward: Some(outward), curves, place, across: Some(false), length: *sweep }
+            }
+            Shape::Eye { hole, .. } => {
+                let curves = curves::of_circle(hole, 0.0, PI);
+                Self { outward: Some(false), curves, place: Place::Arc(*hole), across: Some(false), length: PI }
+            }
+            Shape::Blocks(blocks) => Self::of_pieces(curves::of_blocks(blocks, name)?, path, stretch),
+            Shape::Given(mesh) => Self::of_pieces(mesh.curves(name)?, path, stretch),
+        })
+    }
+
+    /// Of the pieces within the stretch.
+    fn of_pieces(curves: Vec<Curve>, path: &Path, stretch: f64) -> Self {
+        let all: Vec<Piece> = curves.iter().flat_map(chords).collect();
+        let farthest = |sign: f64| all.iter().flatten().map(|p| sign * path.coordinate(*p)).fold(0.0, f64::max);
+        let length = if path.has_both_sides() { farthest(1.0).min(farthest(-1.0)) } else { farthest(1.0) };
+        let within = stretch * (1.0 - 1e-9);
+        let reaches_in = |piece: &Piece| {
+            let ends = piece.map(|point| path.coordinate(point));
+            ends.iter().any(|s| *s < within) && ends.iter().any(|s| *s > -within)
+        };
+        let pieces: Vec<Piece> = all.into_iter().filter(reaches_in).collect();
+        let looks = |[from, to]: &Piece| {
+            let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
+            let direction = path.direction(middle);
+            (to[1] - from[1]) * direction[0] - (to[0] - from[0]) * direction[1] > 0.0
+        };
+        let outward = pieces.first().map(looks).filter(|first| pieces.iter().all(|piece| looks(piece) == *first));
+        Self { outward, curves, place: Place::Pieces(pieces), across: None, length }
+    }
+
+    /// How far along the path's direction the side begins \[mm\].
+    pub(super) fn depth(&self, path: &Path) -> f64 {
+        match (&self.place, path) {
+            (Place::Straight { height, .. } | Place::Disc { height, .. }, Path::Straight(line)) => {
+                line.origin[1] - height
+            }
+            (Place::Disc { circle, .. } | Place::Arc(circle), _) => circle.radius,
+            (Place::Straight { .. }, _) => f64::NAN,
+            (Place::Pieces(pieces), _) => {
+                let points = pieces.iter().flatten();
+                let from_0 = |point: &[f64; 2]| path.coordinate(*point).abs();
+                let first = points.min_by(|a, b| from_0(a).total_cmp(&from_0(b)));
+                first.map_or(f64::NAN, |point| path.depth(*point))
+            }
+        }
+    }
+
+    /// Refuses a side that does not begin on the symmetry line, or cross it on paths with both sides, or does not lie on
+    /// the path; a gap or clearance may be drawn or not.
+    pub(super) fn refuse_misfit(
+        &self,
+        source: Source,
+        units: &Units,
+        name: &Spanned<String>,
+        (path, profile): (&Path, &Profile),
+        is_first: bool,
+    ) -> Result<(), Error> {
+        let [line, level] =
+            [("x", 0), ("y", 1)].map(|(axis, k)| format!("{axis} = {}", path.origin()[k] / units.length));
+        let refused = |what: &str, remedy: &str| {
+            let message = format!("the contact side of `{}` {what}", name.get_ref());
+            Err(source.refused(name.span(), message, remedy))
+        };
+        let clearance = match profile {
+            Profile::Hole { clearance, .. } => *clearance,
+            Profile::Drawn | Profile::Bodies(_) => f64::INFINITY,
+            other => other.gap(0.0).abs(),
+        };
+        let near = |a: f64, b: f64| (a - b).abs() <= clearance * (1.0 + 1e-6) + 1e-6 * a.abs().max(b.abs());
+        let [x0, y0] = path.origin();
+        let on_axis = |x: f64, size: f64| (x - x0).abs() <= 1e-9 * size;
+        let one_side = path.is_straight() && !path.has_both_sides();
+        match self.across {
+            Some(true) if !path.has_both_sides() => {
+                let remedy = "the body is meshed for another contact, which has both sides: give this one `both-sides = true` too";
+                return refused("lies on both sides of s = 0, the contact on one", remedy);
+            }
+            Some(false) if path.has_both_sides() && matches!(self.place, Place::Disc { .. }) => {
+                let remedy = "leave `half` out, or give all contacts of the body the same sides of s = 0";
+                return refused("lies on one side of s = 0, the contact on both", remedy);
+            }
+            _ => {}
+        }
+        if path.has_both_sides() && !matches!(self.place, Place::Arc(_)) && self.length <= 0.0 {
+            let remedy = format!(
+                "with `both-sides` the candidates lie left and right of {line}: move the bodies there, or give `origin`"
+            );
+            return refused(&format!("does not lie on both sides of {line}"), &remedy);
+        }
+        match (&self.place, path) {
+            (Place::Straight { from, .. }, _) if one_side && !on_axis(*from, self.length) => refused(
+                &format!("does not begin at {line}"),
+                "the contact begins on the symmetry line: move the bodies there, or give `both-sides = true`",
+            ),
+            (Place::Straight { height, .. }, Path::Straight(_)) if !near(*height, y0) => refused(
+                &format!("does not lie at {level}"),
+                "the contact runs along that line: move the bodies there, give its `origin`, or `gap = \"drawn\"`",
+            ),
+            (Place::Disc { circle, .. }, Path::Straight(_)) if !on_axis(circle.centre[0], circle.radius) => refused(
+                &format!("does not touch at {line}"),
+                &format!("give the disc a centre at {line}, where its mesh is finest, or the contact another `origin`"),
+            ),
+            (Place::Disc { height, .. }, Path::Straight(_)) if !near(*height, y0) => refused(
+                &format!("does not touch {level}"),
+                "the contact runs along that line: give the disc a centre one radius above or below, or the contact its `origin`",
+            ),
+            (Place::Arc(circle) | Place::Disc { circle, .. }, Path::Arc(arc)) => {
+                let aligned = (0..2).all(|k| near(circle.centre[k], arc.centre[k]));
+                let fits = if is_first {
+                    (circle.radius / arc.radius - 1.0).abs() <= 1e-9
+                } else {
+                    near(circle.radius, arc.radius)
+                };
+                if aligned && fits {
+                    return Ok(());
+                }
+                refused(
+                    "does not lie on `arc`",
+                    "`arc` is the circle of the first body's side; the other lies there too, a gap apart at most",
+                )
+            }
+            (Place::Straight { .. }, Path::Arc(_)) => refused("is straight, the path is an arc", "leave `arc` out"),
+            (Place::Arc(_), Path::Straight(_)) => {
+                refused("is an arc, the path is straight", "name the circle the contact runs along, as `arc`")
+            }
+            (Place::Pieces(pieces), _) => {
+                let begin = pieces.iter().flatten().map(|point| path.coordinate(*point)).fold(f64::INFINITY, f64::min);
+                let left = pieces.iter().flatten().map(|point| point[0]).fold(f64::INFINITY, f64::min);
+                let off = begin > 1e-6 * self.length || left < x0 - 1e-6 * self.length * path.metric();
+                if off && !path.has_both_sides() {
+                    return refused(
+                        &format!("does not begin on the symmetry line {line}"),
+                        "the contact begins there at s = 0: move the bodies there, model one half, or give `both-sides = true`",
+                    );
+                }
+                if self.outward.is_none() {
+                    let remedy = "name the boundary that faces the other body, and end the stretch where it turns away";
+                    return refused("does not look one way", remedy);
+                }
+                if let Some(slope) = steep(pieces, path) {
+                    let message = format!("slopes by {slope:.2} against the path");
+                    let remedy = "contact forces act along y, or along the radius of `arc`: turn the scene, or give a rigid profile its gap";
+                    return refused(&message, remedy);
+                }
+                if !near(self.depth(path), path.own_depth()) {
+                    let remedy =
+                        "move the body there, give its `origin`, or `gap = \"drawn\"` where it is drawn as it stands";
+                    return refused(&format!("does not begin at {level}, or on `arc`"), remedy);
+                }
+                let on_arc = |point: &[f64; 2]| (path.depth(*point) / path.own_depth() - 1.0).abs() <= 1e-3;
+                if is_first && matches!(path, Path::Arc(_)) && !pieces.iter().flatten().all(on_arc) {
+                    return refused("does not lie on `arc`", "`arc` is the circle of the first body's side");
+                }
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses a candidate stretch that goes on where the side has ended.
+    pub(super) fn refuse_short(
+        &self,
+        source: Source,
+        units: &Units,
+        name: &Spanned<String>,
+        path: &Path,
+        (stretch, given): (f64, &Spanned<f64>),
+    ) -> Result<(), Error> {
+        let (length, shown) = match (path, &self.place) {
+            (Path::Straight(_), _) => (self.length, self.length / units.length),
+            (Path::Arc(_), Place::Arc(_) | Place::Pieces(_)) => (self.length, self.length.to_degrees()),
+            (Path::Arc(_), _) => return Ok(()),
+        };
+        if stretch <= length * (1.0 + 1e-9) {
+            return Ok(());
+        }
+        let shown = (1e6 * shown).round() / 1e6;
+        let ends = if path.has_both_sides() { "goes only as far as |s| =" } else { "ends at" };
+        let message = format!("the candidates reach beyond `{}`, whose contact side {ends} {shown}", name.get_ref());
+        Err(source.refused(given.span(), message, format!("give at most {shown}")))
+    }
+}
+
+/// Slopes against the path from which on normals along it are wrong: where the side begins, where a symmetric body has
+/// none, and anywhere on the stretch.
+const STEEP: [f64; 2] = [0.1, 0.5];
+
+/// The slope of a piece that is too steep.
+fn steep(pieces: &[Piece], path: &Path) -> Option<f64> {
+    let begin = |[a, b]: &Piece| path.coordinate(*a).min(path.coordinate(*b));
+    let first = pieces.iter().map(begin).fold(f64::INFINITY, f64::min);
+    let [at_first, anywhere] = STEEP;
+    let slopes = pieces.iter().map(|piece| {
+        let [a, b] = piece;
+        let along = (path.coordinate(*b) - path.coordinate(*a)).abs() * path.metric();
+        ((path.depth(*b) - path.depth(*a)).abs() / along, !path.has_both_sides() && begin(piece) <= first)
+    });
+    let mut steep = slopes.filter(|(slope, is_first)| *slope > if *is_first { at_first } else { anywhere });
+    steep.next().map(|(slope, _)| slope)
+}
+
+/// The face that has a name: the one called `contact`, or the opposite one by its own name, as the lower and as the upper.
+fn face(contact: Face, name: &str, [lower, upper]: [&str; 2]) -> Option<Face> {
+    match contact {
+        _ if name == CONTACT => Some(contact),
+        Face::Bottom if name == upper => Some(Face::Top),
+        Face::Top if name == lower => Some(Face::Bottom),
+        _ => None,
+    }
+}
+
+/// Chords that stand for an arc.
+const CHORDS: usize = 32;
+
+/// A curve as straight pieces.
+fn chords(curve: &Curve) -> Vec<Piece> {
+    let count = if matches!(curve, Curve::Arc { .. }) { CHORDS } else { 1 };
+    let at = |k: usize| curve.point(k as f64 / count as f64);
+    (0..count).map(|k| [at(k), at(k + 1)]).collect()
+}

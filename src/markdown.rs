@@ -1,0 +1,84 @@
+//! How numbers and tables are written: the same digits on every machine.
+
+use comfy_table::{Table as Grid, presets};
+
+use crate::case::Verdict;
+use crate::study::Table;
+
+/// Below this fraction of its scale a number is round-off and is not shown.
+const ROUND_OFF: f64 = 1e-9;
+
+/// An error: two significant digits, `< 1e-9` where it is round-off.
+pub fn error(error: f64) -> String {
+    match error {
+        e if e.is_nan() => "not a number".into(),
+        e if e.is_infinite() => "infinite".into(),
+        e if e <= 0.0 => "0".into(),
+        e if e < ROUND_OFF => "< 1e-9".into(),
+        e if e < 1e-4 => format!("{e:.1e}"),
+        e if e < 1.0 => format!("{} %", significant(100.0 * e, 2)),
+        e => significant(e, 6),
+    }
+}
+
+/// A value with six significant digits.
+pub fn value(value: f64) -> String {
+    match value {
+        v if v.is_nan() => "–".into(),
+        v if v.abs() < 1e-99 => "0".into(),
+        v => significant(v, 6),
+    }
+}
+
+/// `digits` significant digits without an exponent where that is short.
+pub fn significant(x: f64, digits: usize) -> String {
+    if x.abs() < 1e-99 || !x.is_finite() {
+        return if x.is_finite() { "0".into() } else { x.to_string() };
+    }
+    let magnitude = format!("{:.*e}", digits - 1, x.abs());
+    let exponent: i32 = magnitude.split('e').nth(1).and_then(|e| e.parse().ok()).unwrap_or(0);
+    if !(-4..=7).contains(&exponent) {
+        return format!("{:.*e}", digits - 1, x);
+    }
+    let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+    format!("{x:.decimals$}")
+}
+
+/// A verdict as a sign and a word.
+pub fn verdict(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Pass => "✓ pass".into(),
+        Verdict::Fail => "✗ FAIL".into(),
+        Verdict::NotRun(why) => format!("○ {why}"),
+    }
+}
+
+/// A Markdown table.
+pub fn table(head: &[String], rows: &[Vec<String>]) -> String {
+    let mut grid = Grid::new();
+    grid.load_style(presets::ASCII_MARKDOWN).set_header(head.iter().map(|cell| escape(cell)));
+    for row in rows {
+        grid.add_row(row.iter().map(|cell| escape(cell)));
+    }
+    format!("{grid}\n")
+}
+
+/// A study's table with its title.
+pub fn titled(of: &Table) -> String {
+    format!("**{}**\n\n{}", of.title, table(&of.head, &of.rows))
+}
+
+/// A text behind a line that opens it; open from the start where that is asked for.
+pub fn folded(summary: &str, text: &str, open: bool) -> String {
+    let open = if open { " open" } else { "" };
+    format!("<details{open}><summary>{summary}</summary>\n\n{text}\n</details>\n\n")
+}
+
+/// A study's table behind its title.
+pub fn folded_table(of: &Table) -> String {
+    folded(&of.title, &table(&of.head, &of.rows), false)
+}
+
+fn escape(cell: &str) -> String {
+    cell.replace('|', "\\|")
+}

@@ -1,0 +1,50 @@
+//! Fields on the whole mesh, recovered from the condensed solution.
+
+use crate::elasticity::stress;
+use crate::error::Error;
+use crate::solution::Solution;
+use crate::solve::Discretisation;
+
+/// Fields recovered on the whole mesh.
+#[derive(Clone, Debug)]
+pub struct Fields {
+    /// Displacement of every node \[mm\].
+    pub displacement: Vec<[f64; 2]>,
+    /// `[σ_x, σ_y, τ_xy]` at every node \[MPa\], tension positive.
+    pub stress: Vec<[f64; 3]>,
+    /// Unknowns of each body in its own frames and numbering \[mm\].
+    pub unknowns: Vec<Vec<f64>>,
+}
+
+impl Discretisation {
+    /// Displacement of every node \[mm\] under a share of loads and prescribed displacements, by one back-substitution per
+    /// body.
+    pub fn displacement_under(&self, share: f64, solution: &Solution) -> Vec<[f64; 2]> {
+        let unknowns = self.condensed.recover_under(share, &solution.displacement);
+        self.system.nodal_displacements_under(share, &unknowns)
+    }
+
+    /// Displacement \[mm\] and stress \[MPa\] at every node, by one back-substitution per body.
+    pub fn recover(&self, solution: &Solution) -> Result<Fields, Error> {
+        self.recover_under(1.0, solution)
+    }
+
+    /// The same under a share of loads and prescribed displacements, as where an iteration ended before the last increment.
+    pub fn recover_under(&self, share: f64, solution: &Solution) -> Result<Fields, Error> {
+        let unknowns = self.condensed.recover_under(share, &solution.displacement);
+        let displacement = self.system.nodal_displacements_under(share, &unknowns);
+        let stress = stress::at_nodes(&self.scene, &self.mesh, &displacement)?;
+        Ok(Fields { displacement, stress, unknowns })
+    }
+
+    /// Von Mises stress at every node of recovered fields \[MPa\].
+    pub fn von_mises(&self, fields: &Fields) -> Vec<f64> {
+        let mut equivalent = vec![0.0; fields.stress.len()];
+        for (body, part) in self.scene.bodies.iter().zip(&self.mesh.bodies) {
+            for node in part.nodes.clone() {
+                equivalent[node] = stress::von_mises(fields.stress[node], self.scene.plane, body.material.poisson);
+            }
+        }
+        equivalent
+    }
+}

@@ -1,0 +1,42 @@
+//! Reactions: what the supports exert on the bodies.
+
+use crate::elasticity::{loads, reactions};
+use crate::error::Error;
+use crate::solution::Solution;
+use crate::solve::Discretisation;
+
+/// What one support exerts on its body.
+#[derive(Clone, Copy, Debug)]
+pub struct Reaction {
+    /// Index of the body in the scene.
+    pub body: usize,
+    /// Index of the support in the body.
+    pub support: usize,
+    /// Force on the modelled part of the body along the component that is held, positive along x or y \[N\].
+    pub force: f64,
+}
+
+impl Discretisation {
+    /// The reaction of every support, from the equilibrium of the nodes that it holds: `R = Σ (f_int − f_load)`.
+    ///
+    /// Contact has no part in it: it acts along the normals of the candidates, which no support may hold. Loads, contact
+    /// and reactions of a body add up to zero, as far as the contact pressures balance the load.
+    pub fn reactions(&self, solution: &Solution) -> Result<Vec<Reaction>, Error> {
+        self.reactions_under(1.0, solution)
+    }
+
+    /// The same under a share of loads and prescribed displacements, as where an iteration ended before the last increment.
+    pub fn reactions_under(&self, share: f64, solution: &Solution) -> Result<Vec<Reaction>, Error> {
+        let displacement = self.displacement_under(share, solution);
+        let mut all = Vec::new();
+        for body in 0..self.scene.bodies.len() {
+            let mut missing = reactions::internal_forces(&self.scene, &self.mesh, body, &displacement)?;
+            for (missing, applied) in missing.iter_mut().zip(loads::at_nodes(&self.scene, &self.mesh, body)?) {
+                (0..2).for_each(|k| missing[k] -= share * applied[k]);
+            }
+            let forces = reactions::of_supports(&self.scene, &self.mesh, body, &missing)?;
+            all.extend(forces.into_iter().enumerate().map(|(support, force)| Reaction { body, support, force }));
+        }
+        Ok(all)
+    }
+}

@@ -1,0 +1,134 @@
+//! One point: predicted from the condensed matrices, then run.
+
+use crate::algorithm::StiffnessRule;
+use crate::contact::ContactPoint;
+use crate::error::Error;
+use crate::measure::profile::weighted_line;
+use crate::solution::{IterationError, Solution};
+use crate::solve::run::Run;
+use crate::solve::{Discretisation, Formulation, Iteration};
+use crate::stability::{Limit, halving, linear, rate, release};
+use crate::study::atlas::plan::Row;
+use crate::study::atlas::record::{Class, Record};
+use crate::study::records::rounded;
+
+/// A spectral radius up to here is 1 to round-off: pressures that no displacement feels stay as they are, and hurt nobody.
+const INDIFFERENT: f64 = 1.0 + 1e-6;
+
+/// A scene on a mesh, condensed once for all its points.
+pub struct Site {
+    discretisation: Discretisation,
+}
+
+/// What the points of one contact element on a site share.
+pub struct Ground<'a> {
+    site: &'a Site,
+    points: Vec<ContactPoint>,
+    limit: Option<Limit>,
+}
+
+impl Site {
+    /// Mesh and condensation of a row.
+    pub fn of(row: &Row) -> Result<Self, Error> {
+        let (problem, resolution) = row.problem()?;
+        Ok(Self { discretisation: Discretisation::of(problem.scene, resolution)? })
+    }
+}
+
+impl<'a> Ground<'a> {
+    /// Contact points and limit of a row on its site.
+    pub fn of(site: &'a Site, row: &Row) -> Result<Self, Error> {
+        let formulation = row.formulation(1.0);
+        let points = site.discretisation.points(&formulation);
+        let limit = Limit::of(&site.discretisation.problem(&formulation, &points));
+        Ok(Self { site, points, limit })
+    }
+
+    /// Predicts and runs a row at an initial stiffness.
+    pub fn record(&self, row: &Row, stiffness: f64) -> Result<Record, Error> {
+        let formulation = row.formulation(stiffness);
+        let [predicted_rate, predicted_steps] = self.predicted(row, &formulation);
+        let record = |class, steps, iteration_error, rate, [error, penalty]: [f64; 2]| Record {
+            formulation: row.name(),
+            ordinate: row.ordinate,
+            stiffness: rounded(stiffness),
+            class,
+            steps,
+            iteration_error: rounded(iteration_error),
+            rate: rounded(rate),
+            error: rounded(error),
+            penalty: rounded(penalty),
+            predicted_rate: rounded(predicted_rate),
+            predicted_steps: rounded(predicted_steps),
+        };
+        match Run::of(&self.site.discretisation, &formulation) {
+            Ok(run) => {
+                let solution = &run.solution;
+                let [iteration, rate] = [solution.error().largest(), observed_rate(solution)];
+                let errors = [run.iteration_error(), run.penalty_error()];
+                Ok(record(Class::of(solution.outcome), solution.work.steps, iteration, rate, errors))
+            }
+            Err(Error::NoSpringLeft { steps, .. }) => {
+                Ok(record(Class::Unsupported, steps, f64::NAN, f64::NAN, [f64::NAN; 2]))
+            }
+            Err(Error::SpringsTooSoft { .. }) => Ok(record(Class::Unsupported, 0, f64::NAN, f64::NAN, [f64::NAN; 2])),
+            Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. }) => {
+                Ok(record(Class::Spilled, 0, f64::NAN, f64::NAN, [f64::NAN; 2]))
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Spectral radius on the limit's contact set and the steps it asks for; the halving law for kinematic load.
+    fn predicted(&self, row: &Row, formulation: &Formulation) -> [f64; 2] {
+        let Some(limit) = &self.limit else { return [f64::NAN; 2] };
+        if formulation.settings.increments > 1 {
+            return [f64::NAN; 2];
+        }
+        let problem = self.site.discretisation.problem(formulation, &self.points);
+        let tolerance = formulation.settings.tolerance;
+        let found = match (row.algorithm, row.rule) {
+            (Iteration::Kinematic, StiffnessRule::Switching) => {
+                let stretch = self.site.discretisation.scene.contact().stretch;
+                let spacing = stretch / (self.site.discretisation.interfaces[0].stations.len() - 1) as f64;
+                let edge = limit.edge(&problem).max(spacing);
+                return [f64::NAN, halving::steps(stretch, edge, spacing, formulation.stiffness) as f64];
+            }
+            (Iteration::Constant, StiffnessRule::Correction) => {
+                let steps = linear::steps(&problem, limit, IterationError::largest, tolerance);
+                let steps = steps.map(|steps| steps.max(linear::worked_off(&problem, limit)));
+                rate::correction(&problem, &limit.closed).zip(steps)
+            }
+            (Iteration::Constant, StiffnessRule::Secant) => {
+                rate::secant_force(&problem, limit).map(|rate| (rate, rate::steps(rate, tolerance)))
+            }
+            (Iteration::Varying, rule) => {
+                let rate = match rule {
+                    StiffnessRule::Correction => rate::varying_correction(&problem, limit),
+                    _ => rate::secant(&problem, &limit.target(&problem), &limit.approach, tolerance * limit.length()),
+                };
+                rate.zip(release::steps(&problem, limit, rule, tolerance))
+            }
+            _ => None,
+        };
+        let [rate, steps] = found.map_or([f64::NAN; 2], |(rate, steps)| [rate, steps]);
+        [rate, if rate > INDIFFERENT { f64::INFINITY } else { steps }]
+    }
+}
+
+/// Slope of the logarithm of the iteration error over the latter half of the steps.
+fn observed_rate(solution: &Solution) -> f64 {
+    let errors: Vec<f64> = solution.history.iter().map(|step| step.error.largest()).collect();
+    let latter = &errors[errors.len() / 2..];
+    if latter.len() < 5 {
+        return f64::NAN;
+    }
+    let points: Vec<[f64; 3]> = latter.iter().enumerate().map(|(step, r)| [step as f64, r.ln(), 1.0]).collect();
+    weighted_line(&points).1.exp()
+}
+
+/// Whether two rows share their ground: scene, mesh and contact points.
+pub fn share_ground(a: &Row, b: &Row) -> bool {
+    let key = |row: &Row| (row.plane, row.ordinate.to_bits(), row.element);
+    key(a) == key(b)
+}

@@ -1,0 +1,140 @@
+//! What was measured at each point, as it is kept under `snapshots/atlas`.
+
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::Error;
+use crate::oracle::cross_code::root;
+use crate::solution::Outcome;
+use crate::study::atlas::plan::{Plane, Row};
+use crate::study::records;
+
+/// Error of p₀ and a that a run within the default tolerance may have.
+pub const RIGHT: f64 = 3e-3;
+
+/// What renews the records.
+pub const RENEW: &str = "run `cargo run --release -- atlas` and review the diff of snapshots/atlas";
+
+/// Where the records are.
+pub const FOLDER: &str = "snapshots/atlas";
+
+/// How a run ended, as the maps colour it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Class {
+    /// Within the limit of steps.
+    Converged,
+    /// Still on its way at the limit.
+    Slow,
+    /// Returned to an earlier state.
+    Cycling,
+    /// The error grows without end, or is no number.
+    Diverged,
+    /// Nothing changes any more, and the error is above the tolerance.
+    Stalled,
+    /// No spring left to hold a body: the named error.
+    Unsupported,
+    /// Converged with contact beyond the candidates: the named error.
+    Spilled,
+}
+
+/// One point.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Record {
+    /// `element.algorithm.rule`.
+    pub formulation: String,
+    /// The plane's other number.
+    pub ordinate: f64,
+    /// Initial stiffness κ₀.
+    pub stiffness: f64,
+    /// How it ended.
+    pub class: Class,
+    /// Steps made; zero where an error keeps them.
+    pub steps: usize,
+    /// Iteration error after the last step.
+    pub iteration_error: f64,
+    /// Factor by which the iteration error shrank at each of the latter half of the steps; NaN where these are fewer than five.
+    pub rate: f64,
+    /// Larger error of p₀ and a against the solution of the same discrete problem.
+    pub error: f64,
+    /// Larger error of p₀ and a that the springs of a penalty make; 0 without one.
+    pub penalty: f64,
+    /// Spectral radius predicted; NaN where none is.
+    pub predicted_rate: f64,
+    /// Steps predicted; NaN where none are, infinite where it shall not converge.
+    pub predicted_steps: f64,
+}
+
+impl Class {
+    /// All, from good to bad.
+    pub const ALL: [Self; 7] =
+        [Self::Converged, Self::Slow, Self::Stalled, Self::Cycling, Self::Diverged, Self::Unsupported, Self::Spilled];
+
+    /// The class of an outcome.
+    pub fn of(outcome: Outcome) -> Self {
+        match outcome {
+            Outcome::Converged => Self::Converged,
+            Outcome::Exhausted => Self::Slow,
+            Outcome::Cycling { .. } => Self::Cycling,
+            Outcome::Diverged => Self::Diverged,
+            Outcome::Stalled => Self::Stalled,
+        }
+    }
+
+    /// Name in records and legends.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::Slow => "slow",
+            Self::Cycling => "cycling",
+            Self::Diverged => "diverged",
+            Self::Stalled => "stalled",
+            Self::Unsupported => "unsupported",
+            Self::Spilled => "spilled",
+        }
+    }
+}
+
+impl Record {
+    /// Whether the run stopped where it shall: a penalty may stop far from there.
+    pub fn is_right(&self) -> bool {
+        self.class == Class::Converged && self.error + self.penalty <= RIGHT
+    }
+
+    /// Whether the record is of this point.
+    pub fn is_at(&self, row: &Row, stiffness: f64) -> bool {
+        self.formulation == row.name() && same(self.ordinate, row.ordinate) && same(self.stiffness, stiffness)
+    }
+}
+
+/// Equal but for the digits a text file leaves out.
+pub fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-3 * a.abs().max(b.abs())
+}
+
+/// The folder of the records.
+pub fn folder() -> PathBuf {
+    root().join(FOLDER)
+}
+
+/// The record of a plane; refused where it does not hold exactly the points of the plan.
+pub fn read(plane: Plane) -> Result<Vec<Record>, Error> {
+    read_from(&folder(), plane)
+}
+
+/// The same from another folder.
+pub fn read_from(folder: &Path, plane: Plane) -> Result<Vec<Record>, Error> {
+    let path = folder.join(plane.name()).with_extension("csv");
+    let records: Vec<Record> = records::read(&path, RENEW)?;
+    let stiffnesses = plane.stiffnesses();
+    let planned: Vec<(Row, f64)> =
+        plane.rows().into_iter().flat_map(|row| stiffnesses.iter().map(move |&stiffness| (row, stiffness))).collect();
+    let complete = planned.len() == records.len()
+        && planned.iter().zip(&records).all(|((row, stiffness), record)| record.is_at(row, *stiffness));
+    if !complete {
+        let found = format!("{} points that are not the {} of the plan", records.len(), planned.len());
+        return Err(Error::Refused { file: path, key: "points".into(), found, remedy: RENEW.into() });
+    }
+    Ok(records)
+}

@@ -1,0 +1,98 @@
+//! Which runs the study holds.
+
+use std::path::PathBuf;
+
+use crate::case::file::SceneFile;
+use crate::case::library::TruncatedHertz;
+use crate::case::problem::{self, PROBLEMS, Problem};
+use crate::error::Error;
+use crate::oracle::cross_code::root;
+use crate::solve::Formulation;
+
+/// Candidate stretches over the half-width under the nominal load; 0 is the scene's own.
+pub const STRETCHES: [f64; 7] = [0.0, 1.05, 2.0, 5.0, 20.0, 50.0, 150.0];
+/// Loads over the nominal one.
+pub const LOADS: [f64; 3] = [1.0, 1e-2, 1e-4];
+/// Tolerances: the default and one that hardly any iteration but kinematic load reaches.
+pub const TOLERANCES: [f64; 2] = [1e-3, 1e-6];
+/// A block long enough for every stretch.
+const LONG: &str = "long-block";
+/// Its size over the half-width.
+pub const SIZE: f64 = 400.0;
+
+/// Where a scene comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Origin {
+    /// The library, by its name there.
+    Library(&'static str),
+    /// The long block.
+    Long,
+    /// A scene file.
+    File(PathBuf),
+}
+
+/// A scene on a candidate stretch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Site {
+    /// The scene.
+    pub origin: Origin,
+    /// One of [`STRETCHES`].
+    pub stretch: f64,
+}
+
+/// Every scene on every stretch, in the order of the record.
+pub fn sites() -> Result<Vec<Site>, Error> {
+    let of = |origin: Origin| STRETCHES.map(|stretch| Site { origin: origin.clone(), stretch });
+    Ok(origins()?.into_iter().flat_map(of).collect())
+}
+
+/// All scenes: the library, the long block, the files.
+fn origins() -> Result<Vec<Origin>, Error> {
+    let folder = root().join("tests/scenes");
+    let failed = |error: std::io::Error| Error::File {
+        path: folder.clone(),
+        reason: error.to_string(),
+        remedy: "run inside a checkout of the project".into(),
+    };
+    let mut files = Vec::new();
+    for entry in std::fs::read_dir(&folder).map_err(failed)? {
+        files.push(entry.map_err(failed)?.path());
+    }
+    files.retain(|path| path.extension().is_some_and(|end| end == "toml"));
+    files.sort();
+    let library = PROBLEMS.iter().map(|(name, _)| Origin::Library(name));
+    Ok(library.chain([Origin::Long]).chain(files.into_iter().map(Origin::File)).collect())
+}
+
+impl Site {
+    /// Name of the scene.
+    pub fn scene(&self) -> String {
+        match &self.origin {
+            Origin::Library(name) => (*name).into(),
+            Origin::Long => LONG.into(),
+            Origin::File(path) => path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
+        }
+    }
+
+    /// Name of its own.
+    pub fn key(&self) -> String {
+        format!("{}-{}", self.scene(), self.stretch)
+    }
+
+    /// The scene on its own stretch.
+    pub fn problem(&self) -> Result<Problem, Error> {
+        match &self.origin {
+            Origin::Library(name) => problem::problem(name, None),
+            Origin::Long => {
+                let numbers = TruncatedHertz { size: SIZE, ..Default::default() };
+                Ok(Problem::new(LONG, "block of many half-widths", problem::truncated_hertz(numbers)))
+            }
+            Origin::File(path) => Ok(SceneFile::read(path)?.problem),
+        }
+    }
+}
+
+/// All nine formulations under a tolerance.
+pub fn formulations(tolerance: f64) -> Vec<Formulation> {
+    Formulation::nine().into_iter().map(|formulation| formulation.tolerance(tolerance)).collect()
+}

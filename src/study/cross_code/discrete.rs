@@ -1,0 +1,288 @@
+//! The same discrete problem: our mesh, loads, supports and line elements, assembled and solved by another code.
+
+use crate::algorithm::StiffnessRule;
+use crate::case::check::{Check, Reference};
+use crate::case::problem;
+use crate::contact::Quadrature;
+use crate::elasticity::Freedoms;
+use crate::error::Error;
+use crate::mesh::{Order, Resolution, candidates};
+use crate::oracle::ReferenceKind;
+use crate::oracle::cross_code::frozen::Digest;
+use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem};
+use crate::scene::{Load, Path, PlaneHypothesis, Profile};
+use crate::solve::{Discretisation, Element, Formulation, Iteration};
+use crate::study::cross_code::DISCRETE;
+use crate::study::cross_code::answers::{Answers, relative_difference, worst_difference};
+use crate::study::suite::{Finding, Trial};
+
+/// Scenes and elements per half-width, or per 10 mm of arc.
+const SCENES: [(&str, usize); 3] = [("cylinder", 8), ("truncated-hertz", 8), ("pin-rod", 6)];
+/// Stiffness of the springs.
+const KAPPA: [f64; 2] = [1e2, 1e4];
+/// A fixed vector for the stiffness to be multiplied with, from the square root of each.
+const PRIMES: [f64; 10] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0, 23.0, 29.0];
+/// Assembly differs by the order of sums only.
+const ASSEMBLED: f64 = 1e-11;
+/// Two direct solvers on a system of condition 1e6 and more.
+const SOLVED: f64 = 1e-8;
+
+/// Scenes and orders.
+pub fn problems() -> Vec<(&'static str, Order)> {
+    SCENES.iter().flat_map(|(name, _)| [Order::Linear, Order::Quadratic].map(|order| (*name, order))).collect()
+}
+
+/// One trial per problem and code.
+pub fn trials(answers: Answers) -> Vec<Trial> {
+    let each = |(name, order): (&'static str, Order)| {
+        Code::ALL.map(|code| {
+            let title = format!("{name}, {}-node, {code}{}", order.nodes_per_cell(), answers.suffix());
+            Trial::new(DISCRETE, title, move || compare(name, order, code, answers))
+        })
+    };
+    problems().into_iter().flat_map(each).collect()
+}
+
+fn compare(name: &str, order: Order, code: Code, answers: Answers) -> Result<Finding, Error> {
+    let twin = Twin::of(name, order)?;
+    let (digest, whole, mut checks) = answers.discrete(code, &twin)?;
+    checks.extend(against(code, &twin.digest(), &digest));
+    if let Some(answer) = whole {
+        checks.extend(twin.in_full(code, &answer));
+    }
+    Ok(Finding { checks, ..Default::default() })
+}
+
+/// Our discrete problem, our answer, and the way between node-by-node vectors and our numbering.
+pub struct Twin {
+    /// What the other code is given.
+    pub problem: DiscreteProblem,
+    /// What we answer; products and load in our own numbering.
+    pub ours: DiscreteAnswer,
+    /// The fixed vectors in our own numbering.
+    pub unknowns: Vec<Vec<f64>>,
+    discretisation: Discretisation,
+}
+
+impl Twin {
+    /// A scene of the library on a mesh of an order, solved by us.
+    pub fn of(name: &str, order: Order) -> Result<Self, Error> {
+        let problem = problem::problem(name, None)?;
+        let Some((_, elements)) = SCENES.into_iter().find(|(known, _)| *known == name) else {
+            return Err(not_handed_over(name, "this scene"));
+        };
+        let resolution = Resolution { elements, refinement: 0, order };
+        Self::on(Discretisation::of(problem.scene, resolution)?)
+    }
+
+    /// The same from a discretisation at hand.
+    pub fn on(discretisation: Discretisation) -> Result<Self, Error> {
+        let bodies = &discretisation.system.bodies;
+        let vectors: Vec<Vec<Vec<f64>>> =
+            PRIMES.iter().map(|p| bodies.iter().map(|body| fixed_vector(*p, &body.freedoms)).collect()).collect();
+        let on_nodes = |v: &Vec<Vec<f64>>| discretisation.system.nodal_displacements(v).as_flattened().to_vec();
+        let problem = handed_over(&discretisation, vectors.iter().map(on_nodes).collect())?;
+        let product = |v: &Vec<Vec<f64>>| bodies.iter().zip(v).flat_map(|(body, x)| body.product(x)).collect();
+        let mut ours = DiscreteAnswer {
+            products: vectors.iter().map(product).collect(),
+            load: bodies.iter().flat_map(|body| body.force.clone()).collect(),
+            pressure: Vec::new(),
+            displacement: Vec::new(),
+        };
+        for kappa in KAPPA {
+            let solution = discretisation.solve(&penalty(kappa, discretisation.mesh.order))?;
+            let converged = solution.converged();
+            ours.pressure.push(solution.points.iter().map(|p| if converged { p.pressure } else { f64::NAN }).collect());
+            ours.displacement.push(discretisation.recover(&solution)?.displacement.as_flattened().to_vec());
+        }
+        let unknowns = vectors.into_iter().map(|v| v.concat()).collect();
+        Ok(Self { problem, ours, unknowns, discretisation })
+    }
+
+    /// Our answer, digested.
+    pub fn digest(&self) -> Digest {
+        Digest::of(&self.ours, &self.unknowns, &self.problem.vectors)
+    }
+
+    /// Another code's answer, digested.
+    pub fn digest_of_other(&self, answer: &DiscreteAnswer) -> Digest {
+        Digest::of(answer, &self.problem.vectors, &self.problem.vectors)
+    }
+
+    /// `Tᵀ f` of nodal forces: their components along our unknowns.
+    fn along_unknowns(&self, force: &[f64]) -> Vec<f64> {
+        let (system, mesh) = (&self.discretisation.system, &self.discretisation.mesh);
+        let of_body = |(body, part): (_, &crate::mesh::BodyMesh)| {
+            let body: &crate::elasticity::BodySystem = body;
+            let mut out = vec![0.0; body.force.len()];
+            for node in part.nodes.clone() {
+                body.freedoms.add_force(node, [force[2 * node], force[2 * node + 1]], &mut out);
+            }
+            out
+        };
+        system.bodies.iter().zip(&mesh.bodies).flat_map(of_body).collect()
+    }
+
+    /// Every component of products, load and displacements, not only their digest.
+    pub fn in_full(&self, code: Code, answer: &DiscreteAnswer) -> Vec<Check> {
+        let reduced: Vec<Vec<f64>> = answer.products.iter().map(|product| self.along_unknowns(product)).collect();
+        let load = relative_difference(&self.ours.load, &self.along_unknowns(&answer.load));
+        vec![
+            stiffness_check(
+                code,
+                "K v in every component, ten vectors",
+                worst_difference(&self.ours.products, &reduced),
+            ),
+            load_check(code, "f in every component", load),
+            contact_check(
+                code,
+                "u in every component, κ = 1e2 and 1e4",
+                worst_difference(&self.ours.displacement, &answer.displacement),
+            ),
+        ]
+    }
+}
+
+/// Line elements with two Gauss points an edge, and springs that stay as they are.
+fn penalty(kappa: f64, order: Order) -> Formulation {
+    let quadrature = match order {
+        Order::Linear => Quadrature::GaussFull,
+        Order::Quadratic => Quadrature::Gauss,
+    };
+    let rule = StiffnessRule::Penalty;
+    let base = Formulation::new(Element::Line, Iteration::Kinematic).tolerance(1e-10);
+    Formulation { rule, stiffness: kappa, quadrature, ..base }
+}
+
+/// Weyl's sequence `2 {i √p} − 1`: equally distributed between −1 and 1, independent for different primes, the same on
+/// every machine.
+fn fixed_vector(prime: f64, freedoms: &Freedoms) -> Vec<f64> {
+    let mut vector = vec![f64::NAN; freedoms.equations];
+    for (i, equation) in freedoms.in_mesh_order().into_iter().enumerate() {
+        vector[equation] = 2.0 * ((i + 1) as f64 * prime.sqrt()).fract() - 1.0;
+    }
+    vector
+}
+
+/// Writes our discretisation to a file, for codes in processes of their own.
+pub fn export(discretisation: &Discretisation, file: &std::path::Path) -> Result<(), Error> {
+    let failed =
+        |reason: String| Error::File { path: file.into(), reason, remedy: "check that it may be written".into() };
+    let problem = handed_over(discretisation, Vec::new())?;
+    let text = serde_json::to_string(&problem).map_err(|error| failed(error.to_string()))?;
+    if let Some(folder) = file.parent() {
+        std::fs::create_dir_all(folder).map_err(|error| failed(error.to_string()))?;
+    }
+    std::fs::write(file, text).map_err(|error| failed(error.to_string()))
+}
+
+/// Our discretisation as plain numbers.
+fn handed_over(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Result<DiscreteProblem, Error> {
+    let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
+    let contact = scene.contact();
+    let side = |body: usize| candidates::candidate_edges(mesh, scene, contact, body);
+    let (profile, radius, clearance) = match contact.profile {
+        Profile::Circle { radius } => ("circle", radius, 0.0),
+        Profile::Parabola { radius } => ("parabola", radius, 0.0),
+        Profile::Hole { radius, clearance } => ("hole", radius, clearance),
+        Profile::Uniform(_) | Profile::Punch { .. } => return Err(not_handed_over(&scene.name, "a uniform gap")),
+        Profile::Drawn
+        | Profile::Bodies(_)
+        | Profile::Table(_)
+        | Profile::Smooth(_)
+        | Profile::Even { .. }
+        | Profile::Wedge { .. }
+        | Profile::Cosine { .. } => {
+            return Err(not_handed_over(&scene.name, "this rigid profile"));
+        }
+    };
+    let mut problem = DiscreteProblem {
+        name: format!("{}, {}-node", scene.name, mesh.order.nodes_per_cell()),
+        plane: if scene.plane == PlaneHypothesis::Strain { "strain" } else { "stress" },
+        thickness: scene.thickness,
+        points: mesh.points.clone(),
+        cells: (0..mesh.cells()).map(|cell| mesh.cell(cell).to_vec()).collect(),
+        body: mesh.bodies.iter().enumerate().flat_map(|(b, part)| part.cells.clone().map(move |_| b)).collect(),
+        young: scene.bodies.iter().map(|body| body.material.young).collect(),
+        poisson: scene.bodies.iter().map(|body| body.material.poisson).collect(),
+        contact_first: side(contact.first)?,
+        contact_second: contact.second.map_or(Ok(Vec::new()), side)?,
+        profile,
+        radius,
+        clearance,
+        arc: matches!(contact.path, Path::Arc(_)),
+        length: scene.reference.length,
+        kappa: KAPPA.into(),
+        vectors,
+        ..Default::default()
+    };
+    for (index, body) in scene.bodies.iter().enumerate() {
+        for support in &body.supports {
+            let nodes = mesh.nodes_at(scene, index, &support.at)?;
+            problem.held.extend(nodes.into_iter().map(|node| [node, support.component.index()]));
+        }
+        for load in &body.loads {
+            match load {
+                Load::Traction { boundary, traction } => {
+                    problem.load_edges.extend_from_slice(mesh.boundary(scene, index, boundary)?);
+                    problem.traction = *traction;
+                }
+                Load::Stress { boundary, .. } => {
+                    problem.load_edges.extend_from_slice(mesh.boundary(scene, index, boundary)?);
+                    problem.hertz_load = true;
+                }
+                Load::RigidFace { boundary, force, .. } => {
+                    problem.tied = mesh.boundary(scene, index, boundary)?.iter().flatten().copied().collect();
+                    problem.tied.sort_unstable();
+                    problem.tied.dedup();
+                    problem.tied_force = *force;
+                }
+                Load::BodyForce(_) | Load::Force { .. } | Load::TractionField { .. } => {
+                    return Err(not_handed_over(&scene.name, "such a load"));
+                }
+            }
+        }
+    }
+    Ok(problem)
+}
+
+fn not_handed_over(scene: &str, what: &str) -> Error {
+    let remedy = "choose another scene, or teach oracles/python/discrete.py to take it";
+    Error::Combination { what: format!("{scene}: {what} is not handed over to other codes"), remedy: remedy.into() }
+}
+
+/// Ours against another code's, by their digests.
+pub fn against(code: Code, ours: &Digest, theirs: &Digest) -> Vec<Check> {
+    let stiffness = relative_difference(&ours.forms.concat(), &theirs.forms.concat());
+    let mut checks = vec![
+        stiffness_check(code, "vᵢᵀ K vⱼ, ten vectors", stiffness),
+        load_check(code, "vᵢ · f, ten vectors", relative_difference(&ours.work, &theirs.work)),
+    ];
+    for (index, kappa) in KAPPA.iter().enumerate() {
+        let of = |list: &Vec<Vec<f64>>| list.get(index).cloned().unwrap_or_default();
+        let pressure = relative_difference(&of(&ours.pressure), &of(&theirs.pressure));
+        let moved = relative_difference(&of(&ours.moved), &of(&theirs.moved));
+        checks.push(contact_check(code, &format!("p at the Gauss points, κ = {kappa:e}"), pressure));
+        checks.push(contact_check(code, &format!("vᵢ · u, κ = {kappa:e}"), moved));
+    }
+    checks
+}
+
+fn stiffness_check(code: Code, quantity: &str, error: f64) -> Check {
+    let requirement = "Another code shall assemble the same stiffness on our mesh";
+    Check::norm(requirement, quantity, error, reference(code), ASSEMBLED, "the order of sums only")
+}
+
+fn load_check(code: Code, quantity: &str, error: f64) -> Check {
+    let requirement = "Another code shall assemble the same loads on our mesh";
+    Check::norm(requirement, quantity, error, reference(code), ASSEMBLED, "the order of sums only")
+}
+
+fn contact_check(code: Code, quantity: &str, error: f64) -> Check {
+    let requirement = "Another code shall find the same contact by penalty line elements on our mesh";
+    Check::norm(requirement, quantity, error, reference(code), SOLVED, "two direct solvers, condensed and not")
+}
+
+fn reference(code: Code) -> Reference {
+    Reference { name: code.name().into(), kind: ReferenceKind::CrossCode, value: 0.0 }
+}

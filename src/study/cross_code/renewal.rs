@@ -1,0 +1,53 @@
+//! Asking the codes now, and making the frozen files anew.
+
+use crate::error::Error;
+use crate::oracle::cross_code::frozen::{Frozen, Series, script_hash};
+use crate::oracle::cross_code::{Code, Method, PhysicalScene, live};
+use crate::study::cross_code::answers::changes;
+use crate::study::cross_code::discrete::{Twin, problems};
+use crate::study::cross_code::{benchmark, physical};
+
+/// The series of a scene, asked now.
+pub fn ask(code: Code, scene: &PhysicalScene) -> Result<Series, Error> {
+    let levels = |method| (0..physical::LEVELS).map(move |level| live::physical(code, scene, level, method));
+    let penalty = levels(Method::Penalty).collect::<Result<_, _>>()?;
+    let active_set = match code {
+        Code::ScikitFem => levels(Method::ActiveSet).collect::<Result<_, _>>()?,
+        Code::Dolfinx => Vec::new(),
+    };
+    Ok(Series { scene: scene.clone(), penalty, active_set })
+}
+
+/// Asks both codes for everything, writes the frozen files once both have answered, and tells what changed.
+pub fn freeze() -> Result<Vec<String>, Error> {
+    let answers: Vec<(Code, Frozen)> =
+        Code::ALL.into_iter().map(|code| Ok((code, ask_all(code)?))).collect::<Result<_, Error>>()?;
+    let mut lines = Vec::new();
+    for (code, new) in answers {
+        match Frozen::load(code) {
+            Ok(old) => lines.extend(changes(code, &old, &new)),
+            Err(Error::MissingFile { .. }) => lines.push(format!("{code}: frozen for the first time")),
+            Err(unreadable) => lines.push(format!("{code}: frozen anew, as {unreadable}")),
+        }
+        new.write(code)?;
+    }
+    Ok(lines)
+}
+
+fn ask_all(code: Code) -> Result<Frozen, Error> {
+    let mut all = Frozen {
+        scripts: script_hash()?,
+        versions: live::versions()?,
+        discrete: Default::default(),
+        physical: Default::default(),
+    };
+    for (name, order) in problems() {
+        let twin = Twin::of(name, order)?;
+        let answer = live::discrete(code, &twin.problem)?;
+        all.discrete.insert(twin.problem.name.clone(), twin.digest_of_other(&answer));
+    }
+    for benchmark in benchmark::benchmarks()? {
+        all.physical.insert(benchmark.name.into(), ask(code, &benchmark.physical)?);
+    }
+    Ok(all)
+}

@@ -1,0 +1,146 @@
+//! The runs of the study of reach, as measured now and as recorded.
+//!
+//! An accelerated run of a hundred steps amplifies round-off until another machine counts other steps. The shares hold
+//! everywhere; the page shows the record of one machine, so that it is the same on all.
+
+use std::fs;
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+
+use crate::algorithm::Acceleration;
+use crate::case::library::TruncatedHertz;
+use crate::case::problem;
+use crate::error::Error;
+use crate::measure::larger;
+use crate::mesh::{Order, Resolution};
+use crate::solution::Solution;
+use crate::solve::{Discretisation, Element, Formulation, Iteration, Settings};
+use crate::study::atlas::record::folder;
+
+/// Candidate stretch over the half-width and elements per half-width of each plane of the study.
+pub const PLANES: [(f64, usize); 7] = [(1.0, 8), (1.5, 8), (2.0, 8), (3.0, 8), (4.0, 8), (2.0, 4), (2.0, 16)];
+/// The plane that is drawn.
+pub const DRAWN: usize = 2;
+/// Steps within which a run must converge.
+pub const STEPS: usize = 200;
+/// The engineering tolerance, and the penetration that the hardest springs of kinematic load leave,
+/// `p/k_hard ≈ 1e-6 g_ref`.
+pub const TOLERANCES: [f64; 2] = [1e-3, 1e-6];
+
+/// Runs of one formulation from every start on every plane.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Runs {
+    /// Name of the formulation.
+    pub formulation: String,
+    /// Steps to each tolerance by plane and start; none where 200 are not enough.
+    pub steps: [Vec<Vec<Option<usize>>>; 2],
+    /// Accelerated steps given up.
+    pub rejected: usize,
+    /// Largest difference of mean edge pressures to kinematic load on the drawn plane, over p_ref.
+    #[serde(skip)]
+    pub apart: f64,
+}
+
+impl Runs {
+    /// Part of the starts that converge.
+    pub fn share(&self, tolerance: usize) -> f64 {
+        let all = self.steps[tolerance].iter().flatten();
+        all.clone().flatten().count() as f64 / all.count() as f64
+    }
+}
+
+/// Initial stiffnesses: third decades from 1e-3 to 1e3.
+pub fn stiffnesses() -> Vec<f64> {
+    (-9..=9).map(|k| 10f64.powf(f64::from(k) / 3.0)).collect()
+}
+
+/// Truncated Hertz on a plane of the study.
+pub fn discretised((stretch, elements): (f64, usize)) -> Result<Discretisation, Error> {
+    let (scene, _, _) = problem::truncated_hertz(TruncatedHertz { stretch, ..Default::default() });
+    Discretisation::of(scene, Resolution { elements, refinement: 0, order: Order::Quadratic })
+}
+
+/// Runs of an element as they are now, plain first.
+pub fn measure(element: Element) -> Result<Vec<Runs>, Error> {
+    let planes = PLANES.iter().map(|&plane| discretised(plane)).collect::<Result<Vec<_>, _>>()?;
+    let exact = planes[DRAWN].solve(&Formulation::new(element, Iteration::Kinematic).tolerance(1e-8))?;
+    Acceleration::ALL.iter().map(|&acceleration| runs(element, acceleration, &planes, &exact)).collect()
+}
+
+fn runs(
+    element: Element,
+    acceleration: Acceleration,
+    planes: &[Discretisation],
+    exact: &Solution,
+) -> Result<Runs, Error> {
+    let settings = Settings { tolerance: TOLERANCES[1], max_steps: STEPS, ..Settings::default() };
+    let base = Formulation { acceleration, settings, ..Formulation::new(element, Iteration::Constant) };
+    let mut runs = Runs { formulation: base.name(), steps: Default::default(), rejected: 0, apart: f64::NAN };
+    let mut apart = Vec::new();
+    for (index, plane) in planes.iter().enumerate() {
+        let mut steps = [Vec::new(), Vec::new()];
+        for stiffness in stiffnesses() {
+            let solution = plane.solve(&Formulation { stiffness, ..base.clone() })?;
+            runs.rejected += solution.work.rejected;
+            for (steps, tolerance) in steps.iter_mut().zip(TOLERANCES) {
+                let mut history = solution.history.iter();
+                steps.push(history.position(|step| step.error.largest() <= tolerance).map(|at| at + 1));
+            }
+            if index == DRAWN && solution.converged() {
+                apart.push(difference(&solution, exact) / plane.scene.reference.pressure);
+            }
+        }
+        runs.steps.iter_mut().zip(steps).for_each(|(all, steps)| all.push(steps));
+    }
+    // None that converges on the drawn plane is no agreement.
+    runs.apart = apart.into_iter().reduce(larger).unwrap_or(f64::NAN);
+    Ok(runs)
+}
+
+/// Largest difference of mean edge pressures \[MPa\].
+fn difference(one: &Solution, other: &Solution) -> f64 {
+    let differences = one.edges.iter().zip(&other.edges).map(|(a, b)| (a.pressure - b.pressure).abs());
+    differences.fold(0.0, |worst: f64, d| if d.is_nan() { d } else { worst.max(d) })
+}
+
+/// The recorded runs of an element.
+pub fn read(element: Element) -> Result<Vec<Runs>, Error> {
+    let unreadable = |reason: String| Error::File {
+        path: path(),
+        reason,
+        remedy: "run `cargo run --release -- atlas` and review its diff".into(),
+    };
+    let text = fs::read_to_string(path()).map_err(|error| unreadable(error.to_string()))?;
+    let all: Vec<Runs> = serde_json::from_str(&text).map_err(|error| unreadable(error.to_string()))?;
+    let own = format!("{}.", element.name());
+    let found: Vec<Runs> = all.into_iter().filter(|runs| runs.formulation.starts_with(&own)).collect();
+    let complete = |runs: &Runs| {
+        let planes = runs.steps.iter().flatten();
+        runs.steps.iter().all(|planes| planes.len() == PLANES.len())
+            && planes.into_iter().all(|plane| plane.len() == stiffnesses().len())
+    };
+    if found.len() == Acceleration::ALL.len() && found.iter().all(complete) {
+        return Ok(found);
+    }
+    Err(unreadable(format!("runs of `{}` are missing", element.name())))
+}
+
+/// Measures every element and writes the record, a line for each formulation.
+pub fn write() -> Result<(), Error> {
+    let mut lines = Vec::new();
+    for element in Element::ALL {
+        for runs in measure(element)? {
+            lines.push(serde_json::to_string(&runs).expect("numbers, strings and lists can be written as JSON"));
+        }
+    }
+    fs::write(path(), format!("[\n{}\n]\n", lines.join(",\n"))).map_err(|error| Error::File {
+        path: path(),
+        reason: error.to_string(),
+        remedy: "check that the folder exists and may be written".into(),
+    })
+}
+
+fn path() -> PathBuf {
+    folder().join("reach.json")
+}

@@ -1,0 +1,100 @@
+//! The record of planted faults: what turned red when one was put into a copy of the tree.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+
+use serde::Deserialize;
+
+use crate::case::check::{Check, Reference};
+use crate::error::Error;
+use crate::oracle::cross_code::frozen::sha256;
+use crate::oracle::cross_code::root;
+use crate::study::suite::{Finding, Trial};
+
+/// What renews the record.
+const REPLANT: &str = "run `python3 tests/faults/plant.py`";
+/// Kinds of the references of truth locks; a trial that broke off with an error is counted beside them.
+const TRUTHS: [&str; 3] = ["analytic", "cross-code", "self-consistency"];
+
+/// One planted fault and what it did.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Fault {
+    /// What was planted.
+    pub name: String,
+    /// Where.
+    pub file: String,
+    /// Checks that turned red, by the kind of their reference; trials that broke off with an error.
+    pub red: BTreeMap<String, usize>,
+    /// One of each kind.
+    pub examples: BTreeMap<String, String>,
+    /// How the run ended, if it gave no verdicts.
+    pub ended: Option<String>,
+}
+
+/// One entry of the list.
+#[derive(Deserialize)]
+struct Planted {
+    name: String,
+    file: String,
+}
+
+#[derive(Deserialize)]
+struct List {
+    fault: Vec<Planted>,
+}
+
+#[derive(Deserialize)]
+struct Record {
+    faults_toml: String,
+    record: Vec<Fault>,
+}
+
+/// The trial: the record belongs to the list, and every fault turned a truth red.
+pub fn trials() -> Vec<Trial> {
+    vec![Trial::new("planted faults", "the record", || {
+        let record = record()?;
+        let missed = record.iter().filter(|fault| !is_caught(fault)).count() as f64;
+        let check = Check::at_most(
+            "Every planted fault shall turn a check against a truth red",
+            format!("faults not caught, of {}", record.len()),
+            missed,
+            Reference::own("at most", 0.0),
+            "snapshots alone verify nothing",
+        );
+        Ok(Finding { checks: vec![check], ..Default::default() })
+    })]
+}
+
+/// Whether a check against a truth turned red; a run that broke off shows none.
+pub fn is_caught(fault: &Fault) -> bool {
+    TRUTHS.iter().any(|kind| fault.red.get(*kind).is_some_and(|&number| number > 0))
+}
+
+/// The recorded faults; refused where the list has changed since.
+pub fn record() -> Result<Vec<Fault>, Error> {
+    let (list, file) = (root().join("tests/faults/faults.toml"), root().join("snapshots/faults.json"));
+    let read = |file: &PathBuf| {
+        fs::read_to_string(file).map_err(|_| Error::MissingFile { file: file.clone(), remedy: REPLANT.into() })
+    };
+    let text = read(&list)?;
+    let listed = sha256(text.as_bytes());
+    let record: Record = serde_json::from_str(&read(&file)?).map_err(|error| Error::Unreadable {
+        file: file.clone(),
+        found: error.to_string(),
+        remedy: REPLANT.into(),
+    })?;
+    if record.faults_toml != listed {
+        let found = format!("`{}`, but the list now hashes to `{listed}`", record.faults_toml);
+        return Err(Error::Refused { file, key: "faults_toml".into(), found, remedy: REPLANT.into() });
+    }
+    let unreadable = |found: String| Error::Unreadable { file: list.clone(), found, remedy: "restore it".into() };
+    let planted: List = toml::from_str(&text).map_err(|error| unreadable(error.to_string()))?;
+    let same = |(fault, planted): (&Fault, &Planted)| fault.name == planted.name && fault.file == planted.file;
+    let complete = record.record.len() == planted.fault.len() && record.record.iter().zip(&planted.fault).all(same);
+    if !complete || planted.fault.is_empty() {
+        let found = format!("{} faults recorded, {} listed", record.record.len(), planted.fault.len());
+        return Err(Error::Refused { file, key: "record".into(), found, remedy: REPLANT.into() });
+    }
+    Ok(record.record)
+}

@@ -1,0 +1,86 @@
+//! One scene solved to one accuracy, against the truth.
+
+use serde::{Deserialize, Serialize};
+
+use crate::accuracy::{self, Answer, Asked, Quantity};
+use crate::error::Error;
+use crate::measure::larger;
+use crate::solve::{Element, Formulation, Iteration};
+use crate::study::met::plan::{ASKED, Family, Site};
+use crate::study::met::scenes::Sample;
+use crate::study::records::rounded;
+
+/// One answer.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// Family of the scene.
+    pub family: Family,
+    /// Its number in the family.
+    pub number: usize,
+    /// Relative error asked for.
+    pub asked: f64,
+    /// Whether it is said to be met.
+    pub met: bool,
+    /// Estimated relative error, the larger one of peak and half-width; NaN where there is none.
+    pub estimate: f64,
+    /// Relative error of the peak, with sign; the larger one of several contacts.
+    pub peak: f64,
+    /// Relative error of the half-width, with sign.
+    pub half_width: f64,
+    /// Degrees of freedom of the mesh answered.
+    pub dofs: usize,
+    /// Those of all meshes solved.
+    pub dofs_in_all: usize,
+}
+
+impl Record {
+    /// Of an answer.
+    pub fn of(site: &Site, asked: f64, sample: &Sample, answer: &Answer) -> Self {
+        let error = |k: usize| {
+            let each = answer.run.contacts.iter().zip(&sample.truths);
+            let errors = each.map(|(contact, truth)| Quantity::ALL[k].of(contact) / truth[k] - 1.0);
+            rounded(errors.reduce(|a, b| if a.abs() >= b.abs() || a.is_nan() { a } else { b }).unwrap_or(f64::NAN))
+        };
+        let [peak, half_width] = [error(0), error(1)];
+        Self {
+            family: site.family,
+            number: site.number,
+            asked,
+            met: answer.unmet.is_none(),
+            estimate: rounded(answer.estimate()),
+            peak,
+            half_width,
+            dofs: answer.run.freedoms,
+            dofs_in_all: answer.tried.iter().map(|tried| tried.freedoms).sum(),
+        }
+    }
+
+    /// The larger error of peak and half-width; NaN where either is.
+    pub fn error(&self) -> f64 {
+        larger(self.peak.abs(), self.half_width.abs())
+    }
+
+    /// Said to be met, and not so.
+    pub fn is_falsely_met(&self) -> bool {
+        let within = self.error() <= self.asked && self.estimate <= self.asked;
+        self.met && !within
+    }
+
+    /// Said not to be met beside an estimate within what is asked.
+    pub fn is_contradictory(&self) -> bool {
+        !self.met && self.estimate <= self.asked
+    }
+}
+
+/// A scene solved to every accuracy.
+pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
+    let sample = site.sample();
+    ASKED.into_iter().map(|asked| record(site, asked, &sample)).collect()
+}
+
+/// A scene solved to one accuracy.
+pub fn record(site: &Site, asked: f64, sample: &Sample) -> Result<Record, Error> {
+    let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+    let answer = accuracy::solve(&sample.scene, &formulation, &Asked::new(asked))?;
+    Ok(Record::of(site, asked, sample, &answer))
+}

@@ -1,0 +1,38 @@
+//! What is found out over many solves.
+//!
+//! * [`suite`] — all cases and studies as a flat list of trials.
+//! * [`refinement`], [`sweep`], [`family`], [`gaertner`] — studies over meshes, stiffnesses and dimensions.
+//! * [`cross_code`] — the solver against scikit-fem and dolfinx.
+//! * [`limits`] — where everything else breaks.
+//! * [`faults`] — the record of planted faults.
+//! * [`atlas`] — where each formulation converges, and where it was predicted to.
+//! * [`accuracy`] — the cheapest mesh for an accuracy asked.
+//! * [`converged`] — what is called converged.
+//! * [`met`] — whether an accuracy called met is met.
+//! * [`records`] — files of recorded surveys.
+//! * [`stability`] — predicted rates and steps against measured ones.
+//! * [`cures`] — acceleration of constant stiffness, nested starts of kinematic load.
+//! * [`timings`] — what each accuracy costs.
+//! * [`pictures`] — fields and iteration paths that are shown, not judged.
+//! * [`statements`] — the paper's statements, judged from the findings.
+
+pub mod accuracy;
+pub mod atlas;
+pub mod converged;
+pub mod cross_code;
+pub mod cures;
+pub mod family;
+pub mod faults;
+pub mod gaertner;
+pub mod limits;
+pub mod met;
+pub mod pictures;
+pub mod records;
+pub mod refinement;
+pub mod stability;
+pub mod statements;
+pub mod suite;
+pub mod sweep;
+pub mod timings;
+
+pub use suite::{FieldData, Finding, Series, Table, Trial};

@@ -1,0 +1,183 @@
+//! All cases and studies as a flat list of trials, each of which can run alone.
+
+use std::sync::{Arc, OnceLock};
+
+use crate::case::check::{Check, Verdict};
+use crate::case::{Problem, exact, hertz, pin, universal};
+use crate::solve::Run;
+use crate::study::cross_code::{self, Answers};
+use crate::study::{
+    atlas, converged, cures, family, faults, gaertner, limits, met, pictures, refinement, stability, sweep, timings,
+};
+
+use crate::error::Error;
+use crate::mesh::Resolution;
+use crate::solve::{Discretisation, Formulation};
+
+/// One row of the suite: a case solved by one formulation, or a study.
+pub struct Trial {
+    /// Name of the case or study.
+    pub case: String,
+    /// `element.algorithm`, with what else tells the row from its neighbours.
+    pub name: String,
+    work: Work,
+}
+
+type Work = Box<dyn Fn() -> Result<Finding, Error> + Send + Sync>;
+
+/// What a trial found.
+#[derive(Clone, Debug, Default)]
+pub struct Finding {
+    /// Name of the case or study.
+    pub case: String,
+    /// Name of the trial.
+    pub name: String,
+    /// The run, for trials that are one.
+    pub run: Option<Run>,
+    /// Checks with their verdicts.
+    pub checks: Vec<Check>,
+    /// Tables for the page.
+    pub tables: Vec<Table>,
+    /// Curves for the page.
+    pub series: Vec<Series>,
+    /// Fields on meshes for the page.
+    pub fields: Vec<FieldData>,
+}
+
+/// A scalar on a deformed mesh.
+#[derive(Clone, Debug)]
+pub struct FieldData {
+    /// What is shown.
+    pub title: String,
+    /// Node positions \[mm\].
+    pub points: Vec<[f64; 2]>,
+    /// Node lists of the cells.
+    pub cells: Vec<Vec<usize>>,
+    /// Values at the nodes \[MPa\].
+    pub values: Vec<f64>,
+    /// Displacements of the nodes \[mm\].
+    pub displacements: Vec<[f64; 2]>,
+}
+
+/// A table of a study.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// Title.
+    pub title: String,
+    /// Column heads.
+    pub head: Vec<String>,
+    /// Rows, formatted.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// A curve of a study; abscissae without a converged run are kept apart.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// What the curve shows; curves of one picture share it.
+    pub picture: String,
+    /// Name of the curve.
+    pub label: String,
+    /// Points.
+    pub points: Vec<[f64; 2]>,
+    /// Abscissae of runs that did not converge.
+    pub failed: Vec<f64>,
+}
+
+impl Trial {
+    /// A trial from its work.
+    pub fn new(
+        case: impl Into<String>,
+        name: impl Into<String>,
+        work: impl Fn() -> Result<Finding, Error> + Send + Sync + 'static,
+    ) -> Self {
+        Self { case: case.into(), name: name.into(), work: Box::new(work) }
+    }
+
+    /// Runs the trial.
+    pub fn run(&self) -> Result<Finding, Error> {
+        let finding = (self.work)()?;
+        Ok(Finding { case: self.case.clone(), name: self.name.clone(), ..finding })
+    }
+
+    /// `case × name`, as printed by tests.
+    pub fn title(&self) -> String {
+        format!("{} × {}", self.case, self.name)
+    }
+}
+
+impl Finding {
+    /// Worst verdict: a failure, else a check not run, else a pass.
+    pub fn verdict(&self) -> Verdict {
+        if self.checks.iter().any(|check| check.verdict == Verdict::Fail) {
+            return Verdict::Fail;
+        }
+        let absent = self.checks.iter().find(|check| matches!(check.verdict, Verdict::NotRun(_)));
+        absent.map_or(Verdict::Pass, |check| check.verdict.clone())
+    }
+}
+
+/// What judges a run of a case against its truth; none where a run is reported, not gated.
+pub type Judge = Option<fn(&Problem, &Discretisation, &Run) -> Result<Vec<Check>, Error>>;
+
+/// Trials of one problem under several formulations; they share one condensation.
+pub fn trials(
+    case: &str,
+    problem: Problem,
+    resolution: Resolution,
+    formulations: Vec<Formulation>,
+    judge: Judge,
+) -> Vec<Trial> {
+    let shared: Arc<OnceLock<Result<Discretisation, Error>>> = Arc::default();
+    let problem = Arc::new(problem);
+    let trial = |formulation: Formulation| {
+        let (shared, problem) = (shared.clone(), problem.clone());
+        Trial::new(case, title(&formulation), move || {
+            let discretisation =
+                shared.get_or_init(|| Discretisation::of(problem.scene.clone(), resolution)).as_ref().map_err(
+                    |error| Error::Combination { what: error.to_string(), remedy: "see the message before".into() },
+                )?;
+            let run = Run::of(discretisation, &formulation)?;
+            let mut checks: Vec<Check> = universal::bounded(&run).into_iter().collect();
+            if let Some(judge) = judge {
+                checks.extend(judge(&problem, discretisation, &run)?);
+                if run.solution.converged() {
+                    checks.extend(universal::checks(discretisation, &run)?);
+                }
+            }
+            Ok(Finding { run: Some(run), checks, ..Default::default() })
+        })
+    };
+    formulations.into_iter().map(trial).collect()
+}
+
+/// Name of a trial: the formulation, and its increments and tolerance where they are not the default.
+fn title(formulation: &Formulation) -> String {
+    let mut title = formulation.name();
+    if formulation.settings.increments > 1 {
+        title += &format!(", {} increments", formulation.settings.increments);
+    }
+    title
+}
+
+/// Every trial of the suite, in the order of the page.
+pub fn all() -> Vec<Trial> {
+    let mut trials = exact::trials();
+    trials.extend(hertz::trials());
+    trials.extend(pin::trials());
+    trials.extend(refinement::trials());
+    trials.extend(sweep::trials());
+    trials.extend(stability::trials());
+    trials.extend(atlas::trials());
+    trials.extend(converged::trials());
+    trials.extend(limits::trials());
+    trials.extend(cures::trials());
+    trials.extend(timings::trials());
+    trials.extend(crate::study::accuracy::trials());
+    trials.extend(met::trials());
+    trials.extend(family::trials());
+    trials.extend(cross_code::trials(Answers::Frozen));
+    trials.extend(faults::trials());
+    trials.extend(gaertner::trials());
+    trials.extend(pictures::trials());
+    trials
+}

@@ -1,0 +1,248 @@
+//! Other codes in processes of their own, if they are installed: scikit-fem and dolfinx on truncated Hertz with their own
+//! meshes, GetFEM and CalculiX on our mesh of the cylinder.
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use crate::case::library::{Cylinder, TruncatedHertz};
+use crate::error::Error;
+use crate::oracle::cross_code::{Code, root};
+use crate::solve::{Discretisation, Formulation};
+use crate::study::cross_code::discrete;
+use crate::study::timings::growth;
+use crate::study::timings::precision::{Family, Laps, half_widths};
+use crate::study::timings::statistics::Spread;
+
+/// The interpreter the codes are installed for.
+const PYTHON: &str = "/usr/bin/python3";
+/// What the scripts end with where their code is not installed.
+const MISSING: i32 = 3;
+/// Meshes asked of scikit-fem and dolfinx: cells per candidate stretch, and times cut into four.
+const SIZES: [[usize; 2]; 8] = [[8, 0], [12, 0], [16, 0], [17, 0], [32, 0], [17, 1], [32, 1], [64, 1]];
+/// Elements per half-width across one of which their loads move the edge, as ours do.
+const ACROSS: usize = 8;
+/// Meshes of the cylinder handed to the peers: elements per half-width, times halved, repeats.
+pub const SHARED: [(usize, u32, usize); 3] = [(8, 0, 5), (8, 1, 3), (8, 2, 1)];
+
+/// A point of the work–precision chart by another code.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct OtherPoint {
+    /// Code and version.
+    pub code: String,
+    /// Version.
+    pub version: String,
+    /// Mesh as it was asked for.
+    pub mesh: String,
+    /// Displacement components.
+    pub freedoms: usize,
+    /// Seconds, median over the loads.
+    pub seconds: f64,
+    /// What of them went where.
+    pub stages: Stages,
+    /// Error of p₀, median and worst.
+    pub peak: f64,
+    /// Worst.
+    pub peak_worst: f64,
+    /// Error of a, median and worst.
+    pub half_width: f64,
+    /// Worst.
+    pub half_width_worst: f64,
+    /// L2(p), median and worst.
+    pub l2: f64,
+    /// Worst.
+    pub l2_worst: f64,
+}
+
+/// Seconds of what every code does, medians over the loads.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Stages {
+    /// Cells integrated and assembled.
+    pub stiffness: f64,
+    /// Ordering, factorisation and solution of the sparse system, as often as it is done.
+    pub linear: f64,
+    /// Contact rows, steps, and all else; with us the mesh too.
+    pub rest: f64,
+}
+
+impl Stages {
+    /// Of our own stages, load by load.
+    pub fn of(laps: &[Laps]) -> Self {
+        let linear = ["ordering", "analysis", "factorisation", "forward elimination", "Schur complement"];
+        let median = |wanted: &dyn Fn(&str) -> bool| {
+            let of = |laps: &Laps| -> f64 {
+                laps.iter().filter(|(stage, _)| wanted(stage)).map(|(_, seconds)| seconds).sum()
+            };
+            Spread::of(&laps.iter().map(of).collect::<Vec<_>>()).median
+        };
+        Self {
+            stiffness: median(&|stage| stage == "assembly"),
+            linear: median(&|stage| linear.contains(&stage)),
+            rest: median(&|stage| stage != "assembly" && !linear.contains(&stage)),
+        }
+    }
+}
+
+/// One mesh of the cylinder by a peer.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct PeerPoint {
+    /// Code.
+    pub code: String,
+    /// Version.
+    pub version: String,
+    /// Elements per half-width.
+    pub elements: usize,
+    /// Times halved.
+    pub refinement: u32,
+    /// Our freedoms.
+    pub freedoms: usize,
+    /// Steps of its iteration.
+    pub steps: usize,
+    /// Seconds by its own account.
+    pub seconds: Spread,
+    /// What they count.
+    pub counted: String,
+    /// Our contact solve on the same mesh \[s\].
+    pub ours: Spread,
+    /// Error of p₀ and of a against Hertz.
+    pub errors: [f64; 2],
+    /// Ours.
+    pub our_errors: [f64; 2],
+}
+
+/// What a script printed; nothing where its code is not installed, with the reason.
+enum Told {
+    Lines(Vec<Value>),
+    Absent(String),
+}
+
+fn run(script: &str, arguments: &[String], request: &str) -> Result<Told, Error> {
+    let path = root().join("oracles/peers").join(script);
+    let failed = |reason: String| Error::File {
+        path: path.clone(),
+        reason,
+        remedy: "run it by hand, or leave this code uninstalled".into(),
+    };
+    let started = Command::new(PYTHON)
+        .arg("-EsB")
+        .arg(&path)
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn();
+    let Ok(mut child) = started else { return Ok(Told::Absent(format!("{PYTHON} is missing"))) };
+    if let Some(mut input) = child.stdin.take() {
+        // A script that has ended already says why itself.
+        let _ = input.write_all(request.as_bytes());
+    }
+    let output = child.wait_with_output().map_err(|error| failed(error.to_string()))?;
+    let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
+    if output.status.code() == Some(MISSING) {
+        return Ok(Told::Absent(said));
+    }
+    if !output.status.success() {
+        return Err(failed(said.lines().last().unwrap_or("it failed without a word").to_owned()));
+    }
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let lines = text.lines().map(serde_json::from_str).collect::<Result<Vec<Value>, _>>();
+    lines.map(Told::Lines).map_err(|error| failed(error.to_string()))
+}
+
+/// Work and precision of a code on truncated Hertz, under the loads of our own meshes with so many elements; the reason
+/// where it is not installed.
+pub fn precision(code: Code) -> Result<Result<Vec<OtherPoint>, String>, Error> {
+    let nominal = TruncatedHertz::default();
+    let request = json!({
+        "scene": {
+            "a_over_r": nominal.a_over_r, "poisson": nominal.poisson, "radius": nominal.radius,
+            "size": nominal.size, "stretch": nominal.stretch, "young": nominal.young,
+        },
+        "half_widths": half_widths(Family::Truncated.nominal(), ACROSS),
+        "meshes": SIZES,
+        "repeats": 3,
+    });
+    let lines = match run("work_precision.py", &[code.name().to_owned()], &request.to_string())? {
+        Told::Lines(lines) => lines,
+        Told::Absent(why) => return Ok(Err(why)),
+    };
+    let list = |line: &Value, key: &str| -> Vec<f64> {
+        line[key].as_array().into_iter().flatten().map(|x| x.as_f64().unwrap_or(f64::NAN)).collect()
+    };
+    let point = |line: &Value| {
+        let of = |key: &str| Spread::of(&list(line, key));
+        let [peak, half_width, l2] = ["peak_error", "half_width_error", "l2_error"].map(of);
+        let [seconds, stiffness, linear] = ["seconds", "stiffness", "linear"].map(|key| of(key).median);
+        OtherPoint {
+            code: code.name().into(),
+            version: line["version"].as_str().unwrap_or("unknown").into(),
+            mesh: line["mesh"].to_string(),
+            freedoms: line["freedoms"].as_u64().unwrap_or(0) as usize,
+            seconds,
+            stages: Stages { stiffness, linear, rest: seconds - stiffness - linear },
+            peak: peak.median,
+            peak_worst: peak.most,
+            half_width: half_width.median,
+            half_width_worst: half_width.most,
+            l2: l2.median,
+            l2_worst: l2.most,
+        }
+    };
+    Ok(Ok(lines.iter().map(point).collect()))
+}
+
+/// A peer's name and script.
+pub const PEERS: [(&str, &str); 2] = [("GetFEM", "getfem_peer.py"), ("CalculiX", "calculix_peer.py")];
+
+/// The cylinder by a peer on our meshes; the reason where it is not installed.
+pub fn cylinder((name, script): (&str, &str)) -> Result<Result<Vec<PeerPoint>, String>, Error> {
+    let mut points = Vec::new();
+    for (elements, refinement, repeats) in SHARED {
+        let (file, ours, our_errors, freedoms) = exported(elements, refinement)?;
+        let told = run(script, &[file.display().to_string(), repeats.to_string()], "");
+        // The file is in the build's own folder: nothing is lost if it cannot be removed.
+        let _ = std::fs::remove_file(&file);
+        let line = match told? {
+            Told::Absent(why) => return Ok(Err(why)),
+            Told::Lines(lines) => lines.into_iter().next().unwrap_or(Value::Null),
+        };
+        let number = |key: &str| line[key].as_f64().unwrap_or(f64::NAN);
+        let numbers = Cylinder::default();
+        let peak = 2.0 * numbers.load() / (std::f64::consts::PI * numbers.half_width());
+        let seconds: Vec<f64> =
+            line["seconds"].as_array().into_iter().flatten().map(|x| x.as_f64().unwrap_or(f64::NAN)).collect();
+        points.push(PeerPoint {
+            code: name.into(),
+            version: line["version"].as_str().unwrap_or("unknown").into(),
+            elements,
+            refinement,
+            freedoms,
+            steps: line["steps"].as_u64().unwrap_or(0) as usize,
+            seconds: Spread::of(&seconds),
+            counted: line["counted"].as_str().unwrap_or_default().into(),
+            ours,
+            errors: [(number("peak") / peak - 1.0).abs(), (number("half_width") / numbers.half_width() - 1.0).abs()],
+            our_errors,
+        });
+    }
+    Ok(Ok(points))
+}
+
+/// Our mesh of the cylinder in a file, our own contact solve on it, its errors, and its freedoms.
+fn exported(elements: usize, refinement: u32) -> Result<(PathBuf, Spread, [f64; 2], usize), Error> {
+    let (scene, _, _) = crate::case::problem::cylinder(Cylinder::default());
+    let discretisation = Discretisation::of(scene, growth::resolution(elements, refinement))?;
+    let run = crate::solve::Run::of(&discretisation, &Formulation::verification())?;
+    let reference = &discretisation.scene.reference;
+    let errors = [
+        (run.measures().peak.pressure / reference.pressure - 1.0).abs(),
+        (run.measures().half_width / reference.length - 1.0).abs(),
+    ];
+    let file = root().join("target").join(format!("cylinder-{elements}-{refinement}.json"));
+    discrete::export(&discretisation, &file)?;
+    let ours = growth::contact_seconds(elements, refinement, 5)?;
+    Ok((file, ours, errors, run.freedoms))
+}

@@ -1,0 +1,244 @@
+//! Error against seconds and work, over loads the mesh does not know.
+//!
+//! The mesh is graded for the nominal half-width and the candidate stretch; eight loads then move the contact edge across
+//! one of its elements, so that no mesh has the edge on a node by luck. Every point is the median and the worst of them.
+
+use serde::{Deserialize, Serialize};
+
+use crate::case::hertz;
+use crate::case::library::{Cylinder, TruncatedHertz};
+use crate::case::problem::{self, Parts};
+use crate::error::Error;
+use crate::mesh::{Order, Resolution};
+use crate::oracle::analytic::hertz::Hertz;
+use crate::scene::Grading;
+use crate::solve::run::Run;
+use crate::solve::{Discretisation, Element, Formulation, Iteration};
+use crate::study::timings::statistics::Spread;
+
+/// Loads of every point.
+pub const LOADS: usize = 8;
+/// Tolerance of every run: a thirtieth of the smallest error that is asked for.
+pub const TOLERANCE: f64 = 1e-5;
+/// Errors that are asked for.
+pub const ASKED: [f64; 4] = [1e-2, 3e-3, 1e-3, 3e-4];
+/// Elements per half-width.
+pub const ELEMENTS: [usize; 8] = [2, 3, 4, 5, 7, 10, 14, 20];
+/// Elements per half-width up to which uniform meshes go.
+const UNIFORM: usize = 10;
+
+/// Which scene, and how its mesh grows away from the contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// Truncated Hertz on its graded mesh.
+    Truncated,
+    /// Truncated Hertz on a mesh that grows twice as fast from cell to cell.
+    Steep,
+    /// Truncated Hertz on squares all of one size.
+    Uniform,
+    /// The cylinder on its graded mesh.
+    Cylinder,
+}
+
+/// One point of the charts.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Point {
+    /// Scene and grading.
+    pub family: String,
+    /// Nodes of a cell.
+    pub cell_nodes: usize,
+    /// Elements per nominal half-width.
+    pub elements: usize,
+    /// `element.algorithm`.
+    pub formulation: String,
+    /// Unknown displacement components.
+    pub freedoms: usize,
+    /// Operations of the sparse factorisation.
+    pub sparse_operations: f64,
+    /// Operations of the iteration, median.
+    pub dense_operations: f64,
+    /// Steps, median.
+    pub steps: f64,
+    /// Loads of eight that converged; the errors are numbers only where all do.
+    pub converged: usize,
+    /// Seconds from the scene to the pressures, median.
+    pub seconds: f64,
+    /// Error of p₀: median and worst.
+    pub peak: f64,
+    /// Worst.
+    pub peak_worst: f64,
+    /// Error of a: median and worst.
+    pub half_width: f64,
+    /// Worst.
+    pub half_width_worst: f64,
+    /// L2(p): median and worst.
+    pub l2: f64,
+    /// Worst.
+    pub l2_worst: f64,
+}
+
+impl Point {
+    /// The larger median error of p₀ and a.
+    pub fn error(&self) -> f64 {
+        if self.peak.is_nan() || self.half_width.is_nan() { f64::NAN } else { self.peak.max(self.half_width) }
+    }
+
+    /// Operations in all.
+    pub fn operations(&self) -> f64 {
+        self.sparse_operations + self.dense_operations
+    }
+}
+
+impl Family {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Truncated, Self::Steep, Self::Uniform, Self::Cylinder];
+
+    /// Name in records.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Truncated => "truncated-hertz",
+            Self::Steep => "truncated-hertz, steep",
+            Self::Uniform => "truncated-hertz, uniform",
+            Self::Cylinder => "cylinder",
+        }
+    }
+
+    /// Formulations: all nine, on steep and uniform meshes the elements with kinematic load.
+    pub fn formulations(self) -> Vec<Formulation> {
+        let nine = Formulation::nine().into_iter();
+        let kept = nine.filter(|f| !self.compares_meshes() || f.algorithm == Iteration::Kinematic);
+        kept.map(|formulation| formulation.tolerance(TOLERANCE)).collect()
+    }
+
+    /// Whether the family is there for its mesh, not for the formulations.
+    fn compares_meshes(self) -> bool {
+        matches!(self, Self::Steep | Self::Uniform)
+    }
+
+    /// Elements per half-width, coarse to fine.
+    pub fn elements(self) -> impl Iterator<Item = usize> {
+        ELEMENTS.into_iter().filter(move |&elements| self != Self::Uniform || elements <= UNIFORM)
+    }
+
+    /// Nominal half-width \[mm\].
+    pub fn nominal(self) -> f64 {
+        match self {
+            Self::Cylinder => Cylinder::default().half_width(),
+            Self::Truncated | Self::Steep | Self::Uniform => TruncatedHertz::default().half_width(),
+        }
+    }
+
+    /// The scene under the load of another half-width, with the outline, candidates and grading of the nominal one, and
+    /// the Hertz solution.
+    fn loaded(self, half_width: f64) -> (Parts, Hertz) {
+        let ratio = half_width / self.nominal();
+        let (parts, load, [radius, young, poisson]) = match self {
+            Self::Cylinder => {
+                let nominal = Cylinder::default();
+                let numbers =
+                    Cylinder { a_over_r: nominal.a_over_r * ratio, stretch: nominal.stretch / ratio, ..nominal };
+                (problem::cylinder(numbers), numbers.load(), [numbers.radius, numbers.young, numbers.poisson])
+            }
+            Self::Truncated | Self::Steep | Self::Uniform => {
+                let nominal = TruncatedHertz::default();
+                let (size, stretch) = (nominal.size / ratio, nominal.stretch / ratio);
+                let numbers = TruncatedHertz { a_over_r: nominal.a_over_r * ratio, size, stretch, ..nominal };
+                let of = [numbers.radius, numbers.young, numbers.poisson];
+                let load = numbers.load();
+                (problem::truncated_hertz(numbers), load, of)
+            }
+        };
+        let (mut scene, elements, oracle) = parts;
+        scene.grading.unit = self.nominal();
+        match self {
+            Self::Truncated | Self::Cylinder => {}
+            Self::Steep => scene.grading = Grading { along: 2.0, depth: 1.8, coarsest: 0.5, ..scene.grading },
+            Self::Uniform => scene.grading = Grading { along: 1.0, depth: 1.0, ..scene.grading },
+        }
+        ((scene, elements, oracle), Hertz { load, radius, modulus: young / (1.0 - poisson * poisson) })
+    }
+}
+
+/// Half-widths of the loads: from the nominal one on, across one element.
+pub fn half_widths(nominal: f64, elements: usize) -> [f64; LOADS] {
+    std::array::from_fn(|k| nominal * (1.0 + k as f64 / (LOADS * elements) as f64))
+}
+
+/// One load by one formulation.
+struct Loaded {
+    run: Run,
+    errors: [f64; 3],
+}
+
+/// Points of one mesh, one a formulation.
+pub fn measure(family: Family, order: Order, elements: usize) -> Result<Vec<Point>, Error> {
+    let formulations = family.formulations();
+    let mut loaded: Vec<Vec<Loaded>> = formulations.iter().map(|_| Vec::new()).collect();
+    for half_width in half_widths(family.nominal(), elements) {
+        let ((scene, _, _), exact) = family.loaded(half_width);
+        let discretisation = Discretisation::of(scene, Resolution { elements, refinement: 0, order })?;
+        for (formulation, loaded) in formulations.iter().zip(&mut loaded) {
+            let run = Run::of(&discretisation, formulation)?;
+            let errors = hertz::errors(&run, &exact);
+            loaded.push(Loaded { run, errors });
+        }
+    }
+    let points = formulations.iter().zip(loaded);
+    Ok(points.map(|(formulation, loaded)| point(family, order, elements, formulation, &loaded)).collect())
+}
+
+fn point(family: Family, order: Order, elements: usize, formulation: &Formulation, loaded: &[Loaded]) -> Point {
+    let over = |of: &dyn Fn(&Loaded) -> f64| Spread::of(&loaded.iter().map(of).collect::<Vec<_>>());
+    let [peak, half_width, l2] = [0, 1, 2].map(|k| over(&|one| one.errors[k]));
+    let first = &loaded[0].run;
+    Point {
+        family: family.name().into(),
+        cell_nodes: order.nodes_per_cell(),
+        elements,
+        formulation: formulation.name(),
+        freedoms: first.freedoms,
+        sparse_operations: first.sparse_operations,
+        dense_operations: over(&|one| one.run.solution.work.operations).median,
+        steps: over(&|one| one.run.solution.work.steps as f64).median,
+        converged: loaded.iter().filter(|one| one.run.solution.converged()).count(),
+        seconds: over(&|one| one.run.seconds.iter().map(|(_, seconds)| seconds).sum()).median,
+        peak: peak.median,
+        peak_worst: peak.most,
+        half_width: half_width.median,
+        half_width_worst: half_width.most,
+        l2: l2.median,
+        l2_worst: l2.most,
+    }
+}
+
+/// Seconds by stage of one formulation on one mesh, under each of the loads.
+pub fn laps(family: Family, order: Order, elements: usize, formulation: &Formulation) -> Result<Vec<Laps>, Error> {
+    let one = |half_width: f64| {
+        let ((scene, _, _), _) = family.loaded(half_width);
+        Ok(Run::of(&Discretisation::of(scene, Resolution { elements, refinement: 0, order })?, formulation)?.seconds)
+    };
+    half_widths(family.nominal(), elements).into_iter().map(one).collect()
+}
+
+/// Seconds by stage.
+pub type Laps = Vec<(&'static str, f64)>;
+
+/// All meshes of the charts.
+pub fn meshes() -> Vec<(Family, Order, usize)> {
+    let of = |family: Family| {
+        [Order::Linear, Order::Quadratic]
+            .into_iter()
+            .flat_map(move |order| family.elements().map(move |elements| (family, order, elements)))
+    };
+    Family::ALL.into_iter().flat_map(of).collect()
+}
+
+/// What the cylinder's p₀ and a differ from Hertz by on a mesh fine enough to show it: the floor of its curves.
+pub fn floor() -> Result<[f64; 2], Error> {
+    let ((scene, _, _), exact) = Family::Cylinder.loaded(Family::Cylinder.nominal());
+    let discretisation =
+        Discretisation::of(scene, Resolution { elements: 48, refinement: 0, order: Order::Quadratic })?;
+    let run = Run::of(&discretisation, &Formulation::new(Element::Node, Iteration::Kinematic).tolerance(TOLERANCE))?;
+    let [peak, half_width, _] = hertz::errors(&run, &exact);
+    Ok([peak, half_width])
+}

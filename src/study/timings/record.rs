@@ -1,0 +1,116 @@
+//! What was measured, as it is kept under `snapshots/timings`.
+
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::Error;
+use crate::oracle::cross_code::root;
+use crate::study::timings::growth::{Growth, Nine};
+use crate::study::timings::machine::Machine;
+use crate::study::timings::others::{OtherPoint, PeerPoint, Stages};
+use crate::study::timings::precision::{Laps, Point};
+use crate::study::timings::statistics::Spread;
+
+/// What renews the records.
+pub const RENEW: &str = "run `cargo run --release -- timings` and review the diff of snapshots/timings";
+/// Where they are.
+pub const FOLDER: &str = "snapshots/timings";
+
+/// Everything but the points of the work–precision charts.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Measured {
+    /// On what.
+    pub machine: Machine,
+    /// Mesh by mesh.
+    pub growth: Vec<Growth>,
+    /// All nine formulations over one, mesh by mesh.
+    pub nine: Vec<Nine>,
+    /// Seconds of the whole report.
+    pub report: f64,
+    /// Model error of the cylinder's p₀ and a.
+    pub floor: [f64; 2],
+    /// Other codes on truncated Hertz.
+    pub others: Vec<OtherPoint>,
+    /// Our cheapest solve of truncated Hertz within 0.1 %, measured before and after each of them.
+    pub beside: Vec<Beside>,
+    /// Other codes on the cylinder.
+    pub peers: Vec<PeerPoint>,
+    /// What was not installed.
+    pub absent: Vec<String>,
+}
+
+/// Our own solve as it was beside another code's.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Beside {
+    /// The other code.
+    pub code: String,
+    /// Our seconds.
+    pub seconds: Spread,
+    /// What of them went where.
+    pub stages: Stages,
+}
+
+impl Beside {
+    /// From our stages, load by load.
+    pub fn of(code: &str, laps: &[Laps]) -> Self {
+        let whole = |laps: &Laps| laps.iter().map(|(_, seconds)| seconds).sum();
+        let seconds = Spread::of(&laps.iter().map(whole).collect::<Vec<f64>>());
+        Self { code: code.into(), seconds, stages: Stages::of(laps) }
+    }
+}
+
+/// The whole record.
+#[derive(Clone, Debug)]
+pub struct Record {
+    /// Growth, other codes, machine.
+    pub measured: Measured,
+    /// Points of the work–precision charts.
+    pub points: Vec<Point>,
+}
+
+impl Record {
+    /// Reads what is committed.
+    pub fn read() -> Result<Self, Error> {
+        let text = |path: &PathBuf| {
+            std::fs::read_to_string(path).map_err(|_| Error::MissingFile { file: path.clone(), remedy: RENEW.into() })
+        };
+        let unreadable =
+            |file: &PathBuf, found: String| Error::Unreadable { file: file.clone(), found, remedy: RENEW.into() };
+        let [one, two] = files();
+        let measured = serde_json::from_str(&text(&one)?).map_err(|error| unreadable(&one, error.to_string()))?;
+        let points = csv::Reader::from_reader(text(&two)?.as_bytes())
+            .deserialize()
+            .collect::<Result<_, _>>()
+            .map_err(|error| unreadable(&two, error.to_string()))?;
+        Ok(Self { measured, points })
+    }
+
+    /// Writes both files.
+    pub fn write(&self) -> Result<(), Error> {
+        let [one, two] = files();
+        let failed = |path: &PathBuf, reason: String| Error::File {
+            path: path.clone(),
+            reason,
+            remedy: "check that it may be written".into(),
+        };
+        let text = serde_json::to_string_pretty(&self.measured).map_err(|error| failed(&one, error.to_string()))?;
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        for point in &self.points {
+            writer.serialize(point).map_err(|error| failed(&two, error.to_string()))?;
+        }
+        let table = writer.into_inner().map_err(|error| failed(&two, error.to_string()))?;
+        let save = |path: &PathBuf, text: &[u8]| {
+            let folder = path.parent().unwrap_or(path);
+            let written = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(path, text));
+            written.map_err(|error| failed(path, error.to_string()))
+        };
+        save(&one, (text + "\n").as_bytes())?;
+        save(&two, &table)
+    }
+}
+
+/// The two files.
+fn files() -> [PathBuf; 2] {
+    ["measured.json", "precision.csv"].map(|name| root().join(FOLDER).join(name))
+}

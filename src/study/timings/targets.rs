@@ -1,0 +1,152 @@
+//! What was asked of the speed, and what was measured.
+
+use crate::error::Error;
+use crate::mesh::Order;
+use crate::oracle::cross_code::Code;
+use crate::solve::{Element, Formulation, Iteration};
+use crate::study::timings::growth::LARGE;
+use crate::study::timings::others::{OtherPoint, PEERS};
+use crate::study::timings::precision::{self, Family, Laps, Point, TOLERANCE};
+use crate::study::timings::record::{Beside, Record};
+use crate::study::timings::statistics::exponent;
+
+/// One row.
+#[derive(Clone, Debug)]
+pub struct Target {
+    /// What is measured.
+    pub what: String,
+    /// What was asked for.
+    pub asked: String,
+    /// What came out, with its spread where it is a ratio of repeated runs.
+    pub measured: String,
+    /// Whether it is met; none where it could not be measured.
+    pub met: Option<bool>,
+}
+
+/// Freedoms for which the ratios are asked.
+const SIZES: [f64; 3] = [1e4, 1e5, 1e6];
+/// Error of p₀ and a to which codes are compared.
+const COMPARED: f64 = 1e-3;
+/// How often our own solve is measured before and after each code's.
+const REPEATS: usize = 10;
+
+/// All rows.
+pub fn targets(record: &Record) -> Vec<Target> {
+    let growth = &record.measured.growth;
+    let near = |freedoms: f64| {
+        let apart = |n: usize| (n as f64 / freedoms).ln().abs();
+        growth.iter().min_by(|a, b| apart(a.counts.freedoms).total_cmp(&apart(b.counts.freedoms)))
+    };
+    let mut all = Vec::new();
+    for one in SIZES.into_iter().filter_map(near) {
+        let n = one.counts.freedoms;
+        all.push(at_most(format!("contact solve ÷ plain solve, {n} freedoms"), 1.1, one.ratio.median));
+        all.push(at_most(
+            format!("assembly ÷ plain solve, {n} freedoms, one thread"),
+            0.25,
+            one.assembly_ratio[0].median,
+        ));
+        all.push(at_most(format!("the same on all threads, {n} freedoms"), 0.25, one.assembly_ratio[1].median));
+        all.push(at_most(format!("one more solve ÷ the first, {n} freedoms"), 0.02, one.again_ratio.median));
+    }
+    for nine in &record.measured.nine {
+        let mesh = format!("{} freedoms, {} retained", nine.counts.freedoms, nine.counts.retained);
+        for (threads, k) in [("one thread", 0), ("all threads", 1)] {
+            let what = format!("all nine formulations ÷ one, {mesh}, {threads}");
+            all.push(at_most(what, 2.0, nine.all[k].median));
+        }
+        let without = format!("the same without varying stiffness and its {} steps, one thread", nine.varying_steps);
+        all.push(at_most(without, 2.0, nine.without_varying[0].median));
+    }
+    let whole: Vec<[f64; 2]> = (growth.iter())
+        .filter(|one| one.counts.freedoms as f64 >= LARGE)
+        .map(|one| [one.counts.freedoms as f64, one.stages.values().map(|stage| stage.median).sum()])
+        .collect();
+    let ends = whole.first().zip(whole.last()).map_or([f64::NAN; 2], |(first, last)| [first[0], last[0]]);
+    let what = format!("exponent of the whole time, {} to {} freedoms", ends[0], ends[1]);
+    all.push(at_most(what, 1.25, exponent(&whole)));
+    for one in growth.iter().filter(|one| one.counts.freedoms as f64 >= 0.7 * SIZES[1]) {
+        let what = format!("peak memory ÷ bytes of the factor, {} freedoms", one.counts.freedoms);
+        all.push(match one.memory_ratio {
+            Some(ratio) => at_most(what, 2.0, ratio),
+            None => absent(what, "≤ 2".into()),
+        });
+    }
+    all.extend(Code::ALL.into_iter().zip([20.0, 10.0]).map(|(code, asked)| to_accuracy(record, code, asked)));
+    all.extend(PEERS.into_iter().zip([10.0, 50.0]).map(|((name, _), asked)| peer(record, name, asked)));
+    all.push(at_most("whole report from nothing [s]".into(), 60.0, record.measured.report));
+    all
+}
+
+/// Our cheapest mesh within the compared accuracy: node elements with kinematic load on truncated Hertz.
+pub fn cheapest(points: &[Point]) -> Option<&Point> {
+    let enough = |point: &&Point| {
+        point.family != Family::Cylinder.name() && point.formulation == "node.kinematic" && point.error() <= COMPARED
+    };
+    points.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds))
+}
+
+/// Seconds by stage of that solve as they are now, several times under each load.
+pub fn cheapest_laps(points: &[Point]) -> Result<Vec<Laps>, Error> {
+    let Some(point) = cheapest(points) else { return Ok(Vec::new()) };
+    let order = if point.cell_nodes == 4 { Order::Linear } else { Order::Quadratic };
+    let family = Family::ALL.into_iter().find(|family| family.name() == point.family);
+    let formulation = Formulation::new(Element::Node, Iteration::Kinematic).tolerance(TOLERANCE);
+    let mut laps = Vec::new();
+    for family in family.into_iter().cycle().take(REPEATS) {
+        laps.extend(precision::laps(family, order, point.elements, &formulation)?);
+    }
+    Ok(laps)
+}
+
+/// The cheapest solve of another code within that accuracy.
+pub fn theirs(record: &Record, code: Code) -> Option<&OtherPoint> {
+    let enough = |point: &&OtherPoint| point.code == code.name() && point.peak.max(point.half_width) <= COMPARED;
+    record.measured.others.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds))
+}
+
+fn to_accuracy(record: &Record, code: Code, asked: f64) -> Target {
+    let what = format!("time to {} % in p₀ and a, truncated Hertz: {code} ÷ ours", 100.0 * COMPARED);
+    let beside = record.measured.beside.iter().find(|beside| beside.code == code.name());
+    match (theirs(record, code), beside, cheapest(&record.points)) {
+        (Some(theirs), Some(Beside { seconds: ours, .. }), Some(own)) => {
+            let ratio = theirs.seconds / ours.median;
+            let measured = format!(
+                "{ratio:.1} ({:.1} ms with {} freedoms against {:.2} ms with {})",
+                1e3 * theirs.seconds,
+                theirs.freedoms,
+                1e3 * ours.median,
+                own.freedoms
+            );
+            Target { measured, ..at_least(what, asked, ratio) }
+        }
+        _ => absent(what, format!("≥ {asked}")),
+    }
+}
+
+fn peer(record: &Record, name: &str, asked: f64) -> Target {
+    let what = format!("contact solve of the same cylinder mesh: {name} ÷ ours");
+    let ratios: Vec<f64> = (record.measured.peers.iter())
+        .filter(|point| point.code == name)
+        .map(|point| point.seconds.median / point.ours.median)
+        .collect();
+    let told: Vec<String> = ratios.iter().map(|ratio| format!("{ratio:.0}")).collect();
+    match ratios.iter().copied().reduce(|a, b| if a.is_nan() || a < b { a } else { b }) {
+        Some(least) => {
+            Target { measured: format!("{} on {} meshes", told.join(", "), told.len()), ..at_least(what, asked, least) }
+        }
+        None => absent(what, format!("≥ {asked}")),
+    }
+}
+
+fn at_most(what: String, limit: f64, value: f64) -> Target {
+    Target { what, asked: format!("≤ {limit}"), measured: format!("{value:.3}"), met: Some(value <= limit) }
+}
+
+fn at_least(what: String, limit: f64, value: f64) -> Target {
+    Target { what, asked: format!("≥ {limit}"), measured: format!("{value:.1}"), met: Some(value >= limit) }
+}
+
+fn absent(what: String, asked: String) -> Target {
+    Target { what, asked, measured: "not installed where this was measured".into(), met: None }
+}
