@@ -2,9 +2,6 @@
 
 use comfy_table::{Table as Grid, presets};
 
-use crate::case::Verdict;
-use crate::study::Table;
-
 /// Below this fraction of its scale a number is round-off and is not shown.
 const ROUND_OFF: f64 = 1e-9;
 
@@ -44,15 +41,6 @@ pub fn significant(x: f64, digits: usize) -> String {
     format!("{x:.decimals$}")
 }
 
-/// A verdict as a sign and a word.
-pub fn verdict(verdict: &Verdict) -> String {
-    match verdict {
-        Verdict::Pass => "✓ pass".into(),
-        Verdict::Fail => "✗ FAIL".into(),
-        Verdict::NotRun(why) => format!("○ {why}"),
-    }
-}
-
 /// A Markdown table.
 pub fn table(head: &[String], rows: &[Vec<String>]) -> String {
     let mut grid = Grid::new();
@@ -63,20 +51,10 @@ pub fn table(head: &[String], rows: &[Vec<String>]) -> String {
     format!("{grid}\n")
 }
 
-/// A study's table with its title.
-pub fn titled(of: &Table) -> String {
-    format!("**{}**\n\n{}", of.title, table(&of.head, &of.rows))
-}
-
 /// A text behind a line that opens it; open from the start where that is asked for.
 pub fn folded(summary: &str, text: &str, open: bool) -> String {
     let open = if open { " open" } else { "" };
     format!("<details{open}><summary>{summary}</summary>\n\n{text}\n</details>\n\n")
-}
-
-/// A study's table behind its title.
-pub fn folded_table(of: &Table) -> String {
-    folded(&of.title, &table(&of.head, &of.rows), false)
 }
 
 fn escape(cell: &str) -> String {

@@ -9,10 +9,10 @@ use contact_vv::markdown::significant;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Formulation};
+use contact_vv::study;
 use contact_vv::study::atlas::{Chart, Plane, record};
 #[cfg(feature = "python")]
 use contact_vv::study::cross_code;
-use contact_vv::study::suite;
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 
 /// Scenes whose runs are frozen.
@@ -32,9 +32,9 @@ fn main() {
     let arguments = Arguments::from_args();
     let counts = Counts::default();
     let origins = Origins::default();
-    let trials = suite::all();
+    let trials = study::trials();
     #[cfg(feature = "python")]
-    let trials: Vec<suite::Trial> = trials.into_iter().chain(cross_code::trials(cross_code::Answers::Live)).collect();
+    let trials: Vec<study::Trial> = trials.into_iter().chain(cross_code::live()).collect();
     let mut tests: Vec<Trial> = trials.into_iter().map(|trial| truth(trial, counts.clone(), origins.clone())).collect();
     tests.extend(FROZEN.into_iter().flat_map(frozen));
     tests.extend(
@@ -53,11 +53,11 @@ fn main() {
 }
 
 /// Truth lock: all checks of a trial hold.
-fn truth(trial: suite::Trial, counts: Counts, origins: Origins) -> Trial {
+fn truth(trial: study::Trial, counts: Counts, origins: Origins) -> Trial {
     Trial::ignorable_test(trial.title(), move || {
         let finding = trial.run().map_err(|error| Failed::from(error.to_string()))?;
         let mut message = String::new();
-        for check in &finding.checks {
+        for check in &finding.judged {
             if check.reference.kind == ReferenceKind::CrossCode {
                 origins.lock().expect("no test panics while counting")[usize::from(finding.name.ends_with("live"))] +=
                     1;
@@ -70,12 +70,12 @@ fn truth(trial: suite::Trial, counts: Counts, origins: Origins) -> Trial {
             counts.lock().expect("no test panics while counting")[slot] += 1;
             if slot == 1 {
                 let (name, value) = (&check.reference.name, check.reference.value);
-                let _ = writeln!(message, "{}", check.requirement);
-                let _ = writeln!(message, "  {}: {} against {name} {value}", check.quantity, check.value);
+                let _ = writeln!(message, "{}", check.requirement());
+                let _ = writeln!(message, "  {}: {} against {name} {value}", check.check.quantity, check.value);
                 let _ = writeln!(
                     message,
                     "  error {:.3e}, tolerance {:.3e}: {}",
-                    check.error, check.tolerance, check.because
+                    check.error, check.check.tolerance, check.check.because
                 );
             }
         }

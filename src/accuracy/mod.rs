@@ -35,7 +35,7 @@ pub mod search;
 mod sizes;
 mod slow;
 
-use crate::case::check::{Check, Reference};
+use crate::case::{Judged, Reference};
 use crate::mesh::size::MOST;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
@@ -131,11 +131,11 @@ impl Answer {
     }
 
     /// Whether what was asked is met, by the estimate.
-    pub fn check(&self, asked: &Asked) -> Check {
+    pub fn check(&self, asked: &Asked) -> Judged {
         let estimate = if self.unmet.is_none() { self.estimate() } else { f64::NAN };
         let because = "two ladders of meshes and one finer in both directions, with factors of safety";
         let reference = Reference::own("finer meshes", 0.0);
-        Check::norm("The accuracy asked shall be met", "estimated error", estimate, reference, asked.relative, because)
+        Judged::norm("The accuracy asked shall be met", "estimated error", estimate, reference, asked.relative, because)
     }
 }
 

@@ -1,27 +1,45 @@
-//! A check: what must hold, how far it is from holding, and the verdict.
+//! A check: a quantity, what it is held against, a tolerance and the reason for it.
 
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind};
+use std::borrow::Cow;
 
-/// Outcome of a check.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// The error is within the tolerance.
-    Pass,
-    /// It is not, or it is not a number.
-    Fail,
-    /// The reference is absent, and why.
-    NotRun(String),
-}
+use crate::case::judged::{Judged, Verdict};
+use crate::case::quantity::Quantity;
+use crate::markdown;
+use crate::oracle::{self, Oracle, Reading, ReferenceKind};
 
 /// A reference value with its origin.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
     /// Name of the oracle.
     pub name: String,
     /// What kind of truth it is.
     pub kind: ReferenceKind,
-    /// The value; zero where the requirement is that something vanishes.
+    /// The value; zero where an error is held against its tolerance.
     pub value: f64,
+}
+
+/// What a quantity is held against.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Against {
+    /// What the oracle of the case reads for the quantity.
+    Oracle,
+    /// What node elements under kinematic load find on the same mesh, iterated to 1e-8.
+    Verification,
+    /// A value.
+    Value(Reference),
+}
+
+/// How a quantity shall stand to its reference.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// `|value − reference| / |reference| ≤ tolerance`.
+    Near,
+    /// The quantity is itself an error: `value ≤ tolerance`.
+    Error,
+    /// `value ≥ reference`; the error is what is missing.
+    AtLeast,
+    /// `value ≤ reference`; the error is the excess.
+    AtMost,
 }
 
 /// Of what a check is asked.
@@ -33,25 +51,19 @@ pub enum Scope {
     Universal,
 }
 
-/// A requirement held against a reference.
-#[derive(Clone, Debug)]
+/// A requirement, declared as data; its sentence is rendered.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// What shall hold, in a sentence.
-    pub requirement: String,
-    /// Name of the quantity.
-    pub quantity: String,
-    /// The value found.
-    pub value: f64,
+    /// What is measured.
+    pub quantity: Quantity,
+    /// How it shall stand to its reference.
+    pub relation: Relation,
     /// What it is held against.
-    pub reference: Reference,
-    /// The error, relative to the reference or to the scale the requirement names.
-    pub error: f64,
+    pub against: Against,
     /// The largest error accepted.
     pub tolerance: f64,
     /// Why this tolerance.
-    pub because: String,
-    /// The verdict.
-    pub verdict: Verdict,
+    pub because: Cow<'static, str>,
     /// Of what it is asked.
     pub scope: Scope,
 }
@@ -68,7 +80,7 @@ impl Reference {
     }
 
     /// What an oracle reads for a quantity; NaN, which no check passes, where it cannot say.
-    pub fn read(oracle: &dyn Oracle, quantity: Quantity) -> Self {
+    pub fn read(oracle: &dyn Oracle, quantity: oracle::Quantity) -> Self {
         let value = match oracle.read(quantity) {
             Reading::Value { value, .. } => value,
             Reading::Silent | Reading::Unavailable(_) => f64::NAN,
@@ -77,77 +89,56 @@ impl Reference {
     }
 }
 
+impl From<Reference> for Against {
+    fn from(reference: Reference) -> Self {
+        Self::Value(reference)
+    }
+}
+
 impl Check {
-    /// `|value − reference| / |reference| ≤ tolerance`.
-    pub fn relative(
-        requirement: impl Into<String>,
-        quantity: impl Into<String>,
-        value: f64,
-        reference: Reference,
+    /// A quantity that shall agree with its reference, relative to that.
+    pub fn near(
+        quantity: impl Into<Quantity>,
+        against: impl Into<Against>,
         tolerance: f64,
-        because: impl Into<String>,
+        because: impl Into<Cow<'static, str>>,
     ) -> Self {
-        let error = (value - reference.value).abs() / reference.value.abs();
-        Self::of_error(requirement, quantity, value, reference, error, tolerance, because)
+        Self::of(quantity.into(), Relation::Near, against.into(), tolerance, because.into())
     }
 
-    /// An error norm that must not exceed the tolerance.
-    pub fn norm(
-        requirement: impl Into<String>,
-        quantity: impl Into<String>,
-        error: f64,
-        reference: Reference,
+    /// An error, or the norm of one, that shall not exceed the tolerance.
+    pub fn error(
+        quantity: impl Into<Quantity>,
+        against: impl Into<Against>,
         tolerance: f64,
-        because: impl Into<String>,
+        because: impl Into<Cow<'static, str>>,
     ) -> Self {
-        Self::of_error(requirement, quantity, error, reference, error, tolerance, because)
+        Self::of(quantity.into(), Relation::Error, against.into(), tolerance, because.into())
     }
 
-    /// A value that must reach a lower bound; the error is what is missing.
-    pub fn at_least(
-        requirement: impl Into<String>,
-        quantity: impl Into<String>,
-        value: f64,
-        reference: Reference,
-        because: impl Into<String>,
-    ) -> Self {
-        let missing = if value >= reference.value { 0.0 } else { reference.value - value };
-        Self::of_error(requirement, quantity, value, reference, missing, 0.0, because)
+    /// A quantity that shall reach a lower bound.
+    pub fn at_least(quantity: impl Into<Quantity>, bound: Reference, because: impl Into<Cow<'static, str>>) -> Self {
+        Self::of(quantity.into(), Relation::AtLeast, bound.into(), 0.0, because.into())
     }
 
-    /// A value that must not exceed an upper bound; the error is the excess.
-    pub fn at_most(
-        requirement: impl Into<String>,
-        quantity: impl Into<String>,
-        value: f64,
-        reference: Reference,
-        because: impl Into<String>,
-    ) -> Self {
-        let excess = if value <= reference.value { 0.0 } else { value - reference.value };
-        Self::of_error(requirement, quantity, value, reference, excess, 0.0, because)
+    /// A quantity that shall not exceed an upper bound.
+    pub fn at_most(quantity: impl Into<Quantity>, bound: Reference, because: impl Into<Cow<'static, str>>) -> Self {
+        Self::of(quantity.into(), Relation::AtMost, bound.into(), 0.0, because.into())
     }
 
-    fn of_error(
-        requirement: impl Into<String>,
-        quantity: impl Into<String>,
-        value: f64,
-        reference: Reference,
-        error: f64,
+    /// Something, by its plural, of which there shall be none.
+    pub fn none(quantity: impl Into<Quantity>, because: impl Into<Cow<'static, str>>) -> Self {
+        Self::at_most(quantity, Reference::own("none", 0.0), because)
+    }
+
+    fn of(
+        quantity: Quantity,
+        relation: Relation,
+        against: Against,
         tolerance: f64,
-        because: impl Into<String>,
+        because: Cow<'static, str>,
     ) -> Self {
-        let verdict = if error <= tolerance { Verdict::Pass } else { Verdict::Fail };
-        Self {
-            requirement: requirement.into(),
-            quantity: quantity.into(),
-            value,
-            reference,
-            error,
-            tolerance,
-            because: because.into(),
-            verdict,
-            scope: Scope::Own,
-        }
+        Self { quantity, relation, against, tolerance, because, scope: Scope::Own }
     }
 
     /// The same, asked of every run.
@@ -155,18 +146,52 @@ impl Check {
         Self { scope: Scope::Universal, ..self }
     }
 
-    /// A check whose reference is absent.
-    pub fn not_run(requirement: &str, quantity: &str, kind: ReferenceKind, name: &str, why: String) -> Self {
-        Self {
-            requirement: requirement.into(),
-            quantity: quantity.into(),
-            value: f64::NAN,
-            reference: Reference { name: name.into(), kind, value: f64::NAN },
-            error: f64::NAN,
-            tolerance: f64::NAN,
-            because: String::new(),
-            verdict: Verdict::NotRun(why),
-            scope: Scope::Own,
-        }
+    /// Judges a value where the reference is one; without, the error is not a number.
+    pub fn judge(self, value: f64) -> Judged {
+        let reference = match &self.against {
+            Against::Value(reference) => reference.clone(),
+            Against::Oracle | Against::Verification => Reference::own("none", f64::NAN),
+        };
+        self.judge_by(value, reference)
     }
+
+    /// Judges a value by the reference that was found for it.
+    pub fn judge_by(self, value: f64, reference: Reference) -> Judged {
+        let error = match self.relation {
+            Relation::Near => (value - reference.value).abs() / reference.value.abs(),
+            Relation::Error => value,
+            Relation::AtLeast if value >= reference.value => 0.0,
+            Relation::AtMost if value <= reference.value => 0.0,
+            Relation::AtLeast => reference.value - value,
+            Relation::AtMost => value - reference.value,
+        };
+        let verdict = if error <= self.tolerance { Verdict::Pass } else { Verdict::Fail };
+        Judged { check: self, value, reference, error, verdict }
+    }
+
+    /// A check whose reference is absent, and why.
+    pub fn not_run(self, kind: ReferenceKind, name: &str, why: String) -> Judged {
+        let reference = Reference { name: name.into(), kind, value: f64::NAN };
+        Judged { check: self, value: f64::NAN, reference, error: f64::NAN, verdict: Verdict::NotRun(why) }
+    }
+
+    /// The sentence of what shall hold against a reference.
+    pub fn requirement(&self, reference: &Reference) -> String {
+        let (name, origin) = (self.quantity.name(), &reference.name);
+        let (bound, tolerance) = (markdown::value(reference.value), markdown::error(self.tolerance));
+        let sentence = match self.relation {
+            Relation::Near => format!("{name} shall agree with {origin} within {tolerance}"),
+            Relation::Error => format!("{name} shall be at most {tolerance} against {origin}"),
+            Relation::AtLeast => format!("{name} shall be at least {bound} ({origin})"),
+            Relation::AtMost if reference.value.abs() > 0.0 => format!("{name} shall be at most {bound} ({origin})"),
+            Relation::AtMost => return format!("There shall be no {name}"),
+        };
+        capitalised(&sentence)
+    }
+}
+
+fn capitalised(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
+    first + letters.as_str()
 }

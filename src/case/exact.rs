@@ -1,15 +1,15 @@
 //! Cases with exact solutions: patch test, two bars, own weight, press fit, flat punch.
 
-use crate::case::check::{Check, Reference};
 use crate::case::library::{Bars, FlatPunch, OwnWeight, Patch, PressFit};
 use crate::case::problem::{self, Problem};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::{Quantity, ReferenceKind};
 use crate::scene::PlaneHypothesis;
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
-use crate::study::suite::{Trial, trials as trials_of};
+use crate::study::unsorted::{Trial, trials as trials_of};
 
 /// Factors on the start stiffness of neighbouring points in the patch test.
 const UNEVEN: [f64; 5] = [1.0, 30.0, 5.0, 100.0, 10.0];
@@ -98,25 +98,25 @@ fn worst_deviation(problem: &Problem, run: &Run, scale: f64) -> f64 {
     if run.solution.converged() { worst / scale } else { f64::NAN }
 }
 
-fn pressure_everywhere(problem: &Problem, run: &Run, requirement: &str, tolerance: f64, because: &str) -> Vec<Check> {
+fn pressure_everywhere(problem: &Problem, run: &Run, requirement: &str, tolerance: f64, because: &str) -> Vec<Judged> {
     let scale = problem.scene.reference.pressure;
     let name = problem.oracle.as_ref().map_or("none", |oracle| oracle.name()).to_string();
     let reference = Reference { name, kind: ReferenceKind::Analytic, value: problem.reference_pressure(0.0) };
     let error = worst_deviation(problem, run, scale);
-    vec![Check::norm(requirement, "max |p − p_ref| / p_scale", error, reference, tolerance, because)]
+    vec![Judged::norm(requirement, "max |p − p_ref| / p_scale", error, reference, tolerance, because)]
 }
 
-fn uniform(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+fn uniform(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
     let requirement = "A uniform pressure shall be transmitted uniformly, whatever the start stiffness of each point";
     Ok(pressure_everywhere(problem, run, requirement, 1e-8, "exact in the discrete space; iterated to 1e-11"))
 }
 
-fn bilinear(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+fn bilinear(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
     let requirement = "Two bars shall carry nothing before the gap is closed and F = EA(u − g)/(L₁ + L₂) after";
     Ok(pressure_everywhere(problem, run, requirement, 1e-9, "exact in the discrete space; iterated to 1e-12"))
 }
 
-fn weight(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+fn weight(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
     let requirement = "A block shall rest on its plane with p = ρgH at every point";
     Ok(pressure_everywhere(
         problem,
@@ -127,20 +127,20 @@ fn weight(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Check>
     ))
 }
 
-fn lame(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+fn lame(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
     let requirement = "The pressure of a press fit shall follow Lamé at every point";
     let scale = problem.reference_pressure(0.0);
     let reference = Reference::analytic("Lamé", scale);
     let error = worst_deviation(problem, run, scale);
     let because = "edges of 8-node cells are parabolas, not arcs";
-    Ok(vec![Check::norm(requirement, "max |p − p_ref| / p_ref", error, reference, 1e-4, because)])
+    Ok(vec![Judged::norm(requirement, "max |p − p_ref| / p_ref", error, reference, 1e-4, because)])
 }
 
-fn punch(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+fn punch(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
     let Some(oracle) = &problem.oracle else { return Ok(Vec::new()) };
     let reference = Reference::read(oracle.as_ref(), Quantity::Pressure { at: 0.0 });
     let pressure = run.solution.points.first().map_or(f64::NAN, |p| p.pressure);
-    Ok(vec![Check::relative(
+    Ok(vec![Judged::relative(
         "Under a flat punch p(0) shall be P/πa",
         "p(0)",
         pressure,

@@ -1,8 +1,8 @@
 //! The Hertz cases: truncated Hertz, and the cylinder of the paper.
 
-use crate::case::check::{Check, Reference};
 use crate::case::library::{Cylinder, TruncatedHertz};
 use crate::case::problem::{self, Problem};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::measure::profile;
 use crate::mesh::Resolution;
@@ -10,7 +10,7 @@ use crate::oracle::Quantity;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Formulation};
-use crate::study::suite::{Trial, trials as trials_of};
+use crate::study::unsorted::{Trial, trials as trials_of};
 
 /// Name of the case of all nine on the cylinder.
 pub const CYLINDER: &str = "cylinder";
@@ -63,11 +63,11 @@ pub fn errors(run: &Run, exact: &Hertz) -> [f64; 3] {
 }
 
 /// Peak and half-width against the oracle.
-fn peak_and_half_width(problem: &Problem, run: &Run, tolerance: [f64; 2], because: [&str; 2]) -> Vec<Check> {
+fn peak_and_half_width(problem: &Problem, run: &Run, tolerance: [f64; 2], because: [&str; 2]) -> Vec<Judged> {
     let Some(oracle) = &problem.oracle else { return Vec::new() };
     let measures = converged(run);
     vec![
-        Check::relative(
+        Judged::relative(
             "Peak pressure shall follow Hertz",
             "p₀ [MPa]",
             measures.0,
@@ -75,7 +75,7 @@ fn peak_and_half_width(problem: &Problem, run: &Run, tolerance: [f64; 2], becaus
             tolerance[0],
             because[0],
         ),
-        Check::relative(
+        Judged::relative(
             "Half-width shall follow Hertz",
             "a [mm]",
             measures.1,
@@ -95,13 +95,13 @@ fn converged(run: &Run) -> (f64, f64) {
     }
 }
 
-fn truncated_hertz(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+fn truncated_hertz(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
     let because = ["8-node cells, 8 per half-width; no model error", "the edge lies between two nodes at worst"];
     let mut checks = peak_and_half_width(problem, run, [5e-4, 2e-3], because);
     let a = problem.scene.reference.length;
     let error = profile::relative_l2(&run.solution.points, |x| problem.reference_pressure(x), 1.5 * a);
     let name = problem.oracle.as_ref().map_or("none", |oracle| oracle.name());
-    checks.push(Check::norm(
+    checks.push(Judged::norm(
         "The pressure profile shall follow Hertz",
         "L2(p)",
         if run.solution.converged() { error } else { f64::NAN },
@@ -112,14 +112,14 @@ fn truncated_hertz(problem: &Problem, _: &Discretisation, run: &Run) -> Result<V
     Ok(checks)
 }
 
-fn default_cylinder(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+fn default_cylinder(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
     let because = "model error at a/R = 0.05 plus discretisation; see the model error beside it";
     let mut checks = peak_and_half_width(problem, run, [1e-3, 1e-3], [because, because]);
     checks.push(size(discretisation, 4000.0));
     Ok(checks)
 }
 
-fn small_cylinder(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+fn small_cylinder(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
     let because =
         ["model error about 2e-5 at a/R = 0.005; 16 8-node cells per half-width", "the edge lies between two nodes"];
     let mut checks = peak_and_half_width(problem, run, [2e-4, 5e-4], because);
@@ -127,15 +127,15 @@ fn small_cylinder(problem: &Problem, discretisation: &Discretisation, run: &Run)
     Ok(checks)
 }
 
-fn nine(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+fn nine(problem: &Problem, _: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
     let because = "engineering tolerance of the paper's comparison; iteration error to 3e-3";
     Ok(peak_and_half_width(problem, run, [1e-2, 1e-2], [because, because]))
 }
 
 /// No more than the scene needs.
-fn size(discretisation: &Discretisation, limit: f64) -> Check {
+fn size(discretisation: &Discretisation, limit: f64) -> Judged {
     let freedoms = discretisation.system.freedoms() as f64;
-    Check::at_most(
+    Judged::at_most(
         "The mesh shall not need more freedoms than this",
         "freedoms",
         freedoms,

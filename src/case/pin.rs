@@ -1,14 +1,14 @@
 //! The pin cases: pin in a wide plate against Persson, pin and rod against one another.
 
-use crate::case::check::{Check, Reference};
 use crate::case::problem::{self, Problem};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::measure::profile;
 use crate::mesh::Resolution;
 use crate::oracle::Quantity;
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Formulation};
-use crate::study::suite::{Trial, trials as trials_of};
+use crate::study::unsorted::{Trial, trials as trials_of};
 
 /// Name of the case of all nine on the pin–rod.
 pub const PIN_ROD: &str = "pin-rod";
@@ -32,7 +32,7 @@ pub fn trials() -> Vec<Trial> {
     all
 }
 
-fn persson(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+fn persson(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
     let Some(oracle) = &problem.oracle else { return Ok(Vec::new()) };
     let read = |quantity| Reference::read(oracle.as_ref(), quantity);
     let points = &run.solution.points;
@@ -40,7 +40,7 @@ fn persson(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Res
     let converged = |value: f64| if run.solution.converged() { value } else { f64::NAN };
     let edge = read(Quantity::ContactAngle).value;
     let mut checks = vec![
-        Check::relative(
+        Judged::relative(
             "p(0) shall follow Persson",
             "p(0) [MPa]",
             converged(run.measures().peak.pressure),
@@ -48,7 +48,7 @@ fn persson(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Res
             1e-3,
             "rim of the plate at 500 radii: no model error to speak of",
         ),
-        Check::norm(
+        Judged::norm(
             "The pressure profile shall follow Persson",
             "L2(p)",
             converged(profile::relative_l2(points, pressure, 1.5 * edge)),
@@ -56,7 +56,7 @@ fn persson(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Res
             5e-3,
             "square-root edge, resolved by the elements on the arc",
         ),
-        Check::relative(
+        Judged::relative(
             "The second-moment angle shall follow Persson",
             "2 √(∫pφ²/∫p) [rad]",
             converged(run.measures().half_width),
@@ -67,7 +67,7 @@ fn persson(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Res
     ];
     for degrees in HOOP {
         let at: f64 = degrees.to_radians();
-        checks.push(Check::relative(
+        checks.push(Judged::relative(
             "The hoop stress on the hole's rim shall follow Persson",
             format!("σ_θθ({degrees}°) [MPa]"),
             converged(hoop_stress(discretisation, run, at)?),
@@ -95,13 +95,13 @@ fn hoop_stress(discretisation: &Discretisation, run: &Run, at: f64) -> Result<f6
 }
 
 /// All nine agree with the node element under kinematic load at tolerance 1e-8.
-fn one_another(_: &Problem, discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+fn one_another(_: &Problem, discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
     let reference = Run::of(discretisation, &Formulation::verification())?;
     let converged = |value: f64| if run.solution.converged() { value } else { f64::NAN };
     let own = |value| Reference::own("node.kinematic at 1e-8", value);
     let because = "engineering tolerance of the paper's comparison; iteration error to 3e-3";
     Ok(vec![
-        Check::relative(
+        Judged::relative(
             "All nine shall find the same peak pressure",
             "peak [MPa]",
             converged(run.measures().peak.pressure),
@@ -109,7 +109,7 @@ fn one_another(_: &Problem, discretisation: &Discretisation, run: &Run) -> Resul
             1e-2,
             because,
         ),
-        Check::relative(
+        Judged::relative(
             "All nine shall find the same second-moment angle",
             "2 √(∫pθ²/∫p) [rad]",
             converged(run.measures().half_width),
@@ -117,7 +117,7 @@ fn one_another(_: &Problem, discretisation: &Discretisation, run: &Run) -> Resul
             1e-2,
             because,
         ),
-        Check::norm(
+        Judged::norm(
             "All nine shall find the same profile of edge means",
             "share of the force elsewhere",
             converged(profile::misplaced(&run.solution.edges, &reference.solution.edges)),

@@ -1,6 +1,6 @@
 //! What every converged run must satisfy, whatever the problem: equilibrium, invariance, condensed = full, path independence.
 
-use crate::case::check::{Check, Reference};
+use crate::case::{Judged, Reference};
 use crate::elasticity::ElasticSystem;
 use crate::error::Error;
 use crate::measure::{larger, profile, whole};
@@ -22,11 +22,11 @@ const MIRROR_IMAGE: &str = "mirror image";
 const ROUND_OFF: f64 = 1e-9;
 
 /// What every run must satisfy, converged or not: the bound on its error in the energy norm.
-pub fn bounded(run: &Run) -> Option<Check> {
+pub fn bounded(run: &Run) -> Option<Judged> {
     let EnergyError { error, bound } = run.solution.energy?;
     // Where round-off is larger, a square may come out below zero.
     let [error, bound] = [error, bound].map(|square| larger(square, 0.0).sqrt());
-    let check = Check::norm(
+    let check = Judged::norm(
         "The forces and gaps of the last step shall bound its error against the discrete solution",
         "error / (bound + 1e-8) − 1, in the energy norm",
         larger(error / (bound + SQUARED) - 1.0, 0.0),
@@ -41,7 +41,7 @@ pub fn bounded(run: &Run) -> Option<Check> {
 const SQUARED: f64 = 1e-8;
 
 /// All universal checks of a converged run.
-pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
     let mut checks = Vec::new();
     let limit = limit(discretisation, run)?;
     checks.extend(equilibrium(discretisation, run));
@@ -54,16 +54,16 @@ pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, 
     if run.formulation.name() == Formulation::verification().name() && run.formulation.settings.tolerance <= 1e-8 {
         checks.push(path_independence(discretisation, run)?);
     }
-    Ok(checks.into_iter().map(Check::universal).collect())
+    Ok(checks.into_iter().map(Judged::universal).collect())
 }
 
 /// Contact resultant = applied load, on a body that only contact holds along the load line.
-fn equilibrium(discretisation: &Discretisation, run: &Run) -> Option<Check> {
+fn equilibrium(discretisation: &Discretisation, run: &Run) -> Option<Judged> {
     let scene = &discretisation.scene;
     let [pair] = &scene.contacts[..] else { return balance(discretisation, run) };
     let free = pair.bodies().find(|&body| !held_vertically(scene, body))?;
     let applied = whole(pair) * discretisation.system.bodies[free].applied_vertical().abs();
-    Some(Check::relative(
+    Some(Judged::relative(
         "The resultant of the reported pressures shall equal the applied load",
         "resultant",
         run.transmitted(),
@@ -74,7 +74,7 @@ fn equilibrium(discretisation: &Discretisation, run: &Run) -> Option<Check> {
 }
 
 /// Several contacts: on each body that only they hold along the load line, their forces and the applied load add up to 0.
-fn balance(discretisation: &Discretisation, run: &Run) -> Option<Check> {
+fn balance(discretisation: &Discretisation, run: &Run) -> Option<Judged> {
     let scene = &discretisation.scene;
     let free: Vec<usize> = (0..scene.bodies.len()).filter(|&body| !held_vertically(scene, body)).collect();
     let imbalance = |&body: &usize| {
@@ -89,7 +89,7 @@ fn balance(discretisation: &Discretisation, run: &Run) -> Option<Check> {
         (applied + forces.iter().sum::<f64>()).abs() / pressing.max(applied.abs())
     };
     let worst = free.iter().map(imbalance).reduce(larger)?;
-    Some(Check::norm(
+    Some(Judged::norm(
         "The contact forces on every free body shall balance its load",
         "imbalance / pressing forces",
         worst,
@@ -106,7 +106,7 @@ fn held_vertically(scene: &Scene, body: usize) -> bool {
 /// Tangential contact forces vanish; on arcs this is the moment about the centre.
 ///
 /// Taken from `K u − f` of the recovered displacements, not from the pressures.
-fn frictionless(discretisation: &Discretisation, run: &Run, contact: usize) -> Result<Check, Error> {
+fn frictionless(discretisation: &Discretisation, run: &Run, contact: usize) -> Result<Judged, Error> {
     let fields = discretisation.recover(&run.solution)?;
     let scene = &discretisation.scene;
     let pair = &scene.contacts[contact];
@@ -133,7 +133,7 @@ fn frictionless(discretisation: &Discretisation, run: &Run, contact: usize) -> R
     let scale = force.max(scene.reference.pressure * scene.thickness * scene.reference.length * scene.reference.length);
     let limit = ROUND_OFF.max(rounding / scale);
     Ok(match pair.path {
-        Path::Arc(_) => Check::norm(
+        Path::Arc(_) => Judged::norm(
             "The contact forces shall have no moment about the pin's centre",
             "moment / F R",
             moment / scale,
@@ -141,7 +141,7 @@ fn frictionless(discretisation: &Discretisation, run: &Run, contact: usize) -> R
             limit,
             "frictionless on a circle; round-off of the recovered forces",
         ),
-        Path::Straight(_) => Check::norm(
+        Path::Straight(_) => Judged::norm(
             "Contact shall exert no tangential force",
             "moment of tangential forces / F ℓ",
             moment / scale,
@@ -173,10 +173,10 @@ fn nodal_force(discretisation: &Discretisation, body: usize, node: usize, intern
     force
 }
 
-fn condensed_is_full(discretisation: &Discretisation, run: &Run, limit: f64) -> Result<Check, Error> {
+fn condensed_is_full(discretisation: &Discretisation, run: &Run, limit: f64) -> Result<Judged, Error> {
     let full = discretisation.uncondensed_pressures(&run.formulation, &run.solution)?;
     let pressures = run.solution.spring_pressures.iter().copied();
-    Ok(Check::norm(
+    Ok(Judged::norm(
         "Condensed and full system shall give the same contact pressures",
         "max |Δp| / p_max",
         largest_difference(pressures, full.into_iter()) / scale(discretisation, run),
@@ -187,13 +187,13 @@ fn condensed_is_full(discretisation: &Discretisation, run: &Run, limit: f64) -> 
 }
 
 /// An open contact carries nothing, whatever its neighbours do.
-fn nothing_where_open(discretisation: &Discretisation, run: &Run, limit: f64) -> Option<Check> {
+fn nothing_where_open(discretisation: &Discretisation, run: &Run, limit: f64) -> Option<Judged> {
     let open = || run.contacts.iter().filter(|contact| contact.open == Some(true));
     let applied: f64 = discretisation.condensed.load.iter().map(|force| force.abs()).sum();
     let largest = run.contacts.iter().map(|contact| contact.transmitted.abs()).fold(applied, f64::max);
     let carried = open().map(|contact| contact.transmitted.abs()).fold(0.0, larger);
     (open().count() > 0).then(|| {
-        Check::norm(
+        Judged::norm(
             "A contact that is called open shall carry no force",
             "its force / the largest force, or the load",
             carried / largest,
@@ -232,7 +232,7 @@ fn limit(discretisation: &Discretisation, run: &Run) -> Result<f64, Error> {
 }
 
 /// The same problem told differently must give the same steps and pressures.
-fn invariance(discretisation: &Discretisation, run: &Run, limit: f64) -> Result<Vec<Check>, Error> {
+fn invariance(discretisation: &Discretisation, run: &Run, limit: f64) -> Result<Vec<Judged>, Error> {
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
     let resolution = discretisation.resolution;
     let with = |scene: Scene, mesh: Mesh| -> Result<Discretisation, Error> {
@@ -278,7 +278,7 @@ fn noise(index: usize) -> f64 {
 }
 
 /// `unit` turns the variant's pressures into the run's.
-fn same(run: &Run, name: &str, variant: &Discretisation, unit: f64, [scale, limit]: [f64; 2]) -> Result<Check, Error> {
+fn same(run: &Run, name: &str, variant: &Discretisation, unit: f64, [scale, limit]: [f64; 2]) -> Result<Judged, Error> {
     let other = variant.solve(&run.formulation)?;
     let pressures = run.solution.points.iter().map(|p| p.pressure);
     let mut others: Vec<f64> = other.points.iter().map(|p| p.pressure * unit).collect();
@@ -290,7 +290,7 @@ fn same(run: &Run, name: &str, variant: &Discretisation, unit: f64, [scale, limi
     // Where the tolerance is as small as the perturbation itself, one step more or less is no difference.
     let decidable = run.formulation.settings.tolerance >= 100.0 * limit * NOISE / ROUND_OFF;
     let same_steps = other.outcome == run.solution.outcome && (!decidable || other.work == run.solution.work);
-    Ok(Check::norm(
+    Ok(Judged::norm(
         if decidable {
             format!("Steps and pressures shall not change under: {name}")
         } else {
@@ -304,7 +304,7 @@ fn same(run: &Run, name: &str, variant: &Discretisation, unit: f64, [scale, limi
     ))
 }
 
-fn path_independence(discretisation: &Discretisation, run: &Run) -> Result<Check, Error> {
+fn path_independence(discretisation: &Discretisation, run: &Run) -> Result<Judged, Error> {
     let mut formulation: Formulation = run.formulation.clone();
     formulation.settings.increments = if formulation.settings.increments == 1 { INCREMENTS } else { 1 };
     formulation.settings.max_steps *= INCREMENTS;
@@ -317,7 +317,7 @@ fn path_independence(discretisation: &Discretisation, run: &Run) -> Result<Check
     let presses = |edges: &[EdgeState]| edges.iter().any(|edge| edge.pressure > 0.0);
     let closed = |share: &&Share| [&run.solution, &other].iter().any(|of| presses(&of.edges[share.edges.clone()]));
     let difference = run.solution.contacts.iter().filter(closed).map(apart).fold(0.0, larger);
-    Ok(Check::norm(
+    Ok(Judged::norm(
         "The load applied at once and in increments shall give the same pressures",
         "share of the force elsewhere",
         if other.converged() { difference } else { f64::NAN },

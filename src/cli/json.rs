@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::case::{Check, Problem, Reference, Verdict};
+use crate::case::{Judged, Problem, Reference, Verdict};
 use crate::cli::accuracy;
 use crate::cli::reactions::ReactionReading;
 use crate::cli::solve::Found;
@@ -121,7 +121,7 @@ struct Point {
 /// One of the file's own checks.
 #[derive(Serialize)]
 struct JudgedCheck<'a> {
-    quantity: &'a str,
+    quantity: String,
     value: f64,
     reference: f64,
     source: &'a str,
@@ -131,14 +131,14 @@ struct JudgedCheck<'a> {
 }
 
 impl<'a> JudgedCheck<'a> {
-    fn of(check: &'a Check) -> Self {
+    fn of(check: &'a Judged) -> Self {
         Self {
-            quantity: &check.quantity,
+            quantity: check.check.quantity.to_string(),
             value: check.value,
             reference: check.reference.value,
             source: &check.reference.name,
             error: check.error,
-            tolerance: check.tolerance,
+            tolerance: check.check.tolerance,
             passed: check.verdict == Verdict::Pass,
         }
     }

@@ -4,12 +4,13 @@ use comfy_table::{ContentArrangement, Table, presets};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
-use crate::case::{Check, Verdict};
+use crate::case::{Judged, Verdict};
 use crate::cli::{progress, say};
 use crate::error::Error;
 use crate::markdown;
-use crate::report::matrix;
-use crate::study::{Finding, suite};
+use crate::report::{matrix, page};
+
+use crate::study::{self, Finding};
 
 /// Runs every trial, two or more at a time, in the order of the page; the first that breaks off ends it.
 pub fn run() -> Result<Vec<Finding>, Error> {
@@ -18,7 +19,7 @@ pub fn run() -> Result<Vec<Finding>, Error> {
 
 /// Every trial's title with what it found.
 fn run_all() -> Vec<(String, Result<Finding, Error>)> {
-    let trials = suite::all();
+    let trials = study::trials();
     let bar = progress(trials.len());
     let findings = trials
         .par_iter()
@@ -38,21 +39,21 @@ pub fn print(findings: &[Finding]) {
     let mut table = Table::new();
     table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
     table.set_header(["case", "formulation", "outcome", "steps", "errors against closed forms", "verdict"]);
-    for row in matrix::summary_rows(findings) {
+    for row in matrix::summary_rows(&page::unsorted(findings)) {
         table.add_row(row);
     }
     say(format!("{table}"));
     let [pass, fail, not_run] = matrix::counts(findings);
     say(format!("\nchecks: {pass} passed, {fail} failed, {not_run} not run"));
     for finding in findings {
-        for check in finding.checks.iter().filter(|check| check.verdict != Verdict::Pass) {
+        for check in finding.judged.iter().filter(|check| check.verdict != Verdict::Pass) {
             let error = markdown::error(check.error);
             say(format!(
                 "{} × {}: {} — {}: error {error}",
                 finding.case,
                 finding.name,
-                markdown::verdict(&check.verdict),
-                check.requirement
+                check.verdict.to_string(),
+                check.requirement()
             ));
         }
     }
@@ -63,7 +64,7 @@ pub fn verdicts() -> bool {
     let mut lines = Vec::new();
     for (title, finding) in run_all() {
         match finding {
-            Ok(finding) => lines.extend(self::lines(&title, &finding.checks)),
+            Ok(finding) => lines.extend(self::lines(&title, &finding.judged)),
             Err(error) => lines.push(broken(&title, &error)),
         }
     }
@@ -72,7 +73,7 @@ pub fn verdicts() -> bool {
 }
 
 /// The checks of a trial, a line of JSON each.
-pub fn lines<'a>(title: &str, checks: impl IntoIterator<Item = &'a Check>) -> Vec<Value> {
+pub fn lines<'a>(title: &str, checks: impl IntoIterator<Item = &'a Judged>) -> Vec<Value> {
     checks.into_iter().map(|check| line(title, check)).collect()
 }
 
@@ -81,7 +82,7 @@ pub fn broken(title: &str, error: &Error) -> Value {
     json!({ "trial": title, "verdict": "fail", "requirement": error.to_string() })
 }
 
-fn line(title: &str, check: &Check) -> Value {
+fn line(title: &str, check: &Judged) -> Value {
     let verdict = match check.verdict {
         Verdict::Pass => "pass",
         Verdict::Fail => "fail",
@@ -89,13 +90,13 @@ fn line(title: &str, check: &Check) -> Value {
     };
     json!({
         "trial": title,
-        "requirement": check.requirement,
-        "quantity": check.quantity,
+        "requirement": check.requirement(),
+        "quantity": check.check.quantity.to_string(),
         "kind": check.reference.kind,
         "value": check.value,
         "reference": check.reference.value,
         "error": check.error,
-        "tolerance": check.tolerance,
+        "tolerance": check.check.tolerance,
         "verdict": verdict,
     })
 }

@@ -6,7 +6,7 @@ use comfy_table::{ContentArrangement, Table, presets};
 use rayon::prelude::*;
 
 use crate::case::file::Judgement;
-use crate::case::{Check, SceneFile, Verdict};
+use crate::case::{Judged, SceneFile, Verdict};
 use crate::cli::ended::Ended;
 use crate::cli::{progress, say, show, suite};
 use crate::error::Error;
@@ -77,7 +77,7 @@ fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     say(table);
     for Verified { name, judgement, .. } in verified.iter().flatten() {
         let own = std::iter::once(&judgement.converges).chain(&judgement.own);
-        let not_passed = |check: &&Check| check.verdict != Verdict::Pass;
+        let not_passed = |check: &&Judged| check.verdict != Verdict::Pass;
         own.filter(not_passed).for_each(|check| say(told(name, check)));
         let every = format!("{name}, not by the file's own checks but by those of every run");
         judgement.universal.iter().filter(not_passed).for_each(|check| say(told(&every, check)));
@@ -95,7 +95,7 @@ fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     }
 }
 
-fn counted(checks: &[Check]) -> String {
+fn counted(checks: &[Judged]) -> String {
     let failed = checks.iter().filter(|check| check.verdict == Verdict::Fail).count();
     match (checks.len(), failed) {
         (0, _) => "none".into(),
@@ -105,14 +105,17 @@ fn counted(checks: &[Check]) -> String {
 }
 
 /// A check that did not pass, with its numbers.
-pub fn told(name: &str, check: &Check) -> String {
-    let limit =
-        if check.tolerance > 0.0 { format!(", at most {}", markdown::error(check.tolerance)) } else { String::new() };
+pub fn told(name: &str, check: &Judged) -> String {
+    let limit = if check.check.tolerance > 0.0 {
+        format!(", at most {}", markdown::error(check.check.tolerance))
+    } else {
+        String::new()
+    };
     format!(
         "{name}: {} — {}: {} is {}, reference {}, error {}{limit}",
-        markdown::verdict(&check.verdict),
-        check.requirement,
-        check.quantity,
+        check.verdict.to_string(),
+        check.requirement(),
+        check.check.quantity,
         markdown::value(check.value),
         markdown::value(check.reference.value),
         markdown::error(check.error),

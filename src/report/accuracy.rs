@@ -2,10 +2,10 @@
 
 use crate::markdown;
 use crate::report::checks;
-use crate::study::Finding;
 use crate::study::accuracy::ACCURACY;
 use crate::study::met::STUDY;
 use crate::study::met::scenes::GUESS;
+use crate::study::unsorted::Finding;
 
 /// The section: one row a scene and an accuracy, and the checks.
 pub fn section(findings: &[Finding]) -> String {

@@ -10,7 +10,7 @@ use crate::study::atlas::plan::STRETCH;
 use crate::study::atlas::summary::{self, Digest};
 use crate::study::atlas::{ATLAS, Chart, Class, Plane, Record};
 use crate::study::stability::{basin, failing, fixed_target, halving, rates};
-use crate::study::{Finding, Table};
+use crate::study::unsorted::{Finding, Table};
 
 /// The whole section.
 pub fn section(findings: &[Finding]) -> Result<String, Error> {
@@ -32,7 +32,7 @@ pub fn section(findings: &[Finding]) -> Result<String, Error> {
          *The same over initial stiffness and mesh.*\n\n";
     text += &slices(&charts);
     text += &predictions(findings);
-    let _ = write!(text, "\n{}\n", markdown::titled(&summary::findings(&charts)));
+    let _ = write!(text, "\n{}\n", crate::study::unsorted::titled(&summary::findings(&charts)));
     text += EXPLAINED;
     let own = |finding: &&Finding| CASES.contains(&finding.case.as_str());
     Ok(text + &checks::table(&findings.iter().filter(own).collect::<Vec<_>>()))
@@ -194,7 +194,7 @@ fn predictions(findings: &[Finding]) -> String {
         let rows: Vec<Vec<String>> = of(case).into_iter().flat_map(|table| table.rows.clone()).collect();
         markdown::table(&head.iter().map(|text| text.to_string()).collect::<Vec<_>>(), &rows)
     };
-    let each = |case: &str| of(case).into_iter().map(markdown::folded_table).collect::<String>();
+    let each = |case: &str| of(case).into_iter().map(crate::study::unsorted::folded_table).collect::<String>();
     [
         "### Constant stiffness towards fixed springs\n\n`(S + K₀) u⁺ = f̂ + (K₀ − K*) u` converges if and only if S + K* and S + 2K₀ − K* are positive definite: in effect k₀ ≥ k*/2. \
          Softer springs diverge, stiffer ones crawl. Target springs carry the contact's own pressure without a gap, cut off at the κ* given.\n\n".to_string(),

@@ -2,105 +2,96 @@
 
 use std::collections::BTreeMap;
 
-use crate::case::check::Scope;
-use crate::case::{Check, Verdict};
+use crate::case::{Judged, Relation, Scope, Verdict};
 use crate::markdown;
-use crate::study::Finding;
+use crate::study::unsorted::Finding;
 
-/// The requirements of some findings, each once, and the table of their checks; requirements that every run must meet are
+/// Name of a trial with its checks.
+pub type Named<'a> = (&'a str, &'a [Judged]);
+
+/// The requirements of some trials, each once, and the table of their checks; requirements that every run must meet are
 /// left to [`universal`].
+pub fn of(members: &[Named]) -> String {
+    let own: Vec<(&str, &Judged)> = members
+        .iter()
+        .flat_map(|(name, judged)| judged.iter().map(move |one| (*name, one)))
+        .filter(|(_, one)| one.check.scope == Scope::Own)
+        .collect();
+    if own.is_empty() {
+        return String::new();
+    }
+    let mut sentences: Vec<String> = Vec::new();
+    for sentence in own.iter().map(|(_, one)| one.requirement()) {
+        if !sentences.contains(&sentence) {
+            sentences.push(sentence);
+        }
+    }
+    let sentences: String = sentences.iter().map(|sentence| format!("* {sentence}.\n")).collect();
+    format!("{sentences}\n{}", rows(&own))
+}
+
+/// The same of studies without a room.
 pub fn table(members: &[&Finding]) -> String {
-    let own = || members.iter().flat_map(|finding| &finding.checks).filter(|check| !is_universal(check));
-    let mut requirements: Vec<&str> = Vec::new();
-    for check in own() {
-        if !requirements.contains(&check.requirement.as_str()) {
-            requirements.push(&check.requirement);
-        }
-    }
-    let sentences: String = requirements.iter().map(|requirement| format!("* {requirement}.\n")).collect();
-    format!("{sentences}\n{}", rows(members))
+    of(&members.iter().map(|finding| (finding.name.as_str(), &finding.checks[..])).collect::<Vec<_>>())
 }
 
-/// How many of the checks passed; what did not is said first.
-fn counted(members: &[&Finding]) -> (String, bool) {
-    let own = || members.iter().flat_map(|finding| &finding.checks).filter(|check| !is_universal(check));
-    let (all, passed) = (own().count(), own().filter(|check| check.verdict == Verdict::Pass).count());
-    let text = if passed == all {
-        format!("✓ {all} checks passed")
-    } else {
-        format!("✗ {} of {all} checks did not pass", all - passed)
+fn rows(own: &[(&str, &Judged)]) -> String {
+    let head = ["trial", "quantity", "found", "reference", "kind", "error", "tolerance", "because", "verdict"];
+    let passed = own.iter().filter(|(_, one)| one.verdict == Verdict::Pass).count();
+    let summary = match own.len() - passed {
+        0 => format!("✓ {passed} checks passed"),
+        failed => format!("✗ {failed} of {} checks did not pass", own.len()),
     };
-    (text, passed == all)
+    let rows: Vec<Vec<String>> = own.iter().map(|(name, one)| row(name, one)).collect();
+    markdown::folded(&summary, &markdown::table(&head.map(String::from), &rows), passed < own.len())
 }
 
-fn rows(members: &[&Finding]) -> String {
-    let head = ["formulation", "quantity", "found", "reference", "kind", "error", "tolerance", "because", "verdict"];
-    let mut rows = Vec::new();
-    for finding in members {
-        for check in finding.checks.iter().filter(|check| !is_universal(check)) {
-            rows.push(row(&finding.name, check));
-        }
-    }
-    let (summary, passed) = counted(members);
-    markdown::folded(&summary, &markdown::table(&head.map(String::from), &rows), !passed)
-}
-
-fn row(name: &str, check: &Check) -> Vec<String> {
-    let is_norm = (check.value - check.error).abs() <= 0.0;
-    let found = if is_norm { String::new() } else { markdown::value(check.value) };
-    let reference = match check.reference.value {
-        v if v.abs() > 0.0 => format!("{} {}", check.reference.name, markdown::value(v)),
-        _ => check.reference.name.clone(),
-    };
-    let error = match check.verdict {
+fn row(name: &str, judged: &Judged) -> Vec<String> {
+    let Judged { check, reference, .. } = judged;
+    let found = if check.relation == Relation::Error { String::new() } else { markdown::value(judged.value) };
+    let held =
+        if reference.value.abs() > 0.0 { format!(" {}", markdown::value(reference.value)) } else { String::new() };
+    let error = match judged.verdict {
         Verdict::NotRun(_) => "–".into(),
-        _ => markdown::error(check.error),
+        _ => markdown::error(judged.error),
     };
     let tolerance = if check.tolerance > 0.0 { markdown::error(check.tolerance) } else { "–".into() };
     vec![
         name.into(),
-        check.quantity.clone(),
+        check.quantity.to_string(),
         found,
-        reference,
-        check.reference.kind.to_string(),
+        reference.name.clone() + &held,
+        reference.kind.to_string(),
         error,
         tolerance,
-        check.because.clone(),
-        markdown::verdict(&check.verdict),
+        check.because.to_string(),
+        judged.verdict.to_string(),
     ]
 }
 
-/// Whether a check is one that every run must meet.
-fn is_universal(check: &Check) -> bool {
-    check.scope == Scope::Universal
-}
-
 /// The universal requirements: number of runs, worst error over its tolerance, verdict.
-pub fn universal(findings: &[Finding]) -> String {
-    let mut rows: BTreeMap<&str, Vec<&Check>> = BTreeMap::new();
-    for check in findings.iter().flat_map(|finding| &finding.checks).filter(|check| is_universal(check)) {
-        rows.entry(&check.requirement).or_default().push(check);
+pub fn universal<'a>(judged: impl Iterator<Item = &'a Judged>) -> String {
+    let mut rows: BTreeMap<String, Vec<&Judged>> = BTreeMap::new();
+    for one in judged.filter(|one| one.check.scope == Scope::Universal) {
+        rows.entry(one.check.quantity.to_string()).or_default().push(one);
     }
     let head = ["every run", "runs", "worst error", "its tolerance", "because", "verdict"].map(String::from);
-    let rows: Vec<Vec<String>> = rows
-        .into_iter()
-        .map(|(requirement, checks)| {
-            let worst = checks.iter().max_by(|a, b| (a.error / a.tolerance).total_cmp(&(b.error / b.tolerance)));
-            let verdict =
-                if checks.iter().all(|check| check.verdict == Verdict::Pass) { Verdict::Pass } else { Verdict::Fail };
-            let (error, tolerance, because) =
-                worst.map_or((f64::NAN, f64::NAN, ""), |check| (check.error, check.tolerance, check.because.as_str()));
-            vec![
-                requirement.into(),
-                checks.len().to_string(),
-                bounded(error, tolerance),
-                markdown::error(tolerance),
-                because.into(),
-                markdown::verdict(&verdict),
-            ]
-        })
-        .collect();
+    let rows: Vec<Vec<String>> = rows.iter().map(|(quantity, all)| universal_row(quantity, all)).collect();
     markdown::table(&head, &rows)
+}
+
+fn universal_row(quantity: &str, all: &[&Judged]) -> Vec<String> {
+    let worst = all.iter().max_by(|a, b| a.share_of_tolerance().total_cmp(&b.share_of_tolerance()));
+    let passed = all.iter().all(|one| one.verdict == Verdict::Pass);
+    let [error, tolerance] = worst.map_or([f64::NAN; 2], |one| [one.error, one.check.tolerance]);
+    vec![
+        quantity.into(),
+        all.len().to_string(),
+        bounded(error, tolerance),
+        markdown::error(tolerance),
+        worst.map_or(String::new(), |one| one.check.because.to_string()),
+        if passed { Verdict::Pass } else { Verdict::Fail }.to_string(),
+    ]
 }
 
 /// Round-off is not worth its digits: what is below its tolerance of 1e-9 is shown as that.

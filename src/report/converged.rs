@@ -2,9 +2,9 @@
 
 use crate::markdown;
 use crate::report::checks;
-use crate::study::Finding;
 use crate::study::converged::STUDY;
 use crate::study::converged::plan::{LOADS, SIZE, STRETCHES, TOLERANCES};
+use crate::study::unsorted::Finding;
 
 /// Squares of errors below this part of the stored energy are round-off, of which no bound says anything.
 const ROUND_OFF: f64 = 1e-18;
@@ -31,7 +31,7 @@ pub fn section(findings: &[Finding]) -> String {
         tolerances = list(&TOLERANCES),
     );
     for table in own.iter().flat_map(|finding| &finding.tables) {
-        text += &markdown::folded_table(table);
+        text += &crate::study::unsorted::folded_table(table);
     }
     text + &checks::table(&own)
 }

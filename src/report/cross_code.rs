@@ -2,15 +2,14 @@
 
 use std::fmt::Write;
 
-use crate::case::{Check, Verdict};
+use crate::case::{Judged, Verdict};
 use crate::error::Error;
 use crate::markdown;
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::Frozen;
 use crate::oracle::cross_code::{Code, SET_UP};
-use crate::study::Finding;
 use crate::study::cross_code::{DISCRETE, PHYSICAL, shown};
-use crate::study::faults::{self, Fault};
+use crate::study::unsorted::Finding;
 
 /// Both senses, with the versions the frozen answers came from.
 pub fn section(findings: &[Finding]) -> Result<String, Error> {
@@ -53,8 +52,9 @@ fn discrete(findings: &[Finding]) -> String {
     let head = ["problem, code".to_string()].into_iter().chain(groups.map(|(name, _)| name.to_string()));
     let rows = findings.iter().filter(|finding| finding.case == DISCRETE).map(|finding| {
         let cell = |(_, words): (&str, &str)| {
-            let checks: Vec<&Check> = finding.checks.iter().filter(|check| check.requirement.contains(words)).collect();
-            let tolerance = checks.iter().map(|check| check.tolerance).fold(0.0, f64::max);
+            let checks: Vec<&Judged> =
+                finding.checks.iter().filter(|check| check.requirement().contains(words)).collect();
+            let tolerance = checks.iter().map(|check| check.check.tolerance).fold(0.0, f64::max);
             let passed = !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass);
             format!("{} to {tolerance:.0e}", if passed { "✓" } else { "✗" })
         };
@@ -87,7 +87,7 @@ pub fn by_kind(findings: &[Finding]) -> String {
 }
 
 fn of_kind(findings: &[Finding], kind: ReferenceKind, belongs: &dyn Fn(&str) -> bool) -> String {
-    let mut rows: Vec<(&str, Vec<&Check>)> = Vec::new();
+    let mut rows: Vec<(&str, Vec<&Judged>)> = Vec::new();
     for finding in findings.iter().filter(|finding| belongs(&finding.case)) {
         let checks = finding.checks.iter().filter(|check| check.reference.kind == kind);
         for check in checks {
@@ -98,15 +98,16 @@ fn of_kind(findings: &[Finding], kind: ReferenceKind, belongs: &dyn Fn(&str) -> 
         }
     }
     let rows = rows.into_iter().map(|(case, checks)| {
-        let fraction = |check: &&&Check| if check.tolerance > 0.0 { check.error / check.tolerance } else { 0.0 };
+        let fraction =
+            |check: &&&Judged| if check.check.tolerance > 0.0 { check.error / check.check.tolerance } else { 0.0 };
         let worst = checks.iter().max_by(|a, b| fraction(a).total_cmp(&fraction(b)));
         let worst = worst.filter(|check| fraction(check) > 0.0 && check.verdict == Verdict::Pass);
         let told = worst.map_or(String::new(), |check| {
-            let (error, tolerance) = (markdown::error(check.error), bound(check.tolerance));
-            format!("{}: {error}, {tolerance} allowed", check.quantity)
+            let (error, tolerance) = (markdown::error(check.error), bound(check.check.tolerance));
+            format!("{}: {error}, {tolerance} allowed", check.check.quantity)
         });
         let verdict = checks.iter().map(|check| &check.verdict).find(|verdict| **verdict != Verdict::Pass);
-        vec![case.into(), checks.len().to_string(), told, markdown::verdict(verdict.unwrap_or(&Verdict::Pass))]
+        vec![case.into(), checks.len().to_string(), told, verdict.unwrap_or(&Verdict::Pass).to_string()]
     });
     markdown::table(&["case", "checks", "closest to its limit", "verdict"].map(String::from), &rows.collect::<Vec<_>>())
 }
@@ -114,27 +115,4 @@ fn of_kind(findings: &[Finding], kind: ReferenceKind, belongs: &dyn Fn(&str) -> 
 /// A tolerance, which may be smaller than what an error is shown as.
 fn bound(tolerance: f64) -> String {
     if tolerance < 1e-8 { format!("{tolerance:.0e}") } else { markdown::error(tolerance) }
-}
-
-/// Which check turned red for each planted fault.
-pub fn planted() -> Result<String, Error> {
-    let record = faults::record()?;
-    let count = |fault: &Fault, kind: &str| match fault.red.get(kind) {
-        Some(number) => number.to_string(),
-        None => "–".into(),
-    };
-    let rows = record.iter().map(|fault| {
-        let kinds = ["analytic", "cross-code", "self-consistency", "broken off"];
-        let example = kinds.iter().find_map(|kind| fault.examples.get(*kind)).or(fault.ended.as_ref());
-        let counts = kinds.map(|kind| count(fault, kind));
-        let example = example.map_or("**nothing**", String::as_str).chars().take(160).collect();
-        let first = [fault.name.clone(), format!("`{}`", fault.file)];
-        first.into_iter().chain(counts).chain([example]).collect()
-    });
-    let head = ["planted fault", "in", "closed forms", "other codes", "self-consistency", "broken off", "for instance"];
-    Ok(format!(
-        "## Does it bite?\n\nFaults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red, of the suite \
-         and of the worked scene files.\n\n{}\n",
-        markdown::table(&head.map(String::from), &rows.collect::<Vec<_>>())
-    ))
 }

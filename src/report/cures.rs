@@ -3,7 +3,7 @@
 use crate::markdown;
 use crate::report::checks;
 use crate::study::cures::{self, nested, reach, record};
-use crate::study::{Finding, Table};
+use crate::study::unsorted::{Finding, Table};
 
 /// The section.
 pub fn section(findings: &[Finding]) -> String {
@@ -35,7 +35,7 @@ pub fn section(findings: &[Finding]) -> String {
     let planes = markdown::table(&reach::PLANES_HEAD.map(String::from), &of(cures::REACH, "planes"));
     text += &markdown::folded("Lowest and highest κ₀ that converge, on each plane", &planes, false);
     for table in tables(findings, cures::RULES) {
-        text += &(markdown::titled(table) + "\n");
+        text += &(crate::study::unsorted::titled(table) + "\n");
     }
     text += "The rule `literal` keeps stiffnesses beside its forces: it is no fixed point of them. \
              The rule `secant` drives the spring of a closed gap to its ceiling.\n\n\

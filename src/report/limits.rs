@@ -2,7 +2,8 @@
 
 use crate::markdown;
 use crate::report::checks;
-use crate::study::{Finding, Table, limits};
+use crate::study::limits;
+use crate::study::unsorted::{Finding, Table};
 
 /// The section of the page.
 pub fn section(findings: &[Finding]) -> String {
@@ -18,7 +19,7 @@ pub fn section(findings: &[Finding]) -> String {
     );
     text += &markdown::table(&limits::HEAD.map(String::from), &rows);
     for table in tables(false) {
-        text += &format!("\n{}", markdown::folded_table(table));
+        text += &format!("\n{}", crate::study::unsorted::folded_table(table));
     }
     text + &checks::table(&members)
 }

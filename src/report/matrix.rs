@@ -4,7 +4,7 @@ use crate::case::Verdict;
 use crate::markdown;
 use crate::solution::Outcome;
 use crate::solve::{Element, Iteration};
-use crate::study::Finding;
+use crate::study::{self, unsorted::Finding};
 
 /// Names of the nine formulations, in the order of the columns.
 fn columns() -> Vec<String> {
@@ -55,7 +55,7 @@ pub fn study_table(findings: &[Finding]) -> String {
         .map(|(case, members)| {
             let checks: usize = members.iter().map(|finding| finding.checks.len()).sum();
             let worst = members.iter().map(|finding| finding.verdict()).max_by_key(severity).unwrap_or(Verdict::Pass);
-            vec![case.to_string(), checks.to_string(), markdown::verdict(&worst)]
+            vec![case.to_string(), checks.to_string(), worst.to_string()]
         })
         .collect();
     markdown::table(&head, &rows)
@@ -90,10 +90,10 @@ fn sign(finding: &Finding) -> String {
 }
 
 /// Numbers of checks that passed, failed and were not run.
-pub fn counts(findings: &[Finding]) -> [usize; 3] {
+pub fn counts(findings: &[study::Finding]) -> [usize; 3] {
     let mut counts = [0; 3];
-    for check in findings.iter().flat_map(|finding| &finding.checks) {
-        match check.verdict {
+    for judged in findings.iter().flat_map(|finding| &finding.judged) {
+        match judged.verdict {
             Verdict::Pass => counts[0] += 1,
             Verdict::Fail => counts[1] += 1,
             Verdict::NotRun(_) => counts[2] += 1,
@@ -114,22 +114,15 @@ pub fn summary_rows(findings: &[Finding]) -> Vec<Vec<String>> {
             let truth =
                 finding.checks.iter().filter(|check| check.reference.kind == crate::oracle::ReferenceKind::Analytic);
             let errors = truth.map(|check| {
-                let found = if check.tolerance > 0.0 {
+                let found = if check.check.tolerance > 0.0 {
                     markdown::error(check.error)
                 } else {
                     markdown::significant(check.value, 3)
                 };
-                format!("{} {found}", check.quantity)
+                format!("{} {found}", check.check.quantity)
             });
             let errors = errors.collect::<Vec<_>>().join("; ");
-            vec![
-                finding.case.clone(),
-                finding.name.clone(),
-                outcome,
-                steps,
-                errors,
-                markdown::verdict(&finding.verdict()),
-            ]
+            vec![finding.case.clone(), finding.name.clone(), outcome, steps, errors, finding.verdict().to_string()]
         })
         .collect()
 }

@@ -9,7 +9,9 @@ use crate::report::{
     accuracy, atlas, checks, converged, cross_code, cures, decisions, limits, matrix, pictures, timings,
 };
 use crate::solve::Formulation;
-use crate::study::{Finding, statements, sweep};
+use crate::study::unsorted::Finding;
+use crate::study::{self, Numbers, Room};
+use crate::study::{statements, sweep};
 
 /// The page and its charts.
 #[derive(Clone, Debug)]
@@ -21,11 +23,12 @@ pub struct Page {
 }
 
 /// Makes the page from the findings of the whole suite.
-pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
-    let charts = pictures::all(findings)?;
+pub fn compose(all: &[study::Finding]) -> Result<Page, Error> {
+    let findings = &unsorted(all)[..];
+    let mut charts = pictures::all(findings)?;
     let mut text = String::new();
     let sections = [
-        head(findings),
+        head(all, findings),
         paper(findings),
         verdicts(findings),
         cylinder(findings),
@@ -39,18 +42,36 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
         atlas::section(findings)?,
         cures::section(findings),
         limits::section(findings),
-        cross_code::planted()?,
         silent(),
         closing(),
     ];
     for section in sections {
         text += &section;
     }
+    for room in Room::ALL {
+        text += &room.section(all)?;
+        charts.extend(room.pictures(all)?);
+        if *room != Room::Unsorted {
+            let own = all.iter().filter(|finding| finding.room == *room);
+            let named = own.map(|finding| (finding.name.as_str(), &finding.judged[..]));
+            text += &checks::of(&named.collect::<Vec<_>>());
+        }
+    }
     Ok(Page { markdown: text, charts })
 }
 
-fn head(findings: &[Finding]) -> String {
-    let [pass, fail, not_run] = matrix::counts(findings);
+/// Findings of studies without a room.
+pub fn unsorted(all: &[study::Finding]) -> Vec<Finding> {
+    let of = |finding: &study::Finding| match &finding.numbers {
+        Numbers::Unsorted(old) => Some(old.clone()),
+        #[allow(unreachable_patterns)]
+        _ => None,
+    };
+    all.iter().filter_map(of).collect()
+}
+
+fn head(all: &[study::Finding], findings: &[Finding]) -> String {
+    let [pass, fail, not_run] = matrix::counts(all);
     let runs = findings.iter().filter(|finding| finding.run.is_some()).count();
     format!(
         "# Validation report\n\n\
@@ -84,7 +105,7 @@ fn verdicts(findings: &[Finding]) -> String {
         matrix::verdict_matrix(findings),
         cross_code::by_kind(findings),
         matrix::study_table(findings),
-        checks::universal(findings)
+        checks::universal(findings.iter().flat_map(|finding| &finding.checks))
     )
 }
 
@@ -182,7 +203,7 @@ fn picture(file: &str, caption: &str) -> String {
     format!("![{caption}](snapshots/charts/{file})\n*{caption}.*\n\n")
 }
 
-/// Check tables of some cases, one table each, with their requirements above.
+/// Judged tables of some cases, one table each, with their requirements above.
 fn case(findings: &[Finding], names: &[&str]) -> String {
     let mut text = String::new();
     for name in names {
@@ -203,7 +224,7 @@ fn studies(findings: &[Finding], names: &[&str]) -> String {
 fn tables(findings: &[Finding], names: &[&str]) -> String {
     let of =
         |name: &&str| findings.iter().filter(move |f| f.case == **name).flat_map(|f| &f.tables).collect::<Vec<_>>();
-    names.iter().flat_map(of).map(|table| markdown::titled(table) + "\n").collect()
+    names.iter().flat_map(of).map(|table| crate::study::unsorted::titled(table) + "\n").collect()
 }
 
 /// What one quotes of every run of a case; `factor` turns the contact coordinate into `unit`.

@@ -6,7 +6,6 @@ use crate::error::Error;
 use crate::markdown;
 use crate::oracle::cross_code::Code;
 use crate::report::checks;
-use crate::study::Finding;
 use crate::study::timings::growth::{LARGE, STAGES};
 use crate::study::timings::judge::TIMINGS;
 use crate::study::timings::others::Stages;
@@ -14,6 +13,7 @@ use crate::study::timings::precision::{ASKED, Family, LOADS, Point, TOLERANCE};
 use crate::study::timings::record::Record;
 use crate::study::timings::statistics::exponent;
 use crate::study::timings::targets::{cheapest, targets, theirs};
+use crate::study::unsorted::Finding;
 
 /// The whole section.
 pub fn section(findings: &[Finding]) -> Result<String, Error> {

@@ -1,16 +1,16 @@
 //! What an accuracy costs against meshes made by hand, and whether it is kept.
 
 use crate::accuracy::{self, Answer, Asked};
-use crate::case::check::{Check, Reference};
 use crate::case::library::{Cylinder, TruncatedHertz};
 use crate::case::problem::{self, Problem};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::Quantity;
 use crate::scene::{Grading, Scene};
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
-use crate::study::suite::{Finding, Table, Trial};
+use crate::study::unsorted::{Finding, Table, Trial};
 
 /// Name of the study.
 pub const ACCURACY: &str = "accuracy asked";
@@ -211,10 +211,10 @@ pub fn checks(
     closed_form: [f64; 2],
     finer: [f64; 2],
     (worst, freedoms): (f64, usize),
-) -> Vec<Check> {
+) -> Vec<Judged> {
     let own = Reference::own;
     let within = |requirement: &str, quantity: &str, error: f64, reference: Reference, because: &str| {
-        Check::norm(requirement, quantity, error, reference, asked.relative, because)
+        Judged::norm(requirement, quantity, error, reference, asked.relative, because)
     };
     let larger = "larger error of peak and half-width";
     let at_most = (ALLOWED * freedoms as f64).floor();
@@ -228,7 +228,7 @@ pub fn checks(
             Reference::analytic("the closed form", 0.0),
             "the accuracy asked; the finer mesh shows what the closed form leaves out",
         ),
-        Check::norm(
+        Judged::norm(
             "The true error shall be within the estimated one",
             larger,
             error(&answer.run, finer),
@@ -243,7 +243,7 @@ pub fn checks(
             Reference::analytic("the closed form", 0.0),
             "eight loads move the contact edge across one element",
         ),
-        Check::at_most(
+        Judged::at_most(
             "The mesh shall not need more than twice the freedoms of the one made by hand",
             "freedoms",
             answer.run.freedoms as f64,

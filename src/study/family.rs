@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Formulation};
-use crate::study::suite::{Finding, Series, Table, Trial};
+use crate::study::unsorted::{Finding, Series, Table, Trial};
 
 /// Values of `E t c / F`.
 const CLEARANCES: [f64; 8] = [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];

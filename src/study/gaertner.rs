@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::case::check::{Check, Reference, Verdict};
 use crate::case::library::PinRod;
+use crate::case::{Judged, Reference, Verdict};
 use crate::error::Error;
 use crate::measure::profile;
 use crate::mesh::{Order, Resolution};
@@ -16,7 +16,7 @@ use crate::scene::Material;
 use crate::solution::{EdgeState, PointState};
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Formulation};
-use crate::study::suite::{Finding, Trial};
+use crate::study::unsorted::{Finding, Trial};
 
 /// Name of the case.
 pub const CASE: &str = "gaertner 1977";
@@ -38,7 +38,7 @@ pub fn against(folder: &Path) -> Result<Finding, Error> {
     let requirement = "The pin–rod shall agree with Gaertner within the combined uncertainty";
     let curves = match Digitised::load(folder)? {
         Digitised::Absent(why) => {
-            let check = Check::not_run(requirement, "p(θ), σ(θ)", ReferenceKind::Measured, "Gaertner 1977", why);
+            let check = Judged::not_run(requirement, "p(θ), σ(θ)", ReferenceKind::Measured, "Gaertner 1977", why);
             return Ok(Finding { checks: vec![check], ..Default::default() });
         }
         Digitised::Present(curves) => curves,
@@ -47,10 +47,10 @@ pub fn against(folder: &Path) -> Result<Finding, Error> {
     Ok(Finding { checks, ..Default::default() })
 }
 
-fn judge(requirement: &str, curve: &DigitisedCurve) -> Result<Check, Error> {
+fn judge(requirement: &str, curve: &DigitisedCurve) -> Result<Judged, Error> {
     if curve.ordinate != Ordinate::Pressure || curve.abscissa != Abscissa::Angle {
         let why = format!("{}: only pressure against angle is compared so far", curve.file);
-        return Ok(Check::not_run(requirement, &curve.file, curve.kind(), curve.name(), why));
+        return Ok(Judged::not_run(requirement, &curve.file, curve.kind(), curve.name(), why));
     }
     let (fine, coarse) = (edges(&curve.scene, 2 * ELEMENTS)?, edges(&curve.scene, ELEMENTS)?);
     let at =
@@ -65,7 +65,7 @@ fn judge(requirement: &str, curve: &DigitisedCurve) -> Result<Check, Error> {
     let friction = comparison.model_form.as_deref().unwrap_or("no friction in the source");
     let because = format!("digitising ⊕ measurement ⊕ ours at coverage 2; {friction}");
     let mut check =
-        Check::norm(requirement, curve.file.as_str(), worst, reference, acceptance::COVERAGE_FACTOR, because);
+        Judged::norm(requirement, curve.file.as_str(), worst, reference, acceptance::COVERAGE_FACTOR, because);
     if !comparison.accepted() {
         check.verdict = Verdict::Fail;
     }

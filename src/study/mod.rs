@@ -1,6 +1,6 @@
 //! What is found out over many solves.
 //!
-//! * [`suite`] — all cases and studies as a flat list of trials.
+//! * [`trial`] — one piece of a study that can run alone, and what it found.
 //! * [`refinement`], [`sweep`], [`family`], [`gaertner`] — studies over meshes, stiffnesses and dimensions.
 //! * [`cross_code`] — the solver against scikit-fem and dolfinx.
 //! * [`limits`] — where everything else breaks.
@@ -22,7 +22,6 @@ pub mod converged;
 pub mod cross_code;
 pub mod cures;
 pub mod family;
-pub mod faults;
 pub mod gaertner;
 pub mod limits;
 pub mod met;
@@ -31,8 +30,26 @@ pub mod records;
 pub mod refinement;
 pub mod stability;
 pub mod statements;
-pub mod suite;
 pub mod sweep;
 pub mod timings;
 
-pub use suite::{FieldData, Finding, Series, Table, Trial};
+mod rooms;
+pub mod trial;
+
+use crate::case::Judged;
+use crate::error::Error;
+use rooms::rooms;
+
+pub use trial::{Finding, Found, Planned, Trial};
+
+rooms! {
+    /// Studies that have no room of their own yet.
+    Unsorted in unsorted,
+    /// Fault injection.
+    Faults in faults,
+}
+
+/// The trials of all rooms, in the order of the page.
+pub fn trials() -> Vec<Trial> {
+    Room::ALL.iter().flat_map(|room| room.plan()).collect()
+}

@@ -5,7 +5,7 @@ use crate::case::problem::{self, Problem};
 use crate::error::Error;
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
-use crate::study::suite::{FieldData, Finding, Series, Trial, trials as trials_of};
+use crate::study::unsorted::{FieldData, Finding, Series, Trial, trials as trials_of};
 
 /// Name of the case whose runs show the path of the iterations.
 pub const PATHS: &str = "iteration paths, two bars";

@@ -1,9 +1,9 @@
 //! Studies over meshes: observed orders, the cylinder's model error, half against quarter, the pin–rod's own uncertainty.
 
-use crate::case::check::{Check, Reference};
 use crate::case::hertz;
 use crate::case::library::{Cylinder, CylinderModel, TruncatedHertz};
 use crate::case::problem::{self, Problem};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::measure::order::{observed, richardson};
 use crate::measure::{profile, whole};
@@ -11,7 +11,7 @@ use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::hertz::Hertz;
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Formulation};
-use crate::study::suite::{Finding, Series, Table, Trial};
+use crate::study::unsorted::{Finding, Series, Table, Trial};
 
 /// Elements per half-width of the coarsest of the nested meshes on truncated Hertz.
 const COARSEST: usize = 4;
@@ -54,28 +54,28 @@ fn orders_of(order: Order, l2_order: f64) -> Result<Finding, Error> {
     let bound = |value| Reference::analytic("at least", value);
     let quadrature = levels.iter().map(|l| l.load).fold(0.0, f64::max);
     let checks = vec![
-        Check::at_least(
+        Judged::at_least(
             "The pressure of the centre node shall converge with order",
             "order of p₀",
             slope(|l| l.peak),
             bound(1.8),
             "second order expected; least-squares slope over four meshes",
         ),
-        Check::at_least(
+        Judged::at_least(
             "The half-width shall converge with order",
             "order of a",
             slope(|l| l.half_width),
             bound(1.8),
             "second order expected; the edge lies on a node",
         ),
-        Check::at_least(
+        Judged::at_least(
             "The pressure profile shall converge with order",
             "order of L2(p)",
             slope(|l| l.l2),
             bound(l2_order),
             "capped near 1 by the square-root edge (Drouet & Hild 2015; Belhachmi & Ben Belgacem 2003)",
         ),
-        Check::norm(
+        Judged::norm(
             "The assembled load shall be the closed-form tractions' resultant",
             "|ΣF − P/2| / (P/2)",
             quadrature,
@@ -176,7 +176,7 @@ fn half_against_quarter() -> Result<Finding, Error> {
         });
         if a_over_r <= JUDGED {
             finding.checks.extend(HERTZ.map(|(quantity, of)| {
-                Check::relative(
+                Judged::relative(
                     format!("Leaving out the top quarter shall not change a contact of a/R = {a_over_r}"),
                     quantity,
                     of(&quarter),
@@ -224,7 +224,7 @@ fn pin_rod() -> Result<Finding, Error> {
         }
         for (quantity, of) in QUANTITIES {
             let series = richardson([of(&runs[1]), of(&runs[2]), of(&runs[3])]);
-            finding.checks.push(Check::norm(
+            finding.checks.push(Judged::norm(
                 format!("The {name} series shall know its own {quantity}"),
                 format!("u({quantity}) / {quantity}, {name}"),
                 series.uncertainty,
@@ -237,7 +237,7 @@ fn pin_rod() -> Result<Finding, Error> {
     for (quantity, of) in QUANTITIES {
         let limit = |runs: &[Run]| richardson([of(&runs[1]), of(&runs[2]), of(&runs[3])]);
         let (a, b) = (limit(&linear), limit(&quadratic));
-        finding.checks.push(Check::relative(
+        finding.checks.push(Judged::relative(
             "4-node and 8-node cells shall tend to the same value",
             format!("{quantity}, extrapolated"),
             a.limit,
@@ -247,7 +247,7 @@ fn pin_rod() -> Result<Finding, Error> {
         ));
     }
     let l2 = profile::relative_l2_between(&linear[3].solution.edges, &quadratic[3].solution.edges);
-    finding.checks.push(Check::norm(
+    finding.checks.push(Judged::norm(
         "4-node and 8-node cells shall tend to the same curve",
         "L2(p) between them on the finest mesh",
         l2,

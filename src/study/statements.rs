@@ -1,11 +1,11 @@
 //! The paper's statements, judged from the findings: no verdict here is typed.
 
-use crate::case::check::Verdict;
+use crate::case::Verdict;
 use crate::case::{hertz, pin};
 use crate::solve::run::Run;
 use crate::solve::{Element, Iteration};
 use crate::study::refinement::{LEFT_OUT, QUARTER};
-use crate::study::suite::{Finding, Series};
+use crate::study::unsorted::{Finding, Series};
 use crate::study::{gaertner, sweep};
 
 /// How a statement of the paper fared.
@@ -115,7 +115,10 @@ fn steps(sweeps: &[(&str, Element, &Series)]) -> [f64; 2] {
 
 fn agreement(f: &Findings) -> Statement {
     let worst = |case: &str, quantity: &str| {
-        let checks = f.case(case).flat_map(|finding| &finding.checks).filter(|check| check.quantity == quantity);
+        let checks = f
+            .case(case)
+            .flat_map(|finding| &finding.checks)
+            .filter(|check| check.check.quantity.to_string().ends_with(quantity));
         100.0 * checks.map(|check| check.error).fold(0.0, |a: f64, e| if e.is_nan() { e } else { a.max(e) })
     };
     Statement {

@@ -1,15 +1,15 @@
 //! Steps against initial stiffness (the paper's Fig. 11), and the condition of its "two steps".
 
-use crate::case::check::{Check, Reference};
 use crate::case::library::Cylinder;
 use crate::case::problem::{self, Problem};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::measure::larger;
 use crate::mesh::Resolution;
 use crate::solution::Solution;
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
-use crate::study::suite::{Finding, Series, Table, Trial};
+use crate::study::unsorted::{Finding, Series, Table, Trial};
 
 /// Start stiffnesses: half decades from 1e-3 to 1e6.
 fn stiffnesses() -> Vec<f64> {
@@ -110,7 +110,7 @@ fn sweep(
     }
     // Where nothing converges within the limit of steps there is nothing to judge: the chart shows it.
     let check = errors.into_iter().reduce(larger).map(|largest| {
-        Check::norm(
+        Judged::norm(
             "Whatever the start stiffness, what converges shall be the discrete solution of its element",
             "largest error of p₀ and a",
             largest,

@@ -29,7 +29,7 @@ fn three_scenes_meet_three_accuracies_with_at_most_twice_the_freedoms_of_a_mesh_
     for trial in trials {
         let finding = trial.run().expect("solved");
         for check in &finding.checks {
-            assert_eq!(check.verdict, Verdict::Pass, "{}: {} {:e}", trial.title(), check.requirement, check.error);
+            assert_eq!(check.verdict, Verdict::Pass, "{}: {} {:e}", trial.title(), check.requirement(), check.error);
         }
     }
 }

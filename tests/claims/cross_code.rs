@@ -1,7 +1,7 @@
 //! The comparison with other codes bites: spoiled answers, spoiled scenes, changed scripts.
 
 use contact_vv::case::problem::problem;
-use contact_vv::case::{Check, Verdict};
+use contact_vv::case::{Judged, Verdict};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::oracle::cross_code::frozen::{Digest, Frozen, script_hash};
 use contact_vv::oracle::cross_code::{Code, PhysicalAnswer};
@@ -13,7 +13,7 @@ use contact_vv::study::cross_code::physical::{Found, agreement};
 use contact_vv::study::cross_code::{Answers, benchmark};
 use contact_vv::study::faults::{Fault, is_caught};
 
-fn all_pass(checks: &[Check]) -> bool {
+fn all_pass(checks: &[Judged]) -> bool {
     !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)
 }
 
@@ -216,7 +216,7 @@ fn a_live_answer_that_is_not_what_was_frozen_turns_red_and_names_the_version() {
         let mut now = kept.clone();
         now[1].1[0] *= spoiled;
         let check = judged(&now);
-        assert!(check.verdict == Verdict::Fail && check.because.contains("scipy"), "{}", check.because);
+        assert!(check.verdict == Verdict::Fail && check.check.because.contains("scipy"), "{}", check.check.because);
     }
     assert_eq!(judged(&kept[1..]).verdict, Verdict::Fail);
 }

@@ -138,12 +138,12 @@ fn checks_of_every_run_scale_with_the_digits_of_the_scene() {
         assert!(judgement.universal.len() >= 8);
         for check in &judgement.universal {
             assert!(
-                check.error <= check.tolerance || check.tolerance <= 0.0,
+                check.error <= check.check.tolerance || check.check.tolerance <= 0.0,
                 "{}: {:e}",
-                check.requirement,
+                check.requirement(),
                 check.error
             );
-            assert!(check.tolerance < 1e-4, "{}: {:e}", check.requirement, check.tolerance);
+            assert!(check.check.tolerance < 1e-4, "{}: {:e}", check.requirement(), check.check.tolerance);
         }
     }
 }

@@ -9,13 +9,13 @@ use toml::Spanned;
 
 use crate::accuracy::{self, Answer, Asked};
 use crate::algorithm::{Acceleration, StiffnessRule};
-use crate::case::check::{Check, Reference, Verdict};
 use crate::case::file::tables::{BodyTable, ContactTables, Keyed, Name, Number, ReferenceTable, UnitsTable};
 use crate::case::file::units::Units;
 use crate::case::file::unsupported::Unsupported;
 use crate::case::file::{Source, Tables};
 use crate::case::problem::Problem;
 use crate::case::universal;
+use crate::case::{Judged, Reference, Verdict};
 use crate::error::Error;
 use crate::mesh::size::solvable;
 use crate::solve::run::Run;
@@ -140,7 +140,7 @@ impl SceneFile {
 
     /// Judges a run by the file's own checks, and by what every converged run must satisfy.
     pub fn judge(&self, discretisation: &Discretisation, run: &Run) -> Result<Judgement, Error> {
-        let converges = Check::norm(
+        let converges = Judged::norm(
             "The iteration shall converge",
             "iteration error",
             run.solution.error().largest(),
@@ -148,7 +148,7 @@ impl SceneFile {
             run.formulation.settings.tolerance,
             "the tolerance asked for",
         );
-        let mut universal: Vec<Check> = universal::bounded(run).into_iter().collect();
+        let mut universal: Vec<Judged> = universal::bounded(run).into_iter().collect();
         if run.solution.converged() {
             universal.extend(universal::checks(discretisation, run)?);
         }
@@ -156,7 +156,7 @@ impl SceneFile {
     }
 
     /// The file's own checks of a run.
-    pub fn own_checks(&self, discretisation: &Discretisation, run: &Run) -> Result<Vec<Check>, Error> {
+    pub fn own_checks(&self, discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
         self.wanted.iter().map(|wanted| wanted.check(discretisation, run)).collect()
     }
 }
@@ -165,16 +165,16 @@ impl SceneFile {
 #[derive(Clone, Debug)]
 pub struct Judgement {
     /// That it converged.
-    pub converges: Check,
+    pub converges: Judged,
     /// Those of the file.
-    pub own: Vec<Check>,
+    pub own: Vec<Judged>,
     /// What every run must satisfy whatever the file says: its failure is a fault of the solver or of the scene's digits.
-    pub universal: Vec<Check>,
+    pub universal: Vec<Judged>,
 }
 
 impl Judgement {
     /// All of them.
-    pub fn checks(&self) -> impl Iterator<Item = &Check> {
+    pub fn checks(&self) -> impl Iterator<Item = &Judged> {
         std::iter::once(&self.converges).chain(&self.universal).chain(&self.own)
     }
 

@@ -3,10 +3,10 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::case::check::{Check, Reference};
 use crate::case::file::Source;
 use crate::case::file::tables::{BodyTable, Keyed, Name, Number};
 use crate::case::file::units::Units;
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::measure::{display_factor, profile};
 use crate::oracle::ReferenceKind;
@@ -74,7 +74,7 @@ const KINDS: [(&str, ReferenceKind); 4] = [
     ("self-consistency", ReferenceKind::SelfConsistency),
 ];
 impl Wanted {
-    pub(super) fn check(&self, discretisation: &Discretisation, run: &Run) -> Result<Check, Error> {
+    pub(super) fn check(&self, discretisation: &Discretisation, run: &Run) -> Result<Judged, Error> {
         let points = run.solution.points_of(self.contact);
         let Contact { measures, transmitted, unbounded, .. } = &run.contacts[self.contact];
         let (name, value) = match self.quantity {
@@ -98,8 +98,8 @@ impl Wanted {
         let requirement = format!("The file's own check: {}", self.source);
         let because = self.because.clone();
         Ok(match self.value.abs() > 0.0 {
-            true => Check::relative(requirement, name, value, reference, self.tolerance, because),
-            false => Check::norm(requirement, name, value.abs(), reference, self.tolerance, because),
+            true => Judged::relative(requirement, name, value, reference, self.tolerance, because),
+            false => Judged::norm(requirement, name, value.abs(), reference, self.tolerance, because),
         })
     }
 

@@ -13,7 +13,7 @@ mod table;
 use std::path::Path;
 
 use crate::accuracy;
-use crate::case::{Check, Problem, Verdict};
+use crate::case::{Judged, Problem, Verdict};
 use crate::cli::ended::Ended;
 use crate::cli::reactions::ReactionReading;
 use crate::cli::{self, json, reactions, say, vtu};
@@ -120,7 +120,7 @@ pub struct Found<'a> {
     /// What its supports exert.
     pub reactions: Vec<ReactionReading>,
     /// The file's own checks, and that of the accuracy asked for.
-    pub checks: Vec<Check>,
+    pub checks: Vec<Judged>,
 }
 
 /// What to do where an iteration did not converge.

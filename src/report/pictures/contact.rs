@@ -9,7 +9,7 @@ use crate::figure::{Axis, Band, Chart, Direction, Series, panels};
 use crate::measure::display_factor;
 use crate::scene::ReferenceValues;
 use crate::solve::Run;
-use crate::study::Finding;
+use crate::study::unsorted::Finding;
 
 /// Stations at which the closed form is drawn.
 const STATIONS: usize = 200;

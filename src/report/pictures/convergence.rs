@@ -7,7 +7,8 @@ use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
 use crate::figure::{Axis, Chart, IterationPaths, Path, State, panels};
 use crate::solve::{Element, Formulation, Iteration};
-use crate::study::{Finding, converged, cures, pictures, sweep};
+use crate::study::unsorted::Finding;
+use crate::study::{converged, cures, pictures, sweep};
 
 /// Steps against initial stiffness, one panel per scene and algorithm.
 pub fn steps(findings: &[Finding]) -> Result<String, Error> {

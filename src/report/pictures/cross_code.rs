@@ -4,8 +4,8 @@ use super::{curve, of_picture, with};
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
 use crate::figure::{Axis, Chart, panels};
-use crate::study::Finding;
 use crate::study::cross_code::shown::PROFILES;
+use crate::study::unsorted::Finding;
 
 /// Scene, axis of the contact coordinate, unit of pressure, and the closed form's name.
 type Panel = (&'static str, &'static str, &'static str);

@@ -4,7 +4,8 @@ use crate::case::problem::problem;
 use crate::error::Error;
 use crate::figure::palette::ColourMap;
 use crate::figure::{Detail, Field, Window};
-use crate::study::{FieldData, Finding, pictures};
+use crate::study::pictures;
+use crate::study::unsorted::{FieldData, Finding};
 
 fn data<'a>(findings: &'a [Finding], scene: &str) -> Result<&'a FieldData, Error> {
     let name = pictures::field(scene);

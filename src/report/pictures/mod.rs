@@ -26,7 +26,7 @@ use crate::figure::palette::{self, Dash, Marker, Style};
 use crate::figure::{self, Chart};
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::atlas::{Chart as Plane, Plane as Name, record};
-use crate::study::{Finding, Series};
+use crate::study::unsorted::{Finding, Series};
 
 /// All charts: file name and SVG.
 pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {

@@ -4,7 +4,8 @@ use super::{curve, of_picture, with};
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
 use crate::figure::{Axis, Band, Chart, Direction, panels};
-use crate::study::{Finding, pictures};
+use crate::study::pictures;
+use crate::study::unsorted::Finding;
 
 /// Hoop stress and normal displacement along the arcs of pin and rod.
 pub fn along(findings: &[Finding]) -> Result<String, Error> {

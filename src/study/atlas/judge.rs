@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::case::check::{Check, Reference};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::measure::larger;
 use crate::solve::Settings;
@@ -11,7 +11,7 @@ use crate::study::atlas::plan::{Plane, Row};
 use crate::study::atlas::point::{Ground, Site, share_ground};
 use crate::study::atlas::record::{self, Class, RIGHT, Record};
 use crate::study::atlas::survey::sites;
-use crate::study::suite::{Finding, Trial};
+use crate::study::unsorted::{Finding, Trial};
 
 /// Name of the trials.
 pub const ATLAS: &str = "stability atlas";
@@ -46,7 +46,7 @@ fn judge(plane: Plane) -> Result<Finding, Error> {
 }
 
 /// The fixed twentieth once more: row and column of each point.
-fn recomputed(chart: &Chart) -> Result<Check, Error> {
+fn recomputed(chart: &Chart) -> Result<Judged, Error> {
     let rows = chart.plane.rows();
     let stiffnesses = chart.plane.stiffnesses();
     let [every, points] = if [Plane::Stretch, Plane::Mesh].contains(&chart.plane) { FULL } else { SLICES };
@@ -73,7 +73,7 @@ fn recomputed(chart: &Chart) -> Result<Check, Error> {
     let counts: Vec<[usize; 2]> = moved.collect::<Result<_, _>>()?;
     let [points, moved] = [0, 1].map(|k| counts.iter().map(|count| count[k]).sum::<usize>());
     let moved = if points == 0 { f64::NAN } else { moved as f64 };
-    Ok(Check::at_most(
+    Ok(Judged::at_most(
         "A recomputed twentieth of the stability atlas shall be what was recorded",
         format!("points that moved, of {points}"),
         moved,
@@ -103,7 +103,7 @@ pub fn is_predicted(record: &Record) -> bool {
 }
 
 /// Three predictions: what fails, what converges, and in how many steps.
-fn predicted(chart: &Chart) -> Vec<Check> {
+fn predicted(chart: &Chart) -> Vec<Judged> {
     let limit = Settings::default().max_steps as f64;
     let records = || chart.rows.iter().flatten().filter(|r| is_predicted(r) && !r.formulation.contains(UNSEEN));
     let failing: Vec<&Record> = records().filter(|r| r.predicted_steps > FACTOR * limit).collect();
@@ -116,7 +116,7 @@ fn predicted(chart: &Chart) -> Vec<Check> {
     let count = |wrong: usize, all: usize| if all == 0 { f64::NAN } else { wrong as f64 };
     let mut checks = Vec::new();
     if expected || !failing.is_empty() {
-        checks.push(Check::at_most(
+        checks.push(Judged::at_most(
             "Where the condensed matrices predict failure, no run shall converge",
             format!("converged, of {} predicted to fail", failing.len()),
             count(failing.iter().filter(|r| r.class == Class::Converged).count(), failing.len()),
@@ -125,7 +125,7 @@ fn predicted(chart: &Chart) -> Vec<Check> {
         ));
     }
     if expected || !ending.is_empty() {
-        checks.push(Check::at_most(
+        checks.push(Judged::at_most(
             "On nodes every run that is predicted to converge shall",
             format!("not converged, of {} predicted to", ending.len()),
             count(ending.iter().filter(|r| r.class != Class::Converged).count(), ending.len()),
@@ -134,7 +134,7 @@ fn predicted(chart: &Chart) -> Vec<Check> {
         ));
     }
     if expected || !ratios.is_empty() {
-        checks.push(Check::at_most(
+        checks.push(Judged::at_most(
             format!("On nodes the steps shall be predicted within a factor of {FACTOR}"),
             format!("largest factor between predicted and measured steps, {} points", ratios.len()),
             worst(&ratios),
@@ -157,12 +157,12 @@ pub fn ratio(record: &Record) -> f64 {
 }
 
 /// Kinematic load on nodes against the halving law, on the Hertz scenes.
-fn halved(chart: &Chart) -> Option<Check> {
+fn halved(chart: &Chart) -> Option<Judged> {
     let hertz = [Plane::Stretch, Plane::Mesh, Plane::Cylinder].contains(&chart.plane);
     let switching = chart.of_formulation("node.kinematic.switching").flatten();
     let off: Vec<f64> = switching.map(steps_off).collect();
     hertz.then(|| {
-        Check::at_most(
+        Judged::at_most(
             "On nodes kinematic load shall take the steps of the halving law at every start",
             "steps off",
             worst(&off),
@@ -179,10 +179,10 @@ pub fn steps_off(record: &Record) -> f64 {
 }
 
 /// No run shall be called converged with a peak or a width that is not that of its discrete problem.
-fn honest(chart: &Chart) -> Check {
+fn honest(chart: &Chart) -> Judged {
     let converged = chart.rows.iter().flatten().filter(|r| r.class == Class::Converged);
     let errors: Vec<f64> = converged.map(|r| r.error).collect();
-    Check::at_most(
+    Judged::at_most(
         "No run shall be called converged with a peak or a half-width that is not its discrete problem's",
         format!("largest error of p₀ and a, {} converged runs", errors.len()),
         worst(&errors),

@@ -6,7 +6,7 @@ use crate::study::atlas::chart::Chart;
 use crate::study::atlas::judge;
 use crate::study::atlas::plan::Plane;
 use crate::study::atlas::record::{self, Class, Record};
-use crate::study::suite::Table;
+use crate::study::unsorted::Table;
 
 /// Planes over all scenes, meshes and candidate stretches, each with the same initial stiffnesses.
 const SCENES: [Plane; 4] = [Plane::Stretch, Plane::Mesh, Plane::Cylinder, Plane::PinRod];

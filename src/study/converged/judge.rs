@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::case::check::{Check, Reference};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::solve::{Formulation, Settings};
 use crate::study::atlas::Class;
@@ -10,8 +10,8 @@ use crate::study::converged::NAME;
 use crate::study::converged::plan::{LOADS, STRETCHES, Site, TOLERANCES, sites};
 use crate::study::converged::run::{self, ROUND_OFF, Record};
 use crate::study::records;
-use crate::study::suite::{Finding, Series, Table, Trial};
 use crate::study::sweep::SLACK;
+use crate::study::unsorted::{Finding, Series, Table, Trial};
 
 /// Name of the study.
 pub const STUDY: &str = "what is called converged";
@@ -35,7 +35,7 @@ fn judge() -> Result<Finding, Error> {
 }
 
 /// The fixed twentieth of the sites once more.
-fn recomputed(recorded: &[Record]) -> Result<Check, Error> {
+fn recomputed(recorded: &[Record]) -> Result<Judged, Error> {
     let again: Vec<Site> = sites()?.into_iter().skip(FIRST).step_by(OF).collect();
     let moved = again.par_iter().map(|site| -> Result<[usize; 2], Error> {
         let fresh = run::records(site)?;
@@ -45,7 +45,7 @@ fn recomputed(recorded: &[Record]) -> Result<Check, Error> {
     });
     let counts: Vec<[usize; 2]> = moved.collect::<Result<_, _>>()?;
     let [runs, moved] = [0, 1].map(|k| counts.iter().map(|count| count[k]).sum::<usize>());
-    Ok(Check::at_most(
+    Ok(Judged::at_most(
         "A recomputed twentieth of the survey of what is called converged shall be what was recorded",
         format!("runs that moved, of {runs}"),
         if runs == 0 { f64::NAN } else { moved as f64 },
@@ -69,11 +69,11 @@ pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
 }
 
 /// Nothing is called converged that is not.
-pub fn right(recorded: &[Record]) -> Check {
+pub fn right(recorded: &[Record]) -> Judged {
     let converged: Vec<&Record> = recorded.iter().filter(|record| record.class == Class::Converged).collect();
     let right = converged.iter().filter(|record| record.error <= SLACK * record.tolerance).count();
     let wrong = converged.len() - right;
-    Check::at_most(
+    Judged::at_most(
         format!(
             "No run shall be called converged with a peak or a half-width off its discrete solution by {SLACK} tolerances"
         ),

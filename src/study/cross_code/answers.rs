@@ -1,6 +1,6 @@
 //! Where the other codes' answers come from: frozen files, or the codes themselves.
 
-use crate::case::check::{Check, Reference};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, Series, file};
@@ -32,7 +32,7 @@ impl Answers {
     }
 
     /// A code's answer to our discrete problem, whole where it is live, and whether it is what was frozen.
-    pub fn discrete(self, code: Code, twin: &Twin) -> Result<(Digest, Option<DiscreteAnswer>, Vec<Check>), Error> {
+    pub fn discrete(self, code: Code, twin: &Twin) -> Result<(Digest, Option<DiscreteAnswer>, Vec<Judged>), Error> {
         let name = &twin.problem.name;
         let frozen = Frozen::read(code)?;
         let kept = frozen.discrete.get(name).cloned().ok_or_else(|| absent(code, name))?;
@@ -55,7 +55,7 @@ impl Answers {
     }
 
     /// A code's refinement series of a scene, and whether it is what was frozen.
-    pub fn physical(self, code: Code, name: &str, scene: &PhysicalScene) -> Result<(Series, Vec<Check>), Error> {
+    pub fn physical(self, code: Code, name: &str, scene: &PhysicalScene) -> Result<(Series, Vec<Judged>), Error> {
         let frozen = Frozen::read(code)?;
         let kept = frozen.physical.get(name).cloned().ok_or_else(|| absent(code, name))?;
         if let Some((key, ours, theirs)) = other_scene(scene, &kept.scene) {
@@ -113,8 +113,8 @@ fn other_scene(ours: &PhysicalScene, theirs: &PhysicalScene) -> Option<(String, 
 }
 
 /// A live answer is what was frozen; the versions that changed since are named.
-pub fn reproduced(code: Code, now: &Groups, kept: &Groups, changed: String) -> Check {
-    Check::norm(
+pub fn reproduced(code: Code, now: &Groups, kept: &Groups, changed: String) -> Judged {
+    Judged::norm(
         format!("{code}, run live, shall find what was frozen"),
         "largest relative change",
         largest_change(now, kept),

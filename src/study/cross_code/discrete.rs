@@ -1,8 +1,8 @@
 //! The same discrete problem: our mesh, loads, supports and line elements, assembled and solved by another code.
 
 use crate::algorithm::StiffnessRule;
-use crate::case::check::{Check, Reference};
 use crate::case::problem;
+use crate::case::{Judged, Reference};
 use crate::contact::Quadrature;
 use crate::elasticity::Freedoms;
 use crate::error::Error;
@@ -14,7 +14,7 @@ use crate::scene::{Load, Path, PlaneHypothesis, Profile};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::study::cross_code::DISCRETE;
 use crate::study::cross_code::answers::{Answers, relative_difference, worst_difference};
-use crate::study::suite::{Finding, Trial};
+use crate::study::unsorted::{Finding, Trial};
 
 /// Scenes and elements per half-width, or per 10 mm of arc.
 const SCENES: [(&str, usize); 3] = [("cylinder", 8), ("truncated-hertz", 8), ("pin-rod", 6)];
@@ -124,7 +124,7 @@ impl Twin {
     }
 
     /// Every component of products, load and displacements, not only their digest.
-    pub fn in_full(&self, code: Code, answer: &DiscreteAnswer) -> Vec<Check> {
+    pub fn in_full(&self, code: Code, answer: &DiscreteAnswer) -> Vec<Judged> {
         let reduced: Vec<Vec<f64>> = answer.products.iter().map(|product| self.along_unknowns(product)).collect();
         let load = relative_difference(&self.ours.load, &self.along_unknowns(&answer.load));
         vec![
@@ -252,7 +252,7 @@ fn not_handed_over(scene: &str, what: &str) -> Error {
 }
 
 /// Ours against another code's, by their digests.
-pub fn against(code: Code, ours: &Digest, theirs: &Digest) -> Vec<Check> {
+pub fn against(code: Code, ours: &Digest, theirs: &Digest) -> Vec<Judged> {
     let stiffness = relative_difference(&ours.forms.concat(), &theirs.forms.concat());
     let mut checks = vec![
         stiffness_check(code, "vᵢᵀ K vⱼ, ten vectors", stiffness),
@@ -268,19 +268,19 @@ pub fn against(code: Code, ours: &Digest, theirs: &Digest) -> Vec<Check> {
     checks
 }
 
-fn stiffness_check(code: Code, quantity: &str, error: f64) -> Check {
+fn stiffness_check(code: Code, quantity: &str, error: f64) -> Judged {
     let requirement = "Another code shall assemble the same stiffness on our mesh";
-    Check::norm(requirement, quantity, error, reference(code), ASSEMBLED, "the order of sums only")
+    Judged::norm(requirement, quantity, error, reference(code), ASSEMBLED, "the order of sums only")
 }
 
-fn load_check(code: Code, quantity: &str, error: f64) -> Check {
+fn load_check(code: Code, quantity: &str, error: f64) -> Judged {
     let requirement = "Another code shall assemble the same loads on our mesh";
-    Check::norm(requirement, quantity, error, reference(code), ASSEMBLED, "the order of sums only")
+    Judged::norm(requirement, quantity, error, reference(code), ASSEMBLED, "the order of sums only")
 }
 
-fn contact_check(code: Code, quantity: &str, error: f64) -> Check {
+fn contact_check(code: Code, quantity: &str, error: f64) -> Judged {
     let requirement = "Another code shall find the same contact by penalty line elements on our mesh";
-    Check::norm(requirement, quantity, error, reference(code), SOLVED, "two direct solvers, condensed and not")
+    Judged::norm(requirement, quantity, error, reference(code), SOLVED, "two direct solvers, condensed and not")
 }
 
 fn reference(code: Code) -> Reference {

@@ -14,7 +14,7 @@ pub mod physical;
 pub mod renewal;
 pub mod shown;
 
-use crate::study::suite::Trial;
+use crate::study::unsorted::Trial;
 
 pub use answers::Answers;
 
@@ -28,4 +28,13 @@ pub fn trials(answers: Answers) -> Vec<Trial> {
     let mut trials = discrete::trials(answers);
     trials.extend(physical::trials(answers));
     trials
+}
+
+/// The same with the codes themselves asked.
+#[cfg(feature = "python")]
+pub fn live() -> Vec<crate::study::Trial> {
+    trials(Answers::Live)
+        .into_iter()
+        .map(|trial| trial.of(crate::study::Room::Unsorted, crate::study::Numbers::Unsorted))
+        .collect()
 }

@@ -1,6 +1,6 @@
 //! The same physical problem: each code on its own meshes, with its own uncertainty.
 
-use crate::case::check::{Check, Reference};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::measure::order::richardson;
 use crate::measure::profile;
@@ -13,7 +13,7 @@ use crate::solve::{Discretisation, Formulation};
 use crate::study::cross_code::answers::worst_difference;
 use crate::study::cross_code::benchmark::{Benchmark, NAMES, STATIONS, benchmarks};
 use crate::study::cross_code::{Answers, PHYSICAL, shown};
-use crate::study::suite::{Finding, Trial};
+use crate::study::unsorted::{Finding, Trial};
 
 /// Meshes of each refinement series.
 pub const LEVELS: usize = 3;
@@ -116,7 +116,7 @@ fn compare(benchmark: &Benchmark, answers: Answers) -> Result<Finding, Error> {
 }
 
 /// scikit-fem and dolfinx share meshes, loads, contact rows and measures: on them they must agree to round-off.
-fn one_mesh(others: &[Found]) -> Check {
+fn one_mesh(others: &[Found]) -> Judged {
     let of = |code: Code| others.iter().find(|found| found.name == code.name());
     let difference = match Code::ALL.map(of) {
         [Some(a), Some(b)] => {
@@ -125,7 +125,7 @@ fn one_mesh(others: &[Found]) -> Check {
         }
         _ => f64::NAN,
     };
-    Check::norm(
+    Judged::norm(
         "scikit-fem and dolfinx shall agree with one another on the same mesh",
         "peak, width and profile",
         difference,
@@ -136,7 +136,7 @@ fn one_mesh(others: &[Found]) -> Check {
 }
 
 /// The agreement demanded of peak, width, profile and resultant.
-pub fn agreement(benchmark: &Benchmark, ours: &Found, theirs: &Found, code: Code) -> Vec<Check> {
+pub fn agreement(benchmark: &Benchmark, ours: &Found, theirs: &Found, code: Code) -> Vec<Judged> {
     let name = &theirs.name;
     let oracle = theirs.oracle(code);
     let read = |quantity| Reference::read(&oracle, quantity);
@@ -145,7 +145,7 @@ pub fn agreement(benchmark: &Benchmark, ours: &Found, theirs: &Found, code: Code
     let combined = |a: [f64; 2], b: [f64; 2]| 100.0 * a[1].hypot(b[1]) / b[0].abs();
     let because = |a, b| format!("demanded at the finest meshes; combined uncertainty {:.3} %", combined(a, b));
     vec![
-        Check::relative(
+        Judged::relative(
             format!("Peak pressure shall agree with {name}"),
             "peak [MPa]",
             ours.peak[0],
@@ -153,7 +153,7 @@ pub fn agreement(benchmark: &Benchmark, ours: &Found, theirs: &Found, code: Code
             demanded,
             because(ours.peak, theirs.peak),
         ),
-        Check::relative(
+        Judged::relative(
             format!("The second-moment width shall agree with {name}"),
             width,
             ours.half_width[0],
@@ -161,7 +161,7 @@ pub fn agreement(benchmark: &Benchmark, ours: &Found, theirs: &Found, code: Code
             demanded,
             because(ours.half_width, theirs.half_width),
         ),
-        Check::norm(
+        Judged::norm(
             format!("The profile shall agree with {name}"),
             format!("L2(p) over {STATIONS} stretches"),
             l2(&ours.profile, &theirs.profile),
@@ -169,7 +169,7 @@ pub fn agreement(benchmark: &Benchmark, ours: &Found, theirs: &Found, code: Code
             profile,
             "means over the same stretches; the square-root edge lies within one of them",
         ),
-        Check::relative(
+        Judged::relative(
             format!("The resultant shall agree with {name}"),
             "resultant [N]",
             ours.resultant,

@@ -8,7 +8,7 @@ use crate::oracle::{Quantity, Reading};
 use crate::study::cross_code::PHYSICAL;
 use crate::study::cross_code::benchmark::Benchmark;
 use crate::study::cross_code::physical::Found;
-use crate::study::suite::{Series as Curve, Table};
+use crate::study::unsorted::{Series as Curve, Table};
 
 /// Title of the table of penalty errors.
 pub const PENALTY: &str = "Penalty error";

@@ -9,7 +9,7 @@ pub mod reach;
 pub mod record;
 
 use crate::solve::Element;
-use crate::study::suite::Trial;
+use crate::study::unsorted::Trial;
 
 /// Name of the trials of accelerated constant stiffness.
 pub const REACH: &str = "reach of constant stiffness, accelerated";

@@ -1,15 +1,15 @@
 //! Steps of kinematic load from every candidate closed, and from the contact set of coarser meshes.
 
-use crate::case::check::{Check, Reference};
 use crate::case::library::{Cylinder, PinRod, TruncatedHertz};
 use crate::case::problem;
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::measure::{Measures, larger, relative_error};
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Start};
-use crate::study::suite::{Finding, Table};
+use crate::study::unsorted::{Finding, Table};
 
 /// Elements per half-width, or per 10 mm of arc.
 const DENSITIES: [usize; 5] = [4, 8, 16, 32, 64];
@@ -67,17 +67,17 @@ pub fn steps(name: &str, scene: &Scene) -> Result<Finding, Error> {
     Ok(Finding { checks, tables: vec![table], ..Default::default() })
 }
 
-fn check(element: Element, stiffness: f64, most: f64, apart: f64) -> [Check; 2] {
+fn check(element: Element, stiffness: f64, most: f64, apart: f64) -> [Judged; 2] {
     let of = format!("{}.kinematic, κ₀ = {stiffness:e}", element.name());
     [
-        Check::at_most(
+        Judged::at_most(
             "Started from the contact set of a coarser mesh, kinematic load shall take at most three steps on every mesh",
             format!("most steps on a mesh, {of}"),
             most,
             Reference::own("at most", STEPS),
             "a step for the set, one for its edge, one to spare, whatever the mesh",
         ),
-        Check::norm(
+        Judged::norm(
             "The start shall not change the contact that is found",
             format!("largest difference of half-widths, {of}"),
             apart,

@@ -1,12 +1,12 @@
 //! Over which initial stiffnesses constant stiffness converges within 200 steps: plain, crossed secant, Anderson.
 
 use crate::algorithm::Acceleration;
-use crate::case::check::{Check, Reference};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::solve::{Element, Formulation, Iteration, Settings};
 use crate::study::cures::PICTURE;
 use crate::study::cures::record::{self, DRAWN, PLANES, Runs, STEPS, TOLERANCES, discretised, stiffnesses};
-use crate::study::suite::{Finding, Series, Table};
+use crate::study::unsorted::{Finding, Series, Table};
 
 /// How many times the plain share of starts an acceleration must reach.
 pub const TIMES: f64 = 2.5;
@@ -32,7 +32,7 @@ pub const PLANES_HEAD: [&str; 7] =
 /// Shares and reach of the three accelerations of an element: judged as measured now, shown as recorded.
 pub fn reach(element: Element) -> Result<Finding, Error> {
     let (now, recorded) = (record::measure(element)?, record::read(element)?);
-    let mut checks: Vec<Check> = now[1..].iter().flat_map(|runs| [times(&now[0], runs), same(runs)]).collect();
+    let mut checks: Vec<Judged> = now[1..].iter().flat_map(|runs| [times(&now[0], runs), same(runs)]).collect();
     checks.extend(now.iter().zip(&recorded).flat_map(|(runs, before)| [0, 1].map(|k| drift(runs, before, k))));
     checks.extend(now.iter().zip(&recorded).map(|(runs, before)| steady(runs, before)));
     let shares = recorded.iter().flat_map(|runs| [0, 1].map(|k| row_of_shares(&recorded[0], runs, k))).collect();
@@ -45,8 +45,8 @@ pub fn reach(element: Element) -> Result<Finding, Error> {
 }
 
 /// The accelerated share against the plain one, at the tight tolerance.
-pub fn times(plain: &Runs, runs: &Runs) -> Check {
-    Check::at_least(
+pub fn times(plain: &Runs, runs: &Runs) -> Judged {
+    Judged::at_least(
         format!("An acceleration shall converge from {TIMES} times as many starts as the plain iteration"),
         format!("share of starts, {}, iteration error ≤ {:e}", runs.formulation, TOLERANCES[1]),
         runs.share(1),
@@ -55,8 +55,8 @@ pub fn times(plain: &Runs, runs: &Runs) -> Check {
     )
 }
 
-fn same(runs: &Runs) -> Check {
-    Check::norm(
+fn same(runs: &Runs) -> Judged {
+    Judged::norm(
         "What an acceleration converges to shall be the solution of kinematic load",
         format!("largest difference of mean edge pressures over p_ref, {}", runs.formulation),
         runs.apart,
@@ -66,8 +66,8 @@ fn same(runs: &Runs) -> Check {
     )
 }
 
-fn drift(runs: &Runs, recorded: &Runs, tolerance: usize) -> Check {
-    Check::norm(
+fn drift(runs: &Runs, recorded: &Runs, tolerance: usize) -> Judged {
+    Judged::norm(
         "The share of starts shall be what was recorded",
         format!("difference of shares, {}, iteration error ≤ {:e}", runs.formulation, TOLERANCES[tolerance]),
         (runs.share(tolerance) - recorded.share(tolerance)).abs(),
@@ -78,12 +78,12 @@ fn drift(runs: &Runs, recorded: &Runs, tolerance: usize) -> Check {
 }
 
 /// Steps of the drawn plane against the recorded ones: the same where plain, near where round-off is amplified.
-fn steady(runs: &Runs, recorded: &Runs) -> Check {
+fn steady(runs: &Runs, recorded: &Runs) -> Judged {
     let pairs = runs.steps[0][DRAWN].iter().zip(&recorded.steps[0][DRAWN]);
     let far = |(now, before): (usize, usize)| now.max(before) as f64 > STEADY * now.min(before) as f64;
     let both: Vec<(usize, usize)> = pairs.filter_map(|(now, before)| now.zip(*before)).collect();
     let moved = both.iter().filter(|pair| far(**pair)).count() as f64 / both.len() as f64;
-    Check::norm(
+    Judged::norm(
         "The steps that are drawn shall be near those that were recorded",
         format!("share of starts whose steps differ by more than half, {}", runs.formulation),
         moved,

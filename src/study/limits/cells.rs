@@ -4,9 +4,9 @@ use super::{
     Limit, bracket, hertz_errors, largest, meshed, number, percent, range, refusal, said, seen, size, table, truncated,
     verified, worse,
 };
-use crate::case::check::{Check, Reference};
 use crate::case::library::TruncatedHertz;
 use crate::case::problem;
+use crate::case::{Judged, Reference};
 use crate::elasticity::ElasticSystem;
 use crate::error::Error;
 use crate::measure::profile;
@@ -14,7 +14,7 @@ use crate::mesh::{Mesh, Order, Resolution};
 use crate::scene::{Grading, LARGEST_POISSON, Scene};
 use crate::solve::Discretisation;
 use crate::solve::run::{INSIDE, Run};
-use crate::study::suite::Finding;
+use crate::study::unsorted::Finding;
 
 /// Poisson's ratios.
 const RATIOS: [f64; 5] = [0.3, 0.45, 0.49, 0.499, LARGEST_POISSON];
@@ -58,7 +58,7 @@ pub(super) fn incompressible() -> Result<Finding, Error> {
     let refused = refusal(truncated(beyond, 8, Order::Quadratic), "a body that keeps its volume")?;
     let hertz = || Reference::analytic("Hertz, whose a depends on E/(1 − ν²) only", 0.0);
     let checks = vec![
-        Check::norm(
+        Judged::norm(
             "4-node cells shall not lock",
             "largest error of p₀ and a, 4-node",
             largest(&linear),
@@ -66,7 +66,7 @@ pub(super) fn incompressible() -> Result<Finding, Error> {
             5e-3,
             "16 cells per half-width; locking stiffens without bound as ν tends to 0.5",
         ),
-        Check::norm(
+        Judged::norm(
             "8-node cells shall not lock",
             "largest error of p₀ and a, 8-node",
             largest(&quadratic),
@@ -74,7 +74,7 @@ pub(super) fn incompressible() -> Result<Finding, Error> {
             2e-3,
             "8 cells per half-width; locking stiffens without bound as ν tends to 0.5",
         ),
-        Check::at_most(
+        Judged::at_most(
             "Pressures of neighbouring nodes shall not oscillate",
             "departure over p₀",
             largest(&rough),
@@ -130,7 +130,7 @@ pub(super) fn distorted() -> Result<Finding, Error> {
         onsets.push(format!("{name}: inverted {}", bracket(&FRACTIONS, |i| inverted[i], "fraction").0));
     }
     let checks = vec![
-        Check::norm(
+        Judged::norm(
             "Cells that are distorted but not inverted shall find the contact",
             "largest error of p₀ and a",
             worst,
@@ -138,7 +138,7 @@ pub(super) fn distorted() -> Result<Finding, Error> {
             1e-2,
             "isoparametric cells keep linear fields; engineering tolerance of the paper's comparison",
         ),
-        Check::norm(
+        Judged::norm(
             "Inverted cells shall be refused by their number",
             "other errors",
             others as f64,

@@ -2,14 +2,14 @@
 
 use super::interface::two_blocks;
 use super::{Limit, bracket, hertz_errors, number, percent, range, seen, size, table, within, worse};
-use crate::case::check::{Check, Reference};
 use crate::case::library::Patch;
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
-use crate::study::suite::Finding;
+use crate::study::unsorted::Finding;
 
 /// Error that counts as wrong.
 const WRONG: f64 = 0.01;
@@ -45,7 +45,7 @@ pub(super) fn across() -> Result<Finding, Error> {
     }
     let from = DENSITIES.iter().position(|density| *density >= 0.5).unwrap_or(0);
     let checks = vec![
-        Check::norm(
+        Judged::norm(
             "The patch test shall hold across meshes that do not match",
             "largest |p − q| / q, all elements, both orders",
             patch,
@@ -53,7 +53,7 @@ pub(super) fn across() -> Result<Finding, Error> {
             EXACT,
             "exact but for the iteration: both sides integrate the same pressure",
         ),
-        Check::norm(
+        Judged::norm(
             "Contact forces on both bodies shall have one resultant and one line of action",
             "difference over the force on the first, moment about s = 0 over the force times the stretch",
             apart,
@@ -61,7 +61,7 @@ pub(super) fn across() -> Result<Finding, Error> {
             1e-10,
             "round-off: the weights of the facing nodes reproduce constants and the coordinate itself",
         ),
-        Check::norm(
+        Judged::norm(
             "Points opposite a side up to twice as coarse as their own, or finer, shall find the contact",
             "largest error of p₀ and a, 8-node, node element",
             errors[from..].iter().fold(0.0, |worst, [_, eight]| worse(worst, *eight)),

@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use super::cells::unchecked;
 use super::{Limit, bracket, hertz_errors, number, percent, range, seen, size, table, within, worse};
-use crate::case::check::{Check, Reference};
 use crate::case::library::{Patch, TruncatedHertz};
 use crate::case::problem;
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::mesh::{Mesh, Order, Resolution};
 use crate::scene::{Component, Face, Load, Place, Profile, Scene, Shape, StressField, Support};
 use crate::solve::run::Run;
-use crate::study::suite::Finding;
+use crate::study::unsorted::Finding;
 
 /// Departure from a uniform pressure that round-off explains.
 const EXACT: f64 = 1e-9;
@@ -40,7 +40,7 @@ pub(super) fn across() -> Result<Finding, Error> {
     }
     let moderate = RATIOS.iter().position(|ratio| *ratio > 5.0).unwrap_or(0);
     let checks = vec![
-        Check::norm(
+        Judged::norm(
             "The patch test shall hold whatever the sizes across the interface",
             "largest |p − q| / q, ratios 1/20 to 20",
             patch,
@@ -48,7 +48,7 @@ pub(super) fn across() -> Result<Finding, Error> {
             EXACT,
             "exact but for round-off: tributary areas come from the interface alone",
         ),
-        Check::norm(
+        Judged::norm(
             "8-node cells up to five times as deep on one side shall find the contact",
             "largest error of p₀ and a",
             errors[..moderate].iter().fold(0.0, |worst, [_, eight]| worse(worst, *eight)),

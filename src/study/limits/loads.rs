@@ -1,15 +1,15 @@
 //! Limits of the load: none, the wrong sign, too little for the mesh.
 
 use super::{Limit, bracket, hertz_errors, meshed, number, percent, said, seen, size, table, verified, worse};
-use crate::case::check::{Check, Reference};
 use crate::case::library::{Bars, Cylinder};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::mesh::Order;
 use crate::scene::{Load, Scene};
 use crate::solution::Outcome;
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Formulation};
-use crate::study::suite::Finding;
+use crate::study::unsorted::Finding;
 
 /// The cylinder under its load times a factor.
 fn cylinder(factor: f64) -> Result<Discretisation, Error> {
@@ -44,7 +44,7 @@ pub(super) fn pulled_apart() -> Result<Finding, Error> {
     let first = results.iter().find_map(|(_, result)| result.as_ref().err()).map(said).unwrap_or_default();
     let rows = results.iter().map(|(formulation, result)| vec![formulation.name(), seen(result)]);
     let checks = vec![
-        Check::norm(
+        Judged::norm(
             "A body that is pulled off shall end in an error that says so, or not converge",
             "runs with another end",
             (results.len() as f64 - errors - exhausted).abs(),
@@ -52,7 +52,7 @@ pub(super) fn pulled_apart() -> Result<Finding, Error> {
             0.0,
             "nothing balances the load",
         ),
-        Check::at_least(
+        Judged::at_least(
             "Algorithms that open springs shall name the loss of the last",
             "runs with the error",
             errors,
@@ -83,7 +83,7 @@ pub(super) fn none() -> Result<Finding, Error> {
     let zero = count(&held, |result| result.as_ref().is_ok_and(silent));
     let (said, remedy) = free.iter().find_map(|(_, result)| result.as_ref().err()).map(said).unwrap_or_default();
     let all = |requirement: &str, quantity: &str, found: f64, because: &str| {
-        Check::at_least(requirement, quantity, found, Reference::own("all nine", free.len() as f64), because)
+        Judged::at_least(requirement, quantity, found, Reference::own("all nine", free.len() as f64), because)
     };
     let checks = vec![
         all(
@@ -133,7 +133,7 @@ pub(super) fn small() -> Result<Finding, Error> {
         }
         onsets.push(format!("{name} {}", bracket(&SIZES, |i| wrong[i], "elements per half-width").0));
     }
-    let check = Check::norm(
+    let check = Judged::norm(
         "A contact too small for the mesh shall not be called converged without a note",
         "largest error of p₀ and a among runs without one",
         unnoted,

@@ -20,15 +20,15 @@ mod springs;
 mod surfaces;
 mod theory;
 
-use crate::case::check::{Check, Reference};
 use crate::case::library::TruncatedHertz;
 use crate::case::problem;
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Formulation};
-use crate::study::suite::{Finding, Table, Trial};
+use crate::study::unsorted::{Finding, Table, Trial};
 
 /// Name of the case.
 pub const CASE: &str = "limits";
@@ -73,7 +73,7 @@ struct Limit {
 
 impl Limit {
     /// The finding: the row, the tables that show more, the checks.
-    fn finding(self, details: Vec<Table>, checks: Vec<Check>) -> Finding {
+    fn finding(self, details: Vec<Table>, checks: Vec<Judged>) -> Finding {
         let row = vec![self.pushed.into(), self.range, self.onset, self.seen, self.instead];
         let summary = table(SUMMARY, &HEAD, vec![row]);
         Finding { tables: std::iter::once(summary).chain(details).collect(), checks, ..Default::default() }
@@ -113,9 +113,9 @@ fn refusal<T>(result: Result<T, Error>, what: &str) -> Result<Error, Error> {
 }
 
 /// A requirement that holds or does not.
-fn holds(requirement: &str, quantity: &str, true_so: bool, because: &str) -> Check {
+fn holds(requirement: &str, quantity: &str, true_so: bool, because: &str) -> Judged {
     let missing = if true_so { 0.0 } else { 1.0 };
-    Check::norm(requirement, quantity, missing, Reference::own("none", 0.0), 0.0, because)
+    Judged::norm(requirement, quantity, missing, Reference::own("none", 0.0), 0.0, because)
 }
 
 /// Truncated Hertz of some numbers on a mesh of `elements` per half-width.

@@ -2,15 +2,15 @@
 
 use super::{Limit, bracket, largest, meshed, number, percent, range, seen, size};
 use crate::algorithm::StiffnessRule;
-use crate::case::check::{Check, Reference};
 use crate::case::library::{Cylinder, PinRod};
+use crate::case::{Judged, Reference};
 use crate::contact::Quadrature;
 use crate::error::Error;
 use crate::measure::profile;
 use crate::mesh::Order;
 use crate::solve::run::{INSIDE, Run};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
-use crate::study::suite::{Finding, Table};
+use crate::study::unsorted::{Finding, Table};
 
 /// Points on an edge.
 const RULES: [(&str, Quadrature); 3] =
@@ -28,14 +28,14 @@ pub(super) fn three_gauss_points() -> Result<Finding, Error> {
         [0, 1, 2].map(|rule| pins.iter().map(move |row| row[rule].0).collect::<Vec<_>>());
     let (onset, _) = bracket(&kappas, |i| of_three[i] > VISIBLE, "κ");
     let checks = vec![
-        Check::at_least(
+        Judged::at_least(
             "Three Gauss points on a quadratic edge shall be seen to make the pressure oscillate",
             "departure over peak, κ = 1e5",
             of_three[4],
             Reference::own("visible", VISIBLE),
             "three conditions on an edge that adds two displacements: a finding, locked",
         ),
-        Check::relative(
+        Judged::relative(
             "The oscillation of two Gauss points shall level off as springs harden",
             "departure over peak, κ = 1e6",
             of_two[5],
@@ -43,7 +43,7 @@ pub(super) fn three_gauss_points() -> Result<Finding, Error> {
             0.1,
             "their alternating mode does no work on the inner nodes, so stiffness does not feed it",
         ),
-        Check::at_most(
+        Judged::at_most(
             "Pressures at Lobatto points shall not oscillate however stiff the springs are",
             "largest departure over peak, both scenes",
             largest(&of_nodes.into_iter().chain(plane.iter().map(|row| row[2].0)).collect::<Vec<_>>()),

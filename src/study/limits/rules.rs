@@ -4,14 +4,14 @@ use super::{
     Limit, bracket, hertz_errors, meshed, number, percent, range, refusal, said, seen, size, table, truncated, worse,
 };
 use crate::algorithm::StiffnessRule;
-use crate::case::check::{Check, Reference};
 use crate::case::library::{Bars, TruncatedHertz};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::mesh::Order;
 use crate::solution::Outcome;
 use crate::solve::run::Run;
 use crate::solve::{Element, Formulation, Iteration};
-use crate::study::suite::Finding;
+use crate::study::unsorted::Finding;
 
 /// The layer's own thickness.
 pub(super) fn layer_thickness() -> Result<Finding, Error> {
@@ -37,7 +37,7 @@ pub(super) fn layer_thickness() -> Result<Finding, Error> {
     }
     let none = Formulation { layer_thickness: 0.0, ..Formulation::new(Element::Layer, Iteration::Kinematic) };
     let (refused, remedy) = said(&refusal(discretisation.solve(&none), "a layer of no thickness")?);
-    let check = Check::norm(
+    let check = Judged::norm(
         "Every layer between 1e-6 and 1 element length thick shall find the contact",
         "largest error of p₀ and a",
         worst,
@@ -83,7 +83,7 @@ pub(super) fn cycling() -> Result<Finding, Error> {
             Outcome::Converged => 1.0,
             _ => f64::NAN,
         };
-        checks.push(Check::relative(
+        checks.push(Judged::relative(
             "Correction with varying stiffness on two bars shall converge below κ₀ = 2u/g and cycle with period 2 above",
             format!("period, κ₀ = {factor} · 2u/g"),
             period,

@@ -1,15 +1,15 @@
 //! Limits of stiff springs: the digits they cost.
 
 use super::{Limit, largest, meshed, number, range, refusal, said, table, truncated};
-use crate::case::check::{Check, Reference};
 use crate::case::library::{PinRod, TruncatedHertz};
+use crate::case::{Judged, Reference};
 use crate::contact::ContactPoint;
 use crate::error::Error;
 use crate::measure::order;
 use crate::mesh::Order;
 use crate::solve::{Discretisation, Formulation, LIMITS};
 use crate::stability::conditioning::{self, Conditioning};
-use crate::study::suite::Finding;
+use crate::study::unsorted::Finding;
 
 /// Condition and digits as springs stiffen beyond what users may ask for.
 pub(super) fn stiffness() -> Result<Finding, Error> {
@@ -51,7 +51,7 @@ pub(super) fn stiffness() -> Result<Finding, Error> {
     Ok(limit.finding(vec![table(title, &head, rows)], digit_checks(&kappas, &plane, &pins, refused)))
 }
 
-fn digit_checks(kappas: &[f64], plane: &[Conditioning], pins: &[Conditioning], refused: f64) -> Vec<Check> {
+fn digit_checks(kappas: &[f64], plane: &[Conditioning], pins: &[Conditioning], refused: f64) -> Vec<Judged> {
     let middle = 2..8;
     let slope = |of: fn(&Conditioning) -> f64, range: std::ops::Range<usize>| {
         order::observed(&kappas[range.clone()], &plane[range].iter().map(of).collect::<Vec<_>>())
@@ -59,7 +59,7 @@ fn digit_checks(kappas: &[f64], plane: &[Conditioning], pins: &[Conditioning], r
     let allowed = kappas.iter().zip(plane.iter().zip(pins)).filter(|(kappa, _)| **kappa <= LIMITS[1]);
     let errors: Vec<f64> = allowed.flat_map(|(_, (a, b))| [a.refined, b.refined]).collect();
     let exact = |quantity: &str, slope: f64, because: &str| {
-        Check::norm(
+        Judged::norm(
             "Condition and lost digits shall grow in proportion to the stiffness",
             quantity,
             (slope - 1.0).abs(),
@@ -75,7 +75,7 @@ fn digit_checks(kappas: &[f64], plane: &[Conditioning], pins: &[Conditioning], r
             slope(|c| c.plain, middle),
             "p = κ (w − g), and w − g carries round-off of w",
         ),
-        Check::norm(
+        Judged::norm(
             "No stiffness that users may ask for shall cost digits of the pressure",
             "largest error over p_ref, κ ≤ 1e6, refined",
             largest(&errors),
@@ -83,7 +83,7 @@ fn digit_checks(kappas: &[f64], plane: &[Conditioning], pins: &[Conditioning], r
             1e-9,
             "the accuracy to which every run is compared with its variants",
         ),
-        Check::at_least(
+        Judged::at_least(
             "No stiffness that users may ask for shall be refused as having no spring left",
             "first κ refused on two bodies",
             refused,

@@ -4,16 +4,16 @@ use super::{
     Limit, bracket, hertz_errors, holds, meshed, number, percent, range, said, seen, table, truncated, verified, worse,
 };
 use crate::algorithm::{Kinematic, iterate};
-use crate::case::check::{Check, Reference};
 use crate::case::library::TruncatedHertz;
 use crate::case::problem;
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::measure::Measures;
 use crate::mesh::Order;
 use crate::scene::Load;
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Formulation};
-use crate::study::suite::Finding;
+use crate::study::unsorted::Finding;
 
 /// Candidate stretches over the true half-width.
 const STRETCHES: [f64; 8] = [2.0, 1.1, 1.0, 0.98, 0.95, 0.9, 0.8, 0.5];
@@ -55,7 +55,7 @@ pub(super) fn short() -> Result<Finding, Error> {
             onsets.iter().all(|(_, _, _, far)| *far),
             "the node beyond the end then lies inside the true contact and penetrates",
         ),
-        Check::norm(
+        Judged::norm(
             "What is accepted shall have the right peak",
             "largest error of p₀",
             accepted,
@@ -110,7 +110,7 @@ pub(super) fn end() -> Result<Finding, Error> {
         last = seen(&Ok(run));
     }
     let checks = vec![
-        Check::norm(
+        Judged::norm(
             "A contact that reaches the end of the body shall carry the whole load",
             "largest |ΣA p − P| / P",
             balance,
@@ -118,7 +118,7 @@ pub(super) fn end() -> Result<Finding, Error> {
             1e-8,
             "the tolerance of the runs; there is no surface for the contact to spill on",
         ),
-        Check::at_least(
+        Judged::at_least(
             "Once the contact is as long as the body, a larger load shall press more of it on the corner",
             "pressure at the corner over the peak, largest load",
             corner[LOADS.len() - 1],

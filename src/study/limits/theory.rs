@@ -3,12 +3,12 @@
 use super::{
     Limit, bracket, hertz_errors, largest, meshed, percent, range, refusal, said, seen, size, table, verified, worse,
 };
-use crate::case::check::{Check, Reference};
 use crate::case::library::Cylinder;
 use crate::case::problem;
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::study::suite::Finding;
+use crate::study::unsorted::Finding;
 
 const RATIOS: [f64; 7] = [0.005, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5];
 /// Difference to Hertz that counts as its failure.
@@ -36,7 +36,7 @@ pub(super) fn large_contact() -> Result<Finding, Error> {
     let large = RATIOS.iter().position(|ratio| *ratio > 0.15).unwrap_or(0);
     let share = differences[large..].iter().zip(&changes[large..]).map(|(d, c)| d / c).fold(f64::INFINITY, f64::min);
     let checks = vec![
-        Check::norm(
+        Judged::norm(
             "The solution shall be settled whatever a/R",
             "largest change of p₀ and a from 12 to 24 elements per half-width",
             worst,
@@ -44,14 +44,14 @@ pub(super) fn large_contact() -> Result<Finding, Error> {
             1e-3,
             "a tenth of the difference that is blamed on the reference",
         ),
-        Check::at_least(
+        Judged::at_least(
             "Where the contact is large it shall be the reference that fails, not the mesh",
             "difference to Hertz over change by refinement, a/R ≥ 0.2",
             share,
             Reference::own("ten times", 10.0),
             "parabola for circle, half-space for cylinder: of the order of (a/R)²",
         ),
-        Check::norm(
+        Judged::norm(
             "Where the contact is small Hertz shall hold",
             "difference to Hertz, a/R = 0.005",
             differences[0],

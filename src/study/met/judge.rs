@@ -2,13 +2,13 @@
 
 use rayon::prelude::*;
 
-use crate::case::check::{Check, Reference};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::study::met::NAME;
 use crate::study::met::plan::{ASKED, Family, Site, sites};
 use crate::study::met::run::{self, Record};
 use crate::study::records;
-use crate::study::suite::{Finding, Table, Trial};
+use crate::study::unsorted::{Finding, Table, Trial};
 
 /// Name of the study.
 pub const STUDY: &str = "what is called met";
@@ -35,7 +35,7 @@ fn judge() -> Result<Finding, Error> {
 }
 
 /// A fixed twentieth of the scenes once more.
-fn recomputed(recorded: &[Record]) -> Result<Check, Error> {
+fn recomputed(recorded: &[Record]) -> Result<Judged, Error> {
     let again: Vec<Site> = sites().into_iter().skip(FIRST).step_by(OF).collect();
     let moved = again.par_iter().map(|site| -> Result<[usize; 2], Error> {
         let sample = site.sample();
@@ -49,7 +49,7 @@ fn recomputed(recorded: &[Record]) -> Result<Check, Error> {
     });
     let counts: Vec<[usize; 2]> = moved.collect::<Result<_, _>>()?;
     let [answers, moved] = [0, 1].map(|k| counts.iter().map(|count| count[k]).sum::<usize>());
-    Ok(Check::at_most(
+    Ok(Judged::at_most(
         "A recomputed part of the survey of what is called met shall be what was recorded",
         format!("answers that moved, of {answers}"),
         if answers == 0 { f64::NAN } else { moved as f64 },
@@ -73,10 +73,10 @@ pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
 }
 
 /// Nothing is called met that is not.
-pub fn right(recorded: &[Record]) -> Check {
+pub fn right(recorded: &[Record]) -> Judged {
     let met = recorded.iter().filter(|record| record.met).count();
     let wrong = recorded.iter().filter(|record| record.is_falsely_met()).count();
-    Check::at_most(
+    Judged::at_most(
         "No accuracy shall be called met with a peak or a half-width off the closed form by more than was asked",
         format!("falsely met, of {met} answers called met of {}", recorded.len()),
         if met == 0 { f64::NAN } else { wrong as f64 },
@@ -86,9 +86,9 @@ pub fn right(recorded: &[Record]) -> Check {
 }
 
 /// Nothing is called not met whose estimates are all within what was asked.
-pub fn consistent(recorded: &[Record]) -> Check {
+pub fn consistent(recorded: &[Record]) -> Judged {
     let wrong = recorded.iter().filter(|record| record.is_contradictory()).count();
-    Check::at_most(
+    Judged::at_most(
         "No accuracy shall be called not met beside estimates that are all within it",
         format!("contradictory, of {} answers", recorded.len()),
         if recorded.is_empty() { f64::NAN } else { wrong as f64 },

@@ -1,13 +1,13 @@
 //! Varying stiffness with `correction`: stable where predicted when started next to the contact, and cycling from afar.
 
 use crate::algorithm::{Algorithm, ContactProblem, Springs, StiffnessRule, Varying};
-use crate::case::check::{Check, Reference};
+use crate::case::{Judged, Reference};
 use crate::contact::ContactPoint;
 use crate::error::Error;
 use crate::solution::Work;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::stability::{Limit, rate};
-use crate::study::suite::{Finding, Table, Trial};
+use crate::study::unsorted::{Finding, Table, Trial};
 
 /// Name of the trials.
 pub const BASIN: &str = "varying stiffness with correction, near and far";
@@ -46,7 +46,7 @@ fn near_and_far(element: Element) -> Result<Finding, Error> {
         let near = if stays { "stays" } else { "leaves" };
         rows.push(vec![element.name().into(), stiffness.to_string(), format!("{rate:.3}"), near.into(), far]);
     }
-    let check = Check::at_most(
+    let check = Judged::at_most(
         "Started next to the contact, varying stiffness with correction shall stay if and only if its spectral radius is below 1",
         format!("starts of {judged} that do otherwise"),
         if judged == 0 { f64::NAN } else { wrong as f64 },

@@ -1,13 +1,13 @@
 //! Why `secant` and `literal` fail with constant stiffness.
 
 use crate::algorithm::StiffnessRule;
-use crate::case::check::{Check, Reference};
+use crate::case::{Judged, Reference};
 use crate::contact::ContactPoint;
 use crate::error::Error;
 use crate::solution::Solution;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::stability::{Limit, rate};
-use crate::study::suite::{Finding, Table, Trial};
+use crate::study::unsorted::{Finding, Table, Trial};
 
 /// Name of the trials.
 pub const FAILING: &str = "constant stiffness, rules that fail";
@@ -66,16 +66,16 @@ fn failing(element: Element) -> Result<Finding, Error> {
     Ok(Finding { checks: checks(converged, least), tables: vec![table], ..Default::default() })
 }
 
-fn checks(converged: usize, least: f64) -> Vec<Check> {
+fn checks(converged: usize, least: f64) -> Vec<Judged> {
     vec![
-        Check::at_most(
+        Judged::at_most(
             "With constant stiffness neither secant nor literal shall reach the contact",
             "starts that converged",
             if least.is_nan() { f64::NAN } else { converged as f64 },
             Reference::own("predicted", 0.0),
             "secant needs springs of half what the gap-free point asks for; literal forgets Σ k Δw in its forces",
         ),
-        Check::at_least(
+        Judged::at_least(
             "The literal sum shall leave forces in open points",
             "least force left over the peak",
             least,

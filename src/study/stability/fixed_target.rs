@@ -1,13 +1,13 @@
 //! Constant stiffness towards fixed target springs: the condition of the literature, at every point of a grid.
 
 use crate::algorithm::{ContactProblem, Springs};
-use crate::case::check::{Check, Reference};
+use crate::case::{Judged, Reference};
 use crate::contact::ContactPoint;
 use crate::error::Error;
 use crate::solution::Work;
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Settings};
 use crate::stability::{Limit, rate};
-use crate::study::suite::{Finding, Table, Trial};
+use crate::study::unsorted::{Finding, Table, Trial};
 
 /// Name of the trials.
 pub const FIXED_TARGET: &str = "constant stiffness, fixed target springs";
@@ -95,16 +95,16 @@ fn grid(element: Element) -> Result<Finding, Error> {
     Ok(Finding { checks, tables: vec![Table { title, head, rows }], ..Default::default() })
 }
 
-fn checks(judged: usize, wrong: usize, compared: usize, worst: f64) -> Vec<Check> {
+fn checks(judged: usize, wrong: usize, compared: usize, worst: f64) -> Vec<Judged> {
     vec![
-        Check::at_most(
+        Judged::at_most(
             "Constant stiffness shall converge to fixed springs if and only if S + K* and S + 2K₀ − K* are positive definite",
             format!("points of {judged} that end otherwise"),
             if judged == 0 { f64::NAN } else { wrong as f64 },
             Reference::own("predicted", 0.0),
             "at every point farther than 2 % from the boundary; where it merely crawls, predicted steps against the limit",
         ),
-        Check::norm(
+        Judged::norm(
             "The rate towards fixed springs shall be the spectral radius",
             format!("largest error of ln ρ, {compared} points"),
             if compared == 0 { f64::NAN } else { worst },

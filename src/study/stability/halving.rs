@@ -1,14 +1,14 @@
 //! The halving law of kinematic load: predicted against measured steps.
 
-use crate::case::check::{Check, Reference};
 use crate::case::library::{Cylinder, PinRod, TruncatedHertz};
 use crate::case::problem::{self, Problem};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::stability::halving;
-use crate::study::suite::{Finding, Table, Trial};
+use crate::study::unsorted::{Finding, Table, Trial};
 
 /// Name of the trials of the halving law.
 pub const HALVING: &str = "predicted steps of kinematic load";
@@ -47,7 +47,7 @@ fn halving_law(cylinder: bool) -> Result<Finding, Error> {
                 let steps = if run.solution.converged() { run.solution.work.steps as f64 } else { f64::NAN };
                 let predicted = halving::steps(stretch * half_width, half_width, spacing, stiffness);
                 cells.push(format!("{predicted} / {steps}"));
-                checks.push(Check::norm(
+                checks.push(Judged::norm(
                     "Kinematic load shall take the steps of the halving law",
                     format!("steps off, L/a = {stretch}, {elements} per half-width, κ₀ = {stiffness:e}"),
                     (steps - predicted as f64).abs(),

@@ -14,7 +14,7 @@ pub mod rates;
 
 use crate::case::library::TruncatedHertz;
 use crate::case::problem::{self, Problem};
-use crate::study::suite::Trial;
+use crate::study::unsorted::Trial;
 
 /// All trials of the predictions.
 pub fn trials() -> Vec<Trial> {

@@ -1,14 +1,14 @@
 //! Rates of constant stiffness with `correction` and varying stiffness with `secant`: predicted against measured.
 
 use crate::algorithm::StiffnessRule;
-use crate::case::check::{Check, Reference, Verdict};
+use crate::case::{Judged, Reference, Verdict};
 use crate::contact::ContactPoint;
 use crate::error::Error;
 use crate::measure::profile::weighted_line;
 use crate::solution::Solution;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::stability::{Limit, linear, rate};
-use crate::study::suite::{Finding, Table, Trial};
+use crate::study::unsorted::{Finding, Table, Trial};
 
 /// Initial stiffnesses of the rate studies: constant stiffness depends on them, varying stiffness does not.
 const STARTS: [f64; 9] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0];
@@ -68,7 +68,7 @@ fn rates(element: Element, algorithm: Iteration) -> Result<Finding, Error> {
         rows.push(row);
         checks.extend(check);
     }
-    checks.push(Check::at_least(
+    checks.push(Judged::at_least(
         "Enough starts shall be compared with the prediction",
         "starts compared",
         checks.len() as f64,
@@ -86,7 +86,7 @@ fn rates(element: Element, algorithm: Iteration) -> Result<Finding, Error> {
 fn one_start(
     discretisation: &Discretisation,
     formulation: &Formulation,
-) -> Result<(Vec<String>, Option<Check>), Error> {
+) -> Result<(Vec<String>, Option<Judged>), Error> {
     let solution = discretisation.solve(formulation)?;
     let predicted = predicted(discretisation, formulation)?;
     let measured = measured(&solution);
@@ -123,8 +123,8 @@ fn one_start(
 }
 
 /// Measured against predicted rate, by their logarithms: the steps a decade takes.
-pub fn rate_check(stiffness: f64, predicted: f64, measured: f64) -> Check {
-    Check::norm(
+pub fn rate_check(stiffness: f64, predicted: f64, measured: f64) -> Judged {
+    Judged::norm(
         "The rate of convergence shall be what the condensed matrices predict",
         format!("ln ρ, κ₀ = {stiffness}"),
         (measured.ln() - predicted.ln()).abs() / predicted.ln().abs(),

@@ -1,12 +1,12 @@
 //! Seconds are believed only while the errors and counts recorded beside them are still the code's own.
 
-use crate::case::check::{Check, Reference};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::study::suite::{Finding, Trial};
 use crate::study::timings::growth::{self, RECOUNTED};
 use crate::study::timings::precision::{self, Family, Point};
 use crate::study::timings::record::Record;
+use crate::study::unsorted::{Finding, Trial};
 
 /// Name of the trials.
 pub const TIMINGS: &str = "speed against accuracy";
@@ -40,7 +40,7 @@ fn recomputed(family: Family, order: Order) -> Result<Finding, Error> {
     let kept = recorded.iter().filter(of_trial).count();
     let moved = if compared == 0 || kept != planned { f64::NAN } else { count as f64 };
     Ok(Finding {
-        checks: vec![Check::at_most(
+        checks: vec![Judged::at_most(
             "Errors and counts recorded with the timings shall still be the code's",
             format!("points that moved, of {compared}"),
             moved,
@@ -93,7 +93,7 @@ fn recounted() -> Result<Finding, Error> {
     let complete = measured.growth.len() == growth::MESHES.len();
     let moved = if compared == 0 || !complete { f64::NAN } else { moved as f64 };
     Ok(Finding {
-        checks: vec![Check::at_most(
+        checks: vec![Judged::at_most(
             "Freedoms, steps and operations recorded with the timings shall still be the code's",
             format!("meshes that moved, of {compared}"),
             moved,

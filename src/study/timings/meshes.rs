@@ -1,14 +1,14 @@
 //! The meshes the scenes have by default, and what coarser and finer ones away from the contact would change.
 
-use crate::case::check::{Check, Reference};
 use crate::case::problem::{self, Problem};
+use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::mesh::Resolution;
 use crate::scene::Grading;
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Formulation};
-use crate::study::suite::{Finding, Table, Trial};
 use crate::study::timings::judge::TIMINGS;
+use crate::study::unsorted::{Finding, Table, Trial};
 
 /// Growth along the surface and into the depth, and the coarsest element over the body, of the meshes tried.
 const TRIED: [[f64; 3]; 4] = [[1.3, 1.25, 0.1], [1.5, 1.4, 0.2], [1.7, 1.6, 0.3], [2.0, 1.8, 0.5]];
@@ -54,7 +54,7 @@ pub fn judged(problem: &Problem) -> Result<Finding, Error> {
         problem.name, truth.freedoms
     );
     Ok(Finding {
-        checks: vec![Check::norm(
+        checks: vec![Judged::norm(
             "The default mesh shall be fine enough for the rows that judge its scene",
             "largest error of peak and half-width",
             largest,

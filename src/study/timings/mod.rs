@@ -23,7 +23,7 @@ pub mod record;
 pub mod statistics;
 pub mod targets;
 
-use crate::study::suite::Trial;
+use crate::study::unsorted::Trial;
 
 /// All trials.
 pub fn trials() -> Vec<Trial> {

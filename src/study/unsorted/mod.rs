@@ -1,29 +1,23 @@
-//! All cases and studies as a flat list of trials, each of which can run alone.
+//! Studies that have no room of their own yet.
 
 use std::sync::{Arc, OnceLock};
 
-use crate::case::check::{Check, Verdict};
+use crate::case::{Judged, Verdict};
 use crate::case::{Problem, exact, hertz, pin, universal};
 use crate::solve::Run;
 use crate::study::cross_code::{self, Answers};
-use crate::study::{
-    atlas, converged, cures, family, faults, gaertner, limits, met, pictures, refinement, stability, sweep, timings,
-};
+use crate::study::{atlas, converged, cures, family, gaertner, limits, met, pictures, refinement, stability, sweep, timings};
 
 use crate::error::Error;
+use crate::markdown;
+use crate::study::trial::{Found, Planned};
 use crate::mesh::Resolution;
 use crate::solve::{Discretisation, Formulation};
 
-/// One row of the suite: a case solved by one formulation, or a study.
-pub struct Trial {
-    /// Name of the case or study.
-    pub case: String,
-    /// `element.algorithm`, with what else tells the row from its neighbours.
-    pub name: String,
-    work: Work,
-}
-
-type Work = Box<dyn Fn() -> Result<Finding, Error> + Send + Sync>;
+/// A trial.
+pub type Trial = Planned<Finding>;
+/// What came out.
+pub type Numbers = Finding;
 
 /// What a trial found.
 #[derive(Clone, Debug, Default)]
@@ -35,7 +29,7 @@ pub struct Finding {
     /// The run, for trials that are one.
     pub run: Option<Run>,
     /// Checks with their verdicts.
-    pub checks: Vec<Check>,
+    pub checks: Vec<Judged>,
     /// Tables for the page.
     pub tables: Vec<Table>,
     /// Curves for the page.
@@ -83,26 +77,30 @@ pub struct Series {
     pub failed: Vec<f64>,
 }
 
-impl Trial {
-    /// A trial from its work.
-    pub fn new(
-        case: impl Into<String>,
-        name: impl Into<String>,
-        work: impl Fn() -> Result<Finding, Error> + Send + Sync + 'static,
-    ) -> Self {
-        Self { case: case.into(), name: name.into(), work: Box::new(work) }
-    }
+/// All trials.
+pub fn plan() -> Vec<Trial> {
+    let named = |trial: Trial| {
+        let (case, name) = (trial.case.clone(), trial.name.clone());
+        Trial::new(case.clone(), name.clone(), move || {
+            Ok(Finding { case: case.clone(), name: name.clone(), ..trial.run()? })
+        })
+    };
+    all().into_iter().map(named).collect()
+}
 
-    /// Runs the trial.
-    pub fn run(&self) -> Result<Finding, Error> {
-        let finding = (self.work)()?;
-        Ok(Finding { case: self.case.clone(), name: self.name.clone(), ..finding })
-    }
+/// The checks.
+pub fn judge(numbers: &Finding) -> Result<Vec<Judged>, Error> {
+    Ok(numbers.checks.clone())
+}
 
-    /// `case × name`, as printed by tests.
-    pub fn title(&self) -> String {
-        format!("{} × {}", self.case, self.name)
-    }
+/// Nothing: the page has its sections.
+pub fn section(_: &[Found<Numbers>]) -> Result<String, Error> {
+    Ok(String::new())
+}
+
+/// Nothing: the page has its charts.
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+    Ok(Vec::new())
 }
 
 impl Finding {
@@ -117,7 +115,7 @@ impl Finding {
 }
 
 /// What judges a run of a case against its truth; none where a run is reported, not gated.
-pub type Judge = Option<fn(&Problem, &Discretisation, &Run) -> Result<Vec<Check>, Error>>;
+pub type Judge = Option<fn(&Problem, &Discretisation, &Run) -> Result<Vec<Judged>, Error>>;
 
 /// Trials of one problem under several formulations; they share one condensation.
 pub fn trials(
@@ -137,7 +135,7 @@ pub fn trials(
                     |error| Error::Combination { what: error.to_string(), remedy: "see the message before".into() },
                 )?;
             let run = Run::of(discretisation, &formulation)?;
-            let mut checks: Vec<Check> = universal::bounded(&run).into_iter().collect();
+            let mut checks: Vec<Judged> = universal::bounded(&run).into_iter().collect();
             if let Some(judge) = judge {
                 checks.extend(judge(&problem, discretisation, &run)?);
                 if run.solution.converged() {
@@ -176,8 +174,17 @@ pub fn all() -> Vec<Trial> {
     trials.extend(met::trials());
     trials.extend(family::trials());
     trials.extend(cross_code::trials(Answers::Frozen));
-    trials.extend(faults::trials());
     trials.extend(gaertner::trials());
     trials.extend(pictures::trials());
     trials
+}
+
+/// A study's table with its title.
+pub fn titled(of: &Table) -> String {
+    format!("**{}**\n\n{}", of.title, markdown::table(&of.head, &of.rows))
+}
+
+/// A study's table behind its title.
+pub fn folded_table(of: &Table) -> String {
+    markdown::folded(&of.title, &markdown::table(&of.head, &of.rows), false)
 }

@@ -1,0 +1,105 @@
+//! What a check asks for: a number of a run, or a number that a study found.
+
+use std::borrow::Cow;
+use std::fmt;
+
+/// A quantity that can be held against something.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Quantity {
+    /// Largest pressure of the profile \[MPa\].
+    PeakPressure,
+    /// Half-width by second moment, `2 √(∫p s²/∫p)` \[mm, or rad on arcs\].
+    HalfWidth,
+    /// Centre of pressure \[mm\].
+    Centre,
+    /// Force on the whole contact along the load line \[N\].
+    Resultant,
+    /// Contact pressure \[MPa\].
+    Pressure {
+        /// Contact coordinate \[mm, or rad on arcs\].
+        at: f64,
+    },
+    /// Circumferential stress of the secondary body's contact side \[MPa\].
+    HoopStress {
+        /// Contact coordinate \[rad\].
+        at: f64,
+    },
+    /// Force of a support \[N\].
+    Reaction {
+        /// Index of the body.
+        body: usize,
+        /// Index of the support among those of the body.
+        support: usize,
+    },
+    /// Error of the pressure profile, relative in L2 over one and a half half-widths.
+    Profile,
+    /// Share of the force that other edge means carry elsewhere.
+    EdgeMeans,
+    /// Largest departure of any point from the pressure of the oracle, over the largest of that.
+    Departure,
+    /// Degrees of freedom of the mesh.
+    Dofs,
+    /// A number of a study.
+    Named {
+        /// Noun phrase, as it stands in a sentence.
+        name: Cow<'static, str>,
+        /// Where, or of how many, it was found; empty where there is only one.
+        at: String,
+    },
+}
+
+impl Quantity {
+    /// A number of a study, where it was found.
+    pub fn at(name: impl Into<Cow<'static, str>>, at: impl Into<String>) -> Self {
+        Self::Named { name: name.into(), at: at.into() }
+    }
+
+    /// The noun phrase, without the place.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::PeakPressure => "peak pressure",
+            Self::HalfWidth => "half-width by second moment",
+            Self::Centre => "centre of pressure",
+            Self::Resultant => "contact resultant",
+            Self::Pressure { .. } => "contact pressure",
+            Self::HoopStress { .. } => "hoop stress",
+            Self::Reaction { .. } => "reaction",
+            Self::Profile => "error of the pressure profile in L2",
+            Self::EdgeMeans => "share of the force elsewhere by edge means",
+            Self::Departure => "largest departure of the pressure at any point, over the largest pressure",
+            Self::Dofs => "degrees of freedom",
+            Self::Named { name, .. } => name,
+        }
+    }
+
+    /// The unit of a number of a run; none of a pure number.
+    pub fn unit(&self) -> Option<&'static str> {
+        match self {
+            Self::PeakPressure | Self::Pressure { .. } | Self::HoopStress { .. } => Some("MPa"),
+            Self::HalfWidth => Some("mm or rad"),
+            Self::Centre => Some("mm"),
+            Self::Resultant | Self::Reaction { .. } => Some("N"),
+            _ => None,
+        }
+    }
+}
+
+impl From<&'static str> for Quantity {
+    fn from(name: &'static str) -> Self {
+        Self::at(name, "")
+    }
+}
+
+/// The noun phrase with its place and unit.
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = self.name();
+        match self {
+            Self::Pressure { at } => write!(f, "{name} at s = {at:.6}"),
+            Self::HoopStress { at } => write!(f, "{name} at {:.0}°", at.to_degrees()),
+            Self::Named { at, .. } if !at.is_empty() => write!(f, "{name}, {at}"),
+            _ => f.write_str(name),
+        }?;
+        self.unit().map_or(Ok(()), |unit| write!(f, " [{unit}]"))
+    }
+}

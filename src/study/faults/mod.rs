@@ -1,0 +1,16 @@
+//! Fault injection: what turned red when a fault was put into a copy of the tree.
+//!
+//! * `plan` — one trial, the record.
+//! * `run` — the record is read.
+//! * [`judge`] — every fault turned a check against a truth red.
+//! * `section` — a row for each fault.
+
+mod judge;
+mod plan;
+mod run;
+mod section;
+
+pub use judge::{is_caught, judge};
+pub use plan::plan;
+pub use run::{Fault, Numbers};
+pub use section::{pictures, section};

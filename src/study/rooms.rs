@@ -1,0 +1,75 @@
+//! The list of studies: what a room must have, and how the page meets all of them.
+
+/// Declares the rooms, in the order of the page. Each is a folder with
+///
+/// * `plan() -> Vec<Planned<Numbers>>` — what is run,
+/// * `Numbers` — what came out,
+/// * `judge(&Numbers) -> Result<Vec<Judged>, Error>` — the checks with their verdicts,
+/// * `section(&[Found<Numbers>]) -> Result<String, Error>` — Markdown,
+/// * `pictures(&[Found<Numbers>]) -> Result<Vec<(String, String)>, Error>` — file names and SVG.
+macro_rules! rooms {
+    ($($(#[$about:meta])* $Room:ident in $room:ident),* $(,)?) => {
+        $($(#[$about])* pub mod $room;)*
+
+        /// A study.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum Room {
+            $($(#[$about])* $Room),*
+        }
+
+        /// What a trial of any study came out with.
+        #[derive(Clone, Debug)]
+        pub enum Numbers {
+            $($(#[$about])* $Room($room::Numbers)),*
+        }
+
+        impl Room {
+            /// All, in the order of the page.
+            pub const ALL: &'static [Self] = &[$(Self::$Room),*];
+
+            /// Its trials.
+            pub fn plan(self) -> Vec<Trial> {
+                match self {
+                    $(Self::$Room => {
+                        $room::plan().into_iter().map(|planned| planned.of(self, Numbers::$Room)).collect()
+                    })*
+                }
+            }
+
+            /// Its part of the page, without the table of its checks.
+            pub fn section(self, findings: &[Finding]) -> Result<String, Error> {
+                match self {
+                    $(Self::$Room => $room::section(&rooms!(@found findings, $Room)),)*
+                }
+            }
+
+            /// Its charts: file names and SVG.
+            pub fn pictures(self, findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
+                match self {
+                    $(Self::$Room => $room::pictures(&rooms!(@found findings, $Room)),)*
+                }
+            }
+        }
+
+        impl Numbers {
+            /// The checks of its study with their verdicts.
+            pub fn judge(&self) -> Result<Vec<Judged>, Error> {
+                match self {
+                    $(Self::$Room(numbers) => $room::judge(numbers),)*
+                }
+            }
+        }
+    };
+    (@found $findings:ident, $Room:ident) => {
+        $findings
+            .iter()
+            .filter_map(|Finding { case, name, numbers, judged, .. }| match numbers {
+                Numbers::$Room(numbers) => Some(Found { case, name, numbers, judged }),
+                #[allow(unreachable_patterns)]
+                _ => None,
+            })
+            .collect::<Vec<_>>()
+    };
+}
+
+pub(super) use rooms;

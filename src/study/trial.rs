@@ -1,0 +1,83 @@
+//! A trial: one piece of a study that can run alone, and what it found.
+
+use crate::case::judged::{Judged, Verdict, worst};
+use crate::error::Error;
+use crate::study::{Numbers, Room};
+
+/// A trial as its room plans it.
+pub struct Planned<N> {
+    /// Name of the case or study.
+    pub case: String,
+    /// What tells the trial from its neighbours: a formulation, a scene, a mesh.
+    pub name: String,
+    run: Box<dyn Fn() -> Result<N, Error> + Send + Sync>,
+}
+
+/// A trial of any room.
+pub type Trial = Planned<Finding>;
+
+/// What a trial found.
+#[derive(Clone, Debug)]
+pub struct Finding {
+    /// The room it belongs to.
+    pub room: Room,
+    /// Name of the case or study.
+    pub case: String,
+    /// Name of the trial.
+    pub name: String,
+    /// Its numbers.
+    pub numbers: Numbers,
+    /// Checks with their verdicts.
+    pub judged: Vec<Judged>,
+}
+
+/// A finding as its own room sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Found<'a, N> {
+    /// Name of the case or study.
+    pub case: &'a str,
+    /// Name of the trial.
+    pub name: &'a str,
+    /// Its numbers.
+    pub numbers: &'a N,
+    /// Checks with their verdicts.
+    pub judged: &'a [Judged],
+}
+
+impl<N: 'static> Planned<N> {
+    /// A trial from its work.
+    pub fn new(
+        case: impl Into<String>,
+        name: impl Into<String>,
+        run: impl Fn() -> Result<N, Error> + Send + Sync + 'static,
+    ) -> Self {
+        Self { case: case.into(), name: name.into(), run: Box::new(run) }
+    }
+
+    /// Runs the trial.
+    pub fn run(&self) -> Result<N, Error> {
+        (self.run)()
+    }
+
+    /// `case × name`, as printed by tests.
+    pub fn title(&self) -> String {
+        format!("{} × {}", self.case, self.name)
+    }
+
+    /// The same trial among those of all rooms: judged, and an error where there is nothing to judge.
+    pub(super) fn of(self, room: Room, numbers: fn(N) -> Numbers) -> Trial {
+        let (case, name) = (self.case.clone(), self.name.clone());
+        Trial::new(case.clone(), name.clone(), move || {
+            let numbers = numbers(self.run()?);
+            let judged = numbers.judge()?;
+            Ok(Finding { room, case: case.clone(), name: name.clone(), numbers, judged })
+        })
+    }
+}
+
+impl Finding {
+    /// Worst verdict of its checks.
+    pub fn verdict(&self) -> Verdict {
+        worst(&self.judged).cloned().unwrap_or(Verdict::Pass)
+    }
+}
