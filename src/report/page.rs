@@ -9,6 +9,7 @@ use crate::report::{
     accuracy, atlas, checks, converged, cross_code, cures, decisions, limits, matrix, pictures, timings,
 };
 use crate::solve::Formulation;
+use crate::study::drawn::picture;
 use crate::study::unsorted::Finding;
 use crate::study::{self, Numbers, Room};
 use crate::study::{statements, sweep};
@@ -197,10 +198,6 @@ fn closing() -> String {
         list(&decisions::NOT_COVERED),
         list(&decisions::REFERENCES)
     )
-}
-
-fn picture(file: &str, caption: &str) -> String {
-    format!("![{caption}](snapshots/charts/{file})\n*{caption}.*\n\n")
 }
 
 /// Judged tables of some cases, one table each, with their requirements above.

@@ -1,5 +1,6 @@
 //! What is found out over many solves.
 //!
+//! * [`drawn`] — colours and dashes of formulations.
 //! * [`trial`] — one piece of a study that can run alone, and what it found.
 //! * [`refinement`], [`sweep`], [`family`], [`gaertner`] — studies over meshes, stiffnesses and dimensions.
 //! * [`cross_code`] — the solver against scikit-fem and dolfinx.
@@ -33,6 +34,7 @@ pub mod statements;
 pub mod sweep;
 pub mod timings;
 
+pub mod drawn;
 mod rooms;
 pub mod trial;
 

@@ -22,10 +22,10 @@ pub mod solve;
 pub mod timings;
 
 use crate::error::Error;
-use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::palette::Style;
 use crate::figure::{self, Chart};
-use crate::solve::{Element, Formulation, Iteration};
 use crate::study::atlas::{Chart as Plane, Plane as Name, record};
+use crate::study::drawn::{label, style};
 use crate::study::unsorted::{Finding, Series};
 
 /// All charts: file name and SVG.
@@ -61,26 +61,6 @@ pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
     }
     charts.extend(timings::all()?);
     Ok(charts)
-}
-
-/// Colour = element, dash = algorithm.
-fn style(formulation: &Formulation) -> Style {
-    let colour = match formulation.element {
-        Element::Line => palette::LINE,
-        Element::Layer => palette::LAYER,
-        Element::Node => palette::NODE,
-    };
-    let (dash, marker) = match formulation.algorithm {
-        Iteration::Varying => (Dash::Solid, Marker::Circle),
-        Iteration::Constant => (Dash::Dashed, Marker::Square),
-        Iteration::Kinematic => (Dash::Dotted, Marker::Diamond),
-    };
-    Style::run(colour, dash, marker)
-}
-
-/// Label of a formulation in legends.
-fn label(formulation: &Formulation) -> String {
-    format!("{} · {}", formulation.element.name(), formulation.algorithm.name())
 }
 
 /// A chart's curve from a study's.
