@@ -34,6 +34,8 @@ pub enum Against {
 pub enum Relation {
     /// `|value − reference| / |reference| ≤ tolerance`.
     Near,
+    /// `|value − reference| ≤ tolerance`.
+    NearAbsolutely,
     /// The quantity is itself an error: `value ≤ tolerance`.
     Error,
     /// `value ≥ reference`; the error is what is missing.
@@ -66,6 +68,8 @@ pub struct Check {
     pub because: Cow<'static, str>,
     /// Of what it is asked.
     pub scope: Scope,
+    /// Index of the contact it is asked of.
+    pub contact: usize,
 }
 
 impl Reference {
@@ -106,6 +110,16 @@ impl Check {
         Self::of(quantity.into(), Relation::Near, against.into(), tolerance, because.into())
     }
 
+    /// A quantity that shall agree with its reference, in its own unit: where that is 0.
+    pub fn absolute(
+        quantity: impl Into<Quantity>,
+        against: impl Into<Against>,
+        tolerance: f64,
+        because: impl Into<Cow<'static, str>>,
+    ) -> Self {
+        Self::of(quantity.into(), Relation::NearAbsolutely, against.into(), tolerance, because.into())
+    }
+
     /// An error, or the norm of one, that shall not exceed the tolerance.
     pub fn error(
         quantity: impl Into<Quantity>,
@@ -138,7 +152,7 @@ impl Check {
         tolerance: f64,
         because: Cow<'static, str>,
     ) -> Self {
-        Self { quantity, relation, against, tolerance, because, scope: Scope::Own }
+        Self { quantity, relation, against, tolerance, because, scope: Scope::Own, contact: 0 }
     }
 
     /// The same, asked of every run.
@@ -159,6 +173,7 @@ impl Check {
     pub fn judge_by(self, value: f64, reference: Reference) -> Judged {
         let error = match self.relation {
             Relation::Near => (value - reference.value).abs() / reference.value.abs(),
+            Relation::NearAbsolutely => (value - reference.value).abs(),
             Relation::Error => value,
             Relation::AtLeast if value >= reference.value => 0.0,
             Relation::AtMost if value <= reference.value => 0.0,
@@ -181,6 +196,10 @@ impl Check {
         let (bound, tolerance) = (markdown::value(reference.value), markdown::error(self.tolerance));
         let sentence = match self.relation {
             Relation::Near => format!("{name} shall agree with {origin} within {tolerance}"),
+            Relation::NearAbsolutely => {
+                let tolerance = markdown::value(self.tolerance);
+                format!("{name} shall agree with {origin} ({bound}) within {tolerance} in its unit")
+            }
             Relation::Error => format!("{name} shall be at most {tolerance} against {origin}"),
             Relation::AtLeast => format!("{name} shall be at least {bound} ({origin})"),
             Relation::AtMost if reference.value.abs() > 0.0 => format!("{name} shall be at most {bound} ({origin})"),

@@ -1,28 +1,31 @@
-//! A claim: a problem, the formulations that solve it, and checks that hold the results against independent truth.
+//! A claim: a scene, the formulations that solve it, and checks that hold the results against independent truth.
 //!
+//! * [`definition`] — the case.
 //! * [`check`] — a quantity, what it is held against, a tolerance and the reason for it.
-//! * [`quantity`] — what a check asks for.
+//! * [`quantity`] — what a check asks for; `measured` — its value in a run.
 //! * [`judged`] — a check with what was found, and the verdict.
-//! * [`problem`] — the problems of the suite by name: scene, default mesh and oracle.
-//! * [`universal`] — what every converged run must satisfy, whatever the problem.
-//! * [`exact`], [`hertz`], [`pin`] — the cases.
-//! * [`file`] — a user's own scene, with its checks.
-//! * [`library`] — the scenes of the suite.
+//! * [`hertz`] — errors against Hertz.
+//! * [`solved`] — a case meshed, run and judged.
+//! * [`universal`] — what every run must satisfy, whatever the case.
+//! * [`library`] — the cases of the suite.
+//! * [`file`] — cases that users write.
 
 pub mod check;
-pub mod exact;
+pub mod definition;
 pub mod file;
 pub mod hertz;
 pub mod judged;
 pub mod library;
-pub mod pin;
+mod measured;
 pub mod problem;
 pub mod quantity;
+pub mod solved;
 mod stated;
 pub mod universal;
 
 pub use check::{Against, Check, Reference, Relation, Scope};
-pub use file::SceneFile;
+pub use definition::{Case, SharedOracle};
 pub use judged::{Judged, Verdict};
 pub use problem::Problem;
 pub use quantity::Quantity;
+pub use solved::Meshed;

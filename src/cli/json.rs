@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::case::{Judged, Problem, Reference, Verdict};
+use crate::case::{Case, Judged, Reference, Verdict};
 use crate::cli::accuracy;
 use crate::cli::reactions::ReactionReading;
 use crate::cli::solve::Found;
@@ -195,7 +195,7 @@ pub fn text(found: &Found, accuracy: Option<accuracy::Document>) -> String {
     serde_json::to_string_pretty(&document).expect("numbers, strings and lists can be written as JSON")
 }
 
-fn of_contact<'a>(problem: &'a Problem, run: &Run, contact: usize) -> Contact<'a> {
+fn of_contact<'a>(problem: &'a Case, run: &Run, contact: usize) -> Contact<'a> {
     let (pair, found) = (&problem.scene.contacts[contact], &run.contacts[contact]);
     let point = |p: &PointState| Point { position: p.position, pressure: p.pressure, gap: p.gap, area: p.weight };
     let measures = &found.measures;
@@ -222,7 +222,7 @@ fn of_contact<'a>(problem: &'a Problem, run: &Run, contact: usize) -> Contact<'a
 }
 
 /// Readings of the problem's oracle for the quantities it knows, each beside the same quantity of the run.
-pub fn oracles(problem: &Problem, run: &Run) -> Vec<OracleReading> {
+pub fn oracles(problem: &Case, run: &Run) -> Vec<OracleReading> {
     let Some(oracle) = &problem.oracle else { return Vec::new() };
     let read = |quantity| Reference::read(oracle.as_ref(), quantity).value;
     let resultant = read(Quantity::Resultant) * problem.scene.thickness;

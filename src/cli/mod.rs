@@ -32,7 +32,7 @@ use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 use miette::GraphicalReportHandler;
 
-use crate::case::problem::PROBLEMS;
+use crate::case::library::NAMES;
 use crate::cli::ended::Ended;
 use crate::error::Error;
 use crate::report;
@@ -104,7 +104,7 @@ pub fn main() -> ExitCode {
         Command::Verify { paths, json } => verify::run(&paths, json),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::List => {
-            PROBLEMS.iter().for_each(|(name, title)| say(format!("{name:18} {title}")));
+            NAMES.iter().for_each(|(name, title)| say(format!("{name:18} {title}")));
             Ok(Ended::Well)
         }
         #[cfg(feature = "python")]

@@ -8,7 +8,7 @@ use crate::case::{Judged, Verdict};
 use crate::cli::{progress, say};
 use crate::error::Error;
 use crate::markdown;
-use crate::report::{matrix, page};
+use crate::report::matrix;
 
 use crate::study::{self, Finding};
 
@@ -39,7 +39,7 @@ pub fn print(findings: &[Finding]) {
     let mut table = Table::new();
     table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
     table.set_header(["case", "formulation", "outcome", "steps", "errors against closed forms", "verdict"]);
-    for row in matrix::summary_rows(&page::unsorted(findings)) {
+    for row in matrix::summary_rows(findings) {
         table.add_row(row);
     }
     say(format!("{table}"));

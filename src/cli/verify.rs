@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 use comfy_table::{ContentArrangement, Table, presets};
 use rayon::prelude::*;
 
-use crate::case::file::Judgement;
-use crate::case::{Judged, SceneFile, Verdict};
+use crate::case::{Case, Judged, Scope, Verdict, judged};
 use crate::cli::ended::Ended;
 use crate::cli::{progress, say, show, suite};
 use crate::error::Error;
@@ -18,7 +17,7 @@ struct Verified {
     name: String,
     formulation: String,
     run: Run,
-    judgement: Judgement,
+    judged: Vec<Judged>,
 }
 
 /// Solves scene files in the order of their names, prints the verdicts and tells how they ended.
@@ -45,7 +44,11 @@ pub fn run(paths: &[PathBuf], json: bool) -> Result<Ended, Error> {
     } else {
         tell_table(&files, &verified)
     }
-    let ended = verified.iter().flatten().map(|one| Ended::of(&one.run, Ended::checked(one.judgement.passed()))).max();
+    let ended = verified
+        .iter()
+        .flatten()
+        .map(|one| Ended::of(&one.run, Ended::checked(judged::worst(&one.judged) != Some(&Verdict::Fail))))
+        .max();
     match verified.into_iter().find_map(Result::err) {
         Some(error) => Err(error),
         None => Ok(ended.unwrap_or(Ended::Well)),
@@ -56,7 +59,7 @@ pub fn run(paths: &[PathBuf], json: bool) -> Result<Ended, Error> {
 fn tell_lines(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     for (file, one) in files.iter().zip(verified) {
         let lines = match one {
-            Ok(one) => suite::lines(&one.name, one.judgement.checks()),
+            Ok(one) => suite::lines(&one.name, &one.judged),
             Err(error) => vec![suite::broken(&file.display().to_string(), error)],
         };
         lines.iter().for_each(say);
@@ -68,19 +71,22 @@ fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     let mut table = Table::new();
     table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
     table.set_header(["file", "formulation", "outcome", "steps", "its own checks", "checks of every run"]);
-    for Verified { name, formulation, run, judgement } in verified.iter().flatten() {
+    for Verified { name, formulation, run, judged } in verified.iter().flatten() {
         let outcome = run.solution.outcome.to_string();
-        let counted = [counted(&judgement.own), counted(&judgement.universal)];
+        let counted = [Scope::Own, Scope::Universal].map(|scope| counted(judged, scope));
         let steps = run.solution.work.steps.to_string();
         table.add_row([vec![name.clone(), formulation.clone(), outcome, steps], counted.into()].concat());
     }
     say(table);
-    for Verified { name, judgement, .. } in verified.iter().flatten() {
-        let own = std::iter::once(&judgement.converges).chain(&judgement.own);
-        let not_passed = |check: &&Judged| check.verdict != Verdict::Pass;
-        own.filter(not_passed).for_each(|check| say(told(name, check)));
-        let every = format!("{name}, not by the file's own checks but by those of every run");
-        judgement.universal.iter().filter(not_passed).for_each(|check| say(told(&every, check)));
+    for Verified { name, judged, .. } in verified.iter().flatten() {
+        for one in judged.iter().filter(|one| one.verdict != Verdict::Pass) {
+            say(match one.check.scope {
+                Scope::Own => told(name, one),
+                Scope::Universal => {
+                    told(&format!("{name}, not by the file's own checks but by those of every run"), one)
+                }
+            });
+        }
     }
     let broken = verified.iter().filter(|one| one.is_err()).count();
     for (file, one) in files.iter().zip(verified) {
@@ -95,9 +101,10 @@ fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     }
 }
 
-fn counted(checks: &[Judged]) -> String {
-    let failed = checks.iter().filter(|check| check.verdict == Verdict::Fail).count();
-    match (checks.len(), failed) {
+fn counted(judged: &[Judged], scope: Scope) -> String {
+    let own = || judged.iter().filter(|one| one.check.scope == scope);
+    let failed = own().filter(|one| one.verdict == Verdict::Fail).count();
+    match (own().count(), failed) {
         (0, _) => "none".into(),
         (all, 0) => format!("{all} passed"),
         (all, failed) => format!("{failed} of {all} FAILED"),
@@ -123,12 +130,10 @@ pub fn told(name: &str, check: &Judged) -> String {
 }
 
 fn verify(file: &Path) -> Result<Verified, Error> {
-    let scene_file = SceneFile::read(file)?;
-    let (discretisation, run, answer) = scene_file.solve()?;
-    let mut judgement = scene_file.judge(&discretisation, &run)?;
-    judgement.own.extend(scene_file.accuracy.iter().zip(&answer).map(|(asked, answer)| answer.check(asked)));
-    let formulation = scene_file.formulation.name();
-    Ok(Verified { name: scene_file.problem.name.clone(), formulation, run, judgement })
+    let case = Case::read(file)?;
+    let (meshed, run) = case.solve()?;
+    let judged = case.judge(&meshed, &run)?;
+    Ok(Verified { formulation: case.formulation().name(), name: case.name, run, judged })
 }
 
 fn scene_files(folder: &Path) -> Result<Vec<PathBuf>, Error> {

@@ -5,7 +5,6 @@ use std::fmt::Write;
 use crate::case::{Judged, Verdict};
 use crate::error::Error;
 use crate::markdown;
-use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::Frozen;
 use crate::oracle::cross_code::{Code, SET_UP};
 use crate::study::cross_code::{DISCRETE, PHYSICAL, shown};
@@ -69,50 +68,4 @@ fn benchmark(findings: &[Finding], title: &str, head: &[&str]) -> String {
     let rows: Vec<Vec<String>> =
         tables.filter(|table| table.title == title).flat_map(|table| table.rows.clone()).collect();
     markdown::table(&head.iter().map(|cell| cell.to_string()).collect::<Vec<_>>(), &rows)
-}
-
-/// Title of a table, the kind of its checks, and the cases that belong to it.
-type Section<'a> = (&'a str, ReferenceKind, &'a dyn Fn(&str) -> bool);
-
-/// Checks by kind of reference, one table each: what is verified, code-checked, benchmarked, validated.
-pub fn by_kind(findings: &[Finding]) -> String {
-    let others = |case: &str| case == DISCRETE || case == PHYSICAL;
-    let tables: [Section<'_>; 4] = [
-        ("Verification: closed forms and orders of accuracy", ReferenceKind::Analytic, &|case| !others(case)),
-        ("Code check: the same discrete problem in other codes", ReferenceKind::CrossCode, &|case| case == DISCRETE),
-        ("Benchmarking: the same physical problem in other codes", ReferenceKind::CrossCode, &|case| case == PHYSICAL),
-        ("Validation: measurements", ReferenceKind::Measured, &|case| !others(case)),
-    ];
-    tables.map(|(title, kind, belongs)| format!("**{title}**\n\n{}\n", of_kind(findings, kind, belongs))).concat()
-}
-
-fn of_kind(findings: &[Finding], kind: ReferenceKind, belongs: &dyn Fn(&str) -> bool) -> String {
-    let mut rows: Vec<(&str, Vec<&Judged>)> = Vec::new();
-    for finding in findings.iter().filter(|finding| belongs(&finding.case)) {
-        let checks = finding.checks.iter().filter(|check| check.reference.kind == kind);
-        for check in checks {
-            match rows.iter_mut().find(|(case, _)| *case == finding.case) {
-                Some((_, members)) => members.push(check),
-                None => rows.push((&finding.case, vec![check])),
-            }
-        }
-    }
-    let rows = rows.into_iter().map(|(case, checks)| {
-        let fraction =
-            |check: &&&Judged| if check.check.tolerance > 0.0 { check.error / check.check.tolerance } else { 0.0 };
-        let worst = checks.iter().max_by(|a, b| fraction(a).total_cmp(&fraction(b)));
-        let worst = worst.filter(|check| fraction(check) > 0.0 && check.verdict == Verdict::Pass);
-        let told = worst.map_or(String::new(), |check| {
-            let (error, tolerance) = (markdown::error(check.error), bound(check.check.tolerance));
-            format!("{}: {error}, {tolerance} allowed", check.check.quantity)
-        });
-        let verdict = checks.iter().map(|check| &check.verdict).find(|verdict| **verdict != Verdict::Pass);
-        vec![case.into(), checks.len().to_string(), told, verdict.unwrap_or(&Verdict::Pass).to_string()]
-    });
-    markdown::table(&["case", "checks", "closest to its limit", "verdict"].map(String::from), &rows.collect::<Vec<_>>())
-}
-
-/// A tolerance, which may be smaller than what an error is shown as.
-fn bound(tolerance: f64) -> String {
-    if tolerance < 1e-8 { format!("{tolerance:.0e}") } else { markdown::error(tolerance) }
 }

@@ -1,28 +1,28 @@
-//! The verdict matrix: case × formulation, and the summary table of the terminal.
+//! The verdict matrix, the tables of verdicts by kind and by study, and the summary of the terminal.
 
-use crate::case::Verdict;
+use crate::case::judged::worst;
+use crate::case::{Judged, Relation, Verdict};
 use crate::markdown;
+use crate::oracle::ReferenceKind;
 use crate::solution::Outcome;
-use crate::solve::{Element, Iteration};
-use crate::study::{self, unsorted::Finding};
+use crate::solve::{Element, Iteration, Run};
+use crate::study::{Finding, Numbers};
 
-/// Names of the nine formulations, in the order of the columns.
-fn columns() -> Vec<String> {
-    let pairs = Element::ALL.into_iter().flat_map(|e| Iteration::ALL.map(move |a| (e, a)));
-    pairs.map(|(element, algorithm)| format!("{}.{}", element.name(), algorithm.name())).collect()
+/// The run of a finding that is one.
+fn run(finding: &Finding) -> Option<&Run> {
+    match &finding.numbers {
+        Numbers::Cases(numbers) => Some(&numbers.run),
+        _ => None,
+    }
 }
 
-/// Cases that are runs, each with its findings, in the order of the suite.
-pub fn cases(findings: &[Finding]) -> Vec<(&str, Vec<&Finding>)> {
-    group(findings.iter().filter(|finding| finding.run.is_some()))
+/// All runs of cases.
+pub fn runs(findings: &[Finding]) -> impl Iterator<Item = &Run> {
+    findings.iter().filter_map(run)
 }
 
-/// Studies: everything that is not a run.
-pub fn studies(findings: &[Finding]) -> Vec<(&str, Vec<&Finding>)> {
-    group(findings.iter().filter(|finding| finding.run.is_none() && !finding.checks.is_empty()))
-}
-
-fn group<'a>(findings: impl Iterator<Item = &'a Finding>) -> Vec<(&'a str, Vec<&'a Finding>)> {
+/// Findings by case, in the order of the suite.
+fn by_case<'a>(findings: impl Iterator<Item = &'a Finding>) -> Vec<(&'a str, Vec<&'a Finding>)> {
     let mut groups: Vec<(&str, Vec<&Finding>)> = Vec::new();
     for finding in findings {
         match groups.iter_mut().find(|(case, _)| *case == finding.case) {
@@ -33,64 +33,88 @@ fn group<'a>(findings: impl Iterator<Item = &'a Finding>) -> Vec<(&'a str, Vec<&
     groups
 }
 
-/// The verdict matrix in Markdown: sign and steps of every case under every formulation.
+/// The verdict matrix in Markdown: sign and iterations of every case under every formulation.
 pub fn verdict_matrix(findings: &[Finding]) -> String {
-    let head: Vec<String> =
-        std::iter::once("case".into()).chain(columns().iter().map(|name| name.replace('.', " · "))).collect();
-    let rows: Vec<Vec<String>> = cases(findings)
-        .iter()
-        .map(|(case, members)| {
-            let cells = columns().into_iter().map(|column| cell(members, &column));
-            std::iter::once(case.to_string()).chain(cells).collect()
-        })
-        .collect();
-    markdown::table(&head, &rows)
+    let columns: Vec<(Element, Iteration)> =
+        Element::ALL.into_iter().flat_map(|e| Iteration::ALL.map(move |a| (e, a))).collect();
+    let names = columns.iter().map(|(element, algorithm)| format!("{} · {}", element.name(), algorithm.name()));
+    let head: Vec<String> = std::iter::once("case".into()).chain(names).collect();
+    let cases = by_case(findings.iter().filter(|finding| run(finding).is_some()));
+    let row = |(case, members): &(&str, Vec<&Finding>)| {
+        let cells = columns.iter().map(|column| cell(members, *column));
+        std::iter::once(case.to_string()).chain(cells).collect()
+    };
+    markdown::table(&head, &cases.iter().map(row).collect::<Vec<_>>())
+}
+
+fn cell(members: &[&Finding], (element, algorithm): (Element, Iteration)) -> String {
+    let of_column = |finding: &&&Finding| {
+        run(finding).is_some_and(|run| run.formulation.element == element && run.formulation.algorithm == algorithm)
+    };
+    members.iter().filter(of_column).map(|finding| sign(finding)).collect::<Vec<_>>().join(", ")
+}
+
+fn sign(finding: &Finding) -> String {
+    let Numbers::Cases(numbers) = &finding.numbers else { return String::new() };
+    let sign = match finding.verdict() {
+        _ if numbers.case.is_reported() => "·",
+        Verdict::Pass => "✓",
+        Verdict::Fail => "✗",
+        Verdict::NotRun(_) => "○",
+    };
+    match numbers.run.solution.outcome {
+        Outcome::Converged => format!("{sign} {}", numbers.run.solution.work.steps),
+        other => format!("{sign} {other}"),
+    }
 }
 
 /// Verdicts of the studies in Markdown.
 pub fn study_table(findings: &[Finding]) -> String {
     let head = ["study", "checks", "verdict"].map(String::from);
-    let rows: Vec<Vec<String>> = studies(findings)
-        .iter()
-        .map(|(case, members)| {
-            let checks: usize = members.iter().map(|finding| finding.checks.len()).sum();
-            let worst = members.iter().map(|finding| finding.verdict()).max_by_key(severity).unwrap_or(Verdict::Pass);
-            vec![case.to_string(), checks.to_string(), worst.to_string()]
-        })
-        .collect();
-    markdown::table(&head, &rows)
-}
-
-fn severity(verdict: &Verdict) -> u8 {
-    match verdict {
-        Verdict::Pass => 0,
-        Verdict::NotRun(_) => 1,
-        Verdict::Fail => 2,
-    }
-}
-
-fn cell(members: &[&Finding], column: &str) -> String {
-    let of_column = |finding: &&&Finding| finding.name.split(',').next() == Some(column);
-    let cells: Vec<String> = members.iter().filter(of_column).map(|finding| sign(finding)).collect();
-    if cells.is_empty() { String::new() } else { cells.join(", ") }
-}
-
-fn sign(finding: &Finding) -> String {
-    let Some(run) = &finding.run else { return String::new() };
-    let sign = match finding.verdict() {
-        _ if finding.checks.is_empty() => "·",
-        Verdict::Pass => "✓",
-        Verdict::Fail => "✗",
-        Verdict::NotRun(_) => "○",
+    let studies = by_case(findings.iter().filter(|finding| run(finding).is_none()));
+    let row = |(case, members): &(&str, Vec<&Finding>)| {
+        let judged = || members.iter().flat_map(|finding| &finding.judged);
+        let verdict = worst(judged()).map_or("**no check**".into(), Verdict::to_string);
+        vec![case.to_string(), judged().count().to_string(), verdict]
     };
-    match run.solution.outcome {
-        Outcome::Converged => format!("{sign} {}", run.solution.work.steps),
-        other => format!("{sign} {other}"),
-    }
+    markdown::table(&head, &studies.iter().map(row).collect::<Vec<_>>())
+}
+
+/// Checks against truths that are not ours, by kind, one table each.
+pub fn by_kind(findings: &[Finding]) -> String {
+    let kinds = [
+        ("Verification: closed forms and orders of accuracy", ReferenceKind::Analytic),
+        ("Code checks and benchmarking: other codes", ReferenceKind::CrossCode),
+        ("Validation: measurements", ReferenceKind::Measured),
+    ];
+    kinds.map(|(title, kind)| format!("**{title}**\n\n{}\n", of_kind(findings, kind))).concat()
+}
+
+fn of_kind(findings: &[Finding], kind: ReferenceKind) -> String {
+    let head = ["case", "checks", "closest to its limit", "verdict"].map(String::from);
+    let row = |(case, members): (&str, Vec<&Finding>)| {
+        let judged = members.iter().flat_map(|finding| &finding.judged);
+        let own: Vec<&Judged> = judged.filter(|judged| judged.reference.kind == kind).collect();
+        let verdict = worst(own.iter().copied())?.to_string();
+        Some(vec![case.to_string(), own.len().to_string(), closest(&own), verdict])
+    };
+    markdown::table(&head, &by_case(findings.iter()).into_iter().filter_map(row).collect::<Vec<_>>())
+}
+
+/// The passed check that is closest to its tolerance, with its error.
+fn closest(judged: &[&Judged]) -> String {
+    let passed = judged.iter().filter(|judged| judged.verdict == Verdict::Pass && judged.error > 0.0);
+    let worst = passed.max_by(|a, b| a.share_of_tolerance().total_cmp(&b.share_of_tolerance()));
+    worst.map_or(String::new(), |judged| {
+        let tolerance = judged.check.tolerance;
+        // A tolerance may be smaller than what an error is shown as.
+        let bound = if tolerance < 1e-8 { format!("{tolerance:.0e}") } else { markdown::error(tolerance) };
+        format!("{}: {}, {bound} allowed", judged.check.quantity, markdown::error(judged.error))
+    })
 }
 
 /// Numbers of checks that passed, failed and were not run.
-pub fn counts(findings: &[study::Finding]) -> [usize; 3] {
+pub fn counts(findings: &[Finding]) -> [usize; 3] {
     let mut counts = [0; 3];
     for judged in findings.iter().flat_map(|finding| &finding.judged) {
         match judged.verdict {
@@ -102,27 +126,24 @@ pub fn counts(findings: &[study::Finding]) -> [usize; 3] {
     counts
 }
 
-/// One row per run for the terminal: case, formulation, outcome, steps, worst error over its tolerance, verdict.
+/// One row per trial for the terminal: case, formulation, outcome, iterations, errors against closed forms, verdict.
 pub fn summary_rows(findings: &[Finding]) -> Vec<Vec<String>> {
-    findings
-        .iter()
-        .filter(|finding| finding.run.is_some() || !finding.checks.is_empty())
-        .map(|finding| {
-            let (outcome, steps) = finding.run.as_ref().map_or((String::new(), String::new()), |run| {
-                (run.solution.outcome.to_string(), run.solution.work.steps.to_string())
-            });
-            let truth =
-                finding.checks.iter().filter(|check| check.reference.kind == crate::oracle::ReferenceKind::Analytic);
-            let errors = truth.map(|check| {
-                let found = if check.check.tolerance > 0.0 {
-                    markdown::error(check.error)
-                } else {
-                    markdown::significant(check.value, 3)
-                };
-                format!("{} {found}", check.check.quantity)
-            });
-            let errors = errors.collect::<Vec<_>>().join("; ");
-            vec![finding.case.clone(), finding.name.clone(), outcome, steps, errors, finding.verdict().to_string()]
-        })
-        .collect()
+    let row = |finding: &Finding| {
+        let (outcome, steps) = run(finding).map_or((String::new(), String::new()), |run| {
+            (run.solution.outcome.to_string(), run.solution.work.steps.to_string())
+        });
+        let truth = finding.judged.iter().filter(|judged| judged.reference.kind == ReferenceKind::Analytic);
+        let errors: Vec<String> = truth.map(error).collect();
+        let names = [finding.case.clone(), finding.name.clone()];
+        names.into_iter().chain([outcome, steps, errors.join("; "), finding.verdict().to_string()]).collect()
+    };
+    findings.iter().map(row).collect()
+}
+
+fn error(judged: &Judged) -> String {
+    let found = match judged.check.relation {
+        Relation::Near | Relation::NearAbsolutely | Relation::Error => markdown::error(judged.error),
+        Relation::AtLeast | Relation::AtMost => markdown::significant(judged.value, 3),
+    };
+    format!("{} {found}", judged.check.quantity)
 }

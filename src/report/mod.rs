@@ -11,6 +11,7 @@
 //! * [`cures`] — options that are not the paper's.
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
+//! * [`statements`] — the paper's statements, judged.
 //! * [`files`] — writing, and comparing with what is committed.
 
 pub mod accuracy;
@@ -25,6 +26,7 @@ pub mod limits;
 pub mod matrix;
 pub mod page;
 pub mod pictures;
+pub mod statements;
 pub mod timings;
 
 pub use files::{differences, write};

@@ -30,8 +30,6 @@ pub mod pictures;
 pub mod records;
 pub mod refinement;
 pub mod stability;
-pub mod statements;
-pub mod sweep;
 pub mod timings;
 
 pub mod drawn;
@@ -45,6 +43,10 @@ use rooms::rooms;
 pub use trial::{Finding, Found, Planned, Trial};
 
 rooms! {
+    /// The cases of the suite.
+    Cases in cases,
+    /// Initial stiffness and rules.
+    Sweep in sweep,
     /// Studies that have no room of their own yet.
     Unsorted in unsorted,
     /// Fault injection.

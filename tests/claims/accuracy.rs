@@ -4,7 +4,7 @@ use approx::assert_relative_eq;
 use contact_vv::accuracy::estimate::{levels, richardson};
 use contact_vv::accuracy::longest::longest;
 use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted, percentage};
-use contact_vv::case::{SceneFile, Verdict, problem};
+use contact_vv::case::{Case, Verdict, problem};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
@@ -128,9 +128,9 @@ fn pin_and_rod_press_fits_and_scene_files_meet_what_they_are_asked() {
         }
     }
     let (path, text) = files().into_iter().find(|(path, _)| path.ends_with("rigid-cosine.toml")).expect("the file");
-    let file = SceneFile::parse(&path, &text).expect("sound");
+    let file = Case::parse(&path, &text).expect("sound");
     // Westergaard, as the file's own checks have it.
-    let answer = answered(&file.problem.scene, 3e-3);
+    let answer = answered(&file.scene, 3e-3);
     assert!(answer.unmet.is_none());
     assert_relative_eq!(answer.run.measures().peak.pressure, 213.067134, max_relative = 3e-3);
 }
@@ -139,9 +139,9 @@ fn pin_and_rod_press_fits_and_scene_files_meet_what_they_are_asked() {
 fn disc_on_a_block_is_solved_with_8_node_cells_whose_middles_do_not_face() {
     let (path, text) =
         files().into_iter().find(|(path, _)| path.ends_with("cylinder-on-block.toml")).expect("the file");
-    let file = SceneFile::parse(&path, &text).expect("sound");
+    let file = Case::parse(&path, &text).expect("sound");
     for asked in [1e-2, 3e-3, 1e-3] {
-        let answer = answered(&file.problem.scene, asked);
+        let answer = answered(&file.scene, asked);
         assert!(answer.unmet.is_none());
         assert_eq!(answer.resolution.order, Order::Quadratic);
         // Hertz leaves out 0.1 % at a/R = 0.05 and a block of 32 half-widths.
@@ -262,16 +262,17 @@ fn percentages_are_read_and_nothing_else_is() {
 fn accuracy_in_a_file_is_the_engines_and_its_first_mesh_is_within_limits() {
     let (path, text) =
         files().into_iter().find(|(path, _)| path.ends_with("cylinder-to-accuracy.toml")).expect("the file");
-    let file = SceneFile::parse(&path, &text).expect("sound");
+    let file = Case::parse(&path, &text).expect("sound");
     let asked = file.accuracy.clone().expect("asked");
     assert_relative_eq!(asked.relative, 1e-3, max_relative = 1e-12);
     assert_eq!(asked.quantities, Quantity::ALL);
-    let (_, run, answer) = file.solve().expect("solved");
+    let (meshed, run) = file.solve().expect("solved");
+    let answer = meshed.answer;
     let answer = answer.expect("answered");
     assert!(answer.check(&asked).verdict == Verdict::Pass);
     assert!(study::error(&run, [576.923077, 0.25]) <= 1e-3);
-    assert_eq!(file.problem.resolution, Resolution { elements: 8, refinement: 0, order: Order::Quadratic });
+    assert_eq!(file.resolution, Resolution { elements: 8, refinement: 0, order: Order::Quadratic });
     let one = text.replace("accuracy = \"0.1 %\"", "accuracy = \"1 %\"\nquantity = [\"half-width\"]");
-    let asked = SceneFile::parse(&path, &one).expect("sound").accuracy.expect("asked");
+    let asked = Case::parse(&path, &one).expect("sound").accuracy.expect("asked");
     assert_eq!(asked.quantities, [Quantity::HalfWidth]);
 }

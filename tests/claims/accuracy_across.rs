@@ -7,7 +7,7 @@ use std::path::Path;
 use approx::assert_relative_eq;
 use contact_vv::accuracy::longest::longest;
 use contact_vv::accuracy::{self, Answer, Asked, ends, fitted};
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Scene;
 use contact_vv::solve::Run;
@@ -43,8 +43,8 @@ fn rolling(a: f64, centre: f64, stretch: f64, [left, right]: [f64; 2], mesh: &st
 const WIDE: [f64; 2] = [-40.0, 40.0];
 const ANY: &str = "accuracy = \"1 %\"";
 
-fn parsed(text: &str) -> SceneFile {
-    SceneFile::parse(Path::new("across.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"))
+fn parsed(text: &str) -> Case {
+    Case::parse(Path::new("across.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 fn answered(scene: &Scene, asked: f64) -> Answer {
@@ -54,7 +54,7 @@ fn answered(scene: &Scene, asked: f64) -> Answer {
 fn by_hand(text: &str) -> Run {
     let mut file = parsed(text);
     // At the default tolerance the iteration leaves 0.08 % in the half-width.
-    file.formulation.settings.tolerance = 1e-8;
+    file.formulations[0].settings.tolerance = 1e-8;
     file.solve().expect("solved").1
 }
 
@@ -94,7 +94,7 @@ fn twins() -> Vec<[Scene; 2]> {
         .replace("both-sides = true\n", "")
         .replace("x = [-40, 40]", "x = [0, 40]")
         .replace("at = [40, 40]", "at = \"left\"");
-    [[half_disc, disc], [half_block, block]].map(|texts| texts.map(|text| parsed(&text).problem.scene)).into()
+    [[half_disc, disc], [half_block, block]].map(|texts| texts.map(|text| parsed(&text).scene)).into()
 }
 
 #[test]
@@ -130,7 +130,7 @@ fn contact_off_the_middle_meets_each_accuracy() {
     for centre in [0.12, 0.7, -1.3, 2.7] {
         let text = |mesh: &str| rolling(2.0, centre, 6.0, WIDE, mesh);
         let fine = both(&by_hand(&text(FINE)));
-        let scene = parsed(&text(ANY)).problem.scene;
+        let scene = parsed(&text(ANY)).scene;
         for asked in ASKED {
             let place = format!("centre {centre}, {asked}");
             let answer = answered(&scene, asked);
@@ -145,7 +145,7 @@ fn contact_off_the_middle_meets_each_accuracy() {
 fn mirror_image_is_answered_with_the_mirrored_mesh() {
     for (a, centre) in [(2.0, 1.3), (1.0, 2.5)] {
         let [right, left] =
-            [centre, -centre].map(|centre| answered(&parsed(&rolling(a, centre, 6.0, WIDE, ANY)).problem.scene, 3e-3));
+            [centre, -centre].map(|centre| answered(&parsed(&rolling(a, centre, 6.0, WIDE, ANY)).scene, 3e-3));
         assert!(right.unmet.is_none() && left.unmet.is_none());
         assert_eq!(right.run.freedoms, left.run.freedoms);
         assert_relative_eq!(right.scene.contact().stretch, left.scene.contact().stretch, max_relative = 1e-6);
@@ -157,7 +157,7 @@ fn mirror_image_is_answered_with_the_mirrored_mesh() {
 #[test]
 fn both_ends_are_found_within_a_tenth_of_an_element() {
     for (a, centre) in [(2.0, 0.0), (2.0, 0.4), (2.0, -1.1), (1.5, 2.2), (1.5, -2.2)] {
-        let scene = parsed(&rolling(a, centre, 6.0, WIDE, ANY)).problem.scene;
+        let scene = parsed(&rolling(a, centre, 6.0, WIDE, ANY)).scene;
         let elements = 8;
         let guessed = [centre - 1.03 * a, centre + 1.03 * a];
         let plan = fitted::Plan::around(guessed, 40.0, elements, Order::Quadratic, 2);
@@ -175,7 +175,7 @@ fn both_ends_are_found_within_a_tenth_of_an_element() {
 
 #[test]
 fn elements_resolve_the_contact_and_both_its_ends_lie_at_one_place_of_an_element() {
-    let scene = parsed(&rolling(2.0, 0.0, 6.0, WIDE, ANY)).problem.scene;
+    let scene = parsed(&rolling(2.0, 0.0, 6.0, WIDE, ANY)).scene;
     for ends in [[-2.0, 2.0], [-1.0, 3.0], [-2.6, 1.4], [0.7, 4.7], [-4.8, -0.8], [-0.9, 1.1], [4.0, 5.0]] {
         for elements in [4, 8, 16, 32] {
             let plan = fitted::Plan::around(ends, 40.0, elements, Order::Quadratic, 4);
@@ -198,7 +198,7 @@ fn elements_resolve_the_contact_and_both_its_ends_lie_at_one_place_of_an_element
 #[test]
 fn stretch_far_too_long_or_too_short_leads_to_the_same_contact() {
     let solve = |a: f64, centre: f64, stretch: f64| {
-        let answer = answered(&parsed(&rolling(a, centre, stretch, WIDE, ANY)).problem.scene, 3e-3);
+        let answer = answered(&parsed(&rolling(a, centre, stretch, WIDE, ANY)).scene, 3e-3);
         assert!(answer.unmet.is_none(), "{stretch}: {:?}", answer.unmet);
         covers(&answer, &format!("{stretch}"));
         answer
@@ -222,7 +222,7 @@ fn block_that_lifts_off_on_one_side_meets_each_accuracy() {
         let on = |mesh: &str| text.replace("elements = 4\nper = 10", mesh);
         let fine =
             both(&by_hand(&on("elements = 120\nper = 10\ngrowth = { along = 1.2, depth = 1.15, coarsest = 0.08 }")));
-        let scene = parsed(&on(ANY)).problem.scene;
+        let scene = parsed(&on(ANY)).scene;
         for asked in ASKED {
             let answer = answered(&scene, asked);
             met(&answer, asked, fine, &format!("slope {slope}, {asked}"));
@@ -234,18 +234,18 @@ fn block_that_lifts_off_on_one_side_meets_each_accuracy() {
 
 #[test]
 fn body_that_ends_sooner_on_one_side_limits_the_stretch_and_longer_contact_is_refused() {
-    let near = |a: f64| parsed(&rolling(a, 1.0, 3.0, [-40.0, 4.0], ANY)).problem.scene;
+    let near = |a: f64| parsed(&rolling(a, 1.0, 3.0, [-40.0, 4.0], ANY)).scene;
     assert_relative_eq!(longest(&near(2.0), near(2.0).contact()), 4.0);
     let fine = both(&by_hand(&rolling(2.0, 1.0, 3.8, [-40.0, 4.0], FINE)));
     met(&answered(&near(2.0), 3e-3), 3e-3, fine, "four on the right");
-    let scene = parsed(&rolling(3.0, -2.5, 3.0, [-40.0, 4.0], ANY)).problem.scene;
+    let scene = parsed(&rolling(3.0, -2.5, 3.0, [-40.0, 4.0], ANY)).scene;
     let error = accuracy::solve(&scene, &Formulation::verification(), &Asked::new(3e-3)).expect_err("beyond −4");
     assert!(error.to_string().contains("s = -4"), "{error}");
 }
 
 #[test]
 fn contact_too_far_from_the_middle_for_its_width_is_told() {
-    let scene = parsed(&rolling(0.5, 30.0, 31.0, WIDE, ANY)).problem.scene;
+    let scene = parsed(&rolling(0.5, 30.0, 31.0, WIDE, ANY)).scene;
     let answer = answered(&scene, 1e-2);
     assert!(answer.unmet.as_ref().is_some_and(|why| why.contains("put x = 0 nearer to it")), "{:?}", answer.unmet);
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::{SceneFile, Verdict};
+use contact_vv::case::{Case, Verdict};
 use contact_vv::error::Error;
 use contact_vv::measure::{peak, profile};
 use contact_vv::mesh::size::expected;
@@ -96,17 +96,17 @@ fn twins() -> Vec<Twin> {
     all
 }
 
-fn parsed(text: &str) -> SceneFile {
-    SceneFile::parse(Path::new("both.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"))
+fn parsed(text: &str) -> Case {
+    Case::parse(Path::new("both.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 fn solved(text: &str, element: Element, order: Order) -> (Discretisation, Run) {
     let file = parsed(text);
-    let scene = file.problem.scene.clone();
-    let resolution = resolution(file.problem.resolution.elements, 0, order);
+    let scene = file.scene.clone();
+    let resolution = resolution(file.resolution.elements, 0, order);
     let discretisation = Discretisation::of(scene, resolution).expect("meshed");
     let formulation =
-        Formulation { settings: file.formulation.settings, ..Formulation::new(element, Iteration::Kinematic) };
+        Formulation { settings: file.formulation().settings, ..Formulation::new(element, Iteration::Kinematic) };
     let run = Run::of(&discretisation, &formulation).unwrap_or_else(|error| panic!("{error}\n{text}"));
     (discretisation, run)
 }
@@ -225,8 +225,8 @@ fn contact_beyond_the_candidates_is_refused_on_either_side() {
     // The contact of half-width 2 mm about the edge of the wedge reaches 3 mm to one side.
     for x in [1.0, -1.0] {
         let file = parsed(&wedge(x, 2.5));
-        let error = Discretisation::of(file.problem.scene.clone(), file.problem.resolution)
-            .and_then(|discretisation| discretisation.solve(&file.formulation))
+        let error = Discretisation::of(file.scene.clone(), file.resolution)
+            .and_then(|discretisation| discretisation.solve(file.formulation()))
             .map(|_| ())
             .expect_err("candidates end in the contact");
         let end = match error {
@@ -277,7 +277,7 @@ fn contact_on_few_points_is_noted_by_those_on_each_side() {
         for Twin { half, whole, .. } in &twins()[5..6] {
             let [half, whole] = [half, whole].map(|text| {
                 let text = text.replace("elements = 6", &format!("elements = {elements}\norder = 1"));
-                let (_, run, _) = parsed(&text).solve().expect("solved");
+                let (_, run) = parsed(&text).solve().expect("solved");
                 (run.note(0).is_some_and(|note| note.contains("refine before quoting")), run.measures().active)
             });
             assert_eq!((half.0, whole.0), (noted, noted), "{} and {} points", half.1, whole.1);
@@ -291,8 +291,8 @@ fn size_of_the_mesh_is_estimated_for_both_sides() {
     for Twin { half, whole, .. } in twins() {
         let [half, whole] = [half, whole].map(|text| {
             let file = parsed(&text);
-            let mesh = Mesh::of(&file.problem.scene, file.problem.resolution).expect("meshed");
-            (expected(&file.problem.scene, file.problem.resolution), mesh.cells())
+            let mesh = Mesh::of(&file.scene, file.resolution).expect("meshed");
+            (expected(&file.scene, file.resolution), mesh.cells())
         });
         assert_eq!(whole.1, 2 * half.1);
         let [[cells, along], [twice_cells, twice_along]] = [half.0, whole.0];
@@ -310,8 +310,8 @@ fn blocks_that_cross_the_middle_are_the_rectangle() {
          { corners = [[4, 0], [10, 0], [10, 8], [4, 8]], elements = [3, 4], bottom = \"contact\", top = \"far\" }] }",
     );
     let blocks = blocks.replace("elements = 4\nper = 10\n", "").replace("at = [0, 8]", "at = [4, 8]");
-    let (_, run, _) = parsed(&blocks).solve().expect("solved");
-    let (_, plain, _) = rectangle.solve().expect("solved");
+    let (_, run) = parsed(&blocks).solve().expect("solved");
+    let (_, plain) = rectangle.solve().expect("solved");
     for point in &run.solution.points {
         assert_relative_eq!(point.pressure, 100.0 + 4.0 * point.position, max_relative = 1e-7);
     }
@@ -322,11 +322,11 @@ fn blocks_that_cross_the_middle_are_the_rectangle() {
 #[test]
 fn pressure_at_the_ends_of_the_candidates_is_that_of_the_outermost_points() {
     let text = text_of("eccentric-load.toml").replace("[solve]", "[solve]\nelement = \"line\"");
-    let file = SceneFile::parse(Path::new("ends.toml"), &text).expect("sound");
-    let (discretisation, run, _) = file.solve().expect("solved");
+    let file = Case::parse(Path::new("ends.toml"), &text).expect("sound");
+    let (meshed, run) = file.solve().expect("solved");
     let [first, .., last] = run.solution.points[..] else { panic!("points") };
     assert!(first.position > -10.0 && last.position < 10.0);
-    let checks = file.judge(&discretisation, &run).expect("judged").checks().cloned().collect::<Vec<_>>();
+    let checks = file.judge(&meshed, &run).expect("judged");
     let error = |place: &str| {
         checks.iter().find(|check| check.check.quantity.to_string().contains(place)).expect("a check").error
     };
@@ -340,8 +340,8 @@ fn point_far_above_the_peak_is_noted() {
         .replace("coefficients = [100, 4]", "coefficients = [100, -12]")
         .replace("gap = { uniform = 0 }", "gap = { table = [[-10, 0], [0, 0], [10, 0.05]] }");
     for (text, wanted) in [(text_of("eccentric-load.toml"), false), (kinked, true)] {
-        let file = SceneFile::parse(Path::new("kink.toml"), &text).expect("sound");
-        let (_, run, _) = file.solve().expect("solved");
+        let file = Case::parse(Path::new("kink.toml"), &text).expect("sound");
+        let (_, run) = file.solve().expect("solved");
         assert_eq!(run.note(0).is_some_and(|note| note.contains("more than the peak")), wanted, "{:?}", run.note(0));
     }
 }
@@ -367,9 +367,9 @@ fn check_of_zero_is_judged_by_an_absolute_tolerance_in_the_unit_of_the_file() {
     };
     let verdict = |text: &str, tolerance: f64| {
         let zero = text.replace(check, &format!("quantity = \"centre\"\nvalue = 0\ntolerance = {tolerance}"));
-        let file = SceneFile::parse(Path::new("zero.toml"), &zero).unwrap_or_else(|error| panic!("{error}"));
-        let (discretisation, run, _) = file.solve().expect("solved");
-        let checks = file.judge(&discretisation, &run).expect("judged").checks().cloned().collect::<Vec<_>>();
+        let file = Case::parse(Path::new("zero.toml"), &zero).unwrap_or_else(|error| panic!("{error}"));
+        let (meshed, run) = file.solve().expect("solved");
+        let checks = file.judge(&meshed, &run).expect("judged");
         checks
             .iter()
             .find(|check| check.check.quantity.to_string().contains("centre"))

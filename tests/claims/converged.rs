@@ -4,7 +4,7 @@ use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::algorithm::{Acceleration, StiffnessRule};
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 use contact_vv::case::library::{Cylinder, PinRod};
 use contact_vv::mesh::Order;
 use contact_vv::scene::Scene;
@@ -17,8 +17,8 @@ use crate::scene_file::text_of;
 use crate::workbench::resolution;
 
 fn parsed(text: &str) -> Discretisation {
-    let file = SceneFile::parse(Path::new("converged.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-    Discretisation::of(file.problem.scene, file.problem.resolution).expect("meshed")
+    let file = Case::parse(Path::new("converged.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    Discretisation::of(file.scene, file.resolution).expect("meshed")
 }
 
 fn meshed(scene: Scene, elements: usize) -> Discretisation {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use approx::assert_relative_eq;
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 use contact_vv::error::Error;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::{GivenMesh, Shape};
@@ -88,21 +88,21 @@ stretch = 2
 pressure = 5
 ";
 
-fn read(folder: &Path, mesh: &str) -> Result<SceneFile, Error> {
+fn read(folder: &Path, mesh: &str) -> Result<Case, Error> {
     std::fs::write(folder.join("mesh.msh"), mesh).expect("written");
-    SceneFile::parse(&folder.join("scene.toml"), SCENE)
+    Case::parse(&folder.join("scene.toml"), SCENE)
 }
 
-fn given(file: &SceneFile) -> &GivenMesh {
-    match &file.problem.scene.bodies[0].shape {
+fn given(file: &Case) -> &GivenMesh {
+    match &file.scene.bodies[0].shape {
         Shape::Given(mesh) => mesh,
         other => panic!("{other:?}"),
     }
 }
 
-fn solved(file: &SceneFile) -> (Discretisation, Run) {
-    let discretisation = Discretisation::of(file.problem.scene.clone(), file.problem.resolution).expect("meshed");
-    let run = Run::of(&discretisation, &file.formulation).expect("solved");
+fn solved(file: &Case) -> (Discretisation, Run) {
+    let discretisation = Discretisation::of(file.scene.clone(), file.resolution).expect("meshed");
+    let run = Run::of(&discretisation, file.formulation()).expect("solved");
     (discretisation, run)
 }
 
@@ -117,7 +117,7 @@ fn mesh_across_the_middle_is_solved_on_both_sides_of_it() {
     let scene = SCENE.replace("value = [0, -5]", law).replace("stretch = 2", "both-sides = true\nstretch = 1");
     // A side held in x would turn the body back.
     let scene = scene.replace("at = \"axis\"", "at = [-1, 0]");
-    let (discretisation, run) = solved(&SceneFile::parse(&folder.join("scene.toml"), &scene).expect("sound"));
+    let (discretisation, run) = solved(&Case::parse(&folder.join("scene.toml"), &scene).expect("sound"));
     assert_eq!(run.solution.points.len(), 3);
     assert_relative_eq!(discretisation.interfaces[0].stations[0].coordinate, -1.0);
     // ∫ (5 + x) and its moment over −1 … 1.
@@ -225,7 +225,7 @@ fn mesh_file_cut_anywhere_is_refused() {
         assert!(error.contains("mesh.msh:") || error.contains("scene.toml:"), "{length}: {error}");
     }
     std::fs::remove_file(folder.join("mesh.msh")).expect("removed");
-    let error = SceneFile::parse(&folder.join("scene.toml"), SCENE).map(|_| ()).expect_err("no file").to_string();
+    let error = Case::parse(&folder.join("scene.toml"), SCENE).map(|_| ()).expect_err("no file").to_string();
     assert!(error.contains("scene.toml:7: ") && error.contains("cannot be read"), "{error}");
 }
 
@@ -234,7 +234,7 @@ fn orders_that_do_not_go_together_are_refused() {
     let folder = folder("orders");
     std::fs::write(folder.join("mesh.msh"), TWO_CELLS).expect("written");
     let scene = format!("{SCENE}[mesh]\norder = 2\n");
-    let error = SceneFile::parse(&folder.join("scene.toml"), &scene).map(|_| ()).expect_err("two orders").to_string();
+    let error = Case::parse(&folder.join("scene.toml"), &scene).map(|_| ()).expect_err("two orders").to_string();
     assert!(error.contains("cells of 4 nodes, others have 8") && error.contains("one order"), "{error}");
 }
 
@@ -302,7 +302,7 @@ fn bodies_meshed_here_and_given_as_meshes_have_one_solution() {
     ] {
         let folder = folder(name);
         let mut text = std::fs::read_to_string(scenes.join(format!("{name}.toml"))).expect("text");
-        let own = SceneFile::parse(&scenes.join(format!("{name}.toml")), &text).expect("sound");
+        let own = Case::parse(&scenes.join(format!("{name}.toml")), &text).expect("sound");
         let (discretisation, wanted) = solved(&own);
         for (body, shape) in shapes.iter().enumerate() {
             std::fs::write(folder.join(format!("{body}.msh")), written(&discretisation.mesh, body, body == 1))
@@ -314,7 +314,7 @@ fn bodies_meshed_here_and_given_as_meshes_have_one_solution() {
         let without = ["elements = ", "per = ", "growth = "];
         let text: String =
             text.split_inclusive('\n').filter(|line| !without.iter().any(|key| line.starts_with(key))).collect();
-        let given = SceneFile::parse(&folder.join("scene.toml"), &text).expect("sound");
+        let given = Case::parse(&folder.join("scene.toml"), &text).expect("sound");
         let (_, found) = solved(&given);
         assert_eq!(found.freedoms, wanted.freedoms);
         assert_relative_eq!(found.measures().peak.pressure, wanted.measures().peak.pressure, max_relative = 1e-9);
@@ -347,8 +347,8 @@ fn fuzz(name: &str, seed: u64, count: usize) -> usize {
         let spoiled = mutated(&mut number);
         let tried = std::panic::catch_unwind(|| {
             let Ok(file) = read(&folder, &spoiled) else { return false };
-            let discretisation = Discretisation::of(file.problem.scene.clone(), file.problem.resolution);
-            let _ = discretisation.and_then(|discretisation| Run::of(&discretisation, &file.formulation));
+            let discretisation = Discretisation::of(file.scene.clone(), file.resolution);
+            let _ = discretisation.and_then(|discretisation| Run::of(&discretisation, file.formulation()));
             true
         });
         tried.unwrap_or_else(|_| panic!("mesh {k}:\n{spoiled}"))
@@ -363,10 +363,10 @@ fn five_thousand_mutated_meshes_are_read_or_refused() {
 }
 
 /// The block of `two_blocks` as two blocks that meet at x = 1, one of them turned by its corners, and the same as one.
-fn of_blocks(shape: &str) -> Result<SceneFile, Error> {
+fn of_blocks(shape: &str) -> Result<Case, Error> {
     let gmsh = "{ gmsh = { file = \"mesh.msh\", group = \"body\", contact = \"low side\" } }";
     let text = SCENE.replace(gmsh, shape).replace("[0, -5]", "[0.5, -5]").replace("high side", "roof");
-    SceneFile::parse(Path::new("blocks.toml"), &text)
+    Case::parse(Path::new("blocks.toml"), &text)
 }
 
 const ONE_BLOCK: &str = "{ blocks = [{ corners = [[0, 0], [2, 0], [2, 1], [0, 1]], elements = [8, 4], \
@@ -391,8 +391,8 @@ fn arcs_of_blocks_lie_on_their_circles() {
     let text = SCENE.replace("{ gmsh = { file = \"mesh.msh\", group = \"body\", contact = \"low side\" } }", shape);
     let text = text.replace("loads = [{ traction = { at = \"high side\", value = [0, -5] } }]", "");
     let text = text.replace("gap = { uniform = 0 }\nstretch = 2", "gap = { circle = 1 }\nstretch = 0.4");
-    let file = SceneFile::parse(Path::new("arcs.toml"), &text).expect("sound");
-    let mesh = Mesh::of(&file.problem.scene, file.problem.resolution).expect("meshed");
+    let file = Case::parse(Path::new("arcs.toml"), &text).expect("sound");
+    let mesh = Mesh::of(&file.scene, file.resolution).expect("meshed");
     for &node in mesh.bodies[0].boundaries["contact"].iter().flatten() {
         let [x, y] = mesh.points[node];
         assert_relative_eq!(x.hypot(y - 1.0), 1.0, max_relative = 1e-14);

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 use contact_vv::case::library::TruncatedHertz;
 use contact_vv::case::problem::truncated_hertz;
 use contact_vv::mesh::Order;
@@ -43,8 +43,8 @@ fn refinement_of_default_meshes_goes_to_the_solution() {
         text.replace("elements = 12\n", &format!("elements = {elements}\n{growth}"))
     };
     let grading = |elements: usize, growth: &str| {
-        let file = SceneFile::parse(Path::new("grown.toml"), &text(elements, growth)).expect("sound");
-        file.problem.scene.grading
+        let file = Case::parse(Path::new("grown.toml"), &text(elements, growth)).expect("sound");
+        file.scene.grading
     };
     assert!((grading(16, "").along - 1.7).abs() < 1e-12 && (grading(64, "").along - 1.7_f64.sqrt()).abs() < 1e-12);
     assert!((grading(64, "growth = { along = 1.4 }\n").along - 1.4).abs() < 1e-12);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::accuracy::{self, Asked};
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 use contact_vv::case::library::{Cylinder, CylinderModel};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::{BlockShape, Curve, GivenMesh, Scene, Shape};
@@ -202,7 +202,7 @@ fn weak_contact_beside_a_strong_one_is_solved_to_its_own_digits() {
 #[test]
 fn scene_files_with_meshes_and_several_contacts_may_ask_for_an_accuracy() {
     let several = text_of("plate-on-two-supports.toml").replace("elements = 16\nper = 0.8", "accuracy = \"1 %\"");
-    let file = SceneFile::parse(Path::new("several.toml"), &several).expect("sound");
+    let file = Case::parse(Path::new("several.toml"), &several).expect("sound");
     assert!(file.accuracy.is_some());
     for (name, asked) in [
         ("cylinder-between-blocks", "0.1 %"),
@@ -243,8 +243,8 @@ fn flat_between_two_bevels_is_no_circle() {
 #[test]
 fn contact_that_stays_open_meets_nothing_and_neighbours_share_no_node() {
     let text = text_of("plate-on-two-supports.toml").replace("elements = 16\nper = 0.8", "accuracy = \"1 %\"");
-    let file = SceneFile::parse(Path::new("several.toml"), &text).expect("sound");
-    let mut near = file.problem.scene;
+    let file = Case::parse(Path::new("several.toml"), &text).expect("sound");
+    let mut near = file.scene;
     let apart = (near.contacts[0].path.origin()[0] - near.contacts[1].path.origin()[0]).abs();
     let reach: f64 = near.contacts.iter().map(|pair| accuracy::longest::longest(&near, pair)).sum();
     assert!(reach < apart, "{reach} of {apart}");

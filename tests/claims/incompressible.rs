@@ -7,7 +7,7 @@ use std::path::Path as FilePath;
 use std::sync::Arc;
 
 use contact_vv::case::library::{Cylinder, Patch, TruncatedHertz};
-use contact_vv::case::{SceneFile, problem};
+use contact_vv::case::{Case, problem};
 use contact_vv::elasticity::dilatation::ORDINARY;
 use contact_vv::elasticity::element::{self, CellStiffness};
 use contact_vv::elasticity::{ElasticSystem, loads, quadrature, reactions, stress};
@@ -400,7 +400,7 @@ fn ratio_out_of_range_in_a_scene_file_is_refused_by_line_with_what_to_give() {
         loads = [{ traction = { at = \"cut\", value = [0, -0.001] } }]\n[contact]\nfirst = \"roller\"\n\
         gap = { circle = 50 }\nstretch = 2\n[mesh]\nelements = 8\nper = 1\n";
     for (ratio, accepted) in [("0.4999", true), ("0.49991", false), ("0.5", false), ("-1", false), ("nan", false)] {
-        let parsed = SceneFile::parse(FilePath::new("roller.toml"), &text.replace("RATIO", ratio)).map(|_| ());
+        let parsed = Case::parse(FilePath::new("roller.toml"), &text.replace("RATIO", ratio)).map(|_| ());
         assert_eq!(parsed.is_ok(), accepted, "{ratio}");
         if let Err(error) = parsed {
             let said = error.to_string();

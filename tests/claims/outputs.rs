@@ -1,7 +1,7 @@
 //! What `solve` writes is what was solved, and asking for it changes nothing.
 
 use approx::assert_relative_eq;
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 use contact_vv::cli::vtu;
 use contact_vv::elasticity::stress::von_mises;
 use contact_vv::scene::PlaneHypothesis;
@@ -32,9 +32,9 @@ fn numbers(piece: &UnstructuredGridPiece, name: &str) -> Vec<f64> {
 #[test]
 fn fields_written_for_paraview_are_those_of_the_solution() {
     for name in ["blocks", "cylinder-on-block", "press-fit", "roller-between-plates"] {
-        let file = SceneFile::read(Path::new(&scene(name))).expect("sound");
-        let discretisation = Discretisation::of(file.problem.scene.clone(), file.problem.resolution).expect("meshed");
-        let run = Run::of(&discretisation, &file.formulation).expect("solved");
+        let file = Case::read(Path::new(&scene(name))).expect("sound");
+        let discretisation = Discretisation::of(file.scene.clone(), file.resolution).expect("meshed");
+        let run = Run::of(&discretisation, file.formulation()).expect("solved");
         let text = vtu::text(&discretisation, &run).expect("written");
         let grid = Vtk::parse_xml(text.as_bytes()).expect("read");
         let DataSet::UnstructuredGrid { pieces, .. } = grid.data else { panic!("no grid") };

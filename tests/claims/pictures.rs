@@ -4,23 +4,23 @@ use std::path::Path;
 use std::process::Command;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::{Problem, SceneFile};
+use contact_vv::case::Case;
 use contact_vv::figure::{Chart, Direction};
 use contact_vv::report::pictures::{deformed, solve};
 use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, STAGES};
 
 struct Solved {
-    problem: Problem,
+    problem: Case,
     discretisation: Discretisation,
     run: Run,
 }
 
 fn solved(name: &str) -> Solved {
     let path = format!("{}/tests/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    let SceneFile { problem, formulation, .. } = SceneFile::read(Path::new(&path)).expect("sound");
+    let problem = Case::read(Path::new(&path)).expect("sound");
     let discretisation = Discretisation::of(problem.scene.clone(), problem.resolution).expect("meshed");
-    let run = Run::of(&discretisation, &formulation).expect("solved");
+    let run = Run::of(&discretisation, problem.formulation()).expect("solved");
     Solved { problem, discretisation, run }
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 use contact_vv::elasticity::reactions::internal_forces;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Component;
@@ -17,9 +17,9 @@ use crate::workbench::{block, resolution};
 const ROUND_OFF: f64 = 1e-9;
 
 fn solved(text: &str) -> (Discretisation, Solution) {
-    let file = SceneFile::parse(Path::new("scene.toml"), text).expect("sound");
-    let discretisation = Discretisation::of(file.problem.scene, file.problem.resolution).expect("meshed");
-    let solution = discretisation.solve(&file.formulation).expect("solved");
+    let file = Case::parse(Path::new("scene.toml"), text).expect("sound");
+    let discretisation = Discretisation::of(file.scene.clone(), file.resolution).expect("meshed");
+    let solution = discretisation.solve(file.formulation()).expect("solved");
     assert!(solution.converged(), "{text}");
     (discretisation, solution)
 }
@@ -98,9 +98,9 @@ fn run_that_ends_before_the_last_increment_has_the_reactions_of_its_own_share() 
     let push = "{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\", value = -0.05 }";
     let text = bar("stress", 0.0, push, "{ body-force = [0.5, -0.25] }");
     let text = text.replace("[solve]", "[solve]\nincrements = 4\nmax-steps = 2\nstiffness = 1e4");
-    let SceneFile { problem, formulation, .. } = SceneFile::parse(Path::new("scene.toml"), &text).expect("sound");
-    let discretisation = Discretisation::of(problem.scene, problem.resolution).expect("meshed");
-    let run = Run::of(&discretisation, &formulation).expect("stopped");
+    let case = Case::parse(Path::new("scene.toml"), &text).expect("sound");
+    let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
+    let run = Run::of(&discretisation, case.formulation()).expect("stopped");
     assert!(!run.solution.converged() && run.share() < 1.0, "{:?} after {}", run.solution.outcome, run.share());
     let reactions = discretisation.reactions_under(run.share(), &run.solution).expect("reactions");
     let touch = contact(&discretisation, &run.solution, 0);

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use approx::assert_relative_eq;
 use contact_vv::case::library::Cylinder;
-use contact_vv::case::{SceneFile, Verdict};
+use contact_vv::case::{Case, Meshed, Quantity, Scope, Verdict};
 use contact_vv::scene::{Load, Profile};
 use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Formulation};
@@ -24,9 +24,8 @@ pub fn text_of(name: &str) -> String {
     std::fs::read_to_string(folder().join(name)).expect("text")
 }
 
-fn solved(file: &SceneFile) -> (Discretisation, Run) {
-    let (discretisation, run, _) = file.solve().expect("solved");
-    (discretisation, run)
+fn solved(file: &Case) -> (Meshed, Run) {
+    file.solve().expect("solved")
 }
 
 #[test]
@@ -34,10 +33,10 @@ fn every_scene_file_passes_its_own_checks() {
     let files = files();
     assert!(files.len() >= 6, "{} files", files.len());
     for (path, text) in files {
-        let file = SceneFile::parse(&path, &text).expect("sound");
-        let (discretisation, run) = solved(&file);
-        let checks = file.judge(&discretisation, &run).expect("judged").checks().cloned().collect::<Vec<_>>();
-        let own = checks.iter().filter(|check| check.requirement().starts_with("The file's own")).count();
+        let file = Case::parse(&path, &text).expect("sound");
+        let (meshed, run) = solved(&file);
+        let checks = file.judge(&meshed, &run).expect("judged");
+        let own = checks.iter().filter(|judged| judged.check.scope == Scope::Own).count();
         assert!(own > 0, "{} asks nothing", path.display());
         for check in checks {
             assert_eq!(check.verdict, Verdict::Pass, "{}: {} {:e}", path.display(), check.check.quantity, check.error);
@@ -54,9 +53,9 @@ fn check_of_another_value_fails_and_so_does_a_run_that_does_not_converge() {
         ("tolerance = 1e-8\n\n[[check]]", "tolerance = 1e-8\nmax-steps = 1\n\n[[check]]", 3),
     ] {
         assert_eq!(text.matches(was).count(), 1, "{was}");
-        let file = SceneFile::parse(Path::new("blocks.toml"), &text.replace(was, is)).expect("sound");
-        let (discretisation, run) = solved(&file);
-        let checks = file.judge(&discretisation, &run).expect("judged").checks().cloned().collect::<Vec<_>>();
+        let file = Case::parse(Path::new("blocks.toml"), &text.replace(was, is)).expect("sound");
+        let (meshed, run) = solved(&file);
+        let checks = file.judge(&meshed, &run).expect("judged");
         let failed = checks.iter().filter(|check| check.verdict == Verdict::Fail).count();
         assert_eq!(failed, failing, "{is}");
     }
@@ -73,21 +72,21 @@ fn reaction_is_judged_with_its_sign_and_at_its_own_support() {
         ("at = \"end\", component = \"y\" }\nvalue = -5081.2", Verdict::Fail),
         ("at = \"end\", component = \"y\" }\nvalue = 5081.2", Verdict::Pass),
     ] {
-        let file = SceneFile::parse(Path::new("press-fit.toml"), &text.replace(support, is)).expect("sound");
-        let (discretisation, run) = solved(&file);
-        let checks = file.judge(&discretisation, &run).expect("judged").checks().cloned().collect::<Vec<_>>();
+        let file = Case::parse(Path::new("press-fit.toml"), &text.replace(support, is)).expect("sound");
+        let (meshed, run) = solved(&file);
+        let checks = file.judge(&meshed, &run).expect("judged");
         let reaction =
-            checks.iter().find(|check| check.check.quantity.to_string().contains("reaction")).expect("a reaction");
+            checks.iter().find(|check| matches!(check.check.quantity, Quantity::Reaction { .. })).expect("a reaction");
         assert_eq!(reaction.verdict, verdict, "{is}: {:e}", reaction.error);
     }
 }
 
 #[test]
 fn scene_in_metres_is_the_librarys_cylinder() {
-    let file = SceneFile::parse(Path::new("m.toml"), &text_of("cylinder-in-metres.toml")).expect("sound");
+    let file = Case::parse(Path::new("m.toml"), &text_of("cylinder-in-metres.toml")).expect("sound");
     let formulation = Formulation::verification();
-    let own = Discretisation::of(Cylinder::default().scene(), file.problem.resolution).expect("meshed");
-    let read = Discretisation::of(file.problem.scene.clone(), file.problem.resolution).expect("meshed");
+    let own = Discretisation::of(Cylinder::default().scene(), file.resolution).expect("meshed");
+    let read = Discretisation::of(file.scene.clone(), file.resolution).expect("meshed");
     let [own, read] = [own, read].map(|one| Run::of(&one, &formulation).expect("solved"));
     assert_eq!(own.freedoms, read.freedoms);
     assert_relative_eq!(read.measures().peak.pressure, own.measures().peak.pressure, max_relative = 1e-9);
@@ -100,7 +99,7 @@ fn every_unit_has_its_factor() {
     let text = text_of("blocks.toml");
     let scaled = |units: &str| {
         let file = format!("units = {units}\n{text}");
-        SceneFile::parse(Path::new("u.toml"), &file).expect("sound").problem.scene
+        Case::parse(Path::new("u.toml"), &file).expect("sound").scene
     };
     for (name, millimetres) in [("m", 1e3), ("cm", 10.0), ("mm", 1.0), ("um", 1e-3), ("in", 25.4)] {
         let scene = scaled(&format!("{{ length = \"{name}\" }}"));
@@ -136,8 +135,7 @@ fn rigid_profiles_are_their_formulas_in_any_unit() {
         for (unit, factor) in [("mm", 1.0), ("m", 1e3), ("in", 25.4)] {
             let file = text.replace(was, gap).replace(stretch, "stretch = 4");
             let file = format!("units = {{ length = \"{unit}\" }}\n{file}");
-            let profile =
-                SceneFile::parse(Path::new("p.toml"), &file).expect("sound").problem.scene.contact().profile.clone();
+            let profile = Case::parse(Path::new("p.toml"), &file).expect("sound").scene.contact().profile.clone();
             for s in [0.0, 0.3, 1.0, 2.9] {
                 assert_relative_eq!(profile.gap(factor * s), factor * wanted(s), max_relative = 1e-11, epsilon = 1e-15);
             }
@@ -154,9 +152,9 @@ fn pressures_are_their_laws_and_press_inwards() {
     let with = |law: &str, units: &str| {
         let load = format!("loads = [{{ pressure = {{ at = \"far\", law = {law} }} }}]");
         let file = format!("{units}{}{load}{}", &text[..start], &text[end..]);
-        SceneFile::parse(Path::new("law.toml"), &file).expect("sound")
+        Case::parse(Path::new("law.toml"), &file).expect("sound")
     };
-    let at = |file: &SceneFile, point: [f64; 2]| match &file.problem.scene.bodies[0].loads[0] {
+    let at = |file: &Case, point: [f64; 2]| match &file.scene.bodies[0].loads[0] {
         Load::Stress { field, .. } => (field.0)(point),
         other => panic!("{other:?}"),
     };
@@ -188,12 +186,12 @@ fn tractions_have_a_law_for_each_component_in_any_unit() {
     let with = |traction: &str, units: &str| {
         let load = format!("loads = [{{ traction = {{ at = \"far\", {traction} }} }}]");
         let file = format!("{units}{}{load}{}", &text[..start], &text[end..]);
-        SceneFile::parse(Path::new("law.toml"), &file)
+        Case::parse(Path::new("law.toml"), &file)
     };
     let laws = "x = { polynomial = { along = \"x\", coefficients = [0, 2] } }, y = { uniform = -3 }";
     for (units, unit, stress) in [("", 1.0, 1.0), ("units = { length = \"cm\", stress = \"GPa\" }\n", 10.0, 1e3)] {
         let file = with(laws, units).expect("sound");
-        let Load::TractionField { field, .. } = &file.problem.scene.bodies[0].loads[0] else { panic!("a field") };
+        let Load::TractionField { field, .. } = &file.scene.bodies[0].loads[0] else { panic!("a field") };
         let [x, y] = (field.0)([unit * 5.0, unit * 7.0]);
         assert_relative_eq!(x, stress * 10.0, max_relative = 1e-12);
         assert_relative_eq!(y, -stress * 3.0, max_relative = 1e-12);
@@ -215,14 +213,14 @@ fn tractions_have_a_law_for_each_component_in_any_unit() {
 fn page_on_scene_files_is_true() {
     let page = std::fs::read_to_string(folder().join("README.md")).expect("the page");
     let example = page.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");
-    SceneFile::parse(Path::new("README.toml"), example).expect("the example is sound");
+    Case::parse(Path::new("README.toml"), example).expect("the example is sound");
     let accurate = page.split("```toml").nth(2).and_then(|rest| rest.split("```").next()).expect("a second example");
     let (before, after) = (example.find("[mesh]").expect("a table"), example.find("[solve]").expect("a table"));
     let file = format!("{}{accurate}\n{}", &example[..before], &example[after..]);
-    let file = SceneFile::parse(Path::new("README.toml"), &file).expect("the example is sound");
+    let file = Case::parse(Path::new("README.toml"), &file).expect("the example is sound");
     assert_eq!(file.accuracy.expect("asked").quantities.len(), 2);
     let commented = example.replace("# second", "second");
-    let error = SceneFile::parse(Path::new("README.toml"), &commented).map(|_| ()).expect_err("no such body");
+    let error = Case::parse(Path::new("README.toml"), &commented).map(|_| ()).expect_err("no such body");
     assert!(error.to_string().contains("no body `block`"));
     // Every row of the tables is a value that is read.
     let rows = |key: &str| -> Vec<String> {
@@ -258,7 +256,7 @@ fn page_on_scene_files_is_true() {
         let said = if gap.contains("bodies") { "" } else { "gap-only = true\n" };
         let path = format!("{said}{}", if gap.contains("hole") { arc } else { "stretch = 5.0" });
         let file = example.replace("gap = { circle = 50 }", &format!("gap = {}", number(&gap)));
-        SceneFile::parse(Path::new("gap.toml"), &file.replace("stretch = 5.0", &path))
+        Case::parse(Path::new("gap.toml"), &file.replace("stretch = 5.0", &path))
             .unwrap_or_else(|error| panic!("{gap}: {error}"));
     }
     let block = text_of("rigid-cosine.toml");
@@ -271,7 +269,7 @@ fn page_on_scene_files_is_true() {
         let start = block.find(&format!("{key} = ")).expect("the key");
         let end = start + block[start..].find('\n').expect("a line");
         let file = format!("{}{key} = [{line}]{}", &block[..start], &block[end..]);
-        SceneFile::parse(Path::new("load.toml"), &file).unwrap_or_else(|error| panic!("{line}: {error}"));
+        Case::parse(Path::new("load.toml"), &file).unwrap_or_else(|error| panic!("{line}: {error}"));
     }
     for shape in rows("Shapes and their boundaries") {
         let key = "shape = { disc = { centre = [0, 50], radius = 50 } }";
@@ -294,6 +292,6 @@ fn page_on_scene_files_is_true() {
             _ if shape.contains("ring") => curved,
             _ => file,
         };
-        SceneFile::parse(&folder().join("shape.toml"), &file).unwrap_or_else(|error| panic!("{shape}: {error}"));
+        Case::parse(&folder().join("shape.toml"), &file).unwrap_or_else(|error| panic!("{shape}: {error}"));
     }
 }

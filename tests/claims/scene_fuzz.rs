@@ -1,7 +1,7 @@
 //! Whatever stands in a scene file, it is read or refused: no panic, no hang, no mesh beyond the stated size.
 
 use contact_vv::accuracy::{self, Asked};
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 use contact_vv::mesh::Mesh;
 use contact_vv::mesh::size::MOST;
 use contact_vv::solve::Discretisation;
@@ -84,25 +84,25 @@ fn fuzz(seed: u64, files_to_try: usize, solves: usize) -> (usize, usize) {
         let (path, text) = &sound[k % sound.len()];
         let spoiled = mutated(text, &mut number);
         let tried = std::panic::catch_unwind(|| {
-            let Ok(file) = SceneFile::parse(path, &spoiled) else { return (false, false) };
-            let Ok(mesh) = Mesh::of(&file.problem.scene, file.problem.resolution) else { return (true, false) };
+            let Ok(file) = Case::parse(path, &spoiled) else { return (false, false) };
+            let Ok(mesh) = Mesh::of(&file.scene, file.resolution) else { return (true, false) };
             assert!((mesh.cells() as f64) < 4.0 * MOST[0], "{} cells", mesh.cells());
             if solved >= solves || mesh.cells() > 3000 {
                 return (true, false);
             }
             if let Some(asked) = &file.accuracy {
                 let bounded = Asked { most_cells: 3000.0, ..asked.clone() };
-                let mut formulation = file.formulation.clone();
+                let mut formulation = file.formulation().clone();
                 formulation.settings.max_steps = formulation.settings.max_steps.min(200);
-                match accuracy::solve(&file.problem.scene, &formulation, &bounded) {
+                match accuracy::solve(&file.scene, &formulation, &bounded) {
                     Ok(answer) => assert!(answer.unmet.is_some() || answer.estimate() <= asked.relative),
                     Err(error) => assert!(!error.to_string().is_empty()),
                 }
                 return (true, true);
             }
-            let discretisation = Discretisation::of(file.problem.scene.clone(), file.problem.resolution);
+            let discretisation = Discretisation::of(file.scene.clone(), file.resolution);
             let run = discretisation.and_then(|discretisation| {
-                let mut formulation = file.formulation.clone();
+                let mut formulation = file.formulation().clone();
                 formulation.settings.max_steps = formulation.settings.max_steps.min(200);
                 Run::of(&discretisation, &formulation)
             });

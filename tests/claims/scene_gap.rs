@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 use contact_vv::scene::Profile;
 use contact_vv::solve::Discretisation;
 use contact_vv::solve::Run;
@@ -20,13 +20,13 @@ fn changed(name: &str, changes: &[Change]) -> String {
     })
 }
 
-fn read(name: &str, changes: &[Change]) -> Result<SceneFile, String> {
-    SceneFile::parse(&folder().join(format!("{name}.toml")), &changed(name, changes)).map_err(|error| error.to_string())
+fn read(name: &str, changes: &[Change]) -> Result<Case, String> {
+    Case::parse(&folder().join(format!("{name}.toml")), &changed(name, changes)).map_err(|error| error.to_string())
 }
 
 fn profile(name: &str, changes: &[Change], contact: usize) -> Profile {
     let file = read(name, changes).unwrap_or_else(|error| panic!("{error}"));
-    file.problem.scene.contacts[contact].profile.clone()
+    file.scene.contacts[contact].profile.clone()
 }
 
 /// Height of a circle's lower arc above its lowest point.
@@ -80,7 +80,7 @@ fn gap_other_than_the_drawn_one_names_place_and_both_unless_it_is_said() {
             assert!(error.contains(part), "`{part}` is not in: {error}");
         }
         let said = text.replacen("gap = ", "gap-only = true\ngap = ", 1);
-        SceneFile::parse(Path::new("said.toml"), &said).unwrap_or_else(|error| panic!("{error}"));
+        Case::parse(Path::new("said.toml"), &said).unwrap_or_else(|error| panic!("{error}"));
     }
 }
 
@@ -146,14 +146,14 @@ fn gap_from_meshes_and_blocks_is_that_of_their_curves() {
 fn gap_from_the_bodies_needs_no_reference_and_gives_hertz() {
     let file =
         read("two-cylinders", &[("gap = \"drawn\"", "gap = { from = \"bodies\" }"), ("pressure = 1562", "gap = 1562")]);
-    let scene = file.expect("sound").problem.scene;
+    let scene = file.expect("sound").scene;
     let without = changed("two-cylinders", &[("gap = \"drawn\"", "gap = { from = \"bodies\" }")])
         .replace("[reference]\nlength = 1.0\npressure = 1562.80524\n", "");
-    let file = SceneFile::parse(Path::new("two.toml"), &without).expect("sound");
-    assert!(file.problem.scene.reference.gap < scene.reference.gap);
-    for scene in [file.problem.scene.clone(), file.problem.scene.mirrored()] {
-        let discretisation = Discretisation::of(scene, file.problem.resolution).expect("meshed");
-        let run = Run::of(&discretisation, &file.formulation).expect("solved");
+    let file = Case::parse(Path::new("two.toml"), &without).expect("sound");
+    assert!(file.scene.reference.gap < scene.reference.gap);
+    for scene in [file.scene.clone(), file.scene.mirrored()] {
+        let discretisation = Discretisation::of(scene, file.resolution).expect("meshed");
+        let run = Run::of(&discretisation, file.formulation()).expect("solved");
         assert_relative_eq!(run.measures().peak.pressure, 1562.80524, max_relative = 2e-3);
         assert_relative_eq!(run.measures().half_width, 1.0, max_relative = 2e-3);
     }
@@ -165,7 +165,7 @@ fn gap_from_the_bodies_is_the_same_in_metres_and_mirrored() {
     for (name, change) in [("whole-disc", ("{ circle = 50 }", "{ from = \"bodies\" }")), ("press-fit", tilted)] {
         let text = text_of(&format!("{name}.toml")).replace("uniform = -0.02", "uniform = -0.01");
         let text = text.replace("inner = 40, outer = 70", "inner = 39.99, outer = 70").replacen(change.0, change.1, 1);
-        let scene = SceneFile::parse(Path::new("same.toml"), &text).expect("sound").problem.scene;
+        let scene = Case::parse(Path::new("same.toml"), &text).expect("sound").scene;
         let (metres, mirrored) = (scene.in_metres(), scene.mirrored());
         let unit = if scene.contact().path.is_straight() { 1e-3 } else { 1.0 };
         let sides: &[f64] = if scene.contact().path.has_both_sides() { &[1.0, -1.0] } else { &[1.0] };

@@ -1,6 +1,6 @@
 //! A list in a scene file has as many entries as it needs: one too many or too few is refused, never dropped.
 
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 
 use crate::scene_file::{folder, text_of};
 
@@ -74,7 +74,7 @@ fn list_of_another_length_names_file_line_key_value_and_remedy() {
         assert!(text.contains(was), "{name}: {was}");
         let spoiled = text.replacen(was, is, 1);
         let file = folder().join(format!("{name}.toml"));
-        let error = SceneFile::parse(&file, &spoiled).map(|_| ()).expect_err(is).to_string();
+        let error = Case::parse(&file, &spoiled).map(|_| ()).expect_err(is).to_string();
         let line = 1 + spoiled[..spoiled.find(is).expect("a place")].matches('\n').count();
         assert!(error.starts_with(&format!("{}:{line}: ", file.display())), "line {line}: {error}");
         wanted.iter().for_each(|part| assert!(error.contains(part), "{is}: `{part}` is not in: {error}"));
@@ -109,7 +109,7 @@ fn table_by_position_is_refused() {
         assert!(text.contains(was), "{name}: {was}\n{text}");
         let spoiled = text.replacen(was, is, 1);
         let file = folder().join(format!("{name}.toml"));
-        let error = SceneFile::parse(&file, &spoiled).map(|_| ()).expect_err(is).to_string();
+        let error = Case::parse(&file, &spoiled).map(|_| ()).expect_err(is).to_string();
         let line = 1 + spoiled[..spoiled.find(is).expect("a place")].matches('\n').count();
         let near = (line..line + 4).any(|line| error.starts_with(&format!("{}:{line}: ", file.display())));
         assert!(near && error.contains("a table with its keys"), "{is}: {error}");

@@ -1,6 +1,6 @@
 //! Every mistake in a scene file is told with its file, its line, what was found and what to do.
 
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 
 use crate::scene_file::{folder, text_of};
 
@@ -72,7 +72,7 @@ fn mistakes_that_show_only_when_solving_name_the_line_of_their_body_or_contact()
         let text = text_of(&format!("{name}.toml"));
         assert!(text.contains(was), "{name}: {was}");
         let spoiled = text.replacen(was, is, 1);
-        let file = SceneFile::parse(&later, &spoiled).unwrap_or_else(|error| panic!("{is}: {error}"));
+        let file = Case::parse(&later, &spoiled).unwrap_or_else(|error| panic!("{is}: {error}"));
         let error = file.solve().map(|_| ()).expect_err(is).to_string();
         let line = 1 + spoiled[..spoiled.find(anchor).expect("a place")].matches('\n').count();
         assert!(error.starts_with(&format!("{}:{line}: ", later.display())), "line {line}: {error}");
@@ -543,7 +543,7 @@ fn every_mistake_names_file_line_finding_and_remedy() {
         assert!(text.contains(was), "{name}: {was}");
         let file = folder().join(format!("{name}.toml"));
         let spoiled = text.replacen(was, is, 1);
-        let error = SceneFile::parse(&file, &spoiled).map(|_| ()).expect_err(is).to_string();
+        let error = Case::parse(&file, &spoiled).map(|_| ()).expect_err(is).to_string();
         let [anchor, found, remedy] = wanted;
         let place = if anchor == is && !is.is_empty() { text.find(was) } else { spoiled.find(anchor) };
         let line = 1 + spoiled[..place.expect("a place")].matches('\n').count();

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::accuracy;
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 use contact_vv::mesh::{Mesh, Resolution, candidates};
 use contact_vv::scene::{MonotoneCubic, Profile, Scene};
 use contact_vv::solve::Discretisation;
@@ -15,7 +15,7 @@ use crate::scene_file::text_of;
 const KINKED: &str = "{ table = [[0, 0], [1.3, 0.01], [2.9, 0.04], [3, 0.05], [20, 2]] }";
 
 /// A file with another gap, and other changes.
-fn read(name: &str, gap: &str, changes: &[(&str, &str)]) -> SceneFile {
+fn read(name: &str, gap: &str, changes: &[(&str, &str)]) -> Case {
     let text = text_of(&format!("{name}.toml"));
     let start = text.find("gap = ").expect("a gap");
     let end = start + text[start..].find('\n').expect("a line");
@@ -24,7 +24,7 @@ fn read(name: &str, gap: &str, changes: &[(&str, &str)]) -> SceneFile {
         assert!(text.contains(was), "{name}: {was}");
         text.replacen(was, is, 1)
     });
-    SceneFile::parse(Path::new("table.toml"), &text).unwrap_or_else(|error| panic!("{error}"))
+    Case::parse(Path::new("table.toml"), &text).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Contact coordinates at which the candidate edges of a body begin and end.
@@ -50,7 +50,7 @@ fn no_edge_of_either_body_straddles_a_kink() {
         ("plate-on-two-supports", "{ table = [[0, 0], [0.33, 0.01], [3, 1]] }", &[], &[0.33, -0.33]),
     ] {
         let file = read(name, gap, changes);
-        let (scene, resolution) = (&file.problem.scene, file.problem.resolution);
+        let (scene, resolution) = (&file.scene, file.resolution);
         for body in scene.contact().bodies() {
             let ends = ends(scene, resolution, body);
             for kink in kinks {
@@ -65,8 +65,8 @@ fn no_edge_of_either_body_straddles_a_kink() {
 #[test]
 fn elements_are_about_as_many_as_asked_and_no_longer() {
     let asked = read("rigid-cosine", "{ wedge = 0.1 }", &[]);
-    let longest = |file: &SceneFile| {
-        let ends = ends(&file.problem.scene, file.problem.resolution, 0);
+    let longest = |file: &Case| {
+        let ends = ends(&file.scene, file.resolution, 0);
         (ends.len(), ends.iter().map(|[a, b]| b - a).fold(0.0, f64::max))
     };
     let (count, size) = longest(&asked);
@@ -85,10 +85,10 @@ fn parabola(radius: f64, step: f64, count: u32) -> String {
     points.collect::<Vec<_>>().join(", ")
 }
 
-fn peak(file: &SceneFile, elements: usize) -> f64 {
-    let resolution = Resolution { elements, ..file.problem.resolution };
-    let discretisation = Discretisation::of(file.problem.scene.clone(), resolution).expect("meshed");
-    Run::of(&discretisation, &file.formulation).expect("solved").measures().peak.pressure
+fn peak(file: &Case, elements: usize) -> f64 {
+    let resolution = Resolution { elements, ..file.resolution };
+    let discretisation = Discretisation::of(file.scene.clone(), resolution).expect("meshed");
+    Run::of(&discretisation, file.formulation()).expect("solved").measures().peak.pressure
 }
 
 #[test]
@@ -99,7 +99,7 @@ fn smooth_table_of_a_parabola_is_pressed_as_the_parabola() {
     for elements in [8, 16] {
         assert_relative_eq!(peak(&smooth, elements), peak(&exact, elements), max_relative = 1e-9);
     }
-    assert!(smooth.problem.scene.contact().profile.kinks().is_empty());
+    assert!(smooth.scene.contact().profile.kinks().is_empty());
 }
 
 #[test]
@@ -132,7 +132,7 @@ fn smooth_table_that_begins_at_0_is_even_and_flat_there() {
 #[test]
 fn smooth_table_is_the_same_in_metres_and_mirrored() {
     let file = read("eccentric-load", "{ table = [[-10, 1], [-3, 0.1], [1, 0], [12, 1]], smooth = true }", &[]);
-    let scene = &file.problem.scene;
+    let scene = &file.scene;
     let (metres, mirrored) = (scene.in_metres(), scene.mirrored());
     for s in [-9.5, -2.0, 0.3, 8.0] {
         let gap = scene.contact().profile.gap(s);
@@ -148,16 +148,16 @@ fn accuracy_is_not_promised_where_kinks_fix_the_mesh() {
         let text = text_of("rigid-cosine.toml").replace("elements = 16\nper = 8\n", "accuracy = \"5 %\"\n");
         text.replace("gap = { cosine = { amplitude = 0.01, wavelength = 40 } }", &gap)
     };
-    let error = SceneFile::parse(Path::new("kinks.toml"), &text("")).map(|_| ()).expect_err("kinks").to_string();
+    let error = Case::parse(Path::new("kinks.toml"), &text("")).map(|_| ()).expect_err("kinks").to_string();
     let line = 1 + text("")[..text("").find("accuracy = ").expect("a place")].matches('\n').count();
     assert!(error.starts_with(&format!("kinks.toml:{line}: ")), "{error}");
     assert!(error.contains("has kinks") && error.contains("`smooth = true`"), "{error}");
-    let smooth = SceneFile::parse(Path::new("smooth.toml"), &text(", smooth = true")).expect("sound");
+    let smooth = Case::parse(Path::new("smooth.toml"), &text(", smooth = true")).expect("sound");
     let asked = smooth.accuracy.clone().expect("an accuracy");
-    let kinked = read("rigid-cosine", KINKED, &[]).problem.scene;
-    let error = accuracy::solve(&kinked, &smooth.formulation, &asked).map(|_| ()).expect_err("kinks").to_string();
+    let kinked = read("rigid-cosine", KINKED, &[]).scene;
+    let error = accuracy::solve(&kinked, &smooth.formulation(), &asked).map(|_| ()).expect_err("kinks").to_string();
     assert!(error.contains("has kinks"), "{error}");
-    assert!(accuracy::solve(&smooth.problem.scene, &smooth.formulation, &asked).expect("solved").unmet.is_none());
+    assert!(accuracy::solve(&smooth.scene, &smooth.formulation(), &asked).expect("solved").unmet.is_none());
 }
 
 #[test]
@@ -165,6 +165,6 @@ fn table_of_too_many_kinks_is_refused_with_what_has_none() {
     let waves = (0..3000).map(|k| format!("[{}, {}]", 0.006 * f64::from(k), 0.1 + 0.01 * f64::from(k % 2)));
     let gap = format!("gap = {{ table = [{}] }}", waves.collect::<Vec<_>>().join(", "));
     let text = text_of("rigid-cosine.toml").replace("gap = { cosine = { amplitude = 0.01, wavelength = 40 } }", &gap);
-    let error = SceneFile::parse(Path::new("many.toml"), &text).map(|_| ()).expect_err("kinks").to_string();
+    let error = Case::parse(Path::new("many.toml"), &text).map(|_| ()).expect_err("kinks").to_string();
     assert!(error.contains("candidate elements") && error.contains("`smooth = true` for the table"), "{error}");
 }

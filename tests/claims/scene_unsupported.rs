@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 
 use crate::scene_file::{folder, text_of};
 
@@ -45,7 +45,7 @@ fn what_is_not_supported_is_named_with_what_to_use_instead() {
     for (was, is, anchor, wanted) in ASKED {
         assert!(text.contains(was), "{was}");
         let asking = text.replacen(was, is, 1);
-        let error = SceneFile::parse(&file, &asking).map(|_| ()).expect_err(is).to_string();
+        let error = Case::parse(&file, &asking).map(|_| ()).expect_err(is).to_string();
         let at = asking.find(is).expect("the change") + is.find(anchor).expect("the word");
         let line = 1 + asking[..at].matches('\n').count();
         assert!(error.starts_with(&format!("{}:{line}: ", file.display())), "line {line}: {error}");
@@ -73,7 +73,7 @@ fn refusal(name: &str, mesh: &str) -> String {
     let text = text_of("rigid-cosine.toml");
     assert!(text.contains(rectangle));
     let given = "{ gmsh = { file = \"mesh.msh\", group = \"4\", contact = \"1\" } }";
-    let error = SceneFile::parse(&folder.join("scene.toml"), &text.replace(rectangle, given)).map(|_| ());
+    let error = Case::parse(&folder.join("scene.toml"), &text.replace(rectangle, given)).map(|_| ());
     std::fs::remove_dir_all(&folder).expect("removed");
     error.expect_err(name).to_string()
 }

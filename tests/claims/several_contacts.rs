@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::{SceneFile, Verdict};
+use contact_vv::case::{Case, Verdict};
 use contact_vv::error::Error;
 use contact_vv::measure::Measures;
 use contact_vv::mesh::Mesh;
@@ -14,12 +14,12 @@ use crate::outputs::{contact_vv, scene};
 use crate::scene_file::text_of;
 use crate::shared_mesh::between_punches;
 
-pub fn read(name: &str, text: &str) -> SceneFile {
-    SceneFile::parse(Path::new(name), text).unwrap_or_else(|error| panic!("{name}: {error}"))
+pub fn read(name: &str, text: &str) -> Case {
+    Case::parse(Path::new(name), text).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-fn discretised(file: &SceneFile) -> Discretisation {
-    Discretisation::of(file.problem.scene.clone(), file.problem.resolution).expect("discretised")
+fn discretised(file: &Case) -> Discretisation {
+    Discretisation::of(file.scene.clone(), file.resolution).expect("discretised")
 }
 
 /// Three blocks one on another, 20 wide, pressed by 100 MPa.
@@ -108,7 +108,7 @@ fn roller(name: &str, x: f64, load: f64, young: f64) -> [String; 2] {
     [body, contact]
 }
 
-fn of_parts(parts: &[[String; 2]]) -> SceneFile {
+fn of_parts(parts: &[[String; 2]]) -> Case {
     let bodies: String = parts.iter().map(|[body, _]| body.as_str()).collect();
     let contacts: String = parts.iter().map(|[_, contact]| contact.as_str()).collect();
     let text = format!(
@@ -178,7 +178,7 @@ fn scene_moved_with_its_origin_has_the_same_pressures() {
             y + 20.0
         );
         let file = read("moved.toml", &text);
-        Run::of(&discretised(&file), &file.formulation).expect("run")
+        Run::of(&discretised(&file), file.formulation()).expect("run")
     };
     for both in [false, true] {
         for gap in ["{ parabola = 300 }", "{ wedge = 0.02 }"] {
@@ -284,8 +284,8 @@ fn contact_off_the_symmetry_line_counts_twice_where_it_is_said() {
     };
     let forces = |symmetric: &str| {
         let file = read("half.toml", &text(symmetric));
-        let (discretisation, run, _) = file.solve().expect("solved");
-        let checks = file.judge(&discretisation, &run).expect("judged").checks().cloned().collect::<Vec<_>>();
+        let (meshed, run) = file.solve().expect("solved");
+        let checks = file.judge(&meshed, &run).expect("judged");
         assert!(checks.iter().all(|check| check.verdict == Verdict::Pass));
         [run.contacts[0].transmitted, run.contacts[1].transmitted]
     };
@@ -349,7 +349,7 @@ fn contact_beyond_the_candidates_is_told_for_the_contact_it_belongs_to() {
     let text = text_of("roller-between-plates.toml");
     for (contact, was, is) in [(0, "stretch = 1.2", "stretch = 0.8"), (1, "stretch = 1.8", "stretch = 1.2")] {
         let short = text.replacen(was, is, 1);
-        let error = read("short.toml", &short).solve().expect_err("cut short").to_string();
+        let error = read("short.toml", &short).solve().map(|_| ()).expect_err("cut short").to_string();
         let mut rows = short.lines().enumerate().filter(|(_, line)| line.starts_with("stretch"));
         let row = rows.nth(contact).expect("a line").0 + 1;
         assert!(error.contains(&format!("short.toml:{row}:")) && error.contains("widen"), "{error}");
@@ -366,7 +366,7 @@ fn what_another_contact_holds_is_no_contact_beyond_the_candidates() {
         [[contact]]\nname = \"high\"\nfirst = \"block\"\ngap = { uniform = 0 }\nstretch = 5\n\
         [[contact]]\nname = \"low\"\nfirst = \"block\"\norigin = [7.6, 0]\nboth-sides = true\nsymmetric = true\n\
         gap = { uniform = 0.005 }\nstretch = 2.4\n[mesh]\nelements = 4\nper = 1\norder = 1\n[reference]\npressure = 2000\n";
-    let (_, run, _) = read("step.toml", text).solve().unwrap_or_else(|error| panic!("{error}"));
+    let (_, run) = read("step.toml", text).solve().unwrap_or_else(|error| panic!("{error}"));
     let [high, low] = [run.contacts[0].transmitted, run.contacts[1].transmitted];
     assert!(low > 0.0 && high > low, "{high}, {low}");
     assert_relative_eq!(high + low, 40000.0, max_relative = 1e-3);
@@ -375,18 +375,18 @@ fn what_another_contact_holds_is_no_contact_beyond_the_candidates() {
 #[test]
 fn node_belongs_to_one_contact_only() {
     let file = read("plate-on-two-supports.toml", &text_of("plate-on-two-supports.toml"));
-    let mut scene = file.problem.scene.clone();
+    let mut scene = file.scene.clone();
     scene.contacts[1].path = scene.contacts[0].path;
-    let error = Mesh::of(&scene, file.problem.resolution).expect_err("shared");
+    let error = Mesh::of(&scene, file.resolution).expect_err("shared");
     assert!(matches!(&error, Error::SharedCandidate { contact: 1, body, .. } if body == "plate"), "{error}");
 }
 
 #[test]
 fn scene_without_a_contact_is_refused() {
     let file = read("stack.toml", STACK);
-    let mut scene = file.problem.scene.clone();
+    let mut scene = file.scene.clone();
     scene.contacts.clear();
-    let error = Mesh::of(&scene, file.problem.resolution).expect_err("none").to_string();
+    let error = Mesh::of(&scene, file.resolution).expect_err("none").to_string();
     assert!(error.contains("`contacts` = 0"), "{error}");
 }
 
@@ -431,8 +431,8 @@ fn worked_scenes_with_several_contacts_pass_and_fail_on_other_values() {
     ] {
         let failed = |text: &str| {
             let file = read(name, text);
-            let (discretisation, run, _) = file.solve().expect("solved");
-            let checks = file.judge(&discretisation, &run).expect("judged").checks().cloned().collect::<Vec<_>>();
+            let (meshed, run) = file.solve().expect("solved");
+            let checks = file.judge(&meshed, &run).expect("judged");
             checks.iter().filter(|check| check.verdict != Verdict::Pass).count()
         };
         let text = text_of(&format!("{name}.toml"));

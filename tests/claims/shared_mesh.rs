@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 use contact_vv::mesh::Mesh;
 use contact_vv::mesh::size::expected;
 use contact_vv::scene::Scene;
@@ -23,7 +23,7 @@ fn meshes_are_fine_at_every_contact_of_a_body() {
         [("plate-on-two-supports", 0.05, [-30.0, 30.0]), ("roller-between-plates", 0.8 / 12.0, [0.0; 2])]
     {
         let file = read(name, &text_of(&format!("{name}.toml")));
-        let (scene, resolution) = (&file.problem.scene, file.problem.resolution);
+        let (scene, resolution) = (&file.scene, file.resolution);
         let mesh = Mesh::of(scene, resolution).expect("mesh");
         for (contact, origin) in along.into_iter().enumerate() {
             assert_relative_eq!(scene.contacts[contact].path.origin()[0], origin);
@@ -72,7 +72,7 @@ fn every_stretch_begins_and_ends_on_a_node_whichever_contacts_share_the_body() {
         .replacen("stretch = 90", "stretch = 50", 1);
     for text in plates.iter().chain([&roller, &thick]) {
         let file = read("stretches.toml", text);
-        let (scene, resolution) = (&file.problem.scene, file.problem.resolution);
+        let (scene, resolution) = (&file.scene, file.resolution);
         let mesh = Mesh::of(scene, resolution).expect("mesh");
         for (contact, pair) in scene.contacts.iter().enumerate() {
             let part = &mesh.bodies[pair.first];
@@ -90,6 +90,6 @@ fn every_stretch_begins_and_ends_on_a_node_whichever_contacts_share_the_body() {
 #[test]
 fn mesh_of_a_short_stretch_without_growth_is_refused_before_it_is_built() {
     let text = between_punches([-10.0, 10.0], [2.0, 1e-5], "1.0");
-    let error = SceneFile::parse(Path::new("large.toml"), &text).map(|_| ()).expect_err("too large").to_string();
+    let error = Case::parse(Path::new("large.toml"), &text).map(|_| ()).expect_err("too large").to_string();
     assert!(error.contains("the mesh would have about"), "{error}");
 }

@@ -1,6 +1,6 @@
 //! Springs lost in the round-off of the bodies' stiffness: told with file and key, and recorded by the atlas.
 
-use contact_vv::case::SceneFile;
+use contact_vv::case::Case;
 use contact_vv::study::atlas::point::{Ground, Site};
 use contact_vv::study::atlas::{Class, Plane};
 
@@ -13,7 +13,7 @@ const LOST: f64 = 1e-12;
 fn springs_too_soft_name_the_line_of_their_stiffness() {
     let file = folder().join("soft.toml");
     let soft = text_of("cylinder-on-block.toml").replace("[solve]\n", &format!("[solve]\nstiffness = {LOST:e}\n"));
-    let error = SceneFile::parse(&file, &soft).expect("sound").solve().map(|_| ()).expect_err("too soft").to_string();
+    let error = Case::parse(&file, &soft).expect("sound").solve().map(|_| ()).expect_err("too soft").to_string();
     let line = 1 + soft[..soft.find("stiffness = ").expect("a place")].matches('\n').count();
     assert!(error.starts_with(&format!("{}:{line}: ", file.display())), "line {line}: {error}");
     assert!(error.contains("round-off") && error.contains("raise `stiffness`"), "{error}");

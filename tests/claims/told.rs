@@ -5,8 +5,8 @@ use std::path::Path;
 use std::process::Command;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::SceneFile;
 use contact_vv::case::library::PinRod;
+use contact_vv::case::{Case, Scope, Verdict};
 use contact_vv::mesh::Order;
 use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
@@ -30,7 +30,7 @@ fn pressed(gap: &str, load: f64, stretch: f64, rest: &str) -> String {
 }
 
 fn run_of(text: &str) -> Run {
-    SceneFile::parse(Path::new("told.toml"), text)
+    Case::parse(Path::new("told.toml"), text)
         .unwrap_or_else(|error| panic!("{error}\n{text}"))
         .solve()
         .expect("solved")
@@ -84,10 +84,11 @@ fn peak_without_a_limit_is_told_as_such_and_fails_a_check_of_it() {
     let contact = &json["contacts"][0];
     assert!(contact["peak_pressure"].is_null() && contact["peak_growth"].as_f64().is_some_and(|growth| growth > 0.05));
     let text = text_of("flat-punch.toml") + "\n[[check]]\nquantity = \"peak-pressure\"\nvalue = 800\ntolerance = 10\n";
-    let file = SceneFile::parse(Path::new("flat-punch.toml"), &text).expect("sound");
-    let (discretisation, run, _) = file.solve().expect("solved");
-    let judgement = file.judge(&discretisation, &run).expect("judged");
-    assert!(judgement.own.last().expect("the check").error.is_nan() && !judgement.passed());
+    let file = Case::parse(Path::new("flat-punch.toml"), &text).expect("sound");
+    let (meshed, run) = file.solve().expect("solved");
+    let judged = file.judge(&meshed, &run).expect("judged");
+    let own = judged.iter().rfind(|one| one.check.scope == Scope::Own).expect("the check");
+    assert!(own.error.is_nan() && own.verdict == Verdict::Fail);
     // A smooth one has a limit.
     let (_, json, _) = contact_vv(&["solve", &scene("two-cylinders"), "--json", "-"]);
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
@@ -132,11 +133,12 @@ fn checks_of_every_run_scale_with_the_digits_of_the_scene() {
     let punch =
         unchecked.replace("gap = { uniform = 0 }", "gap = { punch = 9.5 }").replace("stretch = 10", "stretch = 9.5");
     for text in [receding, eccentric, punch, text_of("whole-disc.toml")] {
-        let file = SceneFile::parse(Path::new("scale.toml"), &text).unwrap_or_else(|error| panic!("{error}"));
-        let (discretisation, run, _) = file.solve().expect("solved");
-        let judgement = file.judge(&discretisation, &run).expect("judged");
-        assert!(judgement.universal.len() >= 8);
-        for check in &judgement.universal {
+        let file = Case::parse(Path::new("scale.toml"), &text).unwrap_or_else(|error| panic!("{error}"));
+        let (meshed, run) = file.solve().expect("solved");
+        let judged = file.judge(&meshed, &run).expect("judged");
+        let universal: Vec<_> = judged.iter().filter(|one| one.check.scope == Scope::Universal).collect();
+        assert!(universal.len() >= 9);
+        for check in universal {
             assert!(
                 check.error <= check.check.tolerance || check.check.tolerance <= 0.0,
                 "{}: {:e}",
@@ -151,9 +153,9 @@ fn checks_of_every_run_scale_with_the_digits_of_the_scene() {
 #[test]
 fn checks_need_neither_kind_nor_source_nor_reason() {
     let text = text_of("blocks.toml") + "\n[[check]]\nquantity = \"resultant\"\nvalue = 4000\ntolerance = 1e-6\n";
-    let file = SceneFile::parse(Path::new("plain.toml"), &text).expect("sound");
-    let (discretisation, run, _) = file.solve().expect("solved");
-    assert!(file.judge(&discretisation, &run).expect("judged").passed());
+    let file = Case::parse(Path::new("plain.toml"), &text).expect("sound");
+    let (meshed, run) = file.solve().expect("solved");
+    assert!(file.judge(&meshed, &run).expect("judged").iter().all(|one| one.verdict == Verdict::Pass));
 }
 
 /// Exit code of a command.

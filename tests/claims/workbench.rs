@@ -34,7 +34,7 @@ pub fn library() -> Vec<(Scene, usize)> {
         (Cylinder { model: CylinderModel::HalfLoadedAbove, ..Cylinder::default() }.scene(), 4),
         (Cylinder { a_over_r: 0.005, ..Cylinder::default() }.scene(), 4),
         (Cylinder { a_over_r: 0.2, ..Cylinder::default() }.scene(), 4),
-        (TruncatedHertz::default().scene(none), 4),
+        (TruncatedHertz::default().scene_under(none), 4),
         (PinRod::default().scene(), 6),
         (PinPlate::default().scene(), 6),
         (PinPlate { stretch: 1.0, ..PinPlate::default() }.scene(), 6),

@@ -1,4 +1,4 @@
-//! A user's scene file: a case with its mesh, its formulation and its checks.
+//! The whole file: a case with its mesh, its formulation and its checks.
 
 use std::fs::File;
 use std::io::Read;
@@ -7,40 +7,24 @@ use std::path::Path;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::accuracy::{self, Answer, Asked};
 use crate::algorithm::{Acceleration, StiffnessRule};
-use crate::case::file::tables::{BodyTable, ContactTables, Keyed, Name, Number, ReferenceTable, UnitsTable};
+use crate::case::definition::Case;
+use crate::case::file::tables::{
+    BodyTable, ContactTable, ContactTables, Keyed, Name, Number, ReferenceTable, UnitsTable,
+};
 use crate::case::file::units::Units;
 use crate::case::file::unsupported::Unsupported;
 use crate::case::file::{Source, Tables};
-use crate::case::problem::Problem;
-use crate::case::universal;
-use crate::case::{Judged, Reference, Verdict};
 use crate::error::Error;
 use crate::mesh::size::solvable;
-use crate::solve::run::Run;
-use crate::solve::{Discretisation, Element, Formulation, Iteration, Start};
+use crate::solve::{Element, Formulation, Iteration, Start};
 
 use super::mesh::MeshTable;
 use super::places::{Places, PlacesOfContact};
-use super::wanted::{CheckTable, Wanted};
+use super::wanted::CheckTable;
 
 /// Largest file that is read \[bytes\].
 const LARGEST_FILE: u64 = 1 << 20;
-
-/// A scene with everything needed to solve and judge it.
-#[derive(Clone)]
-pub struct SceneFile {
-    /// Scene and mesh.
-    pub problem: Problem,
-    /// How it is solved.
-    pub formulation: Formulation,
-    /// The accuracy that chooses the mesh; without one it is the problem's.
-    pub accuracy: Option<Asked>,
-    /// Where bodies and contact stand in the file.
-    pub places: Places,
-    wanted: Vec<Wanted>,
-}
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -81,8 +65,8 @@ const RULES: [StiffnessRule; 5] = [
     StiffnessRule::Penalty,
 ];
 
-impl SceneFile {
-    /// Reads a file; what is wrong in it is told with its line.
+impl Case {
+    /// Reads a scene file; what is wrong in it is reported with its line.
     pub fn read(file: &Path) -> Result<Self, Error> {
         let unreadable = |reason: String| Error::File {
             path: file.into(),
@@ -118,70 +102,6 @@ impl SceneFile {
         let name = file.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned());
         document.read(source, name)
     }
-
-    /// Solves the scene on its mesh, or on the one that its accuracy chooses.
-    pub fn solve(&self) -> Result<(Discretisation, Run, Option<Answer>), Error> {
-        self.solved().map_err(|error| self.places.locate(error))
-    }
-
-    fn solved(&self) -> Result<(Discretisation, Run, Option<Answer>), Error> {
-        let Problem { scene, resolution, .. } = &self.problem;
-        let Some(asked) = &self.accuracy else {
-            let discretisation = Discretisation::of(scene.clone(), *resolution)?;
-            let run = Run::of(&discretisation, &self.formulation)?.with_limits(&discretisation)?;
-            return Ok((discretisation, run, None));
-        };
-        let answer = accuracy::solve(scene, &self.formulation, asked)?;
-        let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution)?;
-        // From the formulation's own start, not from the contact set of another mesh: what is judged stands alone.
-        let run = Run::of(&discretisation, &answer.run.formulation)?;
-        Ok((discretisation, run, Some(answer)))
-    }
-
-    /// Judges a run by the file's own checks, and by what every converged run must satisfy.
-    pub fn judge(&self, discretisation: &Discretisation, run: &Run) -> Result<Judgement, Error> {
-        let converges = Judged::norm(
-            "The iteration shall converge",
-            "iteration error",
-            run.solution.error().largest(),
-            Reference::own("the discrete solution", 0.0),
-            run.formulation.settings.tolerance,
-            "the tolerance asked for",
-        );
-        let mut universal: Vec<Judged> = universal::bounded(run).into_iter().collect();
-        if run.solution.converged() {
-            universal.extend(universal::checks(discretisation, run)?);
-        }
-        Ok(Judgement { converges, own: self.own_checks(discretisation, run)?, universal })
-    }
-
-    /// The file's own checks of a run.
-    pub fn own_checks(&self, discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
-        self.wanted.iter().map(|wanted| wanted.check(discretisation, run)).collect()
-    }
-}
-
-/// Checks of a run of a scene file.
-#[derive(Clone, Debug)]
-pub struct Judgement {
-    /// That it converged.
-    pub converges: Judged,
-    /// Those of the file.
-    pub own: Vec<Judged>,
-    /// What every run must satisfy whatever the file says: its failure is a fault of the solver or of the scene's digits.
-    pub universal: Vec<Judged>,
-}
-
-impl Judgement {
-    /// All of them.
-    pub fn checks(&self) -> impl Iterator<Item = &Judged> {
-        std::iter::once(&self.converges).chain(&self.universal).chain(&self.own)
-    }
-
-    /// Whether none failed.
-    pub fn passed(&self) -> bool {
-        self.checks().all(|check| check.verdict != Verdict::Fail)
-    }
 }
 
 impl Document {
@@ -199,7 +119,7 @@ impl Document {
         }
     }
 
-    fn read(&self, source: Source, name: String) -> Result<SceneFile, Error> {
+    fn read(&self, source: Source, name: String) -> Result<Case, Error> {
         let units = Units::of(source, self.units.as_deref())?;
         let bodies = self.body.get_ref();
         if bodies.is_empty() {
@@ -230,15 +150,21 @@ impl Document {
         }
         let default = Keyed::default();
         let formulation = self.solve.as_ref().map_or(&default, Spanned::get_ref).formulation(source)?;
-        let wanted = self.check.iter().map(|check| check.wanted(source, &units, bodies, &scene));
-        let wanted = wanted.collect::<Result<_, _>>()?;
+        let oracle = |(contact, table): (usize, &ContactTable)| {
+            table.oracle.as_ref().map(|oracle| oracle.get_ref().read(source, &units, &scene, contact)).transpose()
+        };
+        let oracles = contacts.iter().enumerate().map(oracle).collect::<Result<Vec<_>, _>>()?;
+        let checks = self.check.iter().map(|check| check.check(source, &units, bodies, &scene, &oracles));
+        let checks = checks.collect::<Result<_, _>>()?;
         let title = self.title.clone().unwrap_or_else(|| "a scene file".into());
-        Ok(SceneFile {
-            problem: Problem { name, title, scene, resolution, oracle: None },
-            formulation,
+        Ok(Case {
+            resolution,
             accuracy,
-            places: self.places(source),
-            wanted,
+            formulations: vec![formulation],
+            checks,
+            oracle: oracles.into_iter().next().flatten(),
+            places: Some(self.places(source)),
+            ..Case::of(name, title, scene, resolution.elements)
         })
     }
 }

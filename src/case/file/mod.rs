@@ -15,6 +15,7 @@
 //! * [`gap_keys`] — its keys.
 //! * `reference` — reference values.
 //! * [`document`] — the whole file.
+//! * [`oracle`] — the closed form of a contact.
 //! * `mesh` — `[mesh]`.
 //! * `wanted` — the checks, `support` — the support of one.
 //! * [`places`] — where things are in the file.
@@ -33,6 +34,7 @@ mod gap;
 pub mod gap_keys;
 mod gmsh;
 mod mesh;
+pub mod oracle;
 pub mod places;
 mod reference;
 mod side;
@@ -51,7 +53,6 @@ use toml::Spanned;
 use crate::error::{Error, Located};
 use crate::scene::{Body, Grading, PlaneHypothesis, ReferenceValues, Scene};
 
-pub use document::{Judgement, SceneFile};
 pub use places::Places;
 use tables::{ContactTable, GrowthTable, List, Pair, ReferenceTable};
 use units::Units;

@@ -8,6 +8,7 @@ use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
 use crate::case::file::gap_keys::GapTable;
+use crate::case::file::oracle::OracleTable;
 
 pub use crate::case::file::values::{Keyed, List, Name, Number, Pair};
 
@@ -298,6 +299,8 @@ pub struct ContactTable {
     pub both_sides: Option<Spanned<bool>>,
     /// The scene shows half of a symmetric problem; true where it is left out and the contact has one side.
     pub symmetric: Option<Spanned<bool>>,
+    /// The closed form that checks without a value are held against.
+    pub oracle: Option<Spanned<OracleTable>>,
 }
 
 /// The contacts of a file: one table, or several.

@@ -6,13 +6,11 @@ use toml::Spanned;
 use crate::case::file::Source;
 use crate::case::file::tables::{BodyTable, Keyed, Name, Number};
 use crate::case::file::units::Units;
-use crate::case::{Judged, Reference};
+use crate::case::{Check, Quantity, Reference, SharedOracle};
 use crate::error::Error;
-use crate::measure::{display_factor, profile};
-use crate::oracle::ReferenceKind;
+use crate::measure::display_factor;
+use crate::oracle::{self, ReferenceKind};
 use crate::scene::Scene;
-use crate::solve::Discretisation;
-use crate::solve::run::{Contact, Run};
 
 use super::support::SupportName;
 
@@ -24,33 +22,16 @@ pub(super) struct CheckTable {
     contact: Option<Name>,
     at: Option<Number>,
     support: Option<Spanned<SupportName>>,
-    value: Number,
+    value: Option<Number>,
     tolerance: Number,
     kind: Option<Name>,
     source: Option<String>,
     because: Option<String>,
 }
 
-/// What a check asks.
-#[derive(Clone, Debug)]
-pub(super) struct Wanted {
-    quantity: Quantity,
-    /// Index of the contact in the scene.
-    contact: usize,
-    /// Contact coordinate \[mm, or rad\].
-    at: f64,
-    /// Body and support of a reaction.
-    support: Option<[usize; 2]>,
-    value: f64,
-    /// Relative; where the value is 0 absolute.
-    tolerance: f64,
-    kind: ReferenceKind,
-    source: String,
-    because: String,
-}
-
+/// What a check may ask for, as files name it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Quantity {
+enum Asked {
     PeakPressure,
     HalfWidth,
     Centre,
@@ -59,13 +40,13 @@ enum Quantity {
     Reaction,
 }
 
-const QUANTITIES: [(&str, Quantity); 6] = [
-    ("peak-pressure", Quantity::PeakPressure),
-    ("half-width", Quantity::HalfWidth),
-    ("centre", Quantity::Centre),
-    ("resultant", Quantity::Resultant),
-    ("pressure", Quantity::Pressure),
-    ("reaction", Quantity::Reaction),
+const QUANTITIES: [(&str, Asked); 6] = [
+    ("peak-pressure", Asked::PeakPressure),
+    ("half-width", Asked::HalfWidth),
+    ("centre", Asked::Centre),
+    ("resultant", Asked::Resultant),
+    ("pressure", Asked::Pressure),
+    ("reaction", Asked::Reaction),
 ];
 const KINDS: [(&str, ReferenceKind); 4] = [
     ("analytic", ReferenceKind::Analytic),
@@ -73,53 +54,16 @@ const KINDS: [(&str, ReferenceKind); 4] = [
     ("measured", ReferenceKind::Measured),
     ("self-consistency", ReferenceKind::SelfConsistency),
 ];
-impl Wanted {
-    pub(super) fn check(&self, discretisation: &Discretisation, run: &Run) -> Result<Judged, Error> {
-        let points = run.solution.points_of(self.contact);
-        let Contact { measures, transmitted, unbounded, .. } = &run.contacts[self.contact];
-        let (name, value) = match self.quantity {
-            // A peak without a limit is no number to be judged.
-            Quantity::PeakPressure if unbounded.is_some() => {
-                ("peak pressure, which has no limit [MPa]".into(), f64::NAN)
-            }
-            Quantity::PeakPressure => ("peak pressure [MPa]".into(), measures.peak.pressure),
-            Quantity::HalfWidth => ("half-width [mm or rad]".into(), measures.half_width),
-            Quantity::Centre => ("centre of pressure [mm]".into(), measures.centre),
-            Quantity::Resultant => ("resultant [N]".into(), *transmitted),
-            Quantity::Pressure => {
-                let stretch = discretisation.scene.contacts[self.contact].stretch;
-                (format!("pressure at s = {:.6} [MPa]", self.at), profile::interpolate(points, stretch, self.at))
-            }
-            Quantity::Reaction => ("reaction [N]".into(), self.reaction(discretisation, run)?),
-        };
-        // A run that broke off has no value to be judged.
-        let value = if run.solution.converged() { value } else { f64::NAN };
-        let reference = Reference { name: self.source.clone(), kind: self.kind, value: self.value };
-        let requirement = format!("The file's own check: {}", self.source);
-        let because = self.because.clone();
-        Ok(match self.value.abs() > 0.0 {
-            true => Judged::relative(requirement, name, value, reference, self.tolerance, because),
-            false => Judged::norm(requirement, name, value.abs(), reference, self.tolerance, because),
-        })
-    }
-
-    fn reaction(&self, discretisation: &Discretisation, run: &Run) -> Result<f64, Error> {
-        let reactions = discretisation.reactions_under(run.share(), &run.solution)?;
-        let wanted = reactions.iter().find(|reaction| self.support == Some([reaction.body, reaction.support]));
-        Ok(wanted.map_or(f64::NAN, |reaction| reaction.force))
-    }
-}
-
 impl CheckTable {
     /// The contact that is named; one that is not named must be the only one.
-    fn contact(&self, source: Source, quantity: Quantity, scene: &Scene) -> Result<usize, Error> {
+    fn contact(&self, source: Source, quantity: Asked, scene: &Scene) -> Result<usize, Error> {
         let known: Vec<_> = scene.contacts.iter().enumerate().map(|(k, pair)| (pair.name.as_str(), k)).collect();
         match &self.contact {
-            Some(name) if quantity == Quantity::Reaction => {
+            Some(name) if quantity == Asked::Reaction => {
                 Err(source.refused(name.span(), "a reaction belongs to a support", "leave `contact` out"))
             }
             Some(name) => source.choice("contact", name, &known),
-            None if known.len() > 1 && quantity != Quantity::Reaction => {
+            None if known.len() > 1 && quantity != Asked::Reaction => {
                 let names: Vec<String> = known.iter().map(|(name, _)| format!("`{name}`")).collect();
                 let message = "the scene has several contacts, and the check does not say which it means";
                 let remedy = format!("add `contact = \"…\"`, one of {}", names.join(", "));
@@ -129,39 +73,39 @@ impl CheckTable {
         }
     }
 
-    pub(super) fn wanted(
+    /// The check, in the scene's units.
+    pub(super) fn check(
         &self,
         source: Source,
         units: &Units,
         bodies: &[Keyed<BodyTable>],
         scene: &Scene,
-    ) -> Result<Wanted, Error> {
+        oracles: &[Option<SharedOracle>],
+    ) -> Result<Check, Error> {
         let quantity = source.choice("quantity", &self.quantity, &QUANTITIES)?;
         let contact = self.contact(source, quantity, scene)?;
         let pair = &scene.contacts[contact];
         // What turns a contact coordinate of the file into mm or rad.
         let along = if pair.path.is_straight() { units.length } else { 1.0 / display_factor(&pair.path) };
         let unit = match quantity {
-            Quantity::PeakPressure | Quantity::Pressure => units.stress,
-            Quantity::Resultant | Quantity::Reaction => units.force,
-            Quantity::HalfWidth | Quantity::Centre => along,
+            Asked::PeakPressure | Asked::Pressure => units.stress,
+            Asked::Resultant | Asked::Reaction => units.force,
+            Asked::HalfWidth | Asked::Centre => along,
         };
-        if quantity == Quantity::Centre && !pair.path.has_both_sides() {
+        if quantity == Asked::Centre && !pair.path.has_both_sides() {
             let remedy = "leave the check out, or give `both-sides = true` in [contact]";
             return Err(source.refused(self.quantity.span(), "a contact that begins at x = 0 has no `centre`", remedy));
         }
         let at = match (&self.at, quantity) {
-            (Some(at), Quantity::Pressure) if pair.path.has_both_sides() => {
+            (Some(at), Asked::Pressure) if pair.path.has_both_sides() => {
                 let [end, shown] = [pair.stretch * (1.0 + 1e-9), pair.stretch / along];
                 along
                     * source.number("at", at, &format!("a coordinate from -{shown} to {shown}"), |s| {
                         (along * s).abs() <= end
                     })?
             }
-            (Some(at), Quantity::Pressure) => {
-                along * source.number("at", at, "a coordinate from 0 on", |s| s >= 0.0)?
-            }
-            (None, Quantity::Pressure) => {
+            (Some(at), Asked::Pressure) => along * source.number("at", at, "a coordinate from 0 on", |s| s >= 0.0)?,
+            (None, Asked::Pressure) => {
                 return Err(source.refused(self.quantity.span(), "a pressure without a place", "add `at`"));
             }
             (Some(at), _) => {
@@ -170,8 +114,8 @@ impl CheckTable {
             (None, _) => f64::NAN,
         };
         let support = match (&self.support, quantity) {
-            (Some(support), Quantity::Reaction) => Some(support.get_ref().find(source, bodies)?),
-            (None, Quantity::Reaction) => {
+            (Some(support), Asked::Reaction) => Some(support.get_ref().find(source, bodies)?),
+            (None, Asked::Reaction) => {
                 let remedy = "add `support = { body = \"…\", at = \"…\", component = \"…\" }`, as the body lists it";
                 return Err(source.refused(self.quantity.span(), "a reaction without its support", remedy));
             }
@@ -181,18 +125,63 @@ impl CheckTable {
             (None, _) => None,
         };
         let kind = self.kind.as_ref().map(|kind| source.choice("kind of reference", kind, &KINDS)).transpose()?;
-        let value = source.finite("value", &self.value)?;
         let tolerance = source.positive("tolerance", &self.tolerance)?;
-        Ok(Wanted {
-            quantity,
-            contact,
-            at,
-            support,
-            value: unit * value,
-            tolerance: if value.abs() > 0.0 { tolerance } else { unit * tolerance },
-            kind: kind.unwrap_or(ReferenceKind::SelfConsistency),
-            source: self.source.clone().unwrap_or_else(|| "the value given".into()),
-            because: self.because.clone().unwrap_or_else(|| "the tolerance given".into()),
-        })
+        let quantity = match (quantity, support) {
+            (Asked::PeakPressure, _) => Quantity::PeakPressure,
+            (Asked::HalfWidth, _) => Quantity::HalfWidth,
+            (Asked::Centre, _) => Quantity::Centre,
+            (Asked::Resultant, _) => Quantity::Resultant,
+            (Asked::Reaction, Some([body, support])) => Quantity::Reaction { body, support },
+            (Asked::Pressure, _) | (Asked::Reaction, None) => Quantity::Pressure { at },
+        };
+        let reference = match &self.value {
+            Some(value) => Reference {
+                name: self.source.clone().unwrap_or_else(|| "the value given".into()),
+                kind: kind.unwrap_or(ReferenceKind::SelfConsistency),
+                value: unit * source.finite("value", value)?,
+            },
+            None => self.read(source, &quantity, scene.thickness, oracles[contact].as_ref())?,
+        };
+        let because = self.because.clone().unwrap_or_else(|| "the tolerance given".into());
+        let check = match reference.value.abs() > 0.0 {
+            true => Check::near(quantity, reference, tolerance, because),
+            // Nothing is relative to 0.
+            false => Check::absolute(quantity, reference, unit * tolerance, because),
+        };
+        Ok(Check { contact, ..check })
+    }
+
+    /// What the closed form of the contact says of a quantity.
+    fn read(
+        &self,
+        source: Source,
+        quantity: &Quantity,
+        thickness: f64,
+        oracle: Option<&SharedOracle>,
+    ) -> Result<Reference, Error> {
+        let place = self.quantity.span();
+        let Some(oracle) = oracle else {
+            let remedy = "give `value`, or the contact an `oracle`";
+            return Err(source.refused(place, "the check has nothing to be held against", remedy));
+        };
+        if let Some(kind) = &self.kind {
+            return Err(source.refused(kind.span(), "the kind is that of the oracle", "leave `kind` out"));
+        }
+        let read = |asked| Reference::read(oracle.as_ref(), asked);
+        let reference = match quantity {
+            Quantity::PeakPressure => read(oracle::Quantity::PeakPressure),
+            Quantity::HalfWidth => read(oracle::Quantity::SecondMoment),
+            Quantity::Pressure { at } => read(oracle::Quantity::Pressure { at: *at }),
+            Quantity::Resultant => {
+                let per_thickness = read(oracle::Quantity::Resultant);
+                Reference { value: per_thickness.value * thickness, ..per_thickness }
+            }
+            _ => Reference::own(oracle.name(), f64::NAN),
+        };
+        if reference.value.is_finite() {
+            return Ok(reference);
+        }
+        let message = format!("{} gives no {} here", oracle.name(), quantity.name());
+        Err(source.refused(place, message, "give `value`, or mend the numbers of the `oracle`"))
     }
 }

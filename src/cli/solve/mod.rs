@@ -13,7 +13,8 @@ mod table;
 use std::path::Path;
 
 use crate::accuracy;
-use crate::case::{Judged, Problem, Verdict};
+use crate::case::solved::met;
+use crate::case::{Case, Judged, Verdict};
 use crate::cli::ended::Ended;
 use crate::cli::reactions::ReactionReading;
 use crate::cli::{self, json, reactions, say, vtu};
@@ -25,27 +26,25 @@ use crate::solve::Discretisation;
 use crate::solve::Run;
 
 pub use options::Arguments;
-use options::Task;
 use stages::Stages;
 
 /// Solves, prints a table unless JSON goes to standard output, writes what was asked for, and tells how it ended.
 ///
 /// A mistake that shows only now is told with its line in the file.
 pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
-    let task = arguments.task()?;
-    let places = task.file.as_ref().map(|file| file.places.clone());
-    solve(arguments, task).map_err(|error| match &places {
+    let case = arguments.named()?;
+    let places = case.places.clone();
+    solve(arguments, case).map_err(|error| match &places {
         Some(places) => places.locate(error),
         None => error,
     })
 }
 
-fn solve(arguments: &Arguments, task: Task) -> Result<Ended, Error> {
-    let Task { mut problem, formulation: base, accuracy: asked, file } = task;
+fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
     arguments.refuse_endings()?;
-    let formulation = arguments.formulation(base);
+    let formulation = arguments.formulation(problem.formulation().clone());
     formulation.validate(&problem.scene)?;
-    let asked = arguments.asked(asked)?;
+    let asked = arguments.asked(problem.accuracy.clone())?;
     let stages = Stages::new();
     let accurate = match asked {
         None => {
@@ -67,8 +66,8 @@ fn solve(arguments: &Arguments, task: Task) -> Result<Ended, Error> {
         Some((_, answer)) => answer.run.clone(),
     };
     stages.begin(stages::OUTPUTS);
-    let mut checks = file.map_or(Ok(Vec::new()), |file| file.own_checks(&discretisation, &run))?;
-    checks.extend(accurate.iter().map(|(asked, answer)| answer.check(asked)));
+    let mut checks = problem.own(&discretisation, &run)?;
+    checks.extend(accurate.iter().map(|(asked, answer)| met(asked, answer)));
     let found = Found {
         problem: &problem,
         resolution,
@@ -112,7 +111,7 @@ fn solve(arguments: &Arguments, task: Task) -> Result<Ended, Error> {
 /// What a solve found, as it is told.
 pub struct Found<'a> {
     /// Scene and oracle.
-    pub problem: &'a Problem,
+    pub problem: &'a Case,
     /// How fine the mesh is.
     pub resolution: Resolution,
     /// The run.

@@ -6,8 +6,7 @@ use clap::{Args, ValueEnum};
 
 use crate::accuracy::{self, Asked};
 use crate::algorithm::{Acceleration, StiffnessRule};
-use crate::case::SceneFile;
-use crate::case::problem::{Problem, problem};
+use crate::case::{Case, library};
 use crate::error::Error;
 use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
@@ -110,35 +109,20 @@ enum StartName {
     Nested,
 }
 
-/// What is to be solved.
-pub struct Task {
-    /// Scene and mesh.
-    pub problem: Problem,
-    /// The formulation that the file names, or the default one.
-    pub formulation: Formulation,
-    /// The accuracy that the file asks for.
-    pub accuracy: Option<Asked>,
-    /// The file, where it is one.
-    pub file: Option<SceneFile>,
-}
-
 impl Arguments {
-    /// The problem of the library or of a file, with what the file names.
-    pub fn task(&self) -> Result<Task, Error> {
+    /// The case of the library or of a file.
+    pub fn named(&self) -> Result<Case, Error> {
         let path = Path::new(&self.case);
         let is_file = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) || path.exists();
         if !is_file {
-            let problem = problem(&self.case, self.a_over_r)?;
-            let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
-            return Ok(Task { problem, formulation, accuracy: None, file: None });
+            let case = library::find(&self.case, self.a_over_r)?;
+            return Ok(Case { formulations: vec![Formulation::new(Element::Node, Iteration::Kinematic)], ..case });
         }
         if self.a_over_r.is_some() {
             let remedy = "leave it out, and set the load in the file";
             return Err(Error::Combination { what: "a scene file has no a/R".into(), remedy: remedy.into() });
         }
-        let file = SceneFile::read(path)?;
-        let SceneFile { problem, formulation, accuracy, .. } = file.clone();
-        Ok(Task { problem, formulation, accuracy, file: Some(file) })
+        Case::read(path)
     }
 
     /// The accuracy asked for here, else that of the file; the mesh is then chosen by it alone.
@@ -208,7 +192,7 @@ impl Arguments {
     }
 
     /// Gives the problem the mesh asked for, if it can be solved; growth follows the elements.
-    pub fn refine(&self, problem: &mut Problem) -> Result<(), Error> {
+    pub fn refine(&self, problem: &mut Case) -> Result<(), Error> {
         let order = match self.order {
             None => problem.resolution.order,
             Some(1) => Order::Linear,

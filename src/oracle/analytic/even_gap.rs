@@ -6,12 +6,18 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use super::{answer, finite, positive};
+use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+
 /// Places of the coarse search for the peak on half of the contact.
 const PLACES: usize = 720;
 /// Steps of the golden section that follows.
 const SECTIONS: usize = 60;
 /// Terms of the potentials below this part of the first one are left out.
 const ROUNDING: f64 = 1e-18;
+
+/// Halvings that leave nothing of an interval of any width.
+const HALVINGS: usize = 200;
 
 /// Contact of an even gap on a half-plane.
 #[derive(Clone, Debug)]
@@ -50,6 +56,17 @@ impl EvenGap {
             4.0 / (PI * radius) * (round * sine(n) + half_width * inner)
         };
         Self { modulus, half_width, slopes: (0..terms).map(|k| slope((2 * k + 1) as f64)).collect() }
+    }
+
+    /// The contact that a load per unit length makes \[N/mm\], given that of every half-width, which it grows with.
+    ///
+    /// By bisection in the logarithm of the half-width between `low` and `high` \[mm\].
+    pub fn of_load(load: f64, [mut low, mut high]: [f64; 2], of: impl Fn(f64) -> Self) -> Self {
+        for _ in 0..HALVINGS {
+            let middle = (low * high).sqrt();
+            *if of(middle).load() < load { &mut low } else { &mut high } = middle;
+        }
+        of((low * high).sqrt())
     }
 
     /// `n` and `b_n`.
@@ -144,4 +161,39 @@ fn elliptic(x: f64, z: f64) -> (f64, f64) {
     };
     let eta = sinh.asinh();
     (eta, sin.atan2(x / eta.cosh()))
+}
+
+impl Oracle for EvenGap {
+    fn name(&self) -> &str {
+        "even gap on a half-plane"
+    }
+
+    fn kind(&self) -> ReferenceKind {
+        ReferenceKind::Analytic
+    }
+
+    fn source(&self) -> Source {
+        Source::new("Johnson, Contact Mechanics, 1985, §2.7", "Glauert's integral, term by term")
+    }
+
+    fn read(&self, quantity: Quantity) -> Reading {
+        let mut parameters = vec![
+            positive("modulus", self.modulus),
+            positive("half_width", self.half_width),
+            positive("first slope", self.slopes.first().copied().unwrap_or(f64::NAN)),
+        ];
+        let value = match quantity {
+            Quantity::HalfWidth => self.half_width,
+            Quantity::SecondMoment => self.second_moment(),
+            Quantity::PeakPressure => self.peak_pressure(),
+            Quantity::Resultant => self.load(),
+            Quantity::Pressure { at } => {
+                parameters.push(finite("at", at));
+                let cosine = at / self.half_width;
+                if cosine.abs() < 1.0 { self.pressure(cosine.acos()) } else { 0.0 }
+            }
+            _ => return Reading::Silent,
+        };
+        answer(&parameters, value)
+    }
 }

@@ -7,9 +7,11 @@
 //! * [`bars`]: two bars closing a gap.
 //! * [`punch`]: a rigid flat punch on a half-plane.
 //! * [`uniform`]: a patch under uniform pressure.
+//! * [`waves`]: a sinusoidal gap on a half-plane.
 //! * [`weight`]: a block under its own weight.
 
 use super::Reading;
+use crate::scene::PlaneHypothesis;
 
 pub mod bars;
 pub mod even_gap;
@@ -18,6 +20,7 @@ pub mod lame;
 pub mod persson;
 pub mod punch;
 pub mod uniform;
+pub mod waves;
 pub mod weight;
 
 /// Which two-dimensional state a body is in.
@@ -28,6 +31,15 @@ pub enum Plane {
     Stress,
     /// No strain across the thickness.
     Strain,
+}
+
+impl From<PlaneHypothesis> for Plane {
+    fn from(plane: PlaneHypothesis) -> Self {
+        match plane {
+            PlaneHypothesis::Stress => Self::Stress,
+            PlaneHypothesis::Strain => Self::Strain,
+        }
+    }
 }
 
 impl Plane {

@@ -8,26 +8,7 @@ use crate::figure::palette::{self, Dash, Marker, Style};
 use crate::figure::{Axis, Chart, IterationPaths, Path, State, panels};
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::unsorted::Finding;
-use crate::study::{converged, cures, pictures, sweep};
-
-/// Steps against initial stiffness, one panel per scene and algorithm.
-pub fn steps(findings: &[Finding]) -> Result<String, Error> {
-    let mut charts = Vec::new();
-    for (scene, _) in sweep::SCENES {
-        for algorithm in Iteration::ALL {
-            let title = format!("{scene}: {}", algorithm.name());
-            let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-3, 1e6), Axis::log("steps").over(1.0, 3000.0));
-            for element in Element::ALL {
-                let formulation = Formulation::new(element, algorithm);
-                let study = sweep::study(scene);
-                let series = of_picture(findings, &study).find(|series| series.label == formulation.name());
-                chart.series.extend(series.map(|s| curve(s, label(&formulation), style(&formulation))));
-            }
-            charts.push(chart);
-        }
-    }
-    panels("Steps against initial stiffness", &charts, 3)
-}
+use crate::study::{converged, cures, pictures};
 
 /// Steps of constant stiffness against initial stiffness, plain and accelerated, one panel per element.
 pub fn cures(findings: &[Finding]) -> Result<String, Error> {

@@ -1,23 +1,19 @@
 //! The charts by name, each from the findings that made it.
 //!
 //! * [`atlas`] — steps with their predictions, and the maps of the stability atlas.
-//! * [`contact`] — pressure of all nine against the reference.
 //! * [`convergence`] — steps against initial stiffness, orders, iteration paths.
 //! * [`fields`] — stress on the deformed meshes.
-//! * [`schematics`] — contact elements and scenes.
 //! * [`cross_code`] — profiles of all codes and their differences.
 //! * [`timings`] — error against seconds and work, growth.
 //! * [`solve`] and [`deformed`] — the picture of one run.
 //! * [`pins`] — hoop stress and displacement along the pin, the dimensionless family.
 
 pub mod atlas;
-pub mod contact;
 pub mod convergence;
 pub mod cross_code;
 pub mod deformed;
 pub mod fields;
 pub mod pins;
-pub mod schematics;
 pub mod solve;
 pub mod timings;
 
@@ -30,16 +26,9 @@ use crate::study::unsorted::{Finding, Series};
 
 /// All charts: file name and SVG.
 pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
-    let mut charts = vec![
-        ("contact-elements.svg".to_string(), figure::contact_elements()?),
-        ("scene-cylinder.svg".to_string(), schematics::cylinder()?),
-        ("scene-pin-rod.svg".to_string(), schematics::pin_rod()?),
-    ];
+    let mut charts = vec![("contact-elements.svg".to_string(), figure::contact_elements()?)];
     for (name, chart) in [
-        ("pressure-cylinder.svg", contact::cylinder(findings)?),
-        ("pressure-pin-rod.svg", contact::pin_rod(findings)?),
         ("orders.svg", convergence::orders(findings).svg()?),
-        ("steps-against-stiffness.svg", convergence::steps(findings)?),
         ("cures.svg", convergence::cures(findings)?),
         ("converged.svg", convergence::shares(findings)?),
         ("iteration-paths.svg", convergence::paths(findings)?),

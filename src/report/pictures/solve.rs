@@ -1,7 +1,7 @@
 //! The picture of one run: deformed shape with stress, contact pressure, and the iteration error step by step.
 
 use super::{deformed, label, style};
-use crate::case::Problem;
+use crate::case::Case;
 use crate::error::Error;
 use crate::figure::palette::{self, Colour};
 use crate::figure::{Axis, Chart, Dash, Direction, Guide, Marker, Series, Sheet, Style};
@@ -21,7 +21,7 @@ const ROUND_OFF: f64 = 1e-9;
 const STEPS: usize = 5;
 
 /// The sheet of a run, converged or not.
-pub fn sheet(problem: &Problem, discretisation: &Discretisation, run: &Run) -> Result<Sheet, Error> {
+pub fn sheet(problem: &Case, discretisation: &Discretisation, run: &Run) -> Result<Sheet, Error> {
     let steps = run.solution.work.steps;
     let plural = if steps == 1 { "" } else { "s" };
     let field = deformed::field(discretisation, run)?;
@@ -40,7 +40,7 @@ pub fn sheet(problem: &Problem, discretisation: &Discretisation, run: &Run) -> R
 }
 
 /// A row for every contact, pressure and gap; the iteration error stands in the first.
-fn charts(problem: &Problem, run: &Run) -> Vec<Vec<Chart>> {
+fn charts(problem: &Case, run: &Run) -> Vec<Vec<Chart>> {
     let of = |contact| vec![pressure(problem, run, contact), gap(problem, run, contact)];
     let mut rows: Vec<Vec<Chart>> = (0..run.contacts.len()).map(of).collect();
     rows.iter_mut().take(1).for_each(|first| first.push(iteration_error(run)));
@@ -48,7 +48,7 @@ fn charts(problem: &Problem, run: &Run) -> Vec<Vec<Chart>> {
 }
 
 /// The notes on the contacts, by name where there are several.
-fn notes(problem: &Problem, run: &Run) -> Vec<String> {
+fn notes(problem: &Case, run: &Run) -> Vec<String> {
     let of = |(index, pair): (usize, &ContactPair)| {
         let note = run.note(index)?;
         Some(if run.contacts.len() > 1 { format!("{}: {note}.", pair.name) } else { sentence(note) })
@@ -57,13 +57,7 @@ fn notes(problem: &Problem, run: &Run) -> Vec<String> {
 }
 
 /// A quantity of the points of one contact against the contact coordinate.
-fn profile(
-    problem: &Problem,
-    run: &Run,
-    contact: usize,
-    [title, y]: [&str; 2],
-    of: impl Fn(&PointState) -> f64,
-) -> Chart {
+fn profile(problem: &Case, run: &Run, contact: usize, [title, y]: [&str; 2], of: impl Fn(&PointState) -> f64) -> Chart {
     let pair = &problem.scene.contacts[contact];
     let factor = display_factor(&pair.path);
     let ends = [pair.begin(), pair.stretch].map(|s| factor * s);
@@ -81,7 +75,7 @@ fn profile(
 }
 
 /// Gap that remains; 0 where the surfaces touch but for round-off.
-fn gap(problem: &Problem, run: &Run, contact: usize) -> Chart {
+fn gap(problem: &Case, run: &Run, contact: usize) -> Chart {
     let points = run.solution.points_of(contact);
     let share = run.solution.contacts[contact].approach;
     let widest = points.iter().map(|point| point.gap.abs()).filter(|gap| gap.is_finite()).fold(share, f64::max);
@@ -94,7 +88,7 @@ fn gap(problem: &Problem, run: &Run, contact: usize) -> Chart {
 }
 
 /// Pressure against the contact coordinate, with the oracle's curve where there is one.
-pub fn pressure(problem: &Problem, run: &Run, contact: usize) -> Chart {
+pub fn pressure(problem: &Case, run: &Run, contact: usize) -> Chart {
     let mut chart =
         profile(problem, run, contact, ["Contact pressure", "contact pressure [MPa]"], |point| point.pressure);
     let pair = &problem.scene.contacts[contact];

@@ -10,8 +10,10 @@ use crate::study::converged::NAME;
 use crate::study::converged::plan::{LOADS, STRETCHES, Site, TOLERANCES, sites};
 use crate::study::converged::run::{self, ROUND_OFF, Record};
 use crate::study::records;
-use crate::study::sweep::SLACK;
 use crate::study::unsorted::{Finding, Series, Table, Trial};
+
+/// Error of a peak or a half-width that an iteration within its tolerance may have, in tolerances.
+const SLACK: f64 = 3.0;
 
 /// Name of the study.
 pub const STUDY: &str = "what is called converged";

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::case::file::SceneFile;
+use crate::case::Case;
 use crate::case::library::TruncatedHertz;
 use crate::case::problem::{self, PROBLEMS, Problem};
 use crate::error::Error;
@@ -87,7 +87,7 @@ impl Site {
                 let numbers = TruncatedHertz { size: SIZE, ..Default::default() };
                 Ok(Problem::new(LONG, "block of many half-widths", problem::truncated_hertz(numbers)))
             }
-            Origin::File(path) => Ok(SceneFile::read(path)?.problem),
+            Origin::File(path) => Case::read(path),
         }
     }
 }

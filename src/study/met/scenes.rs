@@ -75,7 +75,7 @@ fn block(solution: EvenGap, material: Material, profile: Profile, [size, guess]:
     let Material { young, poisson } = material;
     let numbers = TruncatedHertz { radius: a / slope, young, poisson, a_over_r: slope, size, stretch: guess.min(size) };
     let truth = [solution.peak_pressure(), solution.second_moment()];
-    let mut scene = numbers.scene(StressField(Arc::new(move |[x, depth]: [f64; 2]| solution.stress(x, depth))));
+    let mut scene = numbers.scene_under(StressField(Arc::new(move |[x, depth]: [f64; 2]| solution.stress(x, depth))));
     scene.contacts[0].profile = profile;
     Sample { scene, truths: vec![truth] }
 }

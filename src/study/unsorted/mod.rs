@@ -3,10 +3,10 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::case::{Judged, Verdict};
-use crate::case::{Problem, exact, hertz, pin, universal};
+use crate::case::{Problem, universal};
 use crate::solve::Run;
 use crate::study::cross_code::{self, Answers};
-use crate::study::{atlas, converged, cures, family, gaertner, limits, met, pictures, refinement, stability, sweep, timings};
+use crate::study::{atlas, converged, cures, family, gaertner, limits, met, pictures, refinement, stability, timings};
 
 use crate::error::Error;
 use crate::markdown;
@@ -159,11 +159,7 @@ fn title(formulation: &Formulation) -> String {
 
 /// Every trial of the suite, in the order of the page.
 pub fn all() -> Vec<Trial> {
-    let mut trials = exact::trials();
-    trials.extend(hertz::trials());
-    trials.extend(pin::trials());
-    trials.extend(refinement::trials());
-    trials.extend(sweep::trials());
+    let mut trials = refinement::trials();
     trials.extend(stability::trials());
     trials.extend(atlas::trials());
     trials.extend(converged::trials());

@@ -1,21 +1,32 @@
 //! Contact pressure of all nine formulations against the reference (the paper's Figs 10 and 14).
 
-use super::{label, style};
-use crate::case::problem::problem;
-use crate::case::{hertz, pin};
+use super::scene;
+use crate::case::library::{Cylinder, PinRod, cylinder, pin_rod};
 use crate::error::Error;
 use crate::figure::palette::Style;
 use crate::figure::{Axis, Band, Chart, Direction, Series, panels};
 use crate::measure::display_factor;
 use crate::scene::ReferenceValues;
 use crate::solve::Run;
-use crate::study::unsorted::Finding;
+use crate::study::Found;
+use crate::study::cases::run::Numbers;
+use crate::study::drawn::{label, style};
 
 /// Stations at which the closed form is drawn.
 const STATIONS: usize = 200;
 
-fn runs<'a>(findings: &'a [Finding], case: &'a str) -> impl Iterator<Item = &'a Run> {
-    findings.iter().filter(move |finding| finding.case == case).filter_map(|finding| finding.run.as_ref())
+/// Pressure of the two examples, with the schemes of their scenes.
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+    Ok(vec![
+        ("scene-cylinder.svg".into(), scene::cylinder()?),
+        ("scene-pin-rod.svg".into(), scene::pin_rod()?),
+        ("pressure-cylinder.svg".into(), cylinder(findings)?),
+        ("pressure-pin-rod.svg".into(), pin_rod(findings)?),
+    ])
+}
+
+fn runs<'a>(findings: &'a [Found<'a, Numbers>], case: &'a str) -> impl Iterator<Item = &'a Run> {
+    findings.iter().filter(move |found| found.case == case).map(|found| &found.numbers.run)
 }
 
 /// Edge means of the pressure of every run; runs that did not converge stand hollow at the frame.
@@ -34,13 +45,13 @@ fn curves<'a>(runs: impl Iterator<Item = &'a Run>, scale: f64, [x, y]: [f64; 2])
 }
 
 /// Pressure on the cylinder against Hertz, and the difference to Hertz where it can be seen.
-pub fn cylinder(findings: &[Finding]) -> Result<String, Error> {
-    let problem = problem("cylinder", None)?;
+fn cylinder(findings: &[Found<Numbers>]) -> Result<String, Error> {
+    let problem = Cylinder::default().case();
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
     let exact = |x: f64| problem.reference_pressure(x * a) / p0;
     let mut pressure =
         Chart::new("Pressure, edge means", Axis::linear("x / a").over(0.0, 1.5), Axis::linear("p / p₀").over(0.0, 1.1));
-    pressure.series = curves(runs(findings, hertz::CYLINDER), p0, [1.0 / a, 1.0]);
+    pressure.series = curves(runs(findings, cylinder::NINE), p0, [1.0 / a, 1.0]);
     let hertz = (0..=STATIONS).map(|k| 1.5 * k as f64 / STATIONS as f64).map(|x| (x, exact(x)));
     pressure.series.push(Series {
         label: "Hertz".into(),
@@ -51,7 +62,7 @@ pub fn cylinder(findings: &[Finding]) -> Result<String, Error> {
 
     let mut difference =
         Chart::new("Difference to Hertz", Axis::linear("x / a").over(0.0, 1.5), Axis::linear("(p − p_Hertz) / p₀ [%]"));
-    difference.series = runs(findings, hertz::CYLINDER)
+    difference.series = runs(findings, cylinder::NINE)
         .map(|run| {
             let mean = |from: f64, to: f64| {
                 (0..20).map(|k| exact(from + (to - from) * (k as f64 + 0.5) / 20.0)).sum::<f64>() / 20.0
@@ -69,8 +80,8 @@ pub fn cylinder(findings: &[Finding]) -> Result<String, Error> {
 }
 
 /// Pressure against angle on the pin, and the place of the measured curves.
-pub fn pin_rod(findings: &[Finding]) -> Result<String, Error> {
-    let problem = problem("pin-rod", None)?;
+fn pin_rod(findings: &[Found<Numbers>]) -> Result<String, Error> {
+    let problem = PinRod::default().case();
     let degrees = display_factor(&problem.scene.contact().path);
     let scale = problem.scene.reference.pressure;
     let mut chart = Chart::new(
@@ -78,7 +89,7 @@ pub fn pin_rod(findings: &[Finding]) -> Result<String, Error> {
         Axis::linear("θ from the load line [°]").over(0.0, 90.0),
         Axis::linear("R t p / F").over(0.0, 0.9),
     );
-    chart.series = curves(runs(findings, pin::PIN_ROD), scale, [degrees, 1.0]);
+    chart.series = curves(runs(findings, pin_rod::NINE), scale, [degrees, 1.0]);
     let label = "Gaertner 1977: not at hand".into();
     chart.bands.push(Band { direction: Direction::Vertical, from: 76.0, to: 89.0, label });
     chart.notes.push("Nothing here has yet been compared with an experiment.".into());

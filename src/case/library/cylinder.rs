@@ -1,11 +1,18 @@
-//! Elastic cylinder on a rigid plane, and the truncated Hertz scene without its model error.
-
+//! Elastic cylinder on a rigid plane (the paper's example a).
 use std::f64::consts::PI;
+use std::sync::Arc;
 
+use crate::case::check::Check;
+use crate::case::check::Reference;
+use crate::case::definition::Case;
+use crate::case::library::shared::{ENGINEERING, hertz_checks, hertz_reference, symmetry};
+use crate::case::quantity::Quantity;
+use crate::mesh::Resolution;
+use crate::oracle::analytic::hertz::Hertz;
 use crate::scene::{
-    Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
-    ReferenceValues, Scene, Sector, Shape, StressField, Support,
+    Body, ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, Scene, Sector, Shape, StressField,
 };
+use crate::solve::Formulation;
 
 /// Elastic cylinder pressed on a rigid plane by a uniform load (paper, example a).
 #[derive(Clone, Copy, Debug)]
@@ -94,86 +101,50 @@ impl Cylinder {
     }
 }
 
-/// Rectangle pressed by a rigid parabola, with the closed-form Hertz tractions on its other sides.
-#[derive(Clone)]
-pub struct TruncatedHertz {
-    /// Radius of curvature of the parabola \[mm\].
-    pub radius: f64,
-    /// Young's modulus \[MPa\].
-    pub young: f64,
-    /// Poisson's ratio.
-    pub poisson: f64,
-    /// Hertz half-width over the radius.
-    pub a_over_r: f64,
-    /// Width and height of the block over the half-width.
-    pub size: f64,
-    /// Candidate stretch over the half-width.
-    pub stretch: f64,
-}
-
-impl Default for TruncatedHertz {
-    fn default() -> Self {
-        Self { radius: 50.0, young: 210e3, poisson: 0.3, a_over_r: 0.05, size: 8.0, stretch: 2.0 }
+impl Cylinder {
+    /// The case, with Hertz's solution.
+    pub fn case(&self) -> Case {
+        let scene = self.scene();
+        let oracle = Hertz { load: self.load(), radius: self.radius, modulus: scene.contact_modulus() };
+        Case { oracle: Some(Arc::new(oracle)), ..Case::of("cylinder", TITLE, scene, 12) }
     }
 }
 
-impl TruncatedHertz {
-    /// Half-width `a` \[mm\].
-    pub fn half_width(&self) -> f64 {
-        self.a_over_r * self.radius
-    }
+/// What it is.
+pub(super) const TITLE: &str = "elastic cylinder pressed on a rigid plane, the lower quarter (paper, example a)";
 
-    /// Full load per thickness `P = π a² E* / 4R` [N/mm].
-    pub fn load(&self) -> f64 {
-        let modulus = self.material().plane_modulus(PlaneHypothesis::Strain);
-        PI * self.half_width().powi(2) * modulus / (4.0 * self.radius)
-    }
+/// Name of the case of all nine.
+pub const NINE: &str = "cylinder";
 
-    fn material(&self) -> Material {
-        Material { young: self.young, poisson: self.poisson }
-    }
-
-    /// The scene, with the half-space stress `(x, depth) ↦ [σ_x, σ_depth, τ]` of the same Hertz problem as its load.
-    ///
-    /// The block lies above the contact line y = 0, so that y is the depth.
-    pub fn scene(&self, half_space: StressField) -> Scene {
-        let a = self.half_width();
-        let side = self.size * a;
-        let field = |boundary: &'static str| Load::Stress { boundary: boundary.into(), field: half_space.clone() };
-        Scene {
-            name: "truncated-hertz".into(),
-            plane: PlaneHypothesis::Strain,
-            thickness: 1.0,
-            bodies: vec![Body {
-                density: 1.0,
-                name: "block".into(),
-                shape: Shape::Rectangle { x: [0.0, side], y: [0.0, side], contact: Face::Bottom },
-                material: self.material(),
-                supports: vec![symmetry("left")],
-                loads: vec![field("right"), field("far")],
-            }],
-            contacts: vec![ContactPair::new(
-                None,
-                Path::HORIZONTAL,
-                Profile::Parabola { radius: self.radius },
-                self.stretch * a,
-            )],
-            reference: hertz_reference(a, self.load(), self.radius),
-            grading: Grading { unit: a, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
-        }
-    }
+/// Verified at two loads, and all nine compared.
+pub(super) fn cases() -> Vec<Case> {
+    let model = "model error at a/R = 0.05 plus discretisation; see the model error beside it";
+    let verified = Cylinder::default().case();
+    let small = Cylinder { a_over_r: 0.005, ..Default::default() }.case();
+    let fine = "model error about 2e-5 at a/R = 0.005; 16 8-node cells per half-width";
+    let checks = [hertz_checks([1e-3; 2], [model; 2]), vec![size(4000.0)]].concat();
+    let small_checks =
+        [hertz_checks([2e-4, 5e-4], [fine, "the edge lies between two nodes"]), vec![size(8000.0)]].concat();
+    vec![
+        Case { checks, ..verified.clone().named("cylinder, verification") },
+        Case {
+            resolution: Resolution { elements: 16, ..small.resolution },
+            checks: small_checks,
+            ..small.named("cylinder, a/R = 0.005")
+        },
+        Case {
+            formulations: Formulation::compared(),
+            checks: hertz_checks([1e-2; 2], [ENGINEERING; 2]),
+            ..verified.named(NINE)
+        },
+    ]
 }
 
-/// `ℓ = a`, `p_ref = p₀ = 2P/πa`, `g_ref = g(a) = a²/2R`.
-fn hertz_reference(half_width: f64, load: f64, radius: f64) -> ReferenceValues {
-    ReferenceValues {
-        length: half_width,
-        pressure: 2.0 * load / (PI * half_width),
-        gap: half_width * half_width / (2.0 * radius),
-    }
-}
-
-/// Symmetry about x = 0 on a named boundary.
-pub(super) fn symmetry(boundary: &'static str) -> Support {
-    Support { at: Place::Boundary(boundary.into()), component: Component::X, value: 0.0 }
+/// No more than the scene needs.
+fn size(limit: f64) -> Check {
+    Check::at_most(
+        Quantity::Dofs,
+        Reference::own("grading, not brute force", limit),
+        "what the graded mesh takes, rounded up",
+    )
 }

@@ -1,0 +1,72 @@
+//! A case: a scene with its mesh, the formulations that solve it, its oracle and its checks.
+
+use std::sync::Arc;
+
+use crate::accuracy::Asked;
+use crate::case::check::{Check, Reference};
+use crate::case::file::Places;
+use crate::mesh::{Order, Resolution};
+use crate::oracle::{self, Oracle};
+use crate::scene::Scene;
+use crate::solve::Formulation;
+
+/// An oracle that can be shared between threads.
+pub type SharedOracle = Arc<dyn Oracle + Send + Sync>;
+
+/// A claim, whether it was built in or read from a scene file.
+#[derive(Clone)]
+pub struct Case {
+    /// Name in records, and on the command line.
+    pub name: String,
+    /// What it is, in a sentence.
+    pub title: String,
+    /// The scene.
+    pub scene: Scene,
+    /// Its mesh; with an accuracy the first one of the search.
+    pub resolution: Resolution,
+    /// The accuracy that chooses the mesh; none where it is given.
+    pub accuracy: Option<Asked>,
+    /// What it is solved by.
+    pub formulations: Vec<Formulation>,
+    /// Independent truth.
+    pub oracle: Option<SharedOracle>,
+    /// What shall hold; a case without checks is reported.
+    pub checks: Vec<Check>,
+    /// Where bodies and contacts stand in its file; none where it is built in.
+    pub places: Option<Places>,
+}
+
+impl Case {
+    /// A case without an oracle or checks, on 8-node cells, for the verification formulation.
+    pub fn of(name: impl Into<String>, title: impl Into<String>, scene: Scene, elements: usize) -> Self {
+        Self {
+            name: name.into(),
+            title: title.into(),
+            scene,
+            resolution: Resolution { elements, refinement: 0, order: Order::Quadratic },
+            accuracy: None,
+            formulations: vec![Formulation::verification()],
+            oracle: None,
+            checks: Vec::new(),
+            places: None,
+        }
+    }
+
+    /// The same under another name.
+    pub fn named(self, name: impl Into<String>) -> Self {
+        Self { name: name.into(), ..self }
+    }
+
+    /// The oracle's pressure at a contact coordinate \[MPa\]; NaN where there is no oracle or it cannot say.
+    pub fn reference_pressure(&self, at: f64) -> f64 {
+        self.reading(oracle::Quantity::Pressure { at }).value
+    }
+
+    /// What the oracle reads; NaN, which no check passes, where there is none or it cannot say.
+    pub fn reading(&self, quantity: oracle::Quantity) -> Reference {
+        match &self.oracle {
+            Some(oracle) => Reference::read(oracle.as_ref(), quantity),
+            None => Reference::own("no oracle", f64::NAN),
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Cases by the names that `solve` knows.
+
+use crate::case::definition::Case;
+use crate::case::library::{
+    Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
+};
+use crate::case::library::{bars, cylinder, flat_punch, own_weight, patch, pin_plate, pin_rod, truncated_hertz};
+use crate::error::Error;
+use crate::scene::PlaneHypothesis;
+
+/// Name, what it is, and the case; where its load can be set, by a/R.
+type Entry = (&'static str, &'static str, Made);
+
+enum Made {
+    Fixed(fn() -> Case),
+    Loaded(fn(f64) -> Case),
+}
+
+/// Default a/R of the scenes whose load can be set.
+const RATIO: f64 = 0.05;
+
+const ENTRIES: [Entry; 11] = [
+    ("cylinder", cylinder::TITLE, Made::Loaded(|a_over_r| Cylinder { a_over_r, ..Default::default() }.case())),
+    (
+        "cylinder-half",
+        "the same with the half cylinder modelled",
+        Made::Loaded(|a_over_r| Cylinder { a_over_r, model: CylinderModel::Half, ..Default::default() }.case()),
+    ),
+    (
+        "truncated-hertz",
+        truncated_hertz::TITLE,
+        Made::Loaded(|a_over_r| TruncatedHertz { a_over_r, ..Default::default() }.case()),
+    ),
+    ("pin-rod", pin_rod::TITLE, Made::Fixed(|| PinRod::default().case())),
+    ("pin-plate", pin_plate::TITLE, Made::Fixed(|| PinPlate::of_half_angle(60.0).case())),
+    ("patch", patch::TITLE, Made::Fixed(|| Patch::default().case())),
+    ("bars", bars::TITLE, Made::Fixed(|| Bars::default().case())),
+    ("own-weight", own_weight::TITLE, Made::Fixed(|| OwnWeight::default().case())),
+    ("press-fit", "press fit of two rings, plane stress", Made::Fixed(|| PressFit::default().case())),
+    (
+        "press-fit-strain",
+        "press fit of two rings, plane strain",
+        Made::Fixed(|| PressFit { plane: PlaneHypothesis::Strain, ..Default::default() }.case()),
+    ),
+    ("flat-punch", flat_punch::TITLE, Made::Fixed(|| FlatPunch::default().case())),
+];
+
+/// Names and titles.
+pub const NAMES: [(&str, &str); ENTRIES.len()] = {
+    let mut names = [("", ""); ENTRIES.len()];
+    let mut k = 0;
+    while k < ENTRIES.len() {
+        names[k] = (ENTRIES[k].0, ENTRIES[k].1);
+        k += 1;
+    }
+    names
+};
+
+/// The case of a name; `a_over_r` sets the load of the Hertz scenes.
+pub fn find(name: &str, a_over_r: Option<f64>) -> Result<Case, Error> {
+    let Some((name, title, made)) = ENTRIES.iter().find(|(known, ..)| *known == name) else {
+        return Err(Error::Unknown {
+            place: "solve".into(),
+            kind: "case",
+            name: name.into(),
+            known: NAMES.map(|(name, _)| name).join(", "),
+        });
+    };
+    let case = match (made, a_over_r) {
+        (Made::Fixed(case), None) => case(),
+        (Made::Loaded(case), _) => case(a_over_r.map_or(Ok(RATIO), |ratio| allowed(name, ratio))?),
+        (Made::Fixed(_), Some(_)) => {
+            let remedy = "leave it out, or solve cylinder, cylinder-half or truncated-hertz";
+            return Err(Error::Combination { what: format!("`{name}` has no a/R"), remedy: remedy.into() });
+        }
+    };
+    Ok(Case { title: (*title).into(), ..case.named(*name) })
+}
+
+fn allowed(name: &str, ratio: f64) -> Result<f64, Error> {
+    if ratio > 0.0 && ratio <= 0.5 {
+        return Ok(ratio);
+    }
+    let expected = "it must lie between 0 and 0.5, where the candidates reach the side of the cylinder";
+    Err(Error::value(name, "a-over-r", ratio, expected, "use for instance 0.05"))
+}

@@ -1,0 +1,127 @@
+//! Pin in a connecting-rod eye (the paper's example b).
+use crate::case::check::Against;
+use crate::case::check::Check;
+use crate::case::definition::Case;
+use crate::case::library::shared::{ARC_UNIT, ENGINEERING, hole_contact, pin_reference, symmetry};
+use crate::case::quantity::Quantity;
+use crate::scene::{
+    Body, Circle, Component, Face, Grading, Load, Material, Place, PlaneHypothesis, Scene, Sector, Shape, Support,
+};
+use crate::solve::Formulation;
+
+/// Pin and connecting rod (paper, example b); every number of the scene is here.
+#[derive(Clone, Copy, Debug)]
+pub struct PinRod {
+    /// Radius of the pin \[mm\].
+    pub pin_radius: f64,
+    /// Radial clearance \[mm\].
+    pub clearance: f64,
+    /// Outer radius of the eye \[mm\].
+    pub eye_outer_radius: f64,
+    /// Width of the shank \[mm\].
+    pub shank_width: f64,
+    /// Height of the shank's flat end above the eye's centre \[mm\].
+    pub shank_end: f64,
+    /// Thickness of pin and rod \[mm\].
+    pub thickness: f64,
+    /// Elastic constants of the pin.
+    pub pin: Material,
+    /// Elastic constants of the rod.
+    pub rod: Material,
+    /// Force on the whole rod, upwards \[N\].
+    pub force: f64,
+    /// Candidates lie between the load line and this angle \[rad\].
+    pub stretch: f64,
+    /// Arc length that holds `N` elements \[mm\].
+    pub unit: f64,
+}
+
+impl Default for PinRod {
+    fn default() -> Self {
+        let steel = Material { young: 210e3, poisson: 0.3 };
+        Self {
+            pin_radius: 10.0,
+            clearance: 0.05,
+            eye_outer_radius: 20.0,
+            shank_width: 20.0,
+            shank_end: 60.0,
+            thickness: 1.0,
+            pin: steel,
+            rod: steel,
+            force: 2000.0,
+            stretch: 75f64.to_radians(),
+            unit: ARC_UNIT,
+        }
+    }
+}
+
+impl PinRod {
+    /// The scene: half by symmetry, pin held on its horizontal diameter, rod pulled upwards by a rigid end face.
+    pub fn scene(&self) -> Scene {
+        let pin = Body {
+            density: 1.0,
+            name: "pin".into(),
+            shape: Shape::Disc {
+                centre: [0.0, 0.0],
+                radius: self.pin_radius,
+                sector: Sector::Quarter,
+                contact: Face::Bottom,
+            },
+            material: self.pin,
+            supports: vec![
+                symmetry("axis"),
+                Support { at: Place::Boundary("cut".into()), component: Component::Y, value: 0.0 },
+            ],
+            loads: vec![],
+        };
+        let rod = Body {
+            density: 1.0,
+            name: "rod".into(),
+            shape: Shape::Eye {
+                pole: [0.0, 0.0],
+                hole: Circle { centre: [0.0, self.clearance], radius: self.pin_radius + self.clearance },
+                outer_radius: self.eye_outer_radius,
+                shank_half_width: 0.5 * self.shank_width,
+                shank_end: self.shank_end,
+            },
+            material: self.rod,
+            supports: vec![symmetry("axis")],
+            loads: vec![Load::RigidFace { boundary: "end".into(), component: Component::Y, force: 0.5 * self.force }],
+        };
+        Scene {
+            name: "pin-rod".into(),
+            plane: PlaneHypothesis::Stress,
+            thickness: self.thickness,
+            bodies: vec![pin, rod],
+            contacts: vec![hole_contact(self.pin_radius, self.clearance, self.stretch)],
+            reference: pin_reference(
+                self.force / self.thickness,
+                self.pin_radius,
+                self.clearance,
+                [self.pin, self.rod],
+            ),
+            grading: Grading { unit: self.unit, along: 1.7, depth: 1.6, first: 1.0, coarsest: 0.3, end: 1.0 },
+        }
+    }
+}
+
+impl PinRod {
+    /// The case; there is no closed form.
+    pub fn case(&self) -> Case {
+        Case::of("pin-rod", TITLE, self.scene(), 32)
+    }
+}
+
+/// What it is.
+pub(super) const TITLE: &str = "pin in a connecting-rod eye, two elastic bodies (paper, example b)";
+
+/// Name of the case of all nine.
+pub const NINE: &str = "pin-rod";
+
+/// All nine against the verification formulation.
+pub(super) fn cases() -> Vec<Case> {
+    let near = |quantity| Check::near(quantity, Against::Verification, 1e-2, ENGINEERING);
+    let profile = Check::error(Quantity::EdgeMeans, Against::Verification, 1e-2, ENGINEERING);
+    let checks = vec![near(Quantity::PeakPressure), near(Quantity::HalfWidth), profile];
+    vec![Case { formulations: Formulation::compared(), checks, ..PinRod::default().case() }]
+}

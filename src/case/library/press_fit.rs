@@ -1,0 +1,133 @@
+//! Press fit of two rings.
+use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
+
+use crate::case::check::Against;
+use crate::case::check::Check;
+use crate::case::definition::Case;
+use crate::case::library::shared::symmetry;
+use crate::case::quantity::Quantity;
+use crate::oracle::analytic::lame;
+use crate::scene::{
+    Body, Circle, Component, ContactPair, Face, Grading, Material, Path, Place, PlaneHypothesis, Profile,
+    ReferenceValues, Scene, Shape, Support,
+};
+use crate::solve::{Element, Formulation, Iteration};
+
+/// Two rings pressed together: the inner one is too large by the interference.
+#[derive(Clone, Copy, Debug)]
+pub struct PressFit {
+    /// Inner radius of the inner ring \[mm\].
+    pub inner: f64,
+    /// Radius of the interface \[mm\].
+    pub interface: f64,
+    /// Outer radius of the outer ring \[mm\].
+    pub outer: f64,
+    /// Radial interference \[mm\].
+    pub interference: f64,
+    /// Elastic constants of the inner and the outer ring.
+    pub materials: [Material; 2],
+    /// Plane hypothesis.
+    pub plane: PlaneHypothesis,
+}
+
+impl Default for PressFit {
+    fn default() -> Self {
+        Self {
+            inner: 20.0,
+            interface: 40.0,
+            outer: 70.0,
+            interference: 0.02,
+            materials: [Material { young: 210e3, poisson: 0.3 }, Material { young: 70e3, poisson: 0.33 }],
+            plane: PlaneHypothesis::Stress,
+        }
+    }
+}
+
+impl PressFit {
+    /// The scene: a quarter by symmetry, no load but the interference `δ`; `p_ref = E*δ/b`, so that `g_ref = δ`.
+    pub fn scene(&self) -> Scene {
+        let circle = |radius| Circle { centre: [0.0, 0.0], radius };
+        let ring = |name: &str, inner, outer, contact, material| Body {
+            density: 1.0,
+            name: name.into(),
+            shape: Shape::Ring {
+                pole: [0.0, 0.0],
+                inner: circle(inner),
+                outer: circle(outer),
+                sweep: FRAC_PI_2,
+                contact,
+            },
+            material,
+            supports: vec![
+                symmetry("start"),
+                Support { at: Place::Boundary("end".into()), component: Component::Y, value: 0.0 },
+            ],
+            loads: vec![],
+        };
+        let [inner, outer] = self.materials;
+        let compliance: f64 = self.materials.iter().map(|m| 1.0 / m.plane_modulus(self.plane)).sum();
+        let pressure = self.interference / (self.interface * compliance);
+        Scene {
+            name: "press-fit".into(),
+            plane: self.plane,
+            thickness: 1.0,
+            bodies: vec![
+                ring("inner ring", self.inner, self.interface, Face::Top, inner),
+                ring("outer ring", self.interface, self.outer, Face::Bottom, outer),
+            ],
+            contacts: vec![ContactPair::new(
+                Some(1),
+                Path::Arc(circle(self.interface)),
+                Profile::Uniform(-self.interference),
+                FRAC_PI_2,
+            )],
+            reference: ReferenceValues { length: self.interface, pressure, gap: self.interference },
+            grading: Grading {
+                unit: self.interface * FRAC_PI_2,
+                along: 1.0,
+                depth: 1.0,
+                first: 1.0,
+                coarsest: 1.0,
+                end: 1.0,
+            },
+        }
+    }
+}
+
+impl PressFit {
+    /// The case, with Lamé's solution.
+    pub fn case(&self) -> Case {
+        let [inner, outer] = self.materials.map(|m| lame::RingMaterial { young: m.young, poisson: m.poisson });
+        let oracle = lame::PressFit {
+            bore: self.inner,
+            interface: self.interface,
+            outside: self.outer,
+            interference: self.interference,
+            inner,
+            outer,
+            plane: self.plane.into(),
+        };
+        Case { oracle: Some(Arc::new(oracle)), ..Case::of("press-fit", TITLE, self.scene(), 32) }
+    }
+}
+
+/// What it is.
+pub(super) const TITLE: &str = "press fit of two rings";
+
+/// Both plane hypotheses, by kinematic load and by constant stiffness.
+pub(super) fn cases() -> Vec<Case> {
+    let check =
+        Check::error(Quantity::Departure, Against::Oracle, 1e-4, "edges of 8-node cells are parabolas, not arcs");
+    let of = |(name, plane)| {
+        let constant = Formulation::new(Element::Node, Iteration::Constant).tolerance(1e-8);
+        let case = PressFit { plane, ..Default::default() }.case();
+        Case {
+            formulations: vec![Formulation::verification(), constant],
+            checks: vec![check.clone()],
+            ..case.named(name)
+        }
+    };
+    let planes = [PlaneHypothesis::Stress, PlaneHypothesis::Strain];
+    ["press fit, plane stress", "press fit, plane strain"].into_iter().zip(planes).map(of).collect()
+}

@@ -1,0 +1,129 @@
+//! A case meshed, run and judged.
+
+use crate::accuracy::{self, Answer, Asked};
+use crate::case::check::{Against, Check, Reference};
+use crate::case::definition::Case;
+use crate::case::judged::Judged;
+use crate::case::measured::Solved;
+use crate::case::quantity::Quantity;
+use crate::case::universal;
+use crate::error::Error;
+use crate::solve::{Discretisation, Formulation, Run};
+
+/// A case on its mesh, which all its formulations share.
+pub struct Meshed {
+    /// Mesh, system and condensation.
+    pub discretisation: Discretisation,
+    /// How the mesh was found, where an accuracy chose it.
+    pub answer: Option<Answer>,
+}
+
+impl Case {
+    /// The mesh that is given, or that the accuracy asked for chooses for the first formulation.
+    pub fn meshed(&self) -> Result<Meshed, Error> {
+        let found = || {
+            let Some(asked) = &self.accuracy else {
+                return Ok(Meshed {
+                    discretisation: Discretisation::of(self.scene.clone(), self.resolution)?,
+                    answer: None,
+                });
+            };
+            let answer = accuracy::solve(&self.scene, self.formulation(), asked)?;
+            let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution)?;
+            Ok(Meshed { discretisation, answer: Some(answer) })
+        };
+        found().map_err(|error| self.located(error))
+    }
+
+    /// Runs a formulation on the mesh; where an accuracy chose that, as the answer was run, but from its own start.
+    pub fn run(&self, meshed: &Meshed, formulation: &Formulation) -> Result<Run, Error> {
+        let Meshed { discretisation, answer } = meshed;
+        match answer {
+            Some(answer) => Run::of(discretisation, &answer.run.formulation),
+            None if self.places.is_some() => Run::of(discretisation, formulation)?.with_limits(discretisation),
+            None => Run::of(discretisation, formulation),
+        }
+        .map_err(|error| self.located(error))
+    }
+
+    /// The formulation that is named first, which is the only one of a file.
+    pub fn formulation(&self) -> &Formulation {
+        &self.formulations[0]
+    }
+
+    /// Meshes the case and runs its first formulation.
+    pub fn solve(&self) -> Result<(Meshed, Run), Error> {
+        let meshed = self.meshed()?;
+        let run = self.run(&meshed, self.formulation())?;
+        Ok((meshed, run))
+    }
+
+    /// Judges a run: what bounds every run, and of a case with checks that it converged, the checks, and what every
+    /// converged run must satisfy.
+    pub fn judge(&self, meshed: &Meshed, run: &Run) -> Result<Vec<Judged>, Error> {
+        let discretisation = &meshed.discretisation;
+        let mut judged: Vec<Judged> = universal::bounded(run).into_iter().collect();
+        if self.is_reported() {
+            return Ok(judged);
+        }
+        judged.push(converges(run));
+        judged.extend(self.own(discretisation, run)?);
+        judged.extend(self.accuracy.iter().zip(&meshed.answer).map(|(asked, answer)| met(asked, answer)));
+        if run.solution.converged() {
+            judged.extend(universal::checks(discretisation, run)?);
+        }
+        Ok(judged)
+    }
+
+    /// Whether it is shown without being judged: it is built in and declares no check.
+    pub fn is_reported(&self) -> bool {
+        self.checks.is_empty() && self.places.is_none()
+    }
+
+    /// The checks that the case declares, judged.
+    pub fn own(&self, discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
+        let needed = self.checks.iter().any(|check| check.against == Against::Verification);
+        let verification = needed.then(|| Run::of(discretisation, &Formulation::verification())).transpose()?;
+        let solved = Solved { case: self, discretisation, run, verification: verification.as_ref() };
+        self.checks.iter().map(|check| judged(check, &solved)).collect()
+    }
+
+    fn located(&self, error: Error) -> Error {
+        match &self.places {
+            Some(places) => places.locate(error),
+            None => error,
+        }
+    }
+}
+
+/// A declared check held against what a run found.
+fn judged(check: &Check, solved: &Solved) -> Result<Judged, Error> {
+    let value = solved.value(&check.quantity, check.contact)?;
+    let reference = match (&check.against, solved.verification) {
+        (Against::Value(reference), _) => reference.clone(),
+        (Against::Oracle, _) => solved.reading(&check.quantity),
+        (Against::Verification, Some(other)) => {
+            let of_other = Solved { run: other, ..*solved };
+            Reference::own("node.kinematic at 1e-8", of_other.value(&check.quantity, check.contact)?)
+        }
+        (Against::Verification, None) => Reference::own("node.kinematic at 1e-8", f64::NAN),
+    };
+    Ok(check.clone().judge_by(value, reference))
+}
+
+/// That a run converged.
+fn converges(run: &Run) -> Judged {
+    let tolerance = run.formulation.settings.tolerance;
+    let exact = Reference::own("the discrete solution", 0.0);
+    Check::error("iteration error of the run", exact, tolerance, "the tolerance asked for")
+        .universal()
+        .judge(run.solution.error().largest())
+}
+
+/// That an accuracy is met, by the estimate.
+pub fn met(asked: &Asked, answer: &Answer) -> Judged {
+    let estimate = if answer.unmet.is_none() { answer.estimate() } else { f64::NAN };
+    let because = "two ladders of meshes and one finer in both directions, with factors of safety";
+    let quantity = Quantity::at("estimated error of the mesh that an accuracy chose", "");
+    Check::error(quantity, Reference::own("finer meshes", 0.0), asked.relative, because).judge(estimate)
+}

@@ -1,0 +1,98 @@
+//! A sinusoidal gap on a half-plane (Westergaard 1939).
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::{answer, finite, positive};
+use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+
+/// Points of the midpoint rule of the second moment.
+const PARTS: usize = 512;
+
+/// The gap `Δ (1 − cos(2πx/λ))` on a half-plane under a mean pressure, one contact a wave.
+///
+/// With `p* = πE*Δ/λ` and `sin² ψ = p̄/p*`: `p = 2p* cos(πx/λ) √(sin² ψ − sin²(πx/λ))`, half-width `a = λψ/π` (Johnson, Contact
+/// Mechanics, 1985, §13.2).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Waves {
+    /// Contact modulus `E*` \[MPa\].
+    pub modulus: f64,
+    /// Amplitude `Δ` \[mm\].
+    pub amplitude: f64,
+    /// Wavelength `λ` \[mm\].
+    pub wavelength: f64,
+    /// Mean pressure `p̄` on a wave \[MPa\].
+    pub mean: f64,
+}
+
+impl Waves {
+    /// Mean pressure `p* = πE*Δ/λ` that flattens the wave \[MPa\].
+    pub fn complete(&self) -> f64 {
+        PI * self.modulus * self.amplitude / self.wavelength
+    }
+
+    /// `sin ψ`; NaN where the wave is pressed flat.
+    fn sine(&self) -> f64 {
+        let share = self.mean / self.complete();
+        if share < 1.0 { share.sqrt() } else { f64::NAN }
+    }
+
+    /// Half-width \[mm\].
+    pub fn half_width(&self) -> f64 {
+        self.wavelength / PI * self.sine().asin()
+    }
+
+    /// Pressure at `x` \[MPa\], zero outside the contact.
+    pub fn pressure(&self, x: f64) -> f64 {
+        let (sin, cos) = (PI * x / self.wavelength).sin_cos();
+        let below = self.sine().powi(2) - sin * sin;
+        if below.is_nan() { f64::NAN } else { 2.0 * self.complete() * cos * below.max(0.0).sqrt() }
+    }
+
+    /// `2 √(∫p x²/∫p)` \[mm\], by the midpoint rule in t, `sin(πx/λ) = sin ψ sin t`, where the integrand is smooth.
+    pub fn second_moment(&self) -> f64 {
+        let (mut moment, mut total) = (0.0, 0.0);
+        for part in 0..PARTS {
+            let (sin, cos) = (FRAC_PI_2 * (part as f64 + 0.5) / PARTS as f64).sin_cos();
+            let place = self.wavelength / PI * (self.sine() * sin).asin();
+            total += cos * cos;
+            moment += cos * cos * place * place;
+        }
+        2.0 * (moment / total).sqrt()
+    }
+}
+
+impl Oracle for Waves {
+    fn name(&self) -> &str {
+        "Westergaard"
+    }
+
+    fn kind(&self) -> ReferenceKind {
+        ReferenceKind::Analytic
+    }
+
+    fn source(&self) -> Source {
+        Source::new("Westergaard 1939; Johnson, Contact Mechanics, 1985, §13.2", "as printed")
+    }
+
+    fn read(&self, quantity: Quantity) -> Reading {
+        let mut parameters = vec![
+            positive("modulus", self.modulus),
+            positive("amplitude", self.amplitude),
+            positive("wavelength", self.wavelength),
+            positive("mean", self.mean),
+            positive("share of the wave that stays open", 1.0 - self.mean / self.complete()),
+        ];
+        let value = match quantity {
+            Quantity::HalfWidth => self.half_width(),
+            Quantity::SecondMoment => self.second_moment(),
+            Quantity::PeakPressure => self.pressure(0.0),
+            Quantity::Resultant => self.mean * self.wavelength,
+            Quantity::Pressure { at } => {
+                parameters.push(finite("at", at));
+                self.pressure(at)
+            }
+            _ => return Reading::Silent,
+        };
+        answer(&parameters, value)
+    }
+}

@@ -1,0 +1,94 @@
+//! What is found is right, whatever the formulation.
+
+use super::found::{Findings, extremes};
+use super::{Judgement, Statement, judged};
+use crate::case::library::{cylinder, pin_rod};
+use crate::case::{Quantity, Verdict};
+use crate::solve::Run;
+use crate::study::refinement::{LEFT_OUT, QUARTER};
+use crate::study::{Numbers, gaertner};
+
+/// Difference of the nine that counts as none.
+const UNREMARKABLE: f64 = 1.0;
+/// Most over fewest steps that count as a difference.
+const DIFFERENT: f64 = 10.0;
+
+/// Every combination agrees with the reference.
+pub fn of_all(f: &Findings) -> Statement {
+    let worst = |case: &'static str, quantity| 100.0 * f.error(case, &quantity);
+    Statement {
+        text: "Every combination of element and algorithm agrees with Hertz, and for the pin–rod with one another (Figs 10, 14, 15)",
+        measured: format!(
+            "cylinder, all nine: p₀ within {:.2} %, a within {:.2} %; pin–rod, all nine: peak within {:.2} %, edge means within {:.2} %",
+            worst(cylinder::NINE, Quantity::PeakPressure),
+            worst(cylinder::NINE, Quantity::HalfWidth),
+            worst(pin_rod::NINE, Quantity::PeakPressure),
+            worst(pin_rod::NINE, Quantity::EdgeMeans),
+        ),
+        judgement: judged(f.passes(cylinder::NINE) && f.passes(pin_rod::NINE)),
+    }
+}
+
+/// No formulation is more accurate than another.
+pub fn no_difference(f: &Findings) -> Statement {
+    let work = |run: &&Run| run.solution.work.steps as f64;
+    let runs = f.runs(cylinder::NINE);
+    let [low, high] = extremes(runs.iter().map(work));
+    let spread = |of: fn(&Run) -> f64| {
+        let [low, high] = extremes(runs.iter().map(|run| of(run)));
+        100.0 * (high / low - 1.0)
+    };
+    let (peak, width) = (spread(|r| r.measures().peak.pressure), spread(|r| r.measures().half_width));
+    Statement {
+        text: "Within the prescribed accuracy there is no remarkable difference between elements or algorithms; the differences are in steps and time",
+        measured: format!("cylinder: spread of the nine {peak:.2} % in p₀, {width:.2} % in a; {low} to {high} steps"),
+        judgement: judged(peak < UNREMARKABLE && width < UNREMARKABLE && high / low > DIFFERENT),
+    }
+}
+
+/// The upper quarter may be left out.
+pub fn top_quarter(f: &Findings) -> Statement {
+    let points: Vec<[f64; 2]> = f
+        .case(QUARTER_CASE)
+        .filter_map(|finding| match &finding.numbers {
+            Numbers::Unsorted(old) => Some(&old.series),
+            _ => None,
+        })
+        .flatten()
+        .filter(|s| s.picture == QUARTER)
+        .flat_map(|s| s.points.clone())
+        .collect();
+    let small = points.iter().filter(|p| p[1] <= LEFT_OUT).map(|p| p[0]).fold(0.0, f64::max);
+    let all = points.iter().all(|p| p[1] <= LEFT_OUT);
+    let worst =
+        points.iter().map(|p| format!("{:.3} % at a/R = {}", 100.0 * p[1], p[0])).collect::<Vec<_>>().join(", ");
+    Statement {
+        text: "The top quarter of the half cylinder does not influence the contact and may be left out",
+        measured: format!("change of p₀ or a: {worst}; below {} % up to a/R = {small}", 100.0 * LEFT_OUT),
+        judgement: if all {
+            Judgement::Reproduced
+        } else if small > 0.0 {
+            Judgement::UnderCondition
+        } else {
+            Judgement::NotReproduced
+        },
+    }
+}
+
+const QUARTER_CASE: &str = "half cylinder against quarter";
+
+/// Gaertner's curves.
+pub fn gaertner(f: &Findings) -> Statement {
+    let verdict = f.case(gaertner::CASE).map(|finding| finding.verdict()).next();
+    let (measured, judgement) = match verdict {
+        Some(Verdict::Pass) => ("within the combined uncertainty".to_string(), Judgement::Reproduced),
+        Some(Verdict::Fail) => ("outside the combined uncertainty".to_string(), Judgement::NotReproduced),
+        Some(Verdict::NotRun(why)) => (why, Judgement::NotJudged),
+        None => ("not asked".to_string(), Judgement::NotJudged),
+    };
+    Statement {
+        text: "Reasonable agreement with Gaertner's finite elements and experiment (Figs 14, 15)",
+        measured,
+        judgement,
+    }
+}

@@ -1,0 +1,76 @@
+//! Look-ups in what was found.
+
+use crate::case::judged::worst;
+use crate::case::{Quantity, Verdict};
+use crate::measure::larger;
+use crate::solve::{Element, Iteration, Run};
+use crate::study::sweep::plan::Scene;
+use crate::study::sweep::run::{Numbers as Sweeps, Sweep};
+use crate::study::{Finding, Numbers};
+
+/// The findings of all studies.
+pub struct Findings<'a>(pub &'a [Finding]);
+
+impl<'a> Findings<'a> {
+    /// Findings of a case.
+    pub fn case(&self, case: &'a str) -> impl Iterator<Item = &'a Finding> + use<'a> {
+        self.0.iter().filter(move |finding| finding.case == case)
+    }
+
+    /// Runs of a case.
+    pub fn runs(&self, case: &'a str) -> Vec<&'a Run> {
+        let run = |finding: &'a Finding| match &finding.numbers {
+            Numbers::Cases(numbers) => Some(&numbers.run),
+            _ => None,
+        };
+        self.case(case).filter_map(run).collect()
+    }
+
+    /// The run of a case by an element and algorithm.
+    pub fn run(&self, case: &'a str, element: Element, algorithm: Iteration) -> Option<&'a Run> {
+        self.runs(case).into_iter().find(|r| r.formulation.element == element && r.formulation.algorithm == algorithm)
+    }
+
+    /// Whether a case was run and every check of it passed.
+    pub fn passes(&self, case: &'a str) -> bool {
+        worst(self.case(case).flat_map(|finding| &finding.judged)) == Some(&Verdict::Pass)
+    }
+
+    /// Largest error of a quantity over all runs of a case; NaN where none was judged.
+    pub fn error(&self, case: &'a str, quantity: &Quantity) -> f64 {
+        let judged = self.case(case).flat_map(|finding| &finding.judged);
+        let errors = judged.filter(|judged| judged.check.quantity == *quantity).map(|judged| judged.error);
+        errors.reduce(larger).unwrap_or(f64::NAN)
+    }
+
+    /// Sweeps of a scene.
+    pub fn sweeps_of(&self, scene: Scene) -> Vec<&'a Sweep> {
+        let sweep = |finding: &'a Finding| match &finding.numbers {
+            Numbers::Sweep(Sweeps::Sweep(sweep)) if sweep.scene == scene => Some(sweep),
+            _ => None,
+        };
+        self.0.iter().filter_map(sweep).collect()
+    }
+
+    /// Sweeps of an algorithm over both scenes and all elements.
+    pub fn sweeps(&self, algorithm: Iteration) -> Vec<&'a Sweep> {
+        let all = Scene::PAPER.into_iter().flat_map(|scene| self.sweeps_of(scene));
+        all.filter(|sweep| sweep.formulation.algorithm == algorithm).collect()
+    }
+}
+
+/// `n of m` converged runs of some sweeps.
+pub fn share(sweeps: &[&Sweep]) -> (usize, usize) {
+    let converged: usize = sweeps.iter().map(|sweep| sweep.steps.points.len()).sum();
+    (converged, converged + sweeps.iter().map(|sweep| sweep.steps.failed.len()).sum::<usize>())
+}
+
+/// Fewest and most steps of some sweeps.
+pub fn steps(sweeps: &[&Sweep]) -> [f64; 2] {
+    extremes(sweeps.iter().flat_map(|sweep| sweep.steps.points.iter().map(|point| point[1])))
+}
+
+/// The smallest and the largest of some numbers.
+pub fn extremes(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    numbers.fold([f64::INFINITY, 0.0], |[low, high], x| [low.min(x), high.max(x)])
+}

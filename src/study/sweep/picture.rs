@@ -1,0 +1,29 @@
+//! Steps against initial stiffness, one panel per scene and algorithm.
+
+use crate::error::Error;
+use crate::figure::{Axis, Chart, panels};
+use crate::solve::Iteration;
+use crate::study::Found;
+use crate::study::drawn::{label, style};
+use crate::study::sweep::plan::Scene;
+use crate::study::sweep::run::{Numbers, Sweep};
+
+/// The chart.
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+    let sweeps = findings.iter().filter_map(|found| match found.numbers {
+        Numbers::Sweep(sweep) => Some(sweep),
+        Numbers::Rules(_) => None,
+    });
+    let sweeps: Vec<&Sweep> = sweeps.collect();
+    let panels_of = |scene| Iteration::ALL.map(|algorithm| panel(&sweeps, scene, algorithm));
+    let charts: Vec<Chart> = Scene::PAPER.into_iter().flat_map(panels_of).collect();
+    Ok(vec![("steps-against-stiffness.svg".into(), panels("Steps against initial stiffness", &charts, 3)?)])
+}
+
+fn panel(sweeps: &[&Sweep], scene: Scene, algorithm: Iteration) -> Chart {
+    let title = format!("{}: {}", scene.name(), algorithm.name());
+    let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-3, 1e6), Axis::log("steps").over(1.0, 3000.0));
+    let own = sweeps.iter().filter(|sweep| sweep.scene == scene && sweep.formulation.algorithm == algorithm);
+    chart.series = own.map(|sweep| sweep.steps.drawn(label(&sweep.formulation), style(&sweep.formulation))).collect();
+    chart
+}

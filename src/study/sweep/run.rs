@@ -1,0 +1,111 @@
+//! A curve of one formulation over initial stiffnesses; the outcomes of all rules.
+
+use serde::Serialize;
+
+use crate::algorithm::StiffnessRule;
+use crate::error::Error;
+use crate::measure::larger;
+use crate::solution::Outcome;
+use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use crate::study::drawn::Curve;
+use crate::study::sweep::plan::{Scene, stiffnesses};
+
+/// What a trial found.
+#[derive(Clone, Debug)]
+pub enum Numbers {
+    /// Steps over initial stiffness.
+    Sweep(Sweep),
+    /// Every rule of every algorithm.
+    Rules(Vec<Rule>),
+}
+
+/// Steps of one formulation from every initial stiffness.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// Where.
+    pub scene: Scene,
+    /// By what.
+    pub formulation: Formulation,
+    /// Steps over κ₀; starts without convergence.
+    pub steps: Curve,
+    /// Largest error of p₀ and a among the runs that converged; none where none did.
+    pub error: Option<f64>,
+}
+
+/// A rule from some initial stiffnesses.
+#[derive(Clone, Debug, Serialize)]
+pub struct Rule {
+    /// Name of the algorithm.
+    pub algorithm: &'static str,
+    /// Name of the rule.
+    pub rule: &'static str,
+    /// What came of each start.
+    pub runs: Vec<End>,
+}
+
+/// How a run ended.
+#[derive(Clone, Debug, Serialize)]
+pub struct End {
+    /// Initial stiffness κ₀.
+    pub stiffness: f64,
+    /// Outcome; none where contact reaches the end of the candidate surface, which is refused.
+    pub outcome: Option<String>,
+    /// Steps, where it converged.
+    pub steps: Option<usize>,
+    /// Error of p₀ and a, where it converged.
+    pub error: Option<f64>,
+}
+
+/// Initial stiffnesses of the rules.
+pub(super) const STARTS: [f64; 3] = [0.1, 1.0, 10.0];
+
+/// Runs a formulation from every initial stiffness.
+pub(super) fn sweep(scene: Scene, formulation: &Formulation) -> Result<Numbers, Error> {
+    let case = scene.case();
+    let discretisation = Discretisation::of(case.scene, case.resolution)?;
+    let (mut steps, mut error) = (Curve::default(), None);
+    for stiffness in stiffnesses() {
+        let run = Run::of(&discretisation, &Formulation { stiffness, ..formulation.clone() })?;
+        if !run.solution.converged() {
+            steps.failed.push(stiffness);
+            continue;
+        }
+        steps.points.push([stiffness, run.solution.work.steps as f64]);
+        error = Some(error.map_or(run.iteration_error(), |worst| larger(worst, run.iteration_error())));
+    }
+    Ok(Numbers::Sweep(Sweep { scene, formulation: formulation.clone(), steps, error }))
+}
+
+/// Every rule of every algorithm on the cylinder, node element.
+pub(super) fn rules() -> Result<Numbers, Error> {
+    let case = Scene::Cylinder.case();
+    let discretisation = Discretisation::of(case.scene, case.resolution)?;
+    let rules = Iteration::ALL.into_iter().flat_map(|algorithm| algorithm.rules().iter().map(move |rule| (algorithm, *rule)));
+    let of = |(algorithm, rule): (Iteration, StiffnessRule)| {
+        let runs = STARTS.map(|stiffness| {
+            let formulation = Formulation { rule, stiffness, ..Formulation::new(Element::Node, algorithm) };
+            end(&discretisation, &formulation)
+        });
+        let runs = runs.into_iter().collect::<Result<_, _>>()?;
+        Ok(Rule { algorithm: algorithm.name(), rule: rule.name(), runs })
+    };
+    rules.map(of).collect::<Result<_, Error>>().map(Numbers::Rules)
+}
+
+fn end(discretisation: &Discretisation, formulation: &Formulation) -> Result<End, Error> {
+    let stiffness = formulation.stiffness;
+    let run = match Run::of(discretisation, formulation) {
+        // Soft springs of a penalty spread the contact beyond any candidates.
+        Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. }) => {
+            return Ok(End { stiffness, outcome: None, steps: None, error: None });
+        }
+        run => run?,
+    };
+    let converged = run.solution.outcome == Outcome::Converged;
+    Ok(End {
+        stiffness,
+        outcome: Some(run.solution.outcome.to_string()),
+        steps: converged.then_some(run.solution.work.steps),
+        error: converged.then(|| run.iteration_error()),
+    })
+}

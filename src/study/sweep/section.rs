@@ -1,0 +1,39 @@
+//! The section on initial stiffness and rules.
+
+use crate::error::Error;
+use crate::markdown;
+use crate::study::Found;
+use crate::study::drawn::picture;
+use crate::study::sweep::run::{End, Numbers, Rule, STARTS};
+
+/// Elements, chart, and the table of the rules.
+pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
+    let mut text = String::from("## Elements and iterations\n\n");
+    text += &picture("contact-elements.svg", "The three contact elements");
+    text += &picture(
+        "steps-against-stiffness.svg",
+        "Steps against initial stiffness; runs that did not converge are drawn as hollow markers above the chart",
+    );
+    let rules = findings.iter().filter_map(|found| match found.numbers {
+        Numbers::Rules(rules) => Some(rules),
+        Numbers::Sweep(_) => None,
+    });
+    let rows: Vec<Vec<String>> = rules.flatten().map(row).collect();
+    let head = ["algorithm", "rule"].map(String::from).into_iter().chain(STARTS.map(|k| format!("κ₀ = {k}")));
+    text += "**The rules of each algorithm on the cylinder, node element; `penalty` converges to its own springs' law**\n\n";
+    Ok(text + &markdown::table(&head.collect::<Vec<_>>(), &rows) + "\n")
+}
+
+fn row(rule: &Rule) -> Vec<String> {
+    let ends = rule.runs.iter().map(end);
+    [rule.algorithm, rule.rule].map(String::from).into_iter().chain(ends).collect()
+}
+
+/// How a run ended, with its steps where it converged.
+fn end(run: &End) -> String {
+    match (&run.outcome, run.steps) {
+        (None, _) => "refused: contact reaches the end of the candidate surface".into(),
+        (Some(outcome), Some(steps)) => format!("{outcome}, {steps} steps"),
+        (Some(outcome), None) => outcome.clone(),
+    }
+}
