@@ -42,6 +42,7 @@ mod scene_fuzz;
 mod scene_gap;
 mod scene_lists;
 mod scene_mistakes;
+mod scene_oracle;
 mod scene_table;
 mod scene_unsupported;
 mod several_contacts;

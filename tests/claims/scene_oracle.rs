@@ -1,0 +1,104 @@
+//! A contact of a scene file names a closed form, and checks without a value are held against it.
+
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use contact_vv::case::{Against, Case, Verdict};
+use contact_vv::oracle::ReferenceKind;
+
+use crate::scene_file::text_of;
+
+/// Values that checks of a file are held against, with the kinds of their references.
+fn references(text: &str) -> Vec<(f64, ReferenceKind)> {
+    let case = Case::parse(Path::new("oracle.toml"), text).unwrap_or_else(|error| panic!("{error}"));
+    let value = |against: &Against| match against {
+        Against::Value(reference) => (reference.value, reference.kind),
+        other => panic!("{other:?}"),
+    };
+    case.checks.iter().map(|check| value(&check.against)).collect()
+}
+
+/// A block on a rigid profile with an oracle and a check of its peak and half-width.
+fn block(gap: &str, oracle: &str) -> String {
+    format!(
+        "plane = \"strain\"\nthickness = 2\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
+         shape = {{ rectangle = {{ x = [0, 20], y = [0, 20], contact = \"bottom\" }} }}\n\
+         supports = [{{ at = \"left\", component = \"x\" }}]\nloads = [{{ traction = {{ at = \"far\", value = [0, -1] }} }}]\n\
+         [contact]\nfirst = \"block\"\ngap = {gap}\nstretch = 4\noracle = {oracle}\n[mesh]\nelements = 4\nper = 4\n\
+         [[check]]\nquantity = \"peak-pressure\"\ntolerance = 0.1\n[[check]]\nquantity = \"half-width\"\ntolerance = 0.1\n\
+         [[check]]\nquantity = \"resultant\"\ntolerance = 0.1\n"
+    )
+}
+
+const MODULUS: f64 = 210e3 / 0.91;
+
+#[test]
+fn hertz_and_the_polynomial_of_one_term_are_the_same() {
+    // a = 2 mm on R = 100 mm: P = π E* a² / 4R per thickness, p₀ = 2P/πa.
+    let load = std::f64::consts::PI * MODULUS * 4.0 / 400.0;
+    let hertz = references(&block("{ parabola = 100 }", &format!("{{ hertz = {{ load = {}, radius = 100 }} }}", 2.0 * load)));
+    let even = format!("{{ polynomial = {{ load = {}, coefficients = [0.005, 0, 0] }} }}", 2.0 * load);
+    let wedge = format!("{{ wedge = {{ load = {}, radius = 100, round = 3 }} }}", 2.0 * load);
+    for values in [references(&block("{ parabola = 100 }", &even)), references(&block("{ parabola = 100 }", &wedge)), hertz] {
+        assert!(values.iter().all(|(_, kind)| *kind == ReferenceKind::Analytic));
+        assert_relative_eq!(values[0].0, load / std::f64::consts::PI, max_relative = 1e-12);
+        assert_relative_eq!(values[1].0, 2.0, max_relative = 1e-9);
+        assert_relative_eq!(values[2].0, 2.0 * load, max_relative = 1e-12);
+    }
+}
+
+#[test]
+fn waves_have_the_load_that_was_given_and_the_pressure_of_their_formula() {
+    let load = 2504.75438564;
+    let oracle = format!("{{ cosine = {{ load = {}, amplitude = 0.01, wavelength = 40 }} }}", 2.0 * load);
+    let values = references(&block("{ cosine = { amplitude = 0.01, wavelength = 40 } }", &oracle));
+    let complete = std::f64::consts::PI * MODULUS * 0.01 / 40.0;
+    assert_relative_eq!(values[0].0, 2.0 * complete * (0.2 * std::f64::consts::PI).sin(), max_relative = 1e-9);
+    assert_relative_eq!(values[2].0, 2.0 * load, max_relative = 1e-12);
+    // Between the half-width of a small contact and that of the pressed wave.
+    assert!((7.5..8.0).contains(&values[1].0), "{}", values[1].0);
+}
+
+#[test]
+fn closed_forms_of_the_library_are_those_of_files() {
+    let lame = references(&text_of("press-fit.toml"))[0].0;
+    assert_relative_eq!(lame, 12.703010, max_relative = 1e-6);
+    let punch = references(&text_of("flat-punch.toml"))[0].0;
+    assert_relative_eq!(punch, 1000.0 / (std::f64::consts::PI * 3.0_f64.sqrt()), max_relative = 1e-9);
+}
+
+#[test]
+fn oracle_that_is_spoiled_fails_the_check() {
+    let text = text_of("blocks.toml");
+    let with = |pressure: f64| {
+        let oracle = format!("[contact]\noracle = {{ uniform = {{ pressure = {pressure}, width = 40 }} }}");
+        let text = text.replace("[contact]", &oracle).replacen("at = 3\nvalue = 100\n", "at = 3\n", 1);
+        let text = text.replacen("kind = \"analytic\"\n", "", 1);
+        let case = Case::parse(Path::new("blocks.toml"), &text).unwrap_or_else(|error| panic!("{error}"));
+        let (meshed, run) = case.solve().expect("solved");
+        let judged = case.judge(&meshed, &run).expect("judged");
+        judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
+    };
+    assert_eq!([with(100.0), with(100.001)], [0, 1]);
+}
+
+#[test]
+fn oracles_that_cannot_speak_are_refused_with_a_remedy() {
+    let peak = "{ flat-punch = { load = 1000, half-width = 4 } }";
+    for (oracle, says, remedy) in [
+        (peak, "flat punch gives no peak pressure here", "give `value`"),
+        ("{ hertz = { load = -1, radius = 100 } }", "`load` is -1", "give a number above 0"),
+        ("{ hertz = { radius = 100 } }", "missing field `load`", "add it"),
+        ("{ bertz = { radius = 100 } }", "bertz", "README.md describes every key"),
+        ("{ cosine = { load = 1e9, amplitude = 0.01, wavelength = 40 } }", "gives no peak pressure", "give `value`"),
+        ("{ polynomial = { load = 1, coefficients = [1] } }", "`coefficients` is [1]", "give 3 entries"),
+    ] {
+        let error = Case::parse(Path::new("oracle.toml"), &block("{ parabola = 100 }", oracle)).map(|_| ());
+        let text = error.expect_err(oracle).to_string();
+        assert!(text.contains(says) && text.contains(remedy) && text.contains("oracle.toml"), "{text}");
+    }
+    let without = block("{ parabola = 100 }", "{ hertz = { load = 1, radius = 1 } }")
+        .replace("oracle = { hertz = { load = 1, radius = 1 } }\n", "");
+    let error = Case::parse(Path::new("oracle.toml"), &without).map(|_| ()).expect_err("nothing").to_string();
+    assert!(error.contains("nothing to be held against") && error.contains("the contact an `oracle`"), "{error}");
+}
