@@ -19,8 +19,8 @@
 //! * [`report`] — the page.
 //! * [`cli`] — what the user types.
 //!
-//! Beside the chain stand [`error`], what was wrong, [`clock`], what each stage took, and [`figure`] and [`markdown`], how results are drawn
-//! and written.
+//! Beside the chain stand [`error`], what was wrong, [`clock`], what each stage took, `named`, enums of named members, and
+//! [`figure`] and [`markdown`], how results are drawn and written.
 //!
 //! # Signs and units
 //!
@@ -54,6 +54,7 @@ pub mod figure;
 pub mod markdown;
 pub mod measure;
 pub mod mesh;
+mod named;
 pub mod oracle;
 pub mod report;
 pub mod scene;

@@ -106,6 +106,17 @@ impl Work {
     }
 }
 
+impl std::ops::AddAssign for Work {
+    fn add_assign(&mut self, other: Self) {
+        self.steps += other.steps;
+        self.factorisations += other.factorisations;
+        self.updates += other.updates;
+        self.back_substitutions += other.back_substitutions;
+        self.operations += other.operations;
+        self.rejected += other.rejected;
+    }
+}
+
 /// The state of one contact point at the end.
 #[derive(Clone, Copy, Debug)]
 pub struct PointState {

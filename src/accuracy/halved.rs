@@ -16,7 +16,7 @@ use crate::mesh::size::{MOST, expected};
 use crate::mesh::{Order, Resolution};
 use crate::scene::{ContactPair, Grading, Scene, Shape};
 use crate::solve::run::Run;
-use crate::solve::{Discretisation, Formulation};
+use crate::solve::{Change, Discretisation, Formulation, Origin};
 
 /// Elements of the first mesh on the shortest candidate stretch, then on the shortest half-contact.
 const FIRST: usize = 4;
@@ -271,7 +271,9 @@ impl Halving<'_> {
         let growth = scene.grading.along.powf(0.5_f64.powi(resolution.refinement as i32));
         let discretisation = Discretisation::of(scene, resolution)?;
         let run = match self.runs.last() {
-            Some(before) => Run::carrying(&discretisation, self.formulation, &before.solution)?,
+            Some(before) => {
+                Run::from_origin(Origin::From(&before.solution), &discretisation, self.formulation, Change::NONE)?
+            }
             None => Run::of(&discretisation, self.formulation)?,
         };
         let pressed = |(contact, pair)| ends::pressed(run.solution.part(contact), pair)[1];

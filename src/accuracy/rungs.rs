@@ -9,7 +9,7 @@ use crate::mesh::Order;
 use crate::mesh::size::{MOST, expected};
 use crate::scene::{ContactPair, Scene};
 use crate::solve::run::{Contact, Run};
-use crate::solve::{Discretisation, Formulation};
+use crate::solve::{Change, Discretisation, Formulation, Origin};
 
 /// Order of the cells of every answer.
 pub(super) const ORDER: Order = Order::Quadratic;
@@ -106,7 +106,9 @@ impl<'a> Search<'a> {
     pub(super) fn solve(&mut self, plan: Plan, purpose: &'static str) -> Result<usize, Error> {
         let discretisation = Discretisation::of(plan.scene(self.scene), plan.resolution())?;
         let run = match self.rungs.last() {
-            Some(before) => Run::carrying(&discretisation, &self.formulation, &before.run.solution)?,
+            Some(before) => {
+                Run::from_origin(Origin::From(&before.run.solution), &discretisation, &self.formulation, Change::NONE)?
+            }
             None => Run::of(&discretisation, &self.formulation)?,
         };
         self.tried.push(Tried {

@@ -8,30 +8,21 @@ use std::collections::VecDeque;
 
 use nalgebra::{DMatrix, DVector};
 
-/// How the fixed point is approached.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Acceleration {
-    /// `x⁺ = G(x)`: the paper's own iteration.
-    None,
-    /// `x⁺ = x − (Δx·Δf/‖Δf‖²) f`, from the last two residuals (Ramière & Helfer 2015).
-    CrossedSecant,
-    /// `x⁺ = x + f − Σ γ (Δx + Δf)`, γ minimising `‖f − Σ γ Δf‖` over the last differences (Walker & Ni 2011).
-    Anderson,
+use crate::named::named_enum;
+
+named_enum! {
+    /// How the fixed point is approached.
+    pub enum Acceleration {
+        /// `x⁺ = G(x)`: the paper's own iteration.
+        None = "none",
+        /// `x⁺ = x − (Δx·Δf/‖Δf‖²) f`, from the last two residuals (Ramière & Helfer 2015).
+        CrossedSecant = "crossed-secant",
+        /// `x⁺ = x + f − Σ γ (Δx + Δf)`, γ minimising `‖f − Σ γ Δf‖` over the last differences (Walker & Ni 2011).
+        Anderson = "anderson",
+    }
 }
 
 impl Acceleration {
-    /// All three, none first.
-    pub const ALL: [Self; 3] = [Self::None, Self::CrossedSecant, Self::Anderson];
-
-    /// Name on the command line and in results.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::CrossedSecant => "crossed-secant",
-            Self::Anderson => "anderson",
-        }
-    }
-
     /// Differences remembered.
     fn depth(self) -> usize {
         match self {

@@ -1,4 +1,10 @@
-//! The factor of a system that changes a little from step to step.
+//! The factor of a system of which a few springs switch from step to step: it is updated.
+//!
+//! [`settling`](crate::algorithm::settling) keeps the factor of the same matrix `S + Σ A k bᵀb` for another kind of change.
+//! Under kinematic load a handful of springs opens or closes at a step, anywhere along the edges of the contact, and which
+//! ones come next is not known: a term of rank one each is cheapest. With varying stiffness every closed spring moves at every
+//! step, far too many for such terms, but those that have come to rest stay there: what pays is to eliminate their rows once.
+//! Neither way does the other's work, and constant stiffness needs no more than the factor itself.
 
 use crate::algorithm::ContactProblem;
 use crate::condensation::dense::{DenseFactor, RankOne};
@@ -42,8 +48,7 @@ impl KeptFactor {
         if m < PAYS_FROM || self.stiffness.len() != stiffness.len() {
             return None;
         }
-        let same = |i: usize| (stiffness[i] - self.stiffness[i]).abs() <= 0.0;
-        let changed: Vec<usize> = (0..stiffness.len()).filter(|&i| !same(i)).collect();
+        let changed = changed(&self.stiffness, stiffness);
         let closed = stiffness.iter().filter(|k| **k > 0.0).count();
         if changed.len() * FEW > m || closed <= changed.len() {
             return None;
@@ -58,4 +63,10 @@ impl KeptFactor {
         work.operations += 2.0 * changes.len() as f64 * (m as f64).powi(2);
         Some(factor)
     }
+}
+
+/// Springs that are not what they were; all where there were none before.
+pub(super) fn changed(before: &[f64], after: &[f64]) -> Vec<usize> {
+    let same = |i: usize| before.get(i).is_some_and(|before| (after[i] - before).abs() <= 0.0);
+    (0..after.len()).filter(|&i| !same(i)).collect()
 }

@@ -4,6 +4,7 @@
 //! * [`rule`] — how the springs' strain drives their stiffness or force.
 //! * [`varying`], [`constant`], [`kinematic`] — equations (3.2)–(3.14), one step each.
 //! * [`acceleration`] — of the fixed point of constant stiffness; an option.
+//! * [`kept`], [`settling`] — their factors, where few springs change and where most come to rest.
 //! * [`exact`] — the discrete solution that all of them shall end in.
 //! * [`target`] — how far an iterate is from it.
 //! * [`bound`] — a bound on that, in the energy norm.
@@ -24,6 +25,7 @@ pub mod settling;
 pub mod target;
 pub mod varying;
 
+use crate::named::named_enum;
 use crate::solution::Work;
 
 pub use acceleration::Acceleration;
@@ -35,6 +37,46 @@ pub use problem::{ContactProblem, Scale};
 pub use rule::StiffnessRule;
 pub use target::Target;
 pub use varying::Varying;
+
+named_enum! {
+    /// Iteration algorithm, in the paper's order.
+    pub enum Iteration {
+        /// Varying stiffness: factorised at every step.
+        Varying = "varying",
+        /// Constant stiffness: one factorisation, changing forces.
+        Constant = "constant",
+        /// Kinematic load: the springs' unstrained length is the gap.
+        Kinematic = "kinematic",
+    }
+}
+
+impl Iteration {
+    /// Rules the algorithm offers, the default first.
+    pub fn rules(self) -> &'static [StiffnessRule] {
+        match self {
+            Self::Varying => &[StiffnessRule::Secant, StiffnessRule::Correction],
+            Self::Constant => &[StiffnessRule::Correction, StiffnessRule::Secant, StiffnessRule::Literal],
+            Self::Kinematic => &[StiffnessRule::Switching, StiffnessRule::Penalty],
+        }
+    }
+
+    /// Default initial stiffness κ₀: that of the bodies, and under kinematic load one that hardly yields.
+    pub fn default_stiffness(self) -> f64 {
+        match self {
+            Self::Varying | Self::Constant => 1.0,
+            Self::Kinematic => 1e6,
+        }
+    }
+
+    /// The algorithm before its first step.
+    pub fn with(self, rule: StiffnessRule, acceleration: Acceleration, tolerance: f64) -> Box<dyn Algorithm> {
+        match self {
+            Self::Varying => Box::new(Varying::new(rule)),
+            Self::Constant => Box::new(Constant::accelerated(rule, acceleration)),
+            Self::Kinematic => Box::new(Kinematic::new(rule, tolerance)),
+        }
+    }
+}
 
 /// The springs as they stand between two steps.
 #[derive(Clone, Debug)]

@@ -1,32 +1,21 @@
 //! The rule: how the strain of a spring drives its stiffness or its force. The paper points to its ref. 12 for it.
 
 use crate::algorithm::Scale;
+use crate::named::named_enum;
 
-/// A named rule; which algorithm offers which is decided by the formulation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum StiffnessRule {
-    /// `k ← k max(w, 0) / g`: the spring's own strain drives it until w = g (gap element; Stadter & Weiss 1979).
-    Secant,
-    /// `p ← max(0, p + κ (w − g))`: projected correction (Uzawa, augmented Lagrangian).
-    Correction,
-    /// Equation (3.10) taken literally, with the secant rule on stored stiffnesses.
-    Literal,
-    /// The kinematic algorithm's own: tension opens, penetration closes and hardens.
-    Switching,
-    /// Springs stay as they are, closed where w > g: the discrete problem of penalty codes.
-    Penalty,
-}
-
-impl StiffnessRule {
-    /// Name on the command line and in results.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Secant => "secant",
-            Self::Correction => "correction",
-            Self::Literal => "literal",
-            Self::Switching => "switching",
-            Self::Penalty => "penalty",
-        }
+named_enum! {
+    /// A named rule; which algorithm offers which is decided by [`Iteration`](crate::algorithm::Iteration).
+    pub enum StiffnessRule {
+        /// `k ← k max(w, 0) / g`: the spring's own strain drives it until w = g (gap element; Stadter & Weiss 1979).
+        Secant = "secant",
+        /// `p ← max(0, p + κ (w − g))`: projected correction (Uzawa, augmented Lagrangian).
+        Correction = "correction",
+        /// Equation (3.10) taken literally, with the secant rule on stored stiffnesses.
+        Literal = "literal",
+        /// The kinematic algorithm's own: tension opens, penetration closes and hardens.
+        Switching = "switching",
+        /// Springs stay as they are, closed where w > g: the discrete problem of penalty codes.
+        Penalty = "penalty",
     }
 }
 

@@ -1,6 +1,9 @@
 //! The factor of a system whose springs come to rest one by one: rows without a moving spring are eliminated once.
+//!
+//! Why it stands beside [`kept`](crate::algorithm::kept) is told there.
 
 use crate::algorithm::ContactProblem;
+use crate::algorithm::kept::changed;
 use crate::condensation::dense::{DenseFactor, RankOne};
 use crate::condensation::trailing::Trailing;
 use crate::solution::Work;
@@ -28,7 +31,7 @@ impl Settling {
     /// The factor for some springs: only of the rows whose springs still move, where all others stand as they stood; none
     /// where `S + K_c` is not positive definite.
     pub fn renew(&mut self, problem: &ContactProblem, stiffness: &[f64], work: &mut Work) -> Option<&DenseFactor> {
-        let moved = self.moved(stiffness);
+        let moved = changed(&self.stiffness, stiffness);
         self.stiffness.clear();
         self.stiffness.extend_from_slice(stiffness);
         let kept = self.kept.take();
@@ -50,12 +53,6 @@ impl Settling {
             Kept::Whole(factor) => factor,
             Kept::Split(part, _) => part.factor(),
         })
-    }
-
-    /// Springs that are not what they were; all at the first time.
-    fn moved(&self, stiffness: &[f64]) -> Vec<usize> {
-        let same = |i: usize| self.stiffness.get(i).is_some_and(|before| (stiffness[i] - before).abs() <= 0.0);
-        (0..stiffness.len()).filter(|&i| !same(i)).collect()
     }
 }
 

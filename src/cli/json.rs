@@ -184,7 +184,7 @@ pub fn text(found: &Found, accuracy: Option<accuracy::Document>) -> String {
         back_substitutions: solution.work.back_substitutions,
         rejected: solution.work.rejected,
         coarser_steps: solution.coarser.steps,
-        seconds: run.seconds.iter().copied().collect(),
+        seconds: run.seconds.iter().map(|&(stage, seconds)| (stage.name(), seconds)).collect(),
         iteration_error: IterationParts { peak, force, width, approach },
         contacts,
         reactions,

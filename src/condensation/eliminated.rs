@@ -3,7 +3,7 @@
 use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::{Accum, Mat, Par};
 
-use crate::clock::Clock;
+use crate::clock::{Clock, Stage};
 use crate::condensation::factor::{self, Factor};
 use crate::elasticity::BodySystem;
 use crate::error::Error;
@@ -25,16 +25,20 @@ impl Eliminated {
     /// Factorises once.
     pub fn of(body: &BodySystem, clock: &mut Clock) -> Result<Self, Error> {
         let pattern = body.stiffness.symbolic();
-        let (values, shift) = shifted(body);
-        let symbolic = factor::analyse(pattern, &body.name)?;
-        clock.lap("analysis");
-        let factor = Factor::new(symbolic, pattern, &values, &body.name)?;
-        clock.lap("factorisation");
+        let symbolic = clock.time(Stage::Analysis, || factor::analyse(pattern, &body.name))?;
+        let (factor, shift) = clock.time(Stage::Factorisation, || {
+            let (values, shift) = shifted(body);
+            Factor::new(symbolic, pattern, &values, &body.name).map(|factor| (factor, shift))
+        })?;
+        Ok(clock.time(Stage::ForwardElimination, || Self::with_load(factor, shift, body)))
+    }
+
+    /// The factor with the load of its body eliminated.
+    fn with_load(factor: Factor, shift: f64, body: &BodySystem) -> Self {
         let trailing = factor.trailing_block(body.retained.len());
         let mut forward = body.force.clone();
         factor.solve_lower(&mut forward);
-        clock.lap("forward elimination");
-        Ok(Self { factor, trailing, forward, shift })
+        Self { factor, trailing, forward, shift }
     }
 
     /// `S = L_cc L_ccᵀ − σ I`.

@@ -16,7 +16,7 @@ pub mod uncondensed;
 
 use faer::Mat;
 
-use crate::clock::Clock;
+use crate::clock::{Clock, Stage};
 use crate::elasticity::ElasticSystem;
 use crate::error::Error;
 
@@ -33,16 +33,23 @@ pub struct Condensed {
     pub load: Vec<f64>,
     /// First retained freedom of each body.
     pub offsets: Vec<usize>,
-    /// Seconds by stage, body after body.
-    pub seconds: Vec<(&'static str, f64)>,
     bodies: Vec<Eliminated>,
 }
 
 impl ElasticSystem {
     /// Condenses every body on its candidate contact normals, out of one sparse Cholesky factorisation each.
     pub fn condense(&self) -> Result<Condensed, Error> {
-        let mut clock = Clock::start();
-        let bodies = self.bodies.iter().map(|body| Eliminated::of(body, &mut clock)).collect::<Result<Vec<_>, _>>()?;
+        self.condense_timed(&mut Clock::silent())
+    }
+
+    /// The same, its stages timed.
+    pub fn condense_timed(&self, clock: &mut Clock) -> Result<Condensed, Error> {
+        let bodies = self.bodies.iter().map(|body| Eliminated::of(body, clock)).collect::<Result<Vec<_>, _>>()?;
+        Ok(clock.time(Stage::SchurComplement, || self.gathered(bodies)))
+    }
+
+    /// The condensed bodies side by side.
+    fn gathered(&self, bodies: Vec<Eliminated>) -> Condensed {
         let mut offsets = vec![0];
         for body in &self.bodies {
             offsets.push(offsets[offsets.len() - 1] + body.retained.len());
@@ -54,8 +61,7 @@ impl ElasticSystem {
             stiffness.submatrix_mut(ends[0], ends[0], m, m).copy_from(body.stiffness());
         }
         let load = bodies.iter().flat_map(Eliminated::load).collect();
-        clock.lap("Schur complement");
-        Ok(Condensed { stiffness, load, offsets, seconds: clock.laps, bodies })
+        Condensed { stiffness, load, offsets, bodies }
     }
 }
 

@@ -6,6 +6,7 @@
 //! * [`node`] — one spring per node pair (paper, Fig. 5).
 //! * [`mod@line`] — distributed springs between two element edges (Fig. 3).
 //! * [`layer`] — a thin element of fictitious material (Fig. 4).
+//! * [`mod@quadrature`] — where on an edge they are enforced.
 
 mod dual;
 pub mod facing;
@@ -13,13 +14,38 @@ pub mod interface;
 pub mod layer;
 pub mod line;
 pub mod node;
+pub mod quadrature;
 
-use crate::elasticity::quadrature;
+use crate::named::named_enum;
 
 pub use interface::Interface;
 pub use layer::Layer;
 pub use line::Line;
 pub use node::Node;
+pub use quadrature::Quadrature;
+
+named_enum! {
+    /// Contact element, in the paper's order.
+    pub enum Element {
+        /// Two facing edges joined by a distributed spring.
+        Line = "line",
+        /// A thin element of fictitious material.
+        Layer = "layer",
+        /// One spring per node pair.
+        Node = "node",
+    }
+}
+
+impl Element {
+    /// The element with its quadrature and its thickness over the length of an edge, as far as it has them.
+    pub fn with(self, quadrature: Quadrature, thickness: f64) -> Box<dyn ContactElement> {
+        match self {
+            Self::Line => Box::new(Line { quadrature }),
+            Self::Layer => Box::new(Layer { quadrature, thickness }),
+            Self::Node => Box::new(Node),
+        }
+    }
+}
 
 /// A point at which contact conditions are enforced.
 #[derive(Clone, Debug)]
@@ -70,30 +96,4 @@ pub struct ContactEdge {
 pub trait ContactElement {
     /// The contact points of an interface, in the order of the contact coordinate.
     fn points(&self, interface: &Interface) -> Vec<ContactPoint>;
-}
-
-/// Where on an edge the contact conditions are enforced.
-///
-/// As many Gauss points as the edge has nodes are more than its normal displacements can follow: pressures are then not
-/// unique and oscillate as springs stiffen. The default takes one point fewer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quadrature {
-    /// Gauss, one point fewer than the edge has nodes: 1 on 2-node, 2 on 3-node edges; the default.
-    Gauss,
-    /// Gauss, as many points as nodes: 2 on 2-node, 3 on 3-node edges.
-    GaussFull,
-    /// Lobatto: the nodes themselves.
-    Lobatto,
-}
-
-impl Quadrature {
-    /// Points and weights for an edge of `nodes` nodes.
-    pub fn rule(self, nodes: usize) -> Vec<(f64, f64)> {
-        match (self, nodes) {
-            (Self::Gauss, _) => quadrature::gauss(nodes - 1),
-            (Self::GaussFull, _) => quadrature::gauss(nodes),
-            (Self::Lobatto, 2) => quadrature::lobatto_two(),
-            (Self::Lobatto, _) => quadrature::lobatto_three(),
-        }
-    }
 }

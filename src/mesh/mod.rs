@@ -6,11 +6,13 @@
 //! * `given` — meshes made elsewhere, and their halving.
 //! * `sound` — whether given meshes hang together.
 //! * [`candidates`] — the contact nodes with their normals.
+//! * [`order`] — element order.
 //! * [`size`] — how large a mesh would be.
 //! * [`variant`] — the same mesh mirrored, renumbered or shaken.
 
 pub mod block;
 pub mod candidates;
+pub mod order;
 pub mod size;
 pub mod spacing;
 pub mod variant;
@@ -24,51 +26,10 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use crate::error::Error;
-use crate::scene::{BoundaryName, Grading, Place, Scene, Shape};
+use crate::scene::{BoundaryName, Place, Scene, Shape};
 
 pub use candidates::Candidate;
-
-/// Element order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
-    /// 4-node quadrilaterals.
-    Linear,
-    /// 8-node (serendipity) quadrilaterals.
-    Quadratic,
-}
-
-impl Order {
-    /// Nodes per cell: 4 or 8.
-    pub fn nodes_per_cell(self) -> usize {
-        match self {
-            Self::Linear => 4,
-            Self::Quadratic => 8,
-        }
-    }
-
-    /// The grading of a mesh with n times as many elements: growth `q^(n^−e)`, and the coarsest element over n^e.
-    ///
-    /// Refinement goes to the solution only if elements get smaller everywhere. 4-node cells err with the square of the
-    /// growth's logarithm as with that of the element, e = 1; 8-node ones with its fourth power, e = ½. Fewer elements leave
-    /// the grading as it is.
-    pub fn refined(self, grading: &Grading, times: f64) -> Grading {
-        let exponent = match self {
-            Self::Linear => 1.0,
-            Self::Quadratic => 0.5,
-        };
-        let slower = times.max(1.0).powf(-exponent);
-        let [along, depth] = [grading.along, grading.depth].map(|growth| growth.powf(slower));
-        Grading { along, depth, coarsest: grading.coarsest * slower, ..*grading }
-    }
-
-    /// 1 or 2, as users write it.
-    pub fn number(self) -> u8 {
-        match self {
-            Self::Linear => 1,
-            Self::Quadratic => 2,
-        }
-    }
-}
+pub use order::Order;
 
 /// How fine a mesh is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

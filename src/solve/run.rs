@@ -1,14 +1,13 @@
 //! One problem solved by one formulation, measured.
 
-use std::time::Instant;
-
 use crate::algorithm::StiffnessRule;
+use crate::clock::{Clock, Seconds, Stage};
 use crate::contact::Interface;
 use crate::error::Error;
 use crate::measure::{Measures, larger, profile, whole};
 use crate::solution::{Solution, States};
 use crate::solve::unbounded::{self, Unbounded};
-use crate::solve::{Change, Discretisation, Formulation};
+use crate::solve::{Change, Discretisation, Formulation, Origin};
 
 /// Active points and pressed edges on a half-width from which on it is worth quoting.
 pub const RESOLVED: [usize; 2] = [4, 3];
@@ -77,34 +76,25 @@ pub struct Run {
     pub contacts: Vec<Contact>,
     /// Operations of the sparse factorisation that condensed the bodies.
     pub sparse_operations: f64,
-    /// Seconds by stage.
-    pub seconds: Vec<(&'static str, f64)>,
+    /// What its stages took.
+    pub seconds: Seconds,
 }
 
 impl Run {
-    /// Solves a discretised scene by a formulation and measures the result.
+    /// Solves a discretised scene by a formulation, from its own start, and measures the result.
     pub fn of(discretisation: &Discretisation, formulation: &Formulation) -> Result<Self, Error> {
-        Self::solved(discretisation, formulation, || discretisation.solve(formulation))
+        Self::from_origin(Origin::Own, discretisation, formulation, Change::NONE)
     }
 
-    /// The same from the contact set of a solution on another mesh.
-    pub fn carrying(
+    /// The same from some start, after a change of load or clearance.
+    pub fn from_origin(
+        origin: Origin,
         discretisation: &Discretisation,
         formulation: &Formulation,
-        earlier: &Solution,
+        change: Change,
     ) -> Result<Self, Error> {
-        Self::solved(discretisation, formulation, || discretisation.solve_carrying(formulation, earlier))
-    }
-
-    fn solved(
-        discretisation: &Discretisation,
-        formulation: &Formulation,
-        solve: impl FnOnce() -> Result<Solution, Error>,
-    ) -> Result<Self, Error> {
-        let clock = Instant::now();
-        let solution = solve()?;
-        let mut seconds = discretisation.seconds.clone();
-        seconds.push(("iteration", clock.elapsed().as_secs_f64()));
+        let mut clock = Clock::silent().after(&discretisation.seconds);
+        let solution = clock.time(Stage::Iteration, || discretisation.solve_from(origin, formulation, change))?;
         Ok(Self {
             formulation: formulation.clone(),
             freedoms: discretisation.system.freedoms(),
@@ -112,13 +102,8 @@ impl Run {
             sparse_operations: discretisation.condensed.operations(),
             contacts: discretisation.interfaces.iter().map(|one| measured(discretisation, one, &solution)).collect(),
             solution,
-            seconds,
+            seconds: clock.seconds,
         })
-    }
-
-    /// The same after a change of load or clearance.
-    pub fn under(discretisation: &Discretisation, formulation: &Formulation, change: Change) -> Result<Self, Error> {
-        Self::solved(discretisation, formulation, || discretisation.solve_changed(formulation, change))
     }
 
     /// The same run, told which of its peaks have no limit, from coarser meshes.

@@ -102,7 +102,7 @@ pub fn deepest(
     Ok(depths.max_by(|a, b| a.penetration.total_cmp(&b.penetration)))
 }
 
-/// Refuses a solution whose contact goes on beyond the candidates, by the criterion of the candidates themselves:
+/// Refuses a converged solution whose contact goes on beyond the candidates, by the criterion of the candidates themselves:
 /// penetration over the approach that its own force makes within the tolerance.
 ///
 /// Beyond steeply growing elements the next node may lie where the surfaces have parted again. A contact cut short shows all
@@ -113,6 +113,9 @@ pub(super) fn refuse(
     change: Change,
     tolerance: f64,
 ) -> Result<(), Error> {
+    if !solution.converged() {
+        return Ok(());
+    }
     discretisation.interfaces.iter().try_for_each(|one| refuse_one(discretisation, one, solution, change, tolerance))
 }
 

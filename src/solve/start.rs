@@ -1,49 +1,91 @@
-//! Where kinematic load starts: every candidate closed, as in the paper, or the contact set of a coarser mesh.
+//! Where the contact iteration starts: a value, and the springs that it makes.
 
-use crate::algorithm::{ContactProblem, Springs, iterate_from};
-use crate::contact::ContactPoint;
+use crate::algorithm::{ContactProblem, Iteration, Springs};
 use crate::error::Error;
 use crate::mesh::Resolution;
+use crate::named::named_enum;
 use crate::solution::{Solution, Work};
-use crate::solve::{Discretisation, Formulation};
+use crate::solve::active_set::ActiveSet;
+use crate::solve::{Change, Discretisation, Formulation};
 
-/// Where kinematic load starts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Start {
-    /// Every candidate point closed: the paper's own start.
-    Closed,
-    /// The contact set of a mesh half as fine, itself found from one half as fine, down to one element per half-width.
-    ///
-    /// A point starts as the nearest point of the coarser mesh ended: open, closed or hardened. The contact edge is then
-    /// wrong by about a coarse point spacing, and a step or two set it right.
-    Nested,
+named_enum! {
+    /// Where kinematic load starts.
+    pub enum Start {
+        /// Every candidate point closed: the paper's own start.
+        Closed = "closed",
+        /// The contact set of a mesh half as fine, itself found from one half as fine, down to one element per half-width.
+        ///
+        /// A point starts as the nearest point of the coarser mesh ended: open, closed or hardened. The contact edge is then
+        /// wrong by about a coarse point spacing, and a step or two set it right.
+        Nested = "nested",
+    }
 }
 
-impl Start {
-    /// Name on the command line and in results.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Closed => "closed",
-            Self::Nested => "nested",
-        }
+/// Where one solve starts.
+#[derive(Clone, Copy, Debug)]
+pub enum Origin<'a> {
+    /// Where its formulation says.
+    Own,
+    /// From the active set of an earlier solution on this mesh or on another one, whose candidates may end elsewhere.
+    ///
+    /// A point starts closed where the nearest point of the same contact was pressed. Only kinematic load has an active set
+    /// to start from; the other algorithms, and load in increments, start as ever. Where the set leads nowhere, or the earlier
+    /// solution is none, the scene is solved from its own start.
+    From(&'a Solution),
+}
+
+impl Origin<'_> {
+    /// Springs that an earlier solution leaves to a problem; none where there is none to start from.
+    fn springs(self, formulation: &Formulation, problem: &ContactProblem) -> Option<Springs> {
+        let Self::From(earlier) = self else { return None };
+        let carries = formulation.algorithm == Iteration::Kinematic && formulation.settings.increments == 1;
+        if carries && earlier.converged() { ActiveSet::of_solution(earlier).springs(problem) } else { None }
     }
 }
 
 impl Discretisation {
-    /// Solution of a formulation, and its points with their springs as they stand at the end.
-    pub(super) fn solve_from_start(
+    /// Iterates a problem of this mesh from its start.
+    pub(super) fn iterated(
         &self,
+        problem: &ContactProblem,
         formulation: &Formulation,
-    ) -> Result<(Solution, Vec<ContactPoint>, Springs), Error> {
-        let points = formulation.points(&self.interfaces);
-        let problem = self.problem(formulation, &points);
-        let (mut springs, coarser) = match self.coarser(formulation)? {
-            Some(coarse) => coarse.carried(formulation, &problem)?,
-            None => (problem.initial_springs(), Work::default()),
+        origin: Origin,
+        change: Change,
+    ) -> Result<Solution, Error> {
+        let carried = origin.springs(formulation, problem);
+        let found = carried.and_then(|mut springs| formulation.iterate(&mut springs, problem).ok());
+        match found.filter(Solution::converged) {
+            Some(solution) => Ok(solution),
+            None => {
+                let (mut springs, coarser) = self.springs_of_start(problem, formulation, change)?;
+                Ok(Solution { coarser, ..formulation.iterate(&mut springs, problem)? })
+            }
+        }
+    }
+
+    /// Springs where the formulation starts, and the work that coarser meshes took to find them.
+    fn springs_of_start(
+        &self,
+        problem: &ContactProblem,
+        formulation: &Formulation,
+        change: Change,
+    ) -> Result<(Springs, Work), Error> {
+        let (set, work) = match self.coarser(formulation)? {
+            None => (None, Work::default()),
+            Some(coarse) => coarse.active_set(formulation, change)?,
         };
-        let mut algorithm = formulation.algorithm();
-        let solution = iterate_from(&mut springs, &problem, algorithm.as_mut(), formulation.settings);
-        Ok((Solution { coarser, ..solution? }, points, springs))
+        let springs = set.and_then(|set| set.springs(problem));
+        Ok((springs.unwrap_or_else(|| problem.initial_springs()), work))
+    }
+
+    /// The active set in which a formulation ends on this mesh, none where it does not converge, and the work that took.
+    fn active_set(&self, formulation: &Formulation, change: Change) -> Result<(Option<ActiveSet>, Work), Error> {
+        let (points, load) = self.changed(formulation, change);
+        let problem = self.problem_under(formulation, &points, &load);
+        let (mut springs, mut work) = self.springs_of_start(&problem, formulation, change)?;
+        let solution = formulation.iterate(&mut springs, &problem)?;
+        work += solution.work;
+        Ok((solution.converged().then(|| ActiveSet::of_springs(&problem, &springs)), work))
     }
 
     /// The same scene half as fine, where the start is nested; none below one element per half-width.
@@ -61,29 +103,5 @@ impl Discretisation {
             return Ok(Some(self.coarser.get_or_init(|| Box::new(coarse))));
         }
         Ok(self.coarser.get().map(Box::as_ref))
-    }
-
-    /// Springs of a finer mesh's points as they ended on this one, and the work that took.
-    fn carried(&self, formulation: &Formulation, finer: &ContactProblem) -> Result<(Springs, Work), Error> {
-        let (solution, points, ended) = self.solve_from_start(formulation)?;
-        let (own, mut work) = (solution.work, solution.coarser);
-        work.steps += own.steps;
-        work.factorisations += own.factorisations;
-        work.updates += own.updates;
-        work.back_substitutions += own.back_substitutions;
-        work.operations += own.operations;
-        let mut springs = finer.initial_springs();
-        for (k, point) in springs.stiffness.iter_mut().zip(finer.points) {
-            let apart = |at: &usize| (points[*at].position - point.position).abs();
-            let same = (0..points.len()).filter(|&at| points[at].contact == point.contact);
-            let nearest = same.min_by(|a, b| apart(a).total_cmp(&apart(b)));
-            *k = match nearest.map_or(0.0, |at| ended.stiffness[at]) {
-                open if open <= 0.0 => 0.0,
-                hard if finer.scale.is_hard(hard) => hard,
-                _ => *k,
-            };
-        }
-        let lost = !solution.converged() || springs.stiffness.iter().all(|k| *k <= 0.0);
-        Ok((if lost { finer.initial_springs() } else { springs }, work))
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::figure::Series;
 use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::solve::{Element, Formulation, Iteration};
+use crate::solve::{Formulation, Iteration};
 
 /// Points of a curve, and the abscissae of runs that did not converge.
 #[derive(Clone, Debug, Default, serde::Serialize)]
@@ -21,13 +21,13 @@ impl Curve {
     }
 }
 
+/// Colours of the contact elements, in their order; those of further ones are there.
+const ELEMENTS: [palette::Colour; 6] =
+    [palette::LINE, palette::LAYER, palette::NODE, palette::PURPLE, palette::SKY, palette::ORANGE];
+
 /// Colour = element, dash = algorithm.
 pub fn style(formulation: &Formulation) -> Style {
-    let colour = match formulation.element {
-        Element::Line => palette::LINE,
-        Element::Layer => palette::LAYER,
-        Element::Node => palette::NODE,
-    };
+    let colour = ELEMENTS[formulation.element as usize % ELEMENTS.len()];
     let (dash, marker) = match formulation.algorithm {
         Iteration::Varying => (Dash::Solid, Marker::Circle),
         Iteration::Constant => (Dash::Dashed, Marker::Square),

@@ -10,7 +10,7 @@ use contact_vv::mesh::Order;
 use contact_vv::scene::Scene;
 use contact_vv::solution::Outcome;
 use contact_vv::solve::Run;
-use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration};
+use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, Origin};
 
 use crate::outputs::{contact_vv, scene};
 use crate::scene_file::text_of;
@@ -49,8 +49,8 @@ fn converged_are_right(
     let mut converged = 0;
     for formulation in formulations {
         let kinematic = Formulation::new(formulation.element, Iteration::Kinematic).tolerance(1e-6);
-        let wanted = Run::under(discretisation, &kinematic, change).expect("solved");
-        let run = Run::under(discretisation, formulation, change).expect("solved");
+        let wanted = Run::from_origin(Origin::Own, discretisation, &kinematic, change).expect("solved");
+        let run = Run::from_origin(Origin::Own, discretisation, formulation, change).expect("solved");
         assert!(wanted.solution.converged(), "{place}, {}: {}", kinematic.name(), wanted.solution.outcome);
         if !run.solution.converged() {
             continue;

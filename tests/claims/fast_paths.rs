@@ -12,7 +12,7 @@ use contact_vv::elasticity::{ElasticSystem, Freedom, Numbering};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::{Component, Scene};
 use contact_vv::solution::Work;
-use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration};
+use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, Origin};
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 
@@ -368,7 +368,7 @@ fn another_load_and_clearance_are_solved_as_the_changed_scene_is() {
             };
             let earlier = discretisation.solve(&formulation).expect("solved");
             for (load, clearance) in [(1.0, 0.0), (0.8, 0.0), (1.1, 0.02 * scene.reference.gap)] {
-                let again = discretisation.solve_again(&formulation, Change { load, clearance }, &earlier);
+                let again = discretisation.solve_from(Origin::From(&earlier), &formulation, Change { load, clearance });
                 let again = again.expect("solved again");
                 let changed = resolved(&scene, elements, load, clearance, &formulation);
                 let size = changed.iter().fold(0.0, |a: f64, p| a.max(p.abs()));
@@ -394,7 +394,7 @@ fn change_that_is_no_number_or_that_the_formulation_cannot_take_is_refused() {
     let discretisation = Discretisation::of(scene, resolution(4, 0, Order::Quadratic)).expect("discretised");
     let solve = |formulation: &Formulation, load, clearance| {
         let earlier = discretisation.solve(formulation).expect("solved");
-        let again = discretisation.solve_again(formulation, Change { load, clearance }, &earlier);
+        let again = discretisation.solve_from(Origin::From(&earlier), formulation, Change { load, clearance });
         again.map(|_| ()).expect_err("refused").to_string()
     };
     let kinematic = Formulation::new(Element::Node, Iteration::Kinematic);

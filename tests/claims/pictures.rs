@@ -5,10 +5,11 @@ use std::process::Command;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::Case;
+use contact_vv::clock::{Clock, Stage};
 use contact_vv::figure::{Chart, Direction};
 use contact_vv::report::pictures::{deformed, solve};
+use contact_vv::solve::Discretisation;
 use contact_vv::solve::Run;
-use contact_vv::solve::{Discretisation, STAGES};
 
 struct Solved {
     problem: Case,
@@ -226,8 +227,15 @@ fn command_draws_what_did_not_converge_and_shows_no_progress_where_there_is_no_t
 fn stages_are_announced_in_their_order() {
     let Solved { problem, .. } = solved("blocks");
     let heard = std::cell::RefCell::new(Vec::new());
-    let announced =
-        Discretisation::announced(problem.scene, problem.resolution, &|stage| heard.borrow_mut().push(stage));
-    assert!(announced.is_ok());
-    assert_eq!(*heard.borrow(), STAGES);
+    let begins = |stage| heard.borrow_mut().push(stage);
+    let discretisation = Discretisation::timed(problem.scene, problem.resolution, Clock::telling(&begins));
+    // Each body is condensed on its own; its seconds are told with those of the others.
+    let seconds = discretisation.expect("discretised").seconds;
+    let timed: Vec<Stage> = seconds.iter().map(|(stage, _)| *stage).collect();
+    assert_eq!(timed, Stage::ALL[..=Stage::Interface as usize]);
+    let mut heard = heard.into_inner();
+    assert_eq!([heard[0], heard[heard.len() - 1]], [Stage::Mesh, Stage::Interface]);
+    heard.sort_unstable();
+    heard.dedup();
+    assert_eq!(heard, timed);
 }

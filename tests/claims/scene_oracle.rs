@@ -36,10 +36,13 @@ const MODULUS: f64 = 210e3 / 0.91;
 fn hertz_and_the_polynomial_of_one_term_are_the_same() {
     // a = 2 mm on R = 100 mm: P = π E* a² / 4R per thickness, p₀ = 2P/πa.
     let load = std::f64::consts::PI * MODULUS * 4.0 / 400.0;
-    let hertz = references(&block("{ parabola = 100 }", &format!("{{ hertz = {{ load = {}, radius = 100 }} }}", 2.0 * load)));
+    let hertz =
+        references(&block("{ parabola = 100 }", &format!("{{ hertz = {{ load = {}, radius = 100 }} }}", 2.0 * load)));
     let even = format!("{{ polynomial = {{ load = {}, coefficients = [0.005, 0, 0] }} }}", 2.0 * load);
     let wedge = format!("{{ wedge = {{ load = {}, radius = 100, round = 3 }} }}", 2.0 * load);
-    for values in [references(&block("{ parabola = 100 }", &even)), references(&block("{ parabola = 100 }", &wedge)), hertz] {
+    for values in
+        [references(&block("{ parabola = 100 }", &even)), references(&block("{ parabola = 100 }", &wedge)), hertz]
+    {
         assert!(values.iter().all(|(_, kind)| *kind == ReferenceKind::Analytic));
         assert_relative_eq!(values[0].0, load / std::f64::consts::PI, max_relative = 1e-12);
         assert_relative_eq!(values[1].0, 2.0, max_relative = 1e-9);

@@ -18,6 +18,7 @@ use crate::case::{Case, Judged, Verdict};
 use crate::cli::ended::Ended;
 use crate::cli::reactions::ReactionReading;
 use crate::cli::{self, json, reactions, say, vtu};
+use crate::clock::{Clock, Stage};
 use crate::error::Error;
 use crate::mesh::Resolution;
 use crate::report::pictures;
@@ -52,20 +53,21 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
             None
         }
         Some(asked) => {
-            stages.begin(stages::ACCURACY);
+            stages.search();
             let answer = accuracy::solve(&problem.scene, &formulation, &asked)?;
             (problem.scene, problem.resolution) = (answer.scene.clone(), answer.resolution);
             Some((asked, answer))
         }
     };
     let resolution = problem.resolution;
-    let discretisation = Discretisation::announced(problem.scene.clone(), resolution, &|stage| stages.begin(stage))?;
-    stages.begin(stages::ITERATION);
+    let begins = |stage| stages.begin(stage);
+    let discretisation = Discretisation::timed(problem.scene.clone(), resolution, Clock::telling(&begins))?;
+    stages.begin(Stage::Iteration);
     let run = match &accurate {
         None => Run::of(&discretisation, &formulation)?.with_limits(&discretisation)?,
         Some((_, answer)) => answer.run.clone(),
     };
-    stages.begin(stages::OUTPUTS);
+    stages.write();
     let mut checks = problem.own(&discretisation, &run)?;
     checks.extend(accurate.iter().map(|(asked, answer)| met(asked, answer)));
     let found = Found {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use crate::accuracy::{self, Asked};
 use crate::algorithm::{Acceleration, StiffnessRule};
@@ -20,28 +20,28 @@ pub struct Arguments {
     pub case: String,
     /// Contact element: node unless the file says otherwise.
     #[arg(long, value_enum)]
-    element: Option<ElementName>,
+    element: Option<Element>,
     /// Iteration algorithm: kinematic unless the file says otherwise.
     #[arg(long, value_enum)]
-    algorithm: Option<AlgorithmName>,
+    algorithm: Option<Iteration>,
     /// Rule; the algorithm's own by default.
     #[arg(long, value_enum)]
-    rule: Option<RuleName>,
-    /// Acceleration of the constant algorithm; not the paper's.
+    rule: Option<StiffnessRule>,
+    /// Acceleration of the constant algorithm; none by default.
     #[arg(long, value_enum)]
-    acceleration: Option<AccelerationName>,
-    /// Start of the kinematic algorithm: every candidate closed (the paper's) or the contact set of coarser meshes.
+    acceleration: Option<Acceleration>,
+    /// Start of the kinematic algorithm; closed by default.
     #[arg(long, value_enum)]
-    start: Option<StartName>,
+    start: Option<Start>,
     /// Initial stiffness κ₀ = k_n ℓ/E*.
     #[arg(long, value_name = "KAPPA", allow_negative_numbers = true)]
     stiffness: Option<f64>,
     /// Hertz half-width over the radius (Hertz scenes only).
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     a_over_r: Option<f64>,
-    /// Element order: 1 (4-node) or 2 (8-node).
-    #[arg(long)]
-    order: Option<u8>,
+    /// Element order.
+    #[arg(long, value_enum)]
+    order: Option<Order>,
     /// Elements per half-width, or per 10 mm of arc on pins; in a scene file per the length it names. Growth away from
     /// the contact gets gentler with more of them.
     #[arg(long, value_name = "N")]
@@ -71,42 +71,6 @@ pub struct Arguments {
     /// Draw the deformed shape with its stresses, the pressure and the iteration error of every step as SVG.
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum ElementName {
-    Line,
-    Layer,
-    Node,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum AlgorithmName {
-    Varying,
-    Constant,
-    Kinematic,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum RuleName {
-    Secant,
-    Correction,
-    Literal,
-    Switching,
-    Penalty,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum AccelerationName {
-    None,
-    CrossedSecant,
-    Anderson,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum StartName {
-    Closed,
-    Nested,
 }
 
 impl Arguments {
@@ -146,16 +110,8 @@ impl Arguments {
 
     /// What the options change in a formulation; another element or algorithm begins from its own defaults.
     pub fn formulation(&self, base: Formulation) -> Formulation {
-        let element = self.element.map_or(base.element, |element| match element {
-            ElementName::Line => Element::Line,
-            ElementName::Layer => Element::Layer,
-            ElementName::Node => Element::Node,
-        });
-        let algorithm = self.algorithm.map_or(base.algorithm, |algorithm| match algorithm {
-            AlgorithmName::Varying => Iteration::Varying,
-            AlgorithmName::Constant => Iteration::Constant,
-            AlgorithmName::Kinematic => Iteration::Kinematic,
-        });
+        let element = self.element.unwrap_or(base.element);
+        let algorithm = self.algorithm.unwrap_or(base.algorithm);
         let mut formulation = if (element, algorithm) == (base.element, base.algorithm) {
             base
         } else {
@@ -165,42 +121,16 @@ impl Arguments {
         settings.tolerance = self.tolerance.unwrap_or(settings.tolerance);
         settings.increments = self.increments.unwrap_or(settings.increments);
         settings.max_steps = self.max_steps.unwrap_or(settings.max_steps);
-        if let Some(acceleration) = self.acceleration {
-            formulation.acceleration = match acceleration {
-                AccelerationName::None => Acceleration::None,
-                AccelerationName::CrossedSecant => Acceleration::CrossedSecant,
-                AccelerationName::Anderson => Acceleration::Anderson,
-            };
-        }
-        if let Some(start) = self.start {
-            formulation.start = match start {
-                StartName::Closed => Start::Closed,
-                StartName::Nested => Start::Nested,
-            };
-        }
-        if let Some(rule) = self.rule {
-            formulation.rule = match rule {
-                RuleName::Secant => StiffnessRule::Secant,
-                RuleName::Correction => StiffnessRule::Correction,
-                RuleName::Literal => StiffnessRule::Literal,
-                RuleName::Switching => StiffnessRule::Switching,
-                RuleName::Penalty => StiffnessRule::Penalty,
-            };
-        }
+        formulation.acceleration = self.acceleration.unwrap_or(formulation.acceleration);
+        formulation.start = self.start.unwrap_or(formulation.start);
+        formulation.rule = self.rule.unwrap_or(formulation.rule);
         formulation.stiffness = self.stiffness.unwrap_or(formulation.stiffness);
         formulation
     }
 
     /// Gives the problem the mesh asked for, if it can be solved; growth follows the elements.
     pub fn refine(&self, problem: &mut Case) -> Result<(), Error> {
-        let order = match self.order {
-            None => problem.resolution.order,
-            Some(1) => Order::Linear,
-            Some(2) => Order::Quadratic,
-            Some(other) => {
-                return Err(Error::value("solve", "--order", other, "it must be 1 or 2", "use 2 for 8-node cells"));
-            }
-        };
+        let order = self.order.unwrap_or(problem.resolution.order);
         let brought = |body: &Body| body.shape.brings_mesh();
         if let (Some(elements), true) = (self.resolution, problem.scene.bodies.iter().all(brought)) {
             let remedy = "leave it out, and refine those meshes";

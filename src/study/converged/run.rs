@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::Error;
 use crate::mesh::Resolution;
 use crate::solve::run::Run;
-use crate::solve::{Change, Discretisation, Formulation};
+use crate::solve::{Change, Discretisation, Formulation, Origin};
 use crate::study::atlas::Class;
 use crate::study::converged::plan::{LOADS, Site, TOLERANCES, formulations};
 use crate::study::records::rounded;
@@ -83,7 +83,7 @@ fn one(site: &Site, discretisation: &Discretisation, load: f64, formulation: &Fo
         steps,
         error: if error < ROUND_OFF * formulation.settings.tolerance { 0.0 } else { rounded(error) },
     };
-    match Run::under(discretisation, formulation, Change { load, ..Change::NONE }) {
+    match Run::from_origin(Origin::Own, discretisation, formulation, Change { load, ..Change::NONE }) {
         Ok(run) => {
             let error = run.iteration_error();
             Some(record(Class::of(run.solution.outcome), run.solution.work.steps, error))

@@ -8,13 +8,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::case::library::Cylinder;
 use crate::case::problem;
-use crate::clock::Clock;
+use crate::clock::{Clock, Seconds, Stage};
 use crate::condensation::Plain;
 use crate::elasticity::{ElasticSystem, Numbering};
 use crate::error::Error;
 use crate::mesh::{Mesh, Order, Resolution};
 use crate::solution::Solution;
-use crate::solve::{Change, Discretisation, Formulation, Iteration};
+use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin};
 use crate::study::timings::statistics::Spread;
 
 /// Elements per half-width and refinement of the meshes, and how often each is measured.
@@ -28,20 +28,9 @@ pub const LARGE: f64 = 7e3;
 pub const NINE: [(usize, u32); 2] = [(2, 4), (8, 3)];
 
 /// Stages of a solve in their order.
-pub const STAGES: [&str; 10] = [
-    "mesh",
-    "ordering",
-    "assembly",
-    "analysis",
-    "factorisation",
-    "forward elimination",
-    "Schur complement",
-    "interface",
-    "iteration",
-    "recovery",
-];
+pub const STAGES: [&str; Stage::ALL.len()] = Stage::NAMES;
 /// Stages that are the mesh and the matrix, not the contact solve.
-const BEFORE: [&str; 2] = ["mesh", "assembly"];
+const BEFORE: [Stage; 2] = [Stage::Mesh, Stage::Assembly];
 
 /// What one mesh cost.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -112,7 +101,7 @@ fn counted(discretisation: &Discretisation, (elements, refinement): (usize, u32)
 /// Seconds of one run.
 struct Once {
     counts: Counts,
-    stages: Vec<(&'static str, f64)>,
+    stages: Seconds,
     again: f64,
     assembly_on_all: f64,
 }
@@ -131,20 +120,17 @@ pub fn measure((elements, refinement, repeats): (usize, u32, usize), memory: Opt
         std::hint::black_box(reference.solve()?);
         plain.push(clock.elapsed().as_secs_f64());
     }
-    let stage = |name: &str| -> Vec<f64> {
-        let of = |run: &Once| run.stages.iter().filter(|(stage, _)| *stage == name).map(|(_, seconds)| seconds).sum();
-        runs.iter().map(of).collect()
-    };
+    let stage = |one: Stage| -> Vec<f64> { runs.iter().map(|run| sum(&run.stages, |stage| stage == one)).collect() };
     let contact: Vec<f64> = runs.iter().map(|run| sum(&run.stages, |stage| !BEFORE.contains(&stage))).collect();
     let on_all: Vec<f64> = runs.iter().map(|run| run.assembly_on_all).collect();
     let again: Vec<f64> = runs.iter().map(|run| run.again).collect();
     let counts = runs[0].counts.clone();
     Ok(Growth {
-        stages: STAGES.iter().map(|name| ((*name).to_owned(), Spread::of(&stage(name)))).collect(),
+        stages: Stage::ALL.iter().map(|&one| (one.name().to_owned(), Spread::of(&stage(one)))).collect(),
         contact: Spread::of(&contact),
         plain: Spread::of(&plain),
         ratio: Spread::of_ratios(&contact, &plain),
-        assembly_ratio: [Spread::of_ratios(&stage("assembly"), &plain), Spread::of_ratios(&on_all, &plain)],
+        assembly_ratio: [Spread::of_ratios(&stage(Stage::Assembly), &plain), Spread::of_ratios(&on_all, &plain)],
         again_ratio: Spread::of_ratios(&again, &contact),
         memory_ratio: memory.map(|bytes| bytes / (8.0 * counts.factor_entries as f64)),
         counts,
@@ -157,27 +143,25 @@ pub fn contact_seconds(elements: usize, refinement: u32, repeats: usize) -> Resu
     Ok(Spread::of(&(0..repeats).map(one).collect::<Result<Vec<_>, _>>()?))
 }
 
-fn sum(stages: &[(&'static str, f64)], which: impl Fn(&str) -> bool) -> f64 {
-    stages.iter().filter(|(stage, _)| which(stage)).map(|(_, seconds)| seconds).sum()
+fn sum(stages: &[(Stage, f64)], which: impl Fn(Stage) -> bool) -> f64 {
+    stages.iter().filter(|(stage, _)| which(*stage)).map(|(_, seconds)| seconds).sum()
 }
 
 fn once(elements: usize, refinement: u32) -> Result<Once, Error> {
     let (scene, _, _) = problem::cylinder(Cylinder::default());
     let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
-    let mut clock = Clock::start();
-    clock.take(&discretisation.seconds);
-    let solution = discretisation.solve(&Formulation::verification())?;
-    clock.lap("iteration");
-    std::hint::black_box(discretisation.condensed.recover(&solution.displacement));
-    clock.lap("recovery");
+    let mut clock = Clock::silent().after(&discretisation.seconds);
+    let solution = clock.time(Stage::Iteration, || discretisation.solve(&Formulation::verification()))?;
+    let recovered = || std::hint::black_box(discretisation.condensed.recover(&solution.displacement));
+    clock.time(Stage::Recovery, recovered);
     let change = Change { load: 1.05, clearance: 0.02 * discretisation.scene.reference.gap };
     let again = Instant::now();
-    std::hint::black_box(discretisation.solve_again(&Formulation::verification(), change, &solution)?);
+    std::hint::black_box(discretisation.solve_from(Origin::From(&solution), &Formulation::verification(), change)?);
     let again = again.elapsed().as_secs_f64();
     let counts = counted(&discretisation, (elements, refinement), solution.work.steps);
     let Discretisation { scene, mesh, .. } = discretisation;
     let assembly_on_all = assembly_on_all_threads(&scene, &mesh)?;
-    Ok(Once { counts, stages: clock.laps, again, assembly_on_all })
+    Ok(Once { counts, stages: clock.seconds, again, assembly_on_all })
 }
 
 /// Seconds of the assembly on as many threads as the processor offers.

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::case::library::{Cylinder, TruncatedHertz};
+use crate::clock::Stage;
 use crate::error::Error;
 use crate::oracle::cross_code::{Code, root};
 use crate::solve::{Discretisation, Formulation};
@@ -71,17 +72,18 @@ pub struct Stages {
 impl Stages {
     /// Of our own stages, load by load.
     pub fn of(laps: &[Laps]) -> Self {
-        let linear = ["ordering", "analysis", "factorisation", "forward elimination", "Schur complement"];
-        let median = |wanted: &dyn Fn(&str) -> bool| {
+        let linear =
+            [Stage::Ordering, Stage::Analysis, Stage::Factorisation, Stage::ForwardElimination, Stage::SchurComplement];
+        let median = |wanted: &dyn Fn(&Stage) -> bool| {
             let of = |laps: &Laps| -> f64 {
                 laps.iter().filter(|(stage, _)| wanted(stage)).map(|(_, seconds)| seconds).sum()
             };
             Spread::of(&laps.iter().map(of).collect::<Vec<_>>()).median
         };
         Self {
-            stiffness: median(&|stage| stage == "assembly"),
-            linear: median(&|stage| linear.contains(&stage)),
-            rest: median(&|stage| stage != "assembly" && !linear.contains(&stage)),
+            stiffness: median(&|stage| *stage == Stage::Assembly),
+            linear: median(&|stage| linear.contains(stage)),
+            rest: median(&|stage| *stage != Stage::Assembly && !linear.contains(stage)),
         }
     }
 }

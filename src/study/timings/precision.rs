@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::case::hertz;
 use crate::case::library::{Cylinder, TruncatedHertz};
 use crate::case::problem::{self, Parts};
+use crate::clock::Seconds;
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::hertz::Hertz;
@@ -221,7 +222,7 @@ pub fn laps(family: Family, order: Order, elements: usize, formulation: &Formula
 }
 
 /// Seconds by stage.
-pub type Laps = Vec<(&'static str, f64)>;
+pub type Laps = Seconds;
 
 /// All meshes of the charts.
 pub fn meshes() -> Vec<(Family, Order, usize)> {

@@ -1,0 +1,54 @@
+//! Problems that have no solution on a discretised scene, refused with the names of their bodies.
+
+use crate::algorithm::ContactProblem;
+use crate::error::Error;
+use crate::solution::Work;
+use crate::solve::{Change, Discretisation, Formulation};
+
+/// A condensed load below this fraction of the loads on the bodies is round-off of the condensation.
+const UNLOADED: f64 = 1e-13;
+
+impl Discretisation {
+    /// Refuses a formulation that is not defined for this scene after a change.
+    pub(super) fn refuse_undefined(&self, formulation: &Formulation, change: Change) -> Result<(), Error> {
+        formulation.validate(&self.scene)?;
+        change.validate(&self.scene.name)?;
+        formulation.refuse_interference(&self.scene, self.tightest_gap() + change.clearance)
+    }
+
+    /// Smallest initial gap of a candidate node \[mm\].
+    fn tightest_gap(&self) -> f64 {
+        let stations = self.interfaces.iter().flat_map(|interface| &interface.stations);
+        stations.map(|station| station.gap).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Refuses a problem in which nothing presses and springs alone would hold the bodies.
+    pub(super) fn refuse_nothing(&self, problem: &ContactProblem) -> Result<(), Error> {
+        let held = || problem.factorise(&vec![0.0; problem.points.len()], &mut Work::default()).is_some();
+        if self.is_unloaded(problem.load) && !held() && !problem.interference_presses() {
+            return Err(Error::NothingPresses { bodies: self.names() });
+        }
+        Ok(())
+    }
+
+    /// Whether a condensed load is no more than round-off of the loads on the bodies.
+    fn is_unloaded(&self, condensed: &[f64]) -> bool {
+        let sum = |forces: &[f64]| forces.iter().map(|f| f.abs()).sum::<f64>();
+        sum(condensed) <= UNLOADED * self.system.bodies.iter().map(|body| sum(&body.force)).sum::<f64>()
+    }
+
+    /// An error of the iteration, which sees matrices only, with the names of the bodies.
+    pub(super) fn named(&self, error: Error) -> Error {
+        match error {
+            Error::NoSpringLeft { steps, .. } => Error::NoSpringLeft { bodies: self.names(), steps },
+            Error::SpringsTooSoft { times, .. } => Error::SpringsTooSoft { bodies: self.names(), times },
+            other => other,
+        }
+    }
+
+    /// Names of the bodies, as messages give them.
+    fn names(&self) -> String {
+        let bodies = self.scene.bodies.iter().map(|body| format!("`{}`", body.name));
+        bodies.collect::<Vec<_>>().join(" and ")
+    }
+}

@@ -1,0 +1,100 @@
+//! What a formulation is not defined for: refused before anything is solved.
+
+use crate::algorithm::problem::LIMITS;
+use crate::algorithm::{Acceleration, Iteration, StiffnessRule};
+use crate::error::Error;
+use crate::scene::Scene;
+use crate::solve::{Formulation, Start};
+
+/// Tolerances between round-off and no answer at all.
+const TOLERANCES: [f64; 2] = [1e-13, 0.1];
+
+impl Formulation {
+    /// Refuses what is not defined, naming value and remedy.
+    pub fn validate(&self, scene: &Scene) -> Result<(), Error> {
+        let place = format!("{} with {}", scene.name, self.name());
+        let number = |key: &str, value: f64| {
+            if value.is_finite() && value > 0.0 {
+                return Ok(());
+            }
+            Err(Error::value(&place, key, value, "a finite value above 0 is needed", "give a positive number"))
+        };
+        number("stiffness", self.stiffness)?;
+        let [softest, stiffest] = LIMITS;
+        if !(softest..=stiffest).contains(&self.stiffness) {
+            let expected = format!("springs are kept between {softest:e} and {stiffest:e} E*/ℓ");
+            return Err(Error::value(&place, "stiffness", self.stiffness, expected, "give κ₀ within these limits"));
+        }
+        number("tolerance", self.settings.tolerance)?;
+        number("layer thickness", self.layer_thickness)?;
+        let [finest, coarsest] = TOLERANCES;
+        if !(finest..=coarsest).contains(&self.settings.tolerance) {
+            let expected = format!("iteration errors between {finest:e} (round-off) and {coarsest} can be asked for");
+            return Err(Error::value(&place, "tolerance", self.settings.tolerance, expected, "use 1e-3 to 1e-8"));
+        }
+        if self.settings.increments == 0 {
+            return Err(Error::value(
+                place,
+                "increments",
+                0,
+                "at least 1 is needed",
+                "use 1 for the whole load at once",
+            ));
+        }
+        let offered = self.algorithm.rules();
+        if !offered.contains(&self.rule) {
+            let names: Vec<&str> = offered.iter().map(|rule| rule.name()).collect();
+            return Err(Error::Combination {
+                what: format!("the {} algorithm has no rule `{}`", self.algorithm.name(), self.rule.name()),
+                remedy: format!("choose one of {}", names.join(", ")),
+            });
+        }
+        self.validate_options()?;
+        let tightest = scene.contacts.iter().map(|pair| pair.profile.gap(0.0)).fold(f64::INFINITY, f64::min);
+        self.refuse_interference(scene, tightest)
+    }
+
+    /// Refuses a gap \[mm\] that is an interference which the algorithm and rule cannot take.
+    pub(super) fn refuse_interference(&self, scene: &Scene, gap: f64) -> Result<(), Error> {
+        let takes_interference = matches!(
+            (self.algorithm, self.rule),
+            (Iteration::Kinematic, _) | (Iteration::Constant, StiffnessRule::Correction)
+        );
+        if gap < 0.0 && !takes_interference {
+            return Err(Error::Combination {
+                what: format!(
+                    "{} starts with an interference of {} mm, which {} cannot take",
+                    scene.name,
+                    -gap,
+                    self.name()
+                ),
+                remedy: "use the kinematic algorithm, or constant with the rule correction".into(),
+            });
+        }
+        Ok(())
+    }
+
+    /// Refuses an acceleration or a start that the algorithm does not have.
+    fn validate_options(&self) -> Result<(), Error> {
+        let algorithm = self.algorithm.name();
+        if self.acceleration != Acceleration::None && self.algorithm != Iteration::Constant {
+            return Err(Error::Combination {
+                what: format!("the {algorithm} algorithm has no fixed point for `{}`", self.acceleration.name()),
+                remedy: "accelerate the constant algorithm, or choose the acceleration `none`".into(),
+            });
+        }
+        if self.start != Start::Closed && self.algorithm != Iteration::Kinematic {
+            return Err(Error::Combination {
+                what: format!("the {algorithm} algorithm has no contact set to start `{}` from", self.start.name()),
+                remedy: "start the kinematic algorithm so, or choose the start `closed`".into(),
+            });
+        }
+        if self.start != Start::Closed && self.settings.increments > 1 {
+            return Err(Error::Combination {
+                what: "a nested start carries the contact of the whole load, which increments do not begin with".into(),
+                remedy: "use 1 increment, or choose the start `closed`".into(),
+            });
+        }
+        Ok(())
+    }
+}
