@@ -29,7 +29,9 @@ impl Search<'_> {
             match self.step(Plan { level, ..plan }, "growth")? {
                 Step::Solved(at) => ladder.push(at),
                 Step::Short => {
-                    return Ok(Depth::Stopped("contact goes on beyond the candidates of a gentler mesh".into()));
+                    return Ok(Depth::Stopped(
+                        "the contact reaches the end of the candidate surface of a gentler mesh".into(),
+                    ));
                 }
                 Step::Stopped(reason) => return Ok(Depth::Stopped(reason)),
             }

@@ -10,7 +10,7 @@ use crate::accuracy::depth::largest;
 use crate::accuracy::estimate::{envelope, richardson};
 use crate::accuracy::longest::longest;
 use crate::accuracy::{Answer, Asked, Quantity, Quoted, Tried, ends, sizes};
-use crate::error::Error;
+use crate::error::{Error, Kind, Place};
 use crate::measure::larger;
 use crate::mesh::size::{MOST, expected};
 use crate::mesh::{Order, Resolution};
@@ -73,7 +73,7 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> 
                 continue;
             }
             Next::Longer => {
-                why = "contact goes on beyond the candidates".into();
+                why = "the contact reaches the end of the candidate surface".into();
                 break;
             }
             Next::Stopped(reason) => {
@@ -99,7 +99,8 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> 
     });
     match best {
         None => {
-            Err(Error::Combination { what: why, remedy: "give `elements` and `per` instead of the accuracy".into() })
+            let remedy = "give `elements` and `per` instead of the accuracy";
+            Err(Error::at(Place::Solve(scene.name.clone()), why, remedy))
         }
         Some(level) => {
             let quoted = told[level].clone();
@@ -144,7 +145,7 @@ impl Halving<'_> {
             if let Some(what) = self.too_large(0) {
                 let remedy =
                     "guess the candidate stretches better, or give `elements` and `per` instead of the accuracy";
-                return Err(Error::Combination { what, remedy: remedy.into() });
+                return Err(Error::at(Place::Solve(self.scene.name.clone()), what, remedy));
             }
             match self.solve(0, "contact length") {
                 Err(error) if attempt + 1 == TRIES || !self.lengthens(&error) => return Err(error),
@@ -218,13 +219,9 @@ impl Halving<'_> {
 
     /// Lengthens the candidates of a contact that goes on beyond them; whether that is why a mesh was not solved.
     fn lengthens(&mut self, error: &Error) -> bool {
-        let (Error::ContactBeyondCandidates { contact, .. }
-        | Error::ContactCutShort { contact, .. }
-        | Error::EmptyStretch { contact, .. }) = error
-        else {
-            return false;
-        };
-        let (pair, longest) = (&mut self.scene.contacts[*contact], self.longest[*contact]);
+        let (Kind::ContactBeyondCandidates { .. } | Kind::EmptyStretch) = error.kind else { return false };
+        let Place::Contact { contact, .. } = error.place else { return false };
+        let (pair, longest) = (&mut self.scene.contacts[contact], self.longest[contact]);
         let longer = pair.stretch < longest * (1.0 - 1e-9);
         pair.stretch = (LONGER * pair.stretch).min(longest);
         longer
@@ -260,7 +257,7 @@ impl Halving<'_> {
                 Ok(Next::Stopped(reason))
             }
             Err(error) if self.lengthens(&error) => Ok(Next::Longer),
-            Err(error @ Error::DegenerateCell { .. }) => Ok(Next::Stopped(error.to_string())),
+            Err(error @ Error { kind: Kind::DegenerateCell, .. }) => Ok(Next::Stopped(error.to_string())),
             Err(error) => Err(error),
         }
     }

@@ -4,7 +4,7 @@ use crate::accuracy::ends;
 use crate::accuracy::fitted::Plan;
 use crate::accuracy::longest::longest;
 use crate::accuracy::{Answer, Asked, Quantity, Quoted, Tried, TriedContact};
-use crate::error::Error;
+use crate::error::{Error, Kind};
 use crate::mesh::Order;
 use crate::mesh::size::{MOST, expected};
 use crate::scene::{ContactPair, Scene};
@@ -96,8 +96,8 @@ impl<'a> Search<'a> {
             Ok(at) if self.cut_off(at) => Ok(Step::Short),
             Ok(at) if self.rungs[at].run.solution.converged() => Ok(Step::Solved(at)),
             Ok(_) => Ok(Step::Stopped("the iteration does not converge on the last mesh".into())),
-            Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. }) => Ok(Step::Short),
-            Err(error @ Error::DegenerateCell { .. }) => Ok(Step::Stopped(error.to_string())),
+            Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => Ok(Step::Short),
+            Err(error @ Error { kind: Kind::DegenerateCell, .. }) => Ok(Step::Stopped(error.to_string())),
             Err(error) => Err(error),
         }
     }

@@ -7,14 +7,13 @@ use crate::accuracy::halved;
 use crate::accuracy::rungs::{ORDER, Rung, Search};
 use crate::accuracy::slow;
 use crate::accuracy::{Answer, Asked, Tried};
-use crate::error::Error;
+use crate::error::{Error, Kind, Part, Place};
 use crate::mesh::Resolution;
 use crate::scene::Scene;
 use crate::solve::{Formulation, Iteration, Start};
 
 /// Why no accuracy chooses the mesh of a gap with kinks: their nodes would hide how the error falls with the elements.
-pub const KINKED: &str =
-    "an accuracy chooses the mesh, and the table of the gap has kinks, which have nodes of their own";
+pub const KINKED: &str = "`accuracy` cannot be used: the table of the gap has kinks, at which the mesh needs nodes";
 /// What to do about it.
 pub const UNKINKED: &str = "add `smooth = true` to the table, or give `elements` and `per` instead of the accuracy";
 /// Elements of the first mesh, over the candidate stretch that the scene guesses.
@@ -36,7 +35,7 @@ const ITERATION: f64 = 0.01;
 pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<Answer, Error> {
     formulation.validate(scene)?;
     if scene.contacts.iter().any(|pair| !pair.profile.kinks().is_empty()) {
-        return Err(Error::Combination { what: KINKED.into(), remedy: UNKINKED.into() });
+        return Err(Error::at(Place::Solve(scene.name.clone()), KINKED, UNKINKED));
     }
     if formulation.algorithm != Iteration::Kinematic {
         return slow::solve(scene, formulation, asked);
@@ -80,13 +79,15 @@ impl Search<'_> {
         let (mut elements, mut level) = (FIRST, 0);
         for _ in 0..GUESSES {
             match self.solve(Plan::even(ORDER, elements, stretch, level), "contact length") {
-                Err(Error::DegenerateCell { .. }) if level < LEVELS => level += 2,
+                Err(Error { kind: Kind::DegenerateCell, .. }) if level < LEVELS => level += 2,
                 Err(error) if stretch < self.longest && self.is_short(&error) => {
                     self.tried.push(Tried::spilled(ORDER, elements, stretch));
                     stretch = (2.0 * stretch).min(self.longest);
                 }
                 // A contact shorter than two elements.
-                Err(error @ Error::NoSpringLeft { .. }) if elements < FINEST && self.is_short(&error) => elements *= 2,
+                Err(Error { kind: Kind::NoSpringLeft { .. }, .. }) if elements < FINEST && self.turns() => {
+                    elements *= 2
+                }
                 Err(error) => return Err(error),
                 Ok(at) => match self.guess(at) {
                     Guess::Known => {
@@ -100,7 +101,7 @@ impl Search<'_> {
         }
         match self.rungs.len() {
             0 => Err(Error::value(
-                &self.scene.name,
+                self.scene.place_of(0, Part::Stretch),
                 "candidate stretch",
                 self.scene.contact().stretch,
                 format!("no contact length was found in {GUESSES} guesses"),
@@ -113,11 +114,16 @@ impl Search<'_> {
     /// Whether longer candidates may be solved: contact goes on beyond these, or all of it lies there and across x = 0
     /// nothing holds a body against turning.
     fn is_short(&self, error: &Error) -> bool {
-        match error {
-            Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. } => true,
-            Error::NoSpringLeft { .. } => self.scene.contact().path.has_both_sides(),
+        match error.kind {
+            Kind::ContactBeyondCandidates { .. } => true,
+            Kind::NoSpringLeft { .. } => self.turns(),
             _ => false,
         }
+    }
+
+    /// Whether nothing but contact fixes a body against turning, as across x = 0.
+    fn turns(&self) -> bool {
+        self.scene.contact().path.has_both_sides()
     }
 
     /// What a first mesh tells of the contact.

@@ -7,7 +7,7 @@ use crate::algorithm::exact::Law;
 use crate::algorithm::target::{self, Target};
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
 use crate::algorithm::{bound, parts};
-use crate::error::Error;
+use crate::error::{Error, Kind, Place};
 use crate::solution::{IterationError, Outcome, Share, Solution, States, Step, Work};
 
 /// When to stop.
@@ -186,15 +186,21 @@ impl Run<'_> {
 
     /// Why no system of springs and bodies could be solved: springs that are lost in the round-off of S, or none left.
     fn nothing_holds(&self, springs: &Springs) -> Error {
-        let bodies = "the bodies".to_string();
         if self.work.steps > 0 || springs.stiffness.iter().all(|k| *k <= 0.0) {
-            return Error::NoSpringLeft { bodies, steps: self.work.steps };
+            let steps = self.work.steps;
+            let message = format!(
+                "only contact fixes the bodies, and no contact spring is left after iteration {steps}: the load pulls the bodies apart, the start is too soft, or the contact is smaller than two elements"
+            );
+            let remedy = "reverse the load, add a support, raise the initial stiffness or refine the mesh";
+            return Error { kind: Kind::NoSpringLeft { steps }, ..Error::at(Place::Nowhere, message, remedy) };
         }
         let stiffer = |times: f64| springs.stiffness.iter().map(|k| k * times).collect::<Vec<_>>();
         let holds = |times: &f64| self.problem.factorise(&stiffer(*times), &mut Work::default()).is_some();
         let decades = (1..=DECADES).map(|k| 10f64.powi(k));
         let enough = decades.into_iter().find(holds).map(|times| times * MARGIN).unwrap_or(f64::NAN);
-        Error::SpringsTooSoft { bodies, times: enough }
+        let message = "only contact fixes the bodies, and the initial springs are lost in the round-off of the stiffness of the bodies";
+        let remedy = format!("raise `stiffness` {enough:.0e} times");
+        Error { kind: Kind::SpringsTooSoft, ..Error::at(Place::Nowhere, message, remedy) }
     }
 
     fn record(&mut self, increment: usize, iterate: &Iterate, stiffness: f64) {

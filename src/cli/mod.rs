@@ -35,6 +35,7 @@ use miette::GraphicalReportHandler;
 use crate::case::library::NAMES;
 use crate::cli::ended::Ended;
 use crate::error::Error;
+use crate::error::located::Excerpt;
 use crate::report;
 use crate::study::timings::growth;
 
@@ -122,11 +123,11 @@ pub fn main() -> ExitCode {
 /// Prints an error; one in a file with the lines around it.
 fn show(error: &Error) {
     let mut text = String::new();
-    let drawn = match error {
-        Error::Located(located) => GraphicalReportHandler::new().render_report(&mut text, located.as_ref()).is_ok(),
-        _ => false,
-    };
-    eprintln!("{}", if drawn { text } else { format!("error: {error}") });
+    let draw = |excerpt: Excerpt| GraphicalReportHandler::new().render_report(&mut text, &excerpt).is_ok();
+    if !Excerpt::of(error).is_some_and(draw) {
+        text = format!("error: {}\n help: {}", error.finding(), error.remedy);
+    }
+    eprintln!("{text}");
 }
 
 /// Prints a line; a reader who has gone away (a closed pipe) is no error.
@@ -163,16 +164,12 @@ fn report_command(check: bool) -> Result<bool, Error> {
 
 /// The project folder: where the page is, upwards from the working directory.
 fn root() -> Result<PathBuf, Error> {
-    let here = std::env::current_dir().map_err(|error| Error::File {
-        path: ".".into(),
-        reason: error.to_string(),
-        remedy: "run in a folder that exists".into(),
-    })?;
+    let here = std::env::current_dir()
+        .map_err(|error| Error::unreadable(Path::new("."), error, "run in a folder that exists"))?;
     let is_root = |folder: &&Path| folder.join("Cargo.toml").is_file() && folder.join("snapshots").is_dir();
-    here.ancestors().find(is_root).map(Path::to_path_buf).ok_or_else(|| Error::File {
-        path: here.clone(),
-        reason: "neither this folder nor one above holds Cargo.toml and snapshots/".into(),
-        remedy: "run inside a checkout of the project".into(),
+    here.ancestors().find(is_root).map(Path::to_path_buf).ok_or_else(|| {
+        let message = "neither this folder nor one above holds Cargo.toml and snapshots/";
+        Error::file(&here, message, "run inside a checkout of the project")
     })
 }
 

@@ -19,9 +19,8 @@ const REPEATS: usize = 5;
 /// Measures everything on one thread and writes the record.
 pub fn run() -> Result<(), Error> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-    let pool = pool.map_err(|error| Error::Combination {
-        what: format!("no thread could be started: {error}"),
-        remedy: "free memory, or raise the limit of threads".into(),
+    let pool = pool.map_err(|error| {
+        Error::at("timings", format!("no thread can be started: {error}"), "free memory, or raise the limit of threads")
     })?;
     let record = pool.install(measure)?;
     record.write()?;
@@ -91,12 +90,9 @@ fn report_seconds(bar: &ProgressBar) -> Result<f64, Error> {
 
 /// What this program prints when it is started with some arguments.
 fn itself(arguments: &[&str]) -> Result<String, Error> {
-    let failed = |reason: String| Error::File {
-        path: "contact-vv".into(),
-        reason,
-        remedy: "the program measures itself: it must stay where it was started".into(),
-    };
-    let program = std::env::current_exe().map_err(|error| failed(error.to_string()))?;
-    let output = Command::new(program).args(arguments).output().map_err(|error| failed(error.to_string()))?;
+    let remedy = "leave the program where it was started: it measures itself";
+    let failed = |error: std::io::Error| Error::at("contact-vv", error.to_string(), remedy);
+    let program = std::env::current_exe().map_err(failed)?;
+    let output = Command::new(program).args(arguments).output().map_err(failed)?;
     Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }

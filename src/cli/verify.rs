@@ -137,15 +137,12 @@ fn verify(file: &Path) -> Result<Verified, Error> {
 }
 
 fn scene_files(folder: &Path) -> Result<Vec<PathBuf>, Error> {
-    let failed = |reason: String| Error::File {
-        path: folder.into(),
-        reason,
-        remedy: "give a scene file, or a folder with some, *.toml".into(),
-    };
-    let entries = std::fs::read_dir(folder).map_err(|error| failed(error.to_string()))?;
+    let remedy = "give a scene file, or a folder with some, *.toml";
+    let failed = |error: std::io::Error| Error::unreadable(folder, error, remedy);
+    let entries = std::fs::read_dir(folder).map_err(failed)?;
     let paths = entries.map(|entry| entry.map(|entry| entry.path())).collect::<Result<Vec<_>, _>>();
-    let mut files = paths.map_err(|error| failed(error.to_string()))?;
+    let mut files = paths.map_err(failed)?;
     files.retain(|path| path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")));
     files.sort();
-    if files.is_empty() { Err(failed("no scene file is in it".into())) } else { Ok(files) }
+    if files.is_empty() { Err(Error::file(folder, "no scene file is in it", remedy)) } else { Ok(files) }
 }

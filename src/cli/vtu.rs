@@ -53,10 +53,8 @@ pub fn text(discretisation: &Discretisation, run: &Run) -> Result<String, Error>
         data: DataSet::inline(piece),
     };
     let mut text = Vec::new();
-    file.write_xml(&mut text).map_err(|error| Error::Combination {
-        what: format!("the fields could not be written: {error}"),
-        remedy: "leave --vtu out".into(),
-    })?;
+    file.write_xml(&mut text)
+        .map_err(|error| Error::at("--vtu", format!("the fields cannot be written: {error}"), "leave --vtu out"))?;
     Ok(String::from_utf8_lossy(&text).into_owned())
 }
 

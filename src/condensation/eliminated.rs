@@ -25,10 +25,10 @@ impl Eliminated {
     /// Factorises once.
     pub fn of(body: &BodySystem, clock: &mut Clock) -> Result<Self, Error> {
         let pattern = body.stiffness.symbolic();
-        let symbolic = clock.time(Stage::Analysis, || factor::analyse(pattern, &body.name))?;
+        let symbolic = clock.time(Stage::Analysis, || factor::analyse(pattern, &body.place))?;
         let (factor, shift) = clock.time(Stage::Factorisation, || {
             let (values, shift) = shifted(body);
-            Factor::new(symbolic, pattern, &values, &body.name).map(|factor| (factor, shift))
+            Factor::new(symbolic, pattern, &values, &body.place).map(|factor| (factor, shift))
         })?;
         Ok(clock.time(Stage::ForwardElimination, || Self::with_load(factor, shift, body)))
     }

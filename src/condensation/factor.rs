@@ -10,7 +10,7 @@ use faer::{Mat, Par, Spec};
 use pulp::Arch;
 
 use crate::elasticity::Index;
-use crate::error::Error;
+use crate::error::{Error, Place};
 
 /// `L` of `A = L Lᵀ`, in supernodes: neighbouring columns with the same rows below, stored densely.
 #[derive(Debug)]
@@ -28,7 +28,7 @@ impl Factor {
         symbolic: Symbolic,
         pattern: SymbolicSparseColMatRef<Index>,
         values: &[f64],
-        body: &str,
+        body: &Place,
     ) -> Result<Self, Error> {
         let mut l = vec![0.0; symbolic.len_val()];
         let scratch =
@@ -44,9 +44,7 @@ impl Factor {
         );
         match factorised {
             Ok(_) => Ok(Self { symbolic, values: l }),
-            Err(LltError::NonPositivePivot { index }) => {
-                Err(Error::SingularStiffness { body: body.into(), pivot: index })
-            }
+            Err(LltError::NonPositivePivot { index }) => Err(singular(body, index)),
         }
     }
 
@@ -148,8 +146,14 @@ impl Factor {
     }
 }
 
+/// Error of a stiffness that is not positive definite although every rigid motion is fixed.
+pub(super) fn singular(body: &Place, pivot: usize) -> Error {
+    let message = format!("the stiffness is not positive definite (pivot {pivot})");
+    Error::at(body, message, "check the material and the shape of the cells")
+}
+
 /// Where L has entries: elimination tree, column counts, supernodes.
-pub fn analyse(lower: SymbolicSparseColMatRef<Index>, body: &str) -> Result<Symbolic, Error> {
+pub fn analyse(lower: SymbolicSparseColMatRef<Index>, body: &Place) -> Result<Symbolic, Error> {
     let n = lower.nrows();
     let upper = transposed(lower);
     let (mut tree, mut counts) = (vec![0; n], vec![0; n]);
@@ -161,7 +165,7 @@ pub fn analyse(lower: SymbolicSparseColMatRef<Index>, body: &str) -> Result<Symb
     let stack = MemStack::new(&mut memory);
     let tree = simplicial::prefactorize_symbolic_cholesky(&mut tree, &mut counts, upper.as_ref(), stack);
     supernodal::factorize_supernodal_symbolic_cholesky(upper.as_ref(), tree, &counts, stack, Default::default())
-        .map_err(|_| Error::SingularStiffness { body: body.into(), pivot: 0 })
+        .map_err(|_| singular(body, 0))
 }
 
 /// The pattern of the transposed matrix.

@@ -5,8 +5,9 @@ use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side};
 
 use crate::condensation::eliminated::shifted;
+use crate::condensation::factor::singular;
 use crate::elasticity::BodySystem;
-use crate::error::Error;
+use crate::error::{Error, Place};
 
 /// `(K + σ I_c) u = f` of one body in the order of the mesh, as a user would hand it over.
 #[derive(Debug)]
@@ -15,7 +16,7 @@ pub struct Plain {
     force: Mat<f64>,
     /// Equation of each row.
     equations: Vec<usize>,
-    body: String,
+    body: Place,
 }
 
 impl Plain {
@@ -34,17 +35,16 @@ impl Plain {
         let of_column =
             |column: usize| (starts[column] as usize..starts[column + 1] as usize).map(move |at| (column, at));
         let triplets: Vec<_> = (0..n).flat_map(of_column).map(|(column, at)| entry(column, at)).collect();
-        let matrix = SparseColMat::try_new_from_triplets(n, n, &triplets)
-            .map_err(|_| Error::SingularStiffness { body: body.name.clone(), pivot: 0 })?;
+        let matrix = SparseColMat::try_new_from_triplets(n, n, &triplets).map_err(|_| singular(&body.place, 0))?;
         let force = Mat::from_fn(n, 1, |row, _| body.force[equations[row]]);
-        Ok(Self { matrix, force, equations, body: body.name.clone() })
+        Ok(Self { matrix, force, equations, body: body.place.clone() })
     }
 
     /// Ordering, analysis, factorisation and one solve, all at their defaults: the unknowns by equation.
     pub fn solve(&self) -> Result<Vec<f64>, Error> {
-        let singular = |_| Error::SingularStiffness { body: self.body.clone(), pivot: 0 };
+        let not_definite = |_| singular(&self.body, 0);
         let mut solution = self.force.clone();
-        self.matrix.sp_cholesky(Side::Lower).map_err(singular)?.solve_in_place(solution.as_mut());
+        self.matrix.sp_cholesky(Side::Lower).map_err(not_definite)?.solve_in_place(solution.as_mut());
         let mut unknowns = vec![0.0; self.equations.len()];
         self.equations.iter().enumerate().for_each(|(row, &equation)| unknowns[equation] = solution[(row, 0)]);
         Ok(unknowns)

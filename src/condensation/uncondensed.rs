@@ -4,6 +4,7 @@ use faer::prelude::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side};
 
+use crate::condensation::factor::singular;
 use crate::elasticity::ElasticSystem;
 use crate::error::Error;
 
@@ -20,11 +21,11 @@ pub struct CoupledSpring {
 
 /// The unknowns of each body without condensation: `(K + Σ A k bᵀb) u = f + Σ A c b`, refined once.
 pub fn solve_uncondensed(system: &ElasticSystem, springs: &[CoupledSpring]) -> Result<Vec<Vec<f64>>, Error> {
-    let singular = || Error::SingularStiffness { body: "coupled system".into(), pivot: 0 };
+    let not_definite = || singular(&"coupled system".into(), 0);
     let Coupled { triplets, rhs, offsets } = Coupled::of(system, springs);
     let n = rhs.len();
-    let matrix = SparseColMat::try_new_from_triplets(n, n, &triplets).map_err(|_| singular())?;
-    let factor = matrix.sp_cholesky(Side::Lower).map_err(|_| singular())?;
+    let matrix = SparseColMat::try_new_from_triplets(n, n, &triplets).map_err(|_| not_definite())?;
+    let factor = matrix.sp_cholesky(Side::Lower).map_err(|_| not_definite())?;
     let solve = |b: &[f64]| -> Vec<f64> {
         let mut x = Mat::from_fn(n, 1, |i, _| b[i]);
         factor.solve_in_place(x.as_mut());

@@ -4,7 +4,7 @@ use crate::condensation::Condensed;
 use crate::contact::facing::{Facing, natural};
 use crate::contact::{ContactEdge, dual};
 use crate::elasticity::shape_functions;
-use crate::error::Error;
+use crate::error::{Error, Part};
 use crate::mesh::{Candidate, Mesh, candidates};
 use crate::scene::{ContactPair, Profile, Scene};
 
@@ -182,7 +182,9 @@ fn not_facing(scene: &Scene, contact: usize, facing: &Facing, at: f64) -> Error 
     let to = facing.corners().fold(f64::NEG_INFINITY, f64::max);
     let pair = &scene.contacts[contact];
     let [at, from, to] = [at, from, to].map(|s| pair.path.told(s));
-    let mut names = pair.bodies().map(|body| scene.bodies[body].name.clone());
-    let mut name = || names.next().unwrap_or_default();
-    Error::NotFacing { contact, first: name(), second: name(), at, from, to }
+    let message = format!(
+        "nothing of the secondary body is opposite the node of the primary one at s = {at}: its contact side lies between {from} and {to}"
+    );
+    let remedy = "shorten the candidate stretch, or make the sides begin together";
+    Error::at(scene.place_of(contact, Part::Second), message, remedy)
 }

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 
+use crate::elasticity::degenerate;
 use crate::elasticity::element::CellStiffness;
 use crate::elasticity::{Freedom, Freedoms, Index, NodeGraph};
 use crate::error::Error;
@@ -36,7 +37,7 @@ pub fn stiffness(
             let nodes = mesh.cell(cell);
             kernel
                 .integrate(nodes.iter().map(|&node| mesh.points[node]), &mut k)
-                .map_err(|jacobian| Error::DegenerateCell { cell, body: scene.bodies[body].name.clone(), jacobian })?;
+                .map_err(|jacobian| degenerate(scene, body, cell, jacobian))?;
             let factor = factor(cell);
             k.iter_mut().for_each(|entry| *entry *= factor);
             freedoms.rotate(nodes, &mut k);

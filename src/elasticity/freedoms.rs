@@ -208,9 +208,15 @@ fn held_face(scene: &Scene, body: usize, at: &Place, node: usize) -> Error {
         Place::Boundary(name) => name.to_string(),
         Place::Point(point) => format!("{point:?}"),
     };
-    Error::HeldRigidFace { body: scene.bodies[body].name.clone(), boundary, node }
+    let message = format!(
+        "node {node} of the rigid face `{boundary}` is fixed, or belongs to another rigid face, in the direction in which the face moves as one"
+    );
+    Error::at(scene.place_of_body(body), message, "fix the whole face, or none of it")
 }
 
 fn oblique(scene: &Scene, body: usize, node: usize, component: &str) -> Error {
-    Error::ObliqueSupport { body: scene.bodies[body].name.clone(), node, component: component.into() }
+    let message = format!(
+        "the support `{component}` at node {node} is oblique to the contact normal there, or fixes the very displacement along it that contact is to find"
+    );
+    Error::at(scene.place_of_body(body), message, "leave it out, or end the candidate stretch before that node")
 }

@@ -1,5 +1,6 @@
 //! Consistent nodal forces of tractions, stress fields, body forces and concentrated forces.
 
+use crate::elasticity::degenerate;
 use crate::elasticity::freedoms::Freedoms;
 use crate::elasticity::{element, point, quadrature, shape_functions};
 use crate::error::Error;
@@ -29,9 +30,9 @@ pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms
 }
 
 fn held_face(scene: &Scene, body: usize, boundary: &str, force: f64) -> Error {
-    let place = format!("{}, body `{}`", scene.name, scene.bodies[body].name);
-    let expected = format!("every node of `{boundary}` is held in that direction");
-    Error::value(place, "force on a rigid face", force, expected, "leave out the supports or the force")
+    let expected = format!("every node of `{boundary}` is fixed in that direction");
+    let remedy = "leave out the supports or the force";
+    Error::value(scene.place_of_body(body), "force on a rigid face", force, expected, remedy)
 }
 
 /// Applied forces at each node of a body, in x and y, held components included \[N\].
@@ -116,11 +117,8 @@ fn body_force(scene: &Scene, mesh: &Mesh, body: usize, density: [f64; 2], take: 
         let nodes = mesh.cell(cell);
         let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();
         for &(at, weight) in &rule {
-            let (_, determinant) = element::gradients(&points, at).map_err(|jacobian| Error::DegenerateCell {
-                cell,
-                body: scene.bodies[body].name.clone(),
-                jacobian,
-            })?;
+            let (_, determinant) =
+                element::gradients(&points, at).map_err(|jacobian| degenerate(scene, body, cell, jacobian))?;
             let volume = weight * determinant * scene.thickness;
             for (&node, (value, _)) in nodes.iter().zip(shape_functions::cell(points.len(), at)) {
                 take(node, density.map(|b| b * value * volume));

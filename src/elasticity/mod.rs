@@ -30,7 +30,7 @@ use std::ops::Range;
 
 use faer::sparse::SparseColMat;
 
-use crate::error::Error;
+use crate::error::{Error, Kind, Place};
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 
@@ -50,8 +50,8 @@ pub struct ElasticSystem {
 /// Stiffness, load and numbering of one body.
 #[derive(Clone, Debug)]
 pub struct BodySystem {
-    /// Name of the body.
-    pub name: String,
+    /// The body, as errors name it.
+    pub place: Place,
     /// Lower triangle of the stiffness matrix `K` [N/mm].
     pub stiffness: SparseColMat<Index, f64>,
     /// Load vector `f`, prescribed displacements included \[N\].
@@ -134,7 +134,7 @@ impl BodySystem {
         let mut force = loads::nodal_forces(scene, mesh, body, &freedoms)?;
         let stiffness = assembly::stiffness(scene, mesh, body, (graph, &freedoms), factor, &mut force)?;
         let retained = freedoms.retained.clone();
-        Ok(Self { name: scene.bodies[body].name.clone(), stiffness, force, freedoms, retained })
+        Ok(Self { place: scene.place_of_body(body), stiffness, force, freedoms, retained })
     }
 
     /// Applied load along y: the load vector times a unit rigid motion along y, prescribed components at rest \[N\].
@@ -181,4 +181,11 @@ impl BodySystem {
         }
         out
     }
+}
+
+/// Error of a cell turned inside out or of no area.
+fn degenerate(scene: &Scene, body: usize, cell: usize, jacobian: f64) -> Error {
+    let message = format!("cell {cell} has Jacobian determinant {jacobian:.3e} at a quadrature point");
+    let remedy = "make the grading gentler or the elements smaller";
+    Error { kind: Kind::DegenerateCell, ..Error::at(scene.place_of_body(body), message, remedy) }
 }

@@ -26,10 +26,8 @@ pub fn shapes_at(scene: &Scene, mesh: &Mesh, body: usize, point: [f64; 2]) -> Re
         Some((outside, cell, natural))
     });
     let Some((_, cell, natural)) = near.min_by(|a, b| a.0.total_cmp(&b.0)) else {
-        return Err(match refused {
-            Error::Unknown { place, name, known, .. } => Error::Unknown { place, kind: "cell around", name, known },
-            other => other,
-        });
+        let message = format!("there is no cell around `({}, {})`", point[0], point[1]);
+        return Err(Error { message, ..refused });
     };
     let nodes = mesh.cell(cell);
     let shapes = shape_functions::cell(nodes.len(), natural.into());

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::elasticity::degenerate;
 use crate::elasticity::element::CellStiffness;
 use crate::error::Error;
 use crate::mesh::Mesh;
@@ -26,7 +27,7 @@ pub fn internal_forces(
         let nodes = mesh.cell(cell);
         kernel
             .integrate(nodes.iter().map(|&node| mesh.points[node]), &mut k)
-            .map_err(|jacobian| Error::DegenerateCell { cell, body: scene.bodies[body].name.clone(), jacobian })?;
+            .map_err(|jacobian| degenerate(scene, body, cell, jacobian))?;
         let of_cell: Vec<f64> = nodes.iter().flat_map(|&node| displacement[node]).collect();
         for (row, entries) in k.chunks_exact(of_cell.len()).enumerate() {
             let force: f64 = entries.iter().zip(&of_cell).map(|(k, u)| k * u).sum();

@@ -47,5 +47,6 @@ pub fn refuse_free(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms)
     }
     let motion = eigen.eigenvectors.column(weakest);
     let motion = ["slide along x", "slide along y", "rotate"][motion.map(f64::abs).imax()];
-    Err(Error::FreeMotion { body: scene.bodies[body].name.clone(), motion: motion.into() })
+    let message = format!("it is free to {motion} even when every contact node is fixed");
+    Err(Error::at(scene.place_of_body(body), message, "add a support, on a boundary or at one node"))
 }

@@ -1,5 +1,6 @@
 //! Nodal stresses: from 2×2 Gauss points to the corners, averaged over the cells that meet at a node.
 
+use crate::elasticity::degenerate;
 use crate::elasticity::element::CellStiffness;
 use crate::elasticity::shape_functions;
 use crate::error::Error;
@@ -20,7 +21,7 @@ pub fn at_nodes(scene: &Scene, mesh: &Mesh, displacements: &[[f64; 2]]) -> Resul
             let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();
             let moved: Vec<[f64; 2]> = nodes.iter().map(|&n| displacements[n]).collect();
             let corners = (kernel.stresses(&points, &moved, gauss_points()))
-                .map_err(|jacobian| Error::DegenerateCell { cell, body: scene.bodies[body].name.clone(), jacobian })?;
+                .map_err(|jacobian| degenerate(scene, body, cell, jacobian))?;
             for (&node, at) in nodes.iter().zip(shape_functions::NODES) {
                 let weights = shape_functions::cell(4, at.map(|x| x * 3f64.sqrt()));
                 for (stress, (weight, _)) in corners.iter().zip(weights) {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// A contact coordinate: a length, told in mm, or an angle, told in degrees.
+/// A contact coordinate: a length, printed in mm, or an angle, printed in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Coordinate {
     /// Along a straight path \[mm\].

@@ -1,48 +1,60 @@
-//! What is wrong at a place in a text file.
+//! A place in a text file, and an error there as a terminal shows it.
 
+use std::fmt;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use miette::{Diagnostic, NamedSource, SourceSpan};
 
-/// A place in a text file, what is wrong there, and what to do.
+use super::{Error, Place};
+
+/// A place in a text file.
+#[derive(Clone, Debug)]
+pub struct Located {
+    file: PathBuf,
+    text: String,
+    /// Its bytes.
+    place: Range<usize>,
+}
+
+impl Located {
+    /// A place by its bytes, within the text.
+    pub fn new((file, text): (&Path, &str), place: Range<usize>) -> Self {
+        let [start, stop] = [place.start, place.end].map(|at| at.min(text.len()));
+        Self { file: file.into(), text: text.into(), place: start..stop.max(start) }
+    }
+}
+
+/// File and line, from 1.
+impl fmt::Display for Located {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let before = &self.text.as_bytes()[..self.place.start];
+        write!(f, "{}:{}", self.file.display(), 1 + before.iter().filter(|byte| **byte == b'\n').count())
+    }
+}
+
+/// An error in a text file with the lines around it.
 #[derive(Debug, thiserror::Error, Diagnostic)]
 #[error("{message}")]
-pub struct Located {
-    /// What was found and what was expected.
+pub struct Excerpt {
     message: String,
-    /// What to do.
     #[help]
     remedy: String,
-    /// Line of the place, from 1.
-    line: usize,
     #[source_code]
     text: NamedSource<String>,
     #[label]
     place: SourceSpan,
 }
 
-impl Located {
-    /// File, line, message and remedy in one line.
-    pub fn in_one_line(&self) -> String {
-        format!("{}:{}: {}; {}", self.text.name(), self.line, self.message, self.remedy)
-    }
-
-    /// A place by its bytes.
-    pub fn new(
-        (file, text): (&Path, &str),
-        place: Range<usize>,
-        message: impl Into<String>,
-        remedy: impl Into<String>,
-    ) -> Self {
-        let end = text.len();
-        let (start, stop) = (place.start.min(end), place.end.min(end));
-        Self {
-            message: message.into(),
-            remedy: remedy.into(),
-            line: 1 + text.as_bytes()[..start].iter().filter(|byte| **byte == b'\n').count(),
-            text: NamedSource::new(file.display().to_string(), text.to_owned()),
-            place: (start..stop.max(start)).into(),
-        }
+impl Excerpt {
+    /// The excerpt of an error; none where it is not in a text file.
+    pub fn of(error: &Error) -> Option<Self> {
+        let Place::Line(located) = &error.place else { return None };
+        Some(Self {
+            message: error.message.clone(),
+            remedy: error.remedy.clone(),
+            text: NamedSource::new(located.file.display().to_string(), located.text.clone()),
+            place: located.place.clone().into(),
+        })
     }
 }

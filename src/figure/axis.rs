@@ -30,8 +30,8 @@ impl Span {
         let (from, to) =
             finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         if from > to {
-            let reason = format!("no finite value for the axis `{}`: give it a range or a series", axis.label);
-            return Err(drawing(figure, reason));
+            let reason = format!("the axis `{}` has no finite value", axis.label);
+            return Err(drawing(figure, reason, "give it a range or a series"));
         }
         Ok(match axis.range {
             Some(_) => Span { scale: axis.scale, from, to },

@@ -74,9 +74,9 @@ impl Canvas {
         let size = (whole(self.width) as u32, whole(self.height) as u32);
         let mut backend = SVGBackend::with_string(&mut text, size);
         for shape in &self.shapes {
-            paint(&mut backend, shape).map_err(|reason| drawing(figure, reason))?;
+            paint(&mut backend, shape).map_err(|reason| drawing(figure, reason, FINITE))?;
         }
-        backend.present().map_err(|cause| drawing(figure, cause.to_string()))?;
+        backend.present().map_err(|cause| drawing(figure, cause.to_string(), FINITE))?;
         drop(backend);
         Ok(self.at_display_size(&text))
     }
@@ -94,9 +94,12 @@ impl Canvas {
     }
 }
 
+/// What to do where a shape cannot be drawn.
+const FINITE: &str = "leave values that are not finite out of the input";
+
 /// Error of a figure that cannot be drawn.
-pub(super) fn drawing(figure: &str, reason: impl Into<String>) -> Error {
-    Error::Drawing { figure: figure.to_string(), reason: reason.into() }
+pub(super) fn drawing(figure: &str, reason: impl Into<String>, remedy: &str) -> Error {
+    Error::at(format!("figure `{figure}`").as_str(), reason, remedy)
 }
 
 fn whole(length: f64) -> i32 {
@@ -121,7 +124,7 @@ fn paint(backend: &mut SVGBackend<'_>, shape: &Shape) -> Result<(), String> {
 fn enlarged(points: &[Point]) -> Result<Vec<(i32, i32)>, String> {
     let place = |&(x, y): &Point| (x.is_finite() && y.is_finite()).then(|| (whole(x), whole(y)));
     let places: Option<Vec<_>> = points.iter().map(place).collect();
-    places.ok_or_else(|| "a coordinate is not finite: leave such values out of the input".to_string())
+    places.ok_or_else(|| "a coordinate is not finite".to_string())
 }
 
 fn text_style(lettering: &Lettering) -> TextStyle<'_> {

@@ -90,22 +90,19 @@ impl Field {
 
     pub(super) fn check(&self) -> Result<(), Error> {
         let nodes = self.points.len();
-        let reason = if self.values.len() != nodes || self.displacements.len() != nodes {
-            format!(
-                "{nodes} nodes, {} values, {} displacements: give one of each per node",
-                self.values.len(),
-                self.displacements.len()
-            )
+        let (reason, remedy) = if self.values.len() != nodes || self.displacements.len() != nodes {
+            let (values, displacements) = (self.values.len(), self.displacements.len());
+            (format!("{nodes} nodes, {values} values, {displacements} displacements"), "give one of each per node")
         } else if let Some(cell) = self.cells.iter().find(|cell| ![4, 8].contains(&cell.len())) {
-            format!("a cell with {} nodes: give four or eight", cell.len())
+            (format!("a cell with {} nodes", cell.len()), "give four or eight")
         } else if let Some(node) = self.cells.iter().flatten().find(|&&node| node >= nodes) {
-            format!("a cell names node {node} of {nodes}")
+            (format!("a cell names node {node} of {nodes}"), "count nodes from 0")
         } else if self.cells.is_empty() {
-            "no cells".to_string()
+            ("no cells".to_string(), "give at least one")
         } else {
             return Ok(());
         };
-        Err(drawing(&self.title, reason))
+        Err(drawing(&self.title, reason, remedy))
     }
 
     pub(super) fn bands(&self) -> Result<Bands, Error> {
@@ -113,7 +110,7 @@ impl Field {
         let found = self.cells.iter().flatten().map(|&node| self.values[node]);
         let (mut low, mut high) = self.range.unwrap_or_else(|| found.fold((f64::INFINITY, f64::NEG_INFINITY), spread));
         if !(low.is_finite() && high.is_finite() && low <= high) {
-            return Err(drawing(&self.title, format!("values from {low} to {high}: leave infinite ones out")));
+            return Err(drawing(&self.title, format!("values from {low} to {high}"), "leave infinite ones out"));
         }
         if self.map == ColourMap::Diverging {
             high = high.abs().max(low.abs());

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::error::Error;
+use crate::error::{Error, Kind, Part};
 use crate::mesh::{BodyMesh, Edge, Mesh};
 use crate::scene::{ContactPair, Scene};
 
@@ -31,14 +31,20 @@ pub(super) fn find(mesh: &mut Mesh, scene: &Scene) -> Result<(), Error> {
             let known = &mut mesh.bodies[body].candidates;
             if let Some(twice) = found.iter().find(|new| known.iter().any(|old| old.node == new.node)) {
                 let [x, y] = mesh.points[twice.node];
-                let name = scene.bodies[body].name.clone();
-                return Err(Error::SharedCandidate { contact, body: name, at: format!("({x:.6}, {y:.6}) mm") });
+                let message = format!(
+                    "the node of `{}` at ({x:.6}, {y:.6}) mm would be a candidate of two contacts, but has one normal displacement",
+                    scene.bodies[body].name
+                );
+                let remedy = "shorten the candidate stretch of one of them";
+                return Err(Error::at(scene.place_of(contact, Part::Stretch), message, remedy));
             }
             known.extend(found);
         }
         if mesh.bodies[pair.first].candidates_of(contact).is_empty() {
-            let (place, body) = (scene.place_of(pair), scene.bodies[pair.first].name.clone());
-            return Err(Error::EmptyStretch { contact, place, stretch: pair.path.told(pair.stretch), body });
+            let (place, stretch) = (scene.place_of(contact, Part::Stretch), pair.path.told(pair.stretch));
+            let expected = format!("it must hold at least one element edge of `{}`", scene.bodies[pair.first].name);
+            let error = Error::value(place, "candidate stretch", stretch, expected, "lengthen it or refine the mesh");
+            return Err(Error { kind: Kind::EmptyStretch, ..error });
         }
     }
     Ok(())

@@ -29,13 +29,13 @@ impl Mesh {
 
 /// Refuses an order that the given meshes of a scene do not have.
 pub(super) fn refuse_others(scene: &Scene, order: Order) -> Result<(), Error> {
-    for body in &scene.bodies {
+    for (index, body) in scene.bodies.iter().enumerate() {
         let Shape::Given(given) = &body.shape else { continue };
-        let place = format!("{}, body `{}`", scene.name, body.name);
         let own = given.order();
         if own != order {
             let expected = format!("its mesh has cells of {} nodes", own.nodes_per_cell());
-            return Err(Error::value(place, "order", order.number(), expected, "give all bodies cells of one order"));
+            let (place, remedy) = (scene.place_of_body(index), "give all bodies cells of one order");
+            return Err(Error::value(place, "order", order.number(), expected, remedy));
         }
     }
     Ok(())

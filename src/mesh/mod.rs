@@ -79,7 +79,7 @@ impl Mesh {
         scene.validate()?;
         if resolution.elements == 0 || resolution.elements > 4096 || resolution.refinement > 6 {
             return Err(Error::value(
-                &scene.name,
+                scene.name.as_str(),
                 "resolution",
                 resolution.elements,
                 "elements per half-width (or 10 mm of arc) must lie between 1 and 4096",
@@ -127,11 +127,10 @@ impl Mesh {
     /// Edges of a named boundary, or of a named line inside the body.
     pub fn boundary(&self, scene: &Scene, body: usize, name: &str) -> Result<&[Edge], Error> {
         let (boundaries, lines) = (&self.bodies[body].boundaries, &self.bodies[body].lines);
-        boundaries.get(name).or_else(|| lines.get(name)).map(Vec::as_slice).ok_or_else(|| Error::Unknown {
-            place: format!("{}, body `{}`", scene.name, scene.bodies[body].name),
-            kind: "boundary",
-            name: name.into(),
-            known: boundaries.keys().chain(lines.keys()).map(AsRef::as_ref).collect::<Vec<&str>>().join(", "),
+        boundaries.get(name).or_else(|| lines.get(name)).map(Vec::as_slice).ok_or_else(|| {
+            let known: Vec<&str> = boundaries.keys().chain(lines.keys()).map(AsRef::as_ref).collect();
+            let remedy = format!("choose one of {}", known.join(", "));
+            Error::at(scene.place_of_body(body), format!("there is no boundary `{name}`"), remedy)
         })
     }
 
@@ -142,15 +141,12 @@ impl Mesh {
         let nearest = nodes.min_by(|a, b| distance(a).total_cmp(&distance(b)));
         match nearest {
             Some(node) if distance(&node) <= 1e-9 * (1.0 + point[0].abs() + point[1].abs()) => Ok(node),
-            _ => Err(Error::Unknown {
-                place: format!("{}, body `{}`", scene.name, scene.bodies[body].name),
-                kind: "node at",
-                name: format!("({}, {})", point[0], point[1]),
-                known: nearest.map_or_else(String::new, |node| {
-                    let [x, y] = self.points[node];
-                    format!("the nearest node, ({x}, {y}), and others: corners of the outline, centres of discs")
-                }),
-            }),
+            _ => {
+                let [x, y] = nearest.map_or([f64::NAN; 2], |node| self.points[node]);
+                let message = format!("there is no node at `({}, {})`", point[0], point[1]);
+                let remedy = format!("choose the nearest node, ({x}, {y}), corners of the outline or centres of discs");
+                Err(Error::at(scene.place_of_body(body), message, remedy))
+            }
         }
     }
 }

@@ -9,6 +9,9 @@ use crate::scene::Scene;
 /// Distance over the length of a side below which points are one.
 const SAME: f64 = 1e-6;
 
+/// What to do about a mesh that does not hang together.
+const JOINED: &str = "let neighbouring cells share their nodes (Coherence in Gmsh, common curves of neighbouring surfaces, whole common sides of blocks)";
+
 /// Refuses bodies given cell by cell or block by block that do not hang together.
 pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {
     for (index, body) in scene.bodies.iter().enumerate() {
@@ -17,8 +20,8 @@ pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {
         }
         let refused = |what: &str, node: usize| {
             let [x, y] = mesh.points[node];
-            let what = format!("{what} ({x:.6}, {y:.6}) mm");
-            Err(Error::LooseMesh { body: body.name.clone(), what })
+            let message = format!("the mesh does not hang together: {what} ({x:.6}, {y:.6}) mm");
+            Err(Error::at(scene.place_of_body(index), message, JOINED))
         };
         let outline = outline(mesh, index);
         if let Some(node) = doubled(mesh, &outline) {

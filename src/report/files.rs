@@ -64,9 +64,5 @@ fn committed_charts(folder: &Path) -> Vec<String> {
 }
 
 fn unwritable(path: &Path, error: &std::io::Error) -> Error {
-    Error::File {
-        path: path.into(),
-        reason: error.to_string(),
-        remedy: "check that the folder exists and may be written".into(),
-    }
+    Error::unwritable(path, error)
 }

@@ -1,6 +1,6 @@
 //! Elastic constants and the plane hypothesis.
 
-use crate::error::Error;
+use crate::error::{self, Error};
 use crate::scene::positive;
 
 /// Plane strain or plane stress.
@@ -69,7 +69,7 @@ impl Material {
     }
 
     /// Refuses constants for which the elasticity matrix is not positive definite, or too close to infinite.
-    pub fn validate(&self, place: &str, plane: PlaneHypothesis) -> Result<(), Error> {
+    pub fn validate(&self, place: &error::Place, plane: PlaneHypothesis) -> Result<(), Error> {
         positive(place, "young", self.young)?;
         if plane.takes(self.poisson) {
             return Ok(());

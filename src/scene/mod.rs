@@ -24,7 +24,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
-use crate::error::Error;
+use crate::error::{self, Error, Part};
 
 pub use contact_pair::{ContactPair, Profile};
 pub use drawn::{Curve, DrawnGap};
@@ -206,11 +206,6 @@ impl Scene {
         1.0 / compliance
     }
 
-    /// Names of the bodies of a contact, as messages give them.
-    pub fn names_of(&self, pair: &ContactPair) -> String {
-        pair.bodies().map(|body| format!("`{}`", self.bodies[body].name)).collect::<Vec<_>>().join(" and ")
-    }
-
     /// The contact that a body is meshed for: the first on its side `contact`, else the first that it takes part in.
     pub fn contact_of(&self, body: usize) -> &ContactPair {
         let on_side = self.contacts_of(body).find(|pair| pair.side(body) == contact_pair::CONTACT);
@@ -222,38 +217,52 @@ impl Scene {
         self.contacts.iter().filter(move |pair| pair.bodies().any(|other| other == body))
     }
 
-    /// A contact as messages name it: with the scene, where there are several.
-    pub fn place_of(&self, pair: &ContactPair) -> String {
-        if self.contacts.len() == 1 { self.name.clone() } else { format!("{}, contact `{}`", self.name, pair.name) }
+    /// A body, as errors name it.
+    pub fn place_of_body(&self, body: usize) -> error::Place {
+        error::Place::Body { body, name: format!("{}, body `{}`", self.name, self.bodies[body].name).into() }
+    }
+
+    /// A contact, as errors name it: by its bodies, and by its own name where there are several.
+    pub fn place_of(&self, contact: usize, part: Part) -> error::Place {
+        let pair = &self.contacts[contact];
+        let own = if self.contacts.len() == 1 { String::new() } else { format!(" `{}`", pair.name) };
+        let bodies: Vec<String> = pair.bodies().map(|body| format!("`{}`", self.bodies[body].name)).collect();
+        error::Place::Contact {
+            contact,
+            part,
+            name: format!("{}, contact{own} of {}", self.name, bodies.join(" and ")).into(),
+        }
     }
 
     /// Refuses what cannot be solved, naming scene, body, key, value and remedy.
     pub fn validate(&self) -> Result<(), Error> {
-        positive(&self.name, "thickness", self.thickness)?;
-        positive(&self.name, "reference length", self.reference.length)?;
-        positive(&self.name, "reference pressure", self.reference.pressure)?;
-        positive(&self.name, "reference gap", self.reference.gap)?;
+        let scene = error::Place::from(self.name.as_str());
+        positive(&scene, "thickness", self.thickness)?;
+        positive(&scene, "reference length", self.reference.length)?;
+        positive(&scene, "reference pressure", self.reference.pressure)?;
+        positive(&scene, "reference gap", self.reference.gap)?;
         if self.contacts.is_empty() {
-            return Err(Error::value(&self.name, "contacts", 0, "at least one is needed", "add one"));
+            return Err(Error::value(scene, "contacts", 0, "at least one is needed", "add one"));
         }
-        for pair in &self.contacts {
-            positive(&self.place_of(pair), "candidate stretch", pair.stretch)?;
-            self.refuse_ended(pair)?;
+        for (contact, pair) in self.contacts.iter().enumerate() {
+            positive(&self.place_of(contact, Part::Stretch), "candidate stretch", pair.stretch)?;
+            self.refuse_ended(contact)?;
         }
-        for body in &self.bodies {
-            body.material.validate(&format!("{}, body `{}`", self.name, body.name), self.plane)?;
+        for (index, body) in self.bodies.iter().enumerate() {
+            body.material.validate(&self.place_of_body(index), self.plane)?;
         }
         Ok(())
     }
 
     /// Refuses candidates where a body, or the rigid profile that it meets, has ended.
-    fn refuse_ended(&self, pair: &ContactPair) -> Result<(), Error> {
+    fn refuse_ended(&self, contact: usize) -> Result<(), Error> {
+        let pair = &self.contacts[contact];
         let bodies = pair.bodies().map(|body| &self.bodies[body]);
         let reaches = bodies.map(|body| (format!("`{}`", body.name), body.shape.reach(&pair.path)));
         let all = reaches.chain([("the rigid profile".to_string(), pair.profile.reach())]);
         for (name, reach) in all {
             if let Some(reach) = reach.filter(|reach| pair.stretch > reach * (1.0 + ROUNDING)) {
-                let (place, expected) = (self.place_of(pair), format!("{name} ends at {reach} mm"));
+                let (place, expected) = (self.place_of(contact, Part::Stretch), format!("{name} ends at {reach} mm"));
                 return Err(Error::value(place, "candidate stretch", pair.stretch, expected, "shorten it to there"));
             }
         }
@@ -265,7 +274,7 @@ impl Scene {
 pub(crate) const ROUNDING: f64 = 1e-9;
 
 /// Refuses a value that is not finite and positive.
-pub(crate) fn positive(place: &str, key: &str, value: f64) -> Result<(), Error> {
+pub(crate) fn positive(place: &error::Place, key: &str, value: f64) -> Result<(), Error> {
     if value.is_finite() && value > 0.0 {
         return Ok(());
     }

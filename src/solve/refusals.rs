@@ -1,7 +1,7 @@
 //! Problems that have no solution on a discretised scene, refused with the names of their bodies.
 
 use crate::algorithm::ContactProblem;
-use crate::error::Error;
+use crate::error::{Error, Kind, Part, Place};
 use crate::solution::Work;
 use crate::solve::{Change, Discretisation, Formulation};
 
@@ -26,7 +26,9 @@ impl Discretisation {
     pub(super) fn refuse_nothing(&self, problem: &ContactProblem) -> Result<(), Error> {
         let held = || problem.factorise(&vec![0.0; problem.points.len()], &mut Work::default()).is_some();
         if self.is_unloaded(problem.load) && !held() && !problem.interference_presses() {
-            return Err(Error::NothingPresses { bodies: self.names() });
+            let message = "only contact fixes the bodies, and nothing presses them together: the pressure is zero and the position undetermined";
+            let error = Error::at(self.contacts(), message, "apply a load or add a support");
+            return Err(Error { kind: Kind::NothingPresses, ..error });
         }
         Ok(())
     }
@@ -39,11 +41,16 @@ impl Discretisation {
 
     /// An error of the iteration, which sees matrices only, with the names of the bodies.
     pub(super) fn named(&self, error: Error) -> Error {
-        match error {
-            Error::NoSpringLeft { steps, .. } => Error::NoSpringLeft { bodies: self.names(), steps },
-            Error::SpringsTooSoft { times, .. } => Error::SpringsTooSoft { bodies: self.names(), times },
-            other => other,
+        match error.kind {
+            Kind::NoSpringLeft { .. } => Error { place: self.contacts(), ..error },
+            Kind::SpringsTooSoft => Error { place: Place::Stiffness(self.names()), ..error },
+            _ => error,
         }
+    }
+
+    /// All contacts: the first of them, by the names of all bodies.
+    fn contacts(&self) -> Place {
+        Place::Contact { contact: 0, part: Part::First, name: self.names().into() }
     }
 
     /// Names of the bodies, as messages give them.

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use crate::contact::Interface;
-use crate::error::Error;
+use crate::error::{Error, Kind, Part};
 use crate::scene::{ContactPair, Profile};
 use crate::solution::{EdgeState, Solution};
 use crate::solve::{Change, Discretisation};
@@ -127,21 +127,35 @@ fn refuse_one(
     tolerance: f64,
 ) -> Result<(), Error> {
     let accepted = tolerance * solution.contacts[interface.contact].approach;
-    let (contact, bodies) = (interface.contact, discretisation.scene.names_of(&interface.pair));
-    let edges = solution.edges_of(contact);
+    let edges = solution.edges_of(interface.contact);
     for &at in End::of(&interface.pair) {
         match deepest(discretisation, interface, solution, change, accepted, at)? {
             Some(Spill { end, position, penetration }) if penetration.is_nan() || penetration > accepted => {
-                let [end, position] = [end, position].map(|s| interface.pair.path.told(s));
-                return Err(Error::ContactBeyondCandidates { contact, bodies, end, position, penetration });
+                return Err(too_short(discretisation, interface, end, Some((position, penetration))));
             }
             Some(Spill { end, penetration, .. }) if penetration.is_finite() && rises(edges, tolerance, at) => {
-                return Err(Error::ContactCutShort { contact, bodies, end: interface.pair.path.told(end) });
+                return Err(too_short(discretisation, interface, end, None));
             }
             _ => {}
         }
     }
     Ok(())
+}
+
+/// Error of a contact that reaches the end of the candidate surface, with the deepest penetration beyond, if it is seen.
+fn too_short(discretisation: &Discretisation, interface: &Interface, end: f64, deepest: Option<(f64, f64)>) -> Error {
+    let told = |s: f64| interface.pair.path.told(s);
+    let (end, deepest) = (told(end), deepest.map(|(position, depth)| (told(position), depth)));
+    let seen = match deepest {
+        Some((position, depth)) => format!("at s = {position} the surfaces penetrate by {depth:.3e} mm"),
+        None => "the pressure rises towards it although the surfaces go on".into(),
+    };
+    let message = format!(
+        "the contact reaches the end of the candidate surface at s = {end}: {seen}, and the pressure found is that of a shorter contact"
+    );
+    let place = discretisation.scene.place_of(interface.contact, Part::Stretch);
+    let kind = Kind::ContactBeyondCandidates { end, deepest };
+    Error { kind, ..Error::at(place, message, "widen the candidate stretch") }
 }
 
 /// Whether the mean pressure of the outermost edge is above that of its neighbour by more than the tolerance explains.

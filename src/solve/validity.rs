@@ -2,7 +2,7 @@
 
 use crate::algorithm::problem::LIMITS;
 use crate::algorithm::{Acceleration, Iteration, StiffnessRule};
-use crate::error::Error;
+use crate::error::{Error, Place};
 use crate::scene::Scene;
 use crate::solve::{Formulation, Start};
 
@@ -10,9 +10,14 @@ use crate::solve::{Formulation, Start};
 const TOLERANCES: [f64; 2] = [1e-13, 0.1];
 
 impl Formulation {
+    /// A scene under this formulation, as errors name it.
+    fn place(&self, scene: &Scene) -> Place {
+        Place::Solve(format!("{} with {}", scene.name, self.name()))
+    }
+
     /// Refuses what is not defined, naming value and remedy.
     pub fn validate(&self, scene: &Scene) -> Result<(), Error> {
-        let place = format!("{} with {}", scene.name, self.name());
+        let place = self.place(scene);
         let number = |key: &str, value: f64| {
             if value.is_finite() && value > 0.0 {
                 return Ok(());
@@ -33,23 +38,16 @@ impl Formulation {
             return Err(Error::value(&place, "tolerance", self.settings.tolerance, expected, "use 1e-3 to 1e-8"));
         }
         if self.settings.increments == 0 {
-            return Err(Error::value(
-                place,
-                "increments",
-                0,
-                "at least 1 is needed",
-                "use 1 for the whole load at once",
-            ));
+            let remedy = "use 1 for the whole load at once";
+            return Err(Error::value(place, "increments", 0, "at least 1 is needed", remedy));
         }
         let offered = self.algorithm.rules();
         if !offered.contains(&self.rule) {
             let names: Vec<&str> = offered.iter().map(|rule| rule.name()).collect();
-            return Err(Error::Combination {
-                what: format!("the {} algorithm has no rule `{}`", self.algorithm.name(), self.rule.name()),
-                remedy: format!("choose one of {}", names.join(", ")),
-            });
+            let message = format!("the {} algorithm has no rule `{}`", self.algorithm.name(), self.rule.name());
+            return Err(Error::at(place, message, format!("choose one of {}", names.join(", "))));
         }
-        self.validate_options()?;
+        self.validate_options(place)?;
         let tightest = scene.contacts.iter().map(|pair| pair.profile.gap(0.0)).fold(f64::INFINITY, f64::min);
         self.refuse_interference(scene, tightest)
     }
@@ -61,39 +59,35 @@ impl Formulation {
             (Iteration::Kinematic, _) | (Iteration::Constant, StiffnessRule::Correction)
         );
         if gap < 0.0 && !takes_interference {
-            return Err(Error::Combination {
-                what: format!(
-                    "{} starts with an interference of {} mm, which {} cannot take",
-                    scene.name,
-                    -gap,
-                    self.name()
-                ),
-                remedy: "use the kinematic algorithm, or constant with the rule correction".into(),
-            });
+            let message =
+                format!("the scene starts with an interference of {} mm, which this formulation cannot take", -gap);
+            let remedy = "use the kinematic algorithm, or constant with the rule correction";
+            return Err(Error::at(self.place(scene), message, remedy));
         }
         Ok(())
     }
 
     /// Refuses an acceleration or a start that the algorithm does not have.
-    fn validate_options(&self) -> Result<(), Error> {
+    fn validate_options(&self, place: Place) -> Result<(), Error> {
+        let refused = |message: String, remedy: &str| Err(Error::at(place, message, remedy));
         let algorithm = self.algorithm.name();
         if self.acceleration != Acceleration::None && self.algorithm != Iteration::Constant {
-            return Err(Error::Combination {
-                what: format!("the {algorithm} algorithm has no fixed point for `{}`", self.acceleration.name()),
-                remedy: "accelerate the constant algorithm, or choose the acceleration `none`".into(),
-            });
+            return refused(
+                format!("the {algorithm} algorithm has no fixed point for `{}`", self.acceleration.name()),
+                "accelerate the constant algorithm, or choose the acceleration `none`",
+            );
         }
         if self.start != Start::Closed && self.algorithm != Iteration::Kinematic {
-            return Err(Error::Combination {
-                what: format!("the {algorithm} algorithm has no contact set to start `{}` from", self.start.name()),
-                remedy: "start the kinematic algorithm so, or choose the start `closed`".into(),
-            });
+            return refused(
+                format!("the {algorithm} algorithm has no active set to start `{}` from", self.start.name()),
+                "start the kinematic algorithm so, or choose the start `closed`",
+            );
         }
         if self.start != Start::Closed && self.settings.increments > 1 {
-            return Err(Error::Combination {
-                what: "a nested start carries the contact of the whole load, which increments do not begin with".into(),
-                remedy: "use 1 increment, or choose the start `closed`".into(),
-            });
+            return refused(
+                "a nested start carries the contact of the whole load, which increments do not begin with".into(),
+                "use 1 increment, or choose the start `closed`",
+            );
         }
         Ok(())
     }

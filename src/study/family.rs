@@ -1,7 +1,7 @@
 //! The dimensionless family of the pin–rod, so that any published figure can be placed the day it appears.
 
 use crate::case::library::PinRod;
-use crate::error::Error;
+use crate::error::{Error, Kind};
 use crate::mesh::{Order, Resolution};
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Formulation};
@@ -54,7 +54,7 @@ fn solve(numbers: Numbers) -> Result<[f64; 2], Error> {
     };
     let resolution = Resolution { elements: ELEMENTS, refinement: 0, order: Order::Quadratic };
     let run = match Run::of(&Discretisation::of(rod.scene(), resolution)?, &Formulation::verification()) {
-        Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. }) => return Ok([f64::NAN; 2]),
+        Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => return Ok([f64::NAN; 2]),
         other => other?,
     };
     // Only the pin's lower quarter is modelled: a contact that reaches its end goes on beyond it.

@@ -12,29 +12,28 @@ use crate::oracle::cross_code::root;
 
 /// The records of a file, whatever they are; `renew` says what makes them anew.
 pub fn read<T: DeserializeOwned>(path: &Path, renew: &str) -> Result<Vec<T>, Error> {
-    let missing = |_| Error::MissingFile { file: path.into(), remedy: renew.into() };
-    let text = std::fs::read_to_string(path).map_err(missing)?;
+    let text = std::fs::read_to_string(path).map_err(|_| Error::missing_file(path, renew))?;
     csv::Reader::from_reader(text.as_bytes())
         .deserialize()
         .collect::<Result<_, _>>()
-        .map_err(|error| Error::Unreadable { file: path.into(), found: error.to_string(), remedy: renew.into() })
+        .map_err(|error| Error::unreadable(path, error, renew))
 }
 
 /// Writes records to a file, a line each.
 pub fn write<T: Serialize>(path: &Path, records: &[T]) -> Result<(), Error> {
-    let failed =
-        |reason: String| Error::File { path: path.into(), reason, remedy: "check that it may be written".into() };
     let mut writer = csv::Writer::from_writer(Vec::new());
     for record in records {
-        writer.serialize(record).map_err(|error| failed(error.to_string()))?;
+        writer.serialize(record).map_err(|error| Error::unwritable(path, error))?;
     }
-    let text = writer.into_inner().map_err(|error| failed(error.to_string()))?;
+    let text = writer.into_inner().map_err(|error| Error::unwritable(path, error))?;
     if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder).map_err(|error| failed(error.to_string()))?;
+        std::fs::create_dir_all(folder).map_err(|error| Error::unwritable(path, error))?;
     }
     // Whoever is broken off leaves the old file or the new one, never half of it.
     let fresh = path.with_extension("csv.new");
-    std::fs::write(&fresh, text).and_then(|()| std::fs::rename(&fresh, path)).map_err(|error| failed(error.to_string()))
+    std::fs::write(&fresh, text)
+        .and_then(|()| std::fs::rename(&fresh, path))
+        .map_err(|error| Error::unwritable(path, error))
 }
 
 /// The record of a survey of a name.
@@ -79,16 +78,11 @@ pub fn rounded(value: f64) -> f64 {
 /// Folder of the running program's unfinished survey of a name: another program starts afresh.
 pub fn unfinished(name: &str) -> Result<PathBuf, Error> {
     if !root().join("Cargo.toml").is_file() {
-        return Err(Error::File {
-            path: root(),
-            reason: "the checkout this program was built in is no longer there".into(),
-            remedy: "build it again where the checkout is now".into(),
-        });
+        let message = "the checkout this program was built in is no longer there";
+        return Err(Error::file(&root(), message, "build it again where the checkout is now"));
     }
-    let unreadable = |error: std::io::Error| Error::File {
-        path: "the running program".into(),
-        reason: error.to_string(),
-        remedy: "run it from a file that may be read".into(),
+    let unreadable = |error: std::io::Error| {
+        Error::at("the running program", error.to_string(), "run it from a file that may be read")
     };
     let program = std::env::current_exe().and_then(std::fs::read).map_err(unreadable)?;
     Ok(root().join("target").join(name).join(&sha256(&program)[..16]))

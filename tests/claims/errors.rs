@@ -245,6 +245,7 @@ fn bodies_pulled_apart_are_named_on_every_mesh() {
             let solution = sample.solve(&Formulation::verification()).map(|solution| solution.outcome);
             let error = solution.expect_err("the load lifts the body");
             names(&error, &[body, "no contact spring is left", "reverse the load"]);
+            assert!(error.remedy.starts_with("reverse the load") && !error.message.contains("reverse"), "{error}");
         }
     }
 }

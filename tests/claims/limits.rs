@@ -2,7 +2,7 @@
 
 use contact_vv::case::library::{Bars, Cylinder, FlatPunch, Patch, PinRod};
 use contact_vv::case::{Verdict, problem};
-use contact_vv::error::Error;
+use contact_vv::error::{Error, Kind};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::{Load, Profile, Scene};
 use contact_vv::solution::PointState;
@@ -26,17 +26,20 @@ fn cylinder(stretch: f64) -> Scene {
 fn contact_beyond_the_candidates_is_refused_by_every_formulation_with_place_depth_and_remedy() {
     for formulation in Formulation::nine() {
         let result = run(cylinder(0.7), 8, Order::Quadratic, &formulation);
-        let Err(Error::ContactBeyondCandidates { end, position, penetration, .. }) = &result else {
+        let Err(error) = result else {
             // Not converging claims nothing.
             assert!(result.is_ok_and(|run| !run.solution.converged()), "{}", formulation.name());
             continue;
+        };
+        let Kind::ContactBeyondCandidates { end, deepest: Some((position, penetration)) } = error.kind else {
+            panic!("{}: {error}", formulation.name())
         };
         let a = Cylinder::default().half_width();
         let [end, position] = [end, position].map(|at| at.value());
         assert!((end / (0.7 * a) - 1.0).abs() < 1e-9);
         assert!(position > 0.7 * a && position < 1.3 * a, "{}: {position}", formulation.name());
-        assert!(*penetration > 1e-3 * a * a / 100.0 && *penetration < 1e-2 * a, "{penetration}");
-        let text = result.map(|_| ()).expect_err("refused").to_string();
+        assert!(penetration > 1e-3 * a * a / 100.0 && penetration < 1e-2 * a, "{penetration}");
+        let text = error.to_string();
         for part in ["`cylinder`", "1.75", "penetrate by", "widen the candidate stretch"] {
             assert!(text.contains(part), "`{part}` is missing in: {text}");
         }
@@ -62,7 +65,7 @@ fn two_bodies_that_touch_beyond_the_candidates_are_refused() {
     let verification = Formulation::verification();
     let error = run(rod(30.0), 8, Order::Quadratic, &verification).map(|_| ()).expect_err("contact reaches 55°");
     assert!(error.to_string().contains("`pin` and `rod`"), "{error}");
-    assert!(matches!(error, Error::ContactBeyondCandidates { .. }));
+    assert!(matches!(error.kind, Kind::ContactBeyondCandidates { deepest: Some(_), .. }));
     assert!(run(rod(75.0), 8, Order::Quadratic, &verification).is_ok());
 }
 
@@ -114,7 +117,11 @@ fn without_a_load_bodies_held_by_contact_alone_are_refused_and_held_ones_carry_n
     for formulation in Formulation::nine() {
         for scene in [Cylinder::default().scene(), Patch::default().scene()] {
             let result = run(unloaded(scene), 4, Order::Quadratic, &formulation).map(|_| ());
-            assert!(matches!(result, Err(Error::NothingPresses { .. })), "{}: {result:?}", formulation.name());
+            assert!(
+                matches!(result, Err(Error { kind: Kind::NothingPresses, .. })),
+                "{}: {result:?}",
+                formulation.name()
+            );
         }
         let held = run(unloaded(Bars::default().scene()), 2, Order::Quadratic, &formulation).expect("held");
         assert!(held.solution.converged(), "{}: {}", formulation.name(), held.solution.outcome);
@@ -228,6 +235,22 @@ fn every_limit_gives_one_full_row_of_the_summary_and_passes() {
         assert_eq!(row.len(), limits::HEAD.len());
         assert!(row.iter().all(|cell| !cell.is_empty() && !cell.contains("NaN")), "{}: {row:?}", trial.title());
         assert!(!finding.checks.is_empty() && finding.verdict() == Verdict::Pass, "{}", trial.title());
+    }
+}
+
+#[test]
+fn limit_that_ends_in_an_error_shows_its_remedy_as_what_to_do_instead() {
+    for (name, remedy) in [
+        ("spring stiffness", "give κ₀ within these limits"),
+        ("held by contact alone", "reverse the load"),
+        ("zero load", "apply a load or add a support"),
+        ("candidates too short", "widen the candidate stretch"),
+        ("distorted cells", "make the grading gentler"),
+    ] {
+        let trial = limits::trials().into_iter().find(|trial| trial.name == name).expect("a trial of this name");
+        let finding = trial.run().unwrap_or_else(|error| panic!("{}: {error}", trial.title()));
+        let row = &finding.tables[0].rows[0];
+        assert!(row[4].starts_with(remedy) && row[3].contains("error: ") && !row[3].contains(remedy), "{row:?}");
     }
 }
 

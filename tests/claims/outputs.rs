@@ -142,7 +142,7 @@ fn options_change_what_the_file_says_and_only_that() {
     assert_eq!((other["element"].as_str(), other["algorithm"].as_str()), (Some("layer"), Some("kinematic")));
     assert_eq!((other["resolution"].as_u64(), other["order"].as_u64()), (Some(6), Some(1)));
     let (sound, _, error) = contact_vv(&["solve", &file, "--a-over-r", "0.1"]);
-    assert!(!sound && error.contains("a scene file has no a/R"), "{error}");
+    assert!(!sound && error.contains("a scene file has no a/R") && error.contains("help: leave it out"), "{error}");
     for option in ["--csv", "--plot", "--vtu"] {
         let (sound, _, error) = contact_vv(&["solve", &file, option, "-"]);
         assert!(!sound && error.contains("this output goes to a file"), "{error}");

@@ -57,7 +57,7 @@ fn refuse_held_twice(source: Source, table: &BodyTable) -> Result<(), Error> {
         if table.supports[..k].iter().any(same) {
             return Err(source.refused(
                 support.at.span(),
-                "this component is already held there",
+                "this component is already fixed there",
                 "leave one of them out",
             ));
         }
@@ -69,8 +69,8 @@ fn refuse_held_twice(source: Source, table: &BodyTable) -> Result<(), Error> {
             _ => false,
         };
         if table.loads.iter().any(tied) {
-            let remedy = "a rigid face moves as its force wants: leave out the support or the force";
-            return Err(source.refused(support.at.span(), "the face is held and loaded as rigid", remedy));
+            let remedy = "leave out the support or the force: a rigid face moves under its force";
+            return Err(source.refused(support.at.span(), "the face is fixed and loaded as rigid", remedy));
         }
     }
     Ok(())

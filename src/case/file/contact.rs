@@ -84,7 +84,7 @@ fn pair(
     refuse_mirrored(source, table)?;
     let (path, stretch) = way(source, units, table)?;
     if let (None, Some(side)) = (second, &table.second_side) {
-        let remedy = "leave it out, or name the facing body as `second`";
+        let remedy = "leave it out, or name the secondary body as `second`";
         return Err(source.refused(side.span(), "`second-side` without `second`", remedy));
     }
     let facing = second.zip(table.second.as_ref()).map(|(body, name)| (body, name, &table.second_side));
@@ -191,7 +191,7 @@ fn refuse_mirrored(source: Source, table: &ContactTable) -> Result<(), Error> {
     let on_line = table.origin.as_ref().is_none_or(at_0);
     match table.symmetric.as_ref().filter(|symmetric| on_line && *symmetric.get_ref()) {
         Some(symmetric) => {
-            let message = "the contact has both sides of x = 0, and is not half of a symmetric one";
+            let message = "the contact lies on both sides of x = 0 and is not half of a symmetric one";
             Err(source.refused(symmetric.span(), message, "leave `symmetric` or `both-sides` out"))
         }
         None => Ok(()),

@@ -49,7 +49,7 @@ pub(super) fn refuse_axis(source: Source, units: &Units, shape: &Shape, name: &S
         Shape::Disc { sector, centre, .. } if sector.has_both_sides() && name.get_ref() == "axis" => {
             let [x, y] = centre.map(|x| x / units.length);
             let message = "there is no boundary `axis`: with `both-sides` it lies inside the disc";
-            let remedy = format!("hold a node, as in {{ at = [{x}, {y}], component = \"x\" }}");
+            let remedy = format!("fix a node, as in {{ at = [{x}, {y}], component = \"x\" }}");
             Err(source.refused(name.span(), message, remedy))
         }
         _ => Ok(()),

@@ -68,20 +68,17 @@ const RULES: [StiffnessRule; 5] = [
 impl Case {
     /// Reads a scene file; what is wrong in it is reported with its line.
     pub fn read(file: &Path) -> Result<Self, Error> {
-        let unreadable = |reason: String| Error::File {
-            path: file.into(),
-            reason,
-            remedy: "give a scene file; `solve --help` tells where its keys are described".into(),
-        };
-        let failed = |error: std::io::Error| unreadable(error.to_string());
+        let remedy = "give a scene file; `solve --help` says where its keys are described";
+        let failed = |error: std::io::Error| Error::unreadable(file, error, remedy);
         if !std::fs::metadata(file).map_err(failed)?.is_file() {
-            return Err(unreadable("this is no file".into()));
+            return Err(Error::unreadable(file, "this is no file", remedy));
         }
         let mut text = String::new();
         let size =
             File::open(file).map_err(failed)?.take(LARGEST_FILE + 1).read_to_string(&mut text).map_err(failed)?;
         if size as u64 > LARGEST_FILE {
-            return Err(unreadable(format!("it has more than {LARGEST_FILE} bytes, which no scene needs")));
+            let cause = format!("it has more than {LARGEST_FILE} bytes, which no scene needs");
+            return Err(Error::unreadable(file, cause, remedy));
         }
         Self::parse(file, &text)
     }
@@ -112,7 +109,7 @@ impl Document {
         Places {
             file: source.file.into(),
             text: source.text.into(),
-            bodies: self.body.get_ref().iter().map(|body| (body.name.get_ref().clone(), body.name.span())).collect(),
+            bodies: self.body.get_ref().iter().map(|body| body.name.span()).collect(),
             stiffness: stiffness.map_or_else(|| solve.clone(), Spanned::span),
             solve,
             contacts,

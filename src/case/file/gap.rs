@@ -27,7 +27,7 @@ pub(super) fn refuse_strange(
         (Path::Straight(_), Profile::Hole { .. }) => "a hole needs the pin's circle as `arc`",
         (Path::Straight(_), _) => return Ok(()),
     };
-    Err(source.refused(gap.span(), "this gap does not go with the path of the contact", remedy))
+    Err(source.refused(gap.span(), "this gap cannot be used on the path of the contact", remedy))
 }
 
 /// The gap in mm as a function of the contact coordinate, on one side of s = 0 or across it, or the drawn one.

@@ -60,7 +60,7 @@ impl MeshTable {
         ];
         if let Some((key, Some(place))) = given.into_iter().find(|(_, place)| place.is_some()) {
             let remedy = format!("leave `{key}` out, or `accuracy`");
-            return Err(source.refused(place, format!("`accuracy` chooses the mesh, and `{key}` too"), remedy));
+            return Err(source.refused(place, format!("`{key}` cannot be used: `accuracy` chooses the mesh"), remedy));
         }
         let Some(relative) = accuracy::percentage(accuracy.get_ref()) else {
             let message = format!("`accuracy` is \"{}\"", accuracy.get_ref());
@@ -105,7 +105,7 @@ impl MeshTable {
             ("growth", self.growth.as_ref().map(Spanned::span)),
         ];
         if let Some((key, Some(place))) = unused.into_iter().find(|(_, place)| !needed && place.is_some()) {
-            let message = format!("`{key}` has nothing to do: every body brings its mesh");
+            let message = format!("`{key}` cannot be used: the meshes of all bodies are given");
             return Err(source.refused(place, message, "leave it out, and refine those meshes"));
         }
         let missing = |key: &str| {

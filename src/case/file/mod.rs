@@ -70,7 +70,7 @@ pub struct Source<'a> {
 impl Source<'_> {
     /// Something wrong at a place.
     pub fn refused(&self, place: Range<usize>, message: impl Into<String>, remedy: impl Into<String>) -> Error {
-        Error::Located(Box::new(Located::new((self.file, self.text), place, message, remedy)))
+        Error::at(Located::new((self.file, self.text), place), message, remedy)
     }
 
     /// A number that is finite and passes a test.

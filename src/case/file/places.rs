@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use toml::Spanned;
 
 use crate::case::file::tables::ContactTable;
-use crate::error::{Error, Located};
+use crate::error::{Error, Located, Part, Place};
 
 /// Places of the bodies and of the contacts in a file.
 #[derive(Clone, Debug)]
@@ -15,8 +15,8 @@ pub struct Places {
     pub(super) file: PathBuf,
     /// Its text.
     pub(super) text: String,
-    /// Names of the bodies with their places.
-    pub(super) bodies: Vec<(String, Range<usize>)>,
+    /// The bodies.
+    pub(super) bodies: Vec<Range<usize>>,
     /// The contacts.
     pub(super) contacts: Vec<PlacesOfContact>,
     /// How it is to be solved; the contacts where the file does not say.
@@ -38,44 +38,32 @@ impl PlacesOfContact {
         let second = table.second.as_ref().map(Spanned::span);
         Self { first: table.first.span(), second, stretch: table.stretch.span() }
     }
+
+    fn part(&self, part: Part) -> Option<Range<usize>> {
+        match part {
+            Part::First => Some(self.first.clone()),
+            Part::Second => self.second.clone(),
+            Part::Stretch => Some(self.stretch.clone()),
+        }
+    }
 }
 
 impl Places {
-    /// The error with its line, where it is one of a body or of the contact.
+    /// The error with its line, where it is one of a body, of a contact or of how the scene is solved.
     pub fn locate(&self, error: Error) -> Error {
-        let Some(place) = self.of(&error) else { return error };
-        let text = error.to_string();
-        let (message, remedy) = text.rsplit_once("; ").unwrap_or((&text, "see tests/scenes/README.md"));
-        Error::Located(Box::new(Located::new((&self.file, &self.text), place, message, remedy)))
-    }
-
-    fn of(&self, error: &Error) -> Option<Range<usize>> {
-        match error {
-            Error::DegenerateCell { body, .. }
-            | Error::LooseMesh { body, .. }
-            | Error::HeldRigidFace { body, .. }
-            | Error::FreeMotion { body, .. }
-            | Error::SingularStiffness { body, .. }
-            | Error::ObliqueSupport { body, .. } => self.body(|name| name == body),
-            Error::Unknown { place, .. } | Error::Value { place, .. } => {
-                let body = self.body(|name| place.ends_with(&format!(", body `{name}`")));
-                body.or_else(|| place.contains(" with ").then(|| self.solve.clone()))
-            }
-            Error::Combination { .. } => Some(self.solve.clone()),
-            Error::SpringsTooSoft { .. } => Some(self.stiffness.clone()),
-            Error::NoSpringLeft { .. } | Error::NothingPresses { .. } => {
-                self.contacts.first().map(|at| at.first.clone())
-            }
-            Error::NotFacing { contact, .. } => self.contacts.get(*contact).and_then(|at| at.second.clone()),
-            Error::EmptyStretch { contact, .. }
-            | Error::SharedCandidate { contact, .. }
-            | Error::ContactBeyondCandidates { contact, .. }
-            | Error::ContactCutShort { contact, .. } => self.contacts.get(*contact).map(|at| at.stretch.clone()),
-            _ => None,
+        match self.of(&error.place) {
+            Some(place) => Error { place: Located::new((&self.file, &self.text), place).into(), ..error },
+            None => error,
         }
     }
 
-    fn body(&self, is_it: impl Fn(&str) -> bool) -> Option<Range<usize>> {
-        self.bodies.iter().find(|(name, _)| is_it(name)).map(|(_, place)| place.clone())
+    fn of(&self, place: &Place) -> Option<Range<usize>> {
+        match place {
+            Place::Body { body, .. } => self.bodies.get(*body).cloned(),
+            Place::Contact { contact, part, .. } => self.contacts.get(*contact)?.part(*part),
+            Place::Solve(_) => Some(self.solve.clone()),
+            Place::Stiffness(_) => Some(self.stiffness.clone()),
+            Place::Nowhere | Place::Named(_) | Place::File(_) | Place::Line(_) => None,
+        }
     }
 }

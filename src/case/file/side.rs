@@ -251,7 +251,7 @@ impl Side {
             return Ok(());
         }
         let shown = (1e6 * shown).round() / 1e6;
-        let ends = if path.has_both_sides() { "goes only as far as |s| =" } else { "ends at" };
+        let ends = if path.has_both_sides() { "ends at |s| =" } else { "ends at" };
         let message = format!("the candidates reach beyond `{}`, whose contact side {ends} {shown}", name.get_ref());
         Err(source.refused(given.span(), message, format!("give at most {shown}")))
     }

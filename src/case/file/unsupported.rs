@@ -36,7 +36,7 @@ const UNSUPPORTED: [Unsupported; 11] = [
     Unsupported {
         words: &["periodic", "periodicity", "cyclic"],
         holds: "no boundaries are tied to one another as periodic",
-        instead: "model half a period between two symmetry lines, its sides held in x; else use CalculiX or code_aster",
+        instead: "model half a period between two symmetry lines, its sides fixed in x; else use CalculiX or code_aster",
     },
     Unsupported {
         words: &["bonded", "bond", "tied", "tie", "glue", "glued", "adhesion", "cohesive"],

@@ -59,19 +59,15 @@ pub const NAMES: [(&str, &str); ENTRIES.len()] = {
 /// The case of a name; `a_over_r` sets the load of the Hertz scenes.
 pub fn find(name: &str, a_over_r: Option<f64>) -> Result<Case, Error> {
     let Some((name, title, made)) = ENTRIES.iter().find(|(known, ..)| *known == name) else {
-        return Err(Error::Unknown {
-            place: "solve".into(),
-            kind: "case",
-            name: name.into(),
-            known: NAMES.map(|(name, _)| name).join(", "),
-        });
+        let known = NAMES.map(|(name, _)| name).join(", ");
+        return Err(Error::at("solve", format!("there is no case `{name}`"), format!("choose one of {known}")));
     };
     let case = match (made, a_over_r) {
         (Made::Fixed(case), None) => case(),
         (Made::Loaded(case), _) => case(a_over_r.map_or(Ok(RATIO), |ratio| allowed(name, ratio))?),
         (Made::Fixed(_), Some(_)) => {
             let remedy = "leave it out, or solve cylinder, cylinder-half or truncated-hertz";
-            return Err(Error::Combination { what: format!("`{name}` has no a/R"), remedy: remedy.into() });
+            return Err(Error::at("solve", format!("`{name}` has no a/R"), remedy));
         }
     };
     Ok(Case { title: (*title).into(), ..case.named(*name) })

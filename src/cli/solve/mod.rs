@@ -140,9 +140,5 @@ fn remedy(run: &Run) -> Option<&'static str> {
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Error> {
-    std::fs::write(path, text).map_err(|error| Error::File {
-        path: path.into(),
-        reason: error.to_string(),
-        remedy: "check that the folder exists and may be written".into(),
-    })
+    std::fs::write(path, text).map_err(|error| Error::unwritable(path, error))
 }

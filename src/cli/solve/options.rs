@@ -84,7 +84,7 @@ impl Arguments {
         }
         if self.a_over_r.is_some() {
             let remedy = "leave it out, and set the load in the file";
-            return Err(Error::Combination { what: "a scene file has no a/R".into(), remedy: remedy.into() });
+            return Err(Error::at("--a-over-r", "a scene file has no a/R", remedy));
         }
         Case::read(path)
     }
@@ -101,10 +101,10 @@ impl Arguments {
         let given = [("--resolution", self.resolution.is_some()), ("--order", self.order.is_some())];
         match given.into_iter().find(|(_, given)| *given && asked.is_some()) {
             None => Ok(asked),
-            Some((option, _)) => Err(Error::Combination {
-                what: format!("the accuracy chooses the mesh, and {option} too"),
-                remedy: "leave one of them out".into(),
-            }),
+            Some((option, _)) => {
+                let message = format!("{option} cannot be used: the accuracy chooses the mesh");
+                Err(Error::at("solve", message, "leave one of them out"))
+            }
         }
     }
 
@@ -134,7 +134,7 @@ impl Arguments {
         let brought = |body: &Body| body.shape.brings_mesh();
         if let (Some(elements), true) = (self.resolution, problem.scene.bodies.iter().all(brought)) {
             let remedy = "leave it out, and refine those meshes";
-            return Err(Error::value("solve", "--resolution", elements, "every body brings its mesh", remedy));
+            return Err(Error::value("solve", "--resolution", elements, "the meshes of all bodies are given", remedy));
         }
         let elements = self.resolution.unwrap_or(problem.resolution.elements);
         let times = elements as f64 / problem.resolution.elements as f64;

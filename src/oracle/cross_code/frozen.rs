@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
@@ -111,19 +111,14 @@ impl Frozen {
             return Ok(self);
         }
         let found = format!("`{}`, but oracles/python now hashes to `{present}`", self.scripts);
-        Err(Error::Refused { file: file(code), key: "scripts".into(), found, remedy: REFREEZE.into() })
+        Err(Error::refused(&file(code), "scripts", found, REFREEZE))
     }
 
     /// The same, whatever the scripts are now.
     pub fn load(code: Code) -> Result<Self, Error> {
         let file = file(code);
-        let text = fs::read_to_string(&file)
-            .map_err(|_| Error::MissingFile { file: file.clone(), remedy: REFREEZE.into() })?;
-        serde_json::from_str(&text).map_err(|error| Error::Unreadable {
-            file,
-            found: error.to_string(),
-            remedy: REFREEZE.into(),
-        })
+        let text = fs::read_to_string(&file).map_err(|_| Error::missing_file(&file, REFREEZE))?;
+        serde_json::from_str(&text).map_err(|error| Error::unreadable(&file, error, REFREEZE))
     }
 
     /// All numbers in groups of one unit and scale, by name.
@@ -142,11 +137,9 @@ impl Frozen {
     /// Writes the results of a code.
     pub fn write(&self, code: Code) -> Result<(), Error> {
         let file = file(code);
-        let unwritable =
-            |reason: String| Error::File { path: file.clone(), reason, remedy: "check that it may be written".into() };
-        let text = serde_json::to_string_pretty(self).map_err(|error| unwritable(error.to_string()))?;
-        fs::create_dir_all(file.parent().unwrap_or(&file)).map_err(|error| unwritable(error.to_string()))?;
-        fs::write(&file, text + "\n").map_err(|error| unwritable(error.to_string()))
+        let text = serde_json::to_string_pretty(self).map_err(|error| Error::unwritable(&file, error))?;
+        fs::create_dir_all(file.parent().unwrap_or(&file)).map_err(|error| Error::unwritable(&file, error))?;
+        fs::write(&file, text + "\n").map_err(|error| Error::unwritable(&file, error))
     }
 
     /// The versions that differ from those of a live run, as `numpy 1.24.2, now 1.26.0`.
@@ -167,20 +160,15 @@ pub fn file(code: Code) -> PathBuf {
 /// SHA-256 of all Python files of the oracles with their names, in the order of these.
 pub fn script_hash() -> Result<String, Error> {
     let folder = scripts();
-    let unreadable = |file: PathBuf, error: &std::io::Error| Error::Unreadable {
-        file,
-        found: error.to_string(),
-        remedy: "restore oracles/python".into(),
-    };
-    let entries = fs::read_dir(&folder).map_err(|error| unreadable(folder.clone(), &error))?;
-    let entries: Vec<fs::DirEntry> =
-        entries.collect::<Result<_, _>>().map_err(|error| unreadable(folder.clone(), &error))?;
+    let unreadable = |file: &Path, error| Error::unreadable(file, error, "restore oracles/python");
+    let entries = fs::read_dir(&folder).map_err(|error| unreadable(&folder, error))?;
+    let entries: Vec<fs::DirEntry> = entries.collect::<Result<_, _>>().map_err(|error| unreadable(&folder, error))?;
     let mut files: Vec<PathBuf> = entries.iter().map(|entry| entry.path()).collect();
     files.retain(|file| file.extension().is_some_and(|extension| extension == "py"));
     files.sort();
     let mut all = Vec::new();
     for file in files {
-        let text = fs::read(&file).map_err(|error| unreadable(file.clone(), &error))?;
+        let text = fs::read(&file).map_err(|error| unreadable(&file, error))?;
         let name = file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         all.extend(format!("{name}\0{}\0", text.len()).bytes());
         all.extend(text);

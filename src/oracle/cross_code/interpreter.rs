@@ -49,11 +49,11 @@ pub fn with_python<T: Send + 'static>(
         // The asker waits; were it gone, nobody would miss the answer.
         let _ = answer.send(result);
     });
-    let stopped = || Error::Python { said: "the oracle thread has stopped".into(), remedy: SCRIPTS.into() };
+    let stopped = || Error::at("python oracles", "the oracle thread has stopped", SCRIPTS);
     let sent = thread.lock().map_err(|_| stopped()).map(|sender| sender.send(job));
     sent?.map_err(|_| stopped())?;
     let result = answered.recv().map_err(|_| stopped())?;
-    result.map_err(|(said, remedy)| Error::Python { said, remedy: remedy.into() })
+    result.map_err(|(said, remedy)| Error::at("python oracles", said, remedy))
 }
 
 fn serve(jobs: Receiver<Job>) {

@@ -61,7 +61,7 @@ pub(super) fn read(file: &Path, text: &str) -> Result<(Abscissa, Ordinate, Vec<C
         });
     }
     if points.is_empty() {
-        return Err(refused(file, "rows", "none", "add one row per digitised point"));
+        return Err(Error::refused(file, "rows", "none", "add one row per digitised point"));
     }
     points.sort_by(|one, other| one.abscissa.total_cmp(&other.abscissa));
     Ok((across.meaning, up.meaning, points))
@@ -87,7 +87,7 @@ fn places(file: &Path, header: &StringRecord, names: &[String; 4]) -> Result<[us
     for (place, name) in header.iter().enumerate() {
         if !places.contains(&place) {
             let remedy = format!("keep the four columns {}, each once", listed(names));
-            return Err(refused(file, name, "not a known column, or there twice", &remedy));
+            return Err(Error::refused(file, name, "not a known column, or there twice", remedy));
         }
     }
     Ok(places)
@@ -104,30 +104,17 @@ fn row(file: &Path, record: &StringRecord, names: &[String; 4], places: [usize; 
         if !value.is_finite() || (is_error && *value <= 0.0) {
             let wanted = if is_error { "write a finite number above 0" } else { "write a finite number" };
             let key = format!("{} in line {line}", names[index]);
-            return Err(refused(file, &key, &format!("\"{entry}\""), wanted));
+            return Err(Error::refused(file, &key, format!("\"{entry}\""), wanted));
         }
     }
     Ok(row)
 }
 
 fn unreadable(file: &Path, cause: &csv::Error) -> Error {
-    Error::Unreadable {
-        file: file.to_path_buf(),
-        found: cause.to_string(),
-        remedy: "write a header and one row per point, as many entries in each".to_owned(),
-    }
+    Error::unreadable(file, cause, "write a header and one row per point, as many entries in each")
 }
 
 fn missing(file: &Path, key: &str, header: &StringRecord, remedy: &str) -> Error {
     let found: Vec<String> = header.iter().map(str::to_owned).collect();
-    Error::MissingKey {
-        file: file.to_path_buf(),
-        key: key.to_owned(),
-        found: listed(&found),
-        remedy: remedy.to_owned(),
-    }
-}
-
-fn refused(file: &Path, key: &str, found: &str, remedy: &str) -> Error {
-    Error::Refused { file: file.to_path_buf(), key: key.to_owned(), found: found.to_owned(), remedy: remedy.to_owned() }
+    Error::missing_key(file, key, &listed(&found), remedy)
 }

@@ -57,11 +57,8 @@ impl Range {
 
 /// The table in a TOML text, syntax checked only.
 pub(super) fn parse(file: &Path, text: &str) -> Result<Table, Error> {
-    text.parse().map_err(|cause: toml::de::Error| Error::Unreadable {
-        file: file.to_path_buf(),
-        found: cause.message().to_owned(),
-        remedy: "write it as TOML; the README of the folder has an example".to_owned(),
-    })
+    let remedy = "write it as TOML; the README of the folder has an example";
+    text.parse().map_err(|cause: toml::de::Error| Error::unreadable(file, cause.message(), remedy))
 }
 
 /// Holds a table against its keys: all there, all in range, no other.
@@ -69,19 +66,12 @@ pub(super) fn parse(file: &Path, text: &str) -> Result<Table, Error> {
 /// `prefix` is what the reader sees before each key, such as `curves[0].`.
 pub(super) fn check(file: &Path, prefix: &str, table: &Table, keys: &[Key]) -> Result<(), Error> {
     for key in keys {
-        let value = find(table, key.path).ok_or_else(|| Error::MissingKey {
-            file: file.to_path_buf(),
-            key: format!("{prefix}{}", key.path),
-            found: listed(&leaves("", table)),
-            remedy: format!("add it: {}, {}", key.meaning, key.range.wanted()),
-        })?;
+        let name = format!("{prefix}{}", key.path);
+        let wanted = format!("{}, {}", key.meaning, key.range.wanted());
+        let missing = || Error::missing_key(file, &name, &listed(&leaves("", table)), format!("add it: {wanted}"));
+        let value = find(table, key.path).ok_or_else(missing)?;
         if !key.range.admits(value) {
-            return Err(Error::Refused {
-                file: file.to_path_buf(),
-                key: format!("{prefix}{}", key.path),
-                found: shown(value),
-                remedy: format!("write {}, {}", key.meaning, key.range.wanted()),
-            });
+            return Err(Error::refused(file, &name, shown(value), format!("write {wanted}")));
         }
     }
     refuse_unknown(file, prefix, table, keys)
@@ -93,12 +83,8 @@ fn refuse_unknown(file: &Path, prefix: &str, table: &Table, keys: &[Key]) -> Res
         return Ok(());
     };
     let known: Vec<String> = keys.iter().map(|key| key.path.to_owned()).collect();
-    Err(Error::Refused {
-        file: file.to_path_buf(),
-        key: format!("{prefix}{unknown}"),
-        found: "not a known key".to_owned(),
-        remedy: format!("take it out or correct its name; known are {}", listed(&known)),
-    })
+    let remedy = format!("take it out or correct its name; known are {}", listed(&known));
+    Err(Error::refused(file, &format!("{prefix}{unknown}"), "not a known key", remedy))
 }
 
 fn find<'t>(table: &'t Table, path: &str) -> Option<&'t Value> {

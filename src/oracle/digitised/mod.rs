@@ -74,11 +74,8 @@ impl Digitised {
 }
 
 fn files_of(folder: &Path) -> Result<Vec<PathBuf>, Error> {
-    let unreadable = |cause: std::io::Error| Error::Unreadable {
-        file: folder.to_path_buf(),
-        found: cause.to_string(),
-        remedy: "give the path of a folder with a README.md".to_owned(),
-    };
+    let remedy = "give the path of a folder with a README.md";
+    let unreadable = |cause: std::io::Error| Error::unreadable(folder, cause, remedy);
     let mut files = Vec::new();
     for entry in fs::read_dir(folder).map_err(unreadable)? {
         let name = entry.map_err(unreadable)?.file_name();
@@ -100,18 +97,15 @@ fn refuse_unlisted(folder: &Path, files: &[PathBuf], provenance: &Provenance) ->
     let Some(stray) = files.iter().find(|file| !listed(file)) else {
         return Ok(());
     };
-    Err(Error::Refused {
-        file: folder.join(stray),
-        key: "file".to_owned(),
-        found: "not listed under `[[curves]]` in provenance.toml".to_owned(),
-        remedy: "list it with its figure, axis_calibration, kind and hand, or take it out".to_owned(),
-    })
+    let message = "the file is not listed under `[[curves]]` in provenance.toml";
+    let remedy = "list it with its figure, axis_calibration, kind and hand, or take it out";
+    Err(Error::file(&folder.join(stray), message, remedy))
 }
 
 /// The text of a file that must be there.
 fn text_of(file: &Path, remedy: &str) -> Result<String, Error> {
     fs::read_to_string(file).map_err(|cause| match cause.kind() {
-        std::io::ErrorKind::NotFound => Error::MissingFile { file: file.to_path_buf(), remedy: remedy.to_owned() },
-        _ => Error::Unreadable { file: file.to_path_buf(), found: cause.to_string(), remedy: remedy.to_owned() },
+        std::io::ErrorKind::NotFound => Error::missing_file(file, remedy),
+        _ => Error::unreadable(file, cause, remedy),
     })
 }

@@ -92,10 +92,8 @@ impl Provenance {
             keys::check(file, &format!("curves[{index}]."), entry, &CURVE_KEYS)?;
         }
 
-        table.try_into().map_err(|cause: toml::de::Error| Error::Unreadable {
-            file: file.to_path_buf(),
-            found: cause.message().to_owned(),
-            remedy: "follow the example in the README of the folder".to_owned(),
+        table.try_into().map_err(|cause: toml::de::Error| {
+            Error::unreadable(file, cause.message(), "follow the example in the README of the folder")
         })
     }
 }

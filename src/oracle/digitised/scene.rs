@@ -70,18 +70,14 @@ impl DigitisedScene {
         let text = text_of(file, "write the source's dimensions, materials and load; see the README of the folder")?;
         let table = keys::parse(file, &text)?;
         keys::check(file, "", &table, &KEYS)?;
-        let scene: Self = table.try_into().map_err(|cause: toml::de::Error| Error::Unreadable {
-            file: file.to_path_buf(),
-            found: cause.message().to_owned(),
-            remedy: "follow the example in the README of the folder".to_owned(),
+        let scene: Self = table.try_into().map_err(|cause: toml::de::Error| {
+            Error::unreadable(file, cause.message(), "follow the example in the README of the folder")
         })?;
         scene.fits_together(file)
     }
 
     fn fits_together(self, file: &Path) -> Result<Self, Error> {
-        let refused = |key: &str, value: f64, remedy: String| {
-            Err(Error::Refused { file: file.to_path_buf(), key: key.to_owned(), found: value.to_string(), remedy })
-        };
+        let refused = |key: &str, value: f64, remedy: String| Err(Error::refused(file, key, value, remedy));
         let hole = self.pin_radius + self.clearance;
         if self.eye_outer_radius <= hole {
             let remedy = format!("give an eye outside its hole of radius {hole} mm");

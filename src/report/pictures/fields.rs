@@ -12,7 +12,7 @@ fn data<'a>(findings: &'a [Finding], scene: &str) -> Result<&'a FieldData, Error
     let finding = findings.iter().find(|finding| finding.case == name);
     finding
         .and_then(|finding| finding.fields.first())
-        .ok_or_else(|| Error::Drawing { figure: name.clone(), reason: "its study has no field".into() })
+        .ok_or_else(|| Error::at(name.as_str(), "the study of this figure has no field", "let its study keep one"))
 }
 
 /// The cylinder, with the contact enlarged.

@@ -2,7 +2,7 @@
 
 use crate::algorithm::StiffnessRule;
 use crate::contact::ContactPoint;
-use crate::error::Error;
+use crate::error::{Error, Kind};
 use crate::measure::profile::weighted_line;
 use crate::solution::{IterationError, Solution};
 use crate::solve::run::Run;
@@ -68,11 +68,13 @@ impl<'a> Ground<'a> {
                 let errors = [run.iteration_error(), run.penalty_error()];
                 Ok(record(Class::of(solution.outcome), solution.work.steps, iteration, rate, errors))
             }
-            Err(Error::NoSpringLeft { steps, .. }) => {
+            Err(Error { kind: Kind::NoSpringLeft { steps }, .. }) => {
                 Ok(record(Class::Unsupported, steps, f64::NAN, f64::NAN, [f64::NAN; 2]))
             }
-            Err(Error::SpringsTooSoft { .. }) => Ok(record(Class::Unsupported, 0, f64::NAN, f64::NAN, [f64::NAN; 2])),
-            Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. }) => {
+            Err(Error { kind: Kind::SpringsTooSoft, .. }) => {
+                Ok(record(Class::Unsupported, 0, f64::NAN, f64::NAN, [f64::NAN; 2]))
+            }
+            Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => {
                 Ok(record(Class::Spilled, 0, f64::NAN, f64::NAN, [f64::NAN; 2]))
             }
             Err(error) => Err(error),

@@ -134,7 +134,7 @@ pub fn read_from(folder: &Path, plane: Plane) -> Result<Vec<Record>, Error> {
         && planned.iter().zip(&records).all(|((row, stiffness), record)| record.is_at(row, *stiffness));
     if !complete {
         let found = format!("{} points that are not the {} of the plan", records.len(), planned.len());
-        return Err(Error::Refused { file: path, key: "points".into(), found, remedy: RENEW.into() });
+        return Err(Error::refused(&path, "points", found, RENEW));
     }
     Ok(records)
 }

@@ -98,8 +98,7 @@ fn rows_of_a_ground(
 
 /// The site, condensed by whoever comes first.
 fn entered<'a>(site: &'a OnceLock<Result<Site, Error>>, row: &Row) -> Result<&'a Site, Error> {
-    let again = |error: &Error| Error::Combination { what: error.to_string(), remedy: "see the message before".into() };
-    site.get_or_init(|| Site::of(row)).as_ref().map_err(again)
+    site.get_or_init(|| Site::of(row)).as_ref().map_err(Error::clone)
 }
 
 /// Finished rows; a file that cannot be read holds none, and is surveyed anew.

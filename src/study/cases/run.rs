@@ -28,10 +28,7 @@ pub(super) type Shared = Arc<OnceLock<Result<Meshed, Error>>>;
 
 /// Runs and judges a formulation.
 pub(super) fn run(case: &Arc<Case>, mesh: &Shared, formulation: &Formulation) -> Result<Numbers, Error> {
-    let meshed = mesh.get_or_init(|| case.meshed()).as_ref().map_err(|error| Error::Combination {
-        what: error.to_string(),
-        remedy: "see the message before".into(),
-    })?;
+    let meshed = mesh.get_or_init(|| case.meshed()).as_ref().map_err(Error::clone)?;
     let run = case.run(meshed, formulation)?;
     let judged = case.judge(meshed, &run)?;
     Ok(Numbers { case: case.clone(), run, judged })

@@ -49,11 +49,8 @@ pub fn sites() -> Result<Vec<Site>, Error> {
 /// All scenes: the library, the long block, the files.
 fn origins() -> Result<Vec<Origin>, Error> {
     let folder = root().join("tests/scenes");
-    let failed = |error: std::io::Error| Error::File {
-        path: folder.clone(),
-        reason: error.to_string(),
-        remedy: "run inside a checkout of the project".into(),
-    };
+    let remedy = "run inside a checkout of the project";
+    let failed = |error: std::io::Error| Error::unreadable(&folder, error, remedy);
     let mut files = Vec::new();
     for entry in std::fs::read_dir(&folder).map_err(failed)? {
         files.push(entry.map_err(failed)?.path());

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::Error;
+use crate::error::{Error, Kind};
 use crate::mesh::Resolution;
 use crate::solve::run::Run;
 use crate::solve::{Change, Discretisation, Formulation, Origin};
@@ -88,10 +88,8 @@ fn one(site: &Site, discretisation: &Discretisation, load: f64, formulation: &Fo
             let error = run.iteration_error();
             Some(record(Class::of(run.solution.outcome), run.solution.work.steps, error))
         }
-        Err(Error::NoSpringLeft { steps, .. }) => Some(record(Class::Unsupported, steps, f64::NAN)),
-        Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. }) => {
-            Some(record(Class::Spilled, 0, f64::NAN))
-        }
+        Err(Error { kind: Kind::NoSpringLeft { steps }, .. }) => Some(record(Class::Unsupported, steps, f64::NAN)),
+        Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => Some(record(Class::Spilled, 0, f64::NAN)),
         Err(_) => None,
     }
 }

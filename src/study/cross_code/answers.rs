@@ -39,7 +39,7 @@ impl Answers {
         let nodes = twin.problem.points.len();
         if kept.nodes != nodes {
             let found = format!("of a mesh with {} nodes, but ours has {nodes}", kept.nodes);
-            return Err(Error::Refused { file: file(code), key: name.clone(), found, remedy: REFREEZE.into() });
+            return Err(Error::refused(&file(code), name, found, REFREEZE));
         }
         match self {
             Self::Frozen => Ok((kept, None, Vec::new())),
@@ -60,17 +60,12 @@ impl Answers {
         let kept = frozen.physical.get(name).cloned().ok_or_else(|| absent(code, name))?;
         if let Some((key, ours, theirs)) = other_scene(scene, &kept.scene) {
             let found = format!("{theirs} in the frozen scene, but {ours} in ours");
-            return Err(Error::Refused {
-                file: file(code),
-                key: format!("{name}: {key}"),
-                found,
-                remedy: REFREEZE.into(),
-            });
+            return Err(Error::refused(&file(code), &format!("{name}: {key}"), found, REFREEZE));
         }
         let answers = kept.penalty.iter().chain(&kept.active_set);
         if let Some(short) = answers.map(|answer| answer.pressure.len()).find(|&n| n != scene.stations.len()) {
             let found = format!("{short} pressures at {} stations", scene.stations.len());
-            return Err(Error::Refused { file: file(code), key: name.into(), found, remedy: REFREEZE.into() });
+            return Err(Error::refused(&file(code), name, found, REFREEZE));
         }
         match self {
             Self::Frozen => Ok((kept, Vec::new())),
@@ -86,12 +81,7 @@ impl Answers {
 }
 
 fn absent(code: Code, name: &str) -> Error {
-    Error::MissingKey {
-        file: file(code),
-        key: name.into(),
-        found: "the frozen results".into(),
-        remedy: REFREEZE.into(),
-    }
+    Error::missing_key(&file(code), name, "the frozen results", REFREEZE)
 }
 
 /// The first number in which two scenes differ; NaN where one has none.

@@ -166,14 +166,12 @@ fn fixed_vector(prime: f64, freedoms: &Freedoms) -> Vec<f64> {
 
 /// Writes our discretisation to a file, for codes in processes of their own.
 pub fn export(discretisation: &Discretisation, file: &std::path::Path) -> Result<(), Error> {
-    let failed =
-        |reason: String| Error::File { path: file.into(), reason, remedy: "check that it may be written".into() };
     let problem = handed_over(discretisation, Vec::new())?;
-    let text = serde_json::to_string(&problem).map_err(|error| failed(error.to_string()))?;
+    let text = serde_json::to_string(&problem).map_err(|error| Error::unwritable(file, error))?;
     if let Some(folder) = file.parent() {
-        std::fs::create_dir_all(folder).map_err(|error| failed(error.to_string()))?;
+        std::fs::create_dir_all(folder).map_err(|error| Error::unwritable(file, error))?;
     }
-    std::fs::write(file, text).map_err(|error| failed(error.to_string()))
+    std::fs::write(file, text).map_err(|error| Error::unwritable(file, error))
 }
 
 /// Our discretisation as plain numbers.
@@ -248,7 +246,7 @@ fn handed_over(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Resul
 
 fn not_handed_over(scene: &str, what: &str) -> Error {
     let remedy = "choose another scene, or teach oracles/python/discrete.py to take it";
-    Error::Combination { what: format!("{scene}: {what} is not handed over to other codes"), remedy: remedy.into() }
+    Error::at(scene, format!("{what} is not handed over to other codes"), remedy)
 }
 
 /// Ours against another code's, by their digests.

@@ -43,8 +43,8 @@ impl Found {
     /// From a refinement series, coarse to fine.
     pub fn of(name: &str, levels: &[PhysicalAnswer]) -> Result<Self, Error> {
         let [coarse, medium, fine] = levels else {
-            let what = format!("{name} answered on {} meshes instead of {LEVELS}", levels.len());
-            return Err(Error::Combination { what, remedy: REFREEZE.into() });
+            let message = format!("it answered on {} meshes instead of {LEVELS}", levels.len());
+            return Err(Error::at(name, message, REFREEZE));
         };
         let with_uncertainty = |of: fn(&PhysicalAnswer) -> f64| {
             let series = richardson([of(coarse), of(medium), of(fine)]);

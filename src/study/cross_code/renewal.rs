@@ -1,6 +1,6 @@
 //! Asking the codes now, and making the frozen files anew.
 
-use crate::error::Error;
+use crate::error::{Error, Kind};
 use crate::oracle::cross_code::frozen::{Frozen, Series, script_hash};
 use crate::oracle::cross_code::{Code, Method, PhysicalScene, live};
 use crate::study::cross_code::answers::changes;
@@ -26,7 +26,7 @@ pub fn freeze() -> Result<Vec<String>, Error> {
     for (code, new) in answers {
         match Frozen::load(code) {
             Ok(old) => lines.extend(changes(code, &old, &new)),
-            Err(Error::MissingFile { .. }) => lines.push(format!("{code}: frozen for the first time")),
+            Err(Error { kind: Kind::MissingFile, .. }) => lines.push(format!("{code}: frozen for the first time")),
             Err(unreadable) => lines.push(format!("{code}: frozen anew, as {unreadable}")),
         }
         new.write(code)?;

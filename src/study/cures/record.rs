@@ -106,13 +106,9 @@ fn difference(one: &Solution, other: &Solution) -> f64 {
 
 /// The recorded runs of an element.
 pub fn read(element: Element) -> Result<Vec<Runs>, Error> {
-    let unreadable = |reason: String| Error::File {
-        path: path(),
-        reason,
-        remedy: "run `cargo run --release -- atlas` and review its diff".into(),
-    };
-    let text = fs::read_to_string(path()).map_err(|error| unreadable(error.to_string()))?;
-    let all: Vec<Runs> = serde_json::from_str(&text).map_err(|error| unreadable(error.to_string()))?;
+    let renew = "run `cargo run --release -- atlas` and review its diff";
+    let text = fs::read_to_string(path()).map_err(|error| Error::unreadable(&path(), error, renew))?;
+    let all: Vec<Runs> = serde_json::from_str(&text).map_err(|error| Error::unreadable(&path(), error, renew))?;
     let own = format!("{}.", element.name());
     let found: Vec<Runs> = all.into_iter().filter(|runs| runs.formulation.starts_with(&own)).collect();
     let complete = |runs: &Runs| {
@@ -123,7 +119,7 @@ pub fn read(element: Element) -> Result<Vec<Runs>, Error> {
     if found.len() == Acceleration::ALL.len() && found.iter().all(complete) {
         return Ok(found);
     }
-    Err(unreadable(format!("runs of `{}` are missing", element.name())))
+    Err(Error::file(&path(), format!("runs of `{}` are missing", element.name()), renew))
 }
 
 /// Measures every element and writes the record, a line for each formulation.
@@ -134,11 +130,7 @@ pub fn write() -> Result<(), Error> {
             lines.push(serde_json::to_string(&runs).expect("numbers, strings and lists can be written as JSON"));
         }
     }
-    fs::write(path(), format!("[\n{}\n]\n", lines.join(",\n"))).map_err(|error| Error::File {
-        path: path(),
-        reason: error.to_string(),
-        remedy: "check that the folder exists and may be written".into(),
-    })
+    fs::write(path(), format!("[\n{}\n]\n", lines.join(",\n"))).map_err(|error| Error::unwritable(&path(), error))
 }
 
 fn path() -> PathBuf {

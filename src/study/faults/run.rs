@@ -55,27 +55,21 @@ struct Record {
 /// The recorded faults; refused where the list has changed since.
 pub fn record() -> Result<Numbers, Error> {
     let (list, file) = (root().join("tests/faults/faults.toml"), root().join("snapshots/faults.json"));
-    let read = |file: &PathBuf| {
-        fs::read_to_string(file).map_err(|_| Error::MissingFile { file: file.clone(), remedy: REPLANT.into() })
-    };
+    let read = |file: &PathBuf| fs::read_to_string(file).map_err(|_| Error::missing_file(file, REPLANT));
     let text = read(&list)?;
     let listed = sha256(text.as_bytes());
-    let record: Record = serde_json::from_str(&read(&file)?).map_err(|error| Error::Unreadable {
-        file: file.clone(),
-        found: error.to_string(),
-        remedy: REPLANT.into(),
-    })?;
+    let record: Record =
+        serde_json::from_str(&read(&file)?).map_err(|error| Error::unreadable(&file, error, REPLANT))?;
     if record.faults_toml != listed {
         let found = format!("`{}`, but the list now hashes to `{listed}`", record.faults_toml);
-        return Err(Error::Refused { file, key: "faults_toml".into(), found, remedy: REPLANT.into() });
+        return Err(Error::refused(&file, "faults_toml", found, REPLANT));
     }
-    let unreadable = |found: String| Error::Unreadable { file: list.clone(), found, remedy: "restore it".into() };
-    let planted: List = toml::from_str(&text).map_err(|error| unreadable(error.to_string()))?;
+    let planted: List = toml::from_str(&text).map_err(|error| Error::unreadable(&list, error, "restore it"))?;
     let same = |(fault, planted): (&Fault, &Planted)| fault.name == planted.name && fault.file == planted.file;
     let complete = record.record.len() == planted.fault.len() && record.record.iter().zip(&planted.fault).all(same);
     if !complete || planted.fault.is_empty() {
         let found = format!("{} faults recorded, {} listed", record.record.len(), planted.fault.len());
-        return Err(Error::Refused { file, key: "record".into(), found, remedy: REPLANT.into() });
+        return Err(Error::refused(&file, "record", found, REPLANT));
     }
     Ok(Numbers { faults: record.record })
 }

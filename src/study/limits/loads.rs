@@ -3,7 +3,7 @@
 use super::{Limit, bracket, hertz_errors, meshed, number, percent, said, seen, size, table, verified, worse};
 use crate::case::library::{Bars, Cylinder};
 use crate::case::{Judged, Reference};
-use crate::error::Error;
+use crate::error::{Error, Kind};
 use crate::mesh::Order;
 use crate::scene::{Load, Scene};
 use crate::solution::Outcome;
@@ -39,7 +39,7 @@ fn count(results: &[(Formulation, Result<Run, Error>)], criterion: impl Fn(&Resu
 /// A load that pulls the cylinder off the plane: every spring opens, and nothing holds it.
 pub(super) fn pulled_apart() -> Result<Finding, Error> {
     let results = nine(&cylinder(-1.0)?);
-    let errors = count(&results, |result| matches!(result, Err(Error::NoSpringLeft { .. })));
+    let errors = count(&results, |result| matches!(result, Err(Error { kind: Kind::NoSpringLeft { .. }, .. })));
     let exhausted = count(&results, |result| matches!(result, Ok(run) if run.solution.outcome == Outcome::Exhausted));
     let first = results.iter().find_map(|(_, result)| result.as_ref().err()).map(said).unwrap_or_default();
     let rows = results.iter().map(|(formulation, result)| vec![formulation.name(), seen(result)]);
@@ -78,7 +78,7 @@ pub(super) fn none() -> Result<Finding, Error> {
     let mut scene = Bars::default().scene();
     scene.bodies.iter_mut().flat_map(|body| &mut body.supports).for_each(|support| support.value = 0.0);
     let held = nine(&meshed(scene, 2, Order::Quadratic)?);
-    let named = count(&free, |result| matches!(result, Err(Error::NothingPresses { .. })));
+    let named = count(&free, |result| matches!(result, Err(Error { kind: Kind::NothingPresses, .. })));
     let silent = |run: &Run| run.solution.converged() && run.solution.points.iter().all(|p| p.pressure <= 0.0);
     let zero = count(&held, |result| result.as_ref().is_ok_and(silent));
     let (said, remedy) = free.iter().find_map(|(_, result)| result.as_ref().err()).map(said).unwrap_or_default();

@@ -23,7 +23,7 @@ mod theory;
 use crate::case::library::TruncatedHertz;
 use crate::case::problem;
 use crate::case::{Judged, Reference};
-use crate::error::Error;
+use crate::error::{Error, Place};
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solve::run::Run;
@@ -84,13 +84,9 @@ fn table(title: impl Into<String>, head: &[&str], rows: Vec<Vec<String>>) -> Tab
     Table { title: title.into(), head: head.iter().map(|cell| cell.to_string()).collect(), rows }
 }
 
-/// What an error says, and the remedy it ends with.
+/// What an error says, and its remedy.
 fn said(error: &Error) -> (String, String) {
-    let text = error.to_string();
-    match text.split_once("; ") {
-        Some((said, remedy)) => (format!("error: {said}"), remedy.into()),
-        None => (format!("error: {text}"), String::new()),
-    }
+    (format!("error: {}", error.finding()), error.remedy.clone())
 }
 
 /// What the user sees of a run: its outcome with its note, or an error.
@@ -108,7 +104,7 @@ fn seen(result: &Result<Run, Error>) -> String {
 fn refusal<T>(result: Result<T, Error>, what: &str) -> Result<Error, Error> {
     match result {
         Err(error) => Ok(error),
-        Ok(_) => Err(Error::Combination { what: format!("{what} was accepted"), remedy: "it shall be refused".into() }),
+        Ok(_) => Err(Error::at(Place::Nowhere, format!("{what} was accepted"), "refuse it")),
     }
 }
 

@@ -7,7 +7,7 @@ use crate::algorithm::{Kinematic, iterate};
 use crate::case::library::TruncatedHertz;
 use crate::case::problem;
 use crate::case::{Judged, Reference};
-use crate::error::Error;
+use crate::error::{Error, Kind};
 use crate::measure::Measures;
 use crate::mesh::Order;
 use crate::scene::Load;
@@ -35,7 +35,7 @@ pub(super) fn short() -> Result<Finding, Error> {
                 accepted = worse(accepted, peak);
             }
             let unchecked = peak_of_any(&discretisation)? - 1.0;
-            refused.push(matches!(result, Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. })));
+            refused.push(matches!(result, Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. })));
             row.push(format!("{}{}", if result.is_ok() { "" } else { "refused, else " }, percent(unchecked)));
             refusals.extend(result.err());
         }

@@ -3,7 +3,7 @@
 use crate::algorithm::{Algorithm, ContactProblem, Springs, StiffnessRule, Varying};
 use crate::case::{Judged, Reference};
 use crate::contact::ContactPoint;
-use crate::error::Error;
+use crate::error::{Error, Kind};
 use crate::solution::Work;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::stability::{Limit, rate};
@@ -40,7 +40,7 @@ fn near_and_far(element: Element) -> Result<Finding, Error> {
         wrong += usize::from(rate.is_nan() || stays != (rate < 1.0));
         let far = match discretisation.solve(&formulation) {
             Ok(solution) => format!("{} after {}", solution.outcome, solution.work.steps),
-            Err(error @ Error::NoSpringLeft { .. }) => error.to_string(),
+            Err(error @ Error { kind: Kind::NoSpringLeft { .. }, .. }) => error.to_string(),
             Err(error) => return Err(error),
         };
         let near = if stays { "stays" } else { "leaves" };

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::algorithm::StiffnessRule;
-use crate::error::Error;
+use crate::error::{Error, Kind};
 use crate::measure::larger;
 use crate::solution::Outcome;
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
@@ -96,7 +96,7 @@ fn end(discretisation: &Discretisation, formulation: &Formulation) -> Result<End
     let stiffness = formulation.stiffness;
     let run = match Run::of(discretisation, formulation) {
         // Soft springs of a penalty spread the contact beyond any candidates.
-        Err(Error::ContactBeyondCandidates { .. } | Error::ContactCutShort { .. }) => {
+        Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => {
             return Ok(End { stiffness, outcome: None, steps: None, error: None });
         }
         run => run?,

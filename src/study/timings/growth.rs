@@ -11,7 +11,7 @@ use crate::case::problem;
 use crate::clock::{Clock, Seconds, Stage};
 use crate::condensation::Plain;
 use crate::elasticity::{ElasticSystem, Numbering};
-use crate::error::Error;
+use crate::error::{Error, Place};
 use crate::mesh::{Mesh, Order, Resolution};
 use crate::solution::Solution;
 use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin};
@@ -220,7 +220,7 @@ pub fn nine((elements, refinement): (usize, u32), repeats: usize) -> Result<Nine
             last = Some(once);
         }
     }
-    let none = || Error::Combination { what: "nothing was measured".into(), remedy: "repeat at least once".into() };
+    let none = || Error::at(Place::Nowhere, "nothing was measured", "repeat at least once");
     let OnceNine { steps, varying_steps, .. } = last.ok_or_else(none)?;
     let spreads = |lists: [Vec<f64>; 2]| lists.map(|list| Spread::of(&list));
     let counts = counted(&discretisation, (elements, refinement), steps);

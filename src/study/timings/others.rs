@@ -123,11 +123,7 @@ enum Told {
 
 fn run(script: &str, arguments: &[String], request: &str) -> Result<Told, Error> {
     let path = root().join("oracles/peers").join(script);
-    let failed = |reason: String| Error::File {
-        path: path.clone(),
-        reason,
-        remedy: "run it by hand, or leave this code uninstalled".into(),
-    };
+    let failed = |reason: String| Error::file(&path, reason, "run it by hand, or leave this code uninstalled");
     let started = Command::new(PYTHON)
         .arg("-EsB")
         .arg(&path)

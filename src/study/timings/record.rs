@@ -72,38 +72,29 @@ pub struct Record {
 impl Record {
     /// Reads what is committed.
     pub fn read() -> Result<Self, Error> {
-        let text = |path: &PathBuf| {
-            std::fs::read_to_string(path).map_err(|_| Error::MissingFile { file: path.clone(), remedy: RENEW.into() })
-        };
-        let unreadable =
-            |file: &PathBuf, found: String| Error::Unreadable { file: file.clone(), found, remedy: RENEW.into() };
+        let text = |path: &PathBuf| std::fs::read_to_string(path).map_err(|_| Error::missing_file(path, RENEW));
         let [one, two] = files();
-        let measured = serde_json::from_str(&text(&one)?).map_err(|error| unreadable(&one, error.to_string()))?;
+        let measured = serde_json::from_str(&text(&one)?).map_err(|error| Error::unreadable(&one, error, RENEW))?;
         let points = csv::Reader::from_reader(text(&two)?.as_bytes())
             .deserialize()
             .collect::<Result<_, _>>()
-            .map_err(|error| unreadable(&two, error.to_string()))?;
+            .map_err(|error| Error::unreadable(&two, error, RENEW))?;
         Ok(Self { measured, points })
     }
 
     /// Writes both files.
     pub fn write(&self) -> Result<(), Error> {
         let [one, two] = files();
-        let failed = |path: &PathBuf, reason: String| Error::File {
-            path: path.clone(),
-            reason,
-            remedy: "check that it may be written".into(),
-        };
-        let text = serde_json::to_string_pretty(&self.measured).map_err(|error| failed(&one, error.to_string()))?;
+        let text = serde_json::to_string_pretty(&self.measured).map_err(|error| Error::unwritable(&one, error))?;
         let mut writer = csv::Writer::from_writer(Vec::new());
         for point in &self.points {
-            writer.serialize(point).map_err(|error| failed(&two, error.to_string()))?;
+            writer.serialize(point).map_err(|error| Error::unwritable(&two, error))?;
         }
-        let table = writer.into_inner().map_err(|error| failed(&two, error.to_string()))?;
+        let table = writer.into_inner().map_err(|error| Error::unwritable(&two, error))?;
         let save = |path: &PathBuf, text: &[u8]| {
             let folder = path.parent().unwrap_or(path);
             let written = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(path, text));
-            written.map_err(|error| failed(path, error.to_string()))
+            written.map_err(|error| Error::unwritable(path, error))
         };
         save(&one, (text + "\n").as_bytes())?;
         save(&two, &table)

@@ -130,10 +130,10 @@ pub fn trials(
     let trial = |formulation: Formulation| {
         let (shared, problem) = (shared.clone(), problem.clone());
         Trial::new(case, title(&formulation), move || {
-            let discretisation =
-                shared.get_or_init(|| Discretisation::of(problem.scene.clone(), resolution)).as_ref().map_err(
-                    |error| Error::Combination { what: error.to_string(), remedy: "see the message before".into() },
-                )?;
+            let discretisation = shared
+                .get_or_init(|| Discretisation::of(problem.scene.clone(), resolution))
+                .as_ref()
+                .map_err(Error::clone)?;
             let run = Run::of(discretisation, &formulation)?;
             let mut checks: Vec<Judged> = universal::bounded(&run).into_iter().collect();
             if let Some(judge) = judge {
