@@ -19,7 +19,8 @@
 //! * [`report`] — the page.
 //! * [`cli`] — what the user types.
 //!
-//! Beside the chain stand [`error`], what was wrong, [`clock`], what each stage took, `named`, enums of named members, and
+//! Beside the chain stand [`error`], what was wrong, [`clock`], what each stage took, `named`, enums of named members, [`checkout`],
+//! where the project's files are, and
 //! [`figure`] and [`markdown`], how results are drawn and written.
 //!
 //! # Signs and units
@@ -38,12 +39,10 @@
 //! displacement along its own outward normal. Normals, areas and gaps belong to the undeformed surface.
 //! Stresses are positive in tension.
 
-#![warn(missing_docs)]
-#![deny(unsafe_code)]
-
 pub mod accuracy;
 pub mod algorithm;
 pub mod case;
+pub mod checkout;
 pub mod cli;
 pub mod clock;
 pub mod condensation;

@@ -1,4 +1,19 @@
 //! What came out: data only.
+//!
+//! ```
+//! use contact_vv::case::library::Cylinder;
+//! use contact_vv::mesh::{Order, Resolution};
+//! use contact_vv::solution::Outcome;
+//! use contact_vv::solve::{Discretisation, Formulation};
+//!
+//! let resolution = Resolution { elements: 8, refinement: 0, order: Order::Linear };
+//! let discretisation = Discretisation::of(Cylinder::default().scene(), resolution)?;
+//! let mut formulation = Formulation::verification();
+//! formulation.settings.max_steps = 1;
+//! // What ends before it converges is a result, too.
+//! assert_eq!(discretisation.solve(&formulation)?.outcome, Outcome::Exhausted);
+//! # Ok::<(), contact_vv::error::Error>(())
+//! ```
 
 use std::ops::Range;
 
@@ -55,13 +70,11 @@ impl IterationError {
 
     /// The largest of the four; NaN if any is.
     pub fn largest(&self) -> f64 {
-        let all = [self.peak, self.force, self.width, self.approach];
-        if all.iter().any(|error| error.is_nan()) { f64::NAN } else { all.into_iter().fold(0.0, f64::max) }
+        largest([self.peak, self.force, self.width, self.approach])
     }
 
     /// The larger of each; NaN if either is.
     pub fn worse(self, other: Self) -> Self {
-        let larger = |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) };
         Self {
             peak: larger(self.peak, other.peak),
             force: larger(self.force, other.force),
@@ -269,4 +282,14 @@ impl Solution {
     pub fn discrete(&self) -> Option<&States> {
         self.rigid.as_ref().or(self.target.as_ref())
     }
+}
+
+/// The larger of two numbers; NaN if either is.
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}
+
+/// The largest of numbers that are not negative; NaN if any is, 0 if there is none.
+pub fn largest(sizes: impl IntoIterator<Item = f64>) -> f64 {
+    sizes.into_iter().fold(0.0, larger)
 }

@@ -1,5 +1,7 @@
 //! What a ladder of meshes says of its own errors: Richardson with the observed order as a check.
 
+use crate::measure::largest;
+
 /// Factor of safety of three meshes whose order is consistent (Roache 1994).
 const CONSISTENT: f64 = 1.25;
 /// Factor of safety of two meshes, and of three whose order is not (Roache 1994).
@@ -62,8 +64,5 @@ pub fn levels(values: &[f64]) -> Estimate {
 
 /// Largest distance from a value over a rung and all finer ones: that one rung agrees by accident is not counted.
 pub fn envelope(finer: impl Iterator<Item = f64>, limit: f64) -> f64 {
-    finer.fold(0.0, |worst: f64, value| {
-        let distance = (value - limit).abs();
-        if worst.is_nan() || distance.is_nan() { f64::NAN } else { worst.max(distance) }
-    })
+    largest(finer.map(|value| (value - limit).abs()))
 }

@@ -5,6 +5,7 @@ use crate::elasticity::ElasticSystem;
 use crate::error::Error;
 use crate::measure::{larger, profile, whole};
 use crate::mesh::Mesh;
+use crate::mesh::variant::noise;
 use crate::scene::{ContactPair, Path, Scene};
 use crate::solution::{EdgeState, EnergyError, Share};
 use crate::solve::run::{Contact, Run};
@@ -267,14 +268,6 @@ fn invariance(discretisation: &Discretisation, run: &Run, limit: f64) -> Result<
 fn scale(discretisation: &Discretisation, run: &Run) -> f64 {
     let pressures = run.solution.points.iter().map(|p| p.pressure);
     pressures.fold(discretisation.scene.reference.pressure, f64::max)
-}
-
-/// A number in −1 … 1 from an index (SplitMix64; Steele, Lea & Flood 2014).
-fn noise(index: usize) -> f64 {
-    let mut z = (index as u64).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    (z ^ (z >> 31)) as f64 / u64::MAX as f64 * 2.0 - 1.0
 }
 
 /// `unit` turns the variant's pressures into the run's.

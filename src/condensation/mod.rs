@@ -6,6 +6,18 @@
 //! * [`trailing`] — the same where only the last rows change.
 //! * [`plain`] — one solve by the library alone, the unit of all timings.
 //! * [`uncondensed`] — the same without condensation, for checks.
+//!
+//! ```
+//! use contact_vv::case::library::Cylinder;
+//! use contact_vv::elasticity::ElasticSystem;
+//! use contact_vv::mesh::{Mesh, Order, Resolution};
+//!
+//! let scene = Cylinder::default().scene();
+//! let mesh = Mesh::of(&scene, Resolution { elements: 8, refinement: 0, order: Order::Linear })?;
+//! let condensed = ElasticSystem::assemble(&scene, &mesh)?.condense()?;
+//! assert_eq!(condensed.retained(), mesh.bodies[0].candidates.len());
+//! # Ok::<(), contact_vv::error::Error>(())
+//! ```
 
 pub mod dense;
 pub mod eliminated;

@@ -2,7 +2,7 @@
 
 use crate::condensation::Condensed;
 use crate::contact::facing::{Facing, natural};
-use crate::contact::{ContactEdge, dual};
+use crate::contact::point::ContactEdge;
 use crate::elasticity::shape_functions;
 use crate::error::{Error, Part};
 use crate::mesh::{Candidate, Mesh, candidates};
@@ -62,13 +62,8 @@ pub struct Term {
 }
 
 impl Interface {
-    /// The interface of every contact of a scene.
-    pub fn all(scene: &Scene, mesh: &Mesh, condensed: &Condensed) -> Result<Vec<Self>, Error> {
-        (0..scene.contacts.len()).map(|contact| Self::between(scene, mesh, condensed, contact)).collect()
-    }
-
-    /// Projects the candidates of the first body of a contact on to the second; their nodes need not match.
-    pub fn between(scene: &Scene, mesh: &Mesh, condensed: &Condensed, contact: usize) -> Result<Self, Error> {
+    /// The candidates of the first body of a contact, projected on to the second; what their nodes face is not known yet.
+    pub(super) fn projected(scene: &Scene, mesh: &Mesh, condensed: &Condensed, contact: usize) -> Result<Self, Error> {
         let pair = &scene.contacts[contact];
         let first = &mesh.bodies[pair.first];
         let own = first.candidates_of(contact);
@@ -99,12 +94,7 @@ impl Interface {
             .filter_map(|edge| edge.iter().map(|&n| index(n)).collect())
             .collect();
         edges.sort_by_key(|edge| edge[0].min(edge[1]));
-        let mut interface = Self { stations, edges, facing, contact, pair: pair.clone(), thickness: scene.thickness };
-        if let Some(facing) = &interface.facing {
-            let rows = dual::rows(&interface, facing);
-            interface.stations.iter_mut().zip(rows).for_each(|(station, row)| station.facing = row);
-        }
-        Ok(interface)
+        Ok(Self { stations, edges, facing, contact, pair: pair.clone(), thickness: scene.thickness })
     }
 
     /// Where the candidate edges begin and end.

@@ -1,96 +1,50 @@
 //! How bodies touch: each contact element turns the candidate edges into a list of contact points.
 //!
+//! * [`point`] — what a contact element makes.
 //! * [`interface`] — nodes and edges of the candidate stretch.
+//! * `pairing` — from the candidates of both bodies to an interface.
 //! * `dual` — what a node faces where nodes do not face one another.
 //! * [`facing`] — projection on to the edges of the other body.
 //! * [`node`] — one spring per node pair (paper, Fig. 5).
 //! * [`mod@line`] — distributed springs between two element edges (Fig. 3).
 //! * [`layer`] — a thin element of fictitious material (Fig. 4).
-//! * [`mod@quadrature`] — where on an edge they are enforced.
+//! * [`mod@quadrature`] — where on an edge they are enforced; [`element`] — the choice of the contact element.
+//!
+//! ```
+//! use contact_vv::case::library::Cylinder;
+//! use contact_vv::contact::{ContactElement, Interface, Node};
+//! use contact_vv::elasticity::ElasticSystem;
+//! use contact_vv::mesh::{Mesh, Order, Resolution};
+//!
+//! let scene = Cylinder::default().scene();
+//! let mesh = Mesh::of(&scene, Resolution { elements: 8, refinement: 0, order: Order::Linear })?;
+//! let condensed = ElasticSystem::assemble(&scene, &mesh)?.condense()?;
+//! let interfaces = Interface::all(&scene, &mesh, &condensed)?;
+//! // The areas of the points are that of the candidates.
+//! let area: f64 = Node.points(&interfaces[0]).iter().map(|point| point.weight).sum();
+//! let whole = scene.contact().stretch * scene.thickness;
+//! assert!((area - whole).abs() <= 1e-9 * whole);
+//! # Ok::<(), contact_vv::error::Error>(())
+//! ```
 
 mod dual;
+pub mod element;
 pub mod facing;
 pub mod interface;
 pub mod layer;
 pub mod line;
 pub mod node;
+mod pairing;
+pub mod point;
 pub mod quadrature;
 
-use crate::named::named_enum;
-
+pub use element::Element;
 pub use interface::Interface;
 pub use layer::Layer;
 pub use line::Line;
 pub use node::Node;
+pub use point::{ContactEdge, ContactPoint};
 pub use quadrature::Quadrature;
-
-named_enum! {
-    /// Contact element, in the paper's order.
-    pub enum Element {
-        /// Two facing edges joined by a distributed spring.
-        Line = "line",
-        /// A thin element of fictitious material.
-        Layer = "layer",
-        /// One spring per node pair.
-        Node = "node",
-    }
-}
-
-impl Element {
-    /// The element with its quadrature and its thickness over the length of an edge, as far as it has them.
-    pub fn with(self, quadrature: Quadrature, thickness: f64) -> Box<dyn ContactElement> {
-        match self {
-            Self::Line => Box::new(Line { quadrature }),
-            Self::Layer => Box::new(Layer { quadrature, thickness }),
-            Self::Node => Box::new(Node),
-        }
-    }
-}
-
-/// A point at which contact conditions are enforced.
-#[derive(Clone, Debug)]
-pub struct ContactPoint {
-    /// Index of the contact in the scene.
-    pub contact: usize,
-    /// Sparse row `b` on the retained freedoms: the approach is `w = b·u`.
-    pub row: Vec<(usize, f64)>,
-    /// Contact coordinate `s` \[mm, or rad on an arc\].
-    pub position: f64,
-    /// Tributary area `A` of the modelled part \[mm²\].
-    pub weight: f64,
-    /// Initial normal gap `g` \[mm\]; negative is interference.
-    pub gap: f64,
-    /// Initial stiffness over the nominal one, `k_i / k_n`.
-    pub relative_stiffness: f64,
-    /// Parts of the area that belong to each edge of its contact: (edge index, area \[mm²\]).
-    pub shares: Vec<(usize, f64)>,
-}
-
-impl ContactPoint {
-    /// Approach `w = b·u` \[mm\], positive closing.
-    pub fn approach(&self, u: &[f64]) -> f64 {
-        self.row.iter().map(|&(freedom, value)| value * u[freedom]).sum()
-    }
-
-    /// `|b|·|u|`: the size of the displacements whose difference the approach is \[mm\].
-    pub fn size_of_approach(&self, u: &[f64]) -> f64 {
-        self.row.iter().map(|&(freedom, value)| (value * u[freedom]).abs()).sum()
-    }
-
-    /// Adds `factor · b` to a vector on the retained freedoms.
-    pub fn add_row(&self, factor: f64, out: &mut [f64]) {
-        self.row.iter().for_each(|&(freedom, value)| out[freedom] += factor * value);
-    }
-}
-
-/// An edge of the first body in the candidate stretch of a contact.
-#[derive(Clone, Copy, Debug)]
-pub struct ContactEdge {
-    /// Index of the contact in the scene.
-    pub contact: usize,
-    /// Contact coordinates where it begins and ends \[mm, or rad on an arc\].
-    pub ends: [f64; 2],
-}
 
 /// A contact element: from facing edges to contact points.
 pub trait ContactElement {

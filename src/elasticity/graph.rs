@@ -4,8 +4,10 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
-use crate::elasticity::Index;
 use crate::mesh::Mesh;
+
+/// Equation numbers inside sparse matrices: half the memory of `usize`, and more equations than fit any memory here.
+pub type Index = u32;
 
 /// The nodes each node of a body shares a cell with, itself included; nodes count from the body's first.
 #[derive(Clone, Debug)]

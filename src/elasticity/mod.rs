@@ -12,6 +12,21 @@
 //! * [`rigid_motion`] — refuses bodies that are free to move.
 //! * [`stress`] — nodal stresses.
 //! * [`reactions`] — what supports exert.
+//!
+//! ```
+//! use contact_vv::case::library::Cylinder;
+//! use contact_vv::elasticity::ElasticSystem;
+//! use contact_vv::mesh::{Mesh, Order, Resolution};
+//!
+//! let cylinder = Cylinder::default();
+//! let scene = cylinder.scene();
+//! let mesh = Mesh::of(&scene, Resolution { elements: 8, refinement: 0, order: Order::Linear })?;
+//! let system = ElasticSystem::assemble(&scene, &mesh)?;
+//! // The quarter carries half the load, downwards.
+//! let half = 0.5 * cylinder.load() * scene.thickness;
+//! assert!((system.bodies[0].applied_vertical() + half).abs() <= 1e-9 * half);
+//! # Ok::<(), contact_vv::error::Error>(())
+//! ```
 
 pub mod assembly;
 pub mod dilatation;
@@ -35,10 +50,7 @@ use crate::mesh::Mesh;
 use crate::scene::Scene;
 
 pub use freedoms::{Freedom, Freedoms};
-pub use graph::NodeGraph;
-
-/// Equation numbers inside sparse matrices: half the memory of `usize`, and more equations than fit any memory here.
-pub type Index = u32;
+pub use graph::{Index, NodeGraph};
 
 /// `K q = f` for every body, with the normal freedoms of the candidate contact nodes known.
 #[derive(Clone, Debug)]

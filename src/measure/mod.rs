@@ -4,6 +4,21 @@
 //! * [`mod@peak`] — its largest pressure, wherever that lies.
 //! * [`stretch`] — where its closed stretches begin and end.
 //! * [`order`] — observed order of accuracy, Richardson's uncertainty.
+//!
+//! ```
+//! use contact_vv::case::library::Cylinder;
+//! use contact_vv::measure::{Measures, relative_error};
+//! use contact_vv::mesh::{Order, Resolution};
+//! use contact_vv::solve::{Discretisation, Formulation};
+//!
+//! let cylinder = Cylinder::default();
+//! let resolution = Resolution { elements: 8, refinement: 0, order: Order::Quadratic };
+//! let discretisation = Discretisation::of(cylinder.scene(), resolution)?;
+//! let solution = discretisation.solve(&Formulation::verification())?;
+//! let measures = Measures::of(&discretisation.scene, 0, solution.part(0));
+//! assert!(relative_error(measures.half_width, cylinder.half_width()) <= 0.02);
+//! # Ok::<(), contact_vv::error::Error>(())
+//! ```
 
 pub mod order;
 pub mod peak;
@@ -13,6 +28,7 @@ pub mod stretch;
 use crate::scene::{ContactPair, Path, Scene};
 use crate::solution::Part;
 
+pub use crate::solution::{larger, largest};
 pub use peak::Peak;
 pub use stretch::Stretch;
 
@@ -94,11 +110,6 @@ impl Measures {
 /// Number of modelled halves in the whole: 2 where the scene is one half of a symmetric one.
 pub fn whole(pair: &ContactPair) -> f64 {
     if pair.symmetric { 2.0 } else { 1.0 }
-}
-
-/// The larger of two numbers; NaN if either is.
-pub fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }
 
 /// `|value − reference| / |reference|`.

@@ -1,7 +1,7 @@
 //! Functionals of a pressure profile given at contact points.
 
 use crate::scene::Path;
-use crate::solution::{EdgeState, PointState};
+use crate::solution::{EdgeState, PointState, largest};
 
 /// Centre of pressure `Σ A p s / Σ A p`; 0 without pressure.
 pub fn centre(points: &[PointState]) -> f64 {
@@ -75,7 +75,7 @@ pub fn oscillation(points: &[PointState], limit: f64) -> f64 {
         let line = three[0].pressure + t * (three[2].pressure - three[0].pressure);
         (three[1].pressure - line).abs()
     });
-    departures.fold(0.0, |worst: f64, d| if worst.is_nan() || d.is_nan() { f64::NAN } else { worst.max(d) })
+    largest(departures)
 }
 
 /// Pressure of a profile between its points, linear; that of the outermost points beyond them, up to the ends of the

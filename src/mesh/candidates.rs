@@ -3,24 +3,11 @@
 use std::ops::Range;
 
 use crate::error::{Error, Kind, Part};
-use crate::mesh::{BodyMesh, Edge, Mesh};
+use crate::mesh::{BodyMesh, Candidate, Edge, Mesh};
 use crate::scene::{ContactPair, Scene};
 
 /// Difference of contact coordinates, over the stretch, that rounding explains.
 const SAME: f64 = 1e-9;
-
-/// A node that may come into contact.
-#[derive(Clone, Copy, Debug)]
-pub struct Candidate {
-    /// Node index.
-    pub node: usize,
-    /// Outward unit normal of the body.
-    pub normal: [f64; 2],
-    /// Contact coordinate `s` \[mm, or rad on an arc\].
-    pub coordinate: f64,
-    /// Index of the contact in the scene.
-    pub contact: usize,
-}
 
 /// Finds the nodes of the candidate edges, contact by contact and sorted by `s`; a stretch that holds no edge of the first
 /// body is refused, and a node that would belong to two contacts.

@@ -83,7 +83,7 @@ impl Mesh {
 }
 
 /// A number in −1 … 1 from an index (SplitMix64; Steele, Lea & Flood 2014).
-fn noise(index: usize) -> f64 {
+pub fn noise(index: usize) -> f64 {
     let mut z = (index as u64).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);

@@ -3,6 +3,15 @@
 //! * [`analytic`]: closed forms, one file each.
 //! * [`cross_code`]: other finite element codes, run through Python or read from what such a run left.
 //! * [`digitised`]: curves read off published figures, admitted only with their provenance.
+//!
+//! ```
+//! use contact_vv::oracle::analytic::hertz::Hertz;
+//! use contact_vv::oracle::{Oracle, Quantity, Reading};
+//!
+//! let hertz = Hertz { load: 1000.0, radius: 50.0, modulus: 230e3 };
+//! assert!(matches!(hertz.read(Quantity::HalfWidth), Reading::Value { .. }));
+//! assert!(matches!(hertz.read(Quantity::HoopStress { at: 0.0 }), Reading::Silent));
+//! ```
 
 use std::fmt;
 

@@ -1,7 +1,7 @@
 //! Elastic constants and the plane hypothesis.
 
 use crate::error::{self, Error};
-use crate::scene::positive;
+use crate::scene::range::positive;
 
 /// Plane strain or plane stress.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,36 +2,53 @@
 //!
 //! * [`material`] — elastic constants and the plane hypothesis.
 //! * [`shape`] — the outlines the mesher knows.
+//! * [`place`] — boundaries, points and directions.
+//! * [`load`] — supports and loads of a body.
 //! * [`contact_pair`] — who touches whom, along which path, with which initial gap.
 //! * [`path`] — the curve along which contact runs.
+//! * [`circle`] — a circle, and the rays that meet it.
 //! * [`drawn`] — the gap between sides as they are drawn.
 //! * [`spline`] — a monotone cubic through points.
-//! * [`mod@file`] — a scene as a user writes it, in TOML.
+//! * [`given`] — a mesh made elsewhere.
+//! * `range` — what a number must be.
 //! * [`variant`] — the same scene in other units, mirrored, or with its bodies swapped.
 //!
 //! Units are millimetre, newton and megapascal throughout.
+//!
+//! ```
+//! use contact_vv::case::library::Cylinder;
+//!
+//! let mut scene = Cylinder::default().scene();
+//! assert!(scene.validate().is_ok());
+//! scene.thickness = 0.0;
+//! assert!(scene.validate().is_err());
+//! ```
 
+pub mod circle;
 pub mod contact_pair;
 pub mod drawn;
 pub mod given;
+pub mod load;
 pub mod material;
 pub mod path;
+pub mod place;
+mod range;
 pub mod shape;
 pub mod spline;
 pub mod variant;
 
-use std::borrow::Cow;
-use std::fmt;
-use std::sync::Arc;
-
 use crate::error::{self, Error, Part};
 
+pub use circle::Circle;
 pub use contact_pair::{ContactPair, Profile};
 pub use drawn::{Curve, DrawnGap};
 pub use given::GivenMesh;
+pub use load::{Load, StressField, Support, TractionField};
 pub use material::{LARGEST_POISSON, Material, PlaneHypothesis};
 pub use path::{Line, Path};
-pub use shape::{BlockShape, Circle, Face, Grading, Sector, Shape};
+pub use place::{BoundaryName, Component, Place};
+pub(crate) use range::{ROUNDING, positive};
+pub use shape::{BlockShape, Face, Grading, Sector, Shape};
 pub use spline::MonotoneCubic;
 
 /// A contact problem: everything that is asked, nothing about how it is solved.
@@ -80,112 +97,6 @@ pub struct Body {
     pub supports: Vec<Support>,
     /// Loads.
     pub loads: Vec<Load>,
-}
-
-/// Name of a boundary: the shape's own, or one that a user gave.
-pub type BoundaryName = Cow<'static, str>;
-
-/// One displacement component prescribed on a boundary or at a point.
-#[derive(Clone, Debug)]
-pub struct Support {
-    /// Where.
-    pub at: Place,
-    /// Which component.
-    pub component: Component,
-    /// Prescribed value \[mm\].
-    pub value: f64,
-}
-
-/// A named boundary of a shape, or the node at a point.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Place {
-    /// Named boundary of the shape.
-    Boundary(BoundaryName),
-    /// The node at this point \[mm\].
-    Point([f64; 2]),
-}
-
-/// Cartesian component.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Component {
-    /// Horizontal.
-    X,
-    /// Vertical, positive upwards.
-    Y,
-}
-
-impl Component {
-    /// Index into a Cartesian vector.
-    pub fn index(self) -> usize {
-        match self {
-            Self::X => 0,
-            Self::Y => 1,
-        }
-    }
-}
-
-/// A stress field `(x, y) ↦ [σ_x, σ_y, τ_xy]` \[MPa\], tension positive.
-#[derive(Clone)]
-pub struct StressField(pub Arc<dyn Fn([f64; 2]) -> [f64; 3] + Send + Sync>);
-
-impl fmt::Debug for StressField {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("StressField")
-    }
-}
-
-/// A traction `(x, y) ↦ [t_x, t_y]` \[MPa\].
-#[derive(Clone)]
-pub struct TractionField(pub Arc<dyn Fn([f64; 2]) -> [f64; 2] + Send + Sync>);
-
-impl fmt::Debug for TractionField {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("TractionField")
-    }
-}
-
-/// A load on a body.
-#[derive(Clone, Debug)]
-pub enum Load {
-    /// Constant traction on a boundary \[MPa\].
-    Traction {
-        /// Boundary name.
-        boundary: BoundaryName,
-        /// Traction vector \[MPa\].
-        traction: [f64; 2],
-    },
-    /// Traction on a boundary that depends on the place.
-    TractionField {
-        /// Boundary name.
-        boundary: BoundaryName,
-        /// The field.
-        field: TractionField,
-    },
-    /// Traction `t = σ n` of a given stress field on a boundary.
-    Stress {
-        /// Boundary name.
-        boundary: BoundaryName,
-        /// The field.
-        field: StressField,
-    },
-    /// Force per volume [N/mm³].
-    BodyForce([f64; 2]),
-    /// Force at a point of the body \[N\].
-    Force {
-        /// The point \[mm\].
-        at: [f64; 2],
-        /// Force vector \[N\].
-        force: [f64; 2],
-    },
-    /// A boundary that stays flat: one component is common to all its nodes and takes a total force.
-    RigidFace {
-        /// Boundary name.
-        boundary: BoundaryName,
-        /// The component that stays common.
-        component: Component,
-        /// Total force in that direction on the modelled part \[N\].
-        force: f64,
-    },
 }
 
 impl Scene {
@@ -268,15 +179,4 @@ impl Scene {
         }
         Ok(())
     }
-}
-
-/// Part of a length by which it may seem to go beyond its end.
-pub(crate) const ROUNDING: f64 = 1e-9;
-
-/// Refuses a value that is not finite and positive.
-pub(crate) fn positive(place: &error::Place, key: &str, value: f64) -> Result<(), Error> {
-    if value.is_finite() && value > 0.0 {
-        return Ok(());
-    }
-    Err(Error::value(place, key, value, "a finite value above 0 is needed", "give a positive number"))
 }

@@ -1,7 +1,7 @@
 //! The curve along which contact runs, and the contact coordinate on it.
 
 use crate::error::Coordinate;
-use crate::scene::shape::Circle;
+use crate::scene::circle::Circle;
 
 /// The curve along which the contact coordinate `s` runs.
 #[derive(Clone, Copy, Debug)]

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use crate::scene::{BoundaryName, GivenMesh, Path};
+use crate::scene::{BoundaryName, Circle, GivenMesh, Path};
 
 /// Outline of a body; each names its boundaries.
 #[derive(Clone, Debug)]
@@ -93,15 +93,6 @@ pub enum Sector {
     Whole,
 }
 
-/// A circle.
-#[derive(Clone, Copy, Debug)]
-pub struct Circle {
-    /// Centre \[mm\].
-    pub centre: [f64; 2],
-    /// Radius \[mm\].
-    pub radius: f64,
-}
-
 /// Which of two opposite faces carries the contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Face {
@@ -174,18 +165,5 @@ impl Sector {
     /// Whether it lies on both sides of the vertical diameter.
     pub fn has_both_sides(self) -> bool {
         matches!(self, Self::LowerHalf | Self::Whole)
-    }
-}
-
-impl Circle {
-    /// Distance from `pole` to the circle along the ray at angle `θ` from the downward vertical \[mm\].
-    ///
-    /// With `e = pole − centre` and the ray's direction `d`: `r = −e·d + √(ρ² − |e|² + (e·d)²)`; the pole lies inside.
-    pub fn along_ray(&self, pole: [f64; 2], angle: f64) -> f64 {
-        let (s, c) = angle.sin_cos();
-        let e = [pole[0] - self.centre[0], pole[1] - self.centre[1]];
-        let forward = e[0] * s - e[1] * c;
-        let offset = e[0] * e[0] + e[1] * e[1];
-        (self.radius * self.radius - offset + forward * forward).sqrt() - forward
     }
 }

@@ -13,6 +13,19 @@
 //! * `uncondensed` — its pressures once more without condensation.
 //! * [`run`] — one scene solved by one formulation, measured.
 //! * [`unbounded`] — peaks without a limit.
+//!
+//! ```
+//! use contact_vv::case::library::Cylinder;
+//! use contact_vv::mesh::{Order, Resolution};
+//! use contact_vv::solve::{Discretisation, Formulation};
+//!
+//! let resolution = Resolution { elements: 8, refinement: 0, order: Order::Linear };
+//! let discretisation = Discretisation::of(Cylinder::default().scene(), resolution)?;
+//! for formulation in Formulation::nine() {
+//!     assert!(discretisation.solve(&formulation)?.converged(), "{}", formulation.name());
+//! }
+//! # Ok::<(), contact_vv::error::Error>(())
+//! ```
 
 mod active_set;
 pub mod change;

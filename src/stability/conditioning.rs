@@ -5,6 +5,7 @@ use faer::prelude::Solve;
 use faer::{Mat, Side};
 
 use crate::algorithm::{ContactProblem, Springs};
+use crate::measure;
 use crate::solution::Work;
 
 /// Condition of `S + Σ A k b bᵀ`, and errors of the pressures `p = k (w − g)` found with it.
@@ -40,10 +41,8 @@ pub fn of(problem: &ContactProblem, stiffness: &[f64]) -> Option<Conditioning> {
     let u = factor.solve(&rhs);
     let plain = problem.points.iter().zip(stiffness).map(|(point, k)| k * (point.approach(&u) - point.gap));
     let largest = exact.iter().map(|p| p.abs()).fold(0.0, f64::max);
-    let error = |pressures: Vec<f64>| {
-        let differences = pressures.iter().zip(&exact).map(|(p, e)| (p - e).abs() / largest);
-        differences.fold(0.0, |worst: f64, d| if worst.is_nan() || d.is_nan() { f64::NAN } else { worst.max(d) })
-    };
+    let error =
+        |pressures: Vec<f64>| measure::largest(pressures.iter().zip(&exact).map(|(p, e)| (p - e).abs() / largest));
     Some(Conditioning { condition, plain: error(plain.collect()), refined: error(refined) })
 }
 

@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use crate::case::library::PinRod;
 use crate::case::{Judged, Reference, Verdict};
+use crate::checkout::root;
 use crate::error::Error;
 use crate::measure::profile;
 use crate::mesh::{Order, Resolution};
-use crate::oracle::cross_code::root;
 use crate::oracle::digitised::{
     Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, acceptance, compare,
 };

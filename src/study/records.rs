@@ -6,9 +6,8 @@ use rayon::prelude::*;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+use crate::checkout::{root, sha256};
 use crate::error::Error;
-use crate::oracle::cross_code::frozen::sha256;
-use crate::oracle::cross_code::root;
 
 /// The records of a file, whatever they are; `renew` says what makes them anew.
 pub fn read<T: DeserializeOwned>(path: &Path, renew: &str) -> Result<Vec<T>, Error> {

@@ -82,7 +82,7 @@ fn reaction_is_judged_with_its_sign_and_at_its_own_support() {
 }
 
 #[test]
-fn scene_in_metres_is_the_librarys_cylinder() {
+fn scene_in_metres_is_the_cylinder_of_the_library() {
     let file = Case::parse(Path::new("m.toml"), &text_of("cylinder-in-metres.toml")).expect("sound");
     let formulation = Formulation::verification();
     let own = Discretisation::of(Cylinder::default().scene(), file.resolution).expect("meshed");

@@ -72,10 +72,9 @@ impl Cylinder {
         let load = match self.model {
             CylinderModel::Quarter => Load::Traction { boundary: "cut".into(), traction: across },
             CylinderModel::Half => Load::Traction { boundary: "middle".into(), traction: across },
-            CylinderModel::HalfLoadedAbove => Load::Stress {
-                boundary: "top".into(),
-                field: StressField(std::sync::Arc::new(move |_| [0.0, -q, 0.0])),
-            },
+            CylinderModel::HalfLoadedAbove => {
+                Load::Stress { boundary: "top".into(), field: StressField(Arc::new(move |_| [0.0, -q, 0.0])) }
+            }
         };
         Scene {
             name: if sector == Sector::Quarter { "cylinder" } else { "cylinder-half" }.into(),

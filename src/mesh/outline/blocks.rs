@@ -1,6 +1,7 @@
 //! Blocks given one by one.
 
-use super::{Layout, between};
+use super::layout::Layout;
+use super::points::between;
 use crate::mesh::block::{Block, Point, Side};
 use crate::mesh::spacing;
 use crate::scene::BlockShape;

@@ -2,7 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use super::{Layout, between, polar};
+use super::layout::Layout;
+use super::points::{between, polar};
 use crate::mesh::block::{Block, Point, Side};
 use crate::mesh::spacing;
 use crate::scene::Sector;

@@ -2,7 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::{Layout, between, last_two, polar, ring::on_ray};
+use super::layout::{Layout, last_two};
+use super::points::{between, polar};
+use super::ring::on_ray;
 use crate::mesh::block::{Block, Point, Side};
 use crate::mesh::spacing;
 use crate::scene::Shape;

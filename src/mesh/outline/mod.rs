@@ -1,53 +1,22 @@
 //! From outlines to structured blocks: one file per shape.
+//!
+//! * `layout` — what the outlines need to know of the scene.
+//! * `points` — points of outlines.
 
 mod blocks;
 mod disc;
 mod eye;
+mod layout;
+mod points;
 mod rectangle;
 mod ring;
 
-use crate::mesh::Resolution;
-use crate::mesh::block::{Block, Point};
-use crate::mesh::spacing;
-use crate::scene::contact_pair::CONTACT;
-use crate::scene::{ContactPair, Face, Grading, Path, Scene, Shape};
+use crate::mesh::block::Block;
+use crate::scene::{Face, Shape};
 
-/// What the outlines need to know of the scene: where the candidates end and how fine they are.
-pub(crate) struct Layout<'a> {
-    pub grading: &'a Grading,
-    pub path: &'a Path,
-    /// Candidate stretch in the contact coordinate.
-    pub stretch: f64,
-    /// Whether another contact lies on the side opposite to that called `contact`.
-    pub opposite: bool,
-    /// Contact coordinates at which nodes must lie: kinks of the gap, which no edge shall straddle.
-    pub kinks: Vec<f64>,
-    /// The candidates of every contact of the body, where there are several that differ.
-    pub several: Vec<Fine>,
-    /// Elements per grading unit before refinement.
-    pub elements: f64,
-    /// Times the whole mesh is halved.
-    pub refinement: u32,
-}
+pub(crate) use layout::Layout;
 
-impl<'a> Layout<'a> {
-    pub fn new(scene: &'a Scene, resolution: Resolution, body: usize) -> Self {
-        let pair = scene.contact_of(body);
-        let elements = resolution.elements as f64 * scene.bodies[body].density;
-        let per_length = elements / scene.grading.unit;
-        let own: Vec<Fine> = scene.contacts_of(body).map(|pair| Fine::of(pair, per_length)).collect();
-        Self {
-            grading: &scene.grading,
-            path: &pair.path,
-            stretch: pair.stretch,
-            kinks: pair.profile.kinks(),
-            opposite: scene.contacts_of(body).any(|other| other.side(body) != CONTACT),
-            several: if own.iter().all(|one| *one == own[0]) { vec![] } else { own },
-            elements,
-            refinement: resolution.refinement,
-        }
-    }
-
+impl Layout<'_> {
     /// Blocks of a shape.
     pub fn blocks(&self, shape: &Shape) -> Vec<Block> {
         match shape {
@@ -67,123 +36,4 @@ impl<'a> Layout<'a> {
             Shape::Given(_) => Vec::new(),
         }
     }
-
-    /// Stations of the candidate stretch in the contact coordinate, from 0 on.
-    fn candidates(&self) -> Vec<f64> {
-        let n = elements_on(self.stretch * self.path.metric(), self.elements / self.grading.unit);
-        spacing::broken(0.0, self.stretch, n, self.grading.end, &self.kinks)
-    }
-
-    /// Stations of an arc: the candidates, then growing element sizes up to each of the given angles in turn.
-    fn arc(&self, radius: f64, until: &[f64]) -> Vec<f64> {
-        let mut angles: Vec<f64> = match self.path {
-            _ if !self.several.is_empty() => self.angles_of_all(radius),
-            Path::Straight(_) => self.candidates().iter().map(|x| (x / radius).asin()).collect(),
-            Path::Arc(_) => self.candidates(),
-        };
-        for &end in until {
-            let [before, last] = last_two(&angles);
-            if end > last + 1e-9 {
-                let first = (last - before) * self.grading.along;
-                let more = spacing::growing(last, end, first, self.grading.along, self.grading.coarsest * 1.6);
-                angles = spacing::joined(&[angles, more]);
-            }
-        }
-        angles
-    }
-
-    /// Angles of the candidates of all contacts on an arc: every stretch ends on one, and elements are as fine as each asks.
-    fn angles_of_all(&self, radius: f64) -> Vec<f64> {
-        let angle = |fine: &Fine, s: f64| if fine.straight { (s / radius).asin() } else { s };
-        let pieces = self.several.iter().flat_map(|one| one.pieces().map(move |[from, to]| (one, from, to)));
-        let fine: Vec<[f64; 3]> =
-            pieces.map(|(one, from, to)| [angle(one, from), angle(one, to), angle(one, one.size)]).collect();
-        let end = fine.iter().map(|one| one[1]).fold(0.0, f64::max);
-        spacing::fine_within([0.0, end], &fine, self.grading.along, self.grading.coarsest)
-    }
-
-    /// Depth stations from 0 (surface) to `depth`, starting near the size `surface` of the elements along the surface.
-    fn depth(&self, surface: f64, depth: f64) -> Vec<f64> {
-        let grading = self.grading;
-        spacing::growing(0.0, depth, surface * grading.first, grading.depth, grading.coarsest * depth)
-    }
-
-    /// The same from one side of a body to the opposite one, fine there too where another contact lies on it.
-    fn across(&self, surface: f64, depth: f64) -> Vec<f64> {
-        let grading = self.grading;
-        let first = surface * grading.first;
-        match self.opposite {
-            true => spacing::growing_from_both(0.0, depth, [first; 2], grading.depth, grading.coarsest * depth),
-            false => self.depth(surface, depth),
-        }
-    }
-
-    fn lattice(&self, breaks: &[f64]) -> Vec<f64> {
-        spacing::lattice(breaks, self.refinement)
-    }
-
-    /// Points `at(s)` on the lattice of the given stations.
-    fn along(&self, breaks: &[f64], at: impl Fn(f64) -> Point) -> Vec<Point> {
-        self.lattice(breaks).into_iter().map(at).collect()
-    }
-}
-
-/// The candidates of one contact of a body.
-#[derive(PartialEq)]
-pub(crate) struct Fine {
-    /// Where s = 0 lies along x; 0 on an arc.
-    pub origin: f64,
-    /// Candidate stretch in its contact coordinate.
-    pub stretch: f64,
-    /// Size of its elements in that coordinate.
-    pub size: f64,
-    /// Where nodes must lie within it.
-    pub kinks: Vec<f64>,
-    pub both_sides: bool,
-    pub straight: bool,
-}
-
-impl Fine {
-    fn of(pair: &ContactPair, per_length: f64) -> Self {
-        let (straight, both_sides) = (pair.path.is_straight(), pair.path.has_both_sides());
-        let size = pair.stretch / elements_on(pair.stretch * pair.path.metric(), per_length) as f64;
-        let origin = if straight { pair.path.origin()[0] } else { 0.0 };
-        Self { origin, stretch: pair.stretch, size, kinks: pair.profile.kinks(), both_sides, straight }
-    }
-
-    /// The stretch from s = 0 on, cut at the kinks.
-    fn pieces(&self) -> impl Iterator<Item = [f64; 2]> {
-        let within = self.kinks.iter().copied().filter(|s| *s < self.stretch);
-        let ends: Vec<f64> = [0.0].into_iter().chain(within).chain([self.stretch]).collect();
-        (1..ends.len()).map(move |k| [ends[k - 1], ends[k]])
-    }
-}
-
-/// Elements on a length.
-fn elements_on(length: f64, per_length: f64) -> usize {
-    (per_length * length).round().max(1.0) as usize
-}
-
-/// The last two stations of a list.
-fn last_two(stations: &[f64]) -> [f64; 2] {
-    match stations {
-        [.., before, last] => [*before, *last],
-        _ => [0.0, 0.0],
-    }
-}
-
-/// Point at the fraction `t` between two points.
-fn between(a: Point, b: Point, t: f64) -> Point {
-    [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t]
-}
-
-/// Point at radius `r` and angle `θ` from the downward vertical about a centre.
-fn polar(centre: Point, radius: f64, angle: f64) -> Point {
-    [centre[0] + radius * exact_sin(angle), centre[1] - radius * exact_sin(std::f64::consts::FRAC_PI_2 - angle)]
-}
-
-/// `sin` that is exactly zero at multiples of π, so that symmetry lines are met to the last bit.
-fn exact_sin(angle: f64) -> f64 {
-    let sin = angle.sin();
-    if sin.abs() < 1e-15 { 0.0 } else { sin }
 }

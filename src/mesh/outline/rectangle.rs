@@ -1,6 +1,6 @@
 //! Rectangle: one block, fine at the candidate stretch.
 
-use super::{Layout, last_two};
+use super::layout::{Layout, last_two};
 use crate::mesh::block::{Block, Side};
 use crate::mesh::spacing;
 use crate::scene::Face;

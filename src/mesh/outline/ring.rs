@@ -2,7 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::{Layout, between, exact_sin};
+use super::layout::Layout;
+use super::points::{between, exact_sin};
 use crate::mesh::block::{Block, Point, Side};
 use crate::scene::{Circle, Face};
 

@@ -5,10 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
-use sha2::{Digest as _, Sha256};
 
+use crate::checkout::{root, sha256};
 use crate::error::Error;
-use crate::oracle::cross_code::{Code, DiscreteAnswer, PhysicalAnswer, PhysicalScene, root, scripts};
+use crate::oracle::cross_code::{Code, DiscreteAnswer, PhysicalAnswer, PhysicalScene, scripts};
 
 /// What renews the frozen results.
 pub const REFREEZE: &str = "run `cargo run --release --features python -- freeze` and review its diff";
@@ -174,9 +174,4 @@ pub fn script_hash() -> Result<String, Error> {
         all.extend(text);
     }
     Ok(sha256(&all))
-}
-
-/// SHA-256 in hexadecimal digits.
-pub fn sha256(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }

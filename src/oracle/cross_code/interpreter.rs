@@ -14,8 +14,9 @@ use pyo3::exceptions::PyModuleNotFoundError;
 use pyo3::prelude::*;
 use pyo3::{ffi, types::PyTracebackMethods};
 
+use crate::checkout::root;
 use crate::error::Error;
-use crate::oracle::cross_code::{SET_UP, root, scripts};
+use crate::oracle::cross_code::{SET_UP, scripts};
 
 /// The interpreter the oracles were installed for.
 const INTERPRETER: &CStr = c"/usr/bin/python3";

@@ -16,10 +16,11 @@ pub mod live;
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
+use crate::checkout::root;
 use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
 
 /// What installs the Python side.
@@ -204,11 +205,6 @@ impl Oracle for OtherCode {
         let found = self.found.iter().find(|(known, _)| *known == quantity);
         found.map_or(Reading::Silent, |&(_, [value, uncertainty])| Reading::Value { value, uncertainty })
     }
-}
-
-/// The project's folder.
-pub fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf()
 }
 
 /// Where the Python files are.

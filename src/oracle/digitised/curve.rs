@@ -1,8 +1,9 @@
-//! The points of a digitised curve, with the errors of both coordinates.
+//! A digitised curve, with all that is needed to compute its twin.
 
 use std::path::Path;
 
-use super::{CurveProvenance, DigitisedScene, Hand, Kind, Provenance, columns, text_of};
+use super::text::text_of;
+use super::{Abscissa, CurvePoint, CurveProvenance, DigitisedScene, Hand, Kind, Ordinate, Provenance, columns};
 use crate::error::Error;
 use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
 
@@ -23,37 +24,6 @@ pub struct DigitisedCurve {
     pub ordinate: Ordinate,
     /// The points, by rising abscissa; never empty.
     pub points: Vec<CurvePoint>,
-}
-
-/// A digitised point; errors are standard uncertainties (one standard deviation).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CurvePoint {
-    /// Angle from the load line \[rad\] or distance from it \[mm\].
-    pub abscissa: f64,
-    /// Error of the abscissa, in its unit, above zero.
-    pub abscissa_error: f64,
-    /// Pressure (positive in compression) or hoop stress (tension positive) \[MPa\].
-    pub ordinate: f64,
-    /// Error of the ordinate \[MPa\], above zero.
-    pub ordinate_error: f64,
-}
-
-/// What the abscissa of a curve is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Abscissa {
-    /// Angle from the load line, held in radians.
-    Angle,
-    /// Distance from the load line \[mm\].
-    Distance,
-}
-
-/// What the ordinate of a curve is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ordinate {
-    /// Contact pressure \[MPa\].
-    Pressure,
-    /// Circumferential stress on the rim of the hole \[MPa\].
-    HoopStress,
 }
 
 impl DigitisedCurve {

@@ -2,9 +2,11 @@
 //!
 //! * [`scene`]: the dimensions, materials and load of the source.
 //! * [`provenance`]: who read which figure, how, and what kind of curve it shows.
-//! * [`curve`]: the points, with the errors of both coordinates.
+//! * [`curve`]: the points with all that is needed to compute their twins.
+//! * [`point`]: a point, with the errors of both coordinates.
 //! * [`acceptance`]: how far our curve may lie from theirs.
 //! * `columns`: the CSV file, refused by column, or by line and column.
+//! * `text`: the text of a file that must be there.
 //! * `keys`: required TOML keys, refused by name where missing or out of range.
 
 use std::fs;
@@ -17,11 +19,14 @@ pub mod acceptance;
 mod columns;
 pub mod curve;
 mod keys;
+pub mod point;
 pub mod provenance;
 pub mod scene;
+mod text;
 
 pub use acceptance::{Comparison, Deviation, OurPoint, compare};
-pub use curve::{Abscissa, CurvePoint, DigitisedCurve, Ordinate};
+pub use curve::DigitisedCurve;
+pub use point::{Abscissa, CurvePoint, Ordinate};
 pub use provenance::{CurveProvenance, Hand, Kind, Provenance};
 pub use scene::{DigitisedScene, SceneMaterial};
 
@@ -100,12 +105,4 @@ fn refuse_unlisted(folder: &Path, files: &[PathBuf], provenance: &Provenance) ->
     let message = "the file is not listed under `[[curves]]` in provenance.toml";
     let remedy = "list it with its figure, axis_calibration, kind and hand, or take it out";
     Err(Error::file(&folder.join(stray), message, remedy))
-}
-
-/// The text of a file that must be there.
-fn text_of(file: &Path, remedy: &str) -> Result<String, Error> {
-    fs::read_to_string(file).map_err(|cause| match cause.kind() {
-        std::io::ErrorKind::NotFound => Error::missing_file(file, remedy),
-        _ => Error::unreadable(file, cause, remedy),
-    })
 }

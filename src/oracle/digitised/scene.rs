@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::keys::{self, Key, Range};
-use super::text_of;
+use super::text::text_of;
 use crate::error::Error;
 
 /// Pin and rod as the source gives them: nothing of it may be guessed.

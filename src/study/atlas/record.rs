@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use crate::checkout::root;
 use crate::error::Error;
-use crate::oracle::cross_code::root;
 use crate::solution::Outcome;
 use crate::study::atlas::plan::{Plane, Row};
 use crate::study::records;

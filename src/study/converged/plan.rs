@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use crate::case::Case;
 use crate::case::library::TruncatedHertz;
 use crate::case::problem::{self, PROBLEMS, Problem};
+use crate::checkout::root;
 use crate::error::Error;
-use crate::oracle::cross_code::root;
 use crate::solve::Formulation;
 
 /// Candidate stretches over the half-width under the nominal load; 0 is the scene's own.

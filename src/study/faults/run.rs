@@ -7,8 +7,7 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
-use crate::oracle::cross_code::frozen::sha256;
-use crate::oracle::cross_code::root;
+use crate::checkout::{root, sha256};
 
 /// What renews the record.
 const REPLANT: &str = "run `python3 tests/faults/plant.py`";

@@ -9,9 +9,10 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::case::library::{Cylinder, TruncatedHertz};
+use crate::checkout::root;
 use crate::clock::Stage;
 use crate::error::Error;
-use crate::oracle::cross_code::{Code, root};
+use crate::oracle::cross_code::Code;
 use crate::solve::{Discretisation, Formulation};
 use crate::study::cross_code::discrete;
 use crate::study::timings::growth;

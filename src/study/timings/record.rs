@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
+use crate::checkout::root;
 use crate::error::Error;
-use crate::oracle::cross_code::root;
 use crate::study::timings::growth::{Growth, Nine};
 use crate::study::timings::machine::Machine;
 use crate::study::timings::others::{OtherPoint, PeerPoint, Stages};

@@ -1,0 +1,46 @@
+//! Points at which contact conditions are enforced, and the edges that they belong to.
+
+/// A point at which contact conditions are enforced.
+#[derive(Clone, Debug)]
+pub struct ContactPoint {
+    /// Index of the contact in the scene.
+    pub contact: usize,
+    /// Sparse row `b` on the retained freedoms: the approach is `w = b·u`.
+    pub row: Vec<(usize, f64)>,
+    /// Contact coordinate `s` \[mm, or rad on an arc\].
+    pub position: f64,
+    /// Tributary area `A` of the modelled part \[mm²\].
+    pub weight: f64,
+    /// Initial normal gap `g` \[mm\]; negative is interference.
+    pub gap: f64,
+    /// Initial stiffness over the nominal one, `k_i / k_n`.
+    pub relative_stiffness: f64,
+    /// Parts of the area that belong to each edge of its contact: (edge index, area \[mm²\]).
+    pub shares: Vec<(usize, f64)>,
+}
+
+impl ContactPoint {
+    /// Approach `w = b·u` \[mm\], positive closing.
+    pub fn approach(&self, u: &[f64]) -> f64 {
+        self.row.iter().map(|&(freedom, value)| value * u[freedom]).sum()
+    }
+
+    /// `|b|·|u|`: the size of the displacements whose difference the approach is \[mm\].
+    pub fn size_of_approach(&self, u: &[f64]) -> f64 {
+        self.row.iter().map(|&(freedom, value)| (value * u[freedom]).abs()).sum()
+    }
+
+    /// Adds `factor · b` to a vector on the retained freedoms.
+    pub fn add_row(&self, factor: f64, out: &mut [f64]) {
+        self.row.iter().for_each(|&(freedom, value)| out[freedom] += factor * value);
+    }
+}
+
+/// An edge of the first body in the candidate stretch of a contact.
+#[derive(Clone, Copy, Debug)]
+pub struct ContactEdge {
+    /// Index of the contact in the scene.
+    pub contact: usize,
+    /// Contact coordinates where it begins and ends \[mm, or rad on an arc\].
+    pub ends: [f64; 2],
+}
