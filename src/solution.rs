@@ -18,7 +18,7 @@
 use std::ops::Range;
 
 /// How an iteration ended; not converging is a result, never an error.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 pub enum Outcome {
     /// The iteration error is within the tolerance, in every contact.
     Converged,

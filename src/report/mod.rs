@@ -3,7 +3,6 @@
 //! * [`page`] — the order of the sections.
 //! * [`matrix`] — the verdict matrix and the summary table of the terminal.
 //! * [`accuracy`] — the section on accuracies that are asked for.
-//! * [`atlas`] — where methods fail, from the records and the predictions.
 //! * [`checks`] — requirement by requirement.
 //! * [`cross_code`] — against other codes, and the planted faults.
 //! * [`limits`] — where everything else breaks.
@@ -15,7 +14,6 @@
 //! * [`files`] — writing, and comparing with what is committed.
 
 pub mod accuracy;
-pub mod atlas;
 pub mod checks;
 pub mod converged;
 pub mod cross_code;

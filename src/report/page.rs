@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::figure;
 use crate::markdown;
-use crate::report::{accuracy, atlas, converged, cross_code, cures, limits, timings};
+use crate::report::{accuracy, converged, cross_code, cures, limits, timings};
 use crate::report::{checks, decisions, matrix, pictures, statements};
 use crate::solve::Formulation;
 use crate::study::unsorted;
@@ -54,7 +54,6 @@ fn without_rooms(all: &[Finding]) -> Result<(String, Vec<(String, String)>), Err
         timings::section(findings)?,
         converged::section(findings),
         accuracy::section(findings),
-        atlas::section(findings)?,
         cures::section(findings),
         limits::section(findings),
     ];

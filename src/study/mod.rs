@@ -6,11 +6,12 @@
 //! * [`cross_code`] — the solver against scikit-fem and dolfinx.
 //! * [`limits`] — where everything else breaks.
 //! * [`faults`] — the record of planted faults.
-//! * [`atlas`] — where each formulation converges, and where it was predicted to.
 //! * [`accuracy`] — the cheapest mesh for an accuracy asked.
 //! * [`converged`] — what is called converged.
 //! * [`met`] — whether an accuracy called met is met.
 //! * [`records`] — files of recorded surveys.
+//! * [`class`](mod@class), [`method`] — how a run ended and what was run, as they are recorded.
+//! * [`atlas`] — where each method converges, and where it was predicted to.
 //! * [`stability`] — predicted rates and steps against measured ones.
 //! * [`cures`] — acceleration of constant stiffness, nested starts of kinematic load.
 //! * [`timings`] — what each accuracy costs.
@@ -18,7 +19,7 @@
 //! * [`statements`] — the paper's statements, judged from the findings.
 
 pub mod accuracy;
-pub mod atlas;
+pub mod class;
 pub mod converged;
 pub mod cross_code;
 pub mod cures;
@@ -26,10 +27,10 @@ pub mod family;
 pub mod gaertner;
 pub mod limits;
 pub mod met;
+pub mod method;
 pub mod pictures;
 pub mod records;
 pub mod refinement;
-pub mod stability;
 pub mod timings;
 
 pub mod drawn;
@@ -49,6 +50,10 @@ rooms! {
     Sweep in sweep,
     /// Studies that have no room of their own yet.
     Unsorted in unsorted,
+    /// Where methods fail: the recorded survey.
+    Atlas in atlas,
+    /// Where methods fail: predicted rates and steps.
+    Stability in stability,
     /// Fault injection.
     Faults in faults,
 }

@@ -2,14 +2,17 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use contact_vv::case::Verdict;
 use contact_vv::error::Kind;
-use contact_vv::study::atlas::judge::is_as_recorded;
-use contact_vv::study::atlas::{Chart, Class, Plane, Record, record, summary, survey};
+use contact_vv::solve::{Element, Iteration};
+use contact_vv::study::atlas::run::is_as_recorded;
+use contact_vv::study::atlas::{Chart, Class, Numbers, Plane, Record, judge, record, summary, survey};
+use contact_vv::study::method::Method;
 use contact_vv::study::records;
 
-fn point(formulation: &str, ordinate: f64, stiffness: f64, class: Class, steps: usize) -> Record {
+fn point(method: Method, ordinate: f64, stiffness: f64, class: Class, steps: usize) -> Record {
     Record {
-        formulation: formulation.to_string(),
+        method,
         ordinate,
         stiffness,
         class,
@@ -26,7 +29,7 @@ fn point(formulation: &str, ordinate: f64, stiffness: f64, class: Class, steps: 
 /// A plane of converged points.
 fn flat(plane: Plane) -> Vec<Record> {
     let points = plane.rows().into_iter().flat_map(|row| plane.stiffnesses().into_iter().map(move |k| (row, k)));
-    points.map(|(row, k)| point(&row.name(), row.ordinate, k, Class::Converged, 17)).collect()
+    points.map(|(row, k)| point(row.method, row.ordinate, k, Class::Converged, 17)).collect()
 }
 
 #[test]
@@ -46,7 +49,7 @@ fn every_element_algorithm_and_rule_is_on_both_full_planes() {
 fn records_come_back_from_a_file_as_they_went() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("some.csv");
-    let mut kept = vec![point("node.varying.secant", 1.9, 0.1, Class::Slow, 2000)];
+    let mut kept = vec![point(Method::usual(Element::Node, Iteration::Varying), 1.9, 0.1, Class::Slow, 2000)];
     kept[0].rate = f64::NAN;
     records::write(&path, &kept).expect("written");
     let read = records::read::<Record>(&path, record::RENEW).expect("read");
@@ -74,6 +77,54 @@ fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() 
 }
 
 #[test]
+fn record_of_an_unknown_method_is_refused_with_file_and_remedy() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("thickness.csv");
+    records::write(&path, &flat(Plane::Thickness)).expect("written");
+    let text = std::fs::read_to_string(&path).expect("written");
+    for foreign in ["layer.varying.penalty", "layer.varying", "line"] {
+        std::fs::write(&path, text.replacen("layer.varying.secant", foreign, 1)).expect("written");
+        let refused = record::read_from(folder.path(), Plane::Thickness).expect_err("refused").to_string();
+        assert!(refused.contains("thickness.csv") && refused.contains(&format!("`{foreign}`")), "{refused}");
+        assert!(refused.contains("-- atlas"), "{refused}");
+    }
+}
+
+#[test]
+fn atlas_turns_red_where_a_point_moved_a_prediction_failed_or_an_answer_is_wrong() {
+    let plane = Plane::Stretch;
+    let mut records = flat(plane);
+    for record in &mut records {
+        (record.predicted_steps, record.steps, record.error) = (record.steps as f64, 20, 1e-3);
+    }
+    let verdicts = |records: &[Record], moved: usize| {
+        let numbers = Numbers { chart: Chart::of(plane, records), recomputed: 20, moved };
+        judge(&numbers).expect("judged").iter().map(|one| one.verdict == Verdict::Pass).collect::<Vec<_>>()
+    };
+    // Nothing is predicted to fail: a prediction that is compared with nothing is red.
+    assert_eq!(verdicts(&records, 0), [true, false, true, true, false, true]);
+    let node =
+        |algorithm| records.iter().position(|r| r.method == Method::usual(Element::Node, algorithm)).expect("a row");
+    let [constant, kinematic] = [Iteration::Constant, Iteration::Kinematic].map(node);
+    for record in records.iter_mut().filter(|record| record.method.algorithm == Iteration::Kinematic) {
+        record.predicted_steps = record.steps as f64;
+    }
+    (records[constant].predicted_steps, records[constant].class) = (f64::INFINITY, Class::Diverged);
+    assert_eq!(verdicts(&records, 0), [true; 6]);
+    assert_eq!(verdicts(&records, 1), [false, true, true, true, true, true]);
+    let spoiled = |place: usize, change: &dyn Fn(&mut Record)| {
+        let mut spoiled = records.clone();
+        change(&mut spoiled[place]);
+        verdicts(&spoiled, 0).iter().position(|passed| !passed)
+    };
+    assert_eq!(spoiled(constant, &|r| r.class = Class::Converged), Some(1));
+    assert_eq!(spoiled(constant + 1, &|r| r.class = Class::Slow), Some(2));
+    assert_eq!(spoiled(constant + 1, &|r| r.steps *= 3), Some(3));
+    assert_eq!(spoiled(kinematic, &|r| r.steps += 2), Some(4));
+    assert_eq!(spoiled(kinematic, &|r| r.error = f64::NAN), Some(5));
+}
+
+#[test]
 fn counts_are_frozen_away_from_boundaries_and_classes_beside_them() {
     let plane = Plane::Thickness;
     let mut records = flat(plane);
@@ -98,7 +149,7 @@ fn a_survey_goes_on_where_it_stopped() {
     // The first row was finished before, with a mark that no run could leave.
     let first = plane.rows()[0];
     let kept: Vec<Record> =
-        stiffnesses.iter().map(|&k| point(&first.name(), first.ordinate, k, Class::Cycling, 123_456)).collect();
+        stiffnesses.iter().map(|&k| point(first.method, first.ordinate, k, Class::Cycling, 123_456)).collect();
     records::write(&unfinished.path().join("thickness.csv"), &kept).expect("written");
     let done = AtomicUsize::new(0);
     let count = |points| {
@@ -153,18 +204,25 @@ fn rows_on_the_same_mesh_share_one_condensation() {
 
 #[test]
 fn a_digest_takes_what_converges_everywhere_and_the_best_of_the_worst() {
-    let mut charts = summary::charts().expect("records");
-    let name = "node.constant.correction";
-    let of = |charts: &[Chart]| summary::digests(charts).into_iter().find(|d| d.name == name).expect("a digest");
+    let recorded = |plane| Chart::of(plane, &record::read(plane).expect("records"));
+    let mut charts = Plane::ALL.map(recorded);
+    let method = Method::usual(Element::Node, Iteration::Constant);
+    let of = |charts: &[Chart]| {
+        let digests = summary::digests(&charts.iter().collect::<Vec<_>>());
+        digests.into_iter().find(|d| d.method == method).and_then(|digest| digest.safe)
+    };
     let before = of(&charts);
-    let ([from, to], (best, steps)) = (before.safe.expect("a range"), before.best.expect("a start"));
+    let summary::Safe { from, to, best, best_steps, steps } = before.expect("a range");
+    assert!(best_steps <= steps);
     assert!(from <= best && best <= to && from < to);
-    let row = charts[0].rows.iter_mut().find(|row| row[0].formulation == name).expect("a row");
+    let row = charts[0].rows.iter_mut().find(|row| row[0].method == method).expect("a row");
     let point = row.iter_mut().find(|r| record::same(r.stiffness, best)).expect("the best start");
-    point.steps = 10 * steps;
+    point.steps = 10 * best_steps;
     let after = of(&charts);
-    assert!(after.best.is_some_and(|(stiffness, steps_now)| !record::same(stiffness, best) && steps_now >= steps));
-    let row = charts[0].rows.iter_mut().find(|row| row[0].formulation == name).expect("a row");
+    assert!(after.is_some_and(|now| !record::same(now.best, best)
+        && now.best_steps >= best_steps
+        && now.steps >= 10 * best_steps));
+    let row = charts[0].rows.iter_mut().find(|row| row[0].method == method).expect("a row");
     row.iter_mut().filter(|r| r.stiffness >= best).for_each(|r| r.class = Class::Slow);
-    assert!(of(&charts).safe.is_none_or(|[_, to]| to < best));
+    assert!(of(&charts).is_none_or(|now| now.to < best));
 }

@@ -10,7 +10,9 @@ use contact_vv::mesh::{Order, Resolution};
 use contact_vv::solution::{IterationError, Work};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::stability::{Limit, halving, linear, rate, release};
-use contact_vv::study::stability::rates::rate_check;
+use contact_vv::study::stability::halving::{Law, Mesh, Scene, Steps};
+use contact_vv::study::stability::judge::rate_check;
+use contact_vv::study::stability::{Numbers, judge};
 
 fn discretisation() -> Discretisation {
     let scene = problem("truncated-hertz", None).expect("a scene of the library").scene;
@@ -101,6 +103,24 @@ fn a_rate_that_is_not_the_predicted_one_turns_red() {
         [(0.98, 0.97), (0.98, 0.99), (0.98, f64::NAN), (f64::NAN, 0.98), (0.98, 1.0), (1.0, 0.98)]
     {
         assert_eq!(verdict(predicted, measured), Verdict::Fail, "{predicted}, {measured}");
+    }
+}
+
+#[test]
+fn pin_rod_turns_red_where_twice_the_elements_cost_more_than_a_halving() {
+    let mesh = |elements, measured: [Option<usize>; 2]| {
+        let steps = measured.map(|measured| Steps { stiffness: 1.0, predicted: 5, measured });
+        Mesh { stretch: 1.5, elements, steps }
+    };
+    let verdict = |fine: [Option<usize>; 2]| {
+        let law = Law { scene: Scene::PinRod, meshes: vec![mesh(12, [Some(6), Some(5)]), mesh(24, fine)] };
+        let judged = judge(&Numbers::Halving(law)).expect("judged");
+        assert_eq!(judged.len(), 1);
+        judged[0].verdict.clone()
+    };
+    assert_eq!(verdict([Some(7), Some(5)]), Verdict::Pass);
+    for fine in [[Some(8), Some(5)], [Some(6), Some(7)], [None, Some(5)]] {
+        assert_eq!(verdict(fine), Verdict::Fail, "{fine:?}");
     }
 }
 

@@ -1,6 +1,5 @@
 //! The charts by name, each from the findings that made it.
 //!
-//! * [`atlas`] — steps with their predictions, and the maps of the stability atlas.
 //! * [`convergence`] — steps against initial stiffness, orders, iteration paths.
 //! * [`fields`] — stress on the deformed meshes.
 //! * [`cross_code`] — profiles of all codes and their differences.
@@ -8,7 +7,6 @@
 //! * [`solve`] and [`deformed`] — the picture of one run.
 //! * [`pins`] — hoop stress and displacement along the pin, the dimensionless family.
 
-pub mod atlas;
 pub mod convergence;
 pub mod cross_code;
 pub mod deformed;
@@ -20,7 +18,6 @@ pub mod timings;
 use crate::error::Error;
 use crate::figure::palette::Style;
 use crate::figure::{self, Chart};
-use crate::study::atlas::{Chart as Plane, Plane as Name, record};
 use crate::study::drawn::{label, style};
 use crate::study::unsorted::{Finding, Series};
 
@@ -40,13 +37,6 @@ pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
         ("family-pin-rod.svg", pins::family(findings)?),
     ] {
         charts.push((name.into(), chart));
-    }
-    for plane in atlas::PLANES {
-        let recorded = Plane::of(plane, &record::read(plane)?);
-        charts.push((format!("atlas-{}.svg", plane.name()), atlas::map(&recorded)?));
-        if plane == Name::Stretch {
-            charts.push(("steps-predicted.svg".into(), atlas::steps(&recorded)?));
-        }
     }
     charts.extend(timings::all()?);
     Ok(charts)

@@ -2,11 +2,13 @@
 
 use std::fmt::Write;
 
-use crate::study::atlas::plan::Plane;
-use crate::study::atlas::record::{Class, Record, same};
+use crate::study::atlas::plane::Plane;
+use crate::study::atlas::record::{Record, same};
+use crate::study::class::Class;
+use crate::study::method::Method;
 
 /// The records of a plane, a line per row of the plan.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize)]
 pub struct Chart {
     /// The plane.
     pub plane: Plane,
@@ -20,9 +22,9 @@ impl Chart {
         Self { plane, rows: records.chunks(plane.stiffnesses().len()).map(<[Record]>::to_vec).collect() }
     }
 
-    /// Rows of a formulation, by growing ordinate.
-    pub fn of_formulation<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a [Record]> {
-        self.rows.iter().map(Vec::as_slice).filter(move |row| row[0].formulation == name)
+    /// Rows of a method, by growing ordinate.
+    pub fn of_method(&self, method: Method) -> impl Iterator<Item = &[Record]> {
+        self.rows.iter().map(Vec::as_slice).filter(move |row| row[0].method == method)
     }
 
     /// Whether a neighbour in stiffness or in the other number ended in another class.
@@ -42,7 +44,7 @@ impl Chart {
             let other = ordinates.iter().position(|o| same(*o, record.ordinate));
             place.zip(other).is_some_and(|(a, b)| a.abs_diff(b) == 1)
         };
-        let alike = |record: &&Record| record.formulation == own.formulation && same(record.stiffness, own.stiffness);
+        let alike = |record: &&Record| record.method == own.method && same(record.stiffness, own.stiffness);
         self.rows.iter().flatten().filter(alike).filter(move |record| near(record))
     }
 
@@ -50,7 +52,7 @@ impl Chart {
     pub fn frozen(&self) -> String {
         let mut text = format!("{}; κ₀ from 1e-6 to 1e6\n", self.plane.label());
         for (r, row) in self.rows.iter().enumerate() {
-            let _ = write!(text, "{} {}:", row[0].formulation, row[0].ordinate);
+            let _ = write!(text, "{} {}:", row[0].method, row[0].ordinate);
             for (c, record) in row.iter().enumerate() {
                 let _ = match record.class {
                     Class::Converged if !self.is_near_a_boundary(r, c) => write!(text, " {}", record.steps),

@@ -1,23 +1,42 @@
 //! The stability atlas: outcome, steps, rate and error of every element × algorithm × rule over initial stiffness and one
 //! other number, each predicted before it is run.
 //!
-//! * [`plan`] — which points it holds.
+//! * [`plane`] — initial stiffness against which other number.
+//! * [`row`] — a line of a plane.
 //! * [`point`] — one point, predicted and run.
 //! * [`record`] — what is kept under `snapshots/atlas`.
+//! * [`survey`] — all points, resumable.
 //! * [`chart`] — a plane as classes and their boundaries.
-//! * [`judge`] — what the records must hold.
+//! * `plan`, [`run`] — a record is read, and a twentieth of it recomputed.
+//! * [`agreement`] — predictions against runs.
+//! * [`judge`](judge()) — what the records must hold.
 //! * [`summary`] — what the records say of each method.
-//! * [`survey`] — all of them, resumable.
+//! * `section`, `recommended`, `slices` — the chapter.
+//! * `picture` — steps with their predictions, and the maps.
 
+pub mod agreement;
 pub mod chart;
-pub mod judge;
-pub mod plan;
+mod judge;
+mod picture;
+mod plan;
+pub mod plane;
 pub mod point;
+mod recommended;
 pub mod record;
+pub mod row;
+pub mod run;
+mod section;
+mod slices;
 pub mod summary;
 pub mod survey;
 
+pub use crate::study::class::Class;
 pub use chart::Chart;
-pub use judge::{ATLAS, trials};
-pub use plan::{Plane, Row};
-pub use record::{Class, Record};
+pub use judge::judge;
+pub use picture::pictures;
+pub use plan::plan;
+pub use plane::Plane;
+pub use record::Record;
+pub use row::Row;
+pub use run::Numbers;
+pub use section::section;

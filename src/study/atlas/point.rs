@@ -8,8 +8,9 @@ use crate::solution::{IterationError, Solution};
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Formulation, Iteration};
 use crate::stability::{Limit, halving, linear, rate, release};
-use crate::study::atlas::plan::Row;
-use crate::study::atlas::record::{Class, Record};
+use crate::study::atlas::row::Row;
+use crate::study::atlas::record::Record;
+use crate::study::class::Class;
 use crate::study::records::rounded;
 
 /// A spectral radius up to here is 1 to round-off: pressures that no displacement feels stay as they are, and hurt nobody.
@@ -30,8 +31,8 @@ pub struct Ground<'a> {
 impl Site {
     /// Mesh and condensation of a row.
     pub fn of(row: &Row) -> Result<Self, Error> {
-        let (problem, resolution) = row.problem()?;
-        Ok(Self { discretisation: Discretisation::of(problem.scene, resolution)? })
+        let case = row.case();
+        Ok(Self { discretisation: Discretisation::of(case.scene, case.resolution)? })
     }
 }
 
@@ -49,7 +50,7 @@ impl<'a> Ground<'a> {
         let formulation = row.formulation(stiffness);
         let [predicted_rate, predicted_steps] = self.predicted(row, &formulation);
         let record = |class, steps, iteration_error, rate, [error, penalty]: [f64; 2]| Record {
-            formulation: row.name(),
+            method: row.method,
             ordinate: row.ordinate,
             stiffness: rounded(stiffness),
             class,
@@ -89,7 +90,7 @@ impl<'a> Ground<'a> {
         }
         let problem = self.site.discretisation.problem(formulation, &self.points);
         let tolerance = formulation.settings.tolerance;
-        let found = match (row.algorithm, row.rule) {
+        let found = match (row.method.algorithm, row.method.rule) {
             (Iteration::Kinematic, StiffnessRule::Switching) => {
                 let stretch = self.site.discretisation.scene.contact().stretch;
                 let spacing = stretch / (self.site.discretisation.interfaces[0].stations.len() - 1) as f64;
@@ -131,6 +132,6 @@ fn observed_rate(solution: &Solution) -> f64 {
 
 /// Whether two rows share their ground: scene, mesh and contact points.
 pub fn share_ground(a: &Row, b: &Row) -> bool {
-    let key = |row: &Row| (row.plane, row.ordinate.to_bits(), row.element);
+    let key = |row: &Row| (row.plane, row.ordinate.to_bits(), row.method.element);
     key(a) == key(b)
 }

@@ -6,8 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkout::root;
 use crate::error::Error;
-use crate::solution::Outcome;
-use crate::study::atlas::plan::{Plane, Row};
+use crate::study::atlas::row::Row;
+use crate::study::atlas::plane::Plane;
+use crate::study::class::Class;
+use crate::study::method::Method;
 use crate::study::records;
 
 /// Error of p₀ and a that a run within the default tolerance may have.
@@ -19,31 +21,12 @@ pub const RENEW: &str = "run `cargo run --release -- atlas` and review the diff 
 /// Where the records are.
 pub const FOLDER: &str = "snapshots/atlas";
 
-/// How a run ended, as the maps colour it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Class {
-    /// Within the limit of steps.
-    Converged,
-    /// Still on its way at the limit.
-    Slow,
-    /// Returned to an earlier state.
-    Cycling,
-    /// The error grows without end, or is no number.
-    Diverged,
-    /// Nothing changes any more, and the error is above the tolerance.
-    Stalled,
-    /// No spring left to hold a body: the named error.
-    Unsupported,
-    /// Converged with contact beyond the candidates: the named error.
-    Spilled,
-}
-
 /// One point.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Record {
-    /// `element.algorithm.rule`.
-    pub formulation: String,
+    /// What was run.
+    #[serde(rename = "formulation")]
+    pub method: Method,
     /// The plane's other number.
     pub ordinate: f64,
     /// Initial stiffness κ₀.
@@ -66,36 +49,6 @@ pub struct Record {
     pub predicted_steps: f64,
 }
 
-impl Class {
-    /// All, from good to bad.
-    pub const ALL: [Self; 7] =
-        [Self::Converged, Self::Slow, Self::Stalled, Self::Cycling, Self::Diverged, Self::Unsupported, Self::Spilled];
-
-    /// The class of an outcome.
-    pub fn of(outcome: Outcome) -> Self {
-        match outcome {
-            Outcome::Converged => Self::Converged,
-            Outcome::Exhausted => Self::Slow,
-            Outcome::Cycling { .. } => Self::Cycling,
-            Outcome::Diverged => Self::Diverged,
-            Outcome::Stalled => Self::Stalled,
-        }
-    }
-
-    /// Name in records and legends.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Converged => "converged",
-            Self::Slow => "slow",
-            Self::Cycling => "cycling",
-            Self::Diverged => "diverged",
-            Self::Stalled => "stalled",
-            Self::Unsupported => "unsupported",
-            Self::Spilled => "spilled",
-        }
-    }
-}
-
 impl Record {
     /// Whether the run stopped where it shall: a penalty may stop far from there.
     pub fn is_right(&self) -> bool {
@@ -104,7 +57,7 @@ impl Record {
 
     /// Whether the record is of this point.
     pub fn is_at(&self, row: &Row, stiffness: f64) -> bool {
-        self.formulation == row.name() && same(self.ordinate, row.ordinate) && same(self.stiffness, stiffness)
+        self.method == row.method && same(self.ordinate, row.ordinate) && same(self.stiffness, stiffness)
     }
 }
 

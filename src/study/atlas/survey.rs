@@ -6,7 +6,8 @@ use std::sync::{Mutex, OnceLock};
 use rayon::prelude::*;
 
 use crate::error::Error;
-use crate::study::atlas::plan::{Plane, Row};
+use crate::study::atlas::row::Row;
+use crate::study::atlas::plane::Plane;
 use crate::study::atlas::point::{Ground, Site, share_ground};
 use crate::study::atlas::record::{self, Record};
 use crate::study::records;

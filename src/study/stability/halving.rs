@@ -1,102 +1,124 @@
 //! The halving law of kinematic load: predicted against measured steps.
 
+use serde::Serialize;
+
 use crate::case::library::{Cylinder, PinRod, TruncatedHertz};
-use crate::case::problem::{self, Problem};
-use crate::case::{Judged, Reference};
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::stability::halving;
-use crate::study::unsorted::{Finding, Table, Trial};
-
-/// Name of the trials of the halving law.
-pub const HALVING: &str = "predicted steps of kinematic load";
-
-/// Trials of the law.
-pub(super) fn trials() -> Vec<Trial> {
-    let scenes = [("cylinder", true), ("truncated hertz", false)];
-    let mut trials: Vec<Trial> =
-        scenes.map(|(name, cylinder)| Trial::new(HALVING, name, move || halving_law(cylinder))).into();
-    trials.push(Trial::new(HALVING, "pin-rod", pin_rod));
-    trials
-}
 
 /// Candidate stretch over the half-width, elements per half-width and initial stiffnesses of the halving law.
 const STRETCHES: [f64; 4] = [1.0, 1.5, 2.0, 3.0];
 const ELEMENTS: [usize; 3] = [5, 8, 16];
 const SOFT_AND_HARD: [f64; 2] = [1.0, 1e6];
+/// Candidates of the pin-rod beyond its contact \[degrees\], and elements per 10 mm of arc, each twice the one before.
+const PIN_STRETCHES: [f64; 4] = [65.0, 70.0, 75.0, 85.0];
+pub(super) const PIN_ELEMENTS: [usize; 2] = [12, 24];
 
-fn halving_law(cylinder: bool) -> Result<Finding, Error> {
-    let (mut rows, mut checks) = (Vec::new(), Vec::new());
-    for stretch in STRETCHES {
-        for elements in ELEMENTS {
-            let (scene, _, _) = if cylinder {
-                problem::cylinder(Cylinder { stretch, ..Default::default() })
-            } else {
-                problem::truncated_hertz(TruncatedHertz { stretch, ..Default::default() })
-            };
-            let half_width = scene.reference.length;
-            let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
-            let discretisation = Discretisation::of(scene, resolution)?;
-            let spacing = half_width / (2.0 * elements as f64);
-            let mut cells = vec![stretch.to_string(), elements.to_string()];
-            for stiffness in SOFT_AND_HARD {
-                let formulation = Formulation { stiffness, ..Formulation::new(Element::Node, Iteration::Kinematic) };
-                let run = Run::of(&discretisation, &formulation)?;
-                let steps = if run.solution.converged() { run.solution.work.steps as f64 } else { f64::NAN };
-                let predicted = halving::steps(stretch * half_width, half_width, spacing, stiffness);
-                cells.push(format!("{predicted} / {steps}"));
-                checks.push(Judged::norm(
-                    "Kinematic load shall take the steps of the halving law",
-                    format!("steps off, L/a = {stretch}, {elements} per half-width, κ₀ = {stiffness:e}"),
-                    (steps - predicted as f64).abs(),
-                    Reference::own("halving of L² − a²", 0.0),
-                    1.0,
-                    "the law counts halvings; the last one may end anywhere within a node spacing",
-                ));
-            }
-            rows.push(cells);
-        }
-    }
-    let head = ["L/a", "elements per a", "predicted / measured, κ₀ = 1", "predicted / measured, κ₀ = 1e6"];
-    let title = format!("{HALVING}: {}", if cylinder { "cylinder" } else { "truncated Hertz" });
-    let table = Table { title, head: head.map(String::from).into(), rows };
-    Ok(Finding { checks, tables: vec![table], ..Default::default() })
+/// A scene on which the law is tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Scene {
+    /// The cylinder.
+    Cylinder,
+    /// Truncated Hertz.
+    TruncatedHertz,
+    /// The pin-rod, whose contact is no Hertz contact.
+    PinRod,
 }
 
-/// Candidates of the pin-rod beyond its contact \[degrees\], and elements per 10 mm of arc.
-const PIN_STRETCHES: [f64; 4] = [65.0, 70.0, 75.0, 85.0];
-const PIN_ELEMENTS: [usize; 2] = [12, 24];
+/// A scene on all its meshes.
+#[derive(Clone, Debug, Serialize)]
+pub struct Law {
+    /// The scene.
+    pub scene: Scene,
+    /// The meshes.
+    pub meshes: Vec<Mesh>,
+}
 
-/// The law beside the pin-rod, whose contact is no Hertz contact: reported, not gated.
-fn pin_rod() -> Result<Finding, Error> {
-    let mut rows = Vec::new();
-    for degrees in PIN_STRETCHES {
-        for elements in PIN_ELEMENTS {
-            let scene = PinRod { stretch: degrees.to_radians(), ..Default::default() }.scene();
-            let problem = Problem::new("pin-rod", "pin-rod", (scene, elements, None));
-            let discretisation = Discretisation::of(problem.scene.clone(), problem.resolution)?;
-            let edge = Run::of(&discretisation, &Formulation::verification())?.measures().edge();
-            let stretch = discretisation.scene.contact().stretch;
-            let spacing = stretch / (discretisation.interfaces[0].stations.len() - 1) as f64;
-            let mut cells = vec![format!("{:.2}", stretch / edge), elements.to_string()];
-            for stiffness in SOFT_AND_HARD {
-                let formulation = Formulation { stiffness, ..Formulation::new(Element::Node, Iteration::Kinematic) };
-                let solution = discretisation.solve(&formulation)?;
-                let predicted = halving::steps(stretch, edge, spacing, stiffness);
-                cells.push(format!("{predicted} / {}", solution.work.steps));
-            }
-            rows.push(cells);
+/// A candidate stretch on a mesh.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Mesh {
+    /// Candidate stretch over the half-width, on the pin-rod over the last closed point.
+    pub stretch: f64,
+    /// Elements per half-width, on the pin-rod per 10 mm.
+    pub elements: usize,
+    /// From a soft and a hard start.
+    pub steps: [Steps; 2],
+}
+
+/// Steps from a start.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Steps {
+    /// Initial stiffness κ₀.
+    pub stiffness: f64,
+    /// By the law.
+    pub predicted: usize,
+    /// As measured; none where the run did not converge.
+    pub measured: Option<usize>,
+}
+
+impl Scene {
+    /// All.
+    pub const ALL: [Self; 3] = [Self::Cylinder, Self::TruncatedHertz, Self::PinRod];
+
+    /// Name of its trial.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Cylinder => "cylinder",
+            Self::TruncatedHertz => "truncated hertz",
+            Self::PinRod => "pin-rod",
         }
     }
-    let head = [
-        "L / last closed point",
-        "elements per 10 mm",
-        "predicted / measured, κ₀ = 1",
-        "predicted / measured, κ₀ = 1e6",
-    ];
-    let title = format!("{HALVING}: pin-rod, reported beside the law");
-    let table = Table { title, head: head.map(String::from).into(), rows };
-    Ok(Finding { tables: vec![table], ..Default::default() })
+}
+
+/// A scene on all its meshes.
+pub fn law(scene: Scene) -> Result<Law, Error> {
+    let on_grid = |stretches: &[f64], elements: &[usize], mesh: &dyn Fn(f64, usize) -> Result<Mesh, Error>| {
+        let pairs = stretches.iter().flat_map(|&stretch| elements.iter().map(move |&elements| (stretch, elements)));
+        pairs.map(|(stretch, elements)| mesh(stretch, elements)).collect::<Result<Vec<_>, _>>()
+    };
+    let meshes = match scene {
+        Scene::Cylinder => on_grid(&STRETCHES, &ELEMENTS, &|stretch, elements| {
+            hertz(Cylinder { stretch, ..Default::default() }.scene(), stretch, elements)
+        }),
+        Scene::TruncatedHertz => on_grid(&STRETCHES, &ELEMENTS, &|stretch, elements| {
+            hertz(TruncatedHertz { stretch, ..Default::default() }.scene(), stretch, elements)
+        }),
+        Scene::PinRod => on_grid(&PIN_STRETCHES, &PIN_ELEMENTS, &pin_rod),
+    };
+    Ok(Law { scene, meshes: meshes? })
+}
+
+/// A Hertz contact: its half-width is known beforehand.
+fn hertz(scene: crate::scene::Scene, stretch: f64, elements: usize) -> Result<Mesh, Error> {
+    let half_width = scene.reference.length;
+    let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
+    let discretisation = Discretisation::of(scene, resolution)?;
+    let spacing = half_width / (2.0 * elements as f64);
+    let steps = both(&discretisation, [stretch * half_width, half_width, spacing])?;
+    Ok(Mesh { stretch, elements, steps })
+}
+
+/// The pin-rod: its last closed point is found first.
+fn pin_rod(degrees: f64, elements: usize) -> Result<Mesh, Error> {
+    let scene = PinRod { stretch: degrees.to_radians(), ..Default::default() }.scene();
+    let discretisation = Discretisation::of(scene, Resolution { elements, refinement: 0, order: Order::Quadratic })?;
+    let edge = Run::of(&discretisation, &Formulation::verification())?.measures().edge();
+    let stretch = discretisation.scene.contact().stretch;
+    let spacing = stretch / (discretisation.interfaces[0].stations.len() - 1) as f64;
+    Ok(Mesh { stretch: stretch / edge, elements, steps: both(&discretisation, [stretch, edge, spacing])? })
+}
+
+/// Steps from both starts: candidates to `stretch`, contact to `edge`, nodes `spacing` apart.
+fn both(discretisation: &Discretisation, [stretch, edge, spacing]: [f64; 3]) -> Result<[Steps; 2], Error> {
+    let steps = |stiffness: f64| -> Result<Steps, Error> {
+        let formulation = Formulation { stiffness, ..Formulation::new(Element::Node, Iteration::Kinematic) };
+        let solution = discretisation.solve(&formulation)?;
+        let measured = solution.converged().then_some(solution.work.steps);
+        Ok(Steps { stiffness, predicted: halving::steps(stretch, edge, spacing, stiffness), measured })
+    };
+    let [soft, hard] = SOFT_AND_HARD;
+    Ok([steps(soft)?, steps(hard)?])
 }

@@ -6,7 +6,7 @@ use crate::case::{Judged, Verdict};
 use crate::case::{Problem, universal};
 use crate::solve::Run;
 use crate::study::cross_code::{self, Answers};
-use crate::study::{atlas, converged, cures, family, gaertner, limits, met, pictures, refinement, stability, timings};
+use crate::study::{converged, cures, family, gaertner, limits, met, pictures, refinement, timings};
 
 use crate::error::Error;
 use crate::markdown;
@@ -160,8 +160,6 @@ fn title(formulation: &Formulation) -> String {
 /// Every trial of the suite, in the order of the page.
 pub fn all() -> Vec<Trial> {
     let mut trials = refinement::trials();
-    trials.extend(stability::trials());
-    trials.extend(atlas::trials());
     trials.extend(converged::trials());
     trials.extend(limits::trials());
     trials.extend(cures::trials());

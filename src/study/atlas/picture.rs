@@ -1,11 +1,17 @@
 //! Steps against initial stiffness with their prediction (Fig. 11), and the maps of the stability atlas.
 
+use crate::algorithm::StiffnessRule;
 use crate::error::Error;
 use crate::figure::palette::{self, Colour, Dash, Marker, Style};
 use crate::figure::{Axis, Cell, Chart, ClassMap, MapPanel, Series, panels};
 use crate::solve::{Element, Iteration, Settings};
-use crate::study::atlas::plan::STRETCH;
-use crate::study::atlas::{Chart as Plane, Class, Plane as Name, Record};
+use crate::study::Found;
+use crate::study::atlas::chart::Chart as Recorded;
+use crate::study::atlas::plane::{Plane, STRETCH};
+use crate::study::atlas::record::{Record, same};
+use crate::study::atlas::run::Numbers;
+use crate::study::class::Class;
+use crate::study::method::Method;
 
 /// Steps up to which a converged run is quick, and ordinary.
 const QUICK: [usize; 2] = [20, 200];
@@ -14,16 +20,30 @@ const OFF: [f64; 2] = [0.01, 0.1];
 /// Where the maps carry ticks: every third decade of twelve, by halves.
 const TICKS: [(usize, &str); 5] = [(0, "1e-6"), (6, "1e-3"), (12, "1"), (18, "1e3"), (24, "1e6")];
 
+/// A map of each full plane, and the steps with their prediction.
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+    let mut pictures = Vec::new();
+    for chart in findings.iter().map(|found| &found.numbers.chart) {
+        if [Plane::Stretch, Plane::Mesh].contains(&chart.plane) {
+            pictures.push((format!("atlas-{}.svg", chart.plane.name()), map(chart)?));
+        }
+        if chart.plane == Plane::Stretch {
+            pictures.push(("steps-predicted.svg".into(), steps(chart)?));
+        }
+    }
+    Ok(pictures)
+}
+
 /// Steps against initial stiffness, one panel per algorithm and element: measured points over the predicted curve.
-pub fn steps(stretch: &Plane) -> Result<String, Error> {
+fn steps(stretch: &Recorded) -> Result<String, Error> {
     let mut charts = Vec::new();
     for algorithm in Iteration::ALL {
         for element in Element::ALL {
             let title = format!("{} · {}", element.name(), algorithm.name());
             let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-6, 1e6), Axis::log("steps").over(1.0, 3000.0));
-            for rule in algorithm.rules().iter().map(|rule| rule.name()) {
-                let name = format!("{}.{}.{rule}", element.name(), algorithm.name());
-                if let Some(row) = stretch.of_formulation(&name).find(|row| (row[0].ordinate - STRETCH).abs() < 1e-3) {
+            for &rule in algorithm.rules() {
+                let mut rows = stretch.of_method(Method { element, algorithm, rule });
+                if let Some(row) = rows.find(|row| same(row[0].ordinate, STRETCH)) {
                     chart.series.extend(curves(row, rule));
                 }
             }
@@ -34,19 +54,19 @@ pub fn steps(stretch: &Plane) -> Result<String, Error> {
 }
 
 /// One colour a rule, whatever the algorithm.
-fn colour(rule: &str) -> Colour {
+fn colour(rule: StiffnessRule) -> Colour {
     match rule {
-        "secant" => palette::LINE,
-        "correction" => palette::LAYER,
-        "literal" => palette::PURPLE,
-        "switching" => palette::NODE,
-        _ => palette::SKY,
+        StiffnessRule::Secant => palette::LINE,
+        StiffnessRule::Correction => palette::LAYER,
+        StiffnessRule::Literal => palette::PURPLE,
+        StiffnessRule::Switching => palette::NODE,
+        StiffnessRule::Penalty => palette::SKY,
     }
 }
 
 /// Predicted curve, measured points, and the failures by their cause.
-fn curves(row: &[Record], rule: &str) -> Vec<Series> {
-    let colour = colour(rule);
+fn curves(row: &[Record], rule: StiffnessRule) -> Vec<Series> {
+    let (colour, rule) = (colour(rule), rule.name());
     let points = |of: &dyn Fn(&Record) -> f64| row.iter().map(|r| (r.stiffness, of(r))).collect::<Vec<_>>();
     let predicted = points(&|r| if r.predicted_steps.is_finite() { r.predicted_steps } else { f64::NAN });
     let measured = points(&|r| if r.class == Class::Converged { r.steps as f64 } else { f64::NAN });
@@ -80,17 +100,10 @@ fn curves(row: &[Record], rule: &str) -> Vec<Series> {
 }
 
 /// How every run of a plane ended, one panel per rule and element, with the predicted boundary.
-pub fn map(plane: &Plane) -> Result<String, Error> {
-    let mut panels = Vec::new();
-    let rules = Iteration::ALL.into_iter().flat_map(|a| a.rules().iter().map(move |rule| (a.name(), rule.name())));
-    for (algorithm, rule) in rules {
-        for element in Element::ALL {
-            let name = format!("{}.{algorithm}.{rule}", element.name());
-            let rows =
-                plane.of_formulation(&name).map(|row| (row[0].ordinate.to_string(), row.iter().map(cell).collect()));
-            panels.push(MapPanel { rows: rows.collect(), title: name.replace('.', " · ") });
-        }
-    }
+fn map(plane: &Recorded) -> Result<String, Error> {
+    let of_rule = |algorithm: Iteration, rule| Element::ALL.map(|element| panel(plane, Method { element, algorithm, rule }));
+    let of_algorithm = |algorithm: Iteration| algorithm.rules().iter().flat_map(move |&rule| of_rule(algorithm, rule));
+    let panels: Vec<MapPanel> = Iteration::ALL.into_iter().flat_map(of_algorithm).collect();
     let colours = palette::ENDS;
     let [quick, ordinary] = QUICK;
     let names = [
@@ -113,18 +126,28 @@ pub fn map(plane: &Plane) -> Result<String, Error> {
         columns: 3,
         ticks: TICKS.map(|(column, text)| (column, text.to_string())).into(),
         legend: names.into_iter().zip(colours).collect(),
-        notes: vec![note()],
+        notes: vec![note(plane)],
     }
     .svg()
 }
 
-fn note() -> String {
+fn panel(plane: &Recorded, method: Method) -> MapPanel {
+    let rows = plane.of_method(method).map(|row| (row[0].ordinate.to_string(), row.iter().map(cell).collect()));
+    let Method { element, algorithm, rule } = method;
+    MapPanel { rows: rows.collect(), title: [element.name(), algorithm.name(), rule.name()].join(" · ") }
+}
+
+fn note(plane: &Recorded) -> String {
     let limit = Settings::default().max_steps;
+    let predicted = |rule| plane.rows.iter().flatten().any(|r| r.method.rule == rule && !r.predicted_steps.is_nan());
+    let rules = Iteration::ALL.into_iter().flat_map(Iteration::rules);
+    let silent: Vec<String> = rules.filter(|rule| !predicted(**rule)).map(|rule| format!("`{}`", rule.name())).collect();
+    let silent = silent.join(" and ");
     format!(
         "The black line is predicted: on its one side the condensed matrices say that a run ends within {limit} steps, on \
          the other that it does not. Off by: stopped there, and that far from p₀ or a of the discrete \
          solution. Slow: not at the tolerance after {limit} steps. No spring left: the named error. Spilled: \
-         contact beyond the candidates, the named error. Nothing is predicted for `literal` and `penalty`."
+         contact beyond the candidates, the named error. Nothing is predicted for {silent}."
     )
 }
 
@@ -147,6 +170,3 @@ fn cell(record: &Record) -> Cell {
     let predicted = (!record.predicted_steps.is_nan()).then_some(record.predicted_steps <= limit);
     Cell { colour: palette::ENDS[place], predicted }
 }
-
-/// The two full planes.
-pub const PLANES: [Name; 2] = [Name::Stretch, Name::Mesh];

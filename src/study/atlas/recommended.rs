@@ -1,0 +1,142 @@
+//! Which element and algorithm to use, and from which initial stiffness: made of the records.
+
+use std::fmt::Write;
+
+use crate::algorithm::StiffnessRule;
+use crate::markdown;
+use crate::solve::{Element, Iteration};
+use crate::study::atlas::summary::{Digest, Safe};
+use crate::study::class::Class;
+use crate::study::method::Method;
+
+/// What to use, and what not.
+pub fn recommendation(digests: &[Digest]) -> String {
+    let points: usize = digests.iter().flat_map(|digest| &digest.ends).map(|(_, count)| count).sum();
+    let predicted: usize = digests.iter().map(|digest| digest.predicted).sum();
+    let mut text = format!(
+        "From {points} runs over candidate surface, mesh and both paper scenes, {predicted} of them predicted before they were run:\n\n"
+    );
+    let reliable = reliable(digests);
+    let constant = reliable.iter().find(|(method, _)| method.algorithm == Iteration::Constant);
+    if let Some(first) = reliable.first() {
+        let _ = writeln!(text, "* **Use** {}.", sentence(first));
+    }
+    if let Some(constant) = constant {
+        let _ = writeln!(text, "* **Where one factorisation must do**: {}.", sentence(constant));
+    }
+    let widest = widest(&reliable);
+    if !widest.is_empty() {
+        let _ = writeln!(text, "* **Where nothing is known of the stiffness**: {}.", widest.join(", "));
+    }
+    let nowhere = digests.iter().filter(|digest| digest.safe.is_none());
+    let nowhere: Vec<String> = nowhere.map(|digest| format!("`{}`", digest.method)).collect();
+    if !nowhere.is_empty() {
+        let _ = writeln!(text, "* **Do not use** {}: at no initial stiffness do all runs end right.", nowhere.join(", "));
+    }
+    text
+}
+
+/// Methods with a range, fewest steps first; a penalty stops at a penetration of its own and is not among them.
+fn reliable(digests: &[Digest]) -> Vec<(Method, Safe)> {
+    let exact = digests.iter().filter(|digest| digest.method.rule != StiffnessRule::Penalty);
+    let mut reliable: Vec<(Method, Safe)> =
+        exact.filter_map(|digest| digest.safe.map(|safe| (digest.method, safe))).collect();
+    reliable.sort_by_key(|(_, safe)| safe.best_steps);
+    reliable
+}
+
+fn sentence((method, safe): &(Method, Safe)) -> String {
+    let Safe { from, to, best, best_steps, .. } = safe;
+    format!(
+        "`{method}` from κ₀ = {best:e} (at most {best_steps} steps; every surveyed run ends right for κ₀ from {from:e} to {to:e})"
+    )
+}
+
+/// The methods whose range no other's exceeds.
+fn widest(reliable: &[(Method, Safe)]) -> Vec<String> {
+    let is_widest = |safe: &Safe| !reliable.iter().any(|(_, other)| other.is_wider_than(Some(*safe)));
+    let widest = reliable.iter().filter(|(_, safe)| is_widest(safe));
+    widest
+        .map(|(method, Safe { from, to, steps, .. })| {
+            format!("`{method}` (at most {steps} steps from any κ₀ from {from:e} to {to:e})")
+        })
+        .collect()
+}
+
+/// Method → where it works → how its runs end → why → which rule does better.
+pub fn methods(digests: &[Digest]) -> String {
+    let head = [
+        "method",
+        "every run ends right for κ₀ from … to",
+        "how the runs ended",
+        "what stands in its way",
+        "rules of the same algorithm with a wider range",
+    ];
+    let pairs = Iteration::ALL.into_iter().flat_map(|algorithm| algorithm.rules().iter().map(move |&rule| (algorithm, rule)));
+    let rows: Vec<Vec<String>> = pairs.map(|(algorithm, rule)| row(digests, algorithm, rule)).collect();
+    markdown::table(&head.map(String::from), &rows)
+}
+
+fn row(digests: &[Digest], algorithm: Iteration, rule: StiffnessRule) -> Vec<String> {
+    let is_own = |digest: &&Digest| (digest.method.algorithm, digest.method.rule) == (algorithm, rule);
+    let own: Vec<&Digest> = digests.iter().filter(is_own).collect();
+    let range = |digest: &&Digest| {
+        let range = digest.safe.map_or("nowhere".into(), |Safe { from, to, .. }| format!("{from:e} … {to:e}"));
+        format!("{}: {range}", digest.method.element.name())
+    };
+    let ranges: Vec<String> = own.iter().map(range).collect();
+    vec![
+        format!("{}.{}", algorithm.name(), rule.name()),
+        ranges.join("; "),
+        ends(&own),
+        obstacle(algorithm, rule).into(),
+        wider(digests, algorithm, rule),
+    ]
+}
+
+/// Runs by how they ended.
+fn ends(own: &[&Digest]) -> String {
+    let all = || own.iter().flat_map(|digest| &digest.ends);
+    let total = |class: Class| all().filter(|(other, _)| *other == class).map(|(_, count)| count).sum::<usize>();
+    let counted = Class::ALL.map(|class| (class, total(class))).into_iter().filter(|(_, count)| *count > 0);
+    counted.map(|(class, count)| format!("{count} {}", class.name())).collect::<Vec<_>>().join(", ")
+}
+
+/// Other rules of the algorithm, with the elements on which their range is wider.
+fn wider(digests: &[Digest], algorithm: Iteration, rule: StiffnessRule) -> String {
+    let safe = |element, rule| {
+        let method = Method { element, algorithm, rule };
+        digests.iter().find(|digest| digest.method == method).and_then(|digest| digest.safe)
+    };
+    let mut found = Vec::new();
+    for &other in algorithm.rules() {
+        let is_wider = |element: &Element| safe(*element, other).is_some_and(|range| range.is_wider_than(safe(*element, rule)));
+        let elements: Vec<&str> = Element::ALL.iter().filter(|e| is_wider(e)).map(|e| e.name()).collect();
+        if !elements.is_empty() {
+            found.push(format!("`{}` ({})", other.name(), elements.join(", ")));
+        }
+    }
+    if found.is_empty() { "–".into() } else { found.join("; ") }
+}
+
+/// What a rule has to overcome, by its own formula.
+fn obstacle(algorithm: Iteration, rule: StiffnessRule) -> &'static str {
+    match (algorithm, rule) {
+        (Iteration::Varying, StiffnessRule::Secant) => "an open point loses its force by w/g a step, and w/g → 1 at the contact edge",
+        (Iteration::Varying, StiffnessRule::Correction) => {
+            "a correction by κ ≥ k₀ of points near the edge, where p/w is small: of hard κ₀ it is too large, and they swing"
+        }
+        (Iteration::Constant, StiffnessRule::Correction) => {
+            "a closed point keeps 1 − k₀ C of an error at each step, nearly all where κ₀ is soft; an open one k₀ C, nearly all where it is hard"
+        }
+        (Iteration::Constant, StiffnessRule::Secant) => "the spring asked for, p/g, has no bound where g → 0",
+        (Iteration::Constant, StiffnessRule::Literal) => "Σ Δk w is not the change of k w: what is missing stays in points that open",
+        (Iteration::Kinematic, StiffnessRule::Switching) => {
+            "the alternating mode of Gauss points, which the halving law of nodes does not know"
+        }
+        (Iteration::Kinematic, StiffnessRule::Penalty) => {
+            "the penetration p/k, which is its own law; soft springs let the contact reach the end of the candidate surface"
+        }
+        _ => "not offered",
+    }
+}

@@ -1,0 +1,53 @@
+//! The part of the chapter on where methods fail that holds predictions against measurements.
+
+use crate::error::Error;
+use crate::study::Found;
+use crate::study::stability::{Numbers, tables};
+
+/// A subsection for each prediction.
+pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
+    Ok([
+        FIXED_TARGET,
+        &tables::fixed_target(findings),
+        RATES,
+        &tables::rates(findings),
+        FAILING,
+        &tables::failing(findings),
+        BASIN,
+        &tables::basin(findings),
+        HALVING,
+        &tables::halving(findings),
+    ]
+    .concat())
+}
+
+/// None.
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+    Ok(Vec::new())
+}
+
+const FIXED_TARGET: &str = "### Constant stiffness towards fixed springs\n\n\
+`(S + K₀) u⁺ = f̂ + (K₀ − K*) u` converges if and only if S + K* and S + 2K₀ − K* are positive definite: in effect k₀ ≥ k*/2. \
+Softer springs diverge, stiffer ones crawl. Target springs carry the contact's own pressure without a gap, cut off at the κ* \
+given.\n\n";
+
+const RATES: &str = "### Rates of constant and varying stiffness\n\n\
+The asymptotic rate of an iteration is the spectral radius of its error's matrix on the final active set, made of the flexibility \
+of the contact and of its springs; – where too few steps lie between the final active set and round-off. Truncated Hertz, contact \
+edge between two nodes. Where a start hardly holds the slowest mode, round-off comes before that is alone: the spectral radius is \
+not what is measured then, and the prediction is the iteration linearised on the final active set and followed from its start over \
+the same errors.\n\n";
+
+const FAILING: &str = "\n### `secant` and `literal` with constant stiffness\n\n\
+`secant` wants every closed spring to reach p/g: at the contact's centre, where g → 0, that is without bound, and the start must \
+have half of it. `literal` adds up changes of stiffness times approach, which is not the change of the force: what is missing \
+remains in points that open.\n\n";
+
+const BASIN: &str = "\n### Varying stiffness with `correction`\n\n\
+Next to the contact it is stable while 2 (S + K*) − max(K*, K₀) is positive definite on the closed points: near the edge, where \
+k* → 0, κ₀ must remain below about twice the stiffness of the bodies. From equal springs, farther away, that is no promise.\n\n";
+
+const HALVING: &str = "\n### Kinematic load: the halving law\n\n\
+Started with every candidate closed it shrinks the contact by halving L² − a². By that law the paper's *two steps for any initial \
+stiffness* need candidates that end at the contact edge, L = a; elsewhere each halving of the mesh costs one step more. It is a law \
+of nodes: the Gauss points of line and layer elements have an alternating mode that it does not know.\n\n";
