@@ -10,9 +10,9 @@ macro_rules! named_enum {
         }
     ) => {
         $(#[$outer])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
         pub enum $choice {
-            $(#[doc = $help] $(#[doc = $more])* $member,)+
+            $(#[doc = $help] $(#[doc = $more])* #[serde(rename = $name)] $member,)+
         }
 
         impl $choice {

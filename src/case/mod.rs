@@ -8,7 +8,7 @@
 //! * [`solved`] — a case meshed, run and judged.
 //! * [`universal`] — what every run must satisfy, whatever the case.
 //! * [`library`] — the cases of the suite.
-//! * [`file`] — cases that users write.
+//! * [`mod@file`] — cases that users write.
 
 pub mod check;
 pub mod definition;

@@ -5,9 +5,7 @@
 //! * [`accuracy`] — the section on accuracies that are asked for.
 //! * [`checks`] — requirement by requirement.
 //! * [`cross_code`] — against other codes, and the planted faults.
-//! * [`limits`] — where everything else breaks.
 //! * [`timings`] — speed against accuracy.
-//! * [`cures`] — options that are not the paper's.
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
 //! * [`statements`] — the paper's statements, judged.
@@ -17,10 +15,8 @@ pub mod accuracy;
 pub mod checks;
 pub mod converged;
 pub mod cross_code;
-pub mod cures;
 pub mod decisions;
 pub mod files;
-pub mod limits;
 pub mod matrix;
 pub mod page;
 pub mod pictures;

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::figure;
 use crate::markdown;
-use crate::report::{accuracy, converged, cross_code, cures, limits, timings};
+use crate::report::{accuracy, converged, cross_code, timings};
 use crate::report::{checks, decisions, matrix, pictures, statements};
 use crate::solve::Formulation;
 use crate::study::unsorted;
@@ -54,8 +54,6 @@ fn without_rooms(all: &[Finding]) -> Result<(String, Vec<(String, String)>), Err
         timings::section(findings)?,
         converged::section(findings),
         accuracy::section(findings),
-        cures::section(findings),
-        limits::section(findings),
     ];
     Ok((sections.concat(), pictures::all(findings)?))
 }

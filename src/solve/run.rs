@@ -38,7 +38,7 @@ pub struct Contact {
 }
 
 /// Relative errors, with sign.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, serde::Serialize)]
 pub struct Errors {
     /// Of the peak pressure.
     pub peak: f64,

@@ -9,7 +9,7 @@ use crate::measure;
 use crate::solution::Work;
 
 /// Condition of `S + Σ A k b bᵀ`, and errors of the pressures `p = k (w − g)` found with it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, serde::Serialize)]
 pub struct Conditioning {
     /// Largest over smallest eigenvalue; infinite where round-off leaves none above zero.
     pub condition: f64,

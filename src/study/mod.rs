@@ -4,7 +4,7 @@
 //! * [`trial`] — one piece of a study that can run alone, and what it found.
 //! * [`refinement`], [`sweep`], [`family`], [`gaertner`] — studies over meshes, stiffnesses and dimensions.
 //! * [`cross_code`] — the solver against scikit-fem and dolfinx.
-//! * [`limits`] — where everything else breaks.
+//! * [`limits`] — limits of validity.
 //! * [`faults`] — the record of planted faults.
 //! * [`accuracy`] — the cheapest mesh for an accuracy asked.
 //! * [`converged`] — what is called converged.
@@ -22,10 +22,8 @@ pub mod accuracy;
 pub mod class;
 pub mod converged;
 pub mod cross_code;
-pub mod cures;
 pub mod family;
 pub mod gaertner;
-pub mod limits;
 pub mod met;
 pub mod method;
 pub mod pictures;
@@ -54,6 +52,10 @@ rooms! {
     Atlas in atlas,
     /// Where methods fail: predicted rates and steps.
     Stability in stability,
+    /// Cures of what fails or is slow.
+    Cures in cures,
+    /// Limits of validity.
+    Limits in limits,
     /// Fault injection.
     Faults in faults,
 }

@@ -8,7 +8,7 @@ use contact_vv::error::Error;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::solution::{Outcome, Solution};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Start};
-use contact_vv::study::cures::{reach, record};
+use contact_vv::study::cures::{self, Numbers, record};
 
 use crate::workbench::distance;
 
@@ -207,11 +207,32 @@ fn nested_start_takes_three_steps_at_most_and_finds_the_same_contact() {
 fn share_below_the_multiple_of_the_plain_one_turns_red() {
     let recorded = record::read(Element::Node).expect("the record");
     let (plain, crossed_secant) = (&recorded[0], recorded[1].clone());
-    assert_eq!(reach::times(plain, &crossed_secant).verdict, Verdict::Pass);
+    assert_eq!(cures::times(plain, &crossed_secant).verdict, Verdict::Pass);
     let mut spoiled = crossed_secant;
     spoiled.steps[1].iter_mut().step_by(2).flatten().for_each(|steps| *steps = None);
-    assert_eq!(reach::times(plain, &spoiled).verdict, Verdict::Fail);
-    assert_eq!(reach::times(plain, plain).verdict, Verdict::Fail);
+    assert_eq!(cures::times(plain, &spoiled).verdict, Verdict::Fail);
+    assert_eq!(cures::times(plain, plain).verdict, Verdict::Fail);
+}
+
+#[test]
+fn acceleration_slower_than_none_and_another_rule_that_converges_turn_red() {
+    let trials = cures::plan();
+    let trial = trials.iter().find(|trial| trial.case == "accelerated rules").expect("a trial of the rules");
+    let Numbers::Rules(rules) = trial.run().expect("runs") else { panic!("other numbers than of the rules") };
+    let verdicts = |rules: Vec<cures::Rule>| {
+        let judged = cures::judge(&Numbers::Rules(rules)).expect("checks");
+        judged.into_iter().map(|one| one.verdict).collect::<Vec<_>>()
+    };
+    assert_eq!(verdicts(rules.clone()), [Verdict::Pass, Verdict::Pass]);
+    let mut slower = rules.clone();
+    slower[1].ended.swap(0, 2);
+    assert_eq!(verdicts(slower), [Verdict::Fail, Verdict::Pass]);
+    let mut lost = rules.clone();
+    lost[0].ended[1].outcome = Outcome::Exhausted;
+    assert_eq!(verdicts(lost), [Verdict::Fail, Verdict::Pass]);
+    let mut found = rules;
+    found.last_mut().expect("rules").ended[2].outcome = Outcome::Converged;
+    assert_eq!(verdicts(found), [Verdict::Pass, Verdict::Fail]);
 }
 
 /// What follows a state of ten times the first residual after so many quiet evaluations: times it was given up, and the

@@ -1,7 +1,7 @@
 //! What used to be called converged and was wrong is refused or noted; what is right is not.
 
 use contact_vv::case::library::{Bars, Cylinder, FlatPunch, Patch, PinRod};
-use contact_vv::case::{Verdict, problem};
+use contact_vv::case::{Verdict, judged, problem};
 use contact_vv::error::{Error, Kind};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::{Load, Profile, Scene};
@@ -224,17 +224,17 @@ fn shaken_mesh_moves_inner_nodes_only_and_keeps_edges_straight() {
 
 #[test]
 fn every_limit_gives_one_full_row_of_the_summary_and_passes() {
-    let trials = limits::trials();
+    let trials = limits::plan();
     assert_eq!(trials.len(), 14);
     for trial in trials {
-        let finding = trial.run().unwrap_or_else(|error| panic!("{}: {error}", trial.title()));
-        let summaries: Vec<_> = finding.tables.iter().filter(|table| table.title == limits::SUMMARY).collect();
-        assert_eq!(summaries.len(), 1, "{}", trial.title());
-        assert_eq!(summaries[0].rows.len(), 1);
-        let row = &summaries[0].rows[0];
-        assert_eq!(row.len(), limits::HEAD.len());
+        let numbers = trial.run().unwrap_or_else(|error| panic!("{}: {error}", trial.title()));
+        let row = numbers.limit().cells();
         assert!(row.iter().all(|cell| !cell.is_empty() && !cell.contains("NaN")), "{}: {row:?}", trial.title());
-        assert!(!finding.checks.is_empty() && finding.verdict() == Verdict::Pass, "{}", trial.title());
+        for cells in numbers.detail().iter().flat_map(|detail| &detail.rows) {
+            assert!(!cells.iter().any(|cell| cell.is_empty() || cell.contains("NaN")), "{}: {cells:?}", trial.title());
+        }
+        let judged = limits::judge(&numbers).unwrap_or_else(|error| panic!("{}: {error}", trial.title()));
+        assert_eq!(judged::worst(&judged), Some(&Verdict::Pass), "{}", trial.title());
     }
 }
 
@@ -247,9 +247,8 @@ fn limit_that_ends_in_an_error_shows_its_remedy_as_what_to_do_instead() {
         ("candidates too short", "widen the candidate stretch"),
         ("distorted cells", "make the grading gentler"),
     ] {
-        let trial = limits::trials().into_iter().find(|trial| trial.name == name).expect("a trial of this name");
-        let finding = trial.run().unwrap_or_else(|error| panic!("{}: {error}", trial.title()));
-        let row = &finding.tables[0].rows[0];
+        let trial = limits::plan().into_iter().find(|trial| trial.name == name).expect("a trial of this name");
+        let row = trial.run().unwrap_or_else(|error| panic!("{}: {error}", trial.title())).limit().cells();
         assert!(row[4].starts_with(remedy) && row[3].contains("error: ") && !row[3].contains(remedy), "{row:?}");
     }
 }

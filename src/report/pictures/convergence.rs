@@ -8,27 +8,7 @@ use crate::figure::palette::{self, Dash, Marker, Style};
 use crate::figure::{Axis, Chart, IterationPaths, Path, State, panels};
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::unsorted::Finding;
-use crate::study::{converged, cures, pictures};
-
-/// Steps of constant stiffness against initial stiffness, plain and accelerated, one panel per element.
-pub fn cures(findings: &[Finding]) -> Result<String, Error> {
-    let mut charts = Vec::new();
-    for element in Element::ALL {
-        let mut chart =
-            Chart::new(element.name(), Axis::log("κ₀").over(1e-3, 1e3), Axis::log("steps").over(5.0, 200.0));
-        let own = format!("{}.", element.name());
-        for (k, series) in of_picture(findings, cures::PICTURE).filter(|s| s.label.starts_with(&own)).enumerate() {
-            let (name, colour, dash, marker) = [
-                ("plain", palette::INK, Dash::Dashed, Marker::Square),
-                ("crossed secant", palette::ORANGE, Dash::DashDot, Marker::Triangle),
-                ("Anderson", palette::SKY, Dash::Solid, Marker::Circle),
-            ][k.min(2)];
-            chart.series.push(curve(series, name.into(), Style::run(colour, dash, marker)));
-        }
-        charts.push(chart);
-    }
-    panels("Steps of constant stiffness, plain and accelerated", &charts, 3)
-}
+use crate::study::{converged, pictures};
 
 /// Share of the runs that converge against the candidate stretch, one panel per algorithm.
 pub fn shares(findings: &[Finding]) -> Result<String, Error> {

@@ -26,7 +26,6 @@ pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
     let mut charts = vec![("contact-elements.svg".to_string(), figure::contact_elements()?)];
     for (name, chart) in [
         ("orders.svg", convergence::orders(findings).svg()?),
-        ("cures.svg", convergence::cures(findings)?),
         ("converged.svg", convergence::shares(findings)?),
         ("iteration-paths.svg", convergence::paths(findings)?),
         ("field-cylinder.svg", fields::cylinder(findings)?),

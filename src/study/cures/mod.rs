@@ -1,32 +1,28 @@
 //! Cures of what fails or is slow: options beside the paper's algorithms, off by default.
 //!
-//! * [`reach`] — over which initial stiffnesses constant stiffness converges, plain and accelerated.
-//! * [`record`] — its runs, measured and recorded.
-//! * [`nested`] — steps of kinematic load from every candidate closed, and from the contact set of coarser meshes.
+//! * [`plan`](plan()) — a trial for each element, one for the rules, one for each scene of nested starts.
+//! * `run` — what came out of any of them.
+//! * [`record`] — over which initial stiffnesses constant stiffness converges, plain and accelerated: measured and recorded.
+//! * `rules` — every rule of constant stiffness with every acceleration.
+//! * `nested` — iterations of kinematic load from every candidate closed, and from the active set of coarser meshes.
+//! * [`judge`](judge()) — the checks.
+//! * [`section`](section()) — the tables.
+//! * `picture` — iterations against initial stiffness.
 
-pub mod nested;
-pub mod reach;
+mod judge;
+mod nested;
+mod picture;
+mod plan;
 pub mod record;
+mod rules;
+mod run;
+mod section;
 
-use crate::solve::Element;
-use crate::study::unsorted::Trial;
-
-/// Name of the trials of accelerated constant stiffness.
-pub const REACH: &str = "reach of constant stiffness, accelerated";
-/// Name of the trial of accelerated rules.
-pub const RULES: &str = "accelerated rules";
-/// Name of the trials of nested starts.
-pub const NESTED: &str = "nested start of kinematic load";
-/// Picture of steps against initial stiffness.
-pub const PICTURE: &str = "cures";
-
-/// Trials of the cures.
-pub fn trials() -> Vec<Trial> {
-    let mut trials: Vec<Trial> =
-        Element::ALL.map(|element| Trial::new(REACH, element.name(), move || reach::reach(element))).into();
-    trials.push(Trial::new(RULES, "node.constant", reach::rules));
-    for (name, scene) in nested::scenes() {
-        trials.push(Trial::new(NESTED, name, move || nested::steps(name, &scene)));
-    }
-    trials
-}
+pub use judge::{judge, times};
+pub use nested::{Nested, OnMesh, Start};
+pub use picture::pictures;
+pub use plan::plan;
+pub use record::Runs;
+pub use rules::{Ended, Rule};
+pub use run::{Numbers, Reach};
+pub use section::section;

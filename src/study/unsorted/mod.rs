@@ -6,7 +6,7 @@ use crate::case::{Judged, Verdict};
 use crate::case::{Problem, universal};
 use crate::solve::Run;
 use crate::study::cross_code::{self, Answers};
-use crate::study::{converged, cures, family, gaertner, limits, met, pictures, refinement, timings};
+use crate::study::{converged, family, gaertner, met, pictures, refinement, timings};
 
 use crate::error::Error;
 use crate::markdown;
@@ -161,8 +161,6 @@ fn title(formulation: &Formulation) -> String {
 pub fn all() -> Vec<Trial> {
     let mut trials = refinement::trials();
     trials.extend(converged::trials());
-    trials.extend(limits::trials());
-    trials.extend(cures::trials());
     trials.extend(timings::trials());
     trials.extend(crate::study::accuracy::trials());
     trials.extend(met::trials());
