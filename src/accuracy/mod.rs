@@ -35,7 +35,6 @@ pub mod search;
 mod sizes;
 mod slow;
 
-use crate::case::{Judged, Reference};
 use crate::mesh::size::MOST;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
@@ -128,14 +127,6 @@ impl Answer {
     /// Largest estimated relative error of the quantities asked for; NaN where nothing is known.
     pub fn estimate(&self) -> f64 {
         if self.estimates.is_empty() { f64::NAN } else { depth::largest(&self.estimates) }
-    }
-
-    /// Whether what was asked is met, by the estimate.
-    pub fn check(&self, asked: &Asked) -> Judged {
-        let estimate = if self.unmet.is_none() { self.estimate() } else { f64::NAN };
-        let because = "two ladders of meshes and one finer in both directions, with factors of safety";
-        let reference = Reference::own("finer meshes", 0.0);
-        Judged::norm("The accuracy asked shall be met", "estimated error", estimate, reference, asked.relative, because)
     }
 }
 

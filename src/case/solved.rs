@@ -122,8 +122,12 @@ fn converges(run: &Run) -> Judged {
 
 /// That an accuracy is met, by the estimate.
 pub fn met(asked: &Asked, answer: &Answer) -> Judged {
-    let estimate = if answer.unmet.is_none() { answer.estimate() } else { f64::NAN };
+    estimated(if answer.unmet.is_none() { answer.estimate() } else { f64::NAN }, asked.relative)
+}
+
+/// The same of an estimated error; NaN where the search says that it is not met.
+pub fn estimated(error: f64, asked: f64) -> Judged {
     let because = "two ladders of meshes and one finer in both directions, with factors of safety";
     let quantity = Quantity::at("estimated error of the mesh that an accuracy chose", "");
-    Check::error(quantity, Reference::own("finer meshes", 0.0), asked.relative, because).judge(estimate)
+    Check::error(quantity, Reference::own("finer meshes", 0.0), asked, because).judge(error)
 }

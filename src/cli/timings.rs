@@ -9,7 +9,7 @@ use crate::cli::{progress, say};
 use crate::error::Error;
 use crate::oracle::cross_code::Code;
 use crate::study::timings::machine::Machine;
-use crate::study::timings::others::{self, PEERS};
+use crate::study::timings::others::{self, Peer};
 use crate::study::timings::record::{Beside, FOLDER, Measured, Record};
 use crate::study::timings::{growth, precision, targets};
 
@@ -35,7 +35,7 @@ pub fn run() -> Result<(), Error> {
 
 fn measure() -> Result<Record, Error> {
     let meshes = precision::meshes();
-    let bar = progress(growth::MESHES.len() + meshes.len() + Code::ALL.len() + PEERS.len() + 2);
+    let bar = progress(growth::MESHES.len() + meshes.len() + Code::ALL.len() + Peer::ALL.len() + 2);
     let step = |what: &str| {
         bar.inc(1);
         bar.set_message(what.to_owned());
@@ -59,10 +59,10 @@ fn measure() -> Result<Record, Error> {
         let mut own = targets::cheapest_laps(&points)?;
         others::precision(code)?.map_or_else(|why| absent.push(why), |found| others.extend(found));
         own.extend(targets::cheapest_laps(&points)?);
-        beside.push(Beside::of(code.name(), &own));
+        beside.push(Beside::of(code, &own));
     }
-    for peer in PEERS {
-        step(peer.0);
+    for peer in Peer::ALL {
+        step(peer.name());
         others::cylinder(peer)?.map_or_else(|why| absent.push(why), |found| peers.extend(found));
     }
     step("the report");

@@ -2,18 +2,14 @@
 //!
 //! * [`page`] — the order of the sections.
 //! * [`matrix`] — the verdict matrix and the summary table of the terminal.
-//! * [`accuracy`] — the section on accuracies that are asked for.
 //! * [`checks`] — requirement by requirement.
 //! * [`cross_code`] — against other codes, and the planted faults.
-//! * [`timings`] — speed against accuracy.
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
 //! * [`statements`] — the paper's statements, judged.
 //! * [`files`] — writing, and comparing with what is committed.
 
-pub mod accuracy;
 pub mod checks;
-pub mod converged;
 pub mod cross_code;
 pub mod decisions;
 pub mod files;
@@ -21,7 +17,6 @@ pub mod matrix;
 pub mod page;
 pub mod pictures;
 pub mod statements;
-pub mod timings;
 
 pub use files::{differences, write};
 pub use page::{Page, compose};

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::figure;
 use crate::markdown;
-use crate::report::{accuracy, converged, cross_code, timings};
+use crate::report::cross_code;
 use crate::report::{checks, decisions, matrix, pictures, statements};
 use crate::solve::Formulation;
 use crate::study::unsorted;
@@ -49,12 +49,7 @@ fn judged(room: Room, findings: &[Finding]) -> String {
 /// Sections of studies without a room.
 fn without_rooms(all: &[Finding]) -> Result<(String, Vec<(String, String)>), Error> {
     let findings = &unsorted(all)[..];
-    let sections = [
-        cross_code::section(findings)?,
-        timings::section(findings)?,
-        converged::section(findings),
-        accuracy::section(findings),
-    ];
+    let sections = [cross_code::section(findings)?];
     Ok((sections.concat(), pictures::all(findings)?))
 }
 

@@ -10,26 +10,24 @@
 //! * [`converged`] — what is called converged.
 //! * [`met`] — whether an accuracy called met is met.
 //! * [`records`] — files of recorded surveys.
-//! * [`class`](mod@class), [`method`] — how a run ended and what was run, as they are recorded.
+//! * [`class`](mod@class), [`method`], [`pairing`] — how a run ended and what was run, as they are recorded.
+//! * [`handed_over`] — our discretisation as plain numbers, for other codes.
 //! * [`atlas`] — where each method converges, and where it was predicted to.
 //! * [`stability`] — predicted rates and steps against measured ones.
 //! * [`cures`] — acceleration of constant stiffness, nested starts of kinematic load.
 //! * [`timings`] — what each accuracy costs.
 //! * [`pictures`] — fields and iteration paths that are shown, not judged.
-//! * [`statements`] — the paper's statements, judged from the findings.
 
-pub mod accuracy;
 pub mod class;
-pub mod converged;
 pub mod cross_code;
 pub mod family;
 pub mod gaertner;
-pub mod met;
+pub mod handed_over;
 pub mod method;
+pub mod pairing;
 pub mod pictures;
 pub mod records;
 pub mod refinement;
-pub mod timings;
 
 pub mod drawn;
 mod rooms;
@@ -48,6 +46,14 @@ rooms! {
     Sweep in sweep,
     /// Studies that have no room of their own yet.
     Unsorted in unsorted,
+    /// Speed against accuracy.
+    Timings in timings,
+    /// What is called converged.
+    Converged in converged,
+    /// An accuracy asked for instead of a mesh.
+    Accuracy in accuracy,
+    /// What is called met.
+    Met in met,
     /// Where methods fail: the recorded survey.
     Atlas in atlas,
     /// Where methods fail: predicted rates and steps.

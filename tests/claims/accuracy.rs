@@ -4,11 +4,12 @@ use approx::assert_relative_eq;
 use contact_vv::accuracy::estimate::{levels, richardson};
 use contact_vv::accuracy::longest::longest;
 use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted, percentage};
+use contact_vv::case::solved::met;
 use contact_vv::case::{Case, Verdict, problem};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
-use contact_vv::study::accuracy::{self as study, ASKED, Subject};
+use contact_vv::study::accuracy::{self as study, ASKED, Numbers, Price, Subject, judge};
 
 use crate::scene_file::files;
 
@@ -24,11 +25,11 @@ fn answered(scene: &Scene, asked: f64) -> Answer {
 
 #[test]
 fn three_scenes_meet_three_accuracies_with_at_most_twice_the_freedoms_of_a_mesh_made_by_hand() {
-    let trials = study::trials();
+    let trials = study::plan();
     assert_eq!(trials.len(), 9);
     for trial in trials {
-        let finding = trial.run().expect("solved");
-        for check in &finding.checks {
+        let numbers = trial.run().expect("solved");
+        for check in judge(&numbers).expect("judged") {
             assert_eq!(check.verdict, Verdict::Pass, "{}: {} {:e}", trial.title(), check.requirement(), check.error);
         }
     }
@@ -39,10 +40,10 @@ fn checks_of_the_study_fail_on_a_coarser_mesh_on_a_larger_one_and_on_an_accuracy
     let subject = Subject::Truncated;
     let problem = subject.loaded(1.0);
     let exact = study::closed_form(&problem);
-    let asked = Asked::new(1e-3);
     let good = answered(&problem.scene, 1e-3);
     let failed = |answer: &Answer, freedoms: usize| {
-        let checks = study::checks(answer, &asked, exact, exact, (1e-4, freedoms));
+        let by_hand = Price { dofs: freedoms, worst: 1e-4 };
+        let checks = judge(&Numbers::of(answer, 1e-3, [exact, exact], by_hand)).expect("judged");
         checks.iter().map(|check| check.verdict == Verdict::Fail).collect::<Vec<_>>()
     };
     assert_eq!(failed(&good, good.run.freedoms), [false; 5]);
@@ -155,7 +156,7 @@ fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
     let punch = problem::problem("flat-punch", None).expect("known");
     let answer = answered(&punch.scene, 1e-2);
     assert!(answer.unmet.is_some() && answer.run.solution.converged());
-    assert!(answer.check(&Asked::new(1e-2)).verdict == Verdict::Fail);
+    assert!(met(&Asked::new(1e-2), &answer).verdict == Verdict::Fail);
     // Its half-width alone is no matter of the corner.
     let asked = Asked { quantities: vec![Quantity::HalfWidth], ..Asked::new(1e-2) };
     let answer = accuracy::solve(&punch.scene, &plain(), &asked).expect("solved");
@@ -269,7 +270,7 @@ fn accuracy_in_a_file_is_the_engines_and_its_first_mesh_is_within_limits() {
     let (meshed, run) = file.solve().expect("solved");
     let answer = meshed.answer;
     let answer = answer.expect("answered");
-    assert!(answer.check(&asked).verdict == Verdict::Pass);
+    assert!(met(&asked, &answer).verdict == Verdict::Pass);
     assert!(study::error(&run, [576.923077, 0.25]) <= 1e-3);
     assert_eq!(file.resolution, Resolution { elements: 8, refinement: 0, order: Order::Quadratic });
     let one = text.replace("accuracy = \"0.1 %\"", "accuracy = \"1 %\"\nquantity = [\"half-width\"]");

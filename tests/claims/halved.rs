@@ -100,7 +100,7 @@ fn halving_keeps_boundaries_and_lines_and_goes_to_the_circle() {
 #[test]
 fn given_mesh_halved_is_the_drawn_mesh_halved() {
     let site = Site { family: Family::Polynomial, number: 4 };
-    let drawn = site.sample().scene;
+    let drawn = site.sample().expect("a scene").scene;
     for order in [Order::Linear, Order::Quadratic] {
         let scene = brought(drawn.clone(), resolution(3, 0, order));
         let given = Mesh::of(&scene, halved(order, 2)).expect("meshed");
@@ -140,7 +140,7 @@ fn errors_of(scene: &Scene, truths: &[[f64; 2]], asked: f64) -> (bool, f64) {
 #[test]
 fn chain_of_blocks_meets_an_accuracy() {
     for number in [2, 6] {
-        let mut sample = Site { family: Family::Polynomial, number }.sample();
+        let mut sample = Site { family: Family::Polynomial, number }.sample().expect("a scene");
         let Shape::Rectangle { x, y, .. } = sample.scene.bodies[0].shape else { panic!("a block") };
         let block = |x: [f64; 2], names: [Option<&'static str>; 4], elements: [usize; 2]| BlockShape {
             corners: [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]],
@@ -165,7 +165,7 @@ fn chain_of_blocks_meets_an_accuracy() {
 fn contacts_of_any_two_sizes_meet_an_accuracy() {
     // The widths of numbers 3 and 43 differ by five decades.
     for number in [3, 10, 20, 43] {
-        let sample = Site { family: Family::Pair, number }.sample();
+        let sample = Site { family: Family::Pair, number }.sample().expect("a scene");
         let (met, error) = errors_of(&sample.scene, &sample.truths, 3e-3);
         assert!(met && error <= 3e-3, "{number}: {error:e}");
     }
@@ -174,14 +174,14 @@ fn contacts_of_any_two_sizes_meet_an_accuracy() {
 #[test]
 fn bodies_of_the_random_meshes_bring_them() {
     for number in 0..Family::Mesh.each() {
-        let sample = Site { family: Family::Mesh, number }.sample();
+        let sample = Site { family: Family::Mesh, number }.sample().expect("a scene");
         assert!(sample.scene.bodies[0].shape.brings_mesh(), "{number}");
     }
 }
 
 #[test]
 fn weak_contact_beside_a_strong_one_is_solved_to_its_own_digits() {
-    let sample = Site { family: Family::Pair, number: 43 }.sample();
+    let sample = Site { family: Family::Pair, number: 43 }.sample().expect("a scene");
     let mut scene = sample.scene.clone();
     scene.contacts.iter_mut().zip(&sample.truths).for_each(|(pair, truth)| pair.stretch = 1.5 * truth[1]);
     let (scene, resolution) = accuracy::first(&scene);

@@ -119,7 +119,7 @@ fn peak_of_a_hollow_profile_converges_with_the_mesh() {
 fn scenes_are_the_same_each_time_and_as_many_as_promised() {
     assert!(sites().len() >= 400);
     for family in Family::ALL {
-        let [first, again, other] = [3, 3, 4].map(|number| site(family, number).sample());
+        let [first, again, other] = [3, 3, 4].map(|number| site(family, number).sample().expect("a scene"));
         let numbers = |sample: &contact_vv::study::met::scenes::Sample| {
             sample.truths.iter().flatten().map(|truth| truth.to_bits()).collect::<Vec<_>>()
         };
@@ -132,7 +132,7 @@ fn scenes_are_the_same_each_time_and_as_many_as_promised() {
 fn scenes_of_each_family_meet_each_accuracy() {
     for family in Family::ALL {
         for number in [0, 1, 2] {
-            let sample = site(family, number).sample();
+            let sample = site(family, number).sample().expect("a scene");
             for asked in ASKED {
                 let found = record(&site(family, number), asked, &sample).expect("solved");
                 let place = format!("{}, {number}, {asked}: {found:?}", family.name());
@@ -146,7 +146,7 @@ fn scenes_of_each_family_meet_each_accuracy() {
 #[test]
 fn closed_forms_of_cylinder_and_pin_leave_out_little() {
     for (family, number) in [(Family::Cylinder, 38), (Family::Cylinder, 50), (Family::Pin, 2), (Family::Pin, 3)] {
-        let sample = site(family, number).sample();
+        let sample = site(family, number).sample().expect("a scene");
         let found = record(&site(family, number), 5e-5, &sample).expect("solved");
         assert!(found.error() <= LEFT_OUT, "{}, {number}: {found:?}", family.name());
     }
@@ -154,14 +154,14 @@ fn closed_forms_of_cylinder_and_pin_leave_out_little() {
 
 #[test]
 fn waves_that_three_coarse_meshes_agree_on_by_accident_are_not_called_met() {
-    let sample = site(Family::Cosine, 41).sample();
+    let sample = site(Family::Cosine, 41).sample().expect("a scene");
     let found = record(&site(Family::Cosine, 41), 1e-3, &sample).expect("solved");
     assert!(found.met && !found.is_falsely_met(), "{found:?}");
 }
 
 #[test]
 fn slow_algorithms_are_run_on_the_mesh_that_kinematic_load_chose() {
-    let sample = site(Family::Polynomial, 0).sample();
+    let sample = site(Family::Polynomial, 0).sample().expect("a scene");
     let mut met = 0;
     for formulation in Formulation::nine() {
         let asked = Asked::new(1e-2);
@@ -180,7 +180,7 @@ fn slow_algorithms_are_run_on_the_mesh_that_kinematic_load_chose() {
 
 #[test]
 fn iteration_that_stops_early_is_the_reason_why_an_accuracy_is_not_met() {
-    let sample = site(Family::Polynomial, 0).sample();
+    let sample = site(Family::Polynomial, 0).sample().expect("a scene");
     let mut formulation = Formulation::new(Element::Line, Iteration::Constant);
     formulation.settings.max_steps = 2;
     let answer = accuracy::solve(&sample.scene, &formulation, &Asked::new(3e-3)).expect("solved");

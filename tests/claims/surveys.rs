@@ -5,11 +5,13 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use contact_vv::case::Verdict;
-use contact_vv::solve::unbounded;
-use contact_vv::study::atlas::Class;
+use contact_vv::solve::{Element, Iteration, unbounded};
+use contact_vv::study::class::Class;
 use contact_vv::study::converged::judge::{is_as_recorded, right};
 use contact_vv::study::converged::run::{Record, records as runs_of};
 use contact_vv::study::converged::{NAME, sites};
+use contact_vv::study::met;
+use contact_vv::study::pairing::Pairing;
 use contact_vv::study::records;
 
 fn record() -> Record {
@@ -17,7 +19,7 @@ fn record() -> Record {
         scene: "cylinder".into(),
         stretch: 2.0,
         load: 1e-2,
-        formulation: "node.kinematic".into(),
+        formulation: Pairing { element: Element::Node, algorithm: Iteration::Kinematic },
         tolerance: 1e-3,
         class: Class::Converged,
         steps: 7,
@@ -48,7 +50,7 @@ fn run_that_moved_is_not_as_recorded() {
         Record { steps: 8, ..record() },
         Record { class: Class::Slow, ..record() },
         Record { load: 1.0, ..record() },
-        Record { formulation: "line.kinematic".into(), ..record() },
+        Record { formulation: Pairing { element: Element::Line, ..record().formulation }, ..record() },
         Record { tolerance: 1e-6, ..record() },
     ] {
         assert!(!is_as_recorded(&record(), &moved) && !is_as_recorded(&moved, &record()), "{moved:?}");
@@ -107,5 +109,19 @@ fn series_without_a_limit_grows_and_one_with_a_limit_does_not() {
             if nan.get() == lost + 1 { f64::NAN } else { 100.0 * h.powf(-0.3) }
         });
         assert!(spoiled.is_none(), "NaN tells of no growth");
+    }
+}
+
+#[test]
+fn records_are_written_as_they_were_read() {
+    let folder = tempfile::tempdir().expect("folder");
+    let copy = |name: &str| folder.path().join(name).with_extension("csv");
+    records::write(&copy("converged"), &records::read::<Record>(&records::file("converged"), "").expect("read"))
+        .expect("written");
+    records::write(&copy("met"), &records::read::<met::Record>(&records::file("met"), "").expect("read"))
+        .expect("written");
+    for name in ["converged", "met"] {
+        let [kept, fresh] = [records::file(name), copy(name)].map(|file| std::fs::read(file).expect("a file"));
+        assert!(kept == fresh, "{name}");
     }
 }

@@ -3,14 +3,16 @@
 use approx::assert_relative_eq;
 use contact_vv::case::problem::problem;
 use contact_vv::case::{Problem, Verdict};
+use contact_vv::checkout::root;
 use contact_vv::mesh::Order;
-use contact_vv::study::timings::growth;
+use contact_vv::study::timings::growth::Counts;
 use contact_vv::study::timings::judge::moved;
-use contact_vv::study::timings::meshes::judged;
 use contact_vv::study::timings::precision::{self, Family, LOADS, Point, half_widths};
-use contact_vv::study::timings::record::Record;
+use contact_vv::study::timings::record::{FOLDER, Measured, Record};
+use contact_vv::study::timings::run::{Precision, Recounted};
 use contact_vv::study::timings::statistics::{Spread, exponent};
 use contact_vv::study::timings::targets::targets;
+use contact_vv::study::timings::{Numbers, default_mesh, growth, judge};
 
 #[test]
 fn spread_is_median_least_and_most_and_a_broken_value_spoils_it() {
@@ -96,8 +98,48 @@ fn target_that_is_missed_or_not_a_number_is_not_met() {
 #[test]
 fn default_mesh_that_is_too_coarse_or_gives_no_number_is_not_accepted() {
     let mut problem = problem("truncated-hertz", None).expect("known");
-    let verdict = |problem: &Problem| judged(problem).expect("solved").checks[0].verdict.clone();
+    let verdict = |problem: &Problem| {
+        let mesh = Numbers::DefaultMesh(default_mesh::measure(problem).expect("solved"));
+        judge(&mesh).expect("judged")[0].verdict.clone()
+    };
     assert_eq!(verdict(&problem), Verdict::Pass);
     problem.resolution.elements = 3;
     assert_eq!(verdict(&problem), Verdict::Fail);
+}
+
+#[test]
+fn record_that_is_not_complete_or_was_not_measured_again_is_not_as_recorded() {
+    let Record { measured, points } = Record::read().expect("the committed record");
+    let verdict = |numbers: Numbers| judge(&numbers).expect("judged")[0].verdict.clone();
+    let of_points = |recorded: &[Point], fresh: &[Point], planned: usize| {
+        verdict(Numbers::Precision(Precision { recorded: recorded.into(), fresh: fresh.into(), planned }))
+    };
+    let all = points.len();
+    assert_eq!(of_points(&points, &points, all), Verdict::Pass);
+    assert_eq!(of_points(&points[1..], &points, all), Verdict::Fail);
+    assert_eq!(of_points(&points, &[], all), Verdict::Fail);
+    let counts: Vec<Counts> = Recounted::kept(&measured).cloned().collect();
+    let of_counts = |recorded: &Measured, fresh: &[Counts]| {
+        verdict(Numbers::Growth(Recounted { recorded: recorded.clone(), fresh: fresh.into() }))
+    };
+    assert_eq!(of_counts(&measured, &counts), Verdict::Pass);
+    let mut fewer = measured.clone();
+    fewer.growth.pop();
+    assert_eq!(of_counts(&fewer, &counts), Verdict::Fail);
+    assert_eq!(of_counts(&measured, &[]), Verdict::Fail);
+    let mut moved = counts;
+    moved[0].steps += 1;
+    assert_eq!(of_counts(&measured, &moved), Verdict::Fail);
+}
+
+#[test]
+fn record_is_written_as_it_was_read() {
+    let folder = root().join(FOLDER);
+    let Record { measured, points } = Record::read().expect("the committed record");
+    let json = serde_json::to_string_pretty(&measured).expect("written") + "\n";
+    assert_eq!(json, std::fs::read_to_string(folder.join("measured.json")).expect("committed"));
+    let mut csv = csv::Writer::from_writer(Vec::new());
+    points.iter().for_each(|point| csv.serialize(point).expect("written"));
+    let csv = csv.into_inner().expect("written");
+    assert_eq!(csv, std::fs::read(folder.join("precision.csv")).expect("committed"));
 }

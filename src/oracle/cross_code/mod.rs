@@ -27,7 +27,8 @@ use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
 pub const SET_UP: &str = "run `bash oracles/setup.sh`";
 
 /// A finite element code that is not ours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Code {
     /// scikit-fem (Gustafsson & McBain 2020).
     ScikitFem,

@@ -1,29 +1,14 @@
-//! Steps against initial stiffness (Fig. 11), shares that converge, orders of accuracy, and the path of the iterations
+//! Steps against initial stiffness (Fig. 11), orders of accuracy, and the path of the iterations
 //! (Figs 6, 7).
 
-use super::{curve, label, of_picture, style};
+use super::{curve, of_picture, style};
 use crate::case::library::Bars;
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
 use crate::figure::{Axis, Chart, IterationPaths, Path, State, panels};
-use crate::solve::{Element, Formulation, Iteration};
+use crate::solve::Element;
+use crate::study::pictures;
 use crate::study::unsorted::Finding;
-use crate::study::{converged, pictures};
-
-/// Share of the runs that converge against the candidate stretch, one panel per algorithm.
-pub fn shares(findings: &[Finding]) -> Result<String, Error> {
-    let panel = |algorithm: Iteration| {
-        let share = Axis::linear("converged [%]").over(0.0, 100.0);
-        let mut chart = Chart::new(algorithm.name(), Axis::log("candidate stretch / a").over(1.0, 150.0), share);
-        for element in Element::ALL {
-            let formulation = Formulation::new(element, algorithm);
-            let own = of_picture(findings, converged::judge::PICTURE).find(|s| s.label == formulation.name());
-            chart.series.extend(own.map(|s| curve(s, label(&formulation), style(&formulation))));
-        }
-        chart
-    };
-    panels("Share of the runs that converge", &Iteration::ALL.map(panel), 3)
-}
 
 /// Errors of truncated Hertz on nested meshes.
 pub fn orders(findings: &[Finding]) -> Chart {

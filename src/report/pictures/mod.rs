@@ -3,7 +3,6 @@
 //! * [`convergence`] — steps against initial stiffness, orders, iteration paths.
 //! * [`fields`] — stress on the deformed meshes.
 //! * [`cross_code`] — profiles of all codes and their differences.
-//! * [`timings`] — error against seconds and work, growth.
 //! * [`solve`] and [`deformed`] — the picture of one run.
 //! * [`pins`] — hoop stress and displacement along the pin, the dimensionless family.
 
@@ -13,7 +12,6 @@ pub mod deformed;
 pub mod fields;
 pub mod pins;
 pub mod solve;
-pub mod timings;
 
 use crate::error::Error;
 use crate::figure::palette::Style;
@@ -26,7 +24,6 @@ pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
     let mut charts = vec![("contact-elements.svg".to_string(), figure::contact_elements()?)];
     for (name, chart) in [
         ("orders.svg", convergence::orders(findings).svg()?),
-        ("converged.svg", convergence::shares(findings)?),
         ("iteration-paths.svg", convergence::paths(findings)?),
         ("field-cylinder.svg", fields::cylinder(findings)?),
         ("field-pin-rod.svg", fields::pin_rod(findings)?),
@@ -37,7 +34,6 @@ pub fn all(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
     ] {
         charts.push((name.into(), chart));
     }
-    charts.extend(timings::all()?);
     Ok(charts)
 }
 

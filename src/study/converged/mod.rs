@@ -2,17 +2,24 @@
 //! beyond the contact to such that are a hundred times as long, and under loads a ten-thousandth of the scene's own. No run may
 //! be called converged whose peak or half-width is not that of its own discrete problem.
 //!
-//! * [`plan`] — scenes, stretches, loads, tolerances.
+//! * [`plan`](mod@plan) — scenes, stretches, loads, tolerances.
 //! * [`run`] — one scene on one stretch, with all its runs.
-//! * [`judge`] — what the record must hold, and what it shows.
+//! * [`judge`](mod@judge) — what the record must hold.
+//! * `share` — shares of runs that converge.
+//! * `section` and `picture` — what it shows.
 
 pub mod judge;
+mod picture;
 pub mod plan;
 pub mod run;
+mod section;
+mod share;
 
 /// Name of the command that surveys it, and of its record.
 pub const NAME: &str = "converged";
 
-pub use judge::{STUDY, trials};
-pub use plan::{Site, sites};
-pub use run::Record;
+pub use judge::judge;
+pub use picture::pictures;
+pub use plan::{Site, plan, sites};
+pub use run::{Numbers, Record};
+pub use section::section;

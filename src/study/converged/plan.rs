@@ -1,13 +1,14 @@
-//! Which runs the study holds.
+//! What is run: the record is read, a fixed part of its sites run again, and the bound of the energy error measured.
 
 use std::path::PathBuf;
 
 use crate::case::Case;
-use crate::case::library::TruncatedHertz;
-use crate::case::problem::{self, PROBLEMS, Problem};
+use crate::case::library::{self, NAMES, TruncatedHertz};
 use crate::checkout::root;
 use crate::error::Error;
 use crate::solve::Formulation;
+use crate::study::Planned;
+use crate::study::converged::run::{self, Numbers};
 
 /// Candidate stretches over the half-width under the nominal load; 0 is the scene's own.
 pub const STRETCHES: [f64; 7] = [0.0, 1.05, 2.0, 5.0, 20.0, 50.0, 150.0];
@@ -19,6 +20,9 @@ pub const TOLERANCES: [f64; 2] = [1e-3, 1e-6];
 const LONG: &str = "long-block";
 /// Its size over the half-width.
 pub const SIZE: f64 = 400.0;
+
+/// Scenes of the library on which the bound of the energy error is measured, under all nine formulations.
+pub const BOUNDED: [&str; 5] = ["cylinder", "truncated-hertz", "pin-rod", "bars", "flat-punch"];
 
 /// Where a scene comes from.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,7 +61,7 @@ fn origins() -> Result<Vec<Origin>, Error> {
     }
     files.retain(|path| path.extension().is_some_and(|end| end == "toml"));
     files.sort();
-    let library = PROBLEMS.iter().map(|(name, _)| Origin::Library(name));
+    let library = NAMES.iter().map(|(name, _)| Origin::Library(name));
     Ok(library.chain([Origin::Long]).chain(files.into_iter().map(Origin::File)).collect())
 }
 
@@ -77,13 +81,10 @@ impl Site {
     }
 
     /// The scene on its own stretch.
-    pub fn problem(&self) -> Result<Problem, Error> {
+    pub fn case(&self) -> Result<Case, Error> {
         match &self.origin {
-            Origin::Library(name) => problem::problem(name, None),
-            Origin::Long => {
-                let numbers = TruncatedHertz { size: SIZE, ..Default::default() };
-                Ok(Problem::new(LONG, "block of many half-widths", problem::truncated_hertz(numbers)))
-            }
+            Origin::Library(name) => library::find(name, None),
+            Origin::Long => Ok(TruncatedHertz { size: SIZE, ..Default::default() }.case()),
             Origin::File(path) => Case::read(path),
         }
     }
@@ -92,4 +93,9 @@ impl Site {
 /// All nine formulations under a tolerance.
 pub fn formulations(tolerance: f64) -> Vec<Formulation> {
     Formulation::nine().into_iter().map(|formulation| formulation.tolerance(tolerance)).collect()
+}
+
+/// The one trial.
+pub fn plan() -> Vec<Planned<Numbers>> {
+    vec![Planned::new("what is called converged", "all scenes", run::numbers)]
 }

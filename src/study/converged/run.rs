@@ -1,14 +1,22 @@
-//! One scene on one stretch: condensed once, run under every load by all nine.
+//! One scene on one stretch: condensed once, run under every load by all nine; and what is judged of them.
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use crate::case::{Case, library};
 use crate::error::{Error, Kind};
-use crate::mesh::Resolution;
 use crate::solve::run::Run;
 use crate::solve::{Change, Discretisation, Formulation, Origin};
-use crate::study::atlas::Class;
-use crate::study::converged::plan::{LOADS, Site, TOLERANCES, formulations};
-use crate::study::records::rounded;
+use crate::study::class::Class;
+use crate::study::converged::NAME;
+use crate::study::converged::plan::{BOUNDED, LOADS, Site, TOLERANCES, formulations, sites};
+use crate::study::pairing::Pairing;
+use crate::study::records::{self, rounded};
+
+/// One of so many sites is run again.
+const OF: usize = 20;
+/// The first of them.
+const FIRST: usize = 8;
 
 /// Candidate elements of a contact: beyond them elements get longer with the stretch.
 const ELEMENTS: f64 = 64.0;
@@ -25,8 +33,8 @@ pub struct Record {
     pub stretch: f64,
     /// Load over the nominal one.
     pub load: f64,
-    /// `element.algorithm`.
-    pub formulation: String,
+    /// Contact element and algorithm.
+    pub formulation: Pairing,
     /// Tolerance.
     pub tolerance: f64,
     /// How it ended.
@@ -38,15 +46,67 @@ pub struct Record {
     pub error: f64,
 }
 
+/// The record, a part of it run again, and the bound of the energy error.
+#[derive(Clone, Debug, Serialize)]
+pub struct Numbers {
+    /// All runs recorded.
+    pub recorded: Vec<Record>,
+    /// The fixed part as it is now.
+    pub again: Vec<Again>,
+    /// Error in the energy norm and its bound of runs on scenes of the library; none where it is not known.
+    pub energies: Vec<Option<Energy>>,
+}
+
+/// The runs of a site as they are now.
+#[derive(Clone, Debug, Serialize)]
+pub struct Again {
+    /// The scene.
+    pub scene: String,
+    /// Candidate stretch.
+    pub stretch: f64,
+    /// Its runs.
+    pub fresh: Vec<Record>,
+}
+
+/// Square of a run's error in the energy norm, and of its bound, over what the contact forces store.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Energy {
+    /// Against the discrete solution.
+    pub error: f64,
+    /// From the run's own forces, gaps and penetrations.
+    pub bound: f64,
+}
+
+/// The record, and a fixed twentieth of its sites once more.
+pub fn numbers() -> Result<Numbers, Error> {
+    let recorded = records::read(&records::file(NAME), &records::renewal(NAME))?;
+    let again: Vec<Site> = sites()?.into_iter().skip(FIRST).step_by(OF).collect();
+    let run = |site: &Site| Ok(Again { scene: site.scene(), stretch: site.stretch, fresh: records(site)? });
+    let again = again.par_iter().map(run).collect::<Result<_, Error>>()?;
+    let energies = BOUNDED.par_iter().map(|name| energies(name)).collect::<Result<Vec<_>, _>>()?.concat();
+    Ok(Numbers { recorded, again, energies })
+}
+
+/// Errors and bounds of all nine on a scene of the library.
+fn energies(name: &str) -> Result<Vec<Option<Energy>>, Error> {
+    let case = library::find(name, None)?;
+    let discretisation = Discretisation::of(case.scene, case.resolution)?;
+    let energy = |formulation: &Formulation| {
+        let energy = Run::of(&discretisation, formulation)?.solution.energy;
+        Ok(energy.map(|energy| Energy { error: energy.error, bound: energy.bound }))
+    };
+    Formulation::compared().iter().map(energy).collect()
+}
+
 /// All runs of a site; none where its surfaces are shorter than the stretch.
 pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
     let Some(discretisation) = discretised(site)? else { return Ok(Vec::new()) };
     let mut records = Vec::new();
     for load in LOADS {
         for tolerance in TOLERANCES {
-            records.extend(
-                formulations(tolerance).iter().filter_map(|formulation| one(site, &discretisation, load, formulation)),
-            );
+            for formulation in formulations(tolerance) {
+                records.extend(one(site, &discretisation, load, &formulation)?);
+            }
         }
     }
     Ok(records)
@@ -54,8 +114,7 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
 
 /// The scene with its candidates as long as the site asks.
 fn discretised(site: &Site) -> Result<Option<Discretisation>, Error> {
-    let problem = site.problem()?;
-    let (mut scene, resolution) = (problem.scene, problem.resolution);
+    let Case { mut scene, resolution, .. } = site.case()?;
     if site.stretch <= 0.0 {
         return Discretisation::of(scene, resolution).map(Some);
     }
@@ -66,18 +125,22 @@ fn discretised(site: &Site) -> Result<Option<Discretisation>, Error> {
         elements = elements.max(resolution.elements as f64 * pair.stretch * pair.path.metric() / scene.grading.unit);
     }
     scene.grading.unit *= (elements / ELEMENTS).max(1.0);
-    let resolution = Resolution { elements: resolution.elements, ..resolution };
     // A surface that is too short is no site; what else may be wrong shows on the scene's own stretch.
     Ok(Discretisation::of(scene, resolution).ok())
 }
 
 /// A run; none where the formulation is not defined for the scene, or nothing presses.
-fn one(site: &Site, discretisation: &Discretisation, load: f64, formulation: &Formulation) -> Option<Record> {
+fn one(
+    site: &Site,
+    discretisation: &Discretisation,
+    load: f64,
+    formulation: &Formulation,
+) -> Result<Option<Record>, Error> {
     let record = |class, steps, error| Record {
         scene: site.scene(),
         stretch: site.stretch,
         load,
-        formulation: formulation.name(),
+        formulation: Pairing::of(formulation),
         tolerance: formulation.settings.tolerance,
         class,
         steps,
@@ -86,10 +149,11 @@ fn one(site: &Site, discretisation: &Discretisation, load: f64, formulation: &Fo
     match Run::from_origin(Origin::Own, discretisation, formulation, Change { load, ..Change::NONE }) {
         Ok(run) => {
             let error = run.iteration_error();
-            Some(record(Class::of(run.solution.outcome), run.solution.work.steps, error))
+            Ok(Some(record(Class::of(run.solution.outcome), run.solution.work.steps, error)))
         }
-        Err(Error { kind: Kind::NoSpringLeft { steps }, .. }) => Some(record(Class::Unsupported, steps, f64::NAN)),
-        Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => Some(record(Class::Spilled, 0, f64::NAN)),
-        Err(_) => None,
+        Err(Error { kind: Kind::NoSpringLeft { steps }, .. }) => Ok(Some(record(Class::Unsupported, steps, f64::NAN))),
+        Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => Ok(Some(record(Class::Spilled, 0, f64::NAN))),
+        Err(Error { kind: Kind::Input | Kind::NothingPresses, .. }) => Ok(None),
+        Err(error) => Err(error),
     }
 }

@@ -6,20 +6,18 @@ use crate::case::{Judged, Reference};
 use crate::contact::Quadrature;
 use crate::elasticity::Freedoms;
 use crate::error::Error;
-use crate::mesh::{Order, Resolution, candidates};
+use crate::mesh::{Order, Resolution};
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::Digest;
 use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem};
-use crate::scene::{Load, Path, PlaneHypothesis, Profile};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::study::cross_code::DISCRETE;
 use crate::study::cross_code::answers::{Answers, relative_difference, worst_difference};
+use crate::study::handed_over::{KAPPA, handed_over, not_handed_over};
 use crate::study::unsorted::{Finding, Trial};
 
 /// Scenes and elements per half-width, or per 10 mm of arc.
 const SCENES: [(&str, usize); 3] = [("cylinder", 8), ("truncated-hertz", 8), ("pin-rod", 6)];
-/// Stiffness of the springs.
-const KAPPA: [f64; 2] = [1e2, 1e4];
 /// A fixed vector for the stiffness to be multiplied with, from the square root of each.
 const PRIMES: [f64; 10] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0, 23.0, 29.0];
 /// Assembly differs by the order of sums only.
@@ -162,91 +160,6 @@ fn fixed_vector(prime: f64, freedoms: &Freedoms) -> Vec<f64> {
         vector[equation] = 2.0 * ((i + 1) as f64 * prime.sqrt()).fract() - 1.0;
     }
     vector
-}
-
-/// Writes our discretisation to a file, for codes in processes of their own.
-pub fn export(discretisation: &Discretisation, file: &std::path::Path) -> Result<(), Error> {
-    let problem = handed_over(discretisation, Vec::new())?;
-    let text = serde_json::to_string(&problem).map_err(|error| Error::unwritable(file, error))?;
-    if let Some(folder) = file.parent() {
-        std::fs::create_dir_all(folder).map_err(|error| Error::unwritable(file, error))?;
-    }
-    std::fs::write(file, text).map_err(|error| Error::unwritable(file, error))
-}
-
-/// Our discretisation as plain numbers.
-fn handed_over(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Result<DiscreteProblem, Error> {
-    let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
-    let contact = scene.contact();
-    let side = |body: usize| candidates::candidate_edges(mesh, scene, contact, body);
-    let (profile, radius, clearance) = match contact.profile {
-        Profile::Circle { radius } => ("circle", radius, 0.0),
-        Profile::Parabola { radius } => ("parabola", radius, 0.0),
-        Profile::Hole { radius, clearance } => ("hole", radius, clearance),
-        Profile::Uniform(_) | Profile::Punch { .. } => return Err(not_handed_over(&scene.name, "a uniform gap")),
-        Profile::Drawn
-        | Profile::Bodies(_)
-        | Profile::Table(_)
-        | Profile::Smooth(_)
-        | Profile::Even { .. }
-        | Profile::Wedge { .. }
-        | Profile::Cosine { .. } => {
-            return Err(not_handed_over(&scene.name, "this rigid profile"));
-        }
-    };
-    let mut problem = DiscreteProblem {
-        name: format!("{}, {}-node", scene.name, mesh.order.nodes_per_cell()),
-        plane: if scene.plane == PlaneHypothesis::Strain { "strain" } else { "stress" },
-        thickness: scene.thickness,
-        points: mesh.points.clone(),
-        cells: (0..mesh.cells()).map(|cell| mesh.cell(cell).to_vec()).collect(),
-        body: mesh.bodies.iter().enumerate().flat_map(|(b, part)| part.cells.clone().map(move |_| b)).collect(),
-        young: scene.bodies.iter().map(|body| body.material.young).collect(),
-        poisson: scene.bodies.iter().map(|body| body.material.poisson).collect(),
-        contact_first: side(contact.first)?,
-        contact_second: contact.second.map_or(Ok(Vec::new()), side)?,
-        profile,
-        radius,
-        clearance,
-        arc: matches!(contact.path, Path::Arc(_)),
-        length: scene.reference.length,
-        kappa: KAPPA.into(),
-        vectors,
-        ..Default::default()
-    };
-    for (index, body) in scene.bodies.iter().enumerate() {
-        for support in &body.supports {
-            let nodes = mesh.nodes_at(scene, index, &support.at)?;
-            problem.held.extend(nodes.into_iter().map(|node| [node, support.component.index()]));
-        }
-        for load in &body.loads {
-            match load {
-                Load::Traction { boundary, traction } => {
-                    problem.load_edges.extend_from_slice(mesh.boundary(scene, index, boundary)?);
-                    problem.traction = *traction;
-                }
-                Load::Stress { boundary, .. } => {
-                    problem.load_edges.extend_from_slice(mesh.boundary(scene, index, boundary)?);
-                    problem.hertz_load = true;
-                }
-                Load::RigidFace { boundary, force, .. } => {
-                    problem.tied = mesh.boundary(scene, index, boundary)?.iter().flatten().copied().collect();
-                    problem.tied.sort_unstable();
-                    problem.tied.dedup();
-                    problem.tied_force = *force;
-                }
-                Load::BodyForce(_) | Load::Force { .. } | Load::TractionField { .. } => {
-                    return Err(not_handed_over(&scene.name, "such a load"));
-                }
-            }
-        }
-    }
-    Ok(problem)
-}
-
-fn not_handed_over(scene: &str, what: &str) -> Error {
-    let remedy = "choose another scene, or teach oracles/python/discrete.py to take it";
-    Error::at(scene, format!("{what} is not handed over to other codes"), remedy)
 }
 
 /// Ours against another code's, by their digests.

@@ -1,6 +1,9 @@
-//! Which scenes the study holds, and to which accuracies they are solved.
+//! What is run: the record is read, and a fixed part of its scenes solved again.
 
 use serde::{Deserialize, Serialize};
+
+use crate::study::Planned;
+use crate::study::met::run::{self, Numbers};
 
 /// Relative errors asked for.
 pub const ASKED: [f64; 4] = [1e-2, 3e-3, 1e-3, 3e-4];
@@ -83,4 +86,9 @@ impl Family {
 /// Every scene, in the order of the record.
 pub fn sites() -> Vec<Site> {
     Family::ALL.into_iter().flat_map(|family| (0..family.each()).map(move |number| Site { family, number })).collect()
+}
+
+/// The one trial.
+pub fn plan() -> Vec<Planned<Numbers>> {
+    vec![Planned::new("what is called met", "all scenes", run::numbers)]
 }

@@ -1,14 +1,32 @@
-//! One scene solved to one accuracy, against the truth.
+//! One scene solved to one accuracy, against the truth; and the part of the record that is solved again.
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::{self, Answer, Asked, Quantity};
 use crate::error::Error;
 use crate::measure::larger;
 use crate::solve::{Element, Formulation, Iteration};
-use crate::study::met::plan::{ASKED, Family, Site};
+use crate::study::met::NAME;
+use crate::study::met::plan::{ASKED, Family, Site, sites};
 use crate::study::met::scenes::Sample;
-use crate::study::records::rounded;
+use crate::study::records::{self, rounded};
+
+/// One of so many scenes is solved again, to the accuracies that are cheap.
+const OF: usize = 20;
+/// The first of them.
+const FIRST: usize = 8;
+/// Accuracies to which they are solved again.
+const AGAIN: usize = 3;
+
+/// The record, and a part of it solved again.
+#[derive(Clone, Debug, Serialize)]
+pub struct Numbers {
+    /// All answers recorded.
+    pub recorded: Vec<Record>,
+    /// Those of the fixed part as they are now.
+    pub fresh: Vec<Record>,
+}
 
 /// One answer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -74,7 +92,7 @@ impl Record {
 
 /// A scene solved to every accuracy.
 pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
-    let sample = site.sample();
+    let sample = site.sample()?;
     ASKED.into_iter().map(|asked| record(site, asked, &sample)).collect()
 }
 
@@ -83,4 +101,16 @@ pub fn record(site: &Site, asked: f64, sample: &Sample) -> Result<Record, Error>
     let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
     let answer = accuracy::solve(&sample.scene, &formulation, &Asked::new(asked))?;
     Ok(Record::of(site, asked, sample, &answer))
+}
+
+/// The record, and a fixed twentieth of its scenes once more.
+pub fn numbers() -> Result<Numbers, Error> {
+    let recorded = records::read(&records::file(NAME), &records::renewal(NAME))?;
+    let again: Vec<Site> = sites().into_iter().skip(FIRST).step_by(OF).collect();
+    let solved = |site: &Site| -> Result<Vec<Record>, Error> {
+        let sample = site.sample()?;
+        ASKED.into_iter().take(AGAIN).map(|asked| record(site, asked, &sample)).collect()
+    };
+    let fresh = again.par_iter().map(solved).collect::<Result<Vec<_>, Error>>()?.concat();
+    Ok(Numbers { recorded, fresh })
 }

@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use crate::accuracy::longest::longest;
 use crate::case::library::{Cylinder, CylinderModel, PinPlate, TruncatedHertz};
+use crate::error::Error;
 use crate::mesh::{Mesh, Order, Resolution};
 use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::even_gap::EvenGap;
@@ -44,28 +45,27 @@ pub struct Sample {
 
 impl Site {
     /// The scene.
-    pub fn sample(&self) -> Sample {
-        let family = Family::ALL.iter().position(|family| *family == self.family).unwrap_or(0);
-        let mut draw = Draw::new((1000 * family + self.number) as u64);
+    pub fn sample(&self) -> Result<Sample, Error> {
+        let mut draw = Draw::new((1000 * self.family as usize + self.number) as u64);
         self.family.sample(&mut draw, self.number)
     }
 }
 
 impl Family {
     /// A scene of the family.
-    fn sample(self, draw: &mut Draw, number: usize) -> Sample {
+    fn sample(self, draw: &mut Draw, number: usize) -> Result<Sample, Error> {
         let material = Material { young: draw.decades(1e3, 4e5), poisson: draw.between(0.0, 0.45) };
         // The first number of a seed is like that of the next one.
         let guess = draw.decades(GUESS[0], GUESS[1]);
-        match self {
+        Ok(match self {
             Self::Polynomial => polynomial(draw, material, guess, number % 2 == 1),
             Self::Wedge => wedge(draw, material, guess),
             Self::Cosine => cosine(draw, material, guess),
             Self::Cylinder => cylinder(draw, material, guess),
             Self::Pin => pin(draw, material, guess),
-            Self::Mesh => brought(draw, number),
-            Self::Pair => pair(draw, number),
-        }
+            Self::Mesh => return meshed(draw, number),
+            Self::Pair => return pair(draw, number),
+        })
     }
 }
 
@@ -204,31 +204,30 @@ fn pin(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     Sample { scene: numbers.scene(), truths: vec![[solution.peak_pressure(), solution.second_moment()]] }
 }
 
-/// A scene of another family whose body brings its mesh: of 4- or 8-node cells, two to six of them on the half-width, its
+/// A scene of another family with a mesh given for its body: of 4- or 8-node cells, two to six of them on the half-width, its
 /// inner nodes shaken.
-fn brought(draw: &mut Draw, number: usize) -> Sample {
+fn meshed(draw: &mut Draw, number: usize) -> Result<Sample, Error> {
     let of = [Family::Polynomial, Family::Wedge, Family::Cosine, Family::Cylinder][number % 4];
     let (elements, shake) = (draw.between(2.0, 7.0) as usize, draw.between(0.0, 0.2));
     let order = if draw.between(0.0, 2.0) < 1.0 { Order::Linear } else { Order::Quadratic };
-    let Sample { mut scene, truths } = of.sample(draw, number);
+    let Sample { mut scene, truths } = of.sample(draw, number)?;
     let guess = scene.contacts[0].stretch;
     // Its cells have the size of a part of the contact, whatever the guess.
     scene.contacts[0].stretch = (1.5 * scene.grading.unit).min(longest(&scene, scene.contact()));
-    if let Ok(mesh) = Mesh::of(&scene, Resolution { elements, refinement: 0, order }) {
-        // Shaken, a line inside would no longer be straight, and its load another one.
-        let straight = mesh.bodies[0].lines.is_empty();
-        let mesh = if straight { mesh.shaken(shake) } else { mesh };
-        scene.bodies[0].shape = Shape::Given(Arc::new(mesh.given(0)));
-    }
+    let mesh = Mesh::of(&scene, Resolution { elements, refinement: 0, order })?;
+    // Shaken, a line inside would no longer be straight, and its load another one.
+    let straight = mesh.bodies[0].lines.is_empty();
+    let mesh = if straight { mesh.shaken(shake) } else { mesh };
+    scene.bodies[0].shape = Shape::Given(Arc::new(mesh.given(0)));
     scene.contacts[0].stretch = guess;
-    Sample { scene, truths }
+    Ok(Sample { scene, truths })
 }
 
 /// Two scenes of other families in one.
-fn pair(draw: &mut Draw, number: usize) -> Sample {
+fn pair(draw: &mut Draw, number: usize) -> Result<Sample, Error> {
     let families = [Family::Polynomial, Family::Wedge, Family::Cosine, Family::Cylinder];
-    let Sample { mut scene, mut truths } = families[number % 4].sample(draw, number);
-    let other = families[number / 4 % 4].sample(draw, number);
+    let Sample { mut scene, mut truths } = families[number % 4].sample(draw, number)?;
+    let other = families[number / 4 % 4].sample(draw, number)?;
     let bodies = scene.bodies.len();
     scene.bodies.extend(other.scene.bodies);
     scene.contacts.extend(other.scene.contacts.into_iter().map(|pair| ContactPair {
@@ -237,5 +236,5 @@ fn pair(draw: &mut Draw, number: usize) -> Sample {
         ..pair
     }));
     truths.extend(other.truths);
-    Sample { scene, truths }
+    Ok(Sample { scene, truths })
 }

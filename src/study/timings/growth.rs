@@ -1,4 +1,4 @@
-//! One contact solve of the cylinder from 10³ to 10⁶ freedoms, stage by stage, against one plain sparse Cholesky solve.
+//! One contact solve of the cylinder from 10³ to 10⁶ degrees of freedom, stage by stage, against one plain sparse Cholesky solve.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -7,7 +7,6 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::case::library::Cylinder;
-use crate::case::problem;
 use crate::clock::{Clock, Seconds, Stage};
 use crate::condensation::Plain;
 use crate::elasticity::{ElasticSystem, Numbering};
@@ -20,15 +19,13 @@ use crate::study::timings::statistics::Spread;
 /// Elements per half-width and refinement of the meshes, and how often each is measured.
 pub const MESHES: [(usize, u32, usize); 8] =
     [(4, 0, 15), (8, 0, 15), (12, 1, 15), (8, 2, 9), (8, 3, 7), (16, 3, 5), (8, 4, 3), (20, 4, 3)];
-/// Freedoms up to which steps and entries of the factor are counted again whenever the suite runs.
+/// Degrees of freedom up to which iterations and entries of the factor are counted again whenever the suite runs.
 pub const RECOUNTED: usize = 200_000;
-/// Freedoms from which exponents are fitted: below, starting costs as much as solving.
+/// Degrees of freedom from which exponents are fitted: below, starting costs as much as solving.
 pub const LARGE: f64 = 7e3;
-/// Where nine formulations are solved on one mesh: as many freedoms with fewer and with more of them retained.
+/// Where nine formulations are solved on one mesh: as many degrees of freedom with fewer and with more of them retained.
 pub const NINE: [(usize, u32); 2] = [(2, 4), (8, 3)];
 
-/// Stages of a solve in their order.
-pub const STAGES: [&str; Stage::ALL.len()] = Stage::NAMES;
 /// Stages that are the mesh and the matrix, not the contact solve.
 const BEFORE: [Stage; 2] = [Stage::Mesh, Stage::Assembly];
 
@@ -53,6 +50,14 @@ pub struct Growth {
     pub memory_ratio: Option<f64>,
 }
 
+impl Growth {
+    /// Median seconds of some stages together; NaN where one is not recorded.
+    pub fn seconds(&self, stages: &[Stage]) -> f64 {
+        let median = |stage: &Stage| self.stages.get(stage.name()).map_or(f64::NAN, |spread| spread.median);
+        stages.iter().map(median).sum()
+    }
+}
+
 /// What does not depend on the machine.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Counts {
@@ -62,7 +67,7 @@ pub struct Counts {
     pub refinement: u32,
     /// Unknown displacement components.
     pub freedoms: usize,
-    /// Retained normal freedoms.
+    /// Retained normal displacements.
     pub retained: usize,
     /// Steps of the contact iteration.
     pub steps: usize,
@@ -79,7 +84,7 @@ pub fn resolution(elements: usize, refinement: u32) -> Resolution {
 
 /// Counts of a mesh.
 pub fn counts(elements: usize, refinement: u32) -> Result<Counts, Error> {
-    let (scene, _, _) = problem::cylinder(Cylinder::default());
+    let scene = Cylinder::default().scene();
     let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
     let solution = discretisation.solve(&Formulation::verification())?;
     Ok(counted(&discretisation, (elements, refinement), solution.work.steps))
@@ -108,7 +113,7 @@ struct Once {
 
 /// Measures a mesh so many times, ours and the plain solve by turns.
 pub fn measure((elements, refinement, repeats): (usize, u32, usize), memory: Option<f64>) -> Result<Growth, Error> {
-    let (scene, _, _) = problem::cylinder(Cylinder::default());
+    let scene = Cylinder::default().scene();
     let mesh = Mesh::of(&scene, resolution(elements, refinement))?;
     let system = ElasticSystem::assemble(&scene, &mesh)?;
     let reference = Plain::of(&system.bodies[0])?;
@@ -148,7 +153,7 @@ fn sum(stages: &[(Stage, f64)], which: impl Fn(Stage) -> bool) -> f64 {
 }
 
 fn once(elements: usize, refinement: u32) -> Result<Once, Error> {
-    let (scene, _, _) = problem::cylinder(Cylinder::default());
+    let scene = Cylinder::default().scene();
     let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
     let mut clock = Clock::silent().after(&discretisation.seconds);
     let solution = clock.time(Stage::Iteration, || discretisation.solve(&Formulation::verification()))?;
@@ -180,7 +185,7 @@ fn assembly_on_all_threads(scene: &crate::scene::Scene, mesh: &Mesh) -> Result<f
 
 /// Solves once and returns the largest memory of this process so far \[bytes\]; NaN where the system does not tell.
 pub fn memory_of_one_solve(elements: usize, refinement: u32) -> Result<f64, Error> {
-    let (scene, _, _) = problem::cylinder(Cylinder::default());
+    let scene = Cylinder::default().scene();
     let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
     let solution = discretisation.solve(&Formulation::verification())?;
     std::hint::black_box(discretisation.condensed.recover(&solution.displacement));
@@ -205,7 +210,7 @@ pub struct Nine {
 
 /// Measures the nine at their own defaults on one mesh, so many times.
 pub fn nine((elements, refinement): (usize, u32), repeats: usize) -> Result<Nine, Error> {
-    let (scene, _, _) = problem::cylinder(Cylinder::default());
+    let scene = Cylinder::default().scene();
     let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
     let (mut all, mut six, mut last) = ([vec![], vec![]], [vec![], vec![]], None);
     for _ in 0..repeats {
@@ -239,7 +244,7 @@ struct OnceNine {
 
 /// Mesh to displacements by the single formulation and by the nine, these side by side on the threads at hand.
 fn once_all_nine(elements: usize, refinement: u32) -> Result<OnceNine, Error> {
-    let (scene, _, _) = problem::cylinder(Cylinder::default());
+    let scene = Cylinder::default().scene();
     let clock = Instant::now();
     let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
     let shared = clock.elapsed().as_secs_f64();

@@ -1,69 +1,45 @@
 //! Seconds are believed only while the errors and counts recorded beside them are still the code's own.
 
-use crate::case::{Judged, Reference};
+use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
-use crate::mesh::Order;
-use crate::study::timings::growth::{self, RECOUNTED};
-use crate::study::timings::precision::{self, Family, Point};
-use crate::study::timings::record::Record;
-use crate::study::unsorted::{Finding, Trial};
+use crate::measure::larger;
+use crate::study::timings::default_mesh::DefaultMesh;
+use crate::study::timings::growth;
+use crate::study::timings::precision::Point;
+use crate::study::timings::run::{Numbers, Precision, Recounted};
 
-/// Name of the trials.
-pub const TIMINGS: &str = "speed against accuracy";
 /// Recorded errors may differ from recomputed ones by this share: other machines round otherwise, and runs stop at 1e-5.
 const DIGITS: f64 = 1e-3;
+/// Error a default mesh may have in the peak and in the half-width: half of what the rows on Hertz and Persson ask.
+const ACCEPTED: f64 = 5e-4;
 
-/// One trial a family and order, and one for the growth.
-pub fn trials() -> Vec<Trial> {
-    let orders = [Order::Linear, Order::Quadratic];
-    let pairs = Family::ALL.into_iter().flat_map(|family| orders.map(|order| (family, order)));
-    let mut trials: Vec<Trial> = pairs
-        .map(|(family, order)| {
-            let name = format!("{}, {}-node", family.name(), order.nodes_per_cell());
-            Trial::new(TIMINGS, name, move || recomputed(family, order))
-        })
-        .collect();
-    trials.push(Trial::new(TIMINGS, "growth", recounted));
-    trials
+/// The check of a trial.
+pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
+    Ok(vec![match numbers {
+        Numbers::Precision(precision) => points_as_recorded(precision),
+        Numbers::Growth(growth) => counts_as_recorded(growth),
+        Numbers::DefaultMesh(mesh) => fine_enough(mesh),
+    }])
 }
 
-fn recomputed(family: Family, order: Order) -> Result<Finding, Error> {
-    let recorded = Record::read()?.points;
-    let of_trial = |point: &&Point| point.family == family.name() && point.cell_nodes == order.nodes_per_cell();
-    let planned = family.elements().count() * family.formulations().len();
-    let (mut compared, mut count) = (0, 0);
-    for elements in family.elements() {
-        let fresh = precision::measure(family, order, elements)?;
-        compared += fresh.len();
-        count += moved(&recorded, &fresh);
-    }
-    let kept = recorded.iter().filter(of_trial).count();
-    let moved = if compared == 0 || kept != planned { f64::NAN } else { count as f64 };
-    Ok(Finding {
-        checks: vec![Judged::at_most(
-            "Errors and counts recorded with the timings shall still be the code's",
-            format!("points that moved, of {compared}"),
-            moved,
-            Reference::own("snapshots/timings", 0.0),
-            format!(
-                "every mesh is computed again; errors within {DIGITS:e}, which the tolerance of the runs leaves; `timings` renews \
-                 the record"
-            ),
-        )],
-        ..Default::default()
-    })
+fn points_as_recorded(Precision { recorded, fresh, planned }: &Precision) -> Judged {
+    let complete = !fresh.is_empty() && recorded.len() == *planned;
+    let quantity = Quantity::at(
+        "point whose errors or counts are not those recorded with its seconds",
+        format!("of {}", fresh.len()),
+    );
+    let because = format!(
+        "every mesh is computed again; errors within {DIGITS:e}, which the tolerance of the runs leaves; `timings` renews \
+         the record"
+    );
+    Check::at_most(quantity, Reference::own("snapshots/timings", 0.0), because)
+        .judge(if complete { moved(recorded, fresh) as f64 } else { f64::NAN })
 }
 
 /// How many points are not the recorded ones, or not recorded; seconds are not compared.
 pub fn moved(recorded: &[Point], fresh: &[Point]) -> usize {
-    let kept = |fresh: &Point| {
-        recorded.iter().find(|kept| {
-            kept.family == fresh.family
-                && kept.cell_nodes == fresh.cell_nodes
-                && kept.elements == fresh.elements
-                && kept.formulation == fresh.formulation
-        })
-    };
+    let key = |point: &Point| (point.family, point.cell_nodes, point.elements, point.formulation);
+    let kept = |fresh: &Point| recorded.iter().find(|kept| key(kept) == key(fresh));
     fresh.iter().filter(|fresh| !kept(fresh).is_some_and(|kept| is_same(kept, fresh))).count()
 }
 
@@ -83,23 +59,24 @@ fn is_same(kept: &Point, fresh: &Point) -> bool {
     kept.freedoms == fresh.freedoms && kept.converged == fresh.converged && pairs.into_iter().all(|(a, b)| near(a, b))
 }
 
-fn recounted() -> Result<Finding, Error> {
-    let measured = Record::read()?.measured;
-    let (mut compared, mut moved) = (0, 0);
-    for kept in measured.growth.iter().map(|one| &one.counts).filter(|counts| counts.freedoms <= RECOUNTED) {
-        compared += 1;
-        moved += usize::from(growth::counts(kept.elements, kept.refinement)? != *kept);
-    }
-    let complete = measured.growth.len() == growth::MESHES.len();
-    let moved = if compared == 0 || !complete { f64::NAN } else { moved as f64 };
-    Ok(Finding {
-        checks: vec![Judged::at_most(
-            "Freedoms, steps and operations recorded with the timings shall still be the code's",
-            format!("meshes that moved, of {compared}"),
-            moved,
-            Reference::own("snapshots/timings", 0.0),
-            "exact counts; `timings` renews the record",
-        )],
-        ..Default::default()
-    })
+fn counts_as_recorded(Recounted { recorded, fresh }: &Recounted) -> Judged {
+    let complete = !fresh.is_empty() && recorded.growth.len() == growth::MESHES.len();
+    let moved = Recounted::kept(recorded).zip(fresh).filter(|(kept, fresh)| kept != fresh).count();
+    let quantity = Quantity::at(
+        "mesh whose degrees of freedom, iterations or operations are not those recorded with its seconds",
+        format!("of {}", fresh.len()),
+    );
+    Check::at_most(
+        quantity,
+        Reference::own("snapshots/timings", 0.0),
+        "exact counts; `timings` renews the record",
+    )
+    .judge(if complete { moved as f64 } else { f64::NAN })
+}
+
+fn fine_enough(mesh: &DefaultMesh) -> Judged {
+    let quantity = Quantity::at("error of the default mesh", "larger one of peak and half-width");
+    let because = format!("half of the {} % that the Hertz rows ask", 200.0 * ACCEPTED);
+    Check::error(quantity, Reference::own("the finer mesh", 0.0), ACCEPTED, because)
+        .judge(larger(mesh.own.peak.abs(), mesh.own.half_width.abs()))
 }

@@ -3,31 +3,40 @@
 //! Seconds are measured on demand by the command `timings` and kept under `snapshots/timings`; errors and counts stand
 //! beside them, and are measured again whenever the suite runs.
 //!
+//! * [`plan`](mod@plan) — what is run with every report.
+//! * [`run`] — the record, and errors and counts as they are now.
 //! * [`record`] — what is kept, and where.
 //! * [`machine`] — processor, compiler and library versions.
 //! * [`statistics`] — medians and worst values.
-//! * [`growth`] — one solve from 10³ to 10⁶ freedoms, stage by stage, against one plain sparse Cholesky solve.
-//! * [`meshes`] — the default meshes, and what coarser ones would change.
+//! * [`growth`] — one solve from 10³ to 10⁶ degrees of freedom, stage by stage, against one plain sparse Cholesky solve.
+//! * [`default_mesh`] — the default meshes, and what coarser ones would change.
 //! * [`precision`] — error against seconds and work, over loads the mesh does not know.
 //! * [`others`] — the same by scikit-fem and dolfinx; the cylinder by GetFEM and CalculiX.
 //! * [`targets`] — what was asked for, and what was measured.
-//! * [`judge`] — whether errors and counts are still the recorded ones.
+//! * [`judge`](mod@judge) — whether errors and counts are still the recorded ones.
+//! * `section` — what each accuracy costs.
+//! * `growth_section` — how the cost grows, and where the time goes.
+//! * `picture` — error against seconds and work.
+//! * `growth_picture` — seconds by stage and memory against the degrees of freedom.
 
+pub mod default_mesh;
 pub mod growth;
+mod growth_picture;
+mod growth_section;
 pub mod judge;
 pub mod machine;
-pub mod meshes;
 pub mod others;
+mod picture;
+pub mod plan;
 pub mod precision;
 pub mod record;
+pub mod run;
+mod section;
 pub mod statistics;
 pub mod targets;
 
-use crate::study::unsorted::Trial;
-
-/// All trials.
-pub fn trials() -> Vec<Trial> {
-    let mut trials = judge::trials();
-    trials.extend(meshes::trials());
-    trials
-}
+pub use judge::judge;
+pub use picture::pictures;
+pub use plan::plan;
+pub use run::Numbers;
+pub use section::section;

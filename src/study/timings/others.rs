@@ -14,7 +14,7 @@ use crate::clock::Stage;
 use crate::error::Error;
 use crate::oracle::cross_code::Code;
 use crate::solve::{Discretisation, Formulation};
-use crate::study::cross_code::discrete;
+use crate::study::handed_over;
 use crate::study::timings::growth;
 use crate::study::timings::precision::{Family, Laps, half_widths};
 use crate::study::timings::statistics::Spread;
@@ -33,8 +33,8 @@ pub const SHARED: [(usize, u32, usize); 3] = [(8, 0, 5), (8, 1, 3), (8, 2, 1)];
 /// A point of the work–precision chart by another code.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct OtherPoint {
-    /// Code and version.
-    pub code: String,
+    /// Code.
+    pub code: Code,
     /// Version.
     pub version: String,
     /// Mesh as it was asked for.
@@ -93,14 +93,14 @@ impl Stages {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct PeerPoint {
     /// Code.
-    pub code: String,
+    pub code: Peer,
     /// Version.
     pub version: String,
     /// Elements per half-width.
     pub elements: usize,
     /// Times halved.
     pub refinement: u32,
-    /// Our freedoms.
+    /// Our degrees of freedom.
     pub freedoms: usize,
     /// Steps of its iteration.
     pub steps: usize,
@@ -176,7 +176,7 @@ pub fn precision(code: Code) -> Result<Result<Vec<OtherPoint>, String>, Error> {
         let [peak, half_width, l2] = ["peak_error", "half_width_error", "l2_error"].map(of);
         let [seconds, stiffness, linear] = ["seconds", "stiffness", "linear"].map(|key| of(key).median);
         OtherPoint {
-            code: code.name().into(),
+            code,
             version: line["version"].as_str().unwrap_or("unknown").into(),
             mesh: line["mesh"].to_string(),
             freedoms: line["freedoms"].as_u64().unwrap_or(0) as usize,
@@ -193,15 +193,43 @@ pub fn precision(code: Code) -> Result<Result<Vec<OtherPoint>, String>, Error> {
     Ok(Ok(lines.iter().map(point).collect()))
 }
 
-/// A peer's name and script.
-pub const PEERS: [(&str, &str); 2] = [("GetFEM", "getfem_peer.py"), ("CalculiX", "calculix_peer.py")];
+/// A code that solves on our own mesh of the cylinder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Peer {
+    /// GetFEM.
+    #[serde(rename = "GetFEM")]
+    GetFem,
+    /// CalculiX.
+    CalculiX,
+}
+
+impl Peer {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::GetFem, Self::CalculiX];
+
+    /// Name in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::GetFem => "GetFEM",
+            Self::CalculiX => "CalculiX",
+        }
+    }
+
+    /// What runs it.
+    fn script(self) -> &'static str {
+        match self {
+            Self::GetFem => "getfem_peer.py",
+            Self::CalculiX => "calculix_peer.py",
+        }
+    }
+}
 
 /// The cylinder by a peer on our meshes; the reason where it is not installed.
-pub fn cylinder((name, script): (&str, &str)) -> Result<Result<Vec<PeerPoint>, String>, Error> {
+pub fn cylinder(peer: Peer) -> Result<Result<Vec<PeerPoint>, String>, Error> {
     let mut points = Vec::new();
     for (elements, refinement, repeats) in SHARED {
         let (file, ours, our_errors, freedoms) = exported(elements, refinement)?;
-        let told = run(script, &[file.display().to_string(), repeats.to_string()], "");
+        let told = run(peer.script(), &[file.display().to_string(), repeats.to_string()], "");
         // The file is in the build's own folder: nothing is lost if it cannot be removed.
         let _ = std::fs::remove_file(&file);
         let line = match told? {
@@ -214,7 +242,7 @@ pub fn cylinder((name, script): (&str, &str)) -> Result<Result<Vec<PeerPoint>, S
         let seconds: Vec<f64> =
             line["seconds"].as_array().into_iter().flatten().map(|x| x.as_f64().unwrap_or(f64::NAN)).collect();
         points.push(PeerPoint {
-            code: name.into(),
+            code: peer,
             version: line["version"].as_str().unwrap_or("unknown").into(),
             elements,
             refinement,
@@ -230,9 +258,9 @@ pub fn cylinder((name, script): (&str, &str)) -> Result<Result<Vec<PeerPoint>, S
     Ok(Ok(points))
 }
 
-/// Our mesh of the cylinder in a file, our own contact solve on it, its errors, and its freedoms.
+/// Our mesh of the cylinder in a file, our own contact solve on it, its errors, and its degrees of freedom.
 fn exported(elements: usize, refinement: u32) -> Result<(PathBuf, Spread, [f64; 2], usize), Error> {
-    let (scene, _, _) = crate::case::problem::cylinder(Cylinder::default());
+    let scene = Cylinder::default().scene();
     let discretisation = Discretisation::of(scene, growth::resolution(elements, refinement))?;
     let run = crate::solve::Run::of(&discretisation, &Formulation::verification())?;
     let reference = &discretisation.scene.reference;
@@ -241,7 +269,7 @@ fn exported(elements: usize, refinement: u32) -> Result<(PathBuf, Spread, [f64; 
         (run.measures().half_width / reference.length - 1.0).abs(),
     ];
     let file = root().join("target").join(format!("cylinder-{elements}-{refinement}.json"));
-    discrete::export(&discretisation, &file)?;
+    handed_over::export(&discretisation, &file)?;
     let ours = growth::contact_seconds(elements, refinement, 5)?;
     Ok((file, ours, errors, run.freedoms))
 }

@@ -7,14 +7,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::case::hertz;
 use crate::case::library::{Cylinder, TruncatedHertz};
-use crate::case::problem::{self, Parts};
 use crate::clock::Seconds;
 use crate::error::Error;
+use crate::measure::larger;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::hertz::Hertz;
-use crate::scene::Grading;
+use crate::scene::{Grading, Scene};
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
+use crate::study::pairing::Pairing;
 use crate::study::timings::statistics::Spread;
 
 /// Loads of every point.
@@ -29,13 +30,17 @@ pub const ELEMENTS: [usize; 8] = [2, 3, 4, 5, 7, 10, 14, 20];
 const UNIFORM: usize = 10;
 
 /// Which scene, and how its mesh grows away from the contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Family {
     /// Truncated Hertz on its graded mesh.
+    #[serde(rename = "truncated-hertz")]
     Truncated,
     /// Truncated Hertz on a mesh that grows twice as fast from cell to cell.
+    #[serde(rename = "truncated-hertz, steep")]
     Steep,
     /// Truncated Hertz on squares all of one size.
+    #[serde(rename = "truncated-hertz, uniform")]
     Uniform,
     /// The cylinder on its graded mesh.
     Cylinder,
@@ -45,13 +50,13 @@ pub enum Family {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Point {
     /// Scene and grading.
-    pub family: String,
+    pub family: Family,
     /// Nodes of a cell.
     pub cell_nodes: usize,
     /// Elements per nominal half-width.
     pub elements: usize,
-    /// `element.algorithm`.
-    pub formulation: String,
+    /// Contact element and algorithm.
+    pub formulation: Pairing,
     /// Unknown displacement components.
     pub freedoms: usize,
     /// Operations of the sparse factorisation.
@@ -81,7 +86,7 @@ pub struct Point {
 impl Point {
     /// The larger median error of p₀ and a.
     pub fn error(&self) -> f64 {
-        if self.peak.is_nan() || self.half_width.is_nan() { f64::NAN } else { self.peak.max(self.half_width) }
+        larger(self.peak, self.half_width)
     }
 
     /// Operations in all.
@@ -131,32 +136,30 @@ impl Family {
 
     /// The scene under the load of another half-width, with the outline, candidates and grading of the nominal one, and
     /// the Hertz solution.
-    fn loaded(self, half_width: f64) -> (Parts, Hertz) {
+    fn loaded(self, half_width: f64) -> (Scene, Hertz) {
         let ratio = half_width / self.nominal();
-        let (parts, load, [radius, young, poisson]) = match self {
+        let (mut scene, load, radius) = match self {
             Self::Cylinder => {
                 let nominal = Cylinder::default();
-                let numbers =
-                    Cylinder { a_over_r: nominal.a_over_r * ratio, stretch: nominal.stretch / ratio, ..nominal };
-                (problem::cylinder(numbers), numbers.load(), [numbers.radius, numbers.young, numbers.poisson])
+                let (a_over_r, stretch) = (nominal.a_over_r * ratio, nominal.stretch / ratio);
+                let numbers = Cylinder { a_over_r, stretch, ..nominal };
+                (numbers.scene(), numbers.load(), numbers.radius)
             }
             Self::Truncated | Self::Steep | Self::Uniform => {
                 let nominal = TruncatedHertz::default();
                 let (size, stretch) = (nominal.size / ratio, nominal.stretch / ratio);
                 let numbers = TruncatedHertz { a_over_r: nominal.a_over_r * ratio, size, stretch, ..nominal };
-                let of = [numbers.radius, numbers.young, numbers.poisson];
-                let load = numbers.load();
-                (problem::truncated_hertz(numbers), load, of)
+                (numbers.scene(), numbers.load(), numbers.radius)
             }
         };
-        let (mut scene, elements, oracle) = parts;
         scene.grading.unit = self.nominal();
         match self {
             Self::Truncated | Self::Cylinder => {}
             Self::Steep => scene.grading = Grading { along: 2.0, depth: 1.8, coarsest: 0.5, ..scene.grading },
             Self::Uniform => scene.grading = Grading { along: 1.0, depth: 1.0, ..scene.grading },
         }
-        ((scene, elements, oracle), Hertz { load, radius, modulus: young / (1.0 - poisson * poisson) })
+        let modulus = scene.contact_modulus();
+        (scene, Hertz { load, radius, modulus })
     }
 }
 
@@ -176,7 +179,7 @@ pub fn measure(family: Family, order: Order, elements: usize) -> Result<Vec<Poin
     let formulations = family.formulations();
     let mut loaded: Vec<Vec<Loaded>> = formulations.iter().map(|_| Vec::new()).collect();
     for half_width in half_widths(family.nominal(), elements) {
-        let ((scene, _, _), exact) = family.loaded(half_width);
+        let (scene, exact) = family.loaded(half_width);
         let discretisation = Discretisation::of(scene, Resolution { elements, refinement: 0, order })?;
         for (formulation, loaded) in formulations.iter().zip(&mut loaded) {
             let run = Run::of(&discretisation, formulation)?;
@@ -193,10 +196,10 @@ fn point(family: Family, order: Order, elements: usize, formulation: &Formulatio
     let [peak, half_width, l2] = [0, 1, 2].map(|k| over(&|one| one.errors[k]));
     let first = &loaded[0].run;
     Point {
-        family: family.name().into(),
+        family,
         cell_nodes: order.nodes_per_cell(),
         elements,
-        formulation: formulation.name(),
+        formulation: Pairing::of(formulation),
         freedoms: first.freedoms,
         sparse_operations: first.sparse_operations,
         dense_operations: over(&|one| one.run.solution.work.operations).median,
@@ -215,7 +218,7 @@ fn point(family: Family, order: Order, elements: usize, formulation: &Formulatio
 /// Seconds by stage of one formulation on one mesh, under each of the loads.
 pub fn laps(family: Family, order: Order, elements: usize, formulation: &Formulation) -> Result<Vec<Laps>, Error> {
     let one = |half_width: f64| {
-        let ((scene, _, _), _) = family.loaded(half_width);
+        let (scene, _) = family.loaded(half_width);
         Ok(Run::of(&Discretisation::of(scene, Resolution { elements, refinement: 0, order })?, formulation)?.seconds)
     };
     half_widths(family.nominal(), elements).into_iter().map(one).collect()
@@ -224,19 +227,21 @@ pub fn laps(family: Family, order: Order, elements: usize, formulation: &Formula
 /// Seconds by stage.
 pub type Laps = Seconds;
 
+/// Families with the orders of their cells.
+pub fn series() -> impl Iterator<Item = (Family, Order)> {
+    let orders = |family: Family| [Order::Linear, Order::Quadratic].map(|order| (family, order));
+    Family::ALL.into_iter().flat_map(orders)
+}
+
 /// All meshes of the charts.
 pub fn meshes() -> Vec<(Family, Order, usize)> {
-    let of = |family: Family| {
-        [Order::Linear, Order::Quadratic]
-            .into_iter()
-            .flat_map(move |order| family.elements().map(move |elements| (family, order, elements)))
-    };
-    Family::ALL.into_iter().flat_map(of).collect()
+    let of = |(family, order): (Family, Order)| family.elements().map(move |elements| (family, order, elements));
+    series().flat_map(of).collect()
 }
 
 /// What the cylinder's p₀ and a differ from Hertz by on a mesh fine enough to show it: the floor of its curves.
 pub fn floor() -> Result<[f64; 2], Error> {
-    let ((scene, _, _), exact) = Family::Cylinder.loaded(Family::Cylinder.nominal());
+    let (scene, exact) = Family::Cylinder.loaded(Family::Cylinder.nominal());
     let discretisation =
         Discretisation::of(scene, Resolution { elements: 48, refinement: 0, order: Order::Quadratic })?;
     let run = Run::of(&discretisation, &Formulation::new(Element::Node, Iteration::Kinematic).tolerance(TOLERANCE))?;

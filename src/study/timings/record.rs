@@ -6,10 +6,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkout::root;
 use crate::error::Error;
+use crate::oracle::cross_code::Code;
+use crate::study::pairing::Pairing;
 use crate::study::timings::growth::{Growth, Nine};
 use crate::study::timings::machine::Machine;
 use crate::study::timings::others::{OtherPoint, PeerPoint, Stages};
-use crate::study::timings::precision::{Laps, Point};
+use crate::study::timings::precision::{Family, Laps, Point};
 use crate::study::timings::statistics::Spread;
 
 /// What renews the records.
@@ -44,7 +46,7 @@ pub struct Measured {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Beside {
     /// The other code.
-    pub code: String,
+    pub code: Code,
     /// Our seconds.
     pub seconds: Spread,
     /// What of them went where.
@@ -53,10 +55,10 @@ pub struct Beside {
 
 impl Beside {
     /// From our stages, load by load.
-    pub fn of(code: &str, laps: &[Laps]) -> Self {
+    pub fn of(code: Code, laps: &[Laps]) -> Self {
         let whole = |laps: &Laps| laps.iter().map(|(_, seconds)| seconds).sum();
         let seconds = Spread::of(&laps.iter().map(whole).collect::<Vec<f64>>());
-        Self { code: code.into(), seconds, stages: Stages::of(laps) }
+        Self { code, seconds, stages: Stages::of(laps) }
     }
 }
 
@@ -80,6 +82,14 @@ impl Record {
             .collect::<Result<_, _>>()
             .map_err(|error| Error::unreadable(&two, error, RENEW))?;
         Ok(Self { measured, points })
+    }
+
+    /// Points of one formulation on the meshes of a family, coarse to fine.
+    pub fn of_meshes(&self, family: Family, cell_nodes: usize, formulation: Pairing) -> Vec<&Point> {
+        let is_own = |point: &&Point| {
+            point.family == family && point.cell_nodes == cell_nodes && point.formulation == formulation
+        };
+        self.points.iter().filter(is_own).collect()
     }
 
     /// Writes both files.

@@ -3,9 +3,10 @@
 use crate::error::Error;
 use crate::mesh::Order;
 use crate::oracle::cross_code::Code;
-use crate::solve::{Element, Formulation, Iteration};
+use crate::solve::{Element, Iteration};
+use crate::study::pairing::Pairing;
 use crate::study::timings::growth::LARGE;
-use crate::study::timings::others::{OtherPoint, PEERS};
+use crate::study::timings::others::{OtherPoint, Peer};
 use crate::study::timings::precision::{self, Family, Laps, Point, TOLERANCE};
 use crate::study::timings::record::{Beside, Record};
 use crate::study::timings::statistics::exponent;
@@ -23,10 +24,12 @@ pub struct Target {
     pub met: Option<bool>,
 }
 
-/// Freedoms for which the ratios are asked.
+/// Degrees of freedom for which the ratios are asked.
 const SIZES: [f64; 3] = [1e4, 1e5, 1e6];
 /// Error of p₀ and a to which codes are compared.
-const COMPARED: f64 = 1e-3;
+pub const COMPARED: f64 = 1e-3;
+/// The formulation that is compared with other codes.
+pub const FASTEST: Pairing = Pairing { element: Element::Node, algorithm: Iteration::Kinematic };
 /// How often our own solve is measured before and after each code's.
 const REPEATS: usize = 10;
 
@@ -40,22 +43,22 @@ pub fn targets(record: &Record) -> Vec<Target> {
     let mut all = Vec::new();
     for one in SIZES.into_iter().filter_map(near) {
         let n = one.counts.freedoms;
-        all.push(at_most(format!("contact solve ÷ plain solve, {n} freedoms"), 1.1, one.ratio.median));
+        all.push(at_most(format!("contact solve ÷ plain solve, {n} dofs"), 1.1, one.ratio.median));
         all.push(at_most(
-            format!("assembly ÷ plain solve, {n} freedoms, one thread"),
+            format!("assembly ÷ plain solve, {n} dofs, one thread"),
             0.25,
             one.assembly_ratio[0].median,
         ));
-        all.push(at_most(format!("the same on all threads, {n} freedoms"), 0.25, one.assembly_ratio[1].median));
-        all.push(at_most(format!("one more solve ÷ the first, {n} freedoms"), 0.02, one.again_ratio.median));
+        all.push(at_most(format!("the same on all threads, {n} dofs"), 0.25, one.assembly_ratio[1].median));
+        all.push(at_most(format!("one more solve ÷ the first, {n} dofs"), 0.02, one.again_ratio.median));
     }
     for nine in &record.measured.nine {
-        let mesh = format!("{} freedoms, {} retained", nine.counts.freedoms, nine.counts.retained);
+        let mesh = format!("{} dofs, {} retained", nine.counts.freedoms, nine.counts.retained);
         for (threads, k) in [("one thread", 0), ("all threads", 1)] {
             let what = format!("all nine formulations ÷ one, {mesh}, {threads}");
             all.push(at_most(what, 2.0, nine.all[k].median));
         }
-        let without = format!("the same without varying stiffness and its {} steps, one thread", nine.varying_steps);
+        let without = format!("the same without varying stiffness and its {} iterations, one thread", nine.varying_steps);
         all.push(at_most(without, 2.0, nine.without_varying[0].median));
     }
     let whole: Vec<[f64; 2]> = (growth.iter())
@@ -63,17 +66,17 @@ pub fn targets(record: &Record) -> Vec<Target> {
         .map(|one| [one.counts.freedoms as f64, one.stages.values().map(|stage| stage.median).sum()])
         .collect();
     let ends = whole.first().zip(whole.last()).map_or([f64::NAN; 2], |(first, last)| [first[0], last[0]]);
-    let what = format!("exponent of the whole time, {} to {} freedoms", ends[0], ends[1]);
+    let what = format!("exponent of the whole time, {} to {} dofs", ends[0], ends[1]);
     all.push(at_most(what, 1.25, exponent(&whole)));
     for one in growth.iter().filter(|one| one.counts.freedoms as f64 >= 0.7 * SIZES[1]) {
-        let what = format!("peak memory ÷ bytes of the factor, {} freedoms", one.counts.freedoms);
+        let what = format!("peak memory ÷ bytes of the factor, {} dofs", one.counts.freedoms);
         all.push(match one.memory_ratio {
             Some(ratio) => at_most(what, 2.0, ratio),
             None => absent(what, "≤ 2".into()),
         });
     }
     all.extend(Code::ALL.into_iter().zip([20.0, 10.0]).map(|(code, asked)| to_accuracy(record, code, asked)));
-    all.extend(PEERS.into_iter().zip([10.0, 50.0]).map(|((name, _), asked)| peer(record, name, asked)));
+    all.extend(Peer::ALL.into_iter().zip([10.0, 50.0]).map(|(code, asked)| peer(record, code, asked)));
     all.push(at_most("whole report from nothing [s]".into(), 60.0, record.measured.report));
     all
 }
@@ -81,38 +84,39 @@ pub fn targets(record: &Record) -> Vec<Target> {
 /// Our cheapest mesh within the compared accuracy: node elements with kinematic load on truncated Hertz.
 pub fn cheapest(points: &[Point]) -> Option<&Point> {
     let enough = |point: &&Point| {
-        point.family != Family::Cylinder.name() && point.formulation == "node.kinematic" && point.error() <= COMPARED
+        point.family != Family::Cylinder && point.formulation == FASTEST && point.error() <= COMPARED
     };
     points.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds))
 }
 
 /// Seconds by stage of that solve as they are now, several times under each load.
 pub fn cheapest_laps(points: &[Point]) -> Result<Vec<Laps>, Error> {
-    let Some(point) = cheapest(points) else { return Ok(Vec::new()) };
+    let message = || format!("no mesh of truncated Hertz keeps {} %", 100.0 * COMPARED);
+    let none = || Error::at("timings", message(), "measure finer meshes");
+    let point = cheapest(points).ok_or_else(none)?;
     let order = if point.cell_nodes == 4 { Order::Linear } else { Order::Quadratic };
-    let family = Family::ALL.into_iter().find(|family| family.name() == point.family);
-    let formulation = Formulation::new(Element::Node, Iteration::Kinematic).tolerance(TOLERANCE);
+    let formulation = FASTEST.formulation().tolerance(TOLERANCE);
     let mut laps = Vec::new();
-    for family in family.into_iter().cycle().take(REPEATS) {
-        laps.extend(precision::laps(family, order, point.elements, &formulation)?);
+    for _ in 0..REPEATS {
+        laps.extend(precision::laps(point.family, order, point.elements, &formulation)?);
     }
     Ok(laps)
 }
 
 /// The cheapest solve of another code within that accuracy.
 pub fn theirs(record: &Record, code: Code) -> Option<&OtherPoint> {
-    let enough = |point: &&OtherPoint| point.code == code.name() && point.peak.max(point.half_width) <= COMPARED;
+    let enough = |point: &&OtherPoint| point.code == code && point.peak.max(point.half_width) <= COMPARED;
     record.measured.others.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds))
 }
 
 fn to_accuracy(record: &Record, code: Code, asked: f64) -> Target {
     let what = format!("time to {} % in p₀ and a, truncated Hertz: {code} ÷ ours", 100.0 * COMPARED);
-    let beside = record.measured.beside.iter().find(|beside| beside.code == code.name());
+    let beside = record.measured.beside.iter().find(|beside| beside.code == code);
     match (theirs(record, code), beside, cheapest(&record.points)) {
         (Some(theirs), Some(Beside { seconds: ours, .. }), Some(own)) => {
             let ratio = theirs.seconds / ours.median;
             let measured = format!(
-                "{ratio:.1} ({:.1} ms with {} freedoms against {:.2} ms with {})",
+                "{ratio:.1} ({:.1} ms with {} dofs against {:.2} ms with {})",
                 1e3 * theirs.seconds,
                 theirs.freedoms,
                 1e3 * ours.median,
@@ -124,10 +128,10 @@ fn to_accuracy(record: &Record, code: Code, asked: f64) -> Target {
     }
 }
 
-fn peer(record: &Record, name: &str, asked: f64) -> Target {
-    let what = format!("contact solve of the same cylinder mesh: {name} ÷ ours");
+fn peer(record: &Record, code: Peer, asked: f64) -> Target {
+    let what = format!("contact solve of the same cylinder mesh: {} ÷ ours", code.name());
     let ratios: Vec<f64> = (record.measured.peers.iter())
-        .filter(|point| point.code == name)
+        .filter(|point| point.code == code)
         .map(|point| point.seconds.median / point.ours.median)
         .collect();
     let told: Vec<String> = ratios.iter().map(|ratio| format!("{ratio:.0}")).collect();

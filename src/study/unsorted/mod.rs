@@ -6,7 +6,7 @@ use crate::case::{Judged, Verdict};
 use crate::case::{Problem, universal};
 use crate::solve::Run;
 use crate::study::cross_code::{self, Answers};
-use crate::study::{converged, family, gaertner, met, pictures, refinement, timings};
+use crate::study::{family, gaertner, pictures, refinement};
 
 use crate::error::Error;
 use crate::markdown;
@@ -160,10 +160,6 @@ fn title(formulation: &Formulation) -> String {
 /// Every trial of the suite, in the order of the page.
 pub fn all() -> Vec<Trial> {
     let mut trials = refinement::trials();
-    trials.extend(converged::trials());
-    trials.extend(timings::trials());
-    trials.extend(crate::study::accuracy::trials());
-    trials.extend(met::trials());
     trials.extend(family::trials());
     trials.extend(cross_code::trials(Answers::Frozen));
     trials.extend(gaertner::trials());

@@ -1,15 +1,18 @@
-//! Error against seconds and work, what finer meshes pay, and growth with the number of freedoms.
+//! Error against seconds and work, and what finer meshes pay.
 
-use super::{label, style};
 use crate::error::Error;
-use crate::figure::palette::{self, Colour, Dash, Marker, Style};
+use crate::figure::palette::{self, Dash, Marker, Style};
 use crate::figure::{Axis, Chart, Direction, Guide, Series, panels};
-use crate::solve::Formulation;
-use crate::study::timings::growth::{Growth, LARGE, STAGES};
-use crate::study::timings::others::OtherPoint;
+use crate::oracle::cross_code::Code;
+use crate::study::Found;
+use crate::study::drawn::{label, style};
+use crate::study::pairing::Pairing;
+use crate::study::timings::growth_picture::growth;
+use crate::study::timings::others::{OtherPoint, Peer};
 use crate::study::timings::precision::{Family, LOADS, Point};
 use crate::study::timings::record::Record;
-use crate::study::timings::statistics::exponent;
+use crate::study::timings::run::{Numbers, record};
+use crate::study::timings::targets::FASTEST;
 
 /// What a run costs.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -27,8 +30,8 @@ const NINE: [(Family, usize, &str); 4] = [
 ];
 
 /// All charts of the record.
-pub fn all() -> Result<Vec<(String, String)>, Error> {
-    let record = Record::read()?;
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+    let record = record(findings)?;
     let mut charts = Vec::new();
     for (family, nodes, file) in NINE {
         for (cost, name) in [(Cost::Seconds, "seconds"), (Cost::Operations, "work")] {
@@ -57,10 +60,7 @@ fn precision(record: &Record, family: Family, nodes: usize, cost: Cost) -> Resul
             let title = format!("{quantity}, {which} of {LOADS} loads");
             let mut chart = Chart::new(&title, Axis::log(axis), Axis::log("relative error"));
             for formulation in family.formulations() {
-                let of = |p: &&Point| {
-                    p.family == family.name() && p.cell_nodes == nodes && p.formulation == formulation.name()
-                };
-                let points: Vec<&Point> = record.points.iter().filter(of).collect();
+                let points = record.of_meshes(family, nodes, Pairing::of(&formulation));
                 chart.series.push(curve(&points, cost, ours[column], label(&formulation), style(&formulation)));
             }
             if family == Family::Truncated && cost == Cost::Seconds {
@@ -94,14 +94,14 @@ fn curve(points: &[&Point], cost: Cost, error: fn(&Point) -> f64, label: String,
 
 fn other_codes(record: &Record, error: fn(&OtherPoint) -> f64) -> Vec<Series> {
     let styles = [
-        ("scikit-fem", Style::run(palette::PURPLE, Dash::DashDot, Marker::Triangle)),
-        ("dolfinx", Style::run(palette::ORANGE, Dash::DashDot, Marker::Wedge)),
+        (Code::ScikitFem, Style::run(palette::PURPLE, Dash::DashDot, Marker::Triangle)),
+        (Code::Dolfinx, Style::run(palette::ORANGE, Dash::DashDot, Marker::Wedge)),
     ];
-    let of = |(code, style): (&str, Style)| {
+    let of = |(code, style): (Code, Style)| {
         let own = record.measured.others.iter().filter(|point| point.code == code);
         let mut points: Vec<(f64, f64)> = own.map(|point| (point.seconds, error(point))).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Series { label: code.into(), points, style, hollow: Vec::new() }
+        Series { label: code.name().into(), points, style, hollow: Vec::new() }
     };
     styles.into_iter().map(of).collect()
 }
@@ -109,18 +109,18 @@ fn other_codes(record: &Record, error: fn(&OtherPoint) -> f64) -> Vec<Series> {
 /// Codes on our own meshes of the cylinder, under its nominal load; they give p₀ and a.
 fn peers(record: &Record, quantity: usize) -> Vec<Series> {
     let styles = [
-        ("GetFEM", Style::run(palette::PURPLE, Dash::DashDot, Marker::Triangle)),
-        ("CalculiX", Style::run(palette::ORANGE, Dash::DashDot, Marker::Wedge)),
+        (Peer::GetFem, Style::run(palette::PURPLE, Dash::DashDot, Marker::Triangle)),
+        (Peer::CalculiX, Style::run(palette::ORANGE, Dash::DashDot, Marker::Wedge)),
     ];
-    let of = |(code, style): (&str, Style)| {
+    let of = |(code, style): (Peer, Style)| {
         let own = record.measured.peers.iter().filter(|point| point.code == code);
         let points = own.filter_map(|point| Some((point.seconds.median, *point.errors.get(quantity)?))).collect();
-        Series { label: code.into(), points, style, hollow: Vec::new() }
+        Series { label: code.name().into(), points, style, hollow: Vec::new() }
     };
     styles.into_iter().map(of).filter(|series| !series.points.is_empty()).collect()
 }
 
-/// Graded, steep and uniform meshes of 4-node and 8-node cells, and the three elements, by freedoms and by seconds.
+/// Graded, steep and uniform meshes of 4-node and 8-node cells, and the three elements, by degrees of freedom and by seconds.
 fn what_pays(record: &Record) -> Result<String, Error> {
     let families = [
         (Family::Truncated, "graded", Dash::Solid),
@@ -129,12 +129,12 @@ fn what_pays(record: &Record) -> Result<String, Error> {
     ];
     let cells = [(4, palette::ORANGE, Marker::Square), (8, palette::PURPLE, Marker::Circle)];
     let mut charts = Vec::new();
-    let axes = [("freedoms", (|p| p.freedoms as f64) as fn(&Point) -> f64), ("seconds", |p| p.seconds)];
+    let axes = [("degrees of freedom", (|p| p.freedoms as f64) as fn(&Point) -> f64), ("seconds", |p| p.seconds)];
     for (axis, cost) in axes {
         let mut chart = Chart::new("Cells and grading, node", Axis::log(axis), Axis::log("larger error of p₀ and a"));
         for (nodes, colour, marker) in cells {
             for (family, grading, dash) in families {
-                let points = of_mesh(record, family, nodes, "node.kinematic");
+                let points = record.of_meshes(family, nodes, FASTEST);
                 let style = Style::run(colour, dash, marker);
                 chart.series.push(by(&points, cost, format!("{nodes}-node, {grading}"), style));
             }
@@ -143,8 +143,8 @@ fn what_pays(record: &Record) -> Result<String, Error> {
     }
     for (axis, cost) in axes {
         let mut chart = Chart::new("Elements, 8-node graded", Axis::log(axis), Axis::log("larger error of p₀ and a"));
-        for formulation in kinematic() {
-            let points = of_mesh(record, Family::Truncated, 8, &formulation.name());
+        for formulation in Family::Steep.formulations() {
+            let points = record.of_meshes(Family::Truncated, 8, Pairing::of(&formulation));
             chart.series.push(by(&points, cost, label(&formulation), style(&formulation)));
         }
         charts.push(chart);
@@ -152,82 +152,7 @@ fn what_pays(record: &Record) -> Result<String, Error> {
     panels(&format!("What pays: truncated Hertz, kinematic load, median of {LOADS} loads"), &charts, 2)
 }
 
-fn kinematic() -> impl Iterator<Item = Formulation> {
-    Family::Steep.formulations().into_iter()
-}
-
-fn of_mesh<'a>(record: &'a Record, family: Family, nodes: usize, formulation: &str) -> Vec<&'a Point> {
-    let of = |p: &&Point| p.family == family.name() && p.cell_nodes == nodes && p.formulation == formulation;
-    record.points.iter().filter(of).collect()
-}
-
 fn by(points: &[&Point], cost: fn(&Point) -> f64, label: String, style: Style) -> Series {
     let points = points.iter().map(|point| (cost(point), point.error())).collect();
     Series { label, points, style, hollow: Vec::new() }
-}
-
-/// Seconds by stage, whole solves, and memory against freedoms.
-fn growth(growth: &[Growth]) -> Result<String, Error> {
-    let freedoms = || Axis::log("freedoms");
-    let colours = [
-        palette::LINE,
-        palette::ORANGE,
-        palette::LAYER,
-        palette::PURPLE,
-        palette::NODE,
-        palette::SKY,
-        palette::GREY,
-        palette::PALE,
-        palette::INK,
-        palette::LINE,
-    ];
-    let mut stages = Chart::new("Seconds by stage", freedoms(), Axis::log("seconds"));
-    for (k, stage) in STAGES.into_iter().enumerate().filter(|(_, stage)| *stage != "interface") {
-        let seconds = |one: &Growth| one.stages.get(stage).map_or(f64::NAN, |spread| spread.median);
-        let dash = if k % 2 == 0 { Dash::Solid } else { Dash::Dashed };
-        let marker = [Marker::Circle, Marker::Square, Marker::Diamond, Marker::Triangle, Marker::Wedge][k % 5];
-        stages.series.push(grown(growth, stage, &seconds, Style::run(colours[k], dash, marker)));
-    }
-    let mut whole = Chart::new("Whole solves", freedoms(), Axis::log("seconds"));
-    let sum = |one: &Growth, which: &[&str]| -> f64 {
-        which.iter().map(|stage| one.stages.get(*stage).map_or(f64::NAN, |spread| spread.median)).sum()
-    };
-    let run = |colour: Colour, dash, marker| Style::run(colour, dash, marker);
-    let plain_ours = ["ordering", "analysis", "factorisation", "forward elimination", "recovery"];
-    whole.series = vec![
-        grown(growth, "contact solve", &|g| g.contact.median, run(palette::NODE, Dash::Solid, Marker::Circle)),
-        grown(
-            growth,
-            "plain Cholesky, its own ordering",
-            &|g| g.plain.median,
-            run(palette::INK, Dash::Dashed, Marker::Square),
-        ),
-        grown(
-            growth,
-            "plain Cholesky, our ordering",
-            &|g| sum(g, &plain_ours),
-            run(palette::GREY, Dash::Dotted, Marker::Diamond),
-        ),
-        grown(growth, "from nothing", &|g| sum(g, &STAGES), run(palette::LAYER, Dash::DashDot, Marker::Triangle)),
-    ];
-    let mut memory = Chart::new("Memory", freedoms(), Axis::log("bytes"));
-    let factor = |g: &Growth| 8.0 * g.counts.factor_entries as f64;
-    let peak = |g: &Growth| g.memory_ratio.map_or(f64::NAN, |ratio| ratio * factor(g));
-    memory.series = vec![
-        grown(growth, "whole process, at most", &peak, run(palette::LAYER, Dash::Solid, Marker::Circle)),
-        grown(growth, "sparse factor", &factor, run(palette::INK, Dash::Dashed, Marker::Square)),
-    ];
-    panels("Growth: cylinder, node + kinematic load, one thread", &[stages, whole, memory], 2)
-}
-
-/// A curve with its exponent, fitted to the larger meshes, in the legend.
-fn grown(growth: &[Growth], name: &str, of: &dyn Fn(&Growth) -> f64, style: Style) -> Series {
-    let points: Vec<[f64; 2]> = growth.iter().map(|g| [g.counts.freedoms as f64, of(g)]).collect();
-    let large: Vec<[f64; 2]> = points.iter().copied().filter(|p| p[0] >= LARGE && p[1] > 0.0).collect();
-    Series {
-        label: format!("{name}: ∝ n^{:.2}", exponent(&large)),
-        points: points.into_iter().map(|[x, y]| (x, y)).collect(),
-        style,
-        hollow: Vec::new(),
-    }
 }

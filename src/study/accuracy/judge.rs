@@ -1,0 +1,28 @@
+//! The accuracy asked is met, and truly, by a mesh hardly larger than one made by hand.
+
+use crate::case::solved::estimated;
+use crate::case::{Check, Judged, Quantity, Reference};
+use crate::error::Error;
+use crate::study::accuracy::run::Numbers;
+
+/// Degrees of freedom allowed over those of the mesh made by hand.
+const ALLOWED: f64 = 2.0;
+
+/// The checks.
+pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
+    let &Numbers { asked, met, estimate, by_hand, .. } = numbers;
+    let closed_form = || Reference::analytic("the closed form", 0.0);
+    let own = |name: &str, value: f64| Reference::own(name, value);
+    let larger = |name: &'static str| Quantity::at(name, "larger one of peak and half-width");
+    let promised = if met { estimate } else { f64::NAN };
+    let most = own("twice those of the mesh made by hand", (ALLOWED * by_hand.dofs as f64).floor());
+    let shown = "the accuracy asked; the finer mesh shows what the closed form leaves out";
+    let loads = "eight loads move the contact edge across one element";
+    Ok(vec![
+        estimated(promised, asked),
+        Check::error(larger("true error"), closed_form(), asked, shown).judge(numbers.closed_form),
+        Check::error(larger("true error"), own("a mesh far finer", 0.0), promised, "the estimate").judge(numbers.finer),
+        Check::error(larger("error of the mesh made by hand"), closed_form(), asked, loads).judge(by_hand.worst),
+        Check::at_most(Quantity::Dofs, most, "the price of not knowing the contact").judge(numbers.dofs as f64),
+    ])
+}

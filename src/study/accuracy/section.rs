@@ -1,0 +1,50 @@
+//! The section on accuracies that are asked for.
+
+use crate::error::Error;
+use crate::markdown;
+use crate::study::Found;
+use crate::study::accuracy::run::Numbers;
+
+/// Columns beside the name of the trial.
+const HEAD: [&str; 8] = [
+    "scene, asked",
+    "estimated",
+    "against closed form",
+    "against finer mesh",
+    "dofs",
+    "dofs of all meshes",
+    "by hand",
+    "worst by hand",
+];
+
+/// One row a scene and an accuracy.
+pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
+    let rows: Vec<Vec<String>> = findings.iter().map(|found| row(found.name, found.numbers)).collect();
+    Ok(format!(
+        "## An accuracy asked for instead of a mesh\n\n\
+         `accuracy = \"0.1 %\"` in a scene file, or `--accuracy`, chooses elements, growth and candidates of 8-node cells. Errors are the \
+         larger ones of peak pressure and half-width (second-moment angle). A mesh made by hand is the cheapest found whose worst \
+         error over eight loads is within the asked one. Meshes finer than the one answered are solved for the estimate: *dofs of all \
+         meshes* counts the degrees of freedom of every mesh solved.\n\n{}\n",
+        markdown::table(&HEAD.map(String::from), &rows)
+    ))
+}
+
+fn row(name: &str, numbers: &Numbers) -> Vec<String> {
+    let percent = |error: f64| format!("{:.3} %", 100.0 * error);
+    vec![
+        name.into(),
+        percent(numbers.estimate),
+        percent(numbers.closed_form),
+        percent(numbers.finer),
+        numbers.dofs.to_string(),
+        numbers.dofs_in_all.to_string(),
+        numbers.by_hand.dofs.to_string(),
+        percent(numbers.by_hand.worst),
+    ]
+}
+
+/// None.
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+    Ok(Vec::new())
+}

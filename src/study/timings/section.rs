@@ -1,0 +1,147 @@
+//! The section on speed against accuracy.
+
+use crate::error::Error;
+use crate::markdown;
+use crate::solve::{Element, Iteration};
+use crate::study::Found;
+use crate::study::drawn::picture;
+use crate::study::pairing::Pairing;
+use crate::study::timings::default_mesh::{DefaultMesh, FINER, Tried};
+use crate::study::timings::growth_section;
+use crate::study::timings::precision::{ASKED, Family, LOADS, Point, TOLERANCE};
+use crate::study::timings::record::Record;
+use crate::study::timings::run::{Numbers, record};
+use crate::study::timings::targets::targets;
+
+/// Families whose meshes are compared, and how they are graded.
+const GRADED: [(Family, &str); 3] =
+    [(Family::Truncated, "graded"), (Family::Steep, "steep"), (Family::Uniform, "uniform")];
+
+/// The whole section.
+pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
+    let record = record(findings)?;
+    let meshes = findings.iter().filter_map(|found| match found.numbers {
+        Numbers::DefaultMesh(mesh) => Some(mesh),
+        _ => None,
+    });
+    let parts = [
+        machine(&record),
+        asked(&record),
+        precision(),
+        what_pays(&record),
+        default_meshes(meshes),
+        growth_section::section(&record),
+    ];
+    Ok(format!("## Speed against accuracy\n\n{}", parts.concat()))
+}
+
+fn asked(record: &Record) -> String {
+    let rows: Vec<Vec<String>> = (targets(record).into_iter())
+        .map(|t| {
+            let met = t.met.map_or("–", |met| if met { "✓" } else { "✗" });
+            vec![t.what, t.asked, t.measured, met.into()]
+        })
+        .collect();
+    markdown::table(&["what", "asked for", "measured", "met"].map(String::from), &rows)
+}
+
+fn machine(record: &Record) -> String {
+    let machine = &record.measured.machine;
+    let versions: Vec<String> = machine.versions.iter().map(|(name, version)| format!("{name} {version}")).collect();
+    let text = format!(
+        "Seconds and ratios are the record of one machine ({}, {} threads, {}; {}; {}), on one thread unless said otherwise; \
+         `cargo run --release -- timings` renews it. Ratios are medians of runs by turns in one process. The *plain solve* is one \
+         sparse Cholesky solve of the same matrix by faer's own high-level solver with its default ordering, the *contact solve* \
+         everything from the assembled matrix to the full displacement: ordering, factorisation, Schur complement, all iterations \
+         of node + kinematic load, recovery. Errors and counts beside the seconds are computed again with every report.\n\n",
+        machine.processor,
+        machine.threads,
+        machine.system,
+        machine.compiler,
+        versions.join(", ")
+    );
+    let skipped = record.measured.absent.iter().map(|why| format!("Skipped: {why}.\n\n"));
+    text + &skipped.collect::<String>()
+}
+
+fn precision() -> String {
+    let chart = |file: &str, caption: &str| picture(&format!("{file}.svg"), caption);
+    let mut text = format!(
+        "\n### Error against seconds and work\n\nThe mesh does not know the answer: it is graded for a nominal half-width, and {LOADS} loads \
+         move the contact edge across one of its elements. Finding the contact is part of the cost. All runs to the tolerance \
+         {TOLERANCE:e}. Meshes on which some load did not converge are drawn as hollow markers above the chart. The other codes solve on \
+         meshes and by methods of their own (scikit-fem exact active sets, dolfinx penalty).\n\n"
+    );
+    text += &chart("precision-truncated-8-node-seconds", "Truncated Hertz, 8-node cells: error against seconds");
+    text += &chart(
+        "precision-cylinder-8-node-seconds",
+        "Cylinder, 8-node cells: error against seconds, with Hertz's model error; GetFEM and CalculiX on our meshes under the nominal load",
+    );
+    let mut rest = chart("precision-truncated-4-node-seconds", "Truncated Hertz, 4-node cells: error against seconds");
+    rest += &chart("precision-cylinder-4-node-seconds", "Cylinder, 4-node cells: error against seconds");
+    for (name, title) in [("truncated", "Truncated Hertz"), ("cylinder", "Cylinder")] {
+        for nodes in [8, 4] {
+            let caption = format!("{title}, {nodes}-node cells: error against counted operations");
+            rest += &chart(&format!("precision-{name}-{nodes}-node-work"), &caption);
+        }
+    }
+    text + &markdown::folded("4-node cells, and the same against counted operations", &rest, false)
+}
+
+/// Degrees of freedom and seconds needed for each error asked for.
+fn what_pays(record: &Record) -> String {
+    let mut rows = Vec::new();
+    for (family, grading) in GRADED {
+        for nodes in [4, 8] {
+            for element in Element::ALL {
+                let pairing = Pairing { element, algorithm: Iteration::Kinematic };
+                let points = record.of_meshes(family, nodes, pairing);
+                let first = [format!("{nodes}-node, {grading}"), element.name().to_owned()];
+                rows.push(first.into_iter().chain(ASKED.map(|error| needed(&points, error))).collect());
+            }
+        }
+    }
+    let head = ["cells", "element"].map(String::from).into_iter();
+    let head: Vec<String> = head.chain(ASKED.map(|error| format!("{} %", 100.0 * error))).collect();
+    format!(
+        "### What pays\n\n{}Degrees of freedom and milliseconds of the cheapest mesh whose median errors of p₀ and a are \
+         both within:\n\n{}\n",
+        picture(
+            "what-pays.svg",
+            "Graded against uniform meshes, 4-node against 8-node cells, node against line and layer elements"
+        ),
+        markdown::table(&head, &rows)
+    )
+}
+
+/// Degrees of freedom and milliseconds of the fastest point within an error; – without one.
+fn needed(points: &[&Point], error: f64) -> String {
+    let enough = points.iter().filter(|point| point.error() <= error);
+    let cheapest = enough.min_by(|a, b| a.seconds.total_cmp(&b.seconds));
+    cheapest.map_or("–".into(), |p| format!("{}, {} ms", p.freedoms, markdown::significant(1e3 * p.seconds, 2)))
+}
+
+/// What growth the scenes have by default, and what others would change.
+fn default_meshes<'a>(meshes: impl Iterator<Item = &'a DefaultMesh>) -> String {
+    let tables = meshes.map(default_mesh).collect::<String>();
+    format!("### The default meshes\n\nThe scene's own growth is in the first row, other growth below it.\n\n{tables}")
+}
+
+fn default_mesh(mesh: &DefaultMesh) -> String {
+    let row = |kind: String, tried: &Tried| {
+        let percent = [tried.peak, tried.half_width].map(|error| format!("{:+.3} %", 100.0 * error));
+        [vec![kind, tried.dofs.to_string()], percent.into()].concat()
+    };
+    let growth = |tried: &Tried| tried.growth.map(|number| number.to_string()).join(", ");
+    let own = row(format!("**{}**", growth(&mesh.own)), &mesh.own);
+    let rows: Vec<Vec<String>> =
+        std::iter::once(own).chain(mesh.others.iter().map(|tried| row(growth(tried), tried))).collect();
+    let head = ["growth along, into the depth, coarsest", "dofs", "peak", "half-width or angle"];
+    format!(
+        "{}, {} elements; errors against {FINER} times as many, {} dofs:\n\n{}\n",
+        mesh.scene,
+        mesh.elements,
+        mesh.finer_dofs,
+        markdown::table(&head.map(String::from), &rows)
+    )
+}
