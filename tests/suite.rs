@@ -4,15 +4,15 @@ use std::fmt::Write;
 use std::sync::{Arc, Mutex};
 
 use contact_vv::case::Verdict;
-use contact_vv::case::problem::{PROBLEMS, problem};
+use contact_vv::case::library::{NAMES, find};
 use contact_vv::markdown::significant;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Formulation};
-use contact_vv::study;
 use contact_vv::study::atlas::{Chart, Plane, record};
 #[cfg(feature = "python")]
 use contact_vv::study::cross_code;
+use contact_vv::study::{self, Numbers};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 
 /// Scenes whose runs are frozen.
@@ -59,8 +59,8 @@ fn truth(trial: study::Trial, counts: Counts, origins: Origins) -> Trial {
         let mut message = String::new();
         for check in &finding.judged {
             if check.reference.kind == ReferenceKind::CrossCode {
-                origins.lock().expect("no test panics while counting")[usize::from(finding.name.ends_with("live"))] +=
-                    1;
+                let live = matches!(&finding.numbers, Numbers::CrossCode(numbers) if numbers.is_live());
+                origins.lock().expect("no test panics while counting")[usize::from(live)] += 1;
             }
             let slot = match &check.verdict {
                 Verdict::Pass => 0,
@@ -91,7 +91,7 @@ fn truth(trial: study::Trial, counts: Counts, origins: Origins) -> Trial {
 fn frozen(scene: &'static str) -> Vec<Trial> {
     let test = |formulation: Formulation| {
         Trial::test(format!("snapshot, {scene} × {}", formulation.name()), move || {
-            let problem = problem(scene, None).map_err(|error| error.to_string())?;
+            let problem = find(scene, None).map_err(|error| error.to_string())?;
             let discretisation =
                 Discretisation::of(problem.scene, problem.resolution).map_err(|error| error.to_string())?;
             let run = Run::of(&discretisation, &formulation).map_err(|error| error.to_string())?;
@@ -158,10 +158,7 @@ fn run_lengths(values: impl Iterator<Item = usize>) -> String {
 
 /// A snapshot that no run asks for would freeze nothing.
 fn no_stray_snapshot() -> Result<(), Failed> {
-    assert!(
-        FROZEN.iter().all(|scene| PROBLEMS.iter().any(|(name, _)| name == scene)),
-        "frozen scenes are in the library"
-    );
+    assert!(FROZEN.iter().all(|scene| NAMES.iter().any(|(name, _)| name == scene)), "frozen scenes are in the library");
     let expected: Vec<String> = FROZEN
         .iter()
         .flat_map(|scene| Formulation::nine().into_iter().map(move |f| format!("{scene}@{}.snap", f.name())))

@@ -17,15 +17,12 @@ pub mod hertz;
 pub mod judged;
 pub mod library;
 mod measured;
-pub mod problem;
 pub mod quantity;
 pub mod solved;
-mod stated;
 pub mod universal;
 
 pub use check::{Against, Check, Reference, Relation, Scope};
 pub use definition::{Case, SharedOracle};
 pub use judged::{Judged, Verdict};
-pub use problem::Problem;
 pub use quantity::Quantity;
 pub use solved::Meshed;

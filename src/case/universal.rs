@@ -1,6 +1,6 @@
 //! What every converged run must satisfy, whatever the problem: equilibrium, invariance, condensed = full, path independence.
 
-use crate::case::{Judged, Reference};
+use crate::case::{Check, Judged, Quantity, Reference};
 use crate::elasticity::ElasticSystem;
 use crate::error::Error;
 use crate::measure::{larger, profile, whole};
@@ -19,6 +19,9 @@ const NOISE: f64 = 1e-12;
 /// The variant in which x has the other sign.
 const MIRROR_IMAGE: &str = "mirror image";
 
+/// Why a balance of forces has the tolerance of its run.
+const BALANCE: &str = "balance is part of convergence: the run's own tolerance";
+
 /// Round-off in sums over the whole system, relative to the size of their terms.
 const ROUND_OFF: f64 = 1e-9;
 
@@ -27,15 +30,13 @@ pub fn bounded(run: &Run) -> Option<Judged> {
     let EnergyError { error, bound } = run.solution.energy?;
     // Where round-off is larger, a square may come out below zero.
     let [error, bound] = [error, bound].map(|square| larger(square, 0.0).sqrt());
-    let check = Judged::norm(
-        "The forces and gaps of the last step shall bound its error against the discrete solution",
-        "error / (bound + 1e-8) − 1, in the energy norm",
-        larger(error / (bound + SQUARED) - 1.0, 0.0),
+    let check = Check::error(
+        "excess of the last iterate's error over its bound, error / (bound + 1e-8) − 1 in the energy norm",
         Reference::own("active set", 0.0),
         1e-6,
         "an inequality, derived beside it; 1e-8 of the stored energy's root is round-off",
     );
-    Some(check.universal())
+    Some(check.universal().judge(larger(error / (bound + SQUARED) - 1.0, 0.0)))
 }
 
 /// Root of the round-off of an energy.
@@ -55,7 +56,7 @@ pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>,
     if run.formulation.name() == Formulation::verification().name() && run.formulation.settings.tolerance <= 1e-8 {
         checks.push(path_independence(discretisation, run)?);
     }
-    Ok(checks.into_iter().map(Judged::universal).collect())
+    Ok(checks.into_iter().map(|judged| Judged { check: judged.check.universal(), ..judged }).collect())
 }
 
 /// Contact resultant = applied load, on a body that only contact holds along the load line.
@@ -64,14 +65,13 @@ fn equilibrium(discretisation: &Discretisation, run: &Run) -> Option<Judged> {
     let [pair] = &scene.contacts[..] else { return balance(discretisation, run) };
     let free = pair.bodies().find(|&body| !held_vertically(scene, body))?;
     let applied = whole(pair) * discretisation.system.bodies[free].applied_vertical().abs();
-    Some(Judged::relative(
-        "The resultant of the reported pressures shall equal the applied load",
-        "resultant",
-        run.transmitted(),
-        Reference::own("applied load", applied),
+    let check = Check::near(
+        "resultant of the reported pressures",
+        Reference::own("the applied load", applied),
         run.formulation.settings.tolerance,
-        "balance is part of convergence: the run's own tolerance",
-    ))
+        BALANCE,
+    );
+    Some(check.judge(run.transmitted()))
 }
 
 /// Several contacts: on each body that only they hold along the load line, their forces and the applied load add up to 0.
@@ -90,14 +90,13 @@ fn balance(discretisation: &Discretisation, run: &Run) -> Option<Judged> {
         (applied + forces.iter().sum::<f64>()).abs() / pressing.max(applied.abs())
     };
     let worst = free.iter().map(imbalance).reduce(larger)?;
-    Some(Judged::norm(
-        "The contact forces on every free body shall balance its load",
-        "imbalance / pressing forces",
-        worst,
+    let check = Check::error(
+        "imbalance of contact forces and load on a free body, over the pressing forces",
         Reference::own("equilibrium", 0.0),
         run.formulation.settings.tolerance,
-        "balance is part of convergence: the run's own tolerance",
-    ))
+        BALANCE,
+    );
+    Some(check.judge(worst))
 }
 
 fn held_vertically(scene: &Scene, body: usize) -> bool {
@@ -133,24 +132,17 @@ fn frictionless(discretisation: &Discretisation, run: &Run, contact: usize) -> R
     }
     let scale = force.max(scene.reference.pressure * scene.thickness * scene.reference.length * scene.reference.length);
     let limit = ROUND_OFF.max(rounding / scale);
-    Ok(match pair.path {
-        Path::Arc(_) => Judged::norm(
-            "The contact forces shall have no moment about the pin's centre",
-            "moment / F R",
-            moment / scale,
-            Reference::own("zero", 0.0),
-            limit,
+    let (quantity, because) = match pair.path {
+        Path::Arc(_) => (
+            "moment of the contact forces about the centre of the arc, over F R",
             "frictionless on a circle; round-off of the recovered forces",
         ),
-        Path::Straight(_) => Judged::norm(
-            "Contact shall exert no tangential force",
-            "moment of tangential forces / F ℓ",
-            moment / scale,
-            Reference::own("zero", 0.0),
-            limit,
+        Path::Straight(_) => (
+            "moment of tangential contact forces, over F ℓ",
             "frictionless on a plane; round-off of the recovered forces",
         ),
-    })
+    };
+    Ok(Check::error(quantity, Reference::own("zero", 0.0), limit, because).judge(moment / scale))
 }
 
 /// Arm about the centre of an arc; on a plane a vertical unit arm, so that the moment is that of tangential forces.
@@ -177,14 +169,11 @@ fn nodal_force(discretisation: &Discretisation, body: usize, node: usize, intern
 fn condensed_is_full(discretisation: &Discretisation, run: &Run, limit: f64) -> Result<Judged, Error> {
     let full = discretisation.uncondensed_pressures(&run.formulation, &run.solution)?;
     let pressures = run.solution.spring_pressures.iter().copied();
-    Ok(Judged::norm(
-        "Condensed and full system shall give the same contact pressures",
-        "max |Δp| / p_max",
-        largest_difference(pressures, full.into_iter()) / scale(discretisation, run),
-        Reference::own("full system", 0.0),
-        limit,
-        "the same equations; 1e-9, or what one rounding of every product grows to through the contact's own condition",
-    ))
+    let quantity = "difference of contact pressures between condensed and full system, over the largest";
+    let because =
+        "the same equations; 1e-9, or what one rounding of every product grows to through the contact's own condition";
+    let difference = largest_difference(pressures, full.into_iter()) / scale(discretisation, run);
+    Ok(Check::error(quantity, Reference::own("the full system", 0.0), limit, because).judge(difference))
 }
 
 /// An open contact carries nothing, whatever its neighbours do.
@@ -194,14 +183,10 @@ fn nothing_where_open(discretisation: &Discretisation, run: &Run, limit: f64) ->
     let largest = run.contacts.iter().map(|contact| contact.transmitted.abs()).fold(applied, f64::max);
     let carried = open().map(|contact| contact.transmitted.abs()).fold(0.0, larger);
     (open().count() > 0).then(|| {
-        Judged::norm(
-            "A contact that is called open shall carry no force",
-            "its force / the largest force, or the load",
-            carried / largest,
-            Reference::own("zero", 0.0),
-            run.formulation.settings.tolerance.max(limit),
-            "the run's own tolerance, but for round-off",
-        )
+        let tolerance = run.formulation.settings.tolerance.max(limit);
+        let quantity = "force of a contact that is called open, over the largest force or the load";
+        let because = "the run's own tolerance, but for round-off";
+        Check::error(quantity, Reference::own("zero", 0.0), tolerance, because).judge(carried / largest)
     })
 }
 
@@ -283,18 +268,14 @@ fn same(run: &Run, name: &str, variant: &Discretisation, unit: f64, [scale, limi
     // Where the tolerance is as small as the perturbation itself, one step more or less is no difference.
     let decidable = run.formulation.settings.tolerance >= 100.0 * limit * NOISE / ROUND_OFF;
     let same_steps = other.outcome == run.solution.outcome && (!decidable || other.work == run.solution.work);
-    Ok(Judged::norm(
-        if decidable {
-            format!("Steps and pressures shall not change under: {name}")
-        } else {
-            format!("Pressures shall not change under: {name} (steps not compared: tolerance as small as the noise)")
-        },
-        "max |Δp| / p_max, infinite where the work differs",
-        if same_steps { difference } else { f64::INFINITY },
-        Reference::own(name, 0.0),
-        limit,
-        "the same problem told differently; 1e-9, or what one rounding of every product grows to through the contact's own condition",
-    ))
+    let quantity = if decidable {
+        "change of iterations (infinite) or pressures, over the largest pressure"
+    } else {
+        "change of pressures, over the largest (iterations not compared: tolerance as small as the noise)"
+    };
+    let because = "the same problem in another form; 1e-9, or what one rounding of every product grows to through the contact's own condition";
+    let check = Check::error(Quantity::at(quantity, name), Reference::own(name, 0.0), limit, because);
+    Ok(check.judge(if same_steps { difference } else { f64::INFINITY }))
 }
 
 fn path_independence(discretisation: &Discretisation, run: &Run) -> Result<Judged, Error> {
@@ -310,14 +291,13 @@ fn path_independence(discretisation: &Discretisation, run: &Run) -> Result<Judge
     let presses = |edges: &[EdgeState]| edges.iter().any(|edge| edge.pressure > 0.0);
     let closed = |share: &&Share| [&run.solution, &other].iter().any(|of| presses(&of.edges[share.edges.clone()]));
     let difference = run.solution.contacts.iter().filter(closed).map(apart).fold(0.0, larger);
-    Ok(Judged::norm(
-        "The load applied at once and in increments shall give the same pressures",
-        "share of the force elsewhere",
-        if other.converged() { difference } else { f64::NAN },
+    let check = Check::error(
+        "share of the force elsewhere when the load is applied at once or in increments",
         Reference::own("load increments", 0.0),
         2.0 * run.formulation.settings.tolerance,
         "frictionless contact has no memory; both runs stop within their tolerance",
-    ))
+    );
+    Ok(check.judge(if other.converged() { difference } else { f64::NAN }))
 }
 
 /// Largest difference; NaN where there is one or where the lengths differ.

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use crate::case::{Judged, Relation, Scope, Verdict};
 use crate::markdown;
-use crate::study::unsorted::Finding;
 
 /// Name of a trial with its checks.
 pub type Named<'a> = (&'a str, &'a [Judged]);
@@ -28,11 +27,6 @@ pub fn of(members: &[Named]) -> String {
     }
     let sentences: String = sentences.iter().map(|sentence| format!("* {sentence}.\n")).collect();
     format!("{sentences}\n{}", rows(&own))
-}
-
-/// The same of studies without a room.
-pub fn table(members: &[&Finding]) -> String {
-    of(&members.iter().map(|finding| (finding.name.as_str(), &finding.checks[..])).collect::<Vec<_>>())
 }
 
 fn rows(own: &[(&str, &Judged)]) -> String {

@@ -3,14 +3,12 @@
 //! * [`page`] — the order of the sections.
 //! * [`matrix`] — the verdict matrix and the summary table of the terminal.
 //! * [`checks`] — requirement by requirement.
-//! * [`cross_code`] — against other codes, and the planted faults.
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
 //! * [`statements`] — the paper's statements, judged.
 //! * [`files`] — writing, and comparing with what is committed.
 
 pub mod checks;
-pub mod cross_code;
 pub mod decisions;
 pub mod files;
 pub mod matrix;

@@ -3,11 +3,9 @@
 use crate::error::Error;
 use crate::figure;
 use crate::markdown;
-use crate::report::cross_code;
-use crate::report::{checks, decisions, matrix, pictures, statements};
+use crate::report::{checks, decisions, matrix, statements};
 use crate::solve::Formulation;
-use crate::study::unsorted;
-use crate::study::{Finding, Numbers, Room};
+use crate::study::{Finding, Room};
 
 /// The page and its charts.
 #[derive(Clone, Debug)]
@@ -27,9 +25,6 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
         text += &judged(*room, findings);
         charts.extend(room.pictures(findings)?);
     }
-    let (old, old_charts) = without_rooms(findings)?;
-    text += &old;
-    charts.extend(old_charts);
     text += &silent();
     text += &closing();
     Ok(Page { markdown: text, charts })
@@ -44,22 +39,6 @@ fn judged(room: Room, findings: &[Finding]) -> String {
         if table.is_empty() { table } else { format!("**{}**\n\n{table}\n", members[0].case) }
     };
     own.chunk_by(|a, b| a.case == b.case).map(table).collect()
-}
-
-/// Sections of studies without a room.
-fn without_rooms(all: &[Finding]) -> Result<(String, Vec<(String, String)>), Error> {
-    let findings = &unsorted(all)[..];
-    let sections = [cross_code::section(findings)?];
-    Ok((sections.concat(), pictures::all(findings)?))
-}
-
-/// Findings of studies without a room.
-pub fn unsorted(all: &[Finding]) -> Vec<unsorted::Finding> {
-    let of = |finding: &Finding| match &finding.numbers {
-        Numbers::Unsorted(old) => Some(old.clone()),
-        _ => None,
-    };
-    all.iter().filter_map(of).collect()
 }
 
 fn head(findings: &[Finding]) -> String {

@@ -1,27 +1,26 @@
-//! Our discretisation as plain numbers, for other codes.
-
-use std::path::Path;
+//! Our discretisation as plain numbers, for another code.
 
 use crate::error::Error;
 use crate::mesh::candidates;
 use crate::oracle::cross_code::DiscreteProblem;
-use crate::scene::{self, Load, PlaneHypothesis, Profile};
+use crate::scene::{Load, Path, PlaneHypothesis, Profile};
 use crate::solve::Discretisation;
 
 /// Stiffness of the springs.
 pub const KAPPA: [f64; 2] = [1e2, 1e4];
+
 /// Writes our discretisation to a file, for codes in processes of their own.
-pub fn export(discretisation: &Discretisation, file: &Path) -> Result<(), Error> {
-    let problem = handed_over(discretisation, Vec::new())?;
-    let text = serde_json::to_string(&problem).map_err(|error| Error::unwritable(file, error))?;
+pub fn export(discretisation: &Discretisation, file: &std::path::Path) -> Result<(), Error> {
+    let handed = problem(discretisation, Vec::new())?;
+    let text = serde_json::to_string(&handed).map_err(|error| Error::unwritable(file, error))?;
     if let Some(folder) = file.parent() {
         std::fs::create_dir_all(folder).map_err(|error| Error::unwritable(file, error))?;
     }
     std::fs::write(file, text).map_err(|error| Error::unwritable(file, error))
 }
 
-/// Our discretisation as plain numbers.
-pub fn handed_over(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Result<DiscreteProblem, Error> {
+/// Our discretisation as plain numbers, and displacements, node by node, to multiply the stiffness with.
+pub fn problem(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Result<DiscreteProblem, Error> {
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
     let contact = scene.contact();
     let side = |body: usize| candidates::candidate_edges(mesh, scene, contact, body);
@@ -54,7 +53,7 @@ pub fn handed_over(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> R
         profile,
         radius,
         clearance,
-        arc: matches!(contact.path, scene::Path::Arc(_)),
+        arc: matches!(contact.path, Path::Arc(_)),
         length: scene.reference.length,
         kappa: KAPPA.into(),
         vectors,
@@ -90,7 +89,7 @@ pub fn handed_over(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> R
     Ok(problem)
 }
 
-/// What a scene has that other codes are not given.
+/// The refusal of what another code is not taught to take.
 pub fn not_handed_over(scene: &str, what: &str) -> Error {
     let remedy = "choose another scene, or teach oracles/python/discrete.py to take it";
     Error::at(scene, format!("{what} is not handed over to other codes"), remedy)

@@ -1,35 +1,18 @@
-//! What is found out over many solves.
+//! What is found out over many solves: studies as rooms, and what they share.
 //!
-//! * [`drawn`] — colours and dashes of formulations.
 //! * [`trial`] — one piece of a study that can run alone, and what it found.
-//! * [`refinement`], [`sweep`], [`family`], [`gaertner`] — studies over meshes, stiffnesses and dimensions.
-//! * [`cross_code`] — the solver against scikit-fem and dolfinx.
-//! * [`limits`] — limits of validity.
-//! * [`faults`] — the record of planted faults.
-//! * [`accuracy`] — the cheapest mesh for an accuracy asked.
-//! * [`converged`] — what is called converged.
-//! * [`met`] — whether an accuracy called met is met.
-//! * [`records`] — files of recorded surveys.
+//! * `rooms` — what a room must have, and how the page meets all of them.
+//! * [`drawn`] — colours and dashes of formulations, and curves.
 //! * [`class`](mod@class), [`method`], [`pairing`] — how a run ended and what was run, as they are recorded.
+//! * [`records`] — files of recorded surveys.
 //! * [`handed_over`] — our discretisation as plain numbers, for other codes.
-//! * [`atlas`] — where each method converges, and where it was predicted to.
-//! * [`stability`] — predicted rates and steps against measured ones.
-//! * [`cures`] — acceleration of constant stiffness, nested starts of kinematic load.
-//! * [`timings`] — what each accuracy costs.
-//! * [`pictures`] — fields and iteration paths that are shown, not judged.
 
 pub mod class;
-pub mod cross_code;
-pub mod family;
-pub mod gaertner;
+pub mod drawn;
 pub mod handed_over;
 pub mod method;
 pub mod pairing;
-pub mod pictures;
 pub mod records;
-pub mod refinement;
-
-pub mod drawn;
 mod rooms;
 pub mod trial;
 
@@ -42,10 +25,20 @@ pub use trial::{Finding, Found, Planned, Trial};
 rooms! {
     /// The cases of the suite.
     Cases in cases,
+    /// Observed orders, model error, uncertainty of the pin–rod.
+    Refinement in refinement,
+    /// The half cylinder against the quarter.
+    Quarter in quarter,
+    /// The dimensionless family of the pin–rod.
+    Family in family,
+    /// Gaertner's curves.
+    Gaertner in gaertner,
+    /// Fields and iteration paths.
+    Fields in fields,
+    /// Other codes.
+    CrossCode in cross_code,
     /// Initial stiffness and rules.
     Sweep in sweep,
-    /// Studies that have no room of their own yet.
-    Unsorted in unsorted,
     /// Speed against accuracy.
     Timings in timings,
     /// What is called converged.

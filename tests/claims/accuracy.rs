@@ -5,7 +5,7 @@ use contact_vv::accuracy::estimate::{levels, richardson};
 use contact_vv::accuracy::longest::longest;
 use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted, percentage};
 use contact_vv::case::solved::met;
-use contact_vv::case::{Case, Verdict, problem};
+use contact_vv::case::{Case, Verdict, library};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
@@ -119,7 +119,7 @@ fn every_later_mesh_starts_from_the_contact_set_of_the_one_before() {
 #[test]
 fn pin_and_rod_press_fits_and_scene_files_meet_what_they_are_asked() {
     for name in ["cylinder", "cylinder-half", "pin-rod", "press-fit", "patch", "own-weight"] {
-        let problem = problem::problem(name, None).expect("known");
+        let problem = library::find(name, None).expect("known");
         let fine = answered(&problem.scene, 1e-4);
         let fine = [fine.run.measures().peak.pressure, fine.run.measures().half_width];
         for asked in ASKED {
@@ -153,7 +153,7 @@ fn disc_on_a_block_is_solved_with_8_node_cells_whose_middles_do_not_face() {
 #[test]
 fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
     // The pressure under the corner of a flat punch has no limit.
-    let punch = problem::problem("flat-punch", None).expect("known");
+    let punch = library::find("flat-punch", None).expect("known");
     let answer = answered(&punch.scene, 1e-2);
     assert!(answer.unmet.is_some() && answer.run.solution.converged());
     assert!(met(&Asked::new(1e-2), &answer).verdict == Verdict::Fail);

@@ -1,20 +1,27 @@
 //! The comparison with other codes bites: spoiled answers, spoiled scenes, changed scripts.
 
-use contact_vv::case::problem::problem;
+use contact_vv::case::library;
 use contact_vv::case::{Judged, Verdict};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::oracle::cross_code::frozen::{Digest, Frozen, script_hash};
 use contact_vv::oracle::cross_code::{Code, PhysicalAnswer};
 use contact_vv::scene::{Load, Path, PlaneHypothesis, Profile, Scene};
 use contact_vv::solve::Discretisation;
-use contact_vv::study::cross_code::answers::{changes, largest_change, relative_difference, reproduced};
-use contact_vv::study::cross_code::discrete::{Twin, against, problems};
-use contact_vv::study::cross_code::physical::{Found, agreement};
-use contact_vv::study::cross_code::{Answers, benchmark};
+use contact_vv::study::cross_code::Answers;
+use contact_vv::study::cross_code::answers::Reproduced;
+use contact_vv::study::cross_code::benchmark::Scene as Shared;
+use contact_vv::study::cross_code::differences::{changes, largest_change, relative_difference};
+use contact_vv::study::cross_code::discrete::{Twin, differences, problems};
+use contact_vv::study::cross_code::judge::{agreement, assembled_alike, reproduced};
+use contact_vv::study::cross_code::physical::{Finder, Found};
 use contact_vv::study::faults::{Fault, is_caught};
 
 fn all_pass(checks: &[Judged]) -> bool {
     !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)
+}
+
+fn against(code: Code, ours: &Digest, theirs: &Digest) -> Vec<Judged> {
+    differences(ours, theirs).iter().map(|one| assembled_alike(code, one)).collect()
 }
 
 fn frozen(name: &str) -> Digest {
@@ -70,7 +77,7 @@ fn a_spoiled_scene_is_not_what_the_other_codes_solved() {
         }),
     ];
     for (name, what, spoil) in spoils {
-        let mut scene = problem(name, None).expect("a scene of the library").scene;
+        let mut scene = library::find(name, None).expect("a scene of the library").scene;
         spoil(&mut scene);
         let elements = if matches!(scene.contact().path, Path::Arc(_)) { 6 } else { 8 };
         let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
@@ -106,19 +113,20 @@ fn frozen_results_of_other_scripts_are_refused_with_the_remedy() {
 
 #[test]
 fn a_scene_with_other_numbers_than_the_frozen_one_is_refused_by_key() {
-    for given in benchmark::benchmarks().expect("benchmarks") {
+    for shared in Shared::ALL {
+        let (name, given) = (shared.name(), shared.benchmark());
         let mut scene = given.physical.clone();
-        assert!(Answers::Frozen.physical(Code::Dolfinx, given.name, &scene).is_ok());
+        assert!(Answers::Frozen.physical(Code::Dolfinx, name, &scene).is_ok());
         let key = scene.numbers.keys().next().expect("a scene has numbers").clone();
         scene.numbers.entry(key.clone()).and_modify(|number| *number *= 1.0 + 1e-9);
-        let refused = Answers::Frozen.physical(Code::Dolfinx, given.name, &scene).expect_err("another scene");
+        let refused = Answers::Frozen.physical(Code::Dolfinx, name, &scene).expect_err("another scene");
         assert!(refused.to_string().contains(&key), "{refused}");
         let mut fewer = given.physical.clone();
         fewer.stations.pop();
-        assert!(Answers::Frozen.physical(Code::Dolfinx, given.name, &fewer).is_err());
+        assert!(Answers::Frozen.physical(Code::Dolfinx, name, &fewer).is_err());
         let mut unknown = given.physical.clone();
         unknown.numbers.remove(&key);
-        assert!(Answers::Frozen.physical(Code::Dolfinx, given.name, &unknown).is_err());
+        assert!(Answers::Frozen.physical(Code::Dolfinx, name, &unknown).is_err());
     }
 }
 
@@ -162,19 +170,20 @@ fn a_code_that_differs_by_more_than_demanded_turns_red() {
         ("NaN in the profile", |a| a.pressure[3] = f64::NAN),
         ("a missing station", |a| a.pressure.truncate(39)),
     ];
-    for given in benchmark::benchmarks().expect("benchmarks") {
-        let levels = &Frozen::read(Code::Dolfinx).expect("frozen results").physical[given.name].penalty;
-        let sound = Found::of("sound", levels).expect("three meshes");
-        assert!(all_pass(&agreement(&given, &sound, &sound, Code::Dolfinx)));
+    let found = |levels: &[PhysicalAnswer]| Found::of(Finder::Ours, levels);
+    for shared in Shared::ALL {
+        let levels = &Frozen::read(Code::Dolfinx).expect("frozen results").physical[shared.name()].penalty;
+        let sound = found(levels).expect("three meshes");
+        assert!(all_pass(&agreement(shared, &sound, &sound)));
         for (what, spoil) in spoils {
             let mut spoiled = levels.clone();
             spoil(&mut spoiled[2]);
-            let spoiled = Found::of("spoiled", &spoiled).expect("three meshes");
-            assert!(!all_pass(&agreement(&given, &spoiled, &sound, Code::Dolfinx)), "{}: {what} in ours", given.name);
-            assert!(!all_pass(&agreement(&given, &sound, &spoiled, Code::Dolfinx)), "{}: {what} in theirs", given.name);
+            let spoiled = found(&spoiled).expect("three meshes");
+            assert!(!all_pass(&agreement(shared, &spoiled, &sound)), "{}: {what} in ours", shared.name());
+            assert!(!all_pass(&agreement(shared, &sound, &spoiled)), "{}: {what} in theirs", shared.name());
         }
     }
-    assert!(Found::of("two meshes", &[]).is_err());
+    assert!(found(&[]).is_err());
 }
 
 #[test]
@@ -210,7 +219,9 @@ fn a_live_answer_that_is_not_what_was_frozen_turns_red_and_names_the_version() {
     let kept = old.physical["truncated Hertz"].numbers();
     let mut versions = old.versions.clone();
     versions.insert("scipy".into(), "9.9".into());
-    let judged = |now: &[(String, Vec<f64>)]| reproduced(Code::ScikitFem, now, &kept, old.changed_versions(&versions));
+    let judged = |now: &[(String, Vec<f64>)]| {
+        reproduced(Code::ScikitFem, &Reproduced::of(now, &kept, old.changed_versions(&versions)))
+    };
     assert!(all_pass(&[judged(&kept)]));
     for spoiled in [1.0 + 1e-5, f64::NAN] {
         let mut now = kept.clone();

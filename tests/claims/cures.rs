@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use contact_vv::algorithm::acceleration::{Acceleration, Accelerator};
 use contact_vv::case::Verdict;
-use contact_vv::case::problem::problem;
+use contact_vv::case::library;
 use contact_vv::error::Error;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::solution::{Outcome, Solution};
@@ -13,7 +13,7 @@ use contact_vv::study::cures::{self, Numbers, record};
 use crate::workbench::distance;
 
 fn truncated(elements: usize) -> Discretisation {
-    let scene = problem("truncated-hertz", None).expect("a scene of the library").scene;
+    let scene = library::find("truncated-hertz", None).expect("a scene of the library").scene;
     Discretisation::of(scene, Resolution { elements, refinement: 0, order: Order::Quadratic }).expect("a scene")
 }
 

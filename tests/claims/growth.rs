@@ -4,7 +4,6 @@ use std::path::Path;
 
 use contact_vv::case::Case;
 use contact_vv::case::library::TruncatedHertz;
-use contact_vv::case::problem::truncated_hertz;
 use contact_vv::mesh::Order;
 use contact_vv::scene::Grading;
 use contact_vv::solve::Run;
@@ -16,7 +15,7 @@ use crate::workbench::resolution;
 #[test]
 fn refinement_of_default_meshes_goes_to_the_solution() {
     let numbers = TruncatedHertz::default();
-    let (mut scene, _, _) = truncated_hertz(TruncatedHertz::default());
+    let mut scene = TruncatedHertz::default().scene();
     // The growth that scene files have by default.
     scene.grading = Grading { along: 1.7, depth: 1.6, coarsest: 0.3, ..scene.grading };
     let peak = 2.0 * numbers.load() / (std::f64::consts::PI * numbers.half_width());

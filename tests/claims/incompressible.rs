@@ -6,8 +6,8 @@ use std::f64::consts::FRAC_PI_2;
 use std::path::Path as FilePath;
 use std::sync::Arc;
 
+use contact_vv::case::Case;
 use contact_vv::case::library::{Cylinder, Patch, TruncatedHertz};
-use contact_vv::case::{Case, problem};
 use contact_vv::elasticity::dilatation::ORDINARY;
 use contact_vv::elasticity::element::{self, CellStiffness};
 use contact_vv::elasticity::{ElasticSystem, loads, quadrature, reactions, stress};
@@ -350,7 +350,7 @@ fn contact_errors(discretisation: &Discretisation) -> [f64; 3] {
 
 #[test]
 fn hertz_contact_of_rubber_is_as_good_as_that_of_steel() {
-    let truncated = |poisson| problem::truncated_hertz(TruncatedHertz { poisson, ..Default::default() }).0;
+    let truncated = |poisson| TruncatedHertz { poisson, ..Default::default() }.scene();
     let cylinder = |poisson| Cylinder { poisson, a_over_r: 0.01, ..Default::default() }.scene();
     for (order, elements) in [(Order::Linear, 16), (Order::Quadratic, 8)] {
         for (name, scene) in [("block", &truncated as &dyn Fn(f64) -> Scene), ("cylinder", &cylinder)] {

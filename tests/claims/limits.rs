@@ -1,7 +1,7 @@
 //! What used to be called converged and was wrong is refused or noted; what is right is not.
 
 use contact_vv::case::library::{Bars, Cylinder, FlatPunch, Patch, PinRod};
-use contact_vv::case::{Verdict, judged, problem};
+use contact_vv::case::{Verdict, judged, library};
 use contact_vv::error::{Error, Kind};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::{Load, Profile, Scene};
@@ -256,7 +256,7 @@ fn limit_that_ends_in_an_error_shows_its_remedy_as_what_to_do_instead() {
 #[test]
 fn pin_cut_short_beyond_which_elements_are_too_large_to_see_it_is_refused() {
     for (name, cut) in [("pin-plate", 48.0_f64), ("pin-rod", 50.0)] {
-        let known = problem::problem(name, None).expect("known");
+        let known = library::find(name, None).expect("known");
         for growth in [1.2_f64, 1.7, 2.5, 4.0] {
             for elements in [4, 8, 16] {
                 let mut scene = known.scene.clone();

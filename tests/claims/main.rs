@@ -36,6 +36,7 @@ mod oracles;
 mod outputs;
 mod pictures;
 mod reactions;
+mod rooms;
 mod scene;
 mod scene_file;
 mod scene_fuzz;

@@ -3,8 +3,8 @@
 use approx::assert_relative_eq;
 use contact_vv::algorithm::{Algorithm, Constant, ContactProblem, Springs, StiffnessRule, Varying};
 use contact_vv::case::Verdict;
+use contact_vv::case::library;
 use contact_vv::case::library::TruncatedHertz;
-use contact_vv::case::problem::{problem, truncated_hertz};
 use contact_vv::contact::ContactPoint;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::solution::{IterationError, Work};
@@ -15,7 +15,7 @@ use contact_vv::study::stability::judge::rate_check;
 use contact_vv::study::stability::{Numbers, judge};
 
 fn discretisation() -> Discretisation {
-    let scene = problem("truncated-hertz", None).expect("a scene of the library").scene;
+    let scene = library::find("truncated-hertz", None).expect("a scene of the library").scene;
     Discretisation::of(scene, Resolution { elements: 4, refinement: 0, order: Order::Linear })
         .expect("a solvable scene")
 }
@@ -126,7 +126,7 @@ fn pin_rod_turns_red_where_twice_the_elements_cost_more_than_a_halving() {
 
 /// Truncated Hertz without a node on the contact edge.
 fn between_nodes() -> Discretisation {
-    let (scene, _, _) = truncated_hertz(TruncatedHertz { stretch: 1.9, ..Default::default() });
+    let scene = TruncatedHertz { stretch: 1.9, ..Default::default() }.scene();
     Discretisation::of(scene, Resolution { elements: 4, refinement: 0, order: Order::Quadratic }).expect("a scene")
 }
 
@@ -292,7 +292,7 @@ fn the_limit_is_the_contact_that_kinematic_load_finds() {
 
 #[test]
 fn hard_springs_work_off_their_gaps_step_by_step_where_every_candidate_stays_closed() {
-    let (scene, _, _) = truncated_hertz(TruncatedHertz { stretch: 1.0, ..Default::default() });
+    let scene = TruncatedHertz { stretch: 1.0, ..Default::default() }.scene();
     let resolution = Resolution { elements: 4, refinement: 0, order: Order::Quadratic };
     let discretisation = Discretisation::of(scene, resolution).expect("a scene");
     for stiffness in [50.0, 500.0] {

@@ -1,8 +1,8 @@
 //! What is said about speed: medians, exponents, targets, and that recorded errors and counts are still the code's.
 
 use approx::assert_relative_eq;
-use contact_vv::case::problem::problem;
-use contact_vv::case::{Problem, Verdict};
+use contact_vv::case::library;
+use contact_vv::case::{Case, Verdict};
 use contact_vv::checkout::root;
 use contact_vv::mesh::Order;
 use contact_vv::study::timings::growth::Counts;
@@ -97,8 +97,8 @@ fn target_that_is_missed_or_not_a_number_is_not_met() {
 
 #[test]
 fn default_mesh_that_is_too_coarse_or_gives_no_number_is_not_accepted() {
-    let mut problem = problem("truncated-hertz", None).expect("known");
-    let verdict = |problem: &Problem| {
+    let mut problem = library::find("truncated-hertz", None).expect("known");
+    let verdict = |problem: &Case| {
         let mesh = Numbers::DefaultMesh(default_mesh::measure(problem).expect("solved"));
         judge(&mesh).expect("judged")[0].verdict.clone()
     };

@@ -162,7 +162,7 @@ pub struct PhysicalAnswer {
 }
 
 /// How a code treats the contact conditions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum Method {
     /// `p = k_n (w − g)⁺`.
     Penalty,

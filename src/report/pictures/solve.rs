@@ -1,6 +1,6 @@
 //! The picture of one run: deformed shape with stress, contact pressure, and the iteration error step by step.
 
-use super::{deformed, label, style};
+use super::deformed;
 use crate::case::Case;
 use crate::error::Error;
 use crate::figure::palette::{self, Colour};
@@ -10,6 +10,7 @@ use crate::scene::ContactPair;
 use crate::solution::{IterationError, PointState};
 use crate::solve::Discretisation;
 use crate::solve::Run;
+use crate::study::drawn::{label, style};
 
 /// Stations at which the closed form is drawn.
 const STATIONS: usize = 200;

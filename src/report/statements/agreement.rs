@@ -5,8 +5,8 @@ use super::{Judgement, Statement, judged};
 use crate::case::library::{cylinder, pin_rod};
 use crate::case::{Quantity, Verdict};
 use crate::solve::Run;
-use crate::study::refinement::{LEFT_OUT, QUARTER};
-use crate::study::{Numbers, gaertner};
+use crate::study::quarter::LEFT_OUT;
+use crate::study::{Numbers, Room};
 
 /// Difference of the nine that counts as none.
 const UNREMARKABLE: f64 = 1.0;
@@ -48,16 +48,11 @@ pub fn no_difference(f: &Findings) -> Statement {
 
 /// The upper quarter may be left out.
 pub fn top_quarter(f: &Findings) -> Statement {
-    let points: Vec<[f64; 2]> = f
-        .case(QUARTER_CASE)
-        .filter_map(|finding| match &finding.numbers {
-            Numbers::Unsorted(old) => Some(&old.series),
-            _ => None,
-        })
-        .flatten()
-        .filter(|s| s.picture == QUARTER)
-        .flat_map(|s| s.points.clone())
-        .collect();
+    let changes = f.0.iter().filter_map(|finding| match &finding.numbers {
+        Numbers::Quarter(numbers) => Some(&numbers.changes),
+        _ => None,
+    });
+    let points: Vec<[f64; 2]> = changes.flatten().map(|change| [change.a_over_r, change.largest()]).collect();
     let small = points.iter().filter(|p| p[1] <= LEFT_OUT).map(|p| p[0]).fold(0.0, f64::max);
     let all = points.iter().all(|p| p[1] <= LEFT_OUT);
     let worst =
@@ -75,11 +70,9 @@ pub fn top_quarter(f: &Findings) -> Statement {
     }
 }
 
-const QUARTER_CASE: &str = "half cylinder against quarter";
-
 /// Gaertner's curves.
 pub fn gaertner(f: &Findings) -> Statement {
-    let verdict = f.case(gaertner::CASE).map(|finding| finding.verdict()).next();
+    let verdict = f.0.iter().find(|finding| finding.room == Room::Gaertner).map(|finding| finding.verdict());
     let (measured, judgement) = match verdict {
         Some(Verdict::Pass) => ("within the combined uncertainty".to_string(), Judgement::Reproduced),
         Some(Verdict::Fail) => ("outside the combined uncertainty".to_string(), Judgement::NotReproduced),

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use serde::Serialize;
+
 use crate::case::library::{Cylinder, PinPlate, PinRod, TruncatedHertz};
-use crate::case::problem::{self, Parts, Problem};
-use crate::error::Error;
+use crate::case::Case;
 use crate::oracle::cross_code::PhysicalScene;
 
 /// Stretches of equal length over which profiles are compared by their means; the stations are their middles.
@@ -12,64 +13,88 @@ pub const STATIONS: usize = 40;
 /// Half-angle of the contact in the wide plate \[degrees\].
 const PLATE_ANGLE: f64 = 60.0;
 
-/// Names of the scenes, in the order of [`benchmarks`].
-pub const NAMES: [&str; 5] =
-    ["cylinder, a/R = 0.05", "cylinder, a/R = 0.1", "truncated Hertz", "pin-rod", "pin in plate"];
+/// A scene that every code solves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Scene {
+    /// The cylinder on its plane at a/R = 0.05.
+    Cylinder,
+    /// The same at a/R = 0.1.
+    WiderCylinder,
+    /// Hertz without model error.
+    TruncatedHertz,
+    /// The pin in the eye of the rod.
+    PinRod,
+    /// The pin in a wide plate.
+    PinPlate,
+}
 
 /// A scene for all codes.
 pub struct Benchmark {
-    /// Name.
-    pub name: &'static str,
+    /// Which.
+    pub scene: Scene,
     /// The scene for the other codes.
     pub physical: PhysicalScene,
     /// The scene for us, with its closed form if there is one.
-    pub problem: Problem,
+    pub case: Case,
     /// Elements of our coarsest mesh per half-width, or per 10 mm of arc.
     pub elements: usize,
-    /// Agreement demanded of peak and half-width, and of the profile.
-    pub demanded: [f64; 2],
+}
+
+impl Scene {
+    /// All.
+    pub const ALL: [Self; 5] =
+        [Self::Cylinder, Self::WiderCylinder, Self::TruncatedHertz, Self::PinRod, Self::PinPlate];
+
+    /// Name, as in the frozen files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Cylinder => "cylinder, a/R = 0.05",
+            Self::WiderCylinder => "cylinder, a/R = 0.1",
+            Self::TruncatedHertz => "truncated Hertz",
+            Self::PinRod => "pin-rod",
+            Self::PinPlate => "pin in plate",
+        }
+    }
+
     /// Whether the contact coordinate is an angle.
-    pub arc: bool,
-}
+    pub fn is_arc(self) -> bool {
+        matches!(self, Self::PinRod | Self::PinPlate)
+    }
 
-/// The scenes.
-pub fn benchmarks() -> Result<Vec<Benchmark>, Error> {
-    let cylinder = |name, a_over_r| {
+    /// The scene in numbers.
+    pub fn benchmark(self) -> Benchmark {
+        match self {
+            Self::Cylinder => self.cylinder(0.05),
+            Self::WiderCylinder => self.cylinder(0.1),
+            Self::TruncatedHertz => {
+                let block = TruncatedHertz::default();
+                let reach = 1.25 * block.half_width();
+                let mut given = hertz_numbers(block.radius, block.young, block.poisson, block.a_over_r, block.stretch);
+                given.insert("size".into(), block.size);
+                self.of(block.case(), given, reach, 8)
+            }
+            Self::PinRod => {
+                let rod = PinRod::default();
+                self.of(rod.case(), rod_numbers(&rod), rod.stretch, 16)
+            }
+            Self::PinPlate => {
+                let plate = PinPlate::of_half_angle(PLATE_ANGLE);
+                self.of(plate.case(), plate_numbers(&plate), plate.stretch, 12)
+            }
+        }
+    }
+
+    fn cylinder(self, a_over_r: f64) -> Benchmark {
         let numbers = Cylinder { a_over_r, ..Default::default() };
-        let half_width = numbers.half_width();
         let given = hertz_numbers(numbers.radius, numbers.young, numbers.poisson, a_over_r, numbers.stretch);
-        benchmark(name, "cylinder", given, 1.25 * half_width, problem::cylinder(numbers), 8)
-    };
-    let truncated = TruncatedHertz::default();
-    let (half_width, a_over_r) = (truncated.half_width(), truncated.a_over_r);
-    let mut given = hertz_numbers(truncated.radius, truncated.young, truncated.poisson, a_over_r, truncated.stretch);
-    given.insert("size".into(), truncated.size);
-    let block = problem::truncated_hertz(truncated);
-    let rod = PinRod::default();
-    let plate = problem::plate(PLATE_ANGLE);
-    Ok(vec![
-        cylinder(NAMES[0], 0.05),
-        cylinder(NAMES[1], 0.1),
-        benchmark(NAMES[2], "truncated-hertz", given, 1.25 * half_width, block, 8),
-        benchmark(NAMES[3], "pin-rod", rod_numbers(&rod), rod.stretch, (rod.scene(), 32, None), 16),
-        benchmark(NAMES[4], "pin-plate", plate_numbers(&plate), plate.stretch, problem::pin_plate(PLATE_ANGLE), 12),
-    ])
-}
+        self.of(numbers.case(), given, 1.25 * numbers.half_width(), 8)
+    }
 
-fn benchmark(
-    name: &'static str,
-    case: &'static str,
-    numbers: BTreeMap<String, f64>,
-    reach: f64,
-    parts: Parts,
-    elements: usize,
-) -> Benchmark {
-    let stations = (0..STATIONS).map(|k| reach * (k as f64 + 0.5) / STATIONS as f64).collect();
-    let arc = case.starts_with("pin");
-    // Hertz scenes: profile reported, its square-root edge is where meshes differ.
-    let demanded = if arc { [5e-3, 5e-3] } else { [1e-3, 1.5e-2] };
-    let physical = PhysicalScene { case: case.into(), numbers, stations };
-    Benchmark { name, physical, problem: Problem::new(case, name, parts), elements, demanded, arc }
+    fn of(self, case: Case, numbers: BTreeMap<String, f64>, reach: f64, elements: usize) -> Benchmark {
+        let stations = (0..STATIONS).map(|k| reach * (k as f64 + 0.5) / STATIONS as f64).collect();
+        let physical = PhysicalScene { case: case.name.clone(), numbers, stations };
+        Benchmark { scene: self, physical, case, elements }
+    }
 }
 
 fn hertz_numbers(radius: f64, young: f64, poisson: f64, a_over_r: f64, stretch: f64) -> BTreeMap<String, f64> {

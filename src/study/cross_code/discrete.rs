@@ -1,54 +1,81 @@
 //! The same discrete problem: our mesh, loads, supports and line elements, assembled and solved by another code.
 
+use serde::Serialize;
+
 use crate::algorithm::StiffnessRule;
-use crate::case::problem;
-use crate::case::{Judged, Reference};
+use crate::case::library;
 use crate::contact::Quadrature;
 use crate::elasticity::Freedoms;
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
-use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::Digest;
 use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
-use crate::study::cross_code::DISCRETE;
-use crate::study::cross_code::answers::{Answers, relative_difference, worst_difference};
-use crate::study::handed_over::{KAPPA, handed_over, not_handed_over};
-use crate::study::unsorted::{Finding, Trial};
+use crate::study::cross_code::answers::{Answered, Answers, Reproduced};
+use crate::study::cross_code::differences::{relative_difference, worst_difference};
+use crate::study::handed_over::{self, KAPPA, not_handed_over};
 
 /// Scenes and elements per half-width, or per 10 mm of arc.
 const SCENES: [(&str, usize); 3] = [("cylinder", 8), ("truncated-hertz", 8), ("pin-rod", 6)];
 /// A fixed vector for the stiffness to be multiplied with, from the square root of each.
 const PRIMES: [f64; 10] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0, 23.0, 29.0];
-/// Assembly differs by the order of sums only.
-const ASSEMBLED: f64 = 1e-11;
-/// Two direct solvers on a system of condition 1e6 and more.
-const SOLVED: f64 = 1e-8;
 
 /// Scenes and orders.
 pub fn problems() -> Vec<(&'static str, Order)> {
     SCENES.iter().flat_map(|(name, _)| [Order::Linear, Order::Quadratic].map(|order| (*name, order))).collect()
 }
 
-/// One trial per problem and code.
-pub fn trials(answers: Answers) -> Vec<Trial> {
-    let each = |(name, order): (&'static str, Order)| {
-        Code::ALL.map(|code| {
-            let title = format!("{name}, {}-node, {code}{}", order.nodes_per_cell(), answers.suffix());
-            Trial::new(DISCRETE, title, move || compare(name, order, code, answers))
-        })
-    };
-    problems().into_iter().flat_map(each).collect()
+/// A discrete problem in another code.
+#[derive(Clone, Debug, Serialize)]
+pub struct Compared {
+    /// The code.
+    pub code: Code,
+    /// Whether it finds what was frozen; none where it was not asked.
+    pub reproduced: Option<Reproduced>,
+    /// Ours against its answer.
+    pub differences: Vec<Difference>,
 }
 
-fn compare(name: &str, order: Order, code: Code, answers: Answers) -> Result<Finding, Error> {
-    let twin = Twin::of(name, order)?;
-    let (digest, whole, mut checks) = answers.discrete(code, &twin)?;
-    checks.extend(against(code, &twin.digest(), &digest));
-    if let Some(answer) = whole {
-        checks.extend(twin.in_full(code, &answer));
+/// A relative difference from another code.
+#[derive(Clone, Debug, Serialize)]
+pub struct Difference {
+    /// Of what.
+    pub part: Part,
+    /// By which numbers.
+    pub by: String,
+    /// The difference, over the largest of them.
+    pub error: f64,
+}
+
+/// What both codes make of the same mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Part {
+    /// The stiffness.
+    Stiffness,
+    /// The loads.
+    Loads,
+    /// The contact by penalty line elements.
+    Contact,
+}
+
+impl Part {
+    /// All three.
+    pub const ALL: [Self; 3] = [Self::Stiffness, Self::Loads, Self::Contact];
+}
+
+impl Difference {
+    fn new(part: Part, by: impl Into<String>, error: f64) -> Self {
+        Self { part, by: by.into(), error }
     }
-    Ok(Finding { checks, ..Default::default() })
+}
+
+/// A scene and order in another code.
+pub fn compare(name: &str, order: Order, code: Code, answers: Answers) -> Result<Compared, Error> {
+    let twin = Twin::of(name, order)?;
+    let Answered { digest, whole, reproduced } = answers.discrete(code, &twin)?;
+    let mut differences = differences(&twin.digest(), &digest);
+    differences.extend(whole.iter().flat_map(|answer| twin.in_full(answer)));
+    Ok(Compared { code, reproduced, differences })
 }
 
 /// Our discrete problem, our answer, and the way between node-by-node vectors and our numbering.
@@ -65,7 +92,7 @@ pub struct Twin {
 impl Twin {
     /// A scene of the library on a mesh of an order, solved by us.
     pub fn of(name: &str, order: Order) -> Result<Self, Error> {
-        let problem = problem::problem(name, None)?;
+        let problem = library::find(name, None)?;
         let Some((_, elements)) = SCENES.into_iter().find(|(known, _)| *known == name) else {
             return Err(not_handed_over(name, "this scene"));
         };
@@ -79,7 +106,7 @@ impl Twin {
         let vectors: Vec<Vec<Vec<f64>>> =
             PRIMES.iter().map(|p| bodies.iter().map(|body| fixed_vector(*p, &body.freedoms)).collect()).collect();
         let on_nodes = |v: &Vec<Vec<f64>>| discretisation.system.nodal_displacements(v).as_flattened().to_vec();
-        let problem = handed_over(&discretisation, vectors.iter().map(on_nodes).collect())?;
+        let problem = handed_over::problem(&discretisation, vectors.iter().map(on_nodes).collect())?;
         let product = |v: &Vec<Vec<f64>>| bodies.iter().zip(v).flat_map(|(body, x)| body.product(x)).collect();
         let mut ours = DiscreteAnswer {
             products: vectors.iter().map(product).collect(),
@@ -122,21 +149,15 @@ impl Twin {
     }
 
     /// Every component of products, load and displacements, not only their digest.
-    pub fn in_full(&self, code: Code, answer: &DiscreteAnswer) -> Vec<Judged> {
+    pub fn in_full(&self, answer: &DiscreteAnswer) -> [Difference; 3] {
         let reduced: Vec<Vec<f64>> = answer.products.iter().map(|product| self.along_unknowns(product)).collect();
+        let product = worst_difference(&self.ours.products, &reduced);
         let load = relative_difference(&self.ours.load, &self.along_unknowns(&answer.load));
-        vec![
-            stiffness_check(
-                code,
-                "K v in every component, ten vectors",
-                worst_difference(&self.ours.products, &reduced),
-            ),
-            load_check(code, "f in every component", load),
-            contact_check(
-                code,
-                "u in every component, κ = 1e2 and 1e4",
-                worst_difference(&self.ours.displacement, &answer.displacement),
-            ),
+        let moved = worst_difference(&self.ours.displacement, &answer.displacement);
+        [
+            Difference::new(Part::Stiffness, "K v in every component, ten vectors", product),
+            Difference::new(Part::Loads, "f in every component", load),
+            Difference::new(Part::Contact, "u in every component, κ = 1e2 and 1e4", moved),
         ]
     }
 }
@@ -163,37 +184,18 @@ fn fixed_vector(prime: f64, freedoms: &Freedoms) -> Vec<f64> {
 }
 
 /// Ours against another code's, by their digests.
-pub fn against(code: Code, ours: &Digest, theirs: &Digest) -> Vec<Judged> {
-    let stiffness = relative_difference(&ours.forms.concat(), &theirs.forms.concat());
-    let mut checks = vec![
-        stiffness_check(code, "vᵢᵀ K vⱼ, ten vectors", stiffness),
-        load_check(code, "vᵢ · f, ten vectors", relative_difference(&ours.work, &theirs.work)),
+pub fn differences(ours: &Digest, theirs: &Digest) -> Vec<Difference> {
+    let forms = relative_difference(&ours.forms.concat(), &theirs.forms.concat());
+    let mut all = vec![
+        Difference::new(Part::Stiffness, "vᵢᵀ K vⱼ, ten vectors", forms),
+        Difference::new(Part::Loads, "vᵢ · f, ten vectors", relative_difference(&ours.work, &theirs.work)),
     ];
     for (index, kappa) in KAPPA.iter().enumerate() {
         let of = |list: &Vec<Vec<f64>>| list.get(index).cloned().unwrap_or_default();
         let pressure = relative_difference(&of(&ours.pressure), &of(&theirs.pressure));
         let moved = relative_difference(&of(&ours.moved), &of(&theirs.moved));
-        checks.push(contact_check(code, &format!("p at the Gauss points, κ = {kappa:e}"), pressure));
-        checks.push(contact_check(code, &format!("vᵢ · u, κ = {kappa:e}"), moved));
+        all.push(Difference::new(Part::Contact, format!("p at the Gauss points, κ = {kappa:e}"), pressure));
+        all.push(Difference::new(Part::Contact, format!("vᵢ · u, κ = {kappa:e}"), moved));
     }
-    checks
-}
-
-fn stiffness_check(code: Code, quantity: &str, error: f64) -> Judged {
-    let requirement = "Another code shall assemble the same stiffness on our mesh";
-    Judged::norm(requirement, quantity, error, reference(code), ASSEMBLED, "the order of sums only")
-}
-
-fn load_check(code: Code, quantity: &str, error: f64) -> Judged {
-    let requirement = "Another code shall assemble the same loads on our mesh";
-    Judged::norm(requirement, quantity, error, reference(code), ASSEMBLED, "the order of sums only")
-}
-
-fn contact_check(code: Code, quantity: &str, error: f64) -> Judged {
-    let requirement = "Another code shall find the same contact by penalty line elements on our mesh";
-    Judged::norm(requirement, quantity, error, reference(code), SOLVED, "two direct solvers, condensed and not")
-}
-
-fn reference(code: Code) -> Reference {
-    Reference { name: code.name().into(), kind: ReferenceKind::CrossCode, value: 0.0 }
+    all
 }

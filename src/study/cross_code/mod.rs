@@ -1,40 +1,51 @@
 //! The solver against other finite element codes, in two senses.
 //!
+//! * `plan` — one trial per discrete problem and code, one per physical problem.
 //! * [`discrete`] — the same discrete problem: agreement to round-off, a code check.
 //! * [`physical`] — the same physical problem on another mesh: a benchmark; [`benchmark`] — its scenes.
-//! * [`shown`] — what the page shows of it.
 //! * [`answers`] — where the other codes' answers come from: frozen files, or the codes themselves.
+//! * [`differences`] — how far two answers are apart.
 //! * `renewal` — asking the codes now, and freezing what they answer (feature `python`).
+//! * [`judge`] — the tolerances, each with its reason.
+//! * `section`, `picture` — every code's numbers, the price of the penalty, the profiles.
 
 pub mod answers;
 pub mod benchmark;
+pub mod differences;
 pub mod discrete;
+pub mod judge;
 pub mod physical;
+mod picture;
+mod plan;
 #[cfg(feature = "python")]
 pub mod renewal;
-pub mod shown;
+mod section;
 
-use crate::study::unsorted::Trial;
+use serde::Serialize;
 
 pub use answers::Answers;
+pub use judge::judge;
+pub use picture::pictures;
+#[cfg(feature = "python")]
+pub use plan::live;
+pub use plan::plan;
+pub use section::section;
 
-/// Name of the discrete trials.
-pub const DISCRETE: &str = "same discrete problem";
-/// Name of the physical trials.
-pub const PHYSICAL: &str = "same physical problem";
-
-/// All trials against frozen or live answers.
-pub fn trials(answers: Answers) -> Vec<Trial> {
-    let mut trials = discrete::trials(answers);
-    trials.extend(physical::trials(answers));
-    trials
+/// What a trial found.
+#[derive(Clone, Debug, Serialize)]
+pub enum Numbers {
+    /// The same discrete problem in one code.
+    Discrete(discrete::Compared),
+    /// The same physical problem in every code.
+    Physical(physical::Compared),
 }
 
-/// The same with the codes themselves asked.
-#[cfg(feature = "python")]
-pub fn live() -> Vec<crate::study::Trial> {
-    trials(Answers::Live)
-        .into_iter()
-        .map(|trial| trial.of(crate::study::Room::Unsorted, crate::study::Numbers::Unsorted))
-        .collect()
+impl Numbers {
+    /// Whether the codes themselves were asked.
+    pub fn is_live(&self) -> bool {
+        match self {
+            Self::Discrete(compared) => compared.reproduced.is_some(),
+            Self::Physical(compared) => compared.others.iter().any(|other| other.reproduced.is_some()),
+        }
+    }
 }

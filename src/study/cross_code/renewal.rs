@@ -3,9 +3,10 @@
 use crate::error::{Error, Kind};
 use crate::oracle::cross_code::frozen::{Frozen, Series, script_hash};
 use crate::oracle::cross_code::{Code, Method, PhysicalScene, live};
-use crate::study::cross_code::answers::changes;
+use crate::study::cross_code::benchmark::Scene;
+use crate::study::cross_code::differences::changes;
 use crate::study::cross_code::discrete::{Twin, problems};
-use crate::study::cross_code::{benchmark, physical};
+use crate::study::cross_code::physical;
 
 /// The series of a scene, asked now.
 pub fn ask(code: Code, scene: &PhysicalScene) -> Result<Series, Error> {
@@ -46,8 +47,8 @@ fn ask_all(code: Code) -> Result<Frozen, Error> {
         let answer = live::discrete(code, &twin.problem)?;
         all.discrete.insert(twin.problem.name.clone(), twin.digest_of_other(&answer));
     }
-    for benchmark in benchmark::benchmarks()? {
-        all.physical.insert(benchmark.name.into(), ask(code, &benchmark.physical)?);
+    for scene in Scene::ALL {
+        all.physical.insert(scene.name().into(), ask(code, &scene.benchmark().physical)?);
     }
     Ok(all)
 }

@@ -1,57 +1,74 @@
-//! Comparison with Gaertner's digitised curves, on their own scene; not run while the figures are not at hand.
+//! Each digitised curve beside the pin–rod of its own dimensions.
 
 use std::path::{Path, PathBuf};
 
+use serde::Serialize;
+
 use crate::case::library::PinRod;
-use crate::case::{Judged, Reference, Verdict};
-use crate::checkout::root;
 use crate::error::Error;
 use crate::measure::profile;
 use crate::mesh::{Order, Resolution};
-use crate::oracle::digitised::{
-    Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, acceptance, compare,
-};
+use crate::checkout::root;
+use crate::oracle::digitised::{Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, compare};
 use crate::oracle::{Oracle, ReferenceKind};
 use crate::scene::Material;
 use crate::solution::{EdgeState, PointState};
-use crate::solve::run::Run;
-use crate::solve::{Discretisation, Formulation};
-use crate::study::unsorted::{Finding, Trial};
+use crate::solve::{Discretisation, Formulation, Run};
 
-/// Name of the case.
-pub const CASE: &str = "gaertner 1977";
 /// Elements per 10 mm of arc for a pin of 10 mm radius; scaled with the source's pin.
 const ELEMENTS: usize = 24;
+
+/// What the folder of the curves holds.
+#[derive(Clone, Debug, Serialize)]
+pub enum Numbers {
+    /// The figures are not at hand, and why.
+    Absent(String),
+    /// Every curve.
+    Present(Vec<Curve>),
+}
+
+/// A digitised curve.
+#[derive(Clone, Debug, Serialize)]
+pub struct Curve {
+    /// Its file.
+    pub file: String,
+    /// Name of the source.
+    pub source: String,
+    /// Experiment, or elements of another code.
+    pub kind: ReferenceKind,
+    /// How far it lies from ours; none of what is not compared so far.
+    pub deviates: Option<Deviates>,
+}
+
+/// How far a digitised curve lies from ours.
+#[derive(Clone, Debug, Serialize)]
+pub struct Deviates {
+    /// Largest deviation of a point, in combined standard uncertainties; NaN without points.
+    pub worst: f64,
+    /// What the source models and we do not.
+    pub model_form: Option<String>,
+}
 
 /// Where the curves are looked for.
 pub fn folder() -> PathBuf {
     root().join("oracles/digitised/gaertner-1977")
 }
 
-/// The trial.
-pub fn trials() -> Vec<Trial> {
-    vec![Trial::new(CASE, "digitised curves", || against(&folder()))]
-}
-
-/// Compares every curve of a folder with the pin–rod of its own dimensions.
-pub fn against(folder: &Path) -> Result<Finding, Error> {
-    let requirement = "The pin–rod shall agree with Gaertner within the combined uncertainty";
-    let curves = match Digitised::load(folder)? {
-        Digitised::Absent(why) => {
-            let check = Judged::not_run(requirement, "p(θ), σ(θ)", ReferenceKind::Measured, "Gaertner 1977", why);
-            return Ok(Finding { checks: vec![check], ..Default::default() });
-        }
-        Digitised::Present(curves) => curves,
-    };
-    let checks = curves.iter().map(|curve| judge(requirement, curve)).collect::<Result<_, _>>()?;
-    Ok(Finding { checks, ..Default::default() })
-}
-
-fn judge(requirement: &str, curve: &DigitisedCurve) -> Result<Judged, Error> {
-    if curve.ordinate != Ordinate::Pressure || curve.abscissa != Abscissa::Angle {
-        let why = format!("{}: only pressure against angle is compared so far", curve.file);
-        return Ok(Judged::not_run(requirement, &curve.file, curve.kind(), curve.name(), why));
+/// Compares every curve of a folder.
+pub fn against(folder: &Path) -> Result<Numbers, Error> {
+    match Digitised::load(folder)? {
+        Digitised::Absent(why) => Ok(Numbers::Absent(why)),
+        Digitised::Present(curves) => curves.iter().map(curve).collect::<Result<_, _>>().map(Numbers::Present),
     }
+}
+
+fn curve(curve: &DigitisedCurve) -> Result<Curve, Error> {
+    let compared = curve.ordinate == Ordinate::Pressure && curve.abscissa == Abscissa::Angle;
+    let deviates = if compared { Some(deviation(curve)?) } else { None };
+    Ok(Curve { file: curve.file.clone(), source: curve.name().into(), kind: curve.kind(), deviates })
+}
+
+fn deviation(curve: &DigitisedCurve) -> Result<Deviates, Error> {
     let (fine, coarse) = (edges(&curve.scene, 2 * ELEMENTS)?, edges(&curve.scene, ELEMENTS)?);
     let at =
         |(stretch, points): &(f64, Vec<PointState>), angle: f64| profile::interpolate(points, *stretch, angle.abs());
@@ -61,15 +78,7 @@ fn judge(requirement: &str, curve: &DigitisedCurve) -> Result<Judged, Error> {
     };
     let comparison = compare(curve, &ours);
     let worst = comparison.worst().map_or(f64::NAN, |deviation| deviation.ratio);
-    let reference = Reference { name: curve.name().into(), kind: curve.kind(), value: 0.0 };
-    let friction = comparison.model_form.as_deref().unwrap_or("no friction in the source");
-    let because = format!("digitising ⊕ measurement ⊕ ours at coverage 2; {friction}");
-    let mut check =
-        Judged::norm(requirement, curve.file.as_str(), worst, reference, acceptance::COVERAGE_FACTOR, because);
-    if !comparison.accepted() {
-        check.verdict = Verdict::Fail;
-    }
-    Ok(check)
+    Ok(Deviates { worst, model_form: comparison.model_form })
 }
 
 /// Candidate stretch \[rad\] and edge means of the pressure on the source's own scene.

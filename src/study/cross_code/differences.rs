@@ -1,0 +1,51 @@
+//! How far two answers are apart; NaN, which no check passes, where they cannot be compared.
+
+use crate::measure::larger;
+use crate::oracle::cross_code::Code;
+use crate::oracle::cross_code::frozen::Frozen;
+
+/// Numbers in groups of one unit and scale.
+pub type Groups = [(String, Vec<f64>)];
+
+/// Largest change of any number over the largest number of its group; NaN where the groups do not match.
+pub fn largest_change(now: &Groups, kept: &Groups) -> f64 {
+    let values = |groups: &Groups| groups.iter().map(|(_, values)| values.clone()).collect::<Vec<_>>();
+    worst_difference(&values(now), &values(kept))
+}
+
+/// The largest [`relative_difference`] of lists of numbers; NaN where there are none or their numbers differ.
+pub fn worst_difference(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
+    if a.len() != b.len() || a.is_empty() {
+        return f64::NAN;
+    }
+    a.iter().zip(b).map(|(a, b)| relative_difference(a, b)).fold(0.0, larger)
+}
+
+/// `max |a − b| / max |b|`; NaN where there is nothing to compare, the lengths differ or a number is none.
+pub fn relative_difference(a: &[f64], b: &[f64]) -> f64 {
+    if a.len() != b.len() || a.is_empty() {
+        return f64::NAN;
+    }
+    let scale = b.iter().map(|x| x.abs()).fold(0.0, larger);
+    let difference = a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, larger);
+    if scale > 0.0 { difference / scale } else { difference }
+}
+
+/// What differs between two sets of frozen results: a line per version and per group of numbers.
+pub fn changes(code: Code, old: &Frozen, new: &Frozen) -> Vec<String> {
+    let (before, after) = (old.numbers(), new.numbers());
+    let mut lines = vec![format!("{code}: {}", old.changed_versions(&new.versions))];
+    for (name, values) in &after {
+        match before.get(name) {
+            None => lines.push(format!("{code}, {name}: new")),
+            Some(earlier) => {
+                let change = relative_difference(values, earlier);
+                if change.is_nan() || change > 0.0 {
+                    lines.push(format!("{code}, {name}: largest relative change {change:.2e}"));
+                }
+            }
+        }
+    }
+    lines.extend(before.keys().filter(|name| !after.contains_key(*name)).map(|name| format!("{code}, {name}: gone")));
+    lines
+}

@@ -1,0 +1,83 @@
+//! Profiles of all codes, and their differences to the closed form on a scale where they can be seen.
+
+use crate::error::Error;
+use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{Axis, Chart, Series, panels};
+use crate::oracle::cross_code::{Code, Method};
+use crate::study::Found;
+use crate::study::cross_code::Numbers;
+use crate::study::cross_code::benchmark::Scene;
+use crate::study::cross_code::physical::{Compared, Finder};
+use crate::study::drawn::Curve;
+
+/// Scenes that are drawn.
+const SCENES: [Scene; 4] = [Scene::TruncatedHertz, Scene::Cylinder, Scene::PinPlate, Scene::PinRod];
+
+/// Pressure of every code, and its difference to the closed form where there is one.
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+    let all = || findings.iter().filter_map(|found| found.numbers.physical());
+    let drawn: Vec<&Compared> = SCENES.iter().filter_map(|&scene| all().find(|one| one.scene == scene)).collect();
+    let pressures: Vec<Chart> = drawn.iter().map(|compared| pressure(compared)).collect();
+    let differences: Vec<Chart> = drawn.iter().filter_map(|compared| difference(compared)).collect();
+    let closed: Vec<&str> =
+        drawn.iter().filter_map(|one| one.closed_form.as_ref()).map(|exact| exact.name.as_str()).collect();
+    let against = format!("Difference of each code to the closed form ({})", closed.join(", "));
+    Ok(vec![
+        ("pressure-cross-code.svg".into(), panels("The same physical problem in three codes", &pressures, 2)?),
+        ("difference-cross-code.svg".into(), panels(&against, &differences, 3)?),
+    ])
+}
+
+fn pressure(compared: &Compared) -> Chart {
+    let mut chart = chart(compared, &format!("p over {}", unit(compared.scene)));
+    chart.series.extend(compared.all().map(|found| curve(compared, &found.profile, 1.0, found.by)));
+    let exact = compared.closed_form.iter();
+    chart.series.extend(exact.map(|exact| {
+        let points = points(compared, &exact.profile, 1.0);
+        Curve { points, failed: Vec::new() }.drawn("closed form", Style::reference())
+    }));
+    chart
+}
+
+fn difference(compared: &Compared) -> Option<Chart> {
+    let exact = compared.closed_form.as_ref()?;
+    let mut chart = chart(compared, &format!("difference [% of {}]", unit(compared.scene)));
+    chart.series.extend(compared.all().map(|found| {
+        let differences: Vec<f64> = found.profile.iter().zip(&exact.profile).map(|(p, q)| p - q).collect();
+        curve(compared, &differences, 100.0, found.by)
+    }));
+    Some(chart)
+}
+
+fn chart(compared: &Compared, y: &str) -> Chart {
+    let x = match compared.scene {
+        Scene::Cylinder | Scene::WiderCylinder | Scene::TruncatedHertz => "x / a",
+        Scene::PinRod => "θ from the load line [°]",
+        Scene::PinPlate => "φ from the load line [°]",
+    };
+    Chart::new(compared.scene.name(), Axis::linear(x), Axis::linear(y))
+}
+
+/// What pressures are drawn over.
+fn unit(scene: Scene) -> &'static str {
+    if scene.is_arc() { "F/(R t)" } else { "p₀" }
+}
+
+fn curve(compared: &Compared, profile: &[f64], factor: f64, by: Finder) -> Series {
+    Curve { points: points(compared, profile, factor), failed: Vec::new() }.drawn(by.to_string(), style(by))
+}
+
+fn points(compared: &Compared, profile: &[f64], factor: f64) -> Vec<[f64; 2]> {
+    let [length, pressure] = compared.reference;
+    let scale = if compared.scene.is_arc() { 180.0 / std::f64::consts::PI } else { 1.0 / length };
+    compared.stations.iter().zip(profile).map(|(s, p)| [scale * s, factor * p / pressure]).collect()
+}
+
+fn style(by: Finder) -> Style {
+    match by {
+        Finder::Ours => Style::run(palette::NODE, Dash::Solid, Marker::Absent),
+        Finder::Theirs(Code::ScikitFem, Method::Penalty) => Style::run(palette::LINE, Dash::Dashed, Marker::Circle),
+        Finder::Theirs(Code::Dolfinx, _) => Style::run(palette::LAYER, Dash::Dotted, Marker::Square),
+        Finder::Theirs(_, Method::ActiveSet) => Style::run(palette::PURPLE, Dash::DashDot, Marker::Diamond),
+    }
+}

@@ -1,0 +1,35 @@
+//! What is run: discrete problems by scene, order and code; physical problems by scene.
+
+use crate::oracle::cross_code::Code;
+use crate::study::Planned;
+use crate::study::cross_code::benchmark::Scene;
+use crate::study::cross_code::{Answers, Numbers, discrete, physical};
+
+/// All trials, against frozen answers.
+pub fn plan() -> Vec<Planned<Numbers>> {
+    against(Answers::Frozen)
+}
+
+/// The same with the codes themselves asked.
+#[cfg(feature = "python")]
+pub fn live() -> Vec<crate::study::Trial> {
+    let of = |planned: Planned<Numbers>| planned.of(crate::study::Room::CrossCode, crate::study::Numbers::CrossCode);
+    against(Answers::Live).into_iter().map(of).collect()
+}
+
+fn against(answers: Answers) -> Vec<Planned<Numbers>> {
+    let discrete = discrete::problems().into_iter().flat_map(|(name, order)| {
+        Code::ALL.map(|code| {
+            let title = format!("{name}, {}-node, {code}{}", order.nodes_per_cell(), answers.suffix());
+            Planned::new("same discrete problem", title, move || {
+                discrete::compare(name, order, code, answers).map(Numbers::Discrete)
+            })
+        })
+    });
+    let physical = Scene::ALL.into_iter().map(|scene| {
+        Planned::new("same physical problem", format!("{}{}", scene.name(), answers.suffix()), move || {
+            physical::compare(&scene.benchmark(), answers).map(Numbers::Physical)
+        })
+    });
+    discrete.chain(physical).collect()
+}

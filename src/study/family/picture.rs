@@ -1,0 +1,50 @@
+//! Pressure and angle against the dimensionless clearance.
+
+use crate::error::Error;
+use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{Axis, Chart, panels};
+use crate::study::Found;
+use crate::study::drawn::Curve;
+use crate::study::family::run::{Curves, Ended, Line, Numbers, Placed};
+use crate::study::family::section::named;
+
+/// The chart.
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+    let all: Vec<&Curves> = findings.iter().filter_map(|found| curves(found.numbers)).collect();
+    let chart = |title: &str, axis: &str, of: fn(Placed) -> f64| {
+        let mut chart = Chart::new(title, Axis::linear("E t c / F"), Axis::linear(axis));
+        for curves in &all {
+            chart.series.extend(named(curves).zip(styles()).map(|((name, line), style)| {
+                let points = curves.clearances.into_iter().zip(line.ended);
+                let points = points.map(|(clearance, ended)| [clearance, of(ended.placed())]).collect();
+                Curve { points, failed: failed(curves, line) }.drawn(name, style)
+            }));
+        }
+        chart
+    };
+    let charts = [
+        chart("family: pressure", "R t p_max / F", |placed| placed.pressure),
+        chart("family: angle", "2 √(∫pθ²/∫p) [°]", |placed| placed.angle.to_degrees()),
+    ];
+    Ok(vec![("family-pin-rod.svg".into(), panels("Pin–rod: the dimensionless family", &charts, 2)?)])
+}
+
+fn curves(numbers: &Numbers) -> Option<&Curves> {
+    match numbers {
+        Numbers::Curves(curves) => Some(curves),
+        Numbers::Sensitivities(_) => None,
+    }
+}
+
+/// Clearances of iterations that did not converge; a contact beyond the quarter is refused, and no point of the family.
+fn failed(curves: &Curves, line: &Line) -> Vec<f64> {
+    let all = curves.clearances.into_iter().zip(line.ended);
+    all.filter(|(_, ended)| matches!(ended, Ended::NotConverged)).map(|(clearance, _)| clearance).collect()
+}
+
+/// Eyes solid, shanks dashed.
+fn styles() -> impl Iterator<Item = Style> {
+    [(Dash::Solid, Marker::Circle), (Dash::Dashed, Marker::Square)].into_iter().flat_map(|(dash, marker)| {
+        [palette::LINE, palette::NODE, palette::LAYER].map(|colour| Style::run(colour, dash, marker))
+    })
+}

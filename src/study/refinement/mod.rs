@@ -1,0 +1,18 @@
+//! Refinement: observed orders, the model error of the cylinder, the pin–rod's own uncertainty.
+//!
+//! * `plan` — one trial per order of the cells, one for the model error, one for the pin–rod.
+//! * `run` — errors, ratios and values on each mesh.
+//! * `judge` — orders, and what the series say of their own limits.
+//! * `section`, `picture` — tables of the meshes, and the errors over the mesh size.
+
+mod judge;
+mod picture;
+mod plan;
+mod run;
+mod section;
+
+pub use judge::judge;
+pub use picture::pictures;
+pub use plan::plan;
+pub use run::{Errors, ModelError, Numbers, Orders, PinLevel, PinRod, PinSeries, Ratio};
+pub use section::section;
