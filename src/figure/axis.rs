@@ -2,7 +2,7 @@
 
 use super::canvas::drawing;
 use super::chart::{Axis, Scale};
-use super::numbers::{number, power, round_values};
+use super::numbers::{ends, number, power, round_values};
 use crate::error::Error;
 
 /// An axis with its ends: in decades when logarithmic.
@@ -22,21 +22,15 @@ pub(super) struct Tick {
 impl Span {
     /// The ends of an axis: as given, or around the values with a margin.
     pub fn around(axis: &Axis, values: &[f64], figure: &str) -> Result<Span, Error> {
-        let coordinates = match axis.range {
-            Some((from, to)) => vec![coordinate(axis.scale, from), coordinate(axis.scale, to)],
-            None => values.iter().map(|&value| coordinate(axis.scale, value)).collect(),
-        };
-        let finite = || coordinates.iter().copied().filter(|value| value.is_finite());
-        let (from, to) =
-            finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
-        if from > to {
+        let given = axis.range.map(|(from, to)| [from, to]);
+        let values = given.as_ref().map_or(values, |ends| ends.as_slice());
+        let places = values.iter().map(|&value| coordinate(axis.scale, value)).filter(|place| place.is_finite());
+        let Some((from, to)) = ends(places) else {
             let reason = format!("the axis `{}` has no finite value", axis.label);
             return Err(drawing(figure, reason, "give it a range or a series"));
-        }
-        Ok(match axis.range {
-            Some(_) => Span { scale: axis.scale, from, to },
-            None => Span { scale: axis.scale, from, to }.with_margin(),
-        })
+        };
+        let span = Span { scale: axis.scale, from, to };
+        Ok(if given.is_some() { span } else { span.with_margin() })
     }
 
     fn with_margin(self) -> Span {
@@ -66,63 +60,42 @@ impl Span {
         (place - self.from) / (self.to - self.from)
     }
 
-    /// About as many ticks as wanted.
-    pub fn ticks(&self, wanted: usize) -> Vec<Tick> {
-        match self.scale {
+    /// About as many labelled ticks as wanted.
+    pub fn ticks(&self, wanted: f64) -> Vec<Tick> {
+        let wanted = wanted.round().max(1.0) as usize;
+        let mut ticks = match self.scale {
             Scale::Linear => self.linear_ticks(wanted),
-            Scale::Log if self.to - self.from < 1.2 => self.ticks_within_a_decade(),
             // Powers of ten are short: more of them fit.
-            Scale::Log => self.decades(wanted + wanted.div_ceil(4)),
-        }
+            Scale::Log => self.log_ticks(wanted + wanted.div_ceil(4)),
+        };
+        ticks.retain(|tick| tick.fraction > -1e-9 && tick.fraction < 1.0 + 1e-9);
+        ticks
     }
 
     fn linear_ticks(&self, wanted: usize) -> Vec<Tick> {
         let (step, values) = round_values(self.from, self.to, wanted);
-        let label = |value: f64| Some(number(value, step, self.from.abs().max(self.to.abs())));
-        values.into_iter().map(|value| Tick { fraction: self.fraction(value), label: label(value) }).collect()
+        let largest = self.from.abs().max(self.to.abs());
+        let tick = |value| Tick { fraction: self.fraction(value), label: Some(number(value, step, largest)) };
+        values.into_iter().map(tick).collect()
     }
 
-    fn ticks_within_a_decade(&self) -> Vec<Tick> {
-        let decades = self.from.floor() as i32..=self.to.ceil() as i32;
-        let values = decades.flat_map(|decade| (1..10).map(move |digit| (digit, decade)));
-        let tick = |(digit, decade): (i32, i32)| {
-            let value = f64::from(digit) * 10_f64.powi(decade);
-            let labelled = [1, 2, 5].contains(&digit) || self.to - self.from < 0.5;
-            Tick {
-                fraction: self.fraction(value),
-                label: labelled.then(|| number(value, 10_f64.powi(decade), 10_f64.powf(self.from))),
-            }
-        };
-        values.map(tick).filter(Tick::is_on_axis).collect()
-    }
-
-    fn decades(&self, wanted: usize) -> Vec<Tick> {
+    /// Powers of ten, each so many of them labelled; within a decade 1, 2 and 5 times them, or all digits.
+    fn log_ticks(&self, wanted: usize) -> Vec<Tick> {
         let (first, last) = ((self.from - 1e-9).ceil() as i32, (self.to + 1e-9).floor() as i32);
-        let stride = ((last - first).max(1) as usize).div_ceil(wanted.max(1)) as i32;
-        let plain = first >= -2 && last <= 3;
-        let decade = |n: i32| Tick {
-            fraction: (f64::from(n) - self.from) / (self.to - self.from),
-            label: (n.rem_euclid(stride) == 0)
-                .then(|| if plain { number(10_f64.powi(n), 10_f64.powi(n), 1.0) } else { power(n) }),
+        let stride = ((last - first).max(1) as usize).div_ceil(wanted) as i32;
+        let (narrow, short, plain) = (self.to - self.from < 0.5, self.to - self.from < 1.2, first >= -2 && last <= 3);
+        let tick = |(digit, decade): (i32, i32)| {
+            let (step, main) = (10_f64.powi(decade), digit == 1 && decade.rem_euclid(stride) == 0);
+            let value = f64::from(digit) * step;
+            let label = if short {
+                (narrow || [1, 2, 5].contains(&digit)).then(|| number(value, step, 10_f64.powf(self.from)))
+            } else {
+                main.then(|| if plain { number(value, step, 1.0) } else { power(decade) })
+            };
+            Tick { fraction: self.fraction(value), label }
         };
-        let mut ticks: Vec<Tick> = (first..=last).map(decade).collect();
-        if last - first <= 6 {
-            let between = (first - 1..=last).flat_map(|n| (2..10).map(move |digit| f64::from(digit) * 10_f64.powi(n)));
-            ticks.extend(between.map(|value| Tick { fraction: self.fraction(value), label: None }));
-        }
-        ticks.retain(Tick::is_on_axis);
-        ticks
-    }
-}
-
-impl Tick {
-    /// Length of the mark [display pixels].
-    pub fn length(&self) -> f64 {
-        if self.label.is_some() { 5.0 } else { 3.0 }
-    }
-
-    fn is_on_axis(&self) -> bool {
-        self.fraction > -1e-9 && self.fraction < 1.0 + 1e-9
+        let digits = if last - first <= 6 { 1..10 } else { 1..2 };
+        (first - 1..=last).flat_map(|decade| digits.clone().map(move |digit| (digit, decade))).map(tick).collect()
     }
 }
 

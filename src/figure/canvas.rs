@@ -1,96 +1,141 @@
-//! The canvas: shapes are recorded in display pixels and written as SVG at the end.
+//! The canvas: shapes in display pixels, written as SVG between a title and small print.
 //!
-//! The SVG backend rounds to whole pixels; everything is therefore written tenfold enlarged, under a header that shows
-//! it at its display size.
+//! plotters was tried and refused: it places whole pixels, so that curves kink unless the drawing is enlarged and its
+//! text edited afterwards, and its chart builder cuts labels it has no font to measure and keeps no room above a frame.
+//! The crate `svg` writes the elements with fractions of pixels, and leaves dashes and clipping to the viewer.
 
-use plotters::backend::{DrawingBackend, SVGBackend};
-use plotters::style::text_anchor::{Pos, VPos};
-use plotters::style::{Color, FontDesc, FontFamily, FontStyle, FontTransform, ShapeStyle, TextStyle};
+use std::mem;
+
+use svg::Document;
+use svg::node::element::{Circle, ClipPath, Description, Group, Path, Rectangle, Text, Title};
+use svg::node::{Node, Text as Words};
 
 use super::frame::Frame;
-use super::palette::{CARD, Colour, PALE};
-use super::pen::{Lettering, Pen, dashes};
+use super::palette::{CARD, Colour, GREY, PALE};
+use super::pen::{Lettering, Pen, text_width, wrapped};
 use crate::error::Error;
 
 /// A place on the canvas, y downwards [display pixels].
 pub(super) type Point = (f64, f64);
 
-const ENLARGEMENT: f64 = 10.0;
+/// Margin left and right.
+pub(super) const EDGE: f64 = 18.0;
+/// Room of the title.
+pub(super) const TITLE: f64 = 40.0;
+/// Width of a figure with panels.
+pub(super) const WIDTH: f64 = 900.0;
 
-enum Shape {
-    Line(Vec<Point>, Colour, f64),
-    Area(Vec<Point>, Colour),
-    Disc(Point, f64, Colour),
-    Label(Point, String, Lettering),
-}
+const TITLE_SIZE: f64 = 15.0;
+const NOTE_SIZE: f64 = 10.5;
+const NOTE_ROW: f64 = 15.0;
+/// Lines on the rim of a clipped part keep their half width, and areas overlap by as much, so that no seam shows.
+const SLACK: f64 = 0.5;
 
 /// Shapes in the order they are painted.
 pub(super) struct Canvas {
-    width: f64,
-    height: f64,
-    shapes: Vec<Shape>,
+    shapes: Group,
+    clips: usize,
+    /// False once a coordinate was not a number.
+    sound: bool,
 }
 
 impl Canvas {
-    /// An empty card.
-    pub fn new(width: f64, height: f64) -> Canvas {
-        let mut canvas = Canvas { width, height, shapes: Vec::new() };
-        let card = Frame { left: 0.0, top: 0.0, right: width, bottom: height };
-        canvas.area(&card.corners(), CARD);
-        canvas.line(&card.outline(), Pen::solid(PALE, 1.6));
-        canvas
+    /// An empty canvas.
+    pub fn new() -> Canvas {
+        Canvas { shapes: Group::new(), clips: 0, sound: true }
     }
 
-    /// A line through the points, dashed as the pen says.
+    /// A line through the points.
     pub fn line(&mut self, points: &[Point], pen: Pen) {
-        let pattern = pen.dash.pattern();
-        if pattern.is_empty() {
-            self.shapes.push(Shape::Line(points.to_vec(), pen.colour, pen.width));
+        self.lines(&[points.to_vec()], pen);
+    }
+
+    /// Several lines of one pen.
+    pub fn lines(&mut self, lines: &[Vec<Point>], pen: Pen) {
+        if lines.is_empty() {
             return;
         }
-        for piece in dashes(points, pattern) {
-            self.shapes.push(Shape::Line(piece, pen.colour, pen.width));
-        }
+        let path = Path::new().set("d", self.outlines(lines, "")).set("fill", "none");
+        let path = path.set("stroke", pen.colour.to_string()).set("stroke-width", pen.width);
+        self.shapes.append(path.set("stroke-dasharray", pen.dash.pattern()));
     }
 
     /// A filled polygon.
     pub fn area(&mut self, points: &[Point], fill: Colour) {
-        self.shapes.push(Shape::Area(points.to_vec(), fill));
+        let path = Path::new().set("d", self.outlines(&[points.to_vec()], "Z"));
+        self.shapes.append(path.set("fill", fill.to_string()));
+    }
+
+    /// Filled polygons that tile a surface.
+    pub fn tiles(&mut self, polygons: &[Vec<Point>], fill: Colour) {
+        let path = Path::new().set("d", self.outlines(polygons, "Z")).set("fill", fill.to_string());
+        self.shapes.append(path.set("stroke", fill.to_string()).set("stroke-width", SLACK));
     }
 
     /// A filled disc.
     pub fn disc(&mut self, centre: Point, radius: f64, fill: Colour) {
-        self.shapes.push(Shape::Disc(centre, radius, fill));
+        let (x, y) = self.place(centre);
+        self.shapes.append(Circle::new().set("cx", x).set("cy", y).set("r", radius).set("fill", fill.to_string()));
     }
 
-    /// A line of text.
+    /// A line of text, its middle height at the place.
     pub fn label(&mut self, at: Point, text: &str, lettering: Lettering) {
-        self.shapes.push(Shape::Label(at, text.to_string(), lettering));
+        let (x, y) = self.place(at);
+        let turn = if lettering.upright { " rotate(-90)" } else { "" };
+        let text = Text::new(text).set("transform", format!("translate({x} {y}){turn}"));
+        let text = text.set("dy", "0.32em").set("text-anchor", lettering.anchor).set("font-size", lettering.size);
+        let text = if lettering.bold { text.set("font-weight", "bold") } else { text };
+        self.shapes.append(text.set("fill", lettering.colour.to_string()));
     }
 
-    /// The SVG text, the same bytes for the same shapes.
-    pub fn svg(&self, figure: &str) -> Result<String, Error> {
-        let mut text = String::new();
-        let size = (whole(self.width) as u32, whole(self.height) as u32);
-        let mut backend = SVGBackend::with_string(&mut text, size);
-        for shape in &self.shapes {
-            paint(&mut backend, shape).map_err(|reason| drawing(figure, reason, FINITE))?;
+    /// Draws what shows only inside a frame.
+    pub fn within(&mut self, frame: Frame, draw: impl FnOnce(&mut Canvas)) {
+        self.clips += 1;
+        let name = format!("frame-{}", self.clips);
+        let around = mem::replace(&mut self.shapes, Group::new());
+        draw(self);
+        let inside = mem::replace(&mut self.shapes, around).set("clip-path", format!("url(#{name})"));
+        let window = frame.widened(SLACK);
+        self.shapes.append(ClipPath::new().set("id", name).add(rectangle(window)));
+        self.shapes.append(inside);
+    }
+
+    /// The SVG text with title and notes, the same bytes for the same shapes; they end at the corner.
+    pub fn svg(mut self, title: &str, (right, bottom): Point, notes: &[String]) -> Result<String, Error> {
+        let width = (right + EDGE).max(text_width(title, TITLE_SIZE) + 2.0 * EDGE).round();
+        let lines = wrapped(notes, NOTE_SIZE, width - 2.0 * EDGE);
+        let height = (bottom + 12.0 + NOTE_ROW * lines.len() as f64).round();
+        self.label((EDGE, 0.5 * TITLE), title, Lettering::start(TITLE_SIZE).bold());
+        for (row, line) in lines.iter().enumerate() {
+            let place = (EDGE, bottom + NOTE_ROW * (row as f64 + 0.5));
+            self.label(place, line, Lettering::start(NOTE_SIZE).coloured(GREY));
         }
-        backend.present().map_err(|cause| drawing(figure, cause.to_string(), FINITE))?;
-        drop(backend);
-        Ok(self.at_display_size(&text))
+        if !self.sound {
+            return Err(drawing(title, "a coordinate is not finite", FINITE));
+        }
+        let card = rectangle(Frame { left: 0.0, top: 0.0, right: width, bottom: height });
+        let document = Document::new().set("width", width).set("height", height).set("role", "img");
+        let document = document.set("viewBox", (0, 0, width, height)).set("font-family", "sans-serif");
+        let document = document.set("stroke-linejoin", "round").add(Title::new(title));
+        let document = document.add(Description::new().add(Words::new(notes.join(" "))));
+        let card = card.set("fill", CARD.to_string()).set("stroke", PALE.to_string()).set("stroke-width", 1.6);
+        Ok(document.add(card).add(self.shapes).to_string())
     }
 
-    fn at_display_size(&self, text: &str) -> String {
-        let body = text.split_once('>').map_or(text, |(_, body)| body);
-        let header = format!(
-            "<svg width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" stroke-linejoin=\"round\" xmlns=\"http://www.w3.org/2000/svg\">",
-            self.width.round(),
-            self.height.round(),
-            whole(self.width),
-            whole(self.height)
-        );
-        header + &body.replace(" opacity=\"1\"", "").replace(" \"/>", "\"/>")
+    fn outlines(&mut self, lines: &[Vec<Point>], end: &str) -> String {
+        let mut outline = |line: &Vec<Point>| {
+            let points = line.iter().map(|&point| self.place(point));
+            let points: Vec<String> = points.map(|(x, y)| format!("{x} {y}")).collect();
+            format!("M{}{end}", points.join("L"))
+        };
+        lines.iter().map(&mut outline).collect()
+    }
+
+    /// The place to a tenth of a pixel: finer digits differ between machines.
+    fn place(&mut self, (x, y): Point) -> Point {
+        self.sound &= x.is_finite() && y.is_finite();
+        // Adding zero turns −0 into 0.
+        ((10.0 * x).round() / 10.0 + 0.0, (10.0 * y).round() / 10.0 + 0.0)
     }
 }
 
@@ -102,35 +147,7 @@ pub(super) fn drawing(figure: &str, reason: impl Into<String>, remedy: &str) -> 
     Error::at(format!("figure `{figure}`").as_str(), reason, remedy)
 }
 
-fn whole(length: f64) -> i32 {
-    (length * ENLARGEMENT).round() as i32
-}
-
-fn paint(backend: &mut SVGBackend<'_>, shape: &Shape) -> Result<(), String> {
-    match shape {
-        Shape::Line(points, colour, width) => {
-            let style = ShapeStyle { color: colour.to_rgba(), filled: false, stroke_width: whole(*width) as u32 };
-            backend.draw_path(enlarged(points)?, &style)
-        }
-        Shape::Area(points, fill) => backend.fill_polygon(enlarged(points)?, &fill.filled()),
-        Shape::Disc(centre, radius, fill) => {
-            backend.draw_circle(enlarged(&[*centre])?[0], whole(*radius) as u32, &fill.filled(), true)
-        }
-        Shape::Label(at, text, lettering) => backend.draw_text(text, &text_style(lettering), enlarged(&[*at])?[0]),
-    }
-    .map_err(|cause| cause.to_string())
-}
-
-fn enlarged(points: &[Point]) -> Result<Vec<(i32, i32)>, String> {
-    let place = |&(x, y): &Point| (x.is_finite() && y.is_finite()).then(|| (whole(x), whole(y)));
-    let places: Option<Vec<_>> = points.iter().map(place).collect();
-    places.ok_or_else(|| "a coordinate is not finite".to_string())
-}
-
-fn text_style(lettering: &Lettering) -> TextStyle<'_> {
-    let style = if lettering.bold { FontStyle::Bold } else { FontStyle::Normal };
-    // The backend divides by 1.24 to turn line height into font size.
-    let font = FontDesc::new(FontFamily::SansSerif, lettering.size * ENLARGEMENT * 1.24, style);
-    let turn = if lettering.upright { FontTransform::Rotate270 } else { FontTransform::None };
-    TextStyle::from(font.transform(turn)).color(&lettering.colour).pos(Pos::new(lettering.side, VPos::Center))
+fn rectangle(frame: Frame) -> Rectangle {
+    let place = Rectangle::new().set("x", frame.left).set("y", frame.top);
+    place.set("width", frame.width()).set("height", frame.height())
 }

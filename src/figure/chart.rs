@@ -1,11 +1,9 @@
 //! Charts: curves over two axes, alone or as small multiples with one legend.
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, EDGE, TITLE};
 use super::frame::Frame;
 use super::legend::Legend;
-use super::page::{EDGE, TITLE, heading, notes_height, small_print, wrapped};
 use super::palette::Style;
-use super::pen::text_width;
 use super::plot::Plot;
 use crate::error::Error;
 
@@ -106,18 +104,13 @@ impl Chart {
 
     /// The chart as SVG, its legend on the right.
     pub fn svg(&self) -> Result<String, Error> {
-        let legend = Legend::of(std::slice::from_ref(self));
-        let legend_width = if legend.is_empty() { 0.0 } else { legend.column_width() + EDGE };
-        let width = (EDGE + PLOT_WIDTH + legend_width + EDGE).max(text_width(&self.title, 15.0) + 2.0 * EDGE);
-        let plot_height = PLOT_HEIGHT.max(legend.height(1) + 70.0);
-        let notes = wrapped(&self.notes, width - 2.0 * EDGE);
-        let mut canvas = Canvas::new(width, TITLE + plot_height + notes_height(&notes));
-        heading(&mut canvas, &self.title);
-        let outer = Frame { left: EDGE, top: TITLE, right: EDGE + PLOT_WIDTH, bottom: TITLE + plot_height };
-        let inner = Plot::new(self, outer)?.draw(&mut canvas);
-        legend.draw(&mut canvas, (outer.right + EDGE, inner.top - 4.0), 1);
-        small_print(&mut canvas, &notes, outer.bottom);
-        canvas.svg(&self.title)
+        let mut canvas = Canvas::new();
+        let outer = Frame { left: EDGE, top: TITLE, right: EDGE + PLOT_WIDTH, bottom: TITLE + PLOT_HEIGHT };
+        let plot = Plot::new(self, outer, Plot::headroom(self))?;
+        plot.draw(&mut canvas);
+        let corner = (outer.right + EDGE, plot.frame.top - 4.0);
+        let (right, bottom) = Legend::of([self]).draw(&mut canvas, corner, 0.0);
+        canvas.svg(&self.title, (right, bottom.max(outer.bottom)), &self.notes)
     }
 }
 

@@ -1,8 +1,10 @@
 //! Maps of classes: small panels of coloured cells, with a boundary drawn between cells that were predicted apart.
 
-use super::canvas::Canvas;
+use std::collections::BTreeMap;
+
+use super::canvas::{Canvas, EDGE, Point, TITLE, WIDTH};
 use super::frame::Frame;
-use super::page::{EDGE, TITLE, heading, notes_height, small_print, wrapped};
+use super::legend::Legend;
 use super::palette::{Colour, GREY, INK};
 use super::pen::{Lettering, Pen};
 use crate::error::Error;
@@ -42,34 +44,29 @@ pub struct ClassMap {
     pub notes: Vec<String>,
 }
 
-const WIDTH: f64 = 880.0;
 const ROW: f64 = 13.0;
 const LABELS: f64 = 30.0;
 const HEAD: f64 = 20.0;
 const FOOT: f64 = 28.0;
-const LEGEND: f64 = 26.0;
 
 impl ClassMap {
     /// The maps as SVG.
     pub fn svg(&self) -> Result<String, Error> {
         let columns = self.columns.max(1);
         let pitch = (WIDTH - 2.0 * EDGE) / columns as f64;
-        let tallest = self.panels.iter().map(|panel| panel.rows.len()).max().unwrap_or(0);
-        let height = HEAD + ROW * tallest as f64 + FOOT;
-        let legend_top = TITLE + height * self.panels.len().div_ceil(columns) as f64;
-        let notes = wrapped(&self.notes, WIDTH - 2.0 * EDGE);
-        let mut canvas = Canvas::new(WIDTH, legend_top + LEGEND + notes_height(&notes));
-        heading(&mut canvas, &self.title);
-        for (place, panel) in self.panels.iter().enumerate() {
-            let left = EDGE + pitch * (place % columns) as f64 + LABELS;
-            let top = TITLE + height * (place / columns) as f64 + HEAD;
-            let bottom = top + ROW * panel.rows.len() as f64;
-            let frame = Frame { left, top, right: left + pitch - LABELS - 12.0, bottom };
-            self.panel(&mut canvas, panel, frame);
+        let (mut canvas, mut top) = (Canvas::new(), TITLE);
+        for panels in self.panels.chunks(columns) {
+            let tallest = panels.iter().map(|panel| panel.rows.len()).max().unwrap_or(0);
+            for (place, panel) in panels.iter().enumerate() {
+                let left = EDGE + pitch * place as f64 + LABELS;
+                let bottom = top + HEAD + ROW * panel.rows.len() as f64;
+                let frame = Frame { left, top: top + HEAD, right: left + pitch - LABELS - 12.0, bottom };
+                self.panel(&mut canvas, panel, frame);
+            }
+            top += HEAD + ROW * tallest as f64 + FOOT;
         }
-        self.legend(&mut canvas, legend_top);
-        small_print(&mut canvas, &notes, legend_top + LEGEND);
-        canvas.svg(&self.title)
+        let (_, bottom) = Legend::of_classes(&self.legend).draw(&mut canvas, (EDGE, top), WIDTH - 2.0 * EDGE);
+        canvas.svg(&self.title, (WIDTH - EDGE, bottom + 10.0), &self.notes)
     }
 
     fn panel(&self, canvas: &mut Canvas, panel: &MapPanel, frame: Frame) {
@@ -77,13 +74,15 @@ impl ClassMap {
         let count = panel.rows.first().map_or(1, |(_, cells)| cells.len().max(1));
         let x = |column: usize| frame.left + frame.width() * column as f64 / count as f64;
         let y = |row: usize| frame.bottom - ROW * row as f64;
+        let mut squares: BTreeMap<Colour, Vec<Vec<Point>>> = BTreeMap::new();
         for (row, (label, cells)) in panel.rows.iter().enumerate() {
             for (column, cell) in cells.iter().enumerate() {
                 let square = Frame { left: x(column), right: x(column + 1), top: y(row + 1), bottom: y(row) };
-                canvas.area(&square.corners(), cell.colour);
+                squares.entry(cell.colour).or_default().push(square.corners().to_vec());
             }
             canvas.label((frame.left - 5.0, y(row) - 0.5 * ROW), label, Lettering::end(10.0));
         }
+        squares.iter().for_each(|(colour, squares)| canvas.tiles(squares, *colour));
         canvas.line(&frame.outline(), Pen::solid(GREY, 0.8));
         for (column, text) in &self.ticks {
             let middle = 0.5 * (x(*column) + x(column + 1));
@@ -91,21 +90,8 @@ impl ClassMap {
             canvas.label((middle, frame.bottom + 11.0), text, Lettering::middle(10.0));
         }
         let rows: Vec<&[Cell]> = panel.rows.iter().map(|(_, cells)| cells.as_slice()).collect();
-        for [from, to] in boundary(&rows) {
-            let ends = [from, to].map(|(column, row)| (x(column), y(row)));
-            canvas.line(&ends, Pen::solid(INK, 1.8));
-        }
-    }
-
-    fn legend(&self, canvas: &mut Canvas, top: f64) {
-        let pitch = (WIDTH - 2.0 * EDGE) / self.legend.len().max(1) as f64;
-        for (place, (text, colour)) in self.legend.iter().enumerate() {
-            let left = EDGE + pitch * place as f64;
-            let sample = Frame { left, right: left + 16.0, top: top + 4.0, bottom: top + 16.0 };
-            canvas.area(&sample.corners(), *colour);
-            canvas.line(&sample.outline(), Pen::solid(GREY, 0.6));
-            canvas.label((left + 21.0, top + 10.0), text, Lettering::start(10.5));
-        }
+        let edges = boundary(&rows).into_iter().map(|ends| ends.map(|(column, row)| (x(column), y(row))).to_vec());
+        canvas.lines(&edges.collect::<Vec<_>>(), Pen::solid(INK, 1.8));
     }
 }
 

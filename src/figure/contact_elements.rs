@@ -1,22 +1,19 @@
 //! Drawing of the three contact elements side by side.
 
-use super::canvas::{Canvas, Point};
-use super::frame::Frame;
-use super::page::heading;
+use super::canvas::{Canvas, EDGE, Point, WIDTH};
+use super::frame::{Frame, between};
 use super::palette::{Colour, Dash, GREY, INK, LAYER, LINE, NODE, tint};
 use super::pen::{Lettering, Pen};
+use super::signs::cross;
 use super::sketch::{TEXT, arrow, beside, dimension, node, spring};
 use crate::error::Error;
 
-const WIDTH: f64 = 900.0;
-const HEIGHT: f64 = 380.0;
+const HEIGHT: f64 = 368.0;
 const PANEL: f64 = 292.0;
-const EDGE: f64 = 18.0;
 /// Upper face of the contact zone of every panel, and half the drawn gap.
 const MIDDLE: f64 = 195.0;
 const HALF_GAP: f64 = 42.0;
 const INSET: f64 = 34.0;
-const TITLE: &str = "The three contact elements";
 
 /// Place of the Gauss points of the two-point rule on 0…1.
 const GAUSS: [f64; 2] = [0.211_324_865, 0.788_675_135];
@@ -29,12 +26,11 @@ struct Faces {
 
 /// The line, layer and node elements as SVG.
 pub fn contact_elements() -> Result<String, Error> {
-    let mut canvas = Canvas::new(WIDTH, HEIGHT);
-    heading(&mut canvas, TITLE);
+    let mut canvas = Canvas::new();
     line_element(&mut canvas, EDGE);
     layer_element(&mut canvas, EDGE + PANEL);
     node_element(&mut canvas, EDGE + 2.0 * PANEL);
-    canvas.svg(TITLE)
+    canvas.svg("The three contact elements", (WIDTH - EDGE, HEIGHT), &[])
 }
 
 fn line_element(canvas: &mut Canvas, left: f64) {
@@ -49,10 +45,8 @@ fn line_element(canvas: &mut Canvas, left: f64) {
     }
     for along in GAUSS {
         let (a, b) = across(&faces, along);
-        canvas.line(&[a, b], Pen { colour: LINE, width: 1.6, dash: Dash::Dashed });
-        for end in [a, b] {
-            diagonal_cross(canvas, end, LINE);
-        }
+        canvas.line(&[a, b], Pen::dashed(LINE, 1.6));
+        [a, b].into_iter().for_each(|end| cross(canvas, end, 5.0, Pen::solid(LINE, 2.2)));
     }
     corner_nodes(canvas, &faces);
     axes(canvas, (left + PANEL - 36.0, MIDDLE + 12.0));
@@ -69,18 +63,15 @@ fn layer_element(canvas: &mut Canvas, left: f64) {
     let [upper, lower] = [faces.upper, faces.lower];
     canvas.area(&[lower[0], lower[1], upper[1], upper[0]], tint(LAYER, 0.22));
     bodies(canvas, left, &faces);
-    for side in 0..2 {
-        canvas.line(&[lower[side], upper[side]], Pen::solid(LAYER, 1.4));
-    }
-    let (start, end) = (middle(upper[0], lower[0]), middle(upper[1], lower[1]));
+    canvas.lines(&[0, 1].map(|side| vec![lower[side], upper[side]]), Pen::solid(LAYER, 1.4));
+    let (start, end) = (between(upper[0], lower[0], 0.5), between(upper[1], lower[1], 0.5));
     canvas.line(&[start, end], Pen { colour: LAYER, width: 1.4, dash: Dash::DashDot });
     for along in GAUSS {
-        diagonal_cross(canvas, beside(start, end, along, 0.0), LAYER);
+        cross(canvas, between(start, end, along), 5.0, Pen::solid(LAYER, 2.2));
     }
     canvas.label((end.0 + 6.0, end.1), "η = 0", Lettering::start(TEXT));
     let (a, b) = across(&faces, 0.37);
-    arrow(canvas, middle(a, b), a, INK);
-    arrow(canvas, middle(a, b), b, INK);
+    [a, b].into_iter().for_each(|end| arrow(canvas, between(a, b, 0.5), end, INK));
     canvas.label((a.0 + 8.0, MIDDLE + 18.0), "t(ξ) = t₀ + g(ξ)", Lettering::start(TEXT));
     canvas.label((a.0 + 8.0, MIDDLE - 18.0), "Eₙ, G = 0", Lettering::start(TEXT).coloured(LAYER).bold());
     corner_nodes(canvas, &faces);
@@ -99,12 +90,10 @@ fn node_element(canvas: &mut Canvas, left: f64) {
         canvas.label((a.0 + 11.0, MIDDLE), "kₙAᵢ", Lettering::start(TEXT).coloured(NODE));
     }
     let below = |along: f64| beside(faces.lower[0], faces.lower[1], along, -26.0);
-    let share = Pen::solid(GREY, 0.9);
-    dimension(canvas, below(0.17), below(0.83), "Aᵢ", -13.0);
-    for along in [0.17, 0.83] {
-        let at = below(along);
-        canvas.line(&[(at.0, at.1 - 24.0), (at.0, at.1 + 4.0)], Pen { dash: Dash::Dotted, ..share });
-    }
+    dimension(canvas, below(0.17), below(0.83));
+    canvas.label(beside(below(0.17), below(0.83), 0.5, -13.0), "Aᵢ", Lettering::middle(TEXT));
+    let ends = [0.17, 0.83].map(below).map(|(x, y)| vec![(x, y - 24.0), (x, y + 4.0)]);
+    canvas.lines(&ends, Pen { colour: GREY, width: 0.9, dash: Dash::Dotted });
     let text =
         ["one normal spring per node pair,", "weighted with its tributary length Aᵢ", "wᵢ = uᵢᴬ + uᵢᴮ,  kᵢ = kₙ"];
     caption(canvas, left, "node", NODE, &text);
@@ -120,11 +109,7 @@ fn faces(left: f64, taper: f64) -> Faces {
 }
 
 fn across(faces: &Faces, along: f64) -> (Point, Point) {
-    (beside(faces.upper[0], faces.upper[1], along, 0.0), beside(faces.lower[0], faces.lower[1], along, 0.0))
-}
-
-fn middle(a: Point, b: Point) -> Point {
-    (0.5 * (a.0 + b.0), 0.5 * (a.1 + b.1))
+    (between(faces.upper[0], faces.upper[1], along), between(faces.lower[0], faces.lower[1], along))
 }
 
 /// The two bodies as pale strips that run on beyond the element.
@@ -143,9 +128,7 @@ fn bodies(canvas: &mut Canvas, left: f64, faces: &Faces) {
 }
 
 fn corner_nodes(canvas: &mut Canvas, faces: &Faces) {
-    for at in faces.upper.into_iter().chain(faces.lower) {
-        node(canvas, at);
-    }
+    faces.upper.into_iter().chain(faces.lower).for_each(|at| node(canvas, at));
 }
 
 fn axes(canvas: &mut Canvas, origin: Point) {
@@ -154,12 +137,6 @@ fn axes(canvas: &mut Canvas, origin: Point) {
     arrow(canvas, origin, n, INK);
     canvas.label((t.0 - 4.0, t.1 + 11.0), "t", Lettering::middle(TEXT));
     canvas.label((n.0 + 9.0, n.1 + 4.0), "n", Lettering::middle(TEXT));
-}
-
-fn diagonal_cross(canvas: &mut Canvas, (x, y): Point, colour: Colour) {
-    for slope in [-1.0, 1.0] {
-        canvas.line(&[(x - 5.0, y - 5.0 * slope), (x + 5.0, y + 5.0 * slope)], Pen::solid(colour, 2.2));
-    }
 }
 
 fn caption(canvas: &mut Canvas, left: f64, name: &str, colour: Colour, lines: &[&str]) {

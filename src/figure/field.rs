@@ -1,12 +1,9 @@
 //! A nodal scalar on the deformed mesh, in discrete bands, with an optional detail.
 
 use super::bands::Bands;
-use super::canvas::{Canvas, Point, drawing};
-use super::field_panels::Room;
-use super::numbers::round_values;
-use super::page::{EDGE, heading, notes_height, small_print, wrapped};
+use super::canvas::{Canvas, EDGE, Point, TITLE, WIDTH, drawing};
+use super::numbers::{ends, round_values};
 use super::palette::ColourMap;
-use super::pen::text_width;
 use crate::error::Error;
 
 /// A rectangle of the drawn (deformed) shape, in its length unit.
@@ -63,36 +60,20 @@ pub struct Field {
     pub notes: Vec<String>,
 }
 
-/// The mesh as drawn, in its own units, y upwards.
-pub(super) struct Drawn<'a> {
-    pub field: &'a Field,
-    pub nodes: Vec<Point>,
-}
-
-const TOP: f64 = 44.0;
-const WHOLE: f64 = 600.0;
-const PANEL: f64 = 366.0;
-const TALLEST: f64 = 470.0;
-
 impl Field {
     /// The field as SVG.
     pub fn svg(&self) -> Result<String, Error> {
-        let width = if self.zoom.is_some() { PANEL } else { WHOLE };
-        let panels = self.panels(&Room { corner: (EDGE, TOP), panel: (width, TALLEST) })?;
-        let (width, bottom) = (panels.end().max(text_width(&self.title, 15.0) + 2.0 * EDGE), panels.bottom());
-        let notes = wrapped(&[panels.notes()], width - 2.0 * EDGE);
-        let mut canvas = Canvas::new(width, bottom + 10.0 + notes_height(&notes));
-        heading(&mut canvas, &self.title);
+        let mut canvas = Canvas::new();
+        let panels = self.panels(TITLE)?;
         panels.draw(&mut canvas);
-        small_print(&mut canvas, &notes, bottom + 10.0);
-        canvas.svg(&self.title)
+        canvas.svg(&self.title, (WIDTH - EDGE, panels.bottom() + 10.0), &[panels.notes()])
     }
 
+    /// Counts and numbers that fit together.
     pub(super) fn check(&self) -> Result<(), Error> {
-        let nodes = self.points.len();
-        let (reason, remedy) = if self.values.len() != nodes || self.displacements.len() != nodes {
-            let (values, displacements) = (self.values.len(), self.displacements.len());
-            (format!("{nodes} nodes, {values} values, {displacements} displacements"), "give one of each per node")
+        let (nodes, values, shifts) = (self.points.len(), self.values.len(), self.displacements.len());
+        let (reason, remedy) = if values != nodes || shifts != nodes {
+            (format!("{nodes} nodes, {values} values, {shifts} displacements"), "give one of each per node")
         } else if let Some(cell) = self.cells.iter().find(|cell| ![4, 8].contains(&cell.len())) {
             (format!("a cell with {} nodes", cell.len()), "give four or eight")
         } else if let Some(node) = self.cells.iter().flatten().find(|&&node| node >= nodes) {
@@ -105,10 +86,9 @@ impl Field {
         Err(drawing(&self.title, reason, remedy))
     }
 
+    /// Bands of a round step over the range, symmetric about zero where the colours are.
     pub(super) fn bands(&self) -> Result<Bands, Error> {
-        let spread = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
-        let found = self.cells.iter().flatten().map(|&node| self.values[node]);
-        let (mut low, mut high) = self.range.unwrap_or_else(|| found.fold((f64::INFINITY, f64::NEG_INFINITY), spread));
+        let (mut low, mut high) = self.range.or_else(|| self.ends(|node| self.values[node])).unwrap_or_default();
         if !(low.is_finite() && high.is_finite() && low <= high) {
             return Err(drawing(&self.title, format!("values from {low} to {high}"), "leave infinite ones out"));
         }
@@ -121,16 +101,25 @@ impl Field {
             (low, high) = (low - room, high + room);
         }
         let (step, _) = round_values(low, high, 10);
-        let first = (low / step + 1e-9).floor();
-        let last = (high / step - 1e-9).ceil();
+        let (first, last) = ((low / step + 1e-9).floor(), (high / step - 1e-9).ceil());
         let levels = (0..=(last - first) as usize).map(|n| (first + n as f64) * step).collect();
         Ok(Bands { levels, step, map: self.map })
     }
 
+    /// Ends of the drawn shape.
+    pub(super) fn extent(&self) -> Window {
+        let nodes = self.deformed(self.magnification);
+        let (x, y) = (self.ends(|node| nodes[node].0), self.ends(|node| nodes[node].1));
+        Window { x: x.unwrap_or_default(), y: y.unwrap_or_default() }
+    }
+
+    fn ends(&self, of: impl Fn(usize) -> f64) -> Option<(f64, f64)> {
+        ends(self.cells.iter().flatten().map(|&node| of(node)))
+    }
+
     /// The nodes, their displacements times a factor added.
-    pub(super) fn deformed(&self, magnification: f64) -> Vec<Point> {
-        let moved =
-            |(point, shift): (&Point, &Point)| (point.0 + magnification * shift.0, point.1 + magnification * shift.1);
+    pub(super) fn deformed(&self, factor: f64) -> Vec<Point> {
+        let moved = |(point, shift): (&Point, &Point)| (point.0 + factor * shift.0, point.1 + factor * shift.1);
         self.points.iter().zip(&self.displacements).map(moved).collect()
     }
 }

@@ -1,26 +1,23 @@
 //! The panels of a field on a page: the whole, the enlarged detail, and the colour bar beside them.
 
-use super::bands::{Bands, paint_cell};
-use super::canvas::{Canvas, Point};
-use super::colour_bar::colour_bar;
-use super::field::{Detail, Drawn, Field, Window};
+use super::bands::Bands;
+use super::canvas::{Canvas, EDGE, Point, WIDTH};
+use super::field::{Detail, Field, Window};
 use super::frame::Frame;
 use super::mesh_lines::mesh_lines;
-use super::page::EDGE;
-use super::pen::text_width;
-use super::view::{View, mark_detail};
+use super::numbers::number;
+use super::palette::{GREY, INK};
+use super::pen::{Lettering, Pen, text_width};
 use crate::error::Error;
 
-/// Where the panels may stand: the upper left corner, and the largest width and height of one panel.
-pub(super) struct Room {
-    pub corner: Point,
-    pub panel: (f64, f64),
-}
-
-/// One panel: the mesh as drawn in it, and where it stands.
-struct Panel<'a> {
-    view: View,
-    drawn: Drawn<'a>,
+/// One panel: where it stands, and the nodes of the mesh on the canvas.
+pub(super) struct Panel<'a> {
+    pub field: &'a Field,
+    pub frame: Frame,
+    pub nodes: Vec<Point>,
+    window: Window,
+    /// Display pixels per length.
+    scale: f64,
 }
 
 /// The panels of a field, placed.
@@ -29,59 +26,109 @@ pub(super) struct Panels<'a> {
     bands: Bands,
     whole: Panel<'a>,
     detail: Option<Panel<'a>>,
-    top: f64,
 }
 
-const BAR: f64 = 112.0;
+/// Largest width of a lone panel and of one of two, and the largest height.
+const WHOLE: f64 = 640.0;
+const HALF: f64 = 366.0;
+const TALLEST: f64 = 440.0;
+/// Room of the word above a detail.
+const ABOVE_DETAIL: f64 = 16.0;
 /// Lowest end of a colour bar beside two panels, below their top.
 const LOWEST: f64 = 240.0;
+/// Room of the colour bar with its numbers, and the size of the quantity over it.
+const BAR: f64 = 96.0;
+const QUANTITY: f64 = 11.5;
 
 impl Field {
-    /// Places the panels in a room.
-    pub(super) fn panels(&self, room: &Room) -> Result<Panels<'_>, Error> {
+    /// Places the panels in the middle of the width, below a height.
+    pub(super) fn panels(&self, top: f64) -> Result<Panels<'_>, Error> {
         self.check()?;
-        let drawn = Drawn { field: self, nodes: self.deformed(self.magnification) };
-        let (left, top) = room.corner;
-        let view = View::fitting(extent(&drawn), (left, top), room.panel);
-        let detail = self.zoom.map(|Detail { window, magnification, .. }| Panel {
-            view: View::fitting(window, (view.frame.right + 2.0 * EDGE, top), room.panel),
-            drawn: Drawn { field: self, nodes: self.deformed(magnification) },
+        let (widest, top) = if self.zoom.is_some() { (HALF, top + ABOVE_DETAIL) } else { (WHOLE, top + 4.0) };
+        let window = self.extent();
+        let beside = self.zoom.map_or(0.0, |zoom| 2.0 * EDGE + zoom.window.fitting(widest).0);
+        let used = window.fitting(widest).0 + beside + EDGE + text_width(&self.quantity, QUANTITY).max(BAR);
+        let corner = ((0.5 * (WIDTH - used)).max(EDGE), top);
+        let whole = Panel::of(self, window, self.magnification, window.frame(corner, widest));
+        let detail = self.zoom.map(|Detail { window, magnification, .. }| {
+            Panel::of(self, window, magnification, window.frame((whole.frame.right + 2.0 * EDGE, top), widest))
         });
-        Ok(Panels { field: self, bands: self.bands()?, whole: Panel { view, drawn }, detail, top })
+        Ok(Panels { field: self, bands: self.bands()?, whole, detail })
+    }
+}
+
+impl Window {
+    /// Its largest size in a panel.
+    fn fitting(&self, widest: f64) -> (f64, f64) {
+        let (across, up) = (self.x.1 - self.x.0, self.y.1 - self.y.0);
+        let scale = (widest / across).min(TALLEST / up);
+        (scale * across, scale * up)
+    }
+
+    fn frame(&self, (left, top): Point, widest: f64) -> Frame {
+        let (width, height) = self.fitting(widest);
+        Frame { left, top, right: left + width, bottom: top + height }
+    }
+}
+
+impl<'a> Panel<'a> {
+    fn of(field: &'a Field, window: Window, magnification: f64, frame: Frame) -> Panel<'a> {
+        let scale = frame.width() / (window.x.1 - window.x.0);
+        let mut panel = Panel { field, frame, nodes: vec![], window, scale };
+        panel.nodes = field.deformed(magnification).into_iter().map(|node| panel.place(node)).collect();
+        panel
+    }
+
+    fn place(&self, (x, y): Point) -> Point {
+        (self.frame.left + self.scale * (x - self.window.x.0), self.frame.bottom - self.scale * (y - self.window.y.0))
     }
 }
 
 impl Panels<'_> {
-    /// Right end of the panels, where the colour bar begins.
-    fn right(&self) -> f64 {
-        self.detail.as_ref().unwrap_or(&self.whole).view.frame.right + EDGE
-    }
-
-    /// Right end with the colour bar and what is written at it.
-    pub fn end(&self) -> f64 {
-        self.right() + (16.0 + text_width(&self.field.quantity, 11.5)).max(BAR)
-    }
-
     /// Lower end.
     pub fn bottom(&self) -> f64 {
-        let whole = self.whole.view.frame.bottom;
-        self.detail.as_ref().map_or(whole, |detail| whole.max(detail.view.frame.bottom).max(self.top + LOWEST))
+        let Frame { top, bottom, .. } = self.whole.frame;
+        self.detail.as_ref().map_or(bottom, |detail| bottom.max(detail.frame.bottom).max(top + LOWEST))
     }
 
     /// Paints bands and mesh, marks the detail and draws the colour bar.
     pub fn draw(&self, canvas: &mut Canvas) {
-        for Panel { view, drawn } in [Some(&self.whole), self.detail.as_ref()].into_iter().flatten() {
-            for cell in &self.field.cells {
-                paint_cell(canvas, drawn, cell, view, &self.bands);
-            }
-            mesh_lines(canvas, drawn, view);
+        for panel in [Some(&self.whole), self.detail.as_ref()].into_iter().flatten() {
+            canvas.within(panel.frame, |canvas| {
+                self.bands.paint(canvas, panel);
+                mesh_lines(canvas, panel);
+            });
         }
-        if let (Some(zoom), Some(detail)) = (self.field.zoom, &self.detail) {
-            mark_detail(canvas, &self.whole.view, &detail.view, zoom.marked);
+        if let (Some(zoom), Some(Panel { frame, .. })) = (self.field.zoom, &self.detail) {
+            let place = |x, y| self.whole.place((x, y));
+            let ((left, bottom), (right, top)) =
+                (place(zoom.marked.x.0, zoom.marked.y.0), place(zoom.marked.x.1, zoom.marked.y.1));
+            canvas.line(&Frame { left, top, right, bottom }.outline(), Pen::solid(INK, 1.4));
+            canvas.line(&frame.outline(), Pen::solid(INK, 1.2));
+            canvas.label((frame.left, frame.top - 9.0), "detail", Lettering::start(11.0).coloured(GREY));
         }
-        let right = self.right();
-        let bar = Frame { left: right + 8.0, top: self.top + 24.0, right: right + 22.0, bottom: self.bottom() };
-        colour_bar(canvas, &self.bands, bar, &self.field.quantity);
+        self.colour_bar(canvas);
+    }
+
+    /// The bands one above the other with their ends, and the quantity over them.
+    fn colour_bar(&self, canvas: &mut Canvas) {
+        let bands = &self.bands;
+        let (left, top) = (self.detail.as_ref().unwrap_or(&self.whole).frame.right + EDGE + 8.0, self.whole.frame.top);
+        let whole = Frame { left, top: top + 24.0, right: left + 14.0, bottom: self.bottom() };
+        let height = whole.height().min(26.0 * bands.count() as f64);
+        let level = |n: usize| whole.top + height * (1.0 - n as f64 / bands.count() as f64);
+        for band in 0..bands.count() {
+            let step = Frame { top: level(band + 1), bottom: level(band), ..whole };
+            canvas.tiles(&[step.corners().to_vec()], bands.colour(band));
+        }
+        canvas.line(&Frame { bottom: level(0), ..whole }.outline(), Pen::solid(GREY, 0.8));
+        let (right, largest) = (whole.right, bands.levels.iter().fold(0.0, |largest, level| level.abs().max(largest)));
+        for (n, &value) in bands.levels.iter().enumerate() {
+            canvas.line(&[(right, level(n)), (right + 3.5, level(n))], Pen::solid(GREY, 0.8));
+            let text = number(value, bands.step, largest);
+            canvas.label((right + 7.0, level(n)), &text, Lettering::start(10.5));
+        }
+        canvas.label((left, whole.top - 15.0), &self.field.quantity, Lettering::start(QUANTITY));
     }
 
     /// The field's notes, the magnification of the displacements and the enlargement of the detail.
@@ -95,18 +142,8 @@ impl Panels<'_> {
                 None => format!("Displacements ×{}.", field.magnification),
             });
         }
-        if let Some(detail) = &self.detail {
-            notes.push(format!("Right: the framed detail, ×{:.1}.", detail.view.scale / self.whole.view.scale));
-        }
+        let enlarged = self.detail.as_ref().map(|detail| detail.scale / self.whole.scale);
+        notes.extend(enlarged.map(|factor| format!("Right: the framed detail, ×{factor:.1}.")));
         notes.join(" ")
     }
-}
-
-/// Ends of the drawn nodes.
-fn extent(drawn: &Drawn<'_>) -> Window {
-    let used = || drawn.field.cells.iter().flatten().map(|&node| drawn.nodes[node]);
-    let ends = |values: &mut dyn Iterator<Item = f64>| {
-        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
-    };
-    Window { x: ends(&mut used().map(|p| p.0)), y: ends(&mut used().map(|p| p.1)) }
 }

@@ -11,8 +11,8 @@ pub(super) struct Frame {
     pub bottom: f64,
 }
 
-/// A line this close to the rectangle's edge lies inside, whatever round-off says \[display pixels\].
-const SLACK: f64 = 1e-6;
+/// A line this close to the rectangle's edge lies inside \[display pixels\].
+const ROUND_OFF: f64 = 1e-6;
 
 impl Frame {
     /// Width [display pixels].
@@ -23,6 +23,11 @@ impl Frame {
     /// Height [display pixels].
     pub fn height(&self) -> f64 {
         self.bottom - self.top
+    }
+
+    /// The middle.
+    pub fn middle(&self) -> Point {
+        (0.5 * (self.left + self.right), 0.5 * (self.top + self.bottom))
     }
 
     /// The four corners, counter-clockwise from the lower left.
@@ -36,54 +41,62 @@ impl Frame {
         [a, b, c, d, a]
     }
 
-    /// True within half a pixel of the rectangle.
-    pub fn holds(&self, (x, y): Point) -> bool {
-        x >= self.left - 0.5 && x <= self.right + 0.5 && y >= self.top - 0.5 && y <= self.bottom + 0.5
+    /// The rectangle moved outwards on all sides.
+    pub fn widened(&self, by: f64) -> Frame {
+        Frame { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
     }
 
-    /// The pieces of a polyline inside the rectangle.
+    /// True inside and on the rim.
+    pub fn holds(&self, (x, y): Point) -> bool {
+        x >= self.left && x <= self.right && y >= self.top && y <= self.bottom
+    }
+
+    /// False when the points lie all beyond one side.
+    pub fn meets(&self, points: &[Point]) -> bool {
+        let any = |near: &dyn Fn(&Point) -> bool| points.iter().any(near);
+        any(&|p| p.0 >= self.left)
+            && any(&|p| p.0 <= self.right)
+            && any(&|p| p.1 >= self.top)
+            && any(&|p| p.1 <= self.bottom)
+    }
+
+    /// The pieces of a polyline inside the rectangle: viewers cannot be left with places far beyond it.
     pub fn clip(&self, line: &[Point]) -> Vec<Vec<Point>> {
         let mut pieces: Vec<Vec<Point>> = Vec::new();
-        let mut open = false;
-        for pair in line.windows(2) {
-            let Some((start, end)) = self.clip_segment(pair[0], pair[1]) else {
-                open = false;
-                continue;
-            };
+        for (start, end) in line.windows(2).filter_map(|pair| self.clip_segment(pair[0], pair[1])) {
             match pieces.last_mut() {
-                Some(piece) if open => piece.push(end),
+                Some(piece) if piece.last().is_some_and(|&last| distance(last, start) < 1e-9) => piece.push(end),
                 _ => pieces.push(vec![start, end]),
             }
-            open = distance(end, pair[1]) < 1e-9;
         }
         pieces
     }
 
     /// The part of a segment inside the rectangle (Liang & Barsky 1984).
     fn clip_segment(&self, a: Point, b: Point) -> Option<(Point, Point)> {
-        let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-        let rooms = [a.0 - self.left, self.right - a.0, a.1 - self.top, self.bottom - a.1].map(|room| room + SLACK);
-        let sides = [-dx, dx, -dy, dy].into_iter().zip(rooms);
+        let rises = [a.0 - b.0, b.0 - a.0, a.1 - b.1, b.1 - a.1];
+        let rooms = [a.0 - self.left, self.right - a.0, a.1 - self.top, self.bottom - a.1];
         let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-        for (rate, room) in sides {
-            if rate.abs() < SLACK {
-                if room < 0.0 {
-                    return None;
-                }
-            } else if rate < 0.0 {
-                enter = enter.max(room / rate);
-            } else {
-                leave = leave.min(room / rate);
+        for (rise, room) in rises.into_iter().zip(rooms.map(|room| room + ROUND_OFF)) {
+            match rise {
+                _ if rise.abs() < ROUND_OFF && room < 0.0 => return None,
+                _ if rise <= -ROUND_OFF => enter = enter.max(room / rise),
+                _ if rise >= ROUND_OFF => leave = leave.min(room / rise),
+                _ => {}
             }
         }
-        let at = |share: f64| (a.0 + share * dx, a.1 + share * dy);
         // A segment that ends inside keeps its end to the last bit.
-        let end = if leave < 1.0 { at(leave) } else { b };
-        (enter <= leave).then(|| (at(enter), end))
+        let end = if leave < 1.0 { between(a, b, leave) } else { b };
+        (enter <= leave).then(|| (between(a, b, enter), end))
     }
 }
 
 /// Distance of two points.
 pub(super) fn distance(a: Point, b: Point) -> f64 {
     (a.0 - b.0).hypot(a.1 - b.1)
+}
+
+/// The point at a share of the way from one to the other.
+pub(super) fn between(a: Point, b: Point, share: f64) -> Point {
+    (a.0 + share * (b.0 - a.0), a.1 + share * (b.1 - a.1))
 }

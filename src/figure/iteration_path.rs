@@ -5,12 +5,12 @@
 
 use super::canvas::{Canvas, Point};
 use super::chart::{Axis, Chart, Series};
-use super::frame::{Frame, distance};
-use super::legend::{Legend, marker};
-use super::page::{heading, notes_height, small_print, wrapped};
+use super::frame::distance;
+use super::multiples::grid;
 use super::palette::{CARD, Colour, Dash, GREY, INK, Marker, SKY, Style, tint};
-use super::pen::{Lettering, Pen};
+use super::pen::Lettering;
 use super::plot::Plot;
+use super::signs;
 use crate::error::Error;
 
 /// One state of the iteration at the contact point.
@@ -60,36 +60,21 @@ pub struct IterationPaths {
     pub notes: Vec<String>,
 }
 
-const WIDTH: f64 = 900.0;
-const EDGE: f64 = 18.0;
-const TOP: f64 = 40.0;
-const PANEL_HEIGHT: f64 = 310.0;
+/// Room around a number.
 const CLEAR: f64 = 17.0;
 
 impl IterationPaths {
     /// The panels as SVG, on the same axes.
     pub fn svg(&self) -> Result<String, Error> {
         let charts: Vec<Chart> = self.paths.iter().map(|path| self.chart(path)).collect();
-        let legend = Legend::of(&charts[..charts.len().min(1)]);
-        let columns = legend.columns(WIDTH - 2.0 * EDGE);
-        let notes = wrapped(&self.notes, WIDTH - 2.0 * EDGE);
-        let below = TOP + PANEL_HEIGHT + legend.height(columns) + 8.0;
-        let mut canvas = Canvas::new(WIDTH, below + notes_height(&notes));
-        heading(&mut canvas, &self.title);
-        let pitch = (WIDTH - 2.0 * EDGE + 10.0) / self.paths.len().max(1) as f64;
-        for (n, (path, chart)) in self.paths.iter().zip(&charts).enumerate() {
-            let left = EDGE + pitch * n as f64;
-            let outer = Frame { left, top: TOP + 20.0, right: left + pitch - 10.0, bottom: TOP + PANEL_HEIGHT - 6.0 };
-            let plot = Plot::new(chart, outer)?;
-            let inner = plot.draw(&mut canvas);
+        let mut canvas = Canvas::new();
+        let (plots, corner) = grid(&mut canvas, &charts, charts.len())?;
+        for (path, plot) in self.paths.iter().zip(&plots) {
             // Larger than the states, so that a state on it leaves its corners visible.
-            marker(&mut canvas, plot.place(self.target), Marker::Diamond, 5.4, INK);
-            states(&mut canvas, &plot, path, self.colour);
-            canvas.label((inner.left, TOP + 9.0), &path.algorithm, Lettering::start(12.0).bold());
+            signs::filled(&mut canvas, plot.place(self.target), Marker::Diamond, 5.4, INK);
+            states(&mut canvas, plot, path, self.colour);
         }
-        legend.draw(&mut canvas, (EDGE + 8.0, TOP + PANEL_HEIGHT), columns);
-        small_print(&mut canvas, &notes, below);
-        canvas.svg(&self.title)
+        canvas.svg(&self.title, corner, &self.notes)
     }
 
     fn chart(&self, path: &Path) -> Chart {
@@ -173,5 +158,5 @@ fn states(canvas: &mut Canvas, plot: &Plot<'_>, path: &Path, colour: Colour) {
             numbered.push(place);
         }
     }
-    canvas.line(&plot.data_frame().outline(), Pen::solid(GREY, 1.0));
+    plot.outline(canvas);
 }

@@ -2,7 +2,7 @@
 //!
 //! Conventions, the same in every figure: the colour names the contact element, the dash the algorithm, the marker the
 //! mesh or the formulation; references are black and dashed, measured values are points without a line, and runs that
-//! did not converge stand hollow above the upper frame.
+//! did not converge are drawn as hollow markers above the chart.
 //!
 //! * [`chart`]: curves over linear or logarithmic axes.
 //! * [`class_map`]: how runs ended, over two numbers.
@@ -14,11 +14,10 @@
 //! * [`iteration_path`]: how each algorithm walks to the solution at one contact point.
 //! * [`palette`]: colours, dashes, markers and the styles made of them.
 //!
-//! Below these: `canvas` records shapes and writes the SVG, `pen` sets lines and text, `frame` clips to a rectangle,
-//! `page` sets title and small print; `axis` and `numbers` place and write ticks, `plot`, `annotations`, `curves` and
-//! `legend` draw a chart; `view`, `cell_grid`, `bands`, `colour_bar`, `mesh_lines` and
-//! `field_panels` a field; `sketch` holds springs,
-//! arrows, rollers and hatching, `scene_cylinder` and `scene_pin_rod` the two scenes.
+//! Below these: `canvas` writes the SVG, `pen` sets lines and text, `frame` clips to a rectangle; `axis` and `numbers` place
+//! and write ticks, `plot`, `annotations`, `curves`, `signs` and `legend` draw a chart; `field_panels`, `bands`,
+//! `cell_grid` and `mesh_lines` a field; `sketch` holds springs, arrows, rollers and hatching, `scene_cylinder` and
+//! `scene_pin_rod` the two scenes.
 
 mod annotations;
 mod axis;
@@ -27,7 +26,6 @@ mod canvas;
 mod cell_grid;
 pub mod chart;
 pub mod class_map;
-mod colour_bar;
 pub mod contact_elements;
 mod curves;
 pub mod field;
@@ -38,7 +36,6 @@ mod legend;
 mod mesh_lines;
 pub mod multiples;
 mod numbers;
-mod page;
 pub mod palette;
 mod pen;
 mod plot;
@@ -46,8 +43,8 @@ mod scene_cylinder;
 mod scene_pin_rod;
 pub mod scenes;
 pub mod sheet;
+mod signs;
 mod sketch;
-mod view;
 
 pub use chart::{Axis, Band, Chart, Direction, Guide, Scale, Series};
 pub use class_map::{Cell, ClassMap, MapPanel};

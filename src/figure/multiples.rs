@@ -1,51 +1,68 @@
-//! Small multiples: charts side by side over one legend.
+//! Charts side by side: small multiples over one legend, and rows of a sheet.
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, EDGE, Point, TITLE, WIDTH};
 use super::chart::Chart;
 use super::frame::Frame;
 use super::legend::Legend;
-use super::page::{EDGE, TITLE, heading, notes_height, small_print, wrapped};
 use super::pen::Lettering;
 use super::plot::Plot;
 use crate::error::Error;
 
-const WIDTH: f64 = 880.0;
+/// Room of the title above a panel, and between panels.
+const CAPTION: f64 = 20.0;
+const BETWEEN: f64 = 10.0;
 
 /// Small multiples: the charts side by side, so many to a row, over one legend and all their notes.
 pub fn panels(title: &str, charts: &[Chart], columns: usize) -> Result<String, Error> {
-    let columns = columns.clamp(1, charts.len().max(1));
-    let legend = Legend::of(charts);
-    let (panel, height) = panel_size(columns);
-    let rows = charts.len().div_ceil(columns) as f64;
-    let legend_columns = legend.columns(WIDTH - 2.0 * EDGE);
-    let notes = wrapped(&distinct_notes(charts), WIDTH - 2.0 * EDGE);
-    let legend_top = TITLE + rows * height;
-    let notes_top = legend_top + legend.height(legend_columns) + 10.0;
-    let mut canvas = Canvas::new(WIDTH, notes_top + notes_height(&notes));
-    heading(&mut canvas, title);
-    for (place, chart) in charts.iter().enumerate() {
-        let left = EDGE + panel * (place % columns) as f64;
-        let top = TITLE + height * (place / columns) as f64;
-        let outer = Frame { left, top, right: left + panel - 10.0, bottom: top + height - 8.0 };
-        let inner = Plot::new(chart, Frame { top: top + 20.0, ..outer })?.draw(&mut canvas);
-        canvas.label((inner.left, top + 9.0), &chart.title, Lettering::start(12.0).bold());
-    }
-    legend.draw(&mut canvas, (EDGE + 8.0, legend_top), legend_columns);
-    small_print(&mut canvas, &notes, notes_top);
-    canvas.svg(title)
-}
-
-fn panel_size(columns: usize) -> (f64, f64) {
-    let width = (WIDTH - 2.0 * EDGE + 10.0) / columns as f64;
-    (width, (0.82 * width).clamp(280.0, 345.0))
-}
-
-fn distinct_notes(charts: &[Chart]) -> Vec<String> {
+    let mut canvas = Canvas::new();
+    let (_, corner) = grid(&mut canvas, charts, columns)?;
     let mut notes: Vec<String> = Vec::new();
     for note in charts.iter().flat_map(|chart| &chart.notes) {
         if !notes.contains(note) {
             notes.push(note.clone());
         }
     }
-    notes
+    canvas.svg(title, corner, &notes)
+}
+
+/// Draws the charts in rows over one legend; returns the plots and the lower right corner.
+pub(super) fn grid<'a>(
+    canvas: &mut Canvas,
+    charts: &'a [Chart],
+    columns: usize,
+) -> Result<(Vec<Plot<'a>>, Point), Error> {
+    let columns = columns.clamp(1, charts.len().max(1));
+    let height = (0.82 * pitch(columns)).clamp(280.0, 345.0);
+    let (mut plots, mut top) = (Vec::new(), TITLE);
+    for charts in charts.chunks(columns) {
+        plots.extend(row(canvas, charts, columns, (top, top + height - 8.0))?);
+        top += height;
+    }
+    let (_, bottom) = Legend::of(charts).draw(canvas, (EDGE + 8.0, top), WIDTH - 2.0 * EDGE);
+    Ok((plots, (WIDTH - EDGE, bottom + 10.0)))
+}
+
+/// Draws charts side by side below their titles, their frames in line.
+pub(super) fn row<'a>(
+    canvas: &mut Canvas,
+    charts: &'a [Chart],
+    columns: usize,
+    (top, bottom): (f64, f64),
+) -> Result<Vec<Plot<'a>>, Error> {
+    let headroom = charts.iter().map(Plot::headroom).fold(0.0, f64::max);
+    let mut plots = Vec::new();
+    for (place, chart) in charts.iter().enumerate() {
+        let left = EDGE + pitch(columns) * place as f64;
+        let outer = Frame { left, top: top + CAPTION, right: left + pitch(columns) - BETWEEN, bottom };
+        let plot = Plot::new(chart, outer, headroom)?;
+        plot.draw(canvas);
+        canvas.label((plot.frame.left, top + 9.0), &chart.title, Lettering::start(12.0).bold());
+        plots.push(plot);
+    }
+    Ok(plots)
+}
+
+/// From one panel to the next.
+fn pitch(columns: usize) -> f64 {
+    (WIDTH - 2.0 * EDGE + BETWEEN) / columns as f64
 }

@@ -1,4 +1,10 @@
-//! Round values between two ends, and how numbers are written.
+//! The ends of values, round values between them, and how numbers are written.
+
+/// The smallest and the largest value, if there is any.
+pub(super) fn ends(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+    let spread = |(low, high): (f64, f64), (value, _): (f64, f64)| (low.min(value), high.max(value));
+    values.map(|value| (value, value)).reduce(spread)
+}
 
 /// Multiples of a step 1, 2 or 5 times a power of ten between two values, and the step.
 pub(super) fn round_values(from: f64, to: f64, wanted: usize) -> (f64, Vec<f64>) {

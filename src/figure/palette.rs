@@ -1,45 +1,52 @@
 //! Colours, dashes and markers, safe for colour-blind readers (Okabe & Ito 2008).
 
-use plotters::style::RGBColor;
+use std::fmt;
 
 /// A colour, red–green–blue.
-pub type Colour = RGBColor;
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Colour(pub u8, pub u8, pub u8);
+
+impl fmt::Display for Colour {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "#{:02X}{:02X}{:02X}", self.0, self.1, self.2)
+    }
+}
 
 /// The line element.
-pub const LINE: Colour = RGBColor(0x00, 0x72, 0xB2);
+pub const LINE: Colour = Colour(0x00, 0x72, 0xB2);
 /// The layer element.
-pub const LAYER: Colour = RGBColor(0xD5, 0x5E, 0x00);
+pub const LAYER: Colour = Colour(0xD5, 0x5E, 0x00);
 /// The node element.
-pub const NODE: Colour = RGBColor(0x00, 0x9E, 0x73);
+pub const NODE: Colour = Colour(0x00, 0x9E, 0x73);
 /// A fourth curve, of none of the three elements.
-pub const PURPLE: Colour = RGBColor(0xCC, 0x79, 0xA7);
+pub const PURPLE: Colour = Colour(0xCC, 0x79, 0xA7);
 /// A fifth curve.
-pub const SKY: Colour = RGBColor(0x56, 0xB4, 0xE9);
+pub const SKY: Colour = Colour(0x56, 0xB4, 0xE9);
 /// A sixth curve.
-pub const ORANGE: Colour = RGBColor(0xE6, 0x9F, 0x00);
+pub const ORANGE: Colour = Colour(0xE6, 0x9F, 0x00);
 /// Text, frames and references.
-pub const INK: Colour = RGBColor(0x22, 0x22, 0x22);
+pub const INK: Colour = Colour(0x22, 0x22, 0x22);
 /// Secondary text.
-pub const GREY: Colour = RGBColor(0x66, 0x66, 0x66);
+pub const GREY: Colour = Colour(0x66, 0x66, 0x66);
 /// Grid lines and quiet outlines.
-pub const PALE: Colour = RGBColor(0xE4, 0xE4, 0xE0);
+pub const PALE: Colour = Colour(0xE4, 0xE4, 0xE0);
 /// The card every figure stands on, so that it reads on light and on dark pages.
-pub const CARD: Colour = RGBColor(0xFD, 0xFD, 0xFC);
+pub const CARD: Colour = Colour(0xFD, 0xFD, 0xFC);
 
 /// Runs on maps, by how they ended: quick, ordinary, long; stopped off the contact by a little, by more, by much; then slow or
 /// stalled, cycling, diverged, unsupported, spilled.
 pub const ENDS: [Colour; 11] = [
-    RGBColor(0x00, 0x6D, 0x4F),
-    RGBColor(0x5F, 0xC0, 0x92),
-    RGBColor(0xCB, 0xE9, 0xD5),
-    RGBColor(0xF6, 0xE8, 0xA8),
-    RGBColor(0xE8, 0xC5, 0x47),
-    RGBColor(0xA8, 0x86, 0x1D),
-    RGBColor(0xD9, 0xD9, 0xD4),
-    RGBColor(0xE6, 0x9F, 0x00),
-    RGBColor(0xD5, 0x5E, 0x00),
-    RGBColor(0x5A, 0x2A, 0x6B),
-    RGBColor(0x56, 0xB4, 0xE9),
+    Colour(0x00, 0x6D, 0x4F),
+    Colour(0x5F, 0xC0, 0x92),
+    Colour(0xCB, 0xE9, 0xD5),
+    Colour(0xF6, 0xE8, 0xA8),
+    Colour(0xE8, 0xC5, 0x47),
+    Colour(0xA8, 0x86, 0x1D),
+    Colour(0xD9, 0xD9, 0xD4),
+    Colour(0xE6, 0x9F, 0x00),
+    Colour(0xD5, 0x5E, 0x00),
+    Colour(0x5A, 0x2A, 0x6B),
+    Colour(0x56, 0xB4, 0xE9),
 ];
 
 /// How a curve is dashed: names the algorithm.
@@ -60,14 +67,14 @@ pub enum Dash {
 }
 
 impl Dash {
-    /// Lengths drawn and left out in turn [display pixels]; empty when solid.
-    pub(super) fn pattern(self) -> &'static [f64] {
+    /// Lengths drawn and left out in turn [display pixels].
+    pub(super) fn pattern(self) -> &'static str {
         match self {
-            Dash::Solid | Dash::Absent => &[],
-            Dash::Dashed => &[8.0, 4.5],
-            Dash::Dotted => &[2.2, 3.3],
-            Dash::DashDot => &[9.0, 3.6, 2.2, 3.6],
-            Dash::Long => &[13.0, 7.0],
+            Dash::Solid | Dash::Absent => "none",
+            Dash::Dashed => "8 4.5",
+            Dash::Dotted => "2.2 3.3",
+            Dash::DashDot => "9 3.6 2.2 3.6",
+            Dash::Long => "13 7",
         }
     }
 }
@@ -129,22 +136,22 @@ pub enum ColourMap {
 }
 
 const SEQUENTIAL: [Colour; 6] = [
-    RGBColor(0xFB, 0xF3, 0xC4),
-    RGBColor(0xC2, 0xE0, 0x9B),
-    RGBColor(0x5F, 0xC0, 0x92),
-    RGBColor(0x2A, 0x93, 0x96),
-    RGBColor(0x2A, 0x5F, 0x8D),
-    RGBColor(0x3A, 0x1F, 0x62),
+    Colour(0xFB, 0xF3, 0xC4),
+    Colour(0xC2, 0xE0, 0x9B),
+    Colour(0x5F, 0xC0, 0x92),
+    Colour(0x2A, 0x93, 0x96),
+    Colour(0x2A, 0x5F, 0x8D),
+    Colour(0x3A, 0x1F, 0x62),
 ];
 
 const DIVERGING: [Colour; 7] = [
-    RGBColor(0x1B, 0x3F, 0x7A),
-    RGBColor(0x3F, 0x86, 0xBC),
-    RGBColor(0xA6, 0xCD, 0xE3),
-    RGBColor(0xF6, 0xF4, 0xF0),
-    RGBColor(0xF4, 0xB8, 0x92),
-    RGBColor(0xCF, 0x5B, 0x43),
-    RGBColor(0x7D, 0x13, 0x28),
+    Colour(0x1B, 0x3F, 0x7A),
+    Colour(0x3F, 0x86, 0xBC),
+    Colour(0xA6, 0xCD, 0xE3),
+    Colour(0xF6, 0xF4, 0xF0),
+    Colour(0xF4, 0xB8, 0x92),
+    Colour(0xCF, 0x5B, 0x43),
+    Colour(0x7D, 0x13, 0x28),
 ];
 
 impl ColourMap {
@@ -167,5 +174,5 @@ pub(super) fn tint(colour: Colour, share: f64) -> Colour {
 
 fn blend(from: Colour, to: Colour, share: f64) -> Colour {
     let mix = |a: u8, b: u8| (f64::from(a) + share * (f64::from(b) - f64::from(a))).round() as u8;
-    RGBColor(mix(from.0, to.0), mix(from.1, to.1), mix(from.2, to.2))
+    Colour(mix(from.0, to.0), mix(from.1, to.1), mix(from.2, to.2))
 }

@@ -1,9 +1,5 @@
 //! Pens and lettering: how lines and texts are set.
 
-use plotters::style::text_anchor::HPos;
-
-use super::canvas::Point;
-use super::frame::distance;
 use super::palette::{Colour, Dash, INK};
 
 /// How a line is drawn.
@@ -19,14 +15,20 @@ impl Pen {
     pub fn solid(colour: Colour, width: f64) -> Pen {
         Pen { colour, width, dash: Dash::Solid }
     }
+
+    /// A dashed line.
+    pub fn dashed(colour: Colour, width: f64) -> Pen {
+        Pen { colour, width, dash: Dash::Dashed }
+    }
 }
 
-/// How a text is set: its middle height stands at the given place.
+/// How a text is set.
 #[derive(Clone, Copy)]
 pub(super) struct Lettering {
     pub size: f64,
     pub colour: Colour,
-    pub side: HPos,
+    /// Which part stands at the place, in the words of SVG.
+    pub anchor: &'static str,
     pub bold: bool,
     /// Reads from bottom to top.
     pub upright: bool,
@@ -35,17 +37,17 @@ pub(super) struct Lettering {
 impl Lettering {
     /// Text beginning at the place.
     pub fn start(size: f64) -> Lettering {
-        Lettering { size, colour: INK, side: HPos::Left, bold: false, upright: false }
+        Lettering { size, colour: INK, anchor: "start", bold: false, upright: false }
     }
 
     /// Text centred on the place.
     pub fn middle(size: f64) -> Lettering {
-        Lettering { side: HPos::Center, ..Lettering::start(size) }
+        Lettering { anchor: "middle", ..Lettering::start(size) }
     }
 
     /// Text ending at the place.
     pub fn end(size: f64) -> Lettering {
-        Lettering { side: HPos::Right, ..Lettering::start(size) }
+        Lettering { anchor: "end", ..Lettering::start(size) }
     }
 
     /// The same in bold.
@@ -68,8 +70,7 @@ impl Lettering {
 pub(super) fn text_width(text: &str, size: f64) -> f64 {
     let share = |c: char| match c {
         'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '\'' | '|' | '!' | ' ' => 0.34,
-        'f' | 't' | 'r' | '(' | ')' | '[' | ']' | '-' => 0.42,
-        '⁰'..='ₜ' | '¹' | '²' | '³' => 0.42,
+        'f' | 't' | 'r' | '(' | ')' | '[' | ']' | '-' | '⁰'..='ₜ' | '¹' | '²' | '³' => 0.42,
         'm' | 'w' | 'M' | 'W' => 0.92,
         c if c.is_uppercase() => 0.70,
         _ => 0.62,
@@ -77,34 +78,27 @@ pub(super) fn text_width(text: &str, size: f64) -> f64 {
     size * text.chars().map(share).sum::<f64>()
 }
 
-/// The drawn pieces of a dashed line.
-pub(super) fn dashes(points: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
-    let mut pieces = Vec::new();
-    let mut piece: Vec<Point> = points.first().copied().into_iter().collect();
-    let (mut phase, mut left) = (0, pattern[0]);
-    for pair in points.windows(2) {
-        let length = distance(pair[0], pair[1]);
-        let mut done = 0.0;
-        while length - done > left {
-            done += left;
-            let share = done / length;
-            let turn = (pair[0].0 + share * (pair[1].0 - pair[0].0), pair[0].1 + share * (pair[1].1 - pair[0].1));
-            if phase % 2 == 0 {
-                piece.push(turn);
-                pieces.push(std::mem::take(&mut piece));
+/// Width of the widest text.
+pub(super) fn widest<'a>(texts: impl IntoIterator<Item = &'a str>, size: f64) -> f64 {
+    texts.into_iter().map(|text| text_width(text, size)).fold(0.0, f64::max)
+}
+
+/// Texts broken into lines of a width.
+pub(super) fn wrapped(texts: &[String], size: f64, width: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for text in texts {
+        let mut words = text.split_whitespace();
+        let mut line = words.next().unwrap_or_default().to_string();
+        for word in words {
+            let longer = format!("{line} {word}");
+            if text_width(&longer, size) > width {
+                lines.push(line);
+                line = word.to_string();
             } else {
-                piece = vec![turn];
+                line = longer;
             }
-            phase = (phase + 1) % pattern.len();
-            left = pattern[phase];
         }
-        left -= length - done;
-        if phase % 2 == 0 {
-            piece.push(pair[1]);
-        }
+        lines.push(line);
     }
-    if piece.len() > 1 {
-        pieces.push(piece);
-    }
-    pieces
+    lines
 }

@@ -6,9 +6,9 @@ use super::canvas::{Canvas, Point};
 use super::chart::{Chart, Direction, Series};
 use super::curves::{Curve, curves};
 use super::frame::Frame;
-use super::legend::{hollow_marker, marker};
-use super::palette::{Dash, GREY, PALE};
-use super::pen::{Lettering, Pen, text_width};
+use super::palette::{Dash, GREY, PALE, Style};
+use super::pen::{Lettering, Pen, widest};
+use super::signs;
 use crate::error::Error;
 
 /// Width of an ordinary curve [display pixels].
@@ -20,163 +20,134 @@ const LANE: f64 = 11.0;
 
 /// A chart with its axes fixed and its frame placed.
 pub(super) struct Plot<'a> {
-    chart: &'a Chart,
+    pub chart: &'a Chart,
+    /// The rectangle of the data.
+    pub frame: Frame,
     x: Span,
     y: Span,
     outer: Frame,
-    inner: Frame,
 }
 
 impl<'a> Plot<'a> {
-    /// Fits the axes to the data and the frame into the rectangle.
-    pub fn new(chart: &'a Chart, outer: Frame) -> Result<Plot<'a>, Error> {
+    /// Fits the axes to the data and the frame into the rectangle, with room above it.
+    pub fn new(chart: &'a Chart, outer: Frame, headroom: f64) -> Result<Plot<'a>, Error> {
         let (xs, ys) = extents(chart);
         let x = Span::around(&chart.x, &xs, &chart.title)?;
         let y = Span::around(&chart.y, &ys, &chart.title)?;
-        let mut plot = Plot { chart, x, y, outer, inner: outer };
-        plot.inner = plot.frame();
-        Ok(plot)
+        let ticks = y.ticks(outer.height() / 52.0);
+        let frame = Frame {
+            left: outer.left + 30.0 + widest(ticks.iter().filter_map(|tick| tick.label.as_deref()), TICK_SIZE),
+            top: outer.top + 4.0 + headroom,
+            right: outer.right - (width_on_the_right(chart) + 6.0).max(10.0),
+            bottom: outer.bottom - 44.0,
+        };
+        Ok(Plot { chart, frame, x, y, outer })
     }
 
-    /// Draws everything and returns the frame.
-    pub fn draw(&self, canvas: &mut Canvas) -> Frame {
+    /// Room above the frame for the labels of vertical guides and the lanes of hollow signs.
+    pub fn headroom(chart: &Chart) -> f64 {
+        let labelled = chart.guides.iter().any(|guide| guide.direction == Direction::Vertical);
+        LANE * hollow_lanes(chart).len() as f64 + if labelled { 16.0 } else { 0.0 }
+    }
+
+    /// Upper end of the lanes of hollow signs.
+    pub fn above(&self) -> f64 {
+        self.frame.top - LANE * hollow_lanes(self.chart).len() as f64
+    }
+
+    /// Draws everything.
+    pub fn draw(&self, canvas: &mut Canvas) {
         self.chart.bands.iter().for_each(|band| self.band(canvas, band));
         self.axes(canvas);
-        self.guides(canvas);
+        self.chart.guides.iter().for_each(|guide| self.guide(canvas, guide));
         self.chart.bands.iter().for_each(|band| self.band_label(canvas, band));
+        let mut curves = curves(self);
         // References lie on top: their gaps show what they cover.
-        let (references, runs): (Vec<Curve>, Vec<Curve>) =
-            curves(self).into_iter().partition(|curve| curve.style.dash == Dash::Long);
-        let curves: Vec<Curve> = runs.into_iter().chain(references).collect();
+        curves.sort_by_key(|curve| curve.style.dash == Dash::Long);
         curves.iter().for_each(|curve| self.line(canvas, curve));
-        canvas.line(&self.inner.outline(), Pen::solid(GREY, 1.0));
-        curves.iter().for_each(|curve| signs(canvas, curve));
+        self.outline(canvas);
+        for Curve { style, signs, .. } in &curves {
+            signs.iter().for_each(|&(at, radius)| signs::filled(canvas, at, style.marker, radius, style.colour));
+        }
         self.hollows(canvas);
-        self.inner
     }
 
-    /// What is drawn.
-    pub fn chart(&self) -> &'a Chart {
-        self.chart
-    }
-
-    /// Height of the lanes of hollow signs above the frame.
-    pub fn lanes_height(&self) -> f64 {
-        LANE * self.hollow_lanes().len() as f64
-    }
-
-    /// The rectangle of the data.
-    pub fn data_frame(&self) -> Frame {
-        self.inner
+    /// Draws the rim of the frame.
+    pub fn outline(&self, canvas: &mut Canvas) {
+        canvas.line(&self.frame.outline(), Pen::solid(GREY, 1.0));
     }
 
     /// Place of a point on the canvas.
     pub fn place(&self, (x, y): (f64, f64)) -> Point {
-        let frame = &self.inner;
-        (frame.left + self.x.fraction(x) * frame.width(), frame.bottom - self.y.fraction(y) * frame.height())
+        self.at(self.x.fraction(x), self.y.fraction(y))
     }
 
-    fn frame(&self) -> Frame {
-        let ticks = self.y_ticks(self.outer.height());
-        let labels = ticks.iter().filter_map(|tick| tick.label.as_deref());
-        let tick_width = labels.map(|label| text_width(label, TICK_SIZE)).fold(0.0, f64::max);
-        let right = width_on_the_right(self.chart);
-        let above =
-            if self.chart.guides.iter().any(|guide| guide.direction == Direction::Vertical) { 16.0 } else { 0.0 };
-        let lanes = self.lanes_height();
-        Frame {
-            left: self.outer.left + 22.0 + tick_width + 8.0,
-            top: self.outer.top + 4.0 + above + lanes,
-            right: self.outer.right - (right + 6.0).max(10.0),
-            bottom: self.outer.bottom - 44.0,
-        }
-    }
-
-    fn x_ticks(&self, width: f64) -> Vec<Tick> {
-        self.x.ticks((width / 58.0).round() as usize)
-    }
-
-    fn y_ticks(&self, height: f64) -> Vec<Tick> {
-        self.y.ticks((height / 52.0).round() as usize)
+    fn at(&self, x: f64, y: f64) -> Point {
+        (self.frame.left + x * self.frame.width(), self.frame.bottom - y * self.frame.height())
     }
 
     fn axes(&self, canvas: &mut Canvas) {
-        let frame = self.inner;
-        for tick in self.x_ticks(frame.width()) {
-            let x = frame.left + tick.fraction * frame.width();
-            let foot = frame.bottom + tick.length();
-            canvas.line(&[(x, frame.bottom), (x, foot)], Pen::solid(GREY, 0.9));
-            if let Some(label) = &tick.label {
-                canvas.line(&[(x, frame.top), (x, frame.bottom)], Pen::solid(PALE, 0.8));
-                canvas.label((x, frame.bottom + 14.0), label, Lettering::middle(TICK_SIZE));
-            }
+        let (mut marks, mut lines, mut labels) = (Vec::new(), Vec::new(), Vec::new());
+        for Tick { fraction, label } in self.x.ticks(self.frame.width() / 58.0) {
+            let (x, y) = self.at(fraction, 0.0);
+            marks.push(vec![(x, y), (x, y + if label.is_some() { 5.0 } else { 3.0 })]);
+            lines.extend(label.is_some().then(|| vec![(x, y), self.at(fraction, 1.0)]));
+            labels.extend(label.map(|label| ((x, y + 14.0), label, Lettering::middle(TICK_SIZE))));
         }
-        for tick in self.y_ticks(self.outer.height()) {
-            let y = frame.bottom - tick.fraction * frame.height();
-            let foot = frame.left - tick.length();
-            canvas.line(&[(foot, y), (frame.left, y)], Pen::solid(GREY, 0.9));
-            if let Some(label) = &tick.label {
-                canvas.line(&[(frame.left, y), (frame.right, y)], Pen::solid(PALE, 0.8));
-                canvas.label((frame.left - 8.0, y), label, Lettering::end(TICK_SIZE));
-            }
+        for Tick { fraction, label } in self.y.ticks(self.outer.height() / 52.0) {
+            let (x, y) = self.at(0.0, fraction);
+            marks.push(vec![(x - if label.is_some() { 5.0 } else { 3.0 }, y), (x, y)]);
+            lines.extend(label.is_some().then(|| vec![(x, y), self.at(1.0, fraction)]));
+            labels.extend(label.map(|label| ((x - 8.0, y), label, Lettering::end(TICK_SIZE))));
         }
-        self.axis_labels(canvas);
-    }
-
-    fn axis_labels(&self, canvas: &mut Canvas) {
-        let frame = self.inner;
-        let middle = (0.5 * (frame.left + frame.right), 0.5 * (frame.top + frame.bottom));
-        let lettering = Lettering::middle(LABEL_SIZE);
-        canvas.label((middle.0, frame.bottom + 33.0), &self.chart.x.label, lettering);
-        canvas.label((self.outer.left + 8.0, middle.1), &self.chart.y.label, lettering.upright());
+        let ((x, y), lettering) = (self.frame.middle(), Lettering::middle(LABEL_SIZE));
+        labels.push(((x, self.frame.bottom + 33.0), self.chart.x.label.clone(), lettering));
+        labels.push(((self.outer.left + 8.0, y), self.chart.y.label.clone(), lettering.upright()));
+        canvas.lines(&lines, Pen::solid(PALE, 0.8));
+        canvas.lines(&marks, Pen::solid(GREY, 0.9));
+        labels.iter().for_each(|(at, label, lettering)| canvas.label(*at, label, *lettering));
     }
 
     fn line(&self, canvas: &mut Canvas, curve: &Curve) {
-        if curve.style.dash == Dash::Absent {
-            return;
+        let Style { colour, dash, .. } = curve.style;
+        if dash != Dash::Absent {
+            let pieces: Vec<Vec<Point>> = curve.runs.iter().flat_map(|run| self.frame.clip(run)).collect();
+            canvas.lines(&pieces, Pen { colour, width: curve.width, dash });
         }
-        let pen = Pen { colour: curve.style.colour, width: curve.width, dash: curve.style.dash };
-        for run in &curve.runs {
-            self.inner.clip(run).iter().for_each(|piece| canvas.line(piece, pen));
-        }
-    }
-
-    /// Series with hollow signs: each has a lane of its own above the frame.
-    fn hollow_lanes(&self) -> Vec<&'a Series> {
-        self.chart.series.iter().filter(|series| !series.hollow.is_empty()).collect()
     }
 
     fn hollows(&self, canvas: &mut Canvas) {
-        for (lane, series) in self.hollow_lanes().into_iter().enumerate() {
-            let y = self.inner.top - LANE * (lane as f64 + 0.5) - 1.0;
+        for (lane, series) in hollow_lanes(self.chart).into_iter().enumerate() {
+            let y = self.frame.top - LANE * (lane as f64 + 0.5) - 1.0;
             for &abscissa in &series.hollow {
-                let x = self.inner.left + self.x.fraction(abscissa).clamp(0.0, 1.0) * self.inner.width();
-                hollow_marker(canvas, (x, y), series.style.marker, 4.0, series.style.colour);
+                let (x, _) = self.at(self.x.fraction(abscissa).clamp(0.0, 1.0), 0.0);
+                signs::hollow(canvas, (x, y), series.style.marker, series.style.colour);
             }
         }
     }
 }
 
-fn signs(canvas: &mut Canvas, curve: &Curve) {
-    for &(place, radius) in &curve.signs {
-        marker(canvas, place, curve.style.marker, radius, curve.style.colour);
-    }
+/// Series with hollow signs: each has a lane of its own above the frame.
+fn hollow_lanes(chart: &Chart) -> Vec<&Series> {
+    chart.series.iter().filter(|series| !series.hollow.is_empty()).collect()
 }
 
 /// Room for the labels of horizontal guides and bands.
 fn width_on_the_right(chart: &Chart) -> f64 {
-    let guides = chart.guides.iter().map(|guide| (guide.direction, &guide.label));
-    let bands = chart.bands.iter().map(|band| (band.direction, &band.label));
-    let horizontal = guides.chain(bands).filter(|(direction, _)| *direction == Direction::Horizontal);
-    horizontal.map(|(_, label)| text_width(label, GUIDE_SIZE)).fold(0.0, f64::max)
+    let guides = chart.guides.iter().map(|guide| (guide.direction, guide.label.as_str()));
+    let labels = guides.chain(chart.bands.iter().map(|band| (band.direction, band.label.as_str())));
+    let horizontal = labels.filter(|(direction, _)| *direction == Direction::Horizontal);
+    widest(horizontal.map(|(_, label)| label), GUIDE_SIZE)
 }
 
 fn extents(chart: &Chart) -> (Vec<f64>, Vec<f64>) {
     let points = || chart.series.iter().flat_map(|series| &series.points);
     let hollow = chart.series.iter().flat_map(|series| &series.hollow);
-    let guides = |direction| chart.guides.iter().filter(move |guide| guide.direction == direction);
-    let xs = points().map(|point| point.0).chain(hollow.copied());
-    let xs = xs.chain(guides(Direction::Vertical).map(|guide| guide.at));
-    let ys = points().map(|point| point.1).chain(guides(Direction::Horizontal).map(|guide| guide.at));
+    let guides = |direction| {
+        let own = chart.guides.iter().filter(move |guide| guide.direction == direction);
+        own.map(|guide| guide.at)
+    };
+    let xs = points().map(|point| point.0).chain(hollow.copied()).chain(guides(Direction::Vertical));
+    let ys = points().map(|point| point.1).chain(guides(Direction::Horizontal));
     (xs.collect(), ys.collect())
 }

@@ -1,10 +1,10 @@
 //! Drawing of the cylinder quarter on the rigid plane.
 
 use super::canvas::{Canvas, Point};
-use super::palette::{Dash, GREY, INK, SKY, tint};
+use super::palette::{GREY, INK, SKY, tint};
 use super::pen::{Lettering, Pen};
 use super::scenes::{CylinderScene, quantity, text};
-use super::sketch::{TEXT, arc, arrow, dimension, fixed_line, rollers};
+use super::sketch::{TEXT, arc, arrow, dimension, fixed_line, on_circle, rollers};
 
 const CENTRE: Point = (112.0, 106.0);
 const RADIUS: f64 = 232.0;
@@ -22,11 +22,8 @@ pub(super) fn draw_cylinder(canvas: &mut Canvas, scene: &CylinderScene) {
     body.push(body[0]);
     canvas.line(&body, Pen::solid(INK, 1.6));
     rollers(canvas, (CENTRE.0, CENTRE.1 + 16.0), (bottom.0, bottom.1 - 12.0), 8);
-    canvas.label(
-        (CENTRE.0 - 38.0, CENTRE.1 + 0.5 * RADIUS),
-        "symmetry",
-        Lettering::middle(TEXT).coloured(GREY).upright(),
-    );
+    let upright = Lettering::middle(TEXT).coloured(GREY).upright();
+    canvas.label((CENTRE.0 - 38.0, CENTRE.1 + 0.5 * RADIUS), "symmetry", upright);
     load(canvas, scene);
     radius(canvas, scene);
     widths(canvas, scene, bottom);
@@ -45,7 +42,7 @@ fn load(canvas: &mut Canvas, scene: &CylinderScene) {
 }
 
 fn radius(canvas: &mut Canvas, scene: &CylinderScene) {
-    let rim = arc(CENTRE, RADIUS, 52.0, 52.0)[0];
+    let rim = on_circle(CENTRE, RADIUS, 52.0);
     arrow(canvas, CENTRE, rim, GREY);
     canvas.disc(CENTRE, 2.6, INK);
     let (x, y) = (0.45 * CENTRE.0 + 0.55 * rim.0, 0.45 * CENTRE.1 + 0.55 * rim.1);
@@ -59,12 +56,10 @@ fn widths(canvas: &mut Canvas, scene: &CylinderScene, bottom: Point) {
     for (name, meaning, length, depth) in rows {
         let end = bottom.0 + (factor * length / scene.radius * RADIUS).min(RADIUS);
         let y = bottom.1 + depth;
-        let pen = Pen { colour: GREY, width: 0.8, dash: Dash::Dashed };
-        canvas.line(&[(end, bottom.1 + 2.0), (end, y)], pen);
-        dimension(canvas, (bottom.0, y), (end, y), "", 0.0);
+        canvas.line(&[(end, bottom.1 + 2.0), (end, y)], Pen::dashed(GREY, 0.8));
+        dimension(canvas, (bottom.0, y), (end, y));
         let label = format!("{} ({meaning})", quantity(name, length, "mm"));
         canvas.label((end + 9.0, y + 1.0), &label, text());
     }
-    let pen = Pen { colour: GREY, width: 0.8, dash: Dash::Dashed };
-    canvas.line(&[(bottom.0, bottom.1 + 2.0), (bottom.0, bottom.1 + 50.0)], pen);
+    canvas.line(&[(bottom.0, bottom.1 + 2.0), (bottom.0, bottom.1 + 50.0)], Pen::dashed(GREY, 0.8));
 }

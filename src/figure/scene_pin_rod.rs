@@ -2,10 +2,10 @@
 
 use super::canvas::{Canvas, Point};
 use super::frame::Frame;
-use super::palette::{Dash, GREY, INK, ORANGE, PURPLE, SKY, tint};
+use super::palette::{GREY, INK, ORANGE, PURPLE, SKY, tint};
 use super::pen::{Lettering, Pen};
 use super::scenes::{PinRodScene, quantity, text};
-use super::sketch::{TEXT, arc, arrow, beside, dimension, rollers};
+use super::sketch::{TEXT, arc, arrow, beside, dimension, on_circle, rollers};
 
 /// The symmetry line, and the room for the whole rod on it.
 const AXIS: f64 = 106.0;
@@ -59,10 +59,9 @@ fn bodies(canvas: &mut Canvas, shape: &Shape) {
     let mut area = rod.clone();
     area.extend(&hole);
     canvas.area(&area, tint(ORANGE, 0.18));
-    canvas.line(&rod, Pen::solid(INK, 1.6));
-    canvas.line(&hole, Pen::solid(INK, 1.6));
-    canvas.line(&[(AXIS, TOP), hole[0]], Pen::solid(INK, 1.2));
-    canvas.line(&[(AXIS, shape.eye.1 + shape.hole_radius), rod[0]], Pen::solid(INK, 1.2));
+    let cut = [vec![(AXIS, TOP), hole[0]], vec![(AXIS, shape.eye.1 + shape.hole_radius), rod[0]]];
+    canvas.lines(&cut, Pen::solid(INK, 1.2));
+    canvas.lines(&[rod, hole], Pen::solid(INK, 1.6));
     let mut pin = arc(shape.pin, shape.pin_radius, 0.0, 90.0);
     pin.push(shape.pin);
     canvas.area(&pin, tint(SKY, 0.35));
@@ -99,14 +98,14 @@ fn pull(canvas: &mut Canvas, scene: &PinRodScene, shape: &Shape) {
 fn candidates(canvas: &mut Canvas, scene: &PinRodScene, shape: &Shape) {
     let reach = shape.hole_radius + 7.0;
     canvas.line(&arc(shape.eye, reach, 0.0, scene.candidates), Pen::solid(PURPLE, 3.0));
-    let ray = arc(shape.eye, shape.eye_radius + 22.0, scene.candidates, scene.candidates)[0];
-    canvas.line(&[shape.pin, ray], Pen { colour: GREY, width: 0.9, dash: Dash::Dashed });
+    let ray = on_circle(shape.eye, shape.eye_radius + 22.0, scene.candidates);
+    canvas.line(&[shape.pin, ray], Pen::dashed(GREY, 0.9));
     let bottom = shape.eye.1 + shape.eye_radius;
-    canvas.line(&[(AXIS, bottom), (AXIS, bottom + 26.0)], Pen { colour: GREY, width: 0.9, dash: Dash::Dashed });
+    canvas.line(&[(AXIS, bottom), (AXIS, bottom + 26.0)], Pen::dashed(GREY, 0.9));
     let turn = arc(shape.eye, shape.eye_radius + 14.0, 0.0, scene.candidates);
     canvas.line(&turn[..turn.len() - 3], Pen::solid(GREY, 1.0));
     arrow(canvas, turn[turn.len() - 5], turn[turn.len() - 1], GREY);
-    let at = arc(shape.eye, shape.eye_radius + 24.0, 45.0, 45.0)[0];
+    let at = on_circle(shape.eye, shape.eye_radius + 24.0, 45.0);
     canvas.label(at, &format!("θ: candidates 0…{}°", scene.candidates), text());
 }
 
@@ -118,30 +117,30 @@ fn dimensions(canvas: &mut Canvas, scene: &PinRodScene, shape: &Shape) {
         let place = (AXIS + shape.eye_radius + 40.0, shape.eye.1 + 22.0 + 19.0 * row as f64);
         canvas.label(place, &quantity(name, value, "mm"), text());
     }
-    let outer = arc(shape.eye, shape.eye_radius, 110.0, 110.0)[0];
+    let outer = on_circle(shape.eye, shape.eye_radius, 110.0);
     canvas.label((outer.0 + 10.0, outer.1 - 10.0), &quantity("outer radius", scene.eye_radius, "mm"), text());
     let y = TOP + 0.30 * (shape.eye.1 - TOP);
-    dimension(canvas, (AXIS, y), (AXIS + shape.shank, y), "", 0.0);
+    dimension(canvas, (AXIS, y), (AXIS + shape.shank, y));
     canvas.label((AXIS + shape.shank + 9.0, y), &quantity("half width", 0.5 * scene.shank_width, "mm"), text());
     height(canvas, scene, shape);
 }
 
 fn radius(canvas: &mut Canvas, shape: &Shape) {
-    let rim = arc(shape.pin, shape.pin_radius, 52.0, 52.0)[0];
+    let rim = on_circle(shape.pin, shape.pin_radius, 52.0);
     arrow(canvas, shape.pin, rim, INK);
     canvas.disc(shape.pin, 2.4, INK);
     canvas.label(beside(shape.pin, rim, 0.62, 10.0), "R", Lettering::middle(TEXT));
-    let place = arc(shape.pin, 0.66 * shape.pin_radius, 22.0, 22.0)[0];
+    let place = on_circle(shape.pin, 0.66 * shape.pin_radius, 22.0);
     canvas.label(place, "pin", Lettering::middle(TEXT).bold());
 }
 
 /// Height of the shank's end above the centre of the eye.
 fn height(canvas: &mut Canvas, scene: &PinRodScene, shape: &Shape) {
     let x = AXIS + shape.eye_radius + 164.0;
-    let thin = Pen { colour: GREY, width: 0.7, dash: Dash::Dashed };
+    let thin = Pen::dashed(GREY, 0.7);
     canvas.line(&[(AXIS + shape.eye_radius + 6.0, shape.eye.1), (x, shape.eye.1)], thin);
     canvas.line(&[(AXIS + shape.shank + 128.0, TOP), (x, TOP)], thin);
-    dimension(canvas, (x, shape.eye.1), (x, TOP), "", 0.0);
+    dimension(canvas, (x, shape.eye.1), (x, TOP));
     let label = quantity("height of the end", scene.shank_end, "mm");
     canvas.label((x + 13.0, 0.5 * (TOP + shape.eye.1)), &label, Lettering::middle(TEXT).upright());
 }

@@ -1,7 +1,6 @@
 //! The two scenes of the comparison, as drawings with loads and supports; every label comes from a number.
 
 use super::canvas::Canvas;
-use super::page::{heading, notes_height, small_print, wrapped};
 use super::pen::Lettering;
 use super::scene_cylinder::draw_cylinder;
 use super::scene_pin_rod::draw_pin_rod;
@@ -46,36 +45,21 @@ pub struct PinRodScene {
 impl CylinderScene {
     /// The drawing as SVG.
     pub fn svg(&self) -> Result<String, Error> {
-        let title = "Cylinder on a rigid plane";
-        let shown = "Not to scale: a and L are drawn larger.";
-        scene(title, (470.0, 414.0), &self.notes, shown, |canvas| draw_cylinder(canvas, self))
+        let mut canvas = Canvas::new();
+        draw_cylinder(&mut canvas, self);
+        let shown = "Not to scale: a and L are drawn larger.".to_string();
+        canvas.svg("Cylinder on a rigid plane", (452.0, 414.0), &[self.notes.as_slice(), &[shown]].concat())
     }
 }
 
 impl PinRodScene {
     /// The drawing as SVG.
     pub fn svg(&self) -> Result<String, Error> {
-        let title = "Pin and connecting rod";
-        let shown = "Not to scale: the clearance is drawn larger.";
-        scene(title, (470.0, 606.0), &self.notes, shown, |canvas| draw_pin_rod(canvas, self))
+        let mut canvas = Canvas::new();
+        draw_pin_rod(&mut canvas, self);
+        let shown = "Not to scale: the clearance is drawn larger.".to_string();
+        canvas.svg("Pin and connecting rod", (452.0, 606.0), &[self.notes.as_slice(), &[shown]].concat())
     }
-}
-
-fn scene(
-    title: &str,
-    (width, height): (f64, f64),
-    notes: &[String],
-    shown: &str,
-    draw: impl FnOnce(&mut Canvas),
-) -> Result<String, Error> {
-    let mut notes = notes.to_vec();
-    notes.push(shown.to_string());
-    let lines = wrapped(&notes, width - 36.0);
-    let mut canvas = Canvas::new(width, height + notes_height(&lines));
-    heading(&mut canvas, title);
-    draw(&mut canvas);
-    small_print(&mut canvas, &lines, height);
-    canvas.svg(title)
 }
 
 /// A named number with its unit, `R = 50 mm`.

@@ -1,0 +1,57 @@
+//! The signs on points, filled and hollow.
+
+use super::canvas::{Canvas, Point};
+use super::palette::{CARD, Colour, Marker};
+use super::pen::Pen;
+
+/// A filled sign with a thin rim of the card, so that it stands off its own line.
+pub(super) fn filled(canvas: &mut Canvas, centre: Point, sign: Marker, radius: f64, colour: Colour) {
+    match sign {
+        Marker::Absent => {}
+        Marker::Circle => {
+            canvas.disc(centre, radius + 0.8, CARD);
+            canvas.disc(centre, radius, colour);
+        }
+        Marker::Cross => cross(canvas, centre, 0.85 * radius, Pen::solid(colour, 1.7)),
+        _ => {
+            canvas.area(&corners(sign, centre, radius + 1.1), CARD);
+            canvas.area(&corners(sign, centre, radius), colour);
+        }
+    }
+}
+
+/// The sign of a run that did not converge; an unmarked curve gets a circle.
+pub(super) fn hollow(canvas: &mut Canvas, centre: Point, sign: Marker, colour: Colour) {
+    const RADIUS: f64 = 4.0;
+    match sign {
+        Marker::Absent | Marker::Circle => ring(canvas, centre, RADIUS, colour),
+        Marker::Cross => cross(canvas, centre, 0.85 * RADIUS, Pen::solid(colour, 1.7)),
+        _ => {
+            canvas.area(&corners(sign, centre, RADIUS + 0.6), colour);
+            canvas.area(&corners(sign, centre, RADIUS - 0.9), CARD);
+        }
+    }
+}
+
+/// A hollow disc.
+pub(super) fn ring(canvas: &mut Canvas, centre: Point, radius: f64, colour: Colour) {
+    canvas.disc(centre, radius, colour);
+    canvas.disc(centre, radius - 1.3, CARD);
+}
+
+/// A diagonal cross.
+pub(super) fn cross(canvas: &mut Canvas, (x, y): Point, arm: f64, pen: Pen) {
+    let stroke = |slope: f64| vec![(x - arm, y - slope * arm), (x + arm, y + slope * arm)];
+    canvas.lines(&[stroke(-1.0), stroke(1.0)], pen);
+}
+
+/// Corners of a sign of the area of a disc, roughly.
+fn corners(sign: Marker, (x, y): Point, radius: f64) -> Vec<Point> {
+    let shape: &[Point] = match sign {
+        Marker::Square => &[(-0.88, -0.88), (0.88, -0.88), (0.88, 0.88), (-0.88, 0.88)],
+        Marker::Triangle => &[(0.0, -1.2), (1.1, 0.75), (-1.1, 0.75)],
+        Marker::Wedge => &[(0.0, 1.2), (1.1, -0.75), (-1.1, -0.75)],
+        _ => &[(0.0, -1.25), (1.25, 0.0), (0.0, 1.25), (-1.25, 0.0)],
+    };
+    shape.iter().map(|&(dx, dy)| (x + radius * dx, y + radius * dy)).collect()
+}
