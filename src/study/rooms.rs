@@ -17,7 +17,8 @@ macro_rules! rooms {
             $($(#[$about])* $Room),*
         }
 
-        /// What a trial of any study came out with.
+        /// What a trial of any study came out with; a few hundred of them are not worth a box.
+        #[allow(clippy::large_enum_variant)]
         #[derive(Clone, Debug)]
         pub enum Numbers {
             $($(#[$about])* $Room($room::Numbers)),*
@@ -65,7 +66,6 @@ macro_rules! rooms {
             .iter()
             .filter_map(|Finding { case, name, numbers, judged, .. }| match numbers {
                 Numbers::$Room(numbers) => Some(Found { case, name, numbers, judged }),
-                #[allow(unreachable_patterns)]
                 _ => None,
             })
             .collect::<Vec<_>>()

@@ -68,14 +68,14 @@ fn a_quarter_that_changes_a_small_contact_turns_red() {
 
 fn curves(ended: family::Ended, other: f64) -> family::Numbers {
     let placed = family::Placed { pressure: 2.0, angle: 0.3 };
-    let mut list = [family::Ended::Converged(placed); 8];
+    let mut list = vec![family::Ended::Converged(placed); 8];
     list[0] = ended;
-    let line = || family::Line { value: 2.0, ended: list };
+    let line = family::Line { value: 2.0, ended: list.clone() };
     let elsewhere = family::Placed { pressure: other * placed.pressure, angle: placed.angle };
     family::Numbers::Curves(family::Curves {
-        clearances: [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0],
-        eyes: [line(), line(), line()],
-        shanks: [line(), line(), line()],
+        clearances: vec![0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0],
+        eyes: vec![line.clone(); 3],
+        shanks: vec![line.clone(); 3],
         same_place: [placed, elsewhere],
         wide_plate: 0.2,
     })

@@ -14,20 +14,21 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
 
 fn of_curves(curves: &Curves) -> Vec<Judged> {
     let lines: Vec<&Line> = curves.eyes.iter().chain(&curves.shanks).collect();
-    let ended: Vec<Ended> = lines.iter().flat_map(|line| line.ended).collect();
+    let ended: Vec<Ended> = lines.iter().flat_map(|line| line.ended.clone()).collect();
     let lost = ended.iter().filter(|ended| matches!(ended, Ended::NotConverged)).count();
     let lost = Check::none(
         Quantity::at("scene of the family whose iteration does not converge", format!("of {}", ended.len())),
         "a contact is found, or refused because it reaches beyond the quarter",
     )
     .judge(lost as f64);
-    let widest = lines.iter().map(|line| line.ended[7].placed().angle).reduce(smaller).unwrap_or(f64::NAN);
+    let at_last = |line: &&Line| line.ended.last().map_or(f64::NAN, |ended| ended.placed().angle);
+    let smallest = lines.iter().map(at_last).reduce(smaller).unwrap_or(f64::NAN);
     let embraced = Check::at_least(
         "smallest contact angle of all eyes at the largest clearance [rad]",
         Reference::analytic("Persson, a wide plate", curves.wide_plate),
         "an eye that bends embraces the pin",
     )
-    .judge(widest);
+    .judge(smallest);
     let [first, other] = &curves.same_place;
     let placed = [("R t p_max / F", (|p| p.pressure) as fn(&Placed) -> f64), ("angle", |p| p.angle)].map(|(name, of)| {
         Check::near(

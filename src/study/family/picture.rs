@@ -15,8 +15,8 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Er
         let mut chart = Chart::new(title, Axis::linear("E t c / F"), Axis::linear(axis));
         for curves in &all {
             chart.series.extend(named(curves).zip(styles()).map(|((name, line), style)| {
-                let points = curves.clearances.into_iter().zip(line.ended);
-                let points = points.map(|(clearance, ended)| [clearance, of(ended.placed())]).collect();
+                let points = curves.clearances.iter().zip(&line.ended);
+                let points = points.map(|(clearance, ended)| [*clearance, of(ended.placed())]).collect();
                 Curve { points, failed: failed(curves, line) }.drawn(name, style)
             }));
         }
@@ -38,8 +38,8 @@ fn curves(numbers: &Numbers) -> Option<&Curves> {
 
 /// Clearances of iterations that did not converge; a contact beyond the quarter is refused, and no point of the family.
 fn failed(curves: &Curves, line: &Line) -> Vec<f64> {
-    let all = curves.clearances.into_iter().zip(line.ended);
-    all.filter(|(_, ended)| matches!(ended, Ended::NotConverged)).map(|(clearance, _)| clearance).collect()
+    let all = curves.clearances.iter().zip(&line.ended);
+    all.filter(|(_, ended)| matches!(ended, Ended::NotConverged)).map(|(clearance, _)| *clearance).collect()
 }
 
 /// Eyes solid, shanks dashed.

@@ -79,11 +79,11 @@ impl Ended {
 #[derive(Clone, Debug, Serialize)]
 pub struct Curves {
     /// Values of `E t c / F`.
-    pub clearances: [f64; 8],
+    pub clearances: Vec<f64>,
     /// By the radius of the eye.
-    pub eyes: [Line; 3],
+    pub eyes: Vec<Line>,
     /// By the width of the shank.
-    pub shanks: [Line; 3],
+    pub shanks: Vec<Line>,
     /// The default scene, and another pin of the same three numbers.
     pub same_place: [Placed; 2],
     /// Half-angle in a wide plate at the largest clearance (Persson) \[rad\].
@@ -96,7 +96,7 @@ pub struct Line {
     /// Radius of the eye over that of the pin, or width of the shank over the diameter of the pin.
     pub value: f64,
     /// By clearance.
-    pub ended: [Ended; 8],
+    pub ended: Vec<Ended>,
 }
 
 /// Slopes at the default scene.
@@ -148,19 +148,16 @@ fn solve(rod: &PinRod) -> Result<Ended, Error> {
 pub fn curves() -> Result<Curves, Error> {
     let base = PinRod::default();
     let line = |value: f64, place: Place| -> Result<Line, Error> {
-        let mut ended = [Ended::NotConverged; 8];
-        for (ended, clearance) in ended.iter_mut().zip(CLEARANCES) {
-            *ended = solve(&at(&base, Place { clearance, ..place }))?;
-        }
-        Ok(Line { value, ended })
+        let ended = CLEARANCES.into_iter().map(|clearance| solve(&at(&base, Place { clearance, ..place })));
+        Ok(Line { value, ended: ended.collect::<Result<_, _>>()? })
     };
-    let [e, f, g] = EYES.map(|eye| line(eye, Place { eye, ..DEFAULT }));
-    let [s, t, u] = SHANKS.map(|shank| line(shank, Place { shank, ..DEFAULT }));
+    let eyes = EYES.into_iter().map(|eye| line(eye, Place { eye, ..DEFAULT }));
+    let shanks = SHANKS.into_iter().map(|shank| line(shank, Place { shank, ..DEFAULT }));
     let same_place = [solve(&at(&base, DEFAULT))?.placed(), solve(&at(&other(), DEFAULT))?.placed()];
     Ok(Curves {
-        clearances: CLEARANCES,
-        eyes: [e?, f?, g?],
-        shanks: [s?, t?, u?],
+        clearances: CLEARANCES.into(),
+        eyes: eyes.collect::<Result<_, _>>()?,
+        shanks: shanks.collect::<Result<_, _>>()?,
         same_place,
         wide_plate: in_wide_plate(&at(&base, Place { clearance: CLEARANCES[7], ..DEFAULT })),
     })

@@ -30,13 +30,13 @@ pub fn named(curves: &Curves) -> impl Iterator<Item = (String, &Line)> {
 
 fn of_curves(curves: &Curves) -> String {
     let head = ["R t p_max/F / 2√(∫pθ²/∫p) at E t c/F =".into()].into_iter();
-    let head: Vec<String> = head.chain(curves.clearances.map(|clearance| clearance.to_string())).collect();
-    let cell = |ended: Ended| match ended {
+    let head: Vec<String> = head.chain(curves.clearances.iter().map(f64::to_string)).collect();
+    let cell = |ended: &Ended| match ended {
         Ended::Converged(Placed { pressure, angle }) => format!("{pressure:.3} / {:.1}°", angle.to_degrees()),
         Ended::Beyond => "beyond the quarter".into(),
         Ended::NotConverged => "not converged".into(),
     };
-    let rows = named(curves).map(|(name, line)| [name].into_iter().chain(line.ended.map(cell)).collect());
+    let rows = named(curves).map(|(name, line)| [name].into_iter().chain(line.ended.iter().map(cell)).collect());
     let table = markdown::table(&head, &rows.collect::<Vec<_>>());
     format!("**Pin–rod: pressure and second-moment angle by dimensionless clearance**\n\n{table}\n")
 }
