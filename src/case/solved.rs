@@ -38,12 +38,12 @@ impl Case {
     /// Runs a formulation on the mesh; where an accuracy chose that, as the answer was run, but from its own start.
     pub fn run(&self, meshed: &Meshed, formulation: &Formulation) -> Result<Run, Error> {
         let Meshed { discretisation, answer } = meshed;
-        match answer {
-            Some(answer) => Run::of(discretisation, &answer.run.formulation),
-            None if self.places.is_some() => Run::of(discretisation, formulation)?.with_limits(discretisation),
-            None => Run::of(discretisation, formulation),
-        }
-        .map_err(|error| self.located(error))
+        let formulation = answer.as_ref().map_or(formulation, |answer| &answer.run.formulation);
+        let run = Run::of(discretisation, formulation);
+        // An accuracy has seen from its own meshes which peaks have no limit.
+        let asks_for_limits = answer.is_none() && self.places.is_some();
+        let run = if asks_for_limits { run.and_then(|run| run.with_limits(discretisation)) } else { run };
+        run.map_err(|error| self.located(error))
     }
 
     /// The formulation that is named first, which is the only one of a file.

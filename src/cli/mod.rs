@@ -35,7 +35,7 @@ use miette::GraphicalReportHandler;
 use crate::case::library::NAMES;
 use crate::cli::ended::Ended;
 use crate::error::Error;
-use crate::error::located::Excerpt;
+use crate::error::excerpt::Excerpt;
 use crate::report;
 use crate::study::timings::growth;
 

@@ -52,7 +52,7 @@ pub fn print(findings: &[Finding]) {
                 "{} × {}: {} — {}: error {error}",
                 finding.case,
                 finding.name,
-                check.verdict.to_string(),
+                check.verdict,
                 check.requirement()
             ));
         }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use comfy_table::{ContentArrangement, Table, presets};
 use rayon::prelude::*;
 
-use crate::case::{Case, Judged, Scope, Verdict, judged};
+use crate::case::{Case, Judged, Scope, Verdict, file, judged};
 use crate::cli::ended::Ended;
 use crate::cli::{progress, say, show, suite};
 use crate::error::Error;
@@ -26,7 +26,7 @@ struct Verified {
 pub fn run(paths: &[PathBuf], json: bool) -> Result<Ended, Error> {
     let mut files = Vec::new();
     for path in paths {
-        files.extend(if path.is_dir() { scene_files(path)? } else { vec![path.clone()] });
+        files.extend(if path.is_dir() { file::files_in(path)? } else { vec![path.clone()] });
     }
     let bar = progress(files.len());
     let verified: Vec<Result<Verified, Error>> = files
@@ -120,7 +120,7 @@ pub fn told(name: &str, check: &Judged) -> String {
     };
     format!(
         "{name}: {} — {}: {} is {}, reference {}, error {}{limit}",
-        check.verdict.to_string(),
+        check.verdict,
         check.requirement(),
         check.check.quantity,
         markdown::value(check.value),
@@ -134,15 +134,4 @@ fn verify(file: &Path) -> Result<Verified, Error> {
     let (meshed, run) = case.solve()?;
     let judged = case.judge(&meshed, &run)?;
     Ok(Verified { formulation: case.formulation().name(), name: case.name, run, judged })
-}
-
-fn scene_files(folder: &Path) -> Result<Vec<PathBuf>, Error> {
-    let remedy = "give a scene file, or a folder with some, *.toml";
-    let failed = |error: std::io::Error| Error::unreadable(folder, error, remedy);
-    let entries = std::fs::read_dir(folder).map_err(failed)?;
-    let paths = entries.map(|entry| entry.map(|entry| entry.path())).collect::<Result<Vec<_>, _>>();
-    let mut files = paths.map_err(failed)?;
-    files.retain(|path| path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")));
-    files.sort();
-    if files.is_empty() { Err(Error::file(folder, "no scene file is in it", remedy)) } else { Ok(files) }
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 
-use crate::elasticity::degenerate;
+use crate::elasticity::degenerate::degenerate;
 use crate::elasticity::element::CellStiffness;
 use crate::elasticity::{Freedom, Freedoms, Index, NodeGraph};
 use crate::error::Error;

@@ -1,6 +1,6 @@
 //! Consistent nodal forces of tractions, stress fields, body forces and concentrated forces.
 
-use crate::elasticity::degenerate;
+use crate::elasticity::degenerate::degenerate;
 use crate::elasticity::freedoms::Freedoms;
 use crate::elasticity::{element, point, quadrature, shape_functions};
 use crate::error::Error;

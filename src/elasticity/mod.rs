@@ -29,6 +29,7 @@
 //! ```
 
 pub mod assembly;
+mod degenerate;
 pub mod dilatation;
 pub mod element;
 pub mod freedoms;
@@ -45,7 +46,7 @@ use std::ops::Range;
 
 use faer::sparse::SparseColMat;
 
-use crate::error::{Error, Kind, Place};
+use crate::error::{Error, Place};
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 
@@ -193,11 +194,4 @@ impl BodySystem {
         }
         out
     }
-}
-
-/// Error of a cell turned inside out or of no area.
-fn degenerate(scene: &Scene, body: usize, cell: usize, jacobian: f64) -> Error {
-    let message = format!("cell {cell} has Jacobian determinant {jacobian:.3e} at a quadrature point");
-    let remedy = "make the grading gentler or the elements smaller";
-    Error { kind: Kind::DegenerateCell, ..Error::at(scene.place_of_body(body), message, remedy) }
 }

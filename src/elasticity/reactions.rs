@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::elasticity::degenerate;
+use crate::elasticity::degenerate::degenerate;
 use crate::elasticity::element::CellStiffness;
 use crate::error::Error;
 use crate::mesh::Mesh;

@@ -1,6 +1,6 @@
 //! Nodal stresses: from 2×2 Gauss points to the corners, averaged over the cells that meet at a node.
 
-use crate::elasticity::degenerate;
+use crate::elasticity::degenerate::degenerate;
 use crate::elasticity::element::CellStiffness;
 use crate::elasticity::shape_functions;
 use crate::error::Error;

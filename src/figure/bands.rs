@@ -58,14 +58,14 @@ impl Bands {
     /// The part in its lowest band, then what of it reaches above each further level.
     fn cut(&self, mut part: Vec<Vertex>, areas: &mut [Vec<Vec<Point>>]) {
         let lowest = self.of(part.iter().map(|vertex| vertex.value).fold(f64::INFINITY, f64::min));
-        for band in lowest..self.count() {
+        for (band, areas) in areas.iter_mut().enumerate().skip(lowest) {
             if band > lowest {
                 part = above(&part, self.levels[band]);
             }
             if part.len() < 3 {
                 return;
             }
-            areas[band].push(places(&part));
+            areas.push(places(&part));
         }
     }
 }

@@ -20,7 +20,7 @@ pub(super) fn beside(a: Point, b: Point, along: f64, across: f64) -> Point {
 pub(super) fn spring(canvas: &mut Canvas, a: Point, b: Point, half_width: f64, colour: Colour) {
     const TURNS: usize = 8;
     let turn = |n: usize| {
-        let side = if n % 2 == 0 { half_width } else { -half_width };
+        let side = if n.is_multiple_of(2) { half_width } else { -half_width };
         beside(a, b, 0.18 + 0.64 * (n as f64 + 0.5) / TURNS as f64, side)
     };
     let mut line = vec![a, beside(a, b, 0.18, 0.0)];

@@ -1,7 +1,7 @@
 //! A trial: one piece of a study that can run alone, and what it found.
 
 use crate::case::judged::{Judged, Verdict, worst};
-use crate::error::Error;
+use crate::error::{Error, Place};
 use crate::study::{Numbers, Room};
 
 /// A trial as its room plans it.
@@ -70,6 +70,10 @@ impl<N: 'static> Planned<N> {
         Trial::new(case.clone(), name.clone(), move || {
             let numbers = numbers(self.run()?);
             let judged = numbers.judge()?;
+            if judged.is_empty() {
+                let place = Place::Named(format!("{case} × {name}"));
+                return Err(Error::at(place, "the trial yields no check", "let its study judge something"));
+            }
             Ok(Finding { room, case: case.clone(), name: name.clone(), numbers, judged })
         })
     }

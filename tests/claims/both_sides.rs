@@ -150,7 +150,7 @@ fn symmetric_scene_on_both_sides_gives_what_its_half_gives() {
 
 /// A block under `100 + slope x` on a rigid plane.
 fn eccentric(slope: f64) -> String {
-    let text = include_str!("../scenes/eccentric-load.toml");
+    let text = include_str!("../cases/eccentric-load.toml");
     assert!(text.contains("coefficients = [100, 4]"));
     text.replace("coefficients = [100, 4]", &format!("coefficients = [100, {slope}]"))
 }

@@ -283,7 +283,7 @@ fn written(mesh: &Mesh, body: usize, clockwise: bool) -> String {
 
 #[test]
 fn bodies_meshed_here_and_given_as_meshes_have_one_solution() {
-    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenes");
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases");
     for (name, shapes) in [
         (
             "cylinder-on-block",

@@ -12,7 +12,7 @@ use std::process::Command;
 use vtkio::model::{Attribute, CellType, DataSet, IOBuffer, Piece, UnstructuredGridPiece, Vtk};
 
 pub fn scene(name: &str) -> String {
-    format!("{}/tests/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))
+    format!("{}/tests/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"))
 }
 
 pub fn contact_vv(arguments: &[&str]) -> (bool, String, String) {
@@ -167,11 +167,11 @@ fn a_folder_is_verified_file_by_file_and_fails_with_its_worst() {
     add("b.toml", &text.replace("value = 4000", "value = 4100"));
     let (sound, table, _) = verify();
     assert!(!sound && table.contains("1 of 2 FAILED"), "{table}");
-    assert!(table.contains("resultant [N] is 4000"), "{table}");
+    assert!(table.contains("contact resultant [N] is 4000"), "{table}");
     let (sound, lines, error) = contact_vv(&["verify", &folder.path().display().to_string(), "--json"]);
     let lines: Vec<serde_json::Value> = lines.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
     let failed: Vec<_> = lines.iter().filter(|line| line["verdict"] == "fail").collect();
-    assert!(!sound && failed.len() == 1 && failed[0]["quantity"] == "resultant [N]", "{lines:?}{error}");
+    assert!(!sound && failed.len() == 1 && failed[0]["quantity"] == "contact resultant [N]", "{lines:?}{error}");
     add("b.toml", &text.replace("young = 70e3", "young = 0"));
     let (sound, table, error) = verify();
     assert!(!sound && table.contains("1 of 2 files not solved") && !table.contains("FAILED"), "{table}");

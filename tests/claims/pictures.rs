@@ -18,7 +18,7 @@ struct Solved {
 }
 
 fn solved(name: &str) -> Solved {
-    let path = format!("{}/tests/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/tests/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     let problem = Case::read(Path::new(&path)).expect("sound");
     let discretisation = Discretisation::of(problem.scene.clone(), problem.resolution).expect("meshed");
     let run = Run::of(&discretisation, problem.formulation()).expect("solved");
@@ -214,7 +214,7 @@ fn run_without_numbers_without_steps_or_without_contact_is_drawn() {
 fn command_draws_what_did_not_converge_and_shows_no_progress_where_there_is_no_terminal() {
     let folder = tempfile::tempdir().expect("a folder");
     let (scene, picture) = (folder.path().join("few.toml"), folder.path().join("few.svg"));
-    let path = format!("{}/tests/scenes/cylinder-in-metres.toml", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/tests/cases/cylinder-in-metres.toml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).expect("text");
     let solve = |text: &str| {
         std::fs::write(&scene, text).expect("written");

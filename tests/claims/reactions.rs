@@ -25,7 +25,7 @@ fn solved(text: &str) -> (Discretisation, Solution) {
 }
 
 fn scene(name: &str) -> String {
-    let path = format!("{}/tests/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/tests/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     std::fs::read_to_string(path).expect("a scene")
 }
 

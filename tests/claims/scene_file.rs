@@ -10,7 +10,7 @@ use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Formulation};
 
 pub fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenes")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases")
 }
 
 pub fn files() -> Vec<(PathBuf, String)> {

@@ -179,7 +179,7 @@ const MISTAKES: &[Mistake] = &[
         "cylinder-on-block",
         "thickness = 1.0\n",
         "",
-        ["# A long", "missing field `thickness`", "add it; tests/scenes/README.md"],
+        ["# A long", "missing field `thickness`", "add it; tests/cases/README.md"],
     ),
     ("cylinder-on-block", "young = 70e3", "young = -70e3", ["young = -70e3", "`young` is -70000", "above 0"]),
     ("cylinder-on-block", "young = 70e3", "young = nan", ["young = nan", "`young` is NaN", "above 0"]),
@@ -241,7 +241,7 @@ const MISTAKES: &[Mistake] = &[
     ("cylinder-on-block", "per = 2.5", "per = 1e-7", ["elements = 24", "candidate elements", "fewer `elements`"]),
     ("cylinder-on-block", "order = 1", "order = 3", ["order = 3", "`order` is 3", "4-node"]),
     (
-        "cylinder-on-block",
+        "blocks",
         "kind = \"analytic\"",
         "kind = \"gut feeling\"",
         ["kind = \"gut feeling\"", "no kind of reference", "`measured`"],

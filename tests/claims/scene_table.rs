@@ -155,9 +155,9 @@ fn accuracy_is_not_promised_where_kinks_fix_the_mesh() {
     let smooth = Case::parse(Path::new("smooth.toml"), &text(", smooth = true")).expect("sound");
     let asked = smooth.accuracy.clone().expect("an accuracy");
     let kinked = read("rigid-cosine", KINKED, &[]).scene;
-    let error = accuracy::solve(&kinked, &smooth.formulation(), &asked).map(|_| ()).expect_err("kinks").to_string();
+    let error = accuracy::solve(&kinked, smooth.formulation(), &asked).map(|_| ()).expect_err("kinks").to_string();
     assert!(error.contains("has kinks"), "{error}");
-    assert!(accuracy::solve(&smooth.scene, &smooth.formulation(), &asked).expect("solved").unmet.is_none());
+    assert!(accuracy::solve(&smooth.scene, smooth.formulation(), &asked).expect("solved").unmet.is_none());
 }
 
 #[test]

@@ -22,7 +22,7 @@ TREE = ROOT / "target/faults/tree"
 QUICK = ["--config", "profile.release.incremental=true"]
 PATIENCE = 600
 # The suite, and the worked scene files.
-COMMANDS = [["verdicts"], ["verify", "tests/scenes", "--json"]]
+COMMANDS = [["verdicts"], ["verify", "tests/cases", "--json"]]
 
 
 def copy_tree():

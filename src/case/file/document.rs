@@ -94,7 +94,7 @@ impl Case {
                 return source.refused(place, asked.message(written), asked.instead);
             }
             let what = if said.starts_with("missing field") { "add it" } else { "correct it" };
-            source.refused(place, said, format!("{what}; tests/scenes/README.md describes every key"))
+            source.refused(place, said, format!("{what}; tests/cases/README.md describes every key"))
         })?;
         let name = file.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned());
         document.read(source, name)

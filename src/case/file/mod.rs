@@ -15,6 +15,7 @@
 //! * [`gap_keys`] — its keys.
 //! * `reference` — reference values.
 //! * [`document`] — the whole file.
+//! * `folder` — the files of a folder.
 //! * [`oracle`] — the closed form of a contact.
 //! * `mesh` — `[mesh]`.
 //! * `wanted` — the checks, `support` — the support of one.
@@ -30,6 +31,7 @@ pub mod contact;
 mod curves;
 mod disc;
 pub mod document;
+mod folder;
 mod gap;
 pub mod gap_keys;
 mod gmsh;
@@ -53,6 +55,7 @@ use toml::Spanned;
 use crate::error::{Error, Located};
 use crate::scene::{Body, Grading, PlaneHypothesis, ReferenceValues, Scene};
 
+pub use folder::files_in;
 pub use places::Places;
 use tables::{ContactTable, GrowthTable, List, Pair, ReferenceTable};
 use units::Units;

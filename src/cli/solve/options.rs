@@ -16,7 +16,7 @@ use crate::solve::{Element, Formulation, Iteration, Start};
 /// Arguments of `solve`.
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// Case of the library (`list` names them), or a scene file (tests/scenes/README.md describes its keys).
+    /// Case of the library (`list` names them), or a scene file (tests/cases/README.md describes its keys).
     pub case: String,
     /// Contact element: node unless the file says otherwise.
     #[arg(long, value_enum)]

@@ -1,15 +1,36 @@
 //! What is run: every case under each of its formulations.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::case::{Case, library};
+use crate::case::{Case, file, library};
+use crate::checkout::root;
+use crate::error::Error;
 use crate::solve::Formulation;
 use crate::study::Planned;
 use crate::study::cases::run::{Numbers, Shared, run};
 
-/// All cases of the library.
+/// All cases of the library, then the scene files of the checkout.
 pub fn plan() -> Vec<Planned<Numbers>> {
-    library::all().into_iter().flat_map(trials).collect()
+    let built_in = library::all().into_iter().flat_map(trials);
+    built_in.chain(files().unwrap_or_else(|error| vec![broken("scene files", error)])).collect()
+}
+
+fn files() -> Result<Vec<Planned<Numbers>>, Error> {
+    let files = file::files_in(&root().join("tests/cases"))?;
+    let of = |path: PathBuf| {
+        let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        match Case::read(&path) {
+            Ok(case) => trials(case.named(name)),
+            Err(error) => vec![broken(&name, error)],
+        }
+    };
+    Ok(files.into_iter().flat_map(of).collect())
+}
+
+/// A trial that ends in an error: what could not be read is not left out.
+fn broken(case: &str, error: Error) -> Planned<Numbers> {
+    Planned::new(case, "reading", move || Err(error.clone()))
 }
 
 /// The trials of one case.

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::case::file::files_in;
 use crate::case::Case;
 use crate::case::library::{self, NAMES, TruncatedHertz};
 use crate::checkout::root;
@@ -52,15 +53,7 @@ pub fn sites() -> Result<Vec<Site>, Error> {
 
 /// All scenes: the library, the long block, the files.
 fn origins() -> Result<Vec<Origin>, Error> {
-    let folder = root().join("tests/scenes");
-    let remedy = "run inside a checkout of the project";
-    let failed = |error: std::io::Error| Error::unreadable(&folder, error, remedy);
-    let mut files = Vec::new();
-    for entry in std::fs::read_dir(&folder).map_err(failed)? {
-        files.push(entry.map_err(failed)?.path());
-    }
-    files.retain(|path| path.extension().is_some_and(|end| end == "toml"));
-    files.sort();
+    let files = files_in(&root().join("tests/cases"))?;
     let library = NAMES.iter().map(|(name, _)| Origin::Library(name));
     Ok(library.chain([Origin::Long]).chain(files.into_iter().map(Origin::File)).collect())
 }
