@@ -27,6 +27,16 @@ pub fn value(value: f64) -> String {
     }
 }
 
+/// A tolerance, which may be smaller than what an error is shown as.
+pub fn tolerance(tolerance: f64) -> String {
+    if tolerance > 0.0 && tolerance < 1e-8 { format!("{tolerance:.0e}") } else { error(tolerance) }
+}
+
+/// A bound: whole numbers as such.
+pub fn bound(bound: f64) -> String {
+    if bound.fract().abs() > 0.0 || bound.abs() > 1e7 { value(bound) } else { bound.to_string() }
+}
+
 /// `digits` significant digits without an exponent where that is short.
 pub fn significant(x: f64, digits: usize) -> String {
     if x.abs() < 1e-99 || !x.is_finite() {

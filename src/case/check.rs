@@ -193,7 +193,7 @@ impl Check {
     /// The sentence of what shall hold against a reference.
     pub fn requirement(&self, reference: &Reference) -> String {
         let (name, origin) = (self.quantity.name(), &reference.name);
-        let (bound, tolerance) = (markdown::value(reference.value), markdown::error(self.tolerance));
+        let (bound, tolerance) = (markdown::bound(reference.value), markdown::tolerance(self.tolerance));
         let sentence = match self.relation {
             Relation::Near => format!("{name} shall agree with {origin} within {tolerance}"),
             Relation::NearAbsolutely => {

@@ -8,6 +8,7 @@ use crate::case::measured::Solved;
 use crate::case::quantity::Quantity;
 use crate::case::universal;
 use crate::error::Error;
+use crate::oracle::ReferenceKind;
 use crate::solve::{Discretisation, Formulation, Run};
 
 /// A case on its mesh, which all its formulations share.
@@ -58,15 +59,20 @@ impl Case {
         Ok((meshed, run))
     }
 
-    /// Judges a run: what bounds every run, and of a case with checks that it converged, the checks, and what every
-    /// converged run must satisfy.
+    /// Judges a run: what bounds every run, that it converged, and of a case with checks these and what every converged run must
+    /// satisfy. A reported run that did not converge is not judged, and says so.
     pub fn judge(&self, meshed: &Meshed, run: &Run) -> Result<Vec<Judged>, Error> {
         let discretisation = &meshed.discretisation;
         let mut judged: Vec<Judged> = universal::bounded(run).into_iter().collect();
+        if self.is_reported() && !run.solution.converged() {
+            let why = "the case is reported only, and the run did not converge".into();
+            judged.push(convergence(run).not_run(ReferenceKind::SelfConsistency, EXACT, why));
+            return Ok(judged);
+        }
+        judged.push(convergence(run).judge(run.solution.error().largest()));
         if self.is_reported() {
             return Ok(judged);
         }
-        judged.push(converges(run));
         judged.extend(self.own(discretisation, run)?);
         judged.extend(self.accuracy.iter().zip(&meshed.answer).map(|(asked, answer)| met(asked, answer)));
         if run.solution.converged() {
@@ -112,13 +118,14 @@ fn judged(check: &Check, solved: &Solved) -> Result<Judged, Error> {
 }
 
 /// That a run converged.
-fn converges(run: &Run) -> Judged {
+fn convergence(run: &Run) -> Check {
     let tolerance = run.formulation.settings.tolerance;
-    let exact = Reference::own("the discrete solution", 0.0);
-    Check::error("iteration error of the run", exact, tolerance, "the tolerance asked for")
+    Check::error("iteration error of the run", Reference::own(EXACT, 0.0), tolerance, "the tolerance asked for")
         .universal()
-        .judge(run.solution.error().largest())
 }
+
+/// What a run converges to.
+const EXACT: &str = "the discrete solution";
 
 /// That an accuracy is met, by the estimate.
 pub fn met(asked: &Asked, answer: &Answer) -> Judged {

@@ -49,7 +49,7 @@ fn row(name: &str, judged: &Judged) -> Vec<String> {
         Verdict::NotRun(_) => "–".into(),
         _ => markdown::error(judged.error),
     };
-    let tolerance = if check.tolerance > 0.0 { markdown::error(check.tolerance) } else { "–".into() };
+    let tolerance = if check.tolerance > 0.0 { markdown::tolerance(check.tolerance) } else { "–".into() };
     vec![
         name.into(),
         check.quantity.to_string(),

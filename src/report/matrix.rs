@@ -106,9 +106,7 @@ fn closest(judged: &[&Judged]) -> String {
     let passed = judged.iter().filter(|judged| judged.verdict == Verdict::Pass && judged.error > 0.0);
     let worst = passed.max_by(|a, b| a.share_of_tolerance().total_cmp(&b.share_of_tolerance()));
     worst.map_or(String::new(), |judged| {
-        let tolerance = judged.check.tolerance;
-        // A tolerance may be smaller than what an error is shown as.
-        let bound = if tolerance < 1e-8 { format!("{tolerance:.0e}") } else { markdown::error(tolerance) };
+        let bound = markdown::tolerance(judged.check.tolerance);
         format!("{}: {}, {bound} allowed", judged.check.quantity, markdown::error(judged.error))
     })
 }
