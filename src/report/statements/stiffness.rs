@@ -18,7 +18,9 @@ pub fn dependence(f: &Findings) -> Statement {
             let [low, high] = steps(&[*sweep]);
             high / low
         };
-        let [low, high] = extremes(sweeps.iter().map(ratio));
+        // A sweep in which nothing converges has no ratio.
+        let some = sweeps.iter().filter(|sweep| !sweep.steps.points.is_empty());
+        let [low, high] = extremes(some.map(ratio));
         let (n, m) = share(&sweeps);
         let text = format!(
             "{}: most over fewest steps {low:.1} to {high:.1} by scene and element, {n} of {m} starts converged",

@@ -1,10 +1,10 @@
 //! What an accuracy costs against meshes made by hand, and whether it is kept.
 //!
-//! * [`plan`](mod@plan) — which scenes, which accuracies, and the meshes made by hand.
-//! * [`subject`] — the scenes, with their closed forms.
-//! * [`by_hand`] — meshes made by hand.
-//! * [`run`] — an answer beside them.
-//! * [`judge`](mod@judge) — what it must keep.
+//! * `plan` — which scenes, which accuracies, and the meshes made by hand.
+//! * `subject` — the scenes, with their closed forms.
+//! * `by_hand` — meshes made by hand.
+//! * `run` — an answer beside them.
+//! * `judge` — what it must keep.
 //! * `section` — a row for each answer.
 
 pub mod by_hand;

@@ -1,16 +1,16 @@
 //! The stability atlas: outcome, steps, rate and error of every element × algorithm × rule over initial stiffness and one
 //! other number, each predicted before it is run.
 //!
-//! * [`plane`] — initial stiffness against which other number.
-//! * [`row`] — a line of a plane.
-//! * [`point`] — one point, predicted and run.
-//! * [`record`] — what is kept under `snapshots/atlas`.
-//! * [`survey`] — all points, resumable.
-//! * [`chart`] — a plane as classes and their boundaries.
-//! * `plan`, [`run`] — a record is read, and a twentieth of it recomputed.
-//! * [`agreement`] — predictions against runs.
-//! * [`judge`](judge()) — what the records must hold.
-//! * [`summary`] — what the records say of each method.
+//! * `plane` — initial stiffness against which other number.
+//! * `row` — a line of a plane.
+//! * `point` — one point, predicted and run.
+//! * `record` — what is kept under `snapshots/atlas`.
+//! * `survey` — all points, resumable.
+//! * `chart` — a plane as classes and their boundaries.
+//! * `plan`, `run` — a record is read, and a twentieth of it recomputed.
+//! * `agreement` — predictions against runs.
+//! * `judge`) — what the records must hold.
+//! * `summary` — what the records say of each method.
 //! * `section`, `recommended`, `slices` — the chapter.
 //! * `picture` — steps with their predictions, and the maps.
 

@@ -2,9 +2,9 @@
 //! beyond the contact to such that are a hundred times as long, and under loads a ten-thousandth of the scene's own. No run may
 //! be called converged whose peak or half-width is not that of its own discrete problem.
 //!
-//! * [`plan`](mod@plan) — scenes, stretches, loads, tolerances.
-//! * [`run`] — one scene on one stretch, with all its runs.
-//! * [`judge`](mod@judge) — what the record must hold.
+//! * `plan` — scenes, stretches, loads, tolerances.
+//! * `run` — one scene on one stretch, with all its runs.
+//! * `judge` — what the record must hold.
 //! * `share` — shares of runs that converge.
 //! * `section` and `picture` — what it shows.
 

@@ -1,12 +1,12 @@
 //! The solver against other finite element codes, in two senses.
 //!
 //! * `plan` — one trial per discrete problem and code, one per physical problem.
-//! * [`discrete`] — the same discrete problem: agreement to round-off, a code check.
-//! * [`physical`] — the same physical problem on another mesh: a benchmark; [`benchmark`] — its scenes.
-//! * [`answers`] — where the other codes' answers come from: frozen files, or the codes themselves.
-//! * [`differences`] — how far two answers are apart.
+//! * `discrete` — the same discrete problem: agreement to round-off, a code check.
+//! * `physical` — the same physical problem on another mesh: a benchmark; `benchmark` — its scenes.
+//! * `answers` — where the other codes' answers come from: frozen files, or the codes themselves.
+//! * `differences` — how far two answers are apart.
 //! * `renewal` — asking the codes now, and freezing what they answer (feature `python`).
-//! * [`judge`] — the tolerances, each with its reason.
+//! * `judge` — the tolerances, each with its reason.
 //! * `section`, `picture` — every code's numbers, the price of the penalty, the profiles.
 
 pub mod answers;

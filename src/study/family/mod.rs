@@ -1,8 +1,8 @@
 //! The dimensionless family of the pin–rod, so that any published figure can be placed the day it appears.
 //!
 //! * `plan` — one trial for the curves, one for the sensitivities.
-//! * [`run`] — pressure and angle by three dimensionless numbers.
-//! * [`judge`] — every run ends as it may, three numbers place a scene, slopes do not depend on their step.
+//! * `run` — pressure and angle by three dimensionless numbers.
+//! * `judge` — every run ends as it may, three numbers place a scene, slopes do not depend on their step.
 //! * `section`, `picture` — the tables, and the curves over the clearance.
 
 mod judge;

@@ -2,7 +2,7 @@
 //!
 //! * `plan` — one trial, the record.
 //! * `run` — the record is read.
-//! * [`judge`] — every fault turned a check against a truth red.
+//! * `judge` — every fault turned a check against a truth red.
 //! * `section` — a row for each fault.
 
 mod judge;

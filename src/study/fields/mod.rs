@@ -1,8 +1,8 @@
 //! Stress on the deformed bodies, and the path of the iterations.
 //!
 //! * `plan` — a trial per iteration on two bars, a trial per scene.
-//! * [`run`] — the runs, and the recovered fields.
-//! * [`judge`] — a run is within the bound of its error; recovered stresses carry the load.
+//! * `run` — the runs, and the recovered fields.
+//! * `judge` — a run is within the bound of its error; recovered stresses carry the load.
 //! * `section`, `picture` — the charts.
 
 mod judge;

@@ -31,7 +31,7 @@ pub struct Detail {
 }
 
 impl Limit {
-    /// Its cells, in the order of [`HEAD`].
+    /// Its cells, in the order of `HEAD`.
     pub fn cells(self) -> Vec<String> {
         vec![self.pushed.into(), self.range, self.onset, self.seen, self.instead]
     }

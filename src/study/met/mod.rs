@@ -1,11 +1,11 @@
 //! Whether an accuracy called met is met: random scenes of closed form, solved to four accuracies, from guesses of the
 //! candidate stretch up to ten times too long or three times too short.
 //!
-//! * [`plan`](mod@plan) — which scenes, and which accuracies.
-//! * [`draw`] — the random numbers.
-//! * [`scenes`] — a random scene of each family, and the truth about it.
-//! * [`run`] — one scene solved to one accuracy, against the truth.
-//! * [`judge`](mod@judge) — what the record must hold.
+//! * `plan` — which scenes, and which accuracies.
+//! * `draw` — the random numbers.
+//! * `scenes` — a random scene of each family, and the truth about it.
+//! * `run` — one scene solved to one accuracy, against the truth.
+//! * `judge` — what the record must hold.
 //! * `section` — what it shows.
 
 pub mod draw;

@@ -1,13 +1,13 @@
 //! Predicted against measured, one iteration at a time.
 //!
 //! * `ground` — the scene and the contact that an iteration ends in.
-//! * [`rates`] — asymptotic rates of constant and varying stiffness.
-//! * [`fixed_target`] — constant stiffness towards given springs: whether and how fast.
-//! * [`basin`] — varying stiffness with `correction`: what attracts nearby, and what happens from afar.
-//! * [`failing`] — why `secant` and `literal` fail with constant stiffness.
-//! * [`halving`] — steps of kinematic load.
+//! * `rates` — asymptotic rates of constant and varying stiffness.
+//! * `fixed_target` — constant stiffness towards given springs: whether and how fast.
+//! * `basin` — varying stiffness with `correction`: what attracts nearby, and what happens from afar.
+//! * `failing` — why `secant` and `literal` fail with constant stiffness.
+//! * `halving` — steps of kinematic load.
 //! * `plan` — all of them, by element or by scene.
-//! * [`judge`](mod@judge) — the predictions hold.
+//! * `judge` — the predictions hold.
 //! * `section`, `tables` — predictions beside measurements.
 
 pub mod basin;

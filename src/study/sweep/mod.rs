@@ -1,7 +1,7 @@
 //! Steps against initial stiffness (the paper's Fig. 11), the condition of its "two steps", and the rules of each algorithm.
 //!
-//! * [`plan`] — both scenes under all nine formulations, candidates that end at the contact edge, all rules.
-//! * [`run`] — a curve of one formulation; the outcomes of all rules.
+//! * `plan` — both scenes under all nine formulations, candidates that end at the contact edge, all rules.
+//! * `run` — a curve of one formulation; the outcomes of all rules.
 //! * `judge` — what converges is the discrete solution.
 //! * `section`, `picture` — the chart and the table.
 

@@ -3,17 +3,17 @@
 //! Seconds are measured on demand by the command `timings` and kept under `snapshots/timings`; errors and counts stand
 //! beside them, and are measured again whenever the suite runs.
 //!
-//! * [`plan`](mod@plan) — what is run with every report.
-//! * [`run`] — the record, and errors and counts as they are now.
-//! * [`record`] — what is kept, and where.
-//! * [`machine`] — processor, compiler and library versions.
-//! * [`statistics`] — medians and worst values.
-//! * [`growth`] — one solve from 10³ to 10⁶ degrees of freedom, stage by stage, against one plain sparse Cholesky solve.
-//! * [`default_mesh`] — the default meshes, and what coarser ones would change.
-//! * [`precision`] — error against seconds and work, over loads the mesh does not know.
-//! * [`others`] — the same by scikit-fem and dolfinx; the cylinder by GetFEM and CalculiX.
-//! * [`targets`] — what was asked for, and what was measured.
-//! * [`judge`](mod@judge) — whether errors and counts are still the recorded ones.
+//! * `plan` — what is run with every report.
+//! * `run` — the record, and errors and counts as they are now.
+//! * `record` — what is kept, and where.
+//! * `machine` — processor, compiler and library versions.
+//! * `statistics` — medians and worst values.
+//! * `growth` — one solve from 10³ to 10⁶ degrees of freedom, stage by stage, against one plain sparse Cholesky solve.
+//! * `default_mesh` — the default meshes, and what coarser ones would change.
+//! * `precision` — error against seconds and work, over loads the mesh does not know.
+//! * `others` — the same by scikit-fem and dolfinx; the cylinder by GetFEM and CalculiX.
+//! * `targets` — what was asked for, and what was measured.
+//! * `judge` — whether errors and counts are still the recorded ones.
 //! * `section` — what each accuracy costs.
 //! * `growth_section` — how the cost grows, and where the time goes.
 //! * `picture` — error against seconds and work.
