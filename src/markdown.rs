@@ -1,7 +1,5 @@
 //! How numbers and tables are written: the same digits on every machine.
 
-use comfy_table::{Table as Grid, presets};
-
 /// Below this fraction of its scale a number is round-off and is not shown.
 const ROUND_OFF: f64 = 1e-9;
 
@@ -29,12 +27,21 @@ pub fn value(value: f64) -> String {
 
 /// A tolerance, which may be smaller than what an error is shown as.
 pub fn tolerance(tolerance: f64) -> String {
-    if tolerance > 0.0 && tolerance < 1e-8 { format!("{tolerance:.0e}") } else { error(tolerance) }
+    match tolerance {
+        small if small > 0.0 && small < 1e-8 => format!("{small:.0e}"),
+        large if large >= 1.0 => bound(large),
+        usual => error(usual),
+    }
 }
 
-/// A bound: whole numbers as such.
+/// A bound: six significant digits, without the zeros at their end.
 pub fn bound(bound: f64) -> String {
-    if bound.fract().abs() > 0.0 || bound.abs() > 1e7 { value(bound) } else { bound.to_string() }
+    let rounded: f64 = format!("{bound:.5e}").parse().unwrap_or(bound);
+    if (1e-4..1e7).contains(&rounded.abs()) || rounded.abs() <= 0.0 {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    }
 }
 
 /// `digits` significant digits without an exponent where that is short.
@@ -51,14 +58,13 @@ pub fn significant(x: f64, digits: usize) -> String {
     format!("{x:.decimals$}")
 }
 
-/// A Markdown table.
+/// A Markdown table, its cells not padded: what changes in one row changes no other.
 pub fn table(head: &[String], rows: &[Vec<String>]) -> String {
-    let mut grid = Grid::new();
-    grid.load_style(presets::ASCII_MARKDOWN).set_header(head.iter().map(|cell| escape(cell)));
-    for row in rows {
-        grid.add_row(row.iter().map(|cell| escape(cell)));
-    }
-    format!("{grid}\n")
+    let line =
+        |cells: &[String]| format!("| {} |\n", cells.iter().map(|cell| escape(cell)).collect::<Vec<_>>().join(" | "));
+    let rule = format!("|{}\n", "---|".repeat(head.len()));
+    let rows: String = rows.iter().map(|row| line(row)).collect();
+    line(head) + &rule + &rows
 }
 
 /// A text behind a line that opens it; open from the start where that is asked for.

@@ -9,7 +9,6 @@ use crate::cli::{progress, say};
 use crate::error::Error;
 use crate::markdown;
 use crate::report::matrix;
-
 use crate::study::{self, Finding};
 
 /// Runs every trial, two or more at a time, in the order of the page; the first that breaks off ends it.
@@ -47,14 +46,12 @@ pub fn print(findings: &[Finding]) {
     say(format!("\nchecks: {pass} passed, {fail} failed, {not_run} not run"));
     for finding in findings {
         for check in finding.judged.iter().filter(|check| check.verdict != Verdict::Pass) {
-            let error = markdown::error(check.error);
-            say(format!(
-                "{} × {}: {} — {}: error {error}",
-                finding.case,
-                finding.name,
-                check.verdict,
-                check.requirement()
-            ));
+            let error = match check.verdict {
+                Verdict::NotRun(_) => String::new(),
+                Verdict::Pass | Verdict::Fail => format!(": error {}", markdown::error(check.error)),
+            };
+            let [case, name, requirement] = [&finding.case, &finding.name, &check.requirement()];
+            say(format!("{case} × {name}: {} — {requirement}{error}", check.verdict));
         }
     }
 }

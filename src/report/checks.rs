@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::case::{Judged, Relation, Scope, Verdict};
+use crate::case::{Judged, Relation, Scope, Verdict, judged};
 use crate::markdown;
 
 /// Name of a trial with its checks.
@@ -31,10 +31,12 @@ pub fn of(members: &[Named]) -> String {
 
 fn rows(own: &[(&str, &Judged)]) -> String {
     let head = ["trial", "quantity", "found", "reference", "kind", "error", "tolerance", "because", "verdict"];
-    let passed = own.iter().filter(|(_, one)| one.verdict == Verdict::Pass).count();
-    let summary = match own.len() - passed {
-        0 => format!("✓ {passed} checks passed"),
-        failed => format!("✗ {failed} of {} checks did not pass", own.len()),
+    let count = |wanted: fn(&Verdict) -> bool| own.iter().filter(|(_, one)| wanted(&one.verdict)).count();
+    let passed = count(|verdict| *verdict == Verdict::Pass);
+    let summary = match (count(|verdict| *verdict == Verdict::Fail), own.len() - passed) {
+        (0, 0) => format!("✓ {passed} checks passed"),
+        (0, absent) => format!("○ {passed} checks passed, {absent} not run"),
+        (failed, _) => format!("✗ {failed} of {} checks failed", own.len()),
     };
     let rows: Vec<Vec<String>> = own.iter().map(|(name, one)| row(name, one)).collect();
     markdown::folded(&summary, &markdown::table(&head.map(String::from), &rows), passed < own.len())
@@ -74,21 +76,22 @@ pub fn universal<'a>(judged: impl Iterator<Item = &'a Judged>) -> String {
     markdown::table(&head, &rows)
 }
 
+/// What was not run has no error, and its number stands beside that of the runs.
 fn universal_row(quantity: &str, all: &[&Judged]) -> Vec<String> {
-    let worst = all.iter().max_by(|a, b| a.share_of_tolerance().total_cmp(&b.share_of_tolerance()));
-    let passed = all.iter().all(|one| one.verdict == Verdict::Pass);
+    let (run, absent): (Vec<&Judged>, Vec<&Judged>) =
+        all.iter().partition(|one| !matches!(one.verdict, Verdict::NotRun(_)));
+    let worst = run.iter().max_by(|a, b| a.share_of_tolerance().total_cmp(&b.share_of_tolerance()));
     let [error, tolerance] = worst.map_or([f64::NAN; 2], |one| [one.error, one.check.tolerance]);
+    let number = match absent.len() {
+        0 => run.len().to_string(),
+        absent => format!("{} and {absent} not run", run.len()),
+    };
     vec![
         quantity.into(),
-        all.len().to_string(),
-        bounded(error, tolerance),
-        markdown::error(tolerance),
+        number,
+        markdown::error(error),
+        markdown::tolerance(tolerance),
         worst.map_or(String::new(), |one| one.check.because.to_string()),
-        if passed { Verdict::Pass } else { Verdict::Fail }.to_string(),
+        judged::worst(run).map_or("–".into(), Verdict::to_string),
     ]
-}
-
-/// Round-off is not worth its digits: what is below its tolerance of 1e-9 is shown as that.
-fn bounded(error: f64, tolerance: f64) -> String {
-    if tolerance <= 1e-9 && error <= tolerance { "< 1e-9".into() } else { markdown::error(error) }
 }

@@ -1,7 +1,7 @@
 //! A trial: one piece of a study that can run alone, and what it found.
 
 use crate::case::judged::{Judged, Verdict, worst};
-use crate::error::{Error, Place};
+use crate::error::Error;
 use crate::study::{Numbers, Room};
 
 /// A trial as its room plans it.
@@ -64,24 +64,32 @@ impl<N: 'static> Planned<N> {
         format!("{} × {}", self.case, self.name)
     }
 
-    /// The same trial among those of all rooms: judged, and an error where there is nothing to judge.
+    /// The same trial among those of all rooms, judged.
     pub(super) fn of(self, room: Room, numbers: fn(N) -> Numbers) -> Trial {
         let (case, name) = (self.case.clone(), self.name.clone());
         Trial::new(case.clone(), name.clone(), move || {
             let numbers = numbers(self.run()?);
-            let judged = numbers.judge()?;
-            if judged.is_empty() {
-                let place = Place::Named(format!("{case} × {name}"));
-                return Err(Error::at(place, "the trial yields no check", "let its study judge something"));
-            }
+            let judged = complete(&self.title(), numbers.judge()?)?;
             Ok(Finding { room, case: case.clone(), name: name.clone(), numbers, judged })
         })
     }
 }
 
+/// The checks of a trial; refused where there is none, or one that does not say against what it is held and why.
+pub fn complete(title: &str, judged: Vec<Judged>) -> Result<Vec<Judged>, Error> {
+    let refused = |message: String, remedy: &str| Err(Error::at(title, message, remedy));
+    if judged.is_empty() {
+        return refused("the trial yields no check".into(), "let its study judge something");
+    }
+    match judged.iter().find(|one| one.check.because.is_empty() || one.reference.name.is_empty()) {
+        Some(one) => refused(format!("the check of `{}` has no reason or reference", one.check.quantity), "give both"),
+        None => Ok(judged),
+    }
+}
+
 impl Finding {
-    /// Worst verdict of its checks.
+    /// Worst verdict of its checks; without one it is no pass.
     pub fn verdict(&self) -> Verdict {
-        worst(&self.judged).cloned().unwrap_or(Verdict::Pass)
+        worst(&self.judged).cloned().unwrap_or(Verdict::Fail)
     }
 }

@@ -1,6 +1,7 @@
 //! One module per link of the chain; every test name is a claim.
 
 mod cells;
+mod checks;
 mod facing;
 mod iterate;
 mod problem;

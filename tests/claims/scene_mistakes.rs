@@ -179,7 +179,7 @@ const MISTAKES: &[Mistake] = &[
         "cylinder-on-block",
         "thickness = 1.0\n",
         "",
-        ["# A long", "missing field `thickness`", "add it; tests/cases/README.md"],
+        ["# A long", "missing field `thickness`", "add or correct it; tests/cases/README.md"],
     ),
     ("cylinder-on-block", "young = 70e3", "young = -70e3", ["young = -70e3", "`young` is -70000", "above 0"]),
     ("cylinder-on-block", "young = 70e3", "young = nan", ["young = nan", "`young` is NaN", "above 0"]),

@@ -91,7 +91,7 @@ fn oracles_that_cannot_speak_are_refused_with_a_remedy() {
     for (oracle, says, remedy) in [
         (peak, "flat punch gives no peak pressure here", "give `value`"),
         ("{ hertz = { load = -1, radius = 100 } }", "`load` is -1", "give a number above 0"),
-        ("{ hertz = { radius = 100 } }", "missing field `load`", "add it"),
+        ("{ hertz = { radius = 100 } }", "missing field `load`", "add or correct it"),
         ("{ bertz = { radius = 100 } }", "bertz", "README.md describes every key"),
         ("{ cosine = { load = 1e9, amplitude = 0.01, wavelength = 40 } }", "gives no peak pressure", "give `value`"),
         ("{ polynomial = { load = 1, coefficients = [1] } }", "`coefficients` is [1]", "give 3 entries"),

@@ -16,6 +16,7 @@ use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::even_gap::EvenGap;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::persson::PinInHole;
+use crate::oracle::analytic::waves::Waves;
 use crate::scene::{
     Body, Component, ContactPair, Face, Grading, Load, Material, MonotoneCubic, Path, Place, PlaneHypothesis, Profile,
     ReferenceValues, Scene, Shape, StressField, Support,
@@ -115,16 +116,15 @@ fn wedge(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     block(solution, material, Profile::Smooth(Arc::new(cubic)), [size, guess])
 }
 
-/// Westergaard's waves on half a wave of a block: with `ψ = πa/λ` and `p* = πE*Δ/λ` the mean pressure is `p* sin² ψ`, and
-/// `p = 2p* cos(πx/λ) √(sin² ψ − sin²(πx/λ))` (Johnson, Contact Mechanics, 1985, §13.2).
+/// Westergaard's waves on half a wave of a block, under the mean pressure `p* sin² ψ` that makes contact up to `a`, `ψ = πa/λ`.
 fn cosine(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let modulus = material.plane_modulus(PlaneHypothesis::Strain);
     let (wavelength, amplitude) = (draw.decades(0.1, 1000.0), draw.decades(1e-5, 1e-3));
     let amplitude = amplitude * wavelength;
     let [share, height] = [draw.between(0.03, 0.42), wavelength * draw.between(2.0, 3.0)];
-    let pressure = PI * modulus * amplitude / wavelength;
-    let sine = (PI * share).sin();
-    let (mean, half_width) = (pressure * sine * sine, share * wavelength);
+    let open = Waves { modulus, amplitude, wavelength, mean: 0.0 };
+    let waves = Waves { mean: open.complete() * (PI * share).sin().powi(2), ..open };
+    let (peak, half_width) = (waves.pressure(0.0), share * wavelength);
     let rolled = |at: Place| Support { at, component: Component::X, value: 0.0 };
     let side = 0.5 * wavelength;
     let scene = Scene {
@@ -137,7 +137,7 @@ fn cosine(draw: &mut Draw, material: Material, guess: f64) -> Sample {
             shape: Shape::Rectangle { x: [0.0, side], y: [0.0, height], contact: Face::Bottom },
             material,
             supports: ["left", "right"].map(|name| rolled(Place::Boundary(name.into()))).into(),
-            loads: vec![Load::Traction { boundary: "far".into(), traction: [0.0, -mean] }],
+            loads: vec![Load::Traction { boundary: "far".into(), traction: [0.0, -waves.mean] }],
         }],
         contacts: vec![ContactPair::new(
             None,
@@ -145,23 +145,10 @@ fn cosine(draw: &mut Draw, material: Material, guess: f64) -> Sample {
             Profile::Cosine { amplitude, wavelength },
             (guess * half_width).min(side),
         )],
-        reference: ReferenceValues { length: half_width, pressure: 2.0 * pressure * sine, gap: amplitude },
+        reference: ReferenceValues { length: half_width, pressure: peak, gap: amplitude },
         grading: Grading { unit: half_width, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
     };
-    Sample { scene, truths: vec![[2.0 * pressure * sine, second_moment_of_waves(wavelength, sine)]] }
-}
-
-/// `2 √(∫p x²/∫p)` of a wave, by the midpoint rule in t, `sin(πx/λ) = sin ψ sin t`, where the integrand is smooth.
-fn second_moment_of_waves(wavelength: f64, sine: f64) -> f64 {
-    const PARTS: usize = 512;
-    let (mut moment, mut total) = (0.0, 0.0);
-    for part in 0..PARTS {
-        let (sin, cos) = (FRAC_PI_2 * (part as f64 + 0.5) / PARTS as f64).sin_cos();
-        let place = wavelength / PI * (sine * sin).asin();
-        total += cos * cos;
-        moment += cos * cos * place * place;
-    }
-    2.0 * (moment / total).sqrt()
+    Sample { scene, truths: vec![[peak, waves.second_moment()]] }
 }
 
 /// A cylinder on a plane, as a quarter or as a half.

@@ -1,0 +1,123 @@
+//! What a check is: a sentence rendered from data, an error that NaN fails, and a row on the page.
+
+use contact_vv::case::{Check, Judged, Quantity, Reference, Verdict};
+use contact_vv::oracle::ReferenceKind;
+use contact_vv::report::checks;
+use contact_vv::study::drawn::Curve;
+use contact_vv::study::sweep;
+use contact_vv::study::sweep::plan::Scene;
+use contact_vv::study::sweep::run::{Numbers, Sweep};
+use contact_vv::study::trial::complete;
+
+/// One of each relation to a reference of 2, with a value that passes.
+fn each() -> [(Check, f64); 5] {
+    let two = || Reference::analytic("Hertz", 2.0);
+    [
+        (Check::near("width", two(), 0.1, "a reason"), 2.1),
+        (Check::absolute("width", two(), 0.1, "a reason"), 2.05),
+        (Check::error("error", two(), 0.1, "a reason"), 0.1),
+        (Check::at_least("order", two(), "a reason"), 2.0),
+        (Check::at_most("faults", two(), "a reason"), 2.0),
+    ]
+}
+
+#[test]
+fn value_beyond_its_bound_fails_and_so_does_nan() {
+    let beyond = [2.3, 2.2, 0.2, 1.9, 2.1];
+    for ((check, good), bad) in each().into_iter().zip(beyond) {
+        let verdict = |value: f64| check.clone().judge(value).verdict;
+        assert_eq!([verdict(good), verdict(bad), verdict(f64::NAN)], [Verdict::Pass, Verdict::Fail, Verdict::Fail]);
+        let without = check.clone().judge_by(good, Reference::own("none", f64::NAN));
+        assert!(without.verdict == Verdict::Fail || without.check.quantity.name() == "error", "{:?}", without.check);
+    }
+}
+
+#[test]
+fn sentence_is_rendered_from_quantity_reference_and_tolerance() {
+    let sentences = each().map(|(check, value)| check.judge(value).requirement());
+    assert_eq!(
+        sentences,
+        [
+            "Width shall agree with Hertz within 10 %",
+            "Width shall agree with Hertz (2) within 0.100000 in its unit",
+            "Error shall be at most 10 % against Hertz",
+            "Order shall be at least 2 (Hertz)",
+            "Faults shall be at most 2 (Hertz)",
+        ]
+    );
+    let none = Check::none("fault that nothing sees", "a reason").judge(0.0);
+    assert_eq!(none.requirement(), "There shall be no fault that nothing sees");
+    let order = Check::at_least("order", Reference::own("second order", 1.8), "a reason").judge(2.0);
+    assert_eq!(order.requirement(), "Order shall be at least 1.8 (second order)");
+}
+
+/// A passed, a failed and an absent check of every run.
+fn of_every_run() -> [Judged; 3] {
+    let check = || Check::error("error", Reference::own("exact", 0.0), 0.1, "a reason").universal();
+    let absent = check().not_run(ReferenceKind::SelfConsistency, "exact", "it did not end".into());
+    [check().judge(0.05), check().judge(0.2), absent]
+}
+
+#[test]
+fn check_of_every_run_that_was_not_run_is_neither_a_failure_nor_the_worst_error() {
+    let [pass, fail, absent] = of_every_run();
+    let table = checks::universal([&pass, &absent].into_iter());
+    assert!(table.contains("1 and 1 not run") && table.contains("5.0 %") && table.contains("✓ pass"), "{table}");
+    assert!(!table.contains("FAIL") && !table.contains("not a number"), "{table}");
+    let table = checks::universal([&pass, &fail, &absent].into_iter());
+    assert!(table.contains("20 %") && table.contains("✗ FAIL"), "{table}");
+}
+
+#[test]
+fn every_check_of_a_case_has_a_row_with_reference_tolerance_and_reason() {
+    let judged: Vec<Judged> = each().map(|(check, value)| check.judge(value)).into();
+    let page = checks::of(&[("first", &judged), ("second", &judged)]);
+    let rows: Vec<&str> = page.lines().filter(|line| line.contains("a reason")).collect();
+    assert_eq!(rows.len(), 2 * judged.len());
+    assert!(rows.iter().all(|row| row.contains("Hertz 2") && row.contains("analytic") && row.contains("✓ pass")));
+    assert_eq!(page.lines().filter(|line| line.starts_with("* ")).count(), judged.len());
+    let [_, fail, absent] = of_every_run().map(|one| {
+        let check = Check { scope: contact_vv::case::Scope::Own, ..one.check };
+        Judged { check, ..one }
+    });
+    assert!(checks::of(&[("first", std::slice::from_ref(&absent))]).contains("0 checks passed, 1 not run"));
+    assert!(checks::of(&[("first", &[fail, absent])]).contains("✗ 1 of 2 checks failed"));
+}
+
+#[test]
+fn trial_without_a_check_or_with_one_that_gives_no_reason_is_an_error() {
+    let of = |judged: Vec<Judged>| complete("cylinder × node", judged).map(|judged| judged.len());
+    let check =
+        |because: &'static str, name: &str| Check::at_most("fault", Reference::own(name, 0.0), because).judge(0.0);
+    assert_eq!(of(vec![check("a reason", "none")]).expect("a check"), 1);
+    for (judged, says) in [
+        (vec![], "the trial yields no check"),
+        (vec![check("a reason", "none"), check("", "none")], "no reason or reference"),
+        (vec![check("a reason", "")], "no reason or reference"),
+    ] {
+        let error = of(judged).expect_err(says).to_string();
+        assert!(error.contains("cylinder × node") && error.contains(says), "{error}");
+    }
+}
+
+#[test]
+fn sweep_fails_on_a_wrong_run_and_on_nan_and_says_where_nothing_converges() {
+    let formulation = contact_vv::solve::Formulation::verification();
+    let verdict = |error: Option<f64>| {
+        let steps = Curve { points: vec![[1.0, 7.0]], failed: vec![] };
+        let sweep = Sweep { scene: Scene::Cylinder, formulation: formulation.clone(), steps, error };
+        sweep::judge(&Numbers::Sweep(sweep)).expect("judged")[0].verdict.clone()
+    };
+    let tolerance = formulation.settings.tolerance;
+    assert_eq!(verdict(Some(tolerance)), Verdict::Pass);
+    assert_eq!(verdict(Some(4.0 * tolerance)), Verdict::Fail);
+    assert_eq!(verdict(Some(f64::NAN)), Verdict::Fail);
+    assert!(matches!(verdict(None), Verdict::NotRun(why) if why.contains("no start converges")));
+}
+
+#[test]
+fn quantity_names_its_place_and_unit() {
+    assert_eq!(Quantity::PeakPressure.to_string(), "peak pressure [MPa]");
+    assert_eq!(Quantity::at("order", "4-node").to_string(), "order, 4-node");
+    assert_eq!(Quantity::HoopStress { at: std::f64::consts::PI }.to_string(), "hoop stress at 180° [MPa]");
+}
