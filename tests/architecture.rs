@@ -53,9 +53,6 @@ const ALLOWED: [(&str, May); 23] = [
 /// Links whose types are the product's own: no matrix type of a library appears there.
 const WITHOUT_MATRICES: [&str; 5] = ["solution", "case", "study", "report", "cli"];
 
-/// Folders in which files still import one another in a circle; a folder is only ever taken off this list.
-const WITH_CIRCLES: [&str; 7] = ["accuracy", "case", "cli", "figure", "report", "solve", "study"];
-
 /// Other modules that a file imports from.
 fn imported(source: &Source) -> BTreeSet<String> {
     let all = source.all_paths().filter_map(|path| from_root(&source.module, path)?.into_iter().next());
@@ -133,17 +130,9 @@ fn import_check_bites() {
 
 #[test]
 fn files_of_a_folder_import_one_another_in_no_circle() {
-    let sources = source::all();
-    let graph = Tree::new(sources).graph();
-    let found = circles(&graph);
-    let folder = |file: &&str| file.split('/').next().unwrap_or_default().to_owned();
-    let new = found.iter().filter(|circle| !circle.iter().all(|file| WITH_CIRCLES.contains(&folder(file).as_str())));
-    let new: Vec<String> = new.map(|circle| circle.join(", ")).collect();
-    assert!(new.is_empty(), "these files import one another:\n{}", new.join("\n"));
-    let folders: BTreeSet<String> = found.iter().flatten().map(folder).collect();
-    for listed in WITH_CIRCLES {
-        assert!(folders.contains(listed), "`{listed}` has no circle any more: take it off the list");
-    }
+    let graph = Tree::new(source::all()).graph();
+    let found: Vec<String> = circles(&graph).iter().map(|circle| circle.join(", ")).collect();
+    assert!(found.is_empty(), "these files import one another:\n{}", found.join("\n"));
 }
 
 #[test]

@@ -10,8 +10,6 @@ use contact_vv::oracle::ReferenceKind;
 use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Formulation};
 use contact_vv::study::atlas::{Chart, Plane, record};
-#[cfg(feature = "python")]
-use contact_vv::study::cross_code;
 use contact_vv::study::{self, Numbers};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 
@@ -34,7 +32,7 @@ fn main() {
     let origins = Origins::default();
     let trials = study::trials();
     #[cfg(feature = "python")]
-    let trials: Vec<study::Trial> = trials.into_iter().chain(cross_code::live()).collect();
+    let trials: Vec<study::Trial> = trials.into_iter().chain(study::live()).collect();
     let mut tests: Vec<Trial> = trials.into_iter().map(|trial| truth(trial, counts.clone(), origins.clone())).collect();
     tests.extend(FROZEN.into_iter().flat_map(frozen));
     tests.extend(

@@ -3,12 +3,11 @@
 //! A ladder is blind to what it does not refine, and neighbours on it may agree by accident: on waves whose contact ends
 //! were found 4 % off, 4, 5, 6 and 8 elements agree to 0.05 % and are 0.12 % off.
 
+use crate::accuracy::Quoted;
 use crate::accuracy::along::Fine;
-use crate::accuracy::depth::largest;
+use crate::accuracy::answer::largest;
 use crate::accuracy::rungs::{Search, Step};
-use crate::accuracy::{Quantity, Quoted};
 use crate::error::Error;
-use crate::solve::run::{Contact, Errors};
 
 /// Elements of the finer mesh over those of the mesh, and the fewest.
 const FINER: (usize, usize) = (2, 12);
@@ -55,14 +54,4 @@ impl Search<'_> {
         }
         Ok(None)
     }
-}
-
-/// Relative error that the iteration of a run leaves in a quantity of a contact, with what springs of the rule `penalty` cost; NaN
-/// where it is not known.
-pub(super) fn iterated(contact: &Contact, quantity: Quantity) -> f64 {
-    let of = |errors: Errors| match quantity {
-        Quantity::PeakPressure => errors.peak.abs(),
-        Quantity::HalfWidth => errors.half_width.abs(),
-    };
-    contact.iteration.map_or(f64::NAN, of) + contact.penalty.map_or(0.0, of)
 }

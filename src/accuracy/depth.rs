@@ -1,13 +1,12 @@
 //! The ladder of growth: gentler and gentler away from the contact, on one and the same surface mesh.
 
 use crate::accuracy::along::Fine;
-use crate::accuracy::confirmed::iterated;
+use crate::accuracy::answer::largest;
 use crate::accuracy::estimate::{envelope, levels};
 use crate::accuracy::fitted::{LEVELS, Plan};
 use crate::accuracy::rungs::{Search, Step};
 use crate::accuracy::{Quantity, Quoted};
 use crate::error::Error;
-use crate::measure::larger;
 
 /// What gentler growth says of a mesh.
 pub(super) enum Depth {
@@ -83,7 +82,7 @@ impl Search<'_> {
                 ((distance + estimate.uncertainty) / estimate.limit.abs(), estimate.order)
             });
             let elements = fine.errors[k];
-            let iteration = iterated(&self.rungs[fine.rung].run.contacts[0], quantity);
+            let iteration = quantity.iterated(&self.rungs[fine.rung].run.contacts[0]);
             Quoted {
                 contact: 0,
                 quantity,
@@ -98,9 +97,4 @@ impl Search<'_> {
         };
         self.quantities().enumerate().map(one).collect()
     }
-}
-
-/// Largest relative error; NaN where one is.
-pub(super) fn largest(quoted: &[Quoted]) -> f64 {
-    quoted.iter().map(|one| one.relative).fold(0.0, larger)
 }

@@ -5,8 +5,8 @@
 //! error of the half-width wanders with the place of the end within its element. The estimate of a mesh is what all finer
 //! ones say of it, and it needs two of them.
 
-use crate::accuracy::confirmed::{SAFETY, UNCONFIRMED, iterated};
-use crate::accuracy::depth::largest;
+use crate::accuracy::answer::largest;
+use crate::accuracy::confirmed::{SAFETY, UNCONFIRMED};
 use crate::accuracy::estimate::{envelope, richardson};
 use crate::accuracy::longest::longest;
 use crate::accuracy::{Answer, Asked, Quantity, Quoted, Tried, ends, sizes};
@@ -302,7 +302,7 @@ impl Halving<'_> {
                 _ => [f64::NAN; 3].into(),
             };
             let elements = if level == finest { UNCONFIRMED * elements } else { elements };
-            let iteration = iterated(&self.runs[level].contacts[contact], quantity);
+            let iteration = quantity.iterated(&self.runs[level].contacts[contact]);
             let relative = larger(elements, check) + iteration;
             let [growth, growth_order] = [f64::NAN; 2];
             Quoted { contact, quantity, relative, elements, growth, check, iteration, order, growth_order }

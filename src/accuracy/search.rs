@@ -1,21 +1,17 @@
 //! Which meshes are solved, and which one is answered.
 
-use crate::accuracy::depth::{Depth, largest};
+use crate::accuracy::answer::largest;
+use crate::accuracy::depth::Depth;
 use crate::accuracy::ends;
 use crate::accuracy::fitted::{self, LEVELS, Plan};
 use crate::accuracy::halved;
 use crate::accuracy::rungs::{ORDER, Rung, Search};
-use crate::accuracy::slow;
 use crate::accuracy::{Answer, Asked, Tried};
-use crate::error::{Error, Kind, Part, Place};
+use crate::error::{Error, Kind, Part};
 use crate::mesh::Resolution;
 use crate::scene::Scene;
-use crate::solve::{Formulation, Iteration, Start};
+use crate::solve::{Formulation, Start};
 
-/// Why no accuracy chooses the mesh of a gap with kinks: their nodes would hide how the error falls with the elements.
-pub const KINKED: &str = "`accuracy` cannot be used: the table of the gap has kinks, at which the mesh needs nodes";
-/// What to do about it.
-pub const UNKINKED: &str = "add `smooth = true` to the table, or give `elements` and `per` instead of the accuracy";
 /// Elements of the first mesh, over the candidate stretch that the scene guesses.
 const FIRST: usize = 8;
 /// Pressed elements on a side from which on a first mesh tells where the contact ends.
@@ -29,17 +25,8 @@ const PATIENCE: usize = 3;
 /// Iteration tolerance over the error asked for.
 const ITERATION: f64 = 0.01;
 
-/// The cheapest mesh found that meets what is asked, or the best that was found, with the reason.
-///
-/// An error is returned where not even a first mesh can be solved.
-pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<Answer, Error> {
-    formulation.validate(scene)?;
-    if scene.contacts.iter().any(|pair| !pair.profile.kinks().is_empty()) {
-        return Err(Error::at(Place::Solve(scene.name.clone()), KINKED, UNKINKED));
-    }
-    if formulation.algorithm != Iteration::Kinematic {
-        return slow::solve(scene, formulation, asked);
-    }
+/// The mesh by kinematic load.
+pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<Answer, Error> {
     let mut formulation = Formulation { start: Start::Closed, ..formulation.clone() };
     let settings = &mut formulation.settings;
     settings.tolerance = settings.tolerance.min(ITERATION * asked.relative).max(1e-12);
@@ -54,7 +41,7 @@ pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<
 }
 
 /// The scene on the first mesh of the search.
-pub fn first(scene: &Scene) -> (Scene, Resolution) {
+pub(super) fn first(scene: &Scene) -> (Scene, Resolution) {
     if halved::applies(scene) {
         return halved::first(scene);
     }

@@ -5,7 +5,6 @@
 //! steps; one to what the mesh leaves of the accuracy they often do. The error of that iteration is known
 //! (`src/algorithm/target.rs`) and is part of the estimate.
 
-use crate::accuracy::confirmed::iterated;
 use crate::accuracy::{Answer, Asked, Quoted, Tried, search};
 use crate::error::Error;
 use crate::scene::Scene;
@@ -34,7 +33,7 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> 
     formulation.settings.tolerance = room;
     let run = Run::of(&Discretisation::of(answer.scene.clone(), answer.resolution)?, &formulation)?;
     let with_iteration = |one: &Quoted| {
-        let iteration = iterated(&run.contacts[one.contact], one.quantity);
+        let iteration = one.quantity.iterated(&run.contacts[one.contact]);
         Quoted { relative: one.relative - one.iteration + iteration, iteration, ..*one }
     };
     answer.estimates = answer.estimates.iter().map(with_iteration).collect();

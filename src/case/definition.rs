@@ -1,17 +1,12 @@
 //! A case: a scene with its mesh, the formulations that solve it, its oracle and its checks.
 
-use std::sync::Arc;
-
 use crate::accuracy::Asked;
 use crate::case::check::{Check, Reference};
 use crate::case::file::Places;
 use crate::mesh::{Order, Resolution};
-use crate::oracle::{self, Oracle};
+use crate::oracle::{self, SharedOracle};
 use crate::scene::Scene;
 use crate::solve::Formulation;
-
-/// An oracle that can be shared between threads.
-pub type SharedOracle = Arc<dyn Oracle + Send + Sync>;
 
 /// A claim, whether it was built in or read from a scene file.
 #[derive(Clone)]

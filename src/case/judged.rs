@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use crate::case::check::{Check, Reference};
+use crate::case::check::{Against, Check, Reference, Relation};
+use crate::oracle::ReferenceKind;
 
 /// Outcome of a check.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,6 +29,38 @@ pub struct Judged {
     pub error: f64,
     /// The verdict.
     pub verdict: Verdict,
+}
+
+impl Check {
+    /// Judges a value where the reference is one; without, the error is not a number.
+    pub fn judge(self, value: f64) -> Judged {
+        let reference = match &self.against {
+            Against::Value(reference) => reference.clone(),
+            Against::Oracle | Against::Verification => Reference::own("none", f64::NAN),
+        };
+        self.judge_by(value, reference)
+    }
+
+    /// Judges a value by the reference that was found for it.
+    pub fn judge_by(self, value: f64, reference: Reference) -> Judged {
+        let error = match self.relation {
+            Relation::Near => (value - reference.value).abs() / reference.value.abs(),
+            Relation::NearAbsolutely => (value - reference.value).abs(),
+            Relation::Error => value,
+            Relation::AtLeast if value >= reference.value => 0.0,
+            Relation::AtMost if value <= reference.value => 0.0,
+            Relation::AtLeast => reference.value - value,
+            Relation::AtMost => value - reference.value,
+        };
+        let verdict = if error <= self.tolerance { Verdict::Pass } else { Verdict::Fail };
+        Judged { check: self, value, reference, error, verdict }
+    }
+
+    /// A check whose reference is absent, and why.
+    pub fn not_run(self, kind: ReferenceKind, name: &str, why: String) -> Judged {
+        let reference = Reference { name: name.into(), kind, value: f64::NAN };
+        Judged { check: self, value: f64::NAN, reference, error: f64::NAN, verdict: Verdict::NotRun(why) }
+    }
 }
 
 impl Judged {

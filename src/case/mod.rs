@@ -22,7 +22,7 @@ pub mod solved;
 pub mod universal;
 
 pub use check::{Against, Check, Reference, Relation, Scope};
-pub use definition::{Case, SharedOracle};
+pub use definition::Case;
 pub use judged::{Judged, Verdict};
 pub use quantity::Quantity;
 pub use solved::Meshed;

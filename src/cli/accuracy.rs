@@ -4,7 +4,7 @@ use comfy_table::{Table, presets};
 use serde::Serialize;
 
 use crate::accuracy::{Answer, Asked, Quoted, Tried, TriedContact};
-use crate::cli::say;
+use crate::cli::terminal::say;
 use crate::markdown;
 use crate::measure::display_factor;
 

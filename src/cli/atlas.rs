@@ -1,6 +1,6 @@
 //! Surveys the stability atlas with a progress bar.
 
-use crate::cli::{progress, say};
+use crate::cli::terminal::{progress, say};
 use crate::error::Error;
 use crate::study::atlas::{Plane, record, survey};
 use crate::study::{cures, records};

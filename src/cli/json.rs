@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use crate::case::{Case, Judged, Reference, Verdict};
 use crate::cli::accuracy;
+use crate::cli::found::Found;
 use crate::cli::reactions::ReactionReading;
-use crate::cli::solve::Found;
 use crate::oracle::Quantity;
 use crate::solution::{IterationError, PointState};
 use crate::solve::Run;

@@ -8,34 +8,35 @@
 //! * [`suite`] — runs all trials with a progress bar.
 //! * [`solve`] — one case, with its outputs.
 //! * [`verify`] — scene files with their checks.
+//! * `found` — what it found.
 //! * [`reactions`] — what its supports exert.
 //! * [`json`] — the result of a solve as JSON.
+//! * `terminal` — lines, errors and a bar of progress.
 //! * [`vtu`] — its fields for ParaView.
 
 pub mod accuracy;
 pub mod atlas;
 pub mod ended;
+mod found;
 pub mod json;
 pub mod reactions;
 pub mod solve;
 pub mod suite;
 pub mod survey;
+mod terminal;
 pub mod timings;
 pub mod verify;
 pub mod vtu;
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use indicatif::{ProgressBar, ProgressStyle};
-use miette::GraphicalReportHandler;
 
 use crate::case::library::NAMES;
 use crate::cli::ended::Ended;
+use crate::cli::terminal::{say, show};
 use crate::error::Error;
-use crate::error::excerpt::Excerpt;
 use crate::report;
 use crate::study::timings::growth;
 
@@ -117,30 +118,6 @@ pub fn main() -> ExitCode {
             show(&error);
             ExitCode::from(ended::WRONG_INPUT)
         }
-    }
-}
-
-/// Prints an error; one in a file with the lines around it.
-fn show(error: &Error) {
-    let mut text = String::new();
-    let draw = |excerpt: Excerpt| GraphicalReportHandler::new().render_report(&mut text, &excerpt).is_ok();
-    if !Excerpt::of(error).is_some_and(draw) {
-        text = format!("error: {}\n help: {}", error.finding(), error.remedy);
-    }
-    eprintln!("{text}");
-}
-
-/// Prints a line; a reader who has gone away (a closed pipe) is no error.
-fn say(line: impl std::fmt::Display) {
-    let _ = writeln!(std::io::stdout(), "{line}");
-}
-
-/// A bar over so many pieces of work, on a terminal.
-fn progress(pieces: usize) -> ProgressBar {
-    let bar = ProgressBar::new(pieces as u64);
-    match ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
     }
 }
 

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use crate::case::{Judged, Verdict};
-use crate::cli::{progress, say};
+use crate::cli::terminal::{progress, say};
 use crate::error::Error;
 use crate::markdown;
 use crate::report::matrix;

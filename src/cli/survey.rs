@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::cli::{progress, say};
+use crate::cli::terminal::{progress, say};
 use crate::error::Error;
 use crate::study::{converged, met, records};
 

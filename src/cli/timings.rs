@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use indicatif::ProgressBar;
 
-use crate::cli::{progress, say};
+use crate::cli::terminal::{progress, say};
 use crate::error::Error;
 use crate::oracle::cross_code::Code;
 use crate::study::timings::machine::Machine;

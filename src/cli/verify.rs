@@ -7,7 +7,8 @@ use rayon::prelude::*;
 
 use crate::case::{Case, Judged, Scope, Verdict, file, judged};
 use crate::cli::ended::Ended;
-use crate::cli::{progress, say, show, suite};
+use crate::cli::suite;
+use crate::cli::terminal::{progress, say, show};
 use crate::error::Error;
 use crate::markdown;
 use crate::solve::Run;

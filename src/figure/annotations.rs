@@ -5,10 +5,7 @@ use super::chart::{Band, Direction, Guide};
 use super::frame::Frame;
 use super::palette::{GREY, tint};
 use super::pen::{Lettering, Pen, text_width};
-use super::plot::Plot;
-
-/// Size of the labels of guides and bands.
-pub(super) const GUIDE_SIZE: f64 = 10.5;
+use super::plot::{GUIDE_SIZE, Plot};
 
 const BAND: f64 = 0.13;
 

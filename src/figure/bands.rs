@@ -1,10 +1,13 @@
 //! Bands of a field: cells cut along the levels between them.
 
-use super::canvas::{Canvas, Point};
+use super::canvas::{Canvas, drawing};
 use super::cell_grid::{Grid, Vertex};
-use super::field_panels::Panel;
-use super::frame::between;
+use super::field::Field;
+use super::frame::{Point, between};
+use super::numbers::round_values;
 use super::palette::{Colour, ColourMap};
+use super::panel::Panel;
+use crate::error::Error;
 
 /// Levels between the bands, and their colours.
 pub(super) struct Bands {
@@ -12,6 +15,28 @@ pub(super) struct Bands {
     pub levels: Vec<f64>,
     pub step: f64,
     pub map: ColourMap,
+}
+
+impl Field {
+    /// Bands of a round step over the range, symmetric about zero where the colours are.
+    pub(super) fn bands(&self) -> Result<Bands, Error> {
+        let (mut low, mut high) = self.range.or_else(|| self.ends(|node| self.values[node])).unwrap_or_default();
+        if !(low.is_finite() && high.is_finite() && low <= high) {
+            return Err(drawing(&self.title, format!("values from {low} to {high}"), "leave infinite ones out"));
+        }
+        if self.map == ColourMap::Diverging {
+            high = high.abs().max(low.abs());
+            low = -high;
+        }
+        if high - low < 1e-9 * high.abs().max(1e-300) {
+            let room = (1e-3 * high.abs()).max(1e-9);
+            (low, high) = (low - room, high + room);
+        }
+        let (step, _) = round_values(low, high, 10);
+        let (first, last) = ((low / step + 1e-9).floor(), (high / step - 1e-9).ceil());
+        let levels = (0..=(last - first) as usize).map(|n| (first + n as f64) * step).collect();
+        Ok(Bands { levels, step, map: self.map })
+    }
 }
 
 impl Bands {

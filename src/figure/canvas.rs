@@ -10,13 +10,10 @@ use svg::Document;
 use svg::node::element::{Circle, ClipPath, Description, Group, Path, Rectangle, Text, Title};
 use svg::node::{Node, Text as Words};
 
-use super::frame::Frame;
+use super::frame::{Frame, Point};
 use super::palette::{CARD, Colour, GREY, PALE};
 use super::pen::{Lettering, Pen, text_width, wrapped};
 use crate::error::Error;
-
-/// A place on the canvas, y downwards [display pixels].
-pub(super) type Point = (f64, f64);
 
 /// Margin left and right.
 pub(super) const EDGE: f64 = 18.0;

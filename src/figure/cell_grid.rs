@@ -1,7 +1,6 @@
 //! A cell divided in small parts by its shape functions.
 
-use super::canvas::Point;
-use super::frame::distance;
+use super::frame::{Point, distance};
 
 /// A point of a polygon with the scalar there.
 #[derive(Clone, Copy)]

@@ -1,11 +1,6 @@
-//! Charts: curves over two axes, alone or as small multiples with one legend.
+//! What a chart shows: curves over two axes.
 
-use super::canvas::{Canvas, EDGE, TITLE};
-use super::frame::Frame;
-use super::legend::Legend;
 use super::palette::Style;
-use super::plot::Plot;
-use crate::error::Error;
 
 /// How an axis is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,25 +87,11 @@ pub struct Chart {
     pub notes: Vec<String>,
 }
 
-const PLOT_WIDTH: f64 = 560.0;
-const PLOT_HEIGHT: f64 = 372.0;
-
 impl Chart {
     /// A chart without curves.
     pub fn new(title: &str, x: Axis, y: Axis) -> Chart {
         let title = title.to_string();
         Chart { title, x, y, series: vec![], guides: vec![], bands: vec![], notes: vec![] }
-    }
-
-    /// The chart as SVG, its legend on the right.
-    pub fn svg(&self) -> Result<String, Error> {
-        let mut canvas = Canvas::new();
-        let outer = Frame { left: EDGE, top: TITLE, right: EDGE + PLOT_WIDTH, bottom: TITLE + PLOT_HEIGHT };
-        let plot = Plot::new(self, outer, Plot::headroom(self))?;
-        plot.draw(&mut canvas);
-        let corner = (outer.right + EDGE, plot.frame.top - 4.0);
-        let (right, bottom) = Legend::of([self]).draw(&mut canvas, corner, 0.0);
-        canvas.svg(&self.title, (right, bottom.max(outer.bottom)), &self.notes)
     }
 }
 

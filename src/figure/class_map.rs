@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::canvas::{Canvas, EDGE, Point, TITLE, WIDTH};
-use super::frame::Frame;
+use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
+use super::frame::{Frame, Point};
 use super::legend::Legend;
 use super::palette::{Colour, GREY, INK};
 use super::pen::{Lettering, Pen};

@@ -1,7 +1,7 @@
 //! Drawing of the three contact elements side by side.
 
-use super::canvas::{Canvas, EDGE, Point, WIDTH};
-use super::frame::{Frame, between};
+use super::canvas::{Canvas, EDGE, WIDTH};
+use super::frame::{Frame, Point, between};
 use super::palette::{Colour, Dash, GREY, INK, LAYER, LINE, NODE, tint};
 use super::pen::{Lettering, Pen};
 use super::signs::cross;

@@ -3,11 +3,11 @@
 //! Curves that lie on one another are drawn as stripes, the first widest; signs on one another are nested, the first
 //! largest; on densely sampled curves the signs of each series are staggered along it.
 
-use super::canvas::Point;
 use super::chart::Series;
-use super::frame::{between, distance};
+use super::frame::{Point, between, distance};
 use super::palette::{Dash, Marker, Style};
-use super::plot::{LINE_WIDTH, Plot};
+use super::pen::LINE_WIDTH;
+use super::plot::Plot;
 
 /// One series on the canvas.
 pub(super) struct Curve {

@@ -1,8 +1,8 @@
 //! A nodal scalar on the deformed mesh, in discrete bands, with an optional detail.
 
-use super::bands::Bands;
-use super::canvas::{Canvas, EDGE, Point, TITLE, WIDTH, drawing};
-use super::numbers::{ends, round_values};
+use super::canvas::drawing;
+use super::frame::Point;
+use super::numbers::ends;
 use super::palette::ColourMap;
 use crate::error::Error;
 
@@ -61,14 +61,6 @@ pub struct Field {
 }
 
 impl Field {
-    /// The field as SVG.
-    pub fn svg(&self) -> Result<String, Error> {
-        let mut canvas = Canvas::new();
-        let panels = self.panels(TITLE)?;
-        panels.draw(&mut canvas);
-        canvas.svg(&self.title, (WIDTH - EDGE, panels.bottom() + 10.0), &[panels.notes()])
-    }
-
     /// Counts and numbers that fit together.
     pub(super) fn check(&self) -> Result<(), Error> {
         let (nodes, values, shifts) = (self.points.len(), self.values.len(), self.displacements.len());
@@ -86,26 +78,6 @@ impl Field {
         Err(drawing(&self.title, reason, remedy))
     }
 
-    /// Bands of a round step over the range, symmetric about zero where the colours are.
-    pub(super) fn bands(&self) -> Result<Bands, Error> {
-        let (mut low, mut high) = self.range.or_else(|| self.ends(|node| self.values[node])).unwrap_or_default();
-        if !(low.is_finite() && high.is_finite() && low <= high) {
-            return Err(drawing(&self.title, format!("values from {low} to {high}"), "leave infinite ones out"));
-        }
-        if self.map == ColourMap::Diverging {
-            high = high.abs().max(low.abs());
-            low = -high;
-        }
-        if high - low < 1e-9 * high.abs().max(1e-300) {
-            let room = (1e-3 * high.abs()).max(1e-9);
-            (low, high) = (low - room, high + room);
-        }
-        let (step, _) = round_values(low, high, 10);
-        let (first, last) = ((low / step + 1e-9).floor(), (high / step - 1e-9).ceil());
-        let levels = (0..=(last - first) as usize).map(|n| (first + n as f64) * step).collect();
-        Ok(Bands { levels, step, map: self.map })
-    }
-
     /// Ends of the drawn shape.
     pub(super) fn extent(&self) -> Window {
         let nodes = self.deformed(self.magnification);
@@ -113,7 +85,8 @@ impl Field {
         Window { x: x.unwrap_or_default(), y: y.unwrap_or_default() }
     }
 
-    fn ends(&self, of: impl Fn(usize) -> f64) -> Option<(f64, f64)> {
+    /// Smallest and largest of a number of the nodes.
+    pub(super) fn ends(&self, of: impl Fn(usize) -> f64) -> Option<(f64, f64)> {
         ends(self.cells.iter().flatten().map(|&node| of(node)))
     }
 

@@ -1,24 +1,15 @@
 //! The panels of a field on a page: the whole, the enlarged detail, and the colour bar beside them.
 
 use super::bands::Bands;
-use super::canvas::{Canvas, EDGE, Point, WIDTH};
+use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::field::{Detail, Field, Window};
-use super::frame::Frame;
+use super::frame::{Frame, Point};
 use super::mesh_lines::mesh_lines;
 use super::numbers::number;
 use super::palette::{GREY, INK};
+use super::panel::Panel;
 use super::pen::{Lettering, Pen, text_width};
 use crate::error::Error;
-
-/// One panel: where it stands, and the nodes of the mesh on the canvas.
-pub(super) struct Panel<'a> {
-    pub field: &'a Field,
-    pub frame: Frame,
-    pub nodes: Vec<Point>,
-    window: Window,
-    /// Display pixels per length.
-    scale: f64,
-}
 
 /// The panels of a field, placed.
 pub(super) struct Panels<'a> {
@@ -41,6 +32,14 @@ const BAR: f64 = 96.0;
 const QUANTITY: f64 = 11.5;
 
 impl Field {
+    /// The field as SVG.
+    pub fn svg(&self) -> Result<String, Error> {
+        let mut canvas = Canvas::new();
+        let panels = self.panels(TITLE)?;
+        panels.draw(&mut canvas);
+        canvas.svg(&self.title, (WIDTH - EDGE, panels.bottom() + 10.0), &[panels.notes()])
+    }
+
     /// Places the panels in the middle of the width, below a height.
     pub(super) fn panels(&self, top: f64) -> Result<Panels<'_>, Error> {
         self.check()?;
@@ -68,19 +67,6 @@ impl Window {
     fn frame(&self, (left, top): Point, widest: f64) -> Frame {
         let (width, height) = self.fitting(widest);
         Frame { left, top, right: left + width, bottom: top + height }
-    }
-}
-
-impl<'a> Panel<'a> {
-    fn of(field: &'a Field, window: Window, magnification: f64, frame: Frame) -> Panel<'a> {
-        let scale = frame.width() / (window.x.1 - window.x.0);
-        let mut panel = Panel { field, frame, nodes: vec![], window, scale };
-        panel.nodes = field.deformed(magnification).into_iter().map(|node| panel.place(node)).collect();
-        panel
-    }
-
-    fn place(&self, (x, y): Point) -> Point {
-        (self.frame.left + self.scale * (x - self.window.x.0), self.frame.bottom - self.scale * (y - self.window.y.0))
     }
 }
 

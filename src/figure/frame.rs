@@ -1,6 +1,7 @@
 //! Rectangles on the canvas, and what of a line lies in them.
 
-use super::canvas::Point;
+/// A place on the canvas, y downwards [display pixels].
+pub(super) type Point = (f64, f64);
 
 /// A rectangle on the canvas, y downwards [display pixels].
 #[derive(Clone, Copy, Debug)]

@@ -3,9 +3,9 @@
 //! Between two states lies first the change of the spring at a fixed approach (upright), then the return to
 //! equilibrium along the new spring (slanted): `p = p_j + k_j (w − w_j)`.
 
-use super::canvas::{Canvas, Point};
+use super::canvas::Canvas;
 use super::chart::{Axis, Chart, Series};
-use super::frame::distance;
+use super::frame::{Point, distance};
 use super::multiples::grid;
 use super::palette::{CARD, Colour, Dash, GREY, INK, Marker, SKY, Style, tint};
 use super::pen::Lettering;

@@ -1,11 +1,10 @@
 //! The legend: one entry per style, in columns outside the data.
 
-use super::canvas::{Canvas, Point};
+use super::canvas::Canvas;
 use super::chart::Chart;
-use super::frame::Frame;
+use super::frame::{Frame, Point};
 use super::palette::{Colour, Dash, GREY, Marker, Style};
-use super::pen::{Lettering, Pen, widest};
-use super::plot::LINE_WIDTH;
+use super::pen::{LINE_WIDTH, Lettering, Pen, widest};
 use super::signs;
 
 const SIZE: f64 = 11.5;

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::canvas::{Canvas, Point};
-use super::field_panels::Panel;
-use super::frame::{between, distance};
+use super::canvas::Canvas;
+use super::frame::{Point, between, distance};
 use super::palette::{Colour, INK};
+use super::panel::Panel;
 use super::pen::Pen;
 
 /// Shorter edges inside a body are left out: they would blacken the picture [display pixels].

@@ -10,14 +10,13 @@
 //! * [`field`]: a scalar on the deformed mesh, in bands.
 //! * [`sheet`]: a field above charts.
 //! * [`mod@contact_elements`]: what the three contact elements are.
-//! * [`scenes`]: the cylinder and the pin–rod with their loads and supports.
+//! * [`scene_cylinder`], [`scene_pin_rod`]: the cylinder and the pin–rod with their loads and supports.
 //! * [`iteration_path`]: how each algorithm walks to the solution at one contact point.
 //! * [`palette`]: colours, dashes, markers and the styles made of them.
 //!
 //! Below these: `canvas` writes the SVG, `pen` sets lines and text, `frame` clips to a rectangle; `axis` and `numbers` place
-//! and write ticks, `plot`, `annotations`, `curves`, `signs` and `legend` draw a chart; `field_panels`, `bands`,
-//! `cell_grid` and `mesh_lines` a field; `sketch` holds springs, arrows, rollers and hatching, `scene_cylinder` and
-//! `scene_pin_rod` the two scenes.
+//! and write ticks, `plot`, `annotations`, `curves`, `signs`, `legend` and `drawn` draw a chart; `panel`, `field_panels`,
+//! `bands`, `cell_grid` and `mesh_lines` a field; `sketch` holds springs, arrows, rollers and hatching.
 
 mod annotations;
 mod axis;
@@ -28,6 +27,7 @@ pub mod chart;
 pub mod class_map;
 pub mod contact_elements;
 mod curves;
+mod drawn;
 pub mod field;
 mod field_panels;
 mod frame;
@@ -37,11 +37,11 @@ mod mesh_lines;
 pub mod multiples;
 mod numbers;
 pub mod palette;
+mod panel;
 mod pen;
 mod plot;
-mod scene_cylinder;
-mod scene_pin_rod;
-pub mod scenes;
+pub mod scene_cylinder;
+pub mod scene_pin_rod;
 pub mod sheet;
 mod signs;
 mod sketch;
@@ -53,5 +53,6 @@ pub use field::{Detail, Field, Window};
 pub use iteration_path::{IterationPaths, Path, State};
 pub use multiples::panels;
 pub use palette::{ColourMap, Dash, Marker, Style};
-pub use scenes::{CylinderScene, PinRodScene};
+pub use scene_cylinder::CylinderScene;
+pub use scene_pin_rod::PinRodScene;
 pub use sheet::Sheet;

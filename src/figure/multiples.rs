@@ -1,8 +1,8 @@
 //! Charts side by side: small multiples over one legend, and rows of a sheet.
 
-use super::canvas::{Canvas, EDGE, Point, TITLE, WIDTH};
+use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::chart::Chart;
-use super::frame::Frame;
+use super::frame::{Frame, Point};
 use super::legend::Legend;
 use super::pen::Lettering;
 use super::plot::Plot;

@@ -2,6 +2,9 @@
 
 use super::palette::{Colour, Dash, INK};
 
+/// Width of an ordinary curve [display pixels].
+pub(super) const LINE_WIDTH: f64 = 1.8;
+
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pen {

@@ -1,18 +1,16 @@
-//! One chart in a rectangle: frame, ticks, bands, guides, curves and signs.
+//! One chart in a rectangle: its frame, its axes with their ticks, and the signs above it.
 
-use super::annotations::GUIDE_SIZE;
 use super::axis::{Span, Tick};
-use super::canvas::{Canvas, Point};
+use super::canvas::Canvas;
 use super::chart::{Chart, Direction, Series};
-use super::curves::{Curve, curves};
-use super::frame::Frame;
-use super::palette::{Dash, GREY, PALE, Style};
+use super::frame::{Frame, Point};
+use super::palette::{GREY, PALE};
 use super::pen::{Lettering, Pen, widest};
 use super::signs;
 use crate::error::Error;
 
-/// Width of an ordinary curve [display pixels].
-pub(super) const LINE_WIDTH: f64 = 1.8;
+/// Size of the labels of guides and bands.
+pub(super) const GUIDE_SIZE: f64 = 10.5;
 
 const TICK_SIZE: f64 = 11.0;
 const LABEL_SIZE: f64 = 12.0;
@@ -55,23 +53,6 @@ impl<'a> Plot<'a> {
         self.frame.top - LANE * hollow_lanes(self.chart).len() as f64
     }
 
-    /// Draws everything.
-    pub fn draw(&self, canvas: &mut Canvas) {
-        self.chart.bands.iter().for_each(|band| self.band(canvas, band));
-        self.axes(canvas);
-        self.chart.guides.iter().for_each(|guide| self.guide(canvas, guide));
-        self.chart.bands.iter().for_each(|band| self.band_label(canvas, band));
-        let mut curves = curves(self);
-        // References lie on top: their gaps show what they cover.
-        curves.sort_by_key(|curve| curve.style.dash == Dash::Long);
-        curves.iter().for_each(|curve| self.line(canvas, curve));
-        self.outline(canvas);
-        for Curve { style, signs, .. } in &curves {
-            signs.iter().for_each(|&(at, radius)| signs::filled(canvas, at, style.marker, radius, style.colour));
-        }
-        self.hollows(canvas);
-    }
-
     /// Draws the rim of the frame.
     pub fn outline(&self, canvas: &mut Canvas) {
         canvas.line(&self.frame.outline(), Pen::solid(GREY, 1.0));
@@ -86,7 +67,8 @@ impl<'a> Plot<'a> {
         (self.frame.left + x * self.frame.width(), self.frame.bottom - y * self.frame.height())
     }
 
-    fn axes(&self, canvas: &mut Canvas) {
+    /// Draws ticks, grid and labels of both axes.
+    pub fn axes(&self, canvas: &mut Canvas) {
         let (mut marks, mut lines, mut labels) = (Vec::new(), Vec::new(), Vec::new());
         for Tick { fraction, label } in self.x.ticks(self.frame.width() / 58.0) {
             let (x, y) = self.at(fraction, 0.0);
@@ -108,15 +90,8 @@ impl<'a> Plot<'a> {
         labels.iter().for_each(|(at, label, lettering)| canvas.label(*at, label, *lettering));
     }
 
-    fn line(&self, canvas: &mut Canvas, curve: &Curve) {
-        let Style { colour, dash, .. } = curve.style;
-        if dash != Dash::Absent {
-            let pieces: Vec<Vec<Point>> = curve.runs.iter().flat_map(|run| self.frame.clip(run)).collect();
-            canvas.lines(&pieces, Pen { colour, width: curve.width, dash });
-        }
-    }
-
-    fn hollows(&self, canvas: &mut Canvas) {
+    /// Draws the runs that did not converge, above the frame.
+    pub fn hollows(&self, canvas: &mut Canvas) {
         for (lane, series) in hollow_lanes(self.chart).into_iter().enumerate() {
             let y = self.frame.top - LANE * (lane as f64 + 0.5) - 1.0;
             for &abscissa in &series.hollow {

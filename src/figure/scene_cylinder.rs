@@ -1,18 +1,44 @@
 //! Drawing of the cylinder quarter on the rigid plane.
 
-use super::canvas::{Canvas, Point};
+use super::canvas::Canvas;
+use super::frame::Point;
 use super::palette::{GREY, INK, SKY, tint};
 use super::pen::{Lettering, Pen};
-use super::scenes::{CylinderScene, quantity, text};
-use super::sketch::{TEXT, arc, arrow, dimension, fixed_line, on_circle, rollers};
+use super::sketch::{TEXT, arc, arrow, dimension, fixed_line, on_circle, quantity, rollers, text};
+use crate::error::Error;
+
+/// Elastic cylinder on a rigid plane, the lower quarter of it.
+#[derive(Clone, Debug)]
+pub struct CylinderScene {
+    /// Radius `R`, in mm.
+    pub radius: f64,
+    /// Half-width `a` of the contact, in mm.
+    pub half_width: f64,
+    /// Length `L` of the candidates from the symmetry line, in mm.
+    pub candidates: f64,
+    /// Uniform load `q` on the horizontal cut, in MPa.
+    pub load: f64,
+    /// Small print below.
+    pub notes: Vec<String>,
+}
 
 const CENTRE: Point = (112.0, 106.0);
 const RADIUS: f64 = 232.0;
 /// The contact is drawn at least this wide, as a share of the radius.
 const LEAST_SHARE: f64 = 0.17;
 
+impl CylinderScene {
+    /// The drawing as SVG.
+    pub fn svg(&self) -> Result<String, Error> {
+        let mut canvas = Canvas::new();
+        draw_cylinder(&mut canvas, self);
+        let shown = "Not to scale: a and L are drawn larger.".to_string();
+        canvas.svg("Cylinder on a rigid plane", (452.0, 414.0), &[self.notes.as_slice(), &[shown]].concat())
+    }
+}
+
 /// Draws the quarter, its load, supports and dimensions.
-pub(super) fn draw_cylinder(canvas: &mut Canvas, scene: &CylinderScene) {
+fn draw_cylinder(canvas: &mut Canvas, scene: &CylinderScene) {
     let bottom = (CENTRE.0, CENTRE.1 + RADIUS);
     let mut body = arc(CENTRE, RADIUS, 0.0, 90.0);
     body.push(CENTRE);

@@ -1,11 +1,32 @@
 //! Drawing of the pin in the eye of the rod.
 
-use super::canvas::{Canvas, Point};
-use super::frame::Frame;
+use super::canvas::Canvas;
+use super::frame::{Frame, Point};
 use super::palette::{GREY, INK, ORANGE, PURPLE, SKY, tint};
 use super::pen::{Lettering, Pen};
-use super::scenes::{PinRodScene, quantity, text};
-use super::sketch::{TEXT, arc, arrow, beside, dimension, on_circle, rollers};
+use super::sketch::{TEXT, arc, arrow, beside, dimension, on_circle, quantity, rollers, text};
+use crate::error::Error;
+
+/// Pin in the eye of a connecting rod, half of the rod and a quarter of the pin.
+#[derive(Clone, Debug)]
+pub struct PinRodScene {
+    /// Radius `R` of the pin, in mm.
+    pub pin_radius: f64,
+    /// Radial clearance `c`, in mm.
+    pub clearance: f64,
+    /// Outer radius of the eye, in mm.
+    pub eye_radius: f64,
+    /// Whole width of the shank, in mm.
+    pub shank_width: f64,
+    /// Height of the shank's end above the centre of the eye, in mm.
+    pub shank_end: f64,
+    /// Force on the whole rod, in N.
+    pub force: f64,
+    /// Angle of the last candidate from the load line, in degrees.
+    pub candidates: f64,
+    /// Small print below.
+    pub notes: Vec<String>,
+}
 
 /// The symmetry line, and the room for the whole rod on it.
 const AXIS: f64 = 106.0;
@@ -24,8 +45,18 @@ struct Shape {
     shank: f64,
 }
 
+impl PinRodScene {
+    /// The drawing as SVG.
+    pub fn svg(&self) -> Result<String, Error> {
+        let mut canvas = Canvas::new();
+        draw_pin_rod(&mut canvas, self);
+        let shown = "Not to scale: the clearance is drawn larger.".to_string();
+        canvas.svg("Pin and connecting rod", (452.0, 606.0), &[self.notes.as_slice(), &[shown]].concat())
+    }
+}
+
 /// Draws both bodies, the pull, supports, candidates and dimensions.
-pub(super) fn draw_pin_rod(canvas: &mut Canvas, scene: &PinRodScene) {
+fn draw_pin_rod(canvas: &mut Canvas, scene: &PinRodScene) {
     let shape = Shape::of(scene);
     bodies(canvas, &shape);
     supports(canvas, &shape);

@@ -1,6 +1,7 @@
 //! The signs on points, filled and hollow.
 
-use super::canvas::{Canvas, Point};
+use super::canvas::Canvas;
+use super::frame::Point;
 use super::palette::{CARD, Colour, Marker};
 use super::pen::Pen;
 

@@ -1,9 +1,9 @@
 //! What schematic drawings are made of: springs, arrows, rollers, hatching, dimensions.
 
-use super::canvas::{Canvas, Point};
-use super::frame::distance;
+use super::canvas::Canvas;
+use super::frame::{Point, distance};
 use super::palette::{Colour, GREY, INK};
-use super::pen::Pen;
+use super::pen::{Lettering, Pen};
 use super::signs::ring;
 
 /// Text of the schematic drawings.
@@ -78,4 +78,15 @@ pub(super) fn arc(centre: Point, radius: f64, from: f64, to: f64) -> Vec<Point> 
 /// A node of the mesh.
 pub(super) fn node(canvas: &mut Canvas, at: Point) {
     ring(canvas, at, 4.2, INK);
+}
+
+/// A named number with its unit, `R = 50 mm`.
+pub(super) fn quantity(name: &str, value: f64, unit: &str) -> String {
+    let rounded = (value * 1e6).round() / 1e6;
+    format!("{name} = {rounded} {unit}").replace('-', "−")
+}
+
+/// Text beside a drawing.
+pub(super) fn text() -> Lettering {
+    Lettering::start(TEXT)
 }

@@ -14,6 +14,7 @@
 //! ```
 
 use std::fmt;
+use std::sync::Arc;
 
 pub mod analytic;
 pub mod cross_code;
@@ -119,6 +120,9 @@ pub enum Reading {
     /// The oracle should speak but cannot, and why.
     Unavailable(String),
 }
+
+/// An oracle that can be shared between threads.
+pub type SharedOracle = Arc<dyn Oracle + Send + Sync>;
 
 /// An independent source of reference values.
 pub trait Oracle {

@@ -10,8 +10,7 @@ use crate::elasticity::{ElasticSystem, Numbering};
 use crate::error::Error;
 use crate::mesh::{Mesh, Resolution};
 use crate::scene::Scene;
-use crate::solution::Solution;
-use crate::solve::{Change, Formulation, Origin, spill};
+use crate::solve::{Change, Formulation};
 
 /// A scene meshed, assembled and condensed: what all nine formulations share.
 #[derive(Debug)]
@@ -68,23 +67,6 @@ impl Discretisation {
         let edges = interfaces.iter().flat_map(Interface::contact_edges).collect();
         let (seconds, coarser) = (clock.seconds, OnceLock::new());
         Ok(Self { scene, resolution, mesh, system, condensed, interfaces, edges, seconds, coarser })
-    }
-
-    /// Solves the contact problem by one formulation, from its own start.
-    pub fn solve(&self, formulation: &Formulation) -> Result<Solution, Error> {
-        self.solve_from(Origin::Own, formulation, Change::NONE)
-    }
-
-    /// Solves it from some start, after a change of load or clearance.
-    pub fn solve_from(&self, origin: Origin, formulation: &Formulation, change: Change) -> Result<Solution, Error> {
-        self.refuse_undefined(formulation, change)?;
-        let (points, load) = self.changed(formulation, change);
-        let problem = self.problem_under(formulation, &points, &load);
-        self.refuse_nothing(&problem)?;
-        let iterated = self.iterated(&problem, formulation, origin, change);
-        let solution = iterated.map_err(|error| self.named(error))?;
-        spill::refuse(self, &solution, change, formulation.settings.tolerance)?;
-        Ok(solution)
     }
 
     /// Contact points of a formulation.

@@ -4,7 +4,8 @@
 //! * `validity` — what it is not defined for.
 //! * [`discretisation`] — a scene meshed, assembled and condensed; on it formulations solve.
 //! * [`change`] — another load or clearance.
-//! * [`start`] — where the contact iteration starts.
+//! * [`origin`] — where the contact iteration starts, `start` — the springs this makes.
+//! * `road` — from a discretisation to a solution.
 //! * `active_set` — which points were closed on another mesh.
 //! * `refusals` — problems that have no solution.
 //! * [`spill`] — contact that goes on beyond the candidates.
@@ -32,11 +33,13 @@ pub mod change;
 pub mod discretisation;
 pub mod fields;
 pub mod formulation;
+pub mod origin;
 pub mod reactions;
 mod refusals;
+mod road;
 pub mod run;
 pub mod spill;
-pub mod start;
+mod start;
 pub mod unbounded;
 mod uncondensed;
 mod validity;
@@ -48,6 +51,6 @@ pub use change::Change;
 pub use discretisation::Discretisation;
 pub use fields::Fields;
 pub use formulation::Formulation;
+pub use origin::{Origin, Start};
 pub use reactions::Reaction;
 pub use run::Run;
-pub use start::{Origin, Start};

@@ -6,7 +6,6 @@ use crate::contact::Interface;
 use crate::error::Error;
 use crate::measure::{Measures, larger, profile, whole};
 use crate::solution::{Solution, States};
-use crate::solve::unbounded::{self, Unbounded};
 use crate::solve::{Change, Discretisation, Formulation, Origin};
 
 /// Active points and pressed edges on a half-width from which on it is worth quoting.
@@ -35,6 +34,15 @@ pub struct Contact {
     pub unbounded: Option<Unbounded>,
     /// Whether the contact is open in the discrete solution; none where that was not found.
     pub open: Option<bool>,
+}
+
+/// A peak that grows with every halving of the elements.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unbounded {
+    /// Contact coordinate \[mm, or rad on an arc\].
+    pub position: f64,
+    /// Growth at the last halving, over the peak.
+    pub growth: f64,
 }
 
 /// Relative errors, with sign.
@@ -104,13 +112,6 @@ impl Run {
             solution,
             seconds: clock.seconds,
         })
-    }
-
-    /// The same run, told which of its peaks have no limit, from coarser meshes.
-    pub fn with_limits(mut self, discretisation: &Discretisation) -> Result<Self, Error> {
-        let found = unbounded::of(discretisation, &self)?;
-        self.contacts.iter_mut().zip(found).for_each(|(contact, unbounded)| contact.unbounded = unbounded);
-        Ok(self)
     }
 
     /// The numbers of the first contact, which is the only one of most scenes.

@@ -2,23 +2,23 @@
 
 use crate::error::Error;
 use crate::mesh::Resolution;
-use crate::solve::run::Run;
+use crate::solve::run::{Run, Unbounded};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
-
-/// A peak that grows with every halving of the elements.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Unbounded {
-    /// Contact coordinate \[mm, or rad on an arc\].
-    pub position: f64,
-    /// Growth at the last halving, over the peak.
-    pub growth: f64,
-}
 
 /// The last growth over the one before it from which on a series has no limit: 1 for a logarithm, `2^α` for `h^−α`, 1/4 for
 /// a value that converges with second order.
 const STEADY: f64 = 0.7;
 /// Growth at the last halving, over the peak, below which a series is as good as at its limit.
 const SMALL: f64 = 0.01;
+
+impl Run {
+    /// The same run, told which of its peaks have no limit, from coarser meshes.
+    pub fn with_limits(mut self, discretisation: &Discretisation) -> Result<Self, Error> {
+        let found = of(discretisation, &self)?;
+        self.contacts.iter_mut().zip(found).for_each(|(contact, unbounded)| contact.unbounded = unbounded);
+        Ok(self)
+    }
+}
 
 /// Whether the peaks of a run grow without a limit: told from meshes of half and a quarter of the elements. None where these
 /// cannot be made or do not hold the contact, and for bodies that bring their mesh.

@@ -1,6 +1,6 @@
 //! What is found out over many solves: studies as rooms, and what they share.
 //!
-//! * [`trial`] — one piece of a study that can run alone, and what it found.
+//! * [`trial`] — one piece of a study that can run alone.
 //! * `rooms` — what a room must have, and how the page meets all of them.
 //! * [`drawn`] — colours and dashes of formulations, and curves.
 //! * [`class`](mod@class), [`method`], [`pairing`] — how a run ended and what was run, as they are recorded.
@@ -16,11 +16,11 @@ pub mod records;
 mod rooms;
 pub mod trial;
 
-use crate::case::Judged;
+use crate::case::judged::{Judged, Verdict, worst};
 use crate::error::Error;
 use rooms::rooms;
 
-pub use trial::{Finding, Found, Planned, Trial};
+pub use trial::{Found, Planned};
 
 rooms! {
     /// The cases of the suite.
@@ -59,7 +59,49 @@ rooms! {
     Faults in faults,
 }
 
+/// A trial of any room.
+pub type Trial = Planned<Finding>;
+
+/// What a trial found.
+#[derive(Clone, Debug)]
+pub struct Finding {
+    /// The room it belongs to.
+    pub room: Room,
+    /// Name of the case or study.
+    pub case: String,
+    /// Name of the trial.
+    pub name: String,
+    /// Its numbers.
+    pub numbers: Numbers,
+    /// Checks with their verdicts.
+    pub judged: Vec<Judged>,
+}
+
+impl Finding {
+    /// Worst verdict of its checks; without one it is no pass.
+    pub fn verdict(&self) -> Verdict {
+        worst(&self.judged).cloned().unwrap_or(Verdict::Fail)
+    }
+}
+
 /// The trials of all rooms, in the order of the page.
 pub fn trials() -> Vec<Trial> {
     Room::ALL.iter().flat_map(|room| room.plan()).collect()
+}
+
+/// Trials that ask the other codes themselves.
+#[cfg(feature = "python")]
+pub fn live() -> Vec<Trial> {
+    let judged = |planned| judged(planned, Room::CrossCode, Numbers::CrossCode);
+    cross_code::live().into_iter().map(judged).collect()
+}
+
+/// A trial of a room among those of all, judged.
+fn judged<N: 'static>(planned: Planned<N>, room: Room, numbers: fn(N) -> Numbers) -> Trial {
+    let (case, name) = (planned.case.clone(), planned.name.clone());
+    Trial::new(case.clone(), name.clone(), move || {
+        let numbers = numbers(planned.run()?);
+        let judged = trial::complete(&planned.title(), numbers.judge()?)?;
+        Ok(Finding { room, case: case.clone(), name: name.clone(), numbers, judged })
+    })
 }

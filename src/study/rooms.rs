@@ -32,7 +32,7 @@ macro_rules! rooms {
             pub fn plan(self) -> Vec<Trial> {
                 match self {
                     $(Self::$Room => {
-                        $room::plan().into_iter().map(|planned| planned.of(self, Numbers::$Room)).collect()
+                        $room::plan().into_iter().map(|planned| judged(planned, self, Numbers::$Room)).collect()
                     })*
                 }
             }

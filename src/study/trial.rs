@@ -1,8 +1,7 @@
-//! A trial: one piece of a study that can run alone, and what it found.
+//! A trial: one piece of a study that can run alone, and what its own room sees of it.
 
-use crate::case::judged::{Judged, Verdict, worst};
+use crate::case::Judged;
 use crate::error::Error;
-use crate::study::{Numbers, Room};
 
 /// A trial as its room plans it.
 pub struct Planned<N> {
@@ -11,24 +10,6 @@ pub struct Planned<N> {
     /// What tells the trial from its neighbours: a formulation, a scene, a mesh.
     pub name: String,
     run: Box<dyn Fn() -> Result<N, Error> + Send + Sync>,
-}
-
-/// A trial of any room.
-pub type Trial = Planned<Finding>;
-
-/// What a trial found.
-#[derive(Clone, Debug)]
-pub struct Finding {
-    /// The room it belongs to.
-    pub room: Room,
-    /// Name of the case or study.
-    pub case: String,
-    /// Name of the trial.
-    pub name: String,
-    /// Its numbers.
-    pub numbers: Numbers,
-    /// Checks with their verdicts.
-    pub judged: Vec<Judged>,
 }
 
 /// A finding as its own room sees it.
@@ -63,16 +44,6 @@ impl<N: 'static> Planned<N> {
     pub fn title(&self) -> String {
         format!("{} × {}", self.case, self.name)
     }
-
-    /// The same trial among those of all rooms, judged.
-    pub(super) fn of(self, room: Room, numbers: fn(N) -> Numbers) -> Trial {
-        let (case, name) = (self.case.clone(), self.name.clone());
-        Trial::new(case.clone(), name.clone(), move || {
-            let numbers = numbers(self.run()?);
-            let judged = complete(&self.title(), numbers.judge()?)?;
-            Ok(Finding { room, case: case.clone(), name: name.clone(), numbers, judged })
-        })
-    }
 }
 
 /// The checks of a trial; refused where there is none, or one that does not say against what it is held and why.
@@ -84,12 +55,5 @@ pub fn complete(title: &str, judged: Vec<Judged>) -> Result<Vec<Judged>, Error> 
     match judged.iter().find(|one| one.check.because.is_empty() || one.reference.name.is_empty()) {
         Some(one) => refused(format!("the check of `{}` has no reason or reference", one.check.quantity), "give both"),
         None => Ok(judged),
-    }
-}
-
-impl Finding {
-    /// Worst verdict of its checks; without one it is no pass.
-    pub fn verdict(&self) -> Verdict {
-        worst(&self.judged).cloned().unwrap_or(Verdict::Fail)
     }
 }

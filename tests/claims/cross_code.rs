@@ -11,9 +11,10 @@ use contact_vv::study::cross_code::Answers;
 use contact_vv::study::cross_code::answers::Reproduced;
 use contact_vv::study::cross_code::benchmark::Scene as Shared;
 use contact_vv::study::cross_code::differences::{changes, largest_change, relative_difference};
-use contact_vv::study::cross_code::discrete::{Twin, differences, problems};
+use contact_vv::study::cross_code::discrete::differences;
 use contact_vv::study::cross_code::judge::{agreement, assembled_alike, reproduced};
 use contact_vv::study::cross_code::physical::{Finder, Found};
+use contact_vv::study::cross_code::twin::{Twin, problems};
 use contact_vv::study::faults::{Fault, is_caught};
 
 fn all_pass(checks: &[Judged]) -> bool {

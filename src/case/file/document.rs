@@ -9,12 +9,11 @@ use toml::Spanned;
 
 use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::case::definition::Case;
-use crate::case::file::tables::{
-    BodyTable, ContactTable, ContactTables, Keyed, Name, Number, ReferenceTable, UnitsTable,
-};
-use crate::case::file::units::Units;
+use crate::case::file::Source;
+use crate::case::file::scene::Tables;
+use crate::case::file::tables::{BodyTable, ContactTable, ContactTables, Keyed, Name, Number, ReferenceTable};
+use crate::case::file::units::{Units, UnitsTable};
 use crate::case::file::unsupported::Unsupported;
-use crate::case::file::{Source, Tables};
 use crate::error::Error;
 use crate::mesh::size::solvable;
 use crate::solve::{Element, Formulation, Iteration, Start};

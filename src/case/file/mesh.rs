@@ -5,8 +5,7 @@ use std::ops::Range;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::accuracy::search::{KINKED, UNKINKED};
-use crate::accuracy::{self, Asked, Quantity};
+use crate::accuracy::{self, Asked, KINKED, Quantity, UNKINKED};
 use crate::case::file::Source;
 use crate::case::file::tables::{GrowthTable, Keyed, Name, Number};
 use crate::error::Error;

@@ -6,11 +6,11 @@ use std::sync::Arc;
 
 use serde::Deserialize;
 
-use crate::case::definition::SharedOracle;
 use crate::case::file::Source;
 use crate::case::file::units::Units;
 use crate::case::file::values::{Keyed, Number, Pair};
 use crate::error::Error;
+use crate::oracle::SharedOracle;
 use crate::oracle::analytic::even_gap::EvenGap;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::lame::{PressFit, RingMaterial};

@@ -12,18 +12,6 @@ use crate::case::file::oracle::OracleTable;
 
 pub use crate::case::file::values::{Keyed, List, Name, Number, Pair};
 
-/// `[units]`.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct UnitsTable {
-    /// Of lengths: m, cm, mm, um, in.
-    pub length: Option<Name>,
-    /// Of forces: N, kN, MN.
-    pub force: Option<Name>,
-    /// Of stresses and moduli: Pa, kPa, MPa, GPa.
-    pub stress: Option<Name>,
-}
-
 /// `[[body]]`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -1,10 +1,23 @@
-//! Names of units.
+//! `[units]`: names of units, and numbers in them.
 
+use serde::Deserialize;
 use toml::Spanned;
 
 use crate::case::file::Source;
-use crate::case::file::tables::UnitsTable;
+use crate::case::file::values::Name;
 use crate::error::Error;
+
+/// `[units]`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct UnitsTable {
+    /// Of lengths: m, cm, mm, um, in.
+    pub length: Option<Name>,
+    /// Of forces: N, kN, MN.
+    pub force: Option<Name>,
+    /// Of stresses and moduli: Pa, kPa, MPa, GPa.
+    pub stress: Option<Name>,
+}
 
 /// Factors to mm, N and MPa.
 #[derive(Clone, Copy, Debug)]

@@ -6,10 +6,10 @@ use toml::Spanned;
 use crate::case::file::Source;
 use crate::case::file::tables::{BodyTable, Keyed, Name, Number};
 use crate::case::file::units::Units;
-use crate::case::{Check, Quantity, Reference, SharedOracle};
+use crate::case::{Check, Quantity, Reference};
 use crate::error::Error;
 use crate::measure::display_factor;
-use crate::oracle::{self, ReferenceKind};
+use crate::oracle::{self, ReferenceKind, SharedOracle};
 use crate::scene::Scene;
 
 use super::support::SupportName;

@@ -14,13 +14,13 @@ use std::path::Path;
 
 use crate::accuracy;
 use crate::case::solved::met;
-use crate::case::{Case, Judged, Verdict};
+use crate::case::{Case, Verdict};
 use crate::cli::ended::Ended;
-use crate::cli::reactions::ReactionReading;
-use crate::cli::{self, json, reactions, say, vtu};
+use crate::cli::found::Found;
+use crate::cli::terminal::say;
+use crate::cli::{self, json, reactions, vtu};
 use crate::clock::{Clock, Stage};
 use crate::error::Error;
-use crate::mesh::Resolution;
 use crate::report::pictures;
 use crate::solution::Outcome;
 use crate::solve::Discretisation;
@@ -108,20 +108,6 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
     }
     let passed = found.checks.iter().all(|check| check.verdict != Verdict::Fail);
     Ok(Ended::of(&run, Ended::checked(passed)))
-}
-
-/// What a solve found, as it is told.
-pub struct Found<'a> {
-    /// Scene and oracle.
-    pub problem: &'a Case,
-    /// How fine the mesh is.
-    pub resolution: Resolution,
-    /// The run.
-    pub run: &'a Run,
-    /// What its supports exert.
-    pub reactions: Vec<ReactionReading>,
-    /// The file's own checks, and that of the accuracy asked for.
-    pub checks: Vec<Judged>,
 }
 
 /// What to do where an iteration did not converge.

@@ -1,9 +1,10 @@
 //! The result of a solve as lines on standard output.
 
 use crate::algorithm::Acceleration;
+use crate::cli::found::Found;
 use crate::cli::reactions::ReactionReading;
-use crate::cli::solve::Found;
-use crate::cli::{json, say, verify};
+use crate::cli::terminal::say;
+use crate::cli::{json, verify};
 use crate::markdown;
 use crate::measure::display_factor;
 use crate::scene::ContactPair;

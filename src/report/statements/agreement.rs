@@ -1,7 +1,7 @@
 //! What is found is right, whatever the formulation.
 
 use super::found::{Findings, extremes};
-use super::{Judgement, Statement, judged};
+use super::statement::{Judgement, Statement, judged};
 use crate::case::library::{cylinder, pin_rod};
 use crate::case::{Quantity, Verdict};
 use crate::solve::Run;

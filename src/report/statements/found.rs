@@ -4,8 +4,8 @@ use crate::case::judged::worst;
 use crate::case::{Quantity, Verdict};
 use crate::measure::larger;
 use crate::solve::{Element, Iteration, Run};
-use crate::study::sweep::plan::Scene;
 use crate::study::sweep::run::{Numbers as Sweeps, Sweep};
+use crate::study::sweep::scene::Scene;
 use crate::study::{Finding, Numbers};
 
 /// The findings of all studies.

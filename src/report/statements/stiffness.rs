@@ -1,10 +1,10 @@
 //! How far steps and convergence depend on the initial stiffness.
 
 use super::found::{Findings, extremes, share, steps};
-use super::{Judgement, Statement};
+use super::statement::{Judgement, Statement};
 use crate::solve::{Element, Iteration};
-use crate::study::sweep::plan::Scene;
 use crate::study::sweep::run::Sweep;
+use crate::study::sweep::scene::Scene;
 
 /// Most over fewest steps from which a dependence counts as strong.
 const STRONG: f64 = 10.0;

@@ -1,7 +1,7 @@
 //! What it costs.
 
 use super::found::{Findings, extremes};
-use super::{Judgement, Statement, judged};
+use super::statement::{Judgement, Statement, judged};
 use crate::case::library::{cylinder, pin_rod};
 use crate::solve::{Element, Iteration, Run};
 

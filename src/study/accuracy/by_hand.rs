@@ -1,11 +1,12 @@
 //! Meshes made by hand, and the one that stands for the truth.
 
+use serde::Serialize;
+
 use crate::error::Error;
 use crate::measure::larger;
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Grading, Scene};
 use crate::solve::{Discretisation, Formulation, Run};
-use crate::study::accuracy::run::Price;
 use crate::study::accuracy::subject::{Subject, closed_form, error};
 
 /// Loads under which a mesh made by hand must keep its error.
@@ -30,6 +31,15 @@ pub struct ByHand {
     pub first: f64,
     /// Growth along and into the depth, coarsest element over the body.
     pub growth: [f64; 3],
+}
+
+/// What a mesh made by hand costs, and what it keeps.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Price {
+    /// Degrees of freedom.
+    pub dofs: usize,
+    /// Worst error over the loads against the closed form.
+    pub worst: f64,
 }
 
 impl ByHand {

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::accuracy::{self, Answer, Asked};
 use crate::error::Error;
 use crate::solve::{Element, Formulation, Iteration};
-use crate::study::accuracy::by_hand::{ByHand, truth};
+use crate::study::accuracy::by_hand::{ByHand, Price, truth};
 use crate::study::accuracy::subject::{Subject, closed_form, error};
 
 /// What an accuracy costs, and whether it is kept; errors are relative, the larger ones of peak and half-width.
@@ -27,15 +27,6 @@ pub struct Numbers {
     pub dofs_in_all: usize,
     /// The mesh made by hand.
     pub by_hand: Price,
-}
-
-/// What a mesh made by hand costs, and what it keeps.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Price {
-    /// Degrees of freedom.
-    pub dofs: usize,
-    /// Worst error over the loads against the closed form.
-    pub worst: f64,
 }
 
 /// The engine's answer beside the mesh made by hand.

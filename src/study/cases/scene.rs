@@ -2,7 +2,7 @@
 
 use crate::case::library::{Cylinder, PinRod};
 use crate::error::Error;
-use crate::figure::scenes::{CylinderScene, PinRodScene};
+use crate::figure::{CylinderScene, PinRodScene};
 
 /// The cylinder on its rigid plane.
 pub fn cylinder() -> Result<String, Error> {

@@ -2,7 +2,8 @@
 //! beyond the contact to such that are a hundred times as long, and under loads a ten-thousandth of the scene's own. No run may
 //! be called converged whose peak or half-width is not that of its own discrete problem.
 //!
-//! * `plan` — scenes, stretches, loads, tolerances.
+//! * `sites` — scenes, stretches, loads, tolerances.
+//! * `plan` — what is run.
 //! * `run` — one scene on one stretch, with all its runs.
 //! * `judge` — what the record must hold.
 //! * `share` — shares of runs that converge.
@@ -10,9 +11,10 @@
 
 pub mod judge;
 mod picture;
-pub mod plan;
+mod plan;
 pub mod run;
 mod section;
+pub mod sites;
 mod share;
 
 /// Name of the command that surveys it, and of its record.
@@ -20,6 +22,7 @@ pub const NAME: &str = "converged";
 
 pub use judge::judge;
 pub use picture::pictures;
-pub use plan::{Site, plan, sites};
+pub use plan::plan;
 pub use run::{Numbers, Record};
 pub use section::section;
+pub use sites::{Site, sites};

@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::figure::{Axis, Chart, panels};
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::Found;
-use crate::study::converged::plan::{STRETCHES, TOLERANCES};
+use crate::study::converged::sites::{STRETCHES, TOLERANCES};
 use crate::study::converged::run::{Numbers, Record};
 use crate::study::converged::share::{same, share};
 use crate::study::drawn::{Curve, label, style};

@@ -9,7 +9,7 @@ use crate::solve::run::Run;
 use crate::solve::{Change, Discretisation, Formulation, Origin};
 use crate::study::class::Class;
 use crate::study::converged::NAME;
-use crate::study::converged::plan::{BOUNDED, LOADS, Site, TOLERANCES, formulations, sites};
+use crate::study::converged::sites::{BOUNDED, LOADS, Site, TOLERANCES, formulations, sites};
 use crate::study::pairing::Pairing;
 use crate::study::records::{self, rounded};
 

@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::markdown;
 use crate::solve::Settings;
 use crate::study::Found;
-use crate::study::converged::plan::{BOUNDED, LOADS, SIZE, STRETCHES, TOLERANCES};
+use crate::study::converged::sites::{BOUNDED, LOADS, SIZE, STRETCHES, TOLERANCES};
 use crate::study::converged::run::{Energy, Numbers, Record};
 use crate::study::converged::share::{same, share};
 use crate::study::drawn;

@@ -8,9 +8,9 @@ use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, Series, file};
 use crate::oracle::cross_code::live;
 use crate::oracle::cross_code::{Code, DiscreteAnswer, PhysicalScene};
 use crate::study::cross_code::differences::{Groups, largest_change};
-use crate::study::cross_code::discrete::Twin;
 #[cfg(feature = "python")]
 use crate::study::cross_code::renewal;
+use crate::study::cross_code::twin::Twin;
 
 /// Frozen or live.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,6 +8,8 @@ use crate::case::library::{Cylinder, PinPlate, PinRod, TruncatedHertz};
 use crate::case::Case;
 use crate::oracle::cross_code::PhysicalScene;
 
+/// Meshes of each refinement series.
+pub const LEVELS: usize = 3;
 /// Stretches of equal length over which profiles are compared by their means; the stations are their middles.
 pub const STATIONS: usize = 40;
 /// Half-angle of the contact in the wide plate \[degrees\].

@@ -1,6 +1,7 @@
 //! The solver against other finite element codes, in two senses.
 //!
 //! * `plan` — one trial per discrete problem and code, one per physical problem.
+//! * `twin` — our discrete problem as it is handed over.
 //! * `discrete` — the same discrete problem: agreement to round-off, a code check.
 //! * `physical` — the same physical problem on another mesh: a benchmark; `benchmark` — its scenes.
 //! * `answers` — where the other codes' answers come from: frozen files, or the codes themselves.
@@ -20,6 +21,7 @@ mod plan;
 #[cfg(feature = "python")]
 pub mod renewal;
 mod section;
+pub mod twin;
 
 use serde::Serialize;
 

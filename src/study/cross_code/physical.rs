@@ -13,11 +13,8 @@ use crate::oracle::cross_code::{Code, Method, PhysicalAnswer};
 use crate::oracle::{Quantity, Reading};
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::cross_code::answers::Reproduced;
-use crate::study::cross_code::benchmark::{Benchmark, Scene};
+use crate::study::cross_code::benchmark::{Benchmark, LEVELS, Scene};
 use crate::study::cross_code::Answers;
-
-/// Meshes of each refinement series.
-pub const LEVELS: usize = 3;
 
 /// A scene in every code.
 #[derive(Clone, Debug, Serialize)]

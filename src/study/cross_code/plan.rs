@@ -3,7 +3,7 @@
 use crate::oracle::cross_code::Code;
 use crate::study::Planned;
 use crate::study::cross_code::benchmark::Scene;
-use crate::study::cross_code::{Answers, Numbers, discrete, physical};
+use crate::study::cross_code::{Answers, Numbers, discrete, physical, twin};
 
 /// All trials, against frozen answers.
 pub fn plan() -> Vec<Planned<Numbers>> {
@@ -12,13 +12,12 @@ pub fn plan() -> Vec<Planned<Numbers>> {
 
 /// The same with the codes themselves asked.
 #[cfg(feature = "python")]
-pub fn live() -> Vec<crate::study::Trial> {
-    let of = |planned: Planned<Numbers>| planned.of(crate::study::Room::CrossCode, crate::study::Numbers::CrossCode);
-    against(Answers::Live).into_iter().map(of).collect()
+pub fn live() -> Vec<Planned<Numbers>> {
+    against(Answers::Live)
 }
 
 fn against(answers: Answers) -> Vec<Planned<Numbers>> {
-    let discrete = discrete::problems().into_iter().flat_map(|(name, order)| {
+    let discrete = twin::problems().into_iter().flat_map(|(name, order)| {
         Code::ALL.map(|code| {
             let title = format!("{name}, {}-node, {code}{}", order.nodes_per_cell(), answers.suffix());
             Planned::new("same discrete problem", title, move || {

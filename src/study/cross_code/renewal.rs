@@ -3,14 +3,13 @@
 use crate::error::{Error, Kind};
 use crate::oracle::cross_code::frozen::{Frozen, Series, script_hash};
 use crate::oracle::cross_code::{Code, Method, PhysicalScene, live};
-use crate::study::cross_code::benchmark::Scene;
+use crate::study::cross_code::benchmark::{LEVELS, Scene};
 use crate::study::cross_code::differences::changes;
-use crate::study::cross_code::discrete::{Twin, problems};
-use crate::study::cross_code::physical;
+use crate::study::cross_code::twin::{Twin, problems};
 
 /// The series of a scene, asked now.
 pub fn ask(code: Code, scene: &PhysicalScene) -> Result<Series, Error> {
-    let levels = |method| (0..physical::LEVELS).map(move |level| live::physical(code, scene, level, method));
+    let levels = |method| (0..LEVELS).map(move |level| live::physical(code, scene, level, method));
     let penalty = levels(Method::Penalty).collect::<Result<_, _>>()?;
     let active_set = match code {
         Code::ScikitFem => levels(Method::ActiveSet).collect::<Result<_, _>>()?,

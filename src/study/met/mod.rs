@@ -1,7 +1,8 @@
 //! Whether an accuracy called met is met: random scenes of closed form, solved to four accuracies, from guesses of the
 //! candidate stretch up to ten times too long or three times too short.
 //!
-//! * `plan` — which scenes, and which accuracies.
+//! * `sites` — which scenes, and which accuracies.
+//! * `plan` — what is run.
 //! * `draw` — the random numbers.
 //! * `scenes` — a random scene of each family, and the truth about it.
 //! * `run` — one scene solved to one accuracy, against the truth.
@@ -10,15 +11,17 @@
 
 pub mod draw;
 pub mod judge;
-pub mod plan;
+mod plan;
 pub mod run;
 pub mod scenes;
 mod section;
+pub mod sites;
 
 /// Name of the command that surveys it, and of its record.
 pub const NAME: &str = "met";
 
 pub use judge::judge;
-pub use plan::{ASKED, Family, Site, plan, sites};
+pub use plan::plan;
 pub use run::{Numbers, Record};
 pub use section::{pictures, section};
+pub use sites::{ASKED, Family, Site, sites};

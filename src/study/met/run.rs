@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::measure::larger;
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::met::NAME;
-use crate::study::met::plan::{ASKED, Family, Site, sites};
+use crate::study::met::sites::{ASKED, Family, Site, sites};
 use crate::study::met::scenes::Sample;
 use crate::study::records::{self, rounded};
 

@@ -22,7 +22,7 @@ use crate::scene::{
     ReferenceValues, Scene, Shape, StressField, Support,
 };
 use crate::study::met::draw::Draw;
-use crate::study::met::plan::{Family, Site};
+use crate::study::met::sites::{Family, Site};
 
 /// Guess of the candidate stretch over the length of the contact, where the bodies allow it.
 pub const GUESS: [f64; 2] = [0.3, 10.0];

@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::markdown;
 use crate::measure::larger;
 use crate::study::Found;
-use crate::study::met::plan::{ASKED, Family};
+use crate::study::met::sites::{ASKED, Family};
 use crate::study::met::run::{Numbers, Record};
 use crate::study::met::scenes::GUESS;
 

@@ -1,5 +1,6 @@
 //! Steps against initial stiffness (the paper's Fig. 11), the condition of its "two steps", and the rules of each algorithm.
 //!
+//! * `scene` — what is swept, and over which stiffnesses.
 //! * `plan` — both scenes under all nine formulations, candidates that end at the contact edge, all rules.
 //! * `run` — a curve of one formulation; the outcomes of all rules.
 //! * `judge` — what converges is the discrete solution.
@@ -7,8 +8,9 @@
 
 mod judge;
 mod picture;
-pub mod plan;
+mod plan;
 pub mod run;
+pub mod scene;
 mod section;
 
 pub use judge::judge;

@@ -5,7 +5,7 @@ use crate::figure::{Axis, Chart, panels};
 use crate::solve::Iteration;
 use crate::study::Found;
 use crate::study::drawn::{label, style};
-use crate::study::sweep::plan::Scene;
+use crate::study::sweep::scene::Scene;
 use crate::study::sweep::run::{Numbers, Sweep};
 
 /// The chart.

@@ -8,7 +8,7 @@ use crate::measure::larger;
 use crate::solution::Outcome;
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::drawn::Curve;
-use crate::study::sweep::plan::{Scene, stiffnesses};
+use crate::study::sweep::scene::{Scene, stiffnesses};
 
 /// What a trial found.
 #[derive(Clone, Debug)]

@@ -18,20 +18,14 @@ use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
 use crate::scene::{BoundaryName, GivenMesh, Shape};
 
-use reader::{Gmsh, Piece};
+use reader::{Gmsh, OPTIONS, Piece};
 
 /// Largest mesh file that is read \[bytes\].
 const LARGEST_FILE: u64 = 64 << 20;
 
-/// What Gmsh needs to be told for meshes of quadrilaterals.
-const OPTIONS: &str = "mesh with Mesh.RecombineAll = 1, or transfinite surfaces and Recombine; 8-node cells come from Mesh.ElementOrder = 2 and Mesh.SecondOrderIncomplete = 1";
-
 /// What makes quadrilaterals of triangles.
 const SUBDIVISION: &str =
     "mesh with Mesh.SubdivisionAlgorithm = 1, which cuts all cells into quadrilaterals, and Mesh.RecombineAll = 1";
-/// What to do with a mesh of solids.
-const PLANE: &str = "scenes are plane: mesh the surfaces only (gmsh -2), in the plane z = 0, of quadrilaterals";
-
 /// Node tags of a side in ascending order.
 type SideKey = [u64; 2];
 

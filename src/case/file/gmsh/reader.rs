@@ -9,6 +9,11 @@ use crate::error::Error;
 
 use super::words::{Words, shown};
 
+/// What Gmsh needs to be told for meshes of quadrilaterals.
+pub const OPTIONS: &str = "mesh with Mesh.RecombineAll = 1, or transfinite surfaces and Recombine; 8-node cells come from Mesh.ElementOrder = 2 and Mesh.SecondOrderIncomplete = 1";
+/// What to do with a mesh of solids.
+const PLANE: &str = "scenes are plane: mesh the surfaces only (gmsh -2), in the plane z = 0, of quadrilaterals";
+
 /// Points, curves and surfaces by physical group.
 #[derive(Debug, Default)]
 pub struct Gmsh {
@@ -98,11 +103,11 @@ impl Gmsh {
             let kind: u64 = words.number("an element type")?;
             if dimension == 3 {
                 let message = format!("elements of Gmsh's type {kind} are solids");
-                return Err(words.source.refused(begin..words.at, message, super::PLANE));
+                return Err(words.source.refused(begin..words.at, message, PLANE));
             }
             let Some((_, count, is_triangular)) = TYPES.iter().find(|(known, ..)| *known == kind).copied() else {
                 let message = format!("elements of Gmsh's type {kind} are not read");
-                return Err(words.source.refused(begin..words.at, message, super::OPTIONS));
+                return Err(words.source.refused(begin..words.at, message, OPTIONS));
             };
             let elements: u64 = words.number("a number of elements")?;
             let mut pieces = Vec::new();
@@ -218,7 +223,7 @@ fn nodes(words: &mut Words) -> Result<HashMap<u64, [f64; 2]>, Error> {
             }
             if z.abs() > 1e-9 * (1.0 + x.abs().max(y.abs())) {
                 let message = format!("node {tag} lies at z = {z}");
-                return Err(words.source.refused(begin..words.at, message, super::PLANE));
+                return Err(words.source.refused(begin..words.at, message, PLANE));
             }
             if nodes.insert(tag, [x, y]).is_some() {
                 let message = format!("node {tag} stands twice");

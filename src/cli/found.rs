@@ -1,0 +1,20 @@
+//! What `solve` found.
+
+use crate::case::{Case, Judged};
+use crate::cli::reactions::ReactionReading;
+use crate::mesh::Resolution;
+use crate::solve::Run;
+
+/// What a solve found, as it is told.
+pub struct Found<'a> {
+    /// Scene and oracle.
+    pub problem: &'a Case,
+    /// How fine the mesh is.
+    pub resolution: Resolution,
+    /// The run.
+    pub run: &'a Run,
+    /// What its supports exert.
+    pub reactions: Vec<ReactionReading>,
+    /// The file's own checks, and that of the accuracy asked for.
+    pub checks: Vec<Judged>,
+}

@@ -1,0 +1,33 @@
+//! What the terminal shows: lines, errors and a bar of progress.
+
+use std::io::Write;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use miette::GraphicalReportHandler;
+
+use crate::error::Error;
+use crate::error::excerpt::Excerpt;
+
+/// Prints an error; one in a file with the lines around it.
+pub fn show(error: &Error) {
+    let mut text = String::new();
+    let draw = |excerpt: Excerpt| GraphicalReportHandler::new().render_report(&mut text, &excerpt).is_ok();
+    if !Excerpt::of(error).is_some_and(draw) {
+        text = format!("error: {}\n help: {}", error.finding(), error.remedy);
+    }
+    eprintln!("{text}");
+}
+
+/// Prints a line; a reader who has gone away (a closed pipe) is no error.
+pub fn say(line: impl std::fmt::Display) {
+    let _ = writeln!(std::io::stdout(), "{line}");
+}
+
+/// A bar over so many pieces of work, on a terminal.
+pub fn progress(pieces: usize) -> ProgressBar {
+    let bar = ProgressBar::new(pieces as u64);
+    match ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}

@@ -1,0 +1,55 @@
+//! A chart drawn: bands, axes, guides, curves and signs, in this order.
+
+use super::canvas::{Canvas, EDGE, TITLE};
+use super::chart::Chart;
+use super::curves::{Curve, curves};
+use super::frame::{Frame, Point};
+use super::legend::Legend;
+use super::palette::{Dash, Style};
+use super::pen::Pen;
+use super::plot::Plot;
+use super::signs;
+use crate::error::Error;
+
+const PLOT_WIDTH: f64 = 560.0;
+const PLOT_HEIGHT: f64 = 372.0;
+
+impl Chart {
+    /// The chart as SVG, its legend on the right.
+    pub fn svg(&self) -> Result<String, Error> {
+        let mut canvas = Canvas::new();
+        let outer = Frame { left: EDGE, top: TITLE, right: EDGE + PLOT_WIDTH, bottom: TITLE + PLOT_HEIGHT };
+        let plot = Plot::new(self, outer, Plot::headroom(self))?;
+        plot.draw(&mut canvas);
+        let corner = (outer.right + EDGE, plot.frame.top - 4.0);
+        let (right, bottom) = Legend::of([self]).draw(&mut canvas, corner, 0.0);
+        canvas.svg(&self.title, (right, bottom.max(outer.bottom)), &self.notes)
+    }
+}
+
+impl Plot<'_> {
+    /// Draws everything.
+    pub fn draw(&self, canvas: &mut Canvas) {
+        self.chart.bands.iter().for_each(|band| self.band(canvas, band));
+        self.axes(canvas);
+        self.chart.guides.iter().for_each(|guide| self.guide(canvas, guide));
+        self.chart.bands.iter().for_each(|band| self.band_label(canvas, band));
+        let mut curves = curves(self);
+        // References lie on top: their gaps show what they cover.
+        curves.sort_by_key(|curve| curve.style.dash == Dash::Long);
+        curves.iter().for_each(|curve| self.line(canvas, curve));
+        self.outline(canvas);
+        for Curve { style, signs, .. } in &curves {
+            signs.iter().for_each(|&(at, radius)| signs::filled(canvas, at, style.marker, radius, style.colour));
+        }
+        self.hollows(canvas);
+    }
+
+    fn line(&self, canvas: &mut Canvas, curve: &Curve) {
+        let Style { colour, dash, .. } = curve.style;
+        if dash != Dash::Absent {
+            let pieces: Vec<Vec<Point>> = curve.runs.iter().flat_map(|run| self.frame.clip(run)).collect();
+            canvas.lines(&pieces, Pen { colour, width: curve.width, dash });
+        }
+    }
+}

@@ -1,0 +1,24 @@
+//! From a discretisation to a solution: refusals before, the iteration, refusals after.
+
+use crate::error::Error;
+use crate::solution::Solution;
+use crate::solve::{Change, Discretisation, Formulation, Origin, spill};
+
+impl Discretisation {
+    /// Solves the contact problem by one formulation, from its own start.
+    pub fn solve(&self, formulation: &Formulation) -> Result<Solution, Error> {
+        self.solve_from(Origin::Own, formulation, Change::NONE)
+    }
+
+    /// Solves it from some start, after a change of load or clearance.
+    pub fn solve_from(&self, origin: Origin, formulation: &Formulation, change: Change) -> Result<Solution, Error> {
+        self.refuse_undefined(formulation, change)?;
+        let (points, load) = self.changed(formulation, change);
+        let problem = self.problem_under(formulation, &points, &load);
+        self.refuse_nothing(&problem)?;
+        let iterated = self.iterated(&problem, formulation, origin, change);
+        let solution = iterated.map_err(|error| self.named(error))?;
+        spill::refuse(self, &solution, change, formulation.settings.tolerance)?;
+        Ok(solution)
+    }
+}
