@@ -10,7 +10,7 @@ use crate::scene::Scene;
 use crate::solve::run::Errors;
 use crate::study::limits::row::{Detail, Limit};
 use crate::study::limits::seen::{Refusal, Seen, Why, told};
-use crate::study::limits::solved::{ORDERS, hertz_errors, on_even_cells, unchecked, worst};
+use crate::study::limits::solved::{hertz_errors, on_even_cells, unchecked, with_both_orders, worst};
 use crate::study::limits::written::{bracket, number, percents, range, size};
 
 /// Largest moves of inner nodes over their shortest edge.
@@ -35,11 +35,7 @@ pub struct Shaken {
 /// Every move on both kinds of cells.
 pub(super) fn run() -> Result<Distorted, Error> {
     let scene = on_even_cells(TruncatedHertz::default());
-    let at = |fraction: f64| {
-        let [linear, quadratic] = ORDERS.map(|order| shaken(&scene, fraction, order));
-        Ok([linear?, quadratic?])
-    };
-    Ok(Distorted { moves: FRACTIONS.into_iter().map(at).collect::<Result<_, Error>>()? })
+    Ok(Distorted { moves: with_both_orders(&FRACTIONS, |fraction, order| shaken(&scene, fraction, order))? })
 }
 
 fn shaken(scene: &Scene, fraction: f64, order: Order) -> Result<Shaken, Error> {

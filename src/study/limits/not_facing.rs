@@ -12,7 +12,7 @@ use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::study::limits::row::{Detail, Limit};
 use crate::study::limits::seen::Seen;
 use crate::study::limits::solved::{
-    ORDERS, exceeds, hertz_errors, largest, meshed, patch_error, verified, worst,
+    ORDERS, exceeds, hertz_errors, largest, meshed, patch_error, verified, with_both_orders, worst,
 };
 use crate::study::limits::unequal_sizes::two_blocks;
 use crate::study::limits::written::{bracket, number, percents, range, size, within};
@@ -37,7 +37,7 @@ pub struct NotFacing {
 #[derive(Clone, Debug, Serialize)]
 pub struct AtDensity {
     /// Largest error of the patch test, by contact element.
-    pub patch: [f64; 3],
+    pub patch: Vec<f64>,
     /// Two blocks with Hertz's tractions, the contact points on the first and on the second.
     pub blocks: [Blocks; 2],
 }
@@ -55,19 +55,15 @@ pub struct Blocks {
 
 /// Every density with both kinds of cells.
 pub(super) fn run() -> Result<NotFacing, Error> {
-    let at = |density: f64| {
-        let [linear, quadratic] = ORDERS.map(|order| at_density(density, order));
-        Ok([linear?, quadratic?])
-    };
-    Ok(NotFacing { densities: DENSITIES.into_iter().map(at).collect::<Result<_, Error>>()? })
+    Ok(NotFacing { densities: with_both_orders(&DENSITIES, at_density)? })
 }
 
 fn at_density(density: f64, order: Order) -> Result<AtDensity, Error> {
-    let [line, layer, node] = Element::ALL.map(|element| patch(element, order, density));
+    let patch = Element::ALL.into_iter().map(|element| patch(element, order, density));
     let mut scene = two_blocks(1.0);
     scene.bodies[1].density = density;
     let [first, second] = [scene.clone(), exchanged(&scene)].map(|scene| blocks(scene, order));
-    Ok(AtDensity { patch: [line?, layer?, node?], blocks: [first?, second?] })
+    Ok(AtDensity { patch: patch.collect::<Result<_, _>>()?, blocks: [first?, second?] })
 }
 
 /// The scene with the contact points on its second body.
@@ -116,7 +112,7 @@ impl NotFacing {
     }
 
     fn patch(&self) -> f64 {
-        largest(self.all().flat_map(|found| found.patch))
+        largest(self.all().flat_map(|found| found.patch.iter().copied()))
     }
 
     pub(super) fn judge(&self) -> Vec<Judged> {
@@ -182,24 +178,19 @@ impl NotFacing {
     pub(super) fn detail(&self) -> Option<Detail> {
         let row = |density: f64, order: Order, found: &AtDensity| {
             let first = [number(density), format!("{}-node", order.nodes_per_cell())];
-            let patch = found.patch.map(|error| within(error, EXACT));
+            let patch = found.patch.iter().map(|&error| within(error, EXACT));
             let blocks = found.blocks.iter().flat_map(|blocks| percents(blocks.errors));
             first.into_iter().chain(patch).chain(blocks).collect()
         };
         let rows = DENSITIES.into_iter().zip(&self.densities).flat_map(|(density, found)| {
             ORDERS.into_iter().zip(found).map(move |(order, found)| row(density, order, found))
         });
-        let head = [
-            "elements, second / first",
-            "cells",
-            "patch: line",
-            "layer",
-            "node",
-            "Hertz, node element: p₀",
-            "a",
-            "points on the second: p₀",
-            "a",
-        ];
+        let patch = Element::ALL.map(|element| format!("patch: {}", element.name()));
+        let head: Vec<&str> = ["elements, second / first", "cells"]
+            .into_iter()
+            .chain(patch.iter().map(String::as_str))
+            .chain(["Hertz, node element: p₀", "a", "points on the second: p₀", "a"])
+            .collect();
         Detail::of(
             "Two blocks whose meshes do not match: largest error of a uniform pressure, and with Hertz's tractions",
             &head,

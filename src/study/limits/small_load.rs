@@ -11,7 +11,7 @@ use crate::solve::Discretisation;
 use crate::solve::run::Errors;
 use crate::study::limits::row::{Detail, Limit};
 use crate::study::limits::seen::Seen;
-use crate::study::limits::solved::{ORDERS, exceeds, hertz_errors, meshed, verified, worst};
+use crate::study::limits::solved::{exceeds, hertz_errors, meshed, verified, with_both_orders, worst};
 use crate::study::limits::written::{bracket, number, percents, size};
 
 /// Elements per half-width of the contact under ever smaller loads.
@@ -39,11 +39,7 @@ pub struct OnMesh {
 
 /// Every size on both kinds of cells.
 pub(super) fn run() -> Result<SmallLoad, Error> {
-    let at = |size: f64| {
-        let [linear, quadratic] = ORDERS.map(|order| on_mesh(size, order));
-        Ok([linear?, quadratic?])
-    };
-    Ok(SmallLoad { sizes: SIZES.into_iter().map(at).collect::<Result<_, Error>>()? })
+    Ok(SmallLoad { sizes: with_both_orders(&SIZES, on_mesh)? })
 }
 
 fn on_mesh(size: f64, order: Order) -> Result<OnMesh, Error> {

@@ -15,6 +15,18 @@ use crate::study::limits::seen::Seen;
 /// Cells of four and of eight nodes.
 pub(super) const ORDERS: [Order; 2] = [Order::Linear, Order::Quadratic];
 
+/// What is found at every value with 4-node and with 8-node cells.
+pub(super) fn with_both_orders<T>(
+    values: &[f64],
+    at: impl Fn(f64, Order) -> Result<T, Error>,
+) -> Result<Vec<[T; 2]>, Error> {
+    let both = |&value: &f64| {
+        let [linear, quadratic] = ORDERS.map(|order| at(value, order));
+        Ok([linear?, quadratic?])
+    };
+    values.iter().map(both).collect()
+}
+
 /// What one of the nine formulations made of a scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct OfNine {

@@ -12,7 +12,7 @@ use crate::scene::{Component, Face, Load, Place, Profile, Scene, Shape, StressFi
 use crate::solve::run::Errors;
 use crate::study::limits::row::{Detail, Limit};
 use crate::study::limits::seen::Seen;
-use crate::study::limits::solved::{ORDERS, exceeds, hertz_errors, largest, patch_error, unchecked, worst};
+use crate::study::limits::solved::{exceeds, hertz_errors, largest, patch_error, unchecked, with_both_orders, worst};
 use crate::study::limits::written::{bracket, number, percents, range, size, within};
 
 /// Departure from a uniform pressure that round-off explains.
@@ -44,11 +44,7 @@ pub struct AtRatio {
 
 /// Every ratio with both kinds of cells.
 pub(super) fn run() -> Result<UnequalSizes, Error> {
-    let at = |ratio: f64| {
-        let [linear, quadratic] = ORDERS.map(|order| at_ratio(ratio, order));
-        Ok([linear?, quadratic?])
-    };
-    Ok(UnequalSizes { ratios: RATIOS.into_iter().map(at).collect::<Result<_, Error>>()? })
+    Ok(UnequalSizes { ratios: with_both_orders(&RATIOS, at_ratio)? })
 }
 
 fn at_ratio(ratio: f64, order: Order) -> Result<AtRatio, Error> {
