@@ -10,7 +10,7 @@ use contact_vv::solution::Work;
 use contact_vv::solve::{Discretisation, Formulation};
 use divan::{Bencher, black_box};
 
-/// Times the default mesh is halved: about 2e3, 9e3 and 3e4 freedoms.
+/// Times the default mesh is halved: about 2e3, 9e3 and 3e4 dofs.
 const SIZES: [u32; 3] = [0, 1, 2];
 
 fn main() {
@@ -70,30 +70,30 @@ fn plain_sparse_cholesky(bencher: Bencher, refinement: u32) {
 }
 
 /// One step from springs all closed.
-fn step(bencher: Bencher, refinement: u32, algorithm: impl Fn() -> Box<dyn Algorithm>) {
+fn next(bencher: Bencher, refinement: u32, algorithm: impl Fn() -> Box<dyn Algorithm>) {
     let discretisation = discretised(refinement);
     let formulation = Formulation::verification();
     let points = discretisation.points(&formulation);
     let problem: ContactProblem = discretisation.problem(&formulation, &points);
     bencher.bench_local(|| {
         let mut springs = problem.initial_springs();
-        algorithm().step(&problem, problem.load, &mut springs, &mut Work::default()).expect("held")
+        algorithm().next(&problem, problem.load, &mut springs, &mut Work::default()).expect("held")
     });
 }
 
 #[divan::bench(args = SIZES)]
 fn step_varying(bencher: Bencher, refinement: u32) {
-    step(bencher, refinement, || Box::new(Varying::new(StiffnessRule::Secant)));
+    next(bencher, refinement, || Box::new(Varying::new(StiffnessRule::Secant)));
 }
 
 #[divan::bench(args = SIZES)]
 fn step_constant(bencher: Bencher, refinement: u32) {
-    step(bencher, refinement, || Box::new(Constant::new(StiffnessRule::Correction)));
+    next(bencher, refinement, || Box::new(Constant::new(StiffnessRule::Correction)));
 }
 
 #[divan::bench(args = SIZES)]
 fn step_kinematic(bencher: Bencher, refinement: u32) {
-    step(bencher, refinement, || Box::new(Kinematic::new(StiffnessRule::Switching, 1e-8)));
+    next(bencher, refinement, || Box::new(Kinematic::new(StiffnessRule::Switching, 1e-8)));
 }
 
 #[divan::bench(args = SIZES)]

@@ -20,7 +20,7 @@ fn main() -> Result<(), Error> {
     let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
     let run = Run::of(&discretisation, &formulation)?;
 
-    println!("{}: {} after {} steps", formulation.name(), run.solution.outcome, run.solution.work.steps);
+    println!("{}: {} after {} iterations", formulation.name(), run.solution.outcome, run.solution.work.iterations);
     println!("     x/a   p [MPa]     Hertz");
     for point in run.solution.points.iter().filter(|point| point.position <= hertz.half_width()).step_by(4) {
         let [x, p] = [point.position / hertz.half_width(), hertz.pressure(point.position)];

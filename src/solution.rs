@@ -9,9 +9,9 @@
 //! let resolution = Resolution { elements: 8, refinement: 0, order: Order::Linear };
 //! let discretisation = Discretisation::of(Cylinder::default().scene(), resolution)?;
 //! let mut formulation = Formulation::verification();
-//! formulation.settings.max_steps = 1;
+//! formulation.settings.max_iterations = 1;
 //! // What ends before it converges is a result, too.
-//! assert_eq!(discretisation.solve(&formulation)?.outcome, Outcome::Exhausted);
+//! assert_eq!(discretisation.solve(&formulation)?.outcome, Outcome::Capped);
 //! # Ok::<(), contact_vv::error::Error>(())
 //! ```
 
@@ -24,15 +24,15 @@ pub enum Outcome {
     Converged,
     /// The state returned to an earlier one.
     Cycling {
-        /// Steps from one return to the next.
+        /// Iterations from one return to the next.
         period: usize,
     },
     /// The iteration error grows without end, or a number is none.
     Diverged,
     /// The state no longer changes, and the iteration error is above the tolerance: round-off, or springs at their limit.
     Stalled,
-    /// The largest number of steps was made.
-    Exhausted,
+    /// The largest number of iterations was made.
+    Capped,
 }
 
 impl std::fmt::Display for Outcome {
@@ -42,7 +42,7 @@ impl std::fmt::Display for Outcome {
             Self::Cycling { period } => write!(f, "cycling (period {period})"),
             Self::Diverged => f.write_str("diverged"),
             Self::Stalled => f.write_str("stalled"),
-            Self::Exhausted => f.write_str("exhausted"),
+            Self::Capped => f.write_str("not converged"),
         }
     }
 }
@@ -84,7 +84,7 @@ impl IterationError {
     }
 }
 
-/// Error of the last step in the energy norm, `‖u − u*‖²_S`, and the bound that the step's own forces and gaps give, both over
+/// Error of the last iteration in the energy norm, `‖u − u*‖²_S`, and the bound that the iteration's own forces and gaps give, both over
 /// what the contact forces of the discrete solution store.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyError {
@@ -97,17 +97,17 @@ pub struct EnergyError {
 /// Work done by an iteration: counts, not seconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Work {
-    /// Iteration steps over all load increments.
-    pub steps: usize,
+    /// Iteration iterations over all load increments.
+    pub iterations: usize,
     /// Factorisations of the dense system `S + K_c`.
     pub factorisations: usize,
     /// Terms of rank one by which such a factor was updated instead.
     pub updates: usize,
-    /// Back-substitutions with such a factor, the refinement of each step included.
+    /// Back-substitutions with such a factor, the refinement of each iteration included.
     pub back_substitutions: usize,
     /// Operations of all these: `m³/3` a factorisation of m rows, `2m²` an updated term and a back-substitution.
     pub operations: f64,
-    /// Accelerated steps given up for the plain one; they count as steps.
+    /// Accelerated iterations given up for the plain one; they count as iterations.
     pub rejected: usize,
 }
 
@@ -121,7 +121,7 @@ impl Work {
 
 impl std::ops::AddAssign for Work {
     fn add_assign(&mut self, other: Self) {
-        self.steps += other.steps;
+        self.iterations += other.iterations;
         self.factorisations += other.factorisations;
         self.updates += other.updates;
         self.back_substitutions += other.back_substitutions;
@@ -207,12 +207,12 @@ impl States {
     }
 }
 
-/// One step of the iteration, as recorded.
+/// One iteration, as recorded.
 #[derive(Clone, Copy, Debug)]
-pub struct Step {
-    /// Load increment the step belongs to, from 1.
+pub struct Iterated {
+    /// Load increment the iteration belongs to, from 1.
     pub increment: usize,
-    /// How far the step is from the discrete solution; unknown where that was not found.
+    /// How far the iteration is from the discrete solution; unknown where that was not found.
     pub error: IterationError,
     /// Points with pressure above the tolerance times the largest pressure of their contact.
     pub active: usize,
@@ -240,12 +240,12 @@ pub struct Solution {
     pub energy: Option<EnergyError>,
     /// Spring force per area of each point before the projection to p ≥ 0 \[MPa\].
     pub spring_pressures: Vec<f64>,
-    /// Displacements of the retained freedoms \[mm\].
+    /// Displacements of the retained dofs \[mm\].
     pub displacement: Vec<f64>,
-    /// Force of the contact on the retained freedoms, `−Σ A p b` \[N\].
+    /// Force of the contact on the retained dofs, `−Σ A p b` \[N\].
     pub contact_force: Vec<f64>,
-    /// Every step.
-    pub history: Vec<Step>,
+    /// Every iteration.
+    pub history: Vec<Iterated>,
     /// Work done.
     pub work: Work,
     /// Work done on coarser meshes to find the start.
@@ -273,9 +273,9 @@ impl Solution {
         self.outcome == Outcome::Converged
     }
 
-    /// Iteration error after the last step; unknown where there was none.
+    /// Iteration error after the last iteration; unknown where there was none.
     pub fn error(&self) -> IterationError {
-        self.history.last().map_or(IterationError::UNKNOWN, |step| step.error)
+        self.history.last().map_or(IterationError::UNKNOWN, |iteration| iteration.error)
     }
 
     /// The discrete solution: what contact does on this mesh by this contact element, whatever the algorithm.

@@ -105,7 +105,7 @@ fn frozen(scene: &'static str) -> Vec<Trial> {
     Formulation::compared().into_iter().map(test).collect()
 }
 
-/// Drift lock: classes near a boundary of the recorded atlas, and steps elsewhere, are what they were.
+/// Drift lock: classes near a boundary of the recorded atlas, and iterations elsewhere, are what they were.
 fn charted(plane: Plane) -> Result<(), Failed> {
     let records = record::read(plane).map_err(|error| error.to_string())?;
     let mut settings = insta::Settings::clone_current();
@@ -126,17 +126,21 @@ fn summary(run: &Run) -> String {
     }
     let work = &solution.work;
     let [last, before] = run.decision_margin();
-    let _ = writeln!(text, "steps: {}", work.steps);
+    let _ = writeln!(text, "iterations: {}", work.iterations);
     let _ = writeln!(text, "factorisations: {}", work.factorisations);
     let _ = writeln!(text, "back-substitutions: {}", work.back_substitutions);
-    let _ = writeln!(text, "freedoms: {}", run.freedoms);
+    let _ = writeln!(text, "dofs: {}", run.dofs);
     let _ = writeln!(text, "retained: {}", run.retained);
-    let _ = writeln!(text, "active points by step: {}", run_lengths(solution.history.iter().map(|step| step.active)));
+    let _ = writeln!(
+        text,
+        "active points by iteration: {}",
+        run_lengths(solution.history.iter().map(|iteration| iteration.active))
+    );
     let _ = writeln!(text, "half-width: {}", significant(measures.half_width, 6));
     let _ = writeln!(text, "half-width by counting: {}", significant(measures.half_width_nodes, 6));
     let _ = writeln!(text, "peak pressure: {}", significant(measures.peak.pressure, 6));
     let _ = writeln!(text, "resultant: {}", significant(run.transmitted(), 6));
-    let _ = writeln!(text, "decades from the tolerance, last two steps: {before:+.4}, {last:+.4}");
+    let _ = writeln!(text, "decades from the tolerance, last two iterations: {before:+.4}, {last:+.4}");
     text
 }
 

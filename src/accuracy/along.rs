@@ -2,7 +2,7 @@
 
 use crate::accuracy::Quantity;
 use crate::accuracy::estimate::{Estimate, envelope, richardson};
-use crate::accuracy::rungs::{Search, Step};
+use crate::accuracy::rungs::{Attempt, Search};
 use crate::error::Error;
 
 /// Elements within the contact of the first ladder: halves of most are among them.
@@ -41,13 +41,13 @@ impl Search<'_> {
         let mut found = Along { chosen: vec![], finest: None, unmet: None };
         let mut why = "the elements along the contact leave too large an error".to_owned();
         for elements in LADDER {
-            let at = match self.step(self.plan(elements, level), "elements")? {
-                Step::Solved(at) => at,
-                Step::Short => {
+            let at = match self.attempt(self.plan(elements, level), "elements")? {
+                Attempt::Solved(at) => at,
+                Attempt::Short => {
                     self.widen();
                     continue;
                 }
-                Step::Stopped(reason) => {
+                Attempt::Stopped(reason) => {
                     why = reason;
                     break;
                 }

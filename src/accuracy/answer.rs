@@ -121,10 +121,10 @@ pub struct Tried {
     pub elements: usize,
     /// Growth along the surface; NaN where every body brings its mesh.
     pub growth: f64,
-    /// Freedoms; 0 where contact went on beyond the candidates.
-    pub freedoms: usize,
-    /// Steps of the iteration.
-    pub steps: usize,
+    /// Dofs; 0 where contact went on beyond the candidates.
+    pub dofs: usize,
+    /// Iterations of the iteration.
+    pub iterations: usize,
     /// What was found, contact by contact.
     pub contacts: Vec<TriedContact>,
     /// Largest estimated relative error of the quantities asked for; NaN where there is none yet.

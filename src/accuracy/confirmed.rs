@@ -6,7 +6,7 @@
 use crate::accuracy::Quoted;
 use crate::accuracy::along::Fine;
 use crate::accuracy::answer::largest;
-use crate::accuracy::rungs::{Search, Step};
+use crate::accuracy::rungs::{Attempt, Search};
 use crate::error::Error;
 
 /// Elements of the finer mesh over those of the mesh, and the fewest.
@@ -46,10 +46,10 @@ impl Search<'_> {
         let plan = self.rungs[rung].plan;
         let elements = (FINER.0 * plan.elements).max(FINER.1);
         for _ in 0..TRIES {
-            match self.step(self.plan(elements, plan.level + GENTLER), "check")? {
-                Step::Solved(at) => return Ok(Some(at)),
-                Step::Short => self.widen(),
-                Step::Stopped(_) => return Ok(None),
+            match self.attempt(self.plan(elements, plan.level + GENTLER), "check")? {
+                Attempt::Solved(at) => return Ok(Some(at)),
+                Attempt::Short => self.widen(),
+                Attempt::Stopped(_) => return Ok(None),
             }
         }
         Ok(None)

@@ -4,7 +4,7 @@ use crate::accuracy::along::Fine;
 use crate::accuracy::answer::largest;
 use crate::accuracy::estimate::{envelope, levels};
 use crate::accuracy::fitted::{LEVELS, Plan};
-use crate::accuracy::rungs::{Search, Step};
+use crate::accuracy::rungs::{Attempt, Search};
 use crate::accuracy::{Quantity, Quoted};
 use crate::error::Error;
 
@@ -25,14 +25,14 @@ impl Search<'_> {
         let mut ladder = vec![fine.rung];
         let plan = self.rungs[fine.rung].plan;
         for level in plan.level + 1..=LEVELS + 2 {
-            match self.step(Plan { level, ..plan }, "growth")? {
-                Step::Solved(at) => ladder.push(at),
-                Step::Short => {
+            match self.attempt(Plan { level, ..plan }, "growth")? {
+                Attempt::Solved(at) => ladder.push(at),
+                Attempt::Short => {
                     return Ok(Depth::Stopped(
                         "the contact reaches the end of the candidate surface of a gentler mesh".into(),
                     ));
                 }
-                Step::Stopped(reason) => return Ok(Depth::Stopped(reason)),
+                Attempt::Stopped(reason) => return Ok(Depth::Stopped(reason)),
             }
             if ladder.len() < 3 {
                 continue;
@@ -64,7 +64,7 @@ impl Search<'_> {
         for level in steepest..steepest + 3 {
             if level == plan.level {
                 ladder.push(fine.rung);
-            } else if let Step::Solved(at) = self.step(Plan { level, ..plan }, "growth")? {
+            } else if let Attempt::Solved(at) = self.attempt(Plan { level, ..plan }, "growth")? {
                 ladder.push(at);
             }
         }

@@ -18,7 +18,7 @@ pub fn pressed(part: Part, pair: &ContactPair) -> [usize; 2] {
     [last + 1 - first, (last + 1).saturating_sub(middle).max(middle.saturating_sub(first))]
 }
 
-/// Whether the contact goes on to the outermost candidate on the left and on the right; on a symmetry line it does not end.
+/// Whether the contact reaches the outermost candidate on the left and on the right; on a symmetry line it does not end.
 pub fn filled(part: Part, pair: &ContactPair) -> [bool; 2] {
     outermost(part, pair).map_or([false; 2], |[first, last]| [first.reaches[0], last.reaches[1]])
 }

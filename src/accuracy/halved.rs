@@ -24,13 +24,13 @@ const FIRST: usize = 4;
 const GROWTH: [f64; 3] = [1.7, 1.6, 0.3];
 /// Candidates over a half-contact that has been found.
 const MARGIN: f64 = 1.25;
-/// By how much candidates are lengthened where the contact goes on beyond them.
+/// By how much candidates are lengthened where the contact reaches their end.
 const LONGER: f64 = 1.5;
 /// Cells of a mesh that only looks where the contacts end.
 const CHEAP: f64 = 5e4;
 /// Elements in a contact from which on a mesh tells where it ends.
 const TOLD: usize = 3;
-/// First meshes, and ladders begun anew because a contact went on beyond its candidates.
+/// First meshes, and ladders begun again because a contact reached the end of its candidates.
 const TRIES: usize = 16;
 /// Most halvings.
 const HALVINGS: u32 = 6;
@@ -114,7 +114,7 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> 
 /// What became of the next mesh.
 enum Next {
     Solved,
-    /// Candidates are longer now, and the ladder is to be begun anew.
+    /// Candidates are longer now, and the ladder is to be begun again.
     Longer,
     /// It was not solved, for this reason.
     Stopped(String),
@@ -217,7 +217,7 @@ impl Halving<'_> {
         known
     }
 
-    /// Lengthens the candidates of a contact that goes on beyond them; whether that is why a mesh was not solved.
+    /// Lengthens the candidates of a contact that reaches their end; whether that is why a mesh was not solved.
     fn lengthens(&mut self, error: &Error) -> bool {
         let (Kind::ContactBeyondCandidates { .. } | Kind::EmptyStretch) = error.kind else { return false };
         let Place::Contact { contact, .. } = error.place else { return false };
@@ -262,7 +262,7 @@ impl Halving<'_> {
         }
     }
 
-    /// Solves on a mesh, from the contact set of the one before.
+    /// Solves on a mesh, from the active set of the one before.
     fn solve(&mut self, times: u32, purpose: &'static str) -> Result<Run, Error> {
         let (scene, resolution) = self.halved(times);
         let growth = scene.grading.along.powf(0.5_f64.powi(resolution.refinement as i32));
@@ -279,8 +279,8 @@ impl Halving<'_> {
             order: resolution.order,
             elements: self.scene.contacts.iter().enumerate().map(pressed).min().unwrap_or(0),
             growth: if self.brought().all(|brought| brought) { f64::NAN } else { growth },
-            freedoms: run.freedoms,
-            steps: run.solution.work.steps,
+            dofs: run.dofs,
+            iterations: run.solution.work.iterations,
             contacts: Tried::contacts(&self.scene, &run),
             estimate: f64::NAN,
         });

@@ -5,7 +5,7 @@
 //! * [`ends`] — where the contact found so far begins and ends.
 //! * [`fitted`] — meshes fitted to it.
 //! * [`mod@longest`] — how far candidates may go.
-//! * `rungs` — the meshes of a search, each solved from the contact set of the one before.
+//! * `rungs` — the meshes of a search, each solved from the active set of the one before.
 //! * `along` — the ladder along the contact: more and more elements on one growth.
 //! * `depth` — the ladder of growth: gentler and gentler on one surface mesh.
 //! * `confirmed` — the last word on a mesh: one finer in both directions.
@@ -20,7 +20,7 @@
 //! answered are solved for the estimate only; they are part of the cost.
 //!
 //! Cells have 8 nodes: of the hand-made meshes of the study only that of the small cylinder at 1 % has 4-node cells, with 315
-//! freedoms against 363; at 0.3 % they need about twice the freedoms, and none of up to 12 elements per half-width meets
+//! dofs against 363; at 0.3 % they need about twice the dofs, and none of up to 12 elements per half-width meets
 //! 0.1 %.
 
 mod along;

@@ -21,10 +21,10 @@ pub(super) struct Rung {
 }
 
 /// What became of a mesh that was to be solved.
-pub(super) enum Step {
+pub(super) enum Attempt {
     /// It stands among the rungs here.
     Solved(usize),
-    /// Contact goes on beyond its candidates.
+    /// Contact reaches the end of its candidates.
     Short,
     /// It was not solved, for this reason.
     Stopped(String),
@@ -84,25 +84,25 @@ impl<'a> Search<'a> {
     }
 
     /// Solves on a mesh within the limits.
-    pub(super) fn step(&mut self, plan: Plan, purpose: &'static str) -> Result<Step, Error> {
+    pub(super) fn attempt(&mut self, plan: Plan, purpose: &'static str) -> Result<Attempt, Error> {
         let [cells, candidates] = expected(&plan.scene(self.scene), plan.resolution());
         let most = self.asked.most_cells;
         if !(cells <= most && candidates <= MOST[1]) {
-            return Ok(Step::Stopped(format!(
+            return Ok(Attempt::Stopped(format!(
                 "the next mesh would have about {cells:.1e} cells, more than {most:.0e}"
             )));
         }
         match self.solve(plan, purpose) {
-            Ok(at) if self.cut_off(at) => Ok(Step::Short),
-            Ok(at) if self.rungs[at].run.solution.converged() => Ok(Step::Solved(at)),
-            Ok(_) => Ok(Step::Stopped("the iteration does not converge on the last mesh".into())),
-            Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => Ok(Step::Short),
-            Err(error @ Error { kind: Kind::DegenerateCell, .. }) => Ok(Step::Stopped(error.to_string())),
+            Ok(at) if self.cut_off(at) => Ok(Attempt::Short),
+            Ok(at) if self.rungs[at].run.solution.converged() => Ok(Attempt::Solved(at)),
+            Ok(_) => Ok(Attempt::Stopped("the iteration does not converge on the last mesh".into())),
+            Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => Ok(Attempt::Short),
+            Err(error @ Error { kind: Kind::DegenerateCell, .. }) => Ok(Attempt::Stopped(error.to_string())),
             Err(error) => Err(error),
         }
     }
 
-    /// Solves on a mesh from the contact set of the one before; where it stands among the rungs.
+    /// Solves on a mesh from the active set of the one before; where it stands among the rungs.
     pub(super) fn solve(&mut self, plan: Plan, purpose: &'static str) -> Result<usize, Error> {
         let discretisation = Discretisation::of(plan.scene(self.scene), plan.resolution())?;
         let run = match self.rungs.last() {
@@ -116,8 +116,8 @@ impl<'a> Search<'a> {
             order: plan.order,
             elements: plan.elements,
             growth: plan.growth()[0],
-            freedoms: run.freedoms,
-            steps: run.solution.work.steps,
+            dofs: run.dofs,
+            iterations: run.solution.work.iterations,
             contacts: Tried::contacts(&plan.scene(self.scene), &run),
             estimate: f64::NAN,
         });
@@ -127,7 +127,7 @@ impl<'a> Search<'a> {
 
     /// Writes an estimate beside the mesh it is of.
     pub(super) fn note(&mut self, at: usize, estimate: f64) {
-        let solved = self.tried.iter_mut().filter(|tried| tried.freedoms > 0);
+        let solved = self.tried.iter_mut().filter(|tried| tried.dofs > 0);
         if let Some(tried) = solved.into_iter().nth(at) {
             tried.estimate = estimate;
         }
@@ -148,12 +148,12 @@ impl<'a> Search<'a> {
 
 impl Tried {
     /// A stretch beyond which contact went on.
-    pub(super) fn spilled(order: Order, elements: usize, stretch: f64) -> Self {
-        let [freedoms, steps] = [0; 2];
+    pub(super) fn beyond(order: Order, elements: usize, stretch: f64) -> Self {
+        let [dofs, iterations] = [0; 2];
         let growth = Plan::even(order, elements, stretch, 0).growth()[0];
         let contacts = vec![TriedContact { stretch, peak: f64::NAN, half_width: f64::NAN }];
         let purpose = "contact length";
-        Self { purpose, order, elements, growth, freedoms, steps, contacts, estimate: f64::NAN }
+        Self { purpose, order, elements, growth, dofs, iterations, contacts, estimate: f64::NAN }
     }
 
     /// What a run says of each contact of its scene.

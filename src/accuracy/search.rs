@@ -68,7 +68,7 @@ impl Search<'_> {
             match self.solve(Plan::even(ORDER, elements, stretch, level), "contact length") {
                 Err(Error { kind: Kind::DegenerateCell, .. }) if level < LEVELS => level += 2,
                 Err(error) if stretch < self.longest && self.is_short(&error) => {
-                    self.tried.push(Tried::spilled(ORDER, elements, stretch));
+                    self.tried.push(Tried::beyond(ORDER, elements, stretch));
                     stretch = (2.0 * stretch).min(self.longest);
                 }
                 // A contact shorter than two elements.
@@ -98,7 +98,7 @@ impl Search<'_> {
         }
     }
 
-    /// Whether longer candidates may be solved: contact goes on beyond these, or all of it lies there and across x = 0
+    /// Whether longer candidates may be solved: contact reaches their end, or all of it lies there and across x = 0
     /// nothing holds a body against turning.
     fn is_short(&self, error: &Error) -> bool {
         match error.kind {

@@ -2,7 +2,7 @@
 //! solution they share, and the mesh answered is run by the one asked for.
 //!
 //! An iteration to a hundredth of the accuracy on every mesh is what constant and varying stiffness do not reach in their
-//! steps; one to what the mesh leaves of the accuracy they often do. The error of that iteration is known
+//! iterations; one to what the mesh leaves of the accuracy they often do. The error of that iteration is known
 //! (`src/algorithm/target.rs`) and is part of the estimate.
 
 use crate::accuracy::{Answer, Asked, Quoted, Tried, search};
@@ -37,9 +37,9 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> 
         Quoted { relative: one.relative - one.iteration + iteration, iteration, ..*one }
     };
     answer.estimates = answer.estimates.iter().map(with_iteration).collect();
-    let same = answer.tried.iter().find(|tried| tried.freedoms == run.freedoms).cloned();
-    let (steps, contacts) = (run.solution.work.steps, Tried::contacts(&answer.scene, &run));
-    let last = same.map(|same| Tried { purpose: "answer", steps, contacts, estimate: answer.estimate(), ..same });
+    let same = answer.tried.iter().find(|tried| tried.dofs == run.dofs).cloned();
+    let (iterations, contacts) = (run.solution.work.iterations, Tried::contacts(&answer.scene, &run));
+    let last = same.map(|same| Tried { purpose: "answer", iterations, contacts, estimate: answer.estimate(), ..same });
     answer.tried.extend(last);
     if answer.estimate() <= asked.relative {
         answer.unmet = None;

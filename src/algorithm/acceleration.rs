@@ -1,8 +1,8 @@
 //! Acceleration of the fixed point of constant stiffness, with a safeguard: an option, not an algorithm of the paper.
 //!
-//! With the rule `correction` the step `x → G(x)` of the carried forces is Douglas–Rachford splitting of elasticity and
+//! With the rule `correction` the iteration `x → G(x)` of the carried forces is Douglas–Rachford splitting of elasticity and
 //! contact (Lions & Mercier 1979). In the norm `‖f‖² = Σ A f²/k₀` it is firmly nonexpansive, so the residual
-//! `f = G(x) − x` never grows in a plain step, whatever κ₀, and crossed secant never steps shorter than a plain one.
+//! `f = G(x) − x` never grows in a plain iteration, whatever κ₀, and crossed secant never iterations shorter than a plain one.
 
 use std::collections::VecDeque;
 
@@ -34,18 +34,18 @@ impl Acceleration {
 }
 
 /// Differences that Anderson acceleration remembers. Of 3, 5, 8, 12 and 20, five reach the most starts at tolerance 1e-3:
-/// more of them reach back to contact sets that are no longer the present one.
+/// more of them reach back to active sets that are no longer the present one.
 const DEPTH: usize = 5;
 /// Singular values of the scaled differences below this part of the largest are left out.
 const CONDITION: f64 = 1e-8;
-/// The safeguard's factor and exponent: accelerated step number n may lead to residuals up to `100 F (n + 1)^−1.1`.
+/// The safeguard's factor and exponent: accelerated iteration number n may lead to residuals up to `100 F (n + 1)^−1.1`.
 const SAFEGUARD: (f64, f64) = (100.0, 1.1);
 
 /// The last states of a fixed-point iteration, and what is made of them.
 ///
-/// Three safeguards. A state reached by acceleration is given up for the plain step before it where
-/// `‖f‖ > 100 F (n + 1)^−1.1`, n accelerated steps so far, F the residual of the first state: a summable bound, which with nonexpansive plain steps leaves no way but to converge (Zhang, O'Donoghue &
-/// Boyd 2020). A plain step follows where the residual rose, and after every Anderson step. A step that is not finite is
+/// Three safeguards. A state reached by acceleration is given up for the plain iteration before it where
+/// `‖f‖ > 100 F (n + 1)^−1.1`, n accelerated iterations so far, F the residual of the first state: a summable bound, which with nonexpansive plain iterations leaves no way but to converge (Zhang, O'Donoghue &
+/// Boyd 2020). A plain iteration follows where the residual rose, and after every Anderson iteration. An iteration that is not finite is
 /// not made.
 #[derive(Clone, Debug)]
 pub struct Accelerator {
@@ -107,7 +107,7 @@ impl Accelerator {
         self.history.drain(..self.history.len().saturating_sub(states));
     }
 
-    /// The accelerated step from the states remembered; none where there is only one.
+    /// The accelerated iteration from the states remembered; none where there is only one.
     fn extrapolated(&self, x: &[f64], f: &[f64]) -> Option<Vec<f64>> {
         let changes: Vec<[Vec<f64>; 2]> = self
             .history

@@ -20,7 +20,7 @@ pub struct Constant {
 }
 
 impl Constant {
-    /// The paper's algorithm before its first step.
+    /// The paper's algorithm before its first iteration.
     pub fn new(rule: StiffnessRule) -> Self {
         Self::accelerated(rule, Acceleration::None)
     }
@@ -32,7 +32,7 @@ impl Constant {
 }
 
 impl Algorithm for Constant {
-    fn step(
+    fn next(
         &mut self,
         problem: &ContactProblem,
         load: &[f64],

@@ -59,9 +59,8 @@ fn holding(problem: &ContactProblem, law: Law) -> Vec<f64> {
     if law == Law::Springs {
         return problem.initial.clone();
     }
-    let diagonal = |point: &ContactPoint| -> f64 {
-        point.row.iter().map(|&(freedom, b)| b * b * problem.stiffness[(freedom, freedom)]).sum()
-    };
+    let diagonal =
+        |point: &ContactPoint| -> f64 { point.row.iter().map(|&(dof, b)| b * b * problem.stiffness[(dof, dof)]).sum() };
     let mut sums = vec![[0.0; 2]; contacts(problem)];
     for point in problem.points {
         let [stiffness, area] = &mut sums[point.contact];

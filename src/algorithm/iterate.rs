@@ -8,7 +8,7 @@ use crate::algorithm::target::{self, Target};
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
 use crate::algorithm::{bound, parts};
 use crate::error::{Error, Kind, Place};
-use crate::solution::{IterationError, Outcome, Share, Solution, States, Step, Work};
+use crate::solution::{Iterated, IterationError, Outcome, Share, Solution, States, Work};
 
 /// When to stop.
 #[derive(Clone, Copy, Debug)]
@@ -17,28 +17,28 @@ pub struct Settings {
     pub tolerance: f64,
     /// Load increments.
     pub increments: usize,
-    /// Steps over all increments.
-    pub max_steps: usize,
+    /// Iterations over all increments.
+    pub max_iterations: usize,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { tolerance: 1e-3, increments: 1, max_steps: 2000 }
+        Self { tolerance: 1e-3, increments: 1, max_iterations: 2000 }
     }
 }
 
-/// Steps in which an error that has grown this many times beyond its least stays there is divergence.
+/// Iterations in which an error that has grown this many times beyond its least stays there is divergence.
 const GROWN: (usize, f64) = (20, 1e3);
-/// Two states closer than this are the same, and after so many steps without a larger change the iteration stands still.
+/// Two states closer than this are the same, and after so many iterations without a larger change the iteration stands still.
 const STILL: (usize, f64) = (3, 1e-14);
-/// Steps in which an error that does not fall by this part of it, while no step changes the state by more than [`NOISE`],
+/// Iterations in which an error that does not fall by this part of it, while no iteration changes the state by more than [`NOISE`],
 /// is left to round-off.
 const FALLS: (usize, f64) = (50, 1e-3);
-/// Change of a state in a step that may be round-off of an ill-conditioned system.
+/// Change of a state in an iteration that may be round-off of an ill-conditioned system.
 const NOISE: f64 = 1e-7;
 /// Two states closer than this are one that returned.
 const SAME: f64 = 1e-10;
-/// A step larger than this is still a step.
+/// An iteration larger than this is still an iteration.
 const MOVING: f64 = 1e-6;
 /// Decades by which springs may be too soft.
 const DECADES: i32 = 18;
@@ -46,18 +46,18 @@ const DECADES: i32 = 18;
 const MARGIN: f64 = 100.0;
 /// Longest period looked for.
 const MEMORY: usize = 64;
-/// Steps after which the discrete solution is looked for, unless the pressed points stood still before: from there it is
+/// Iterations after which the discrete solution is looked for, unless the pressed points stood still before: from there it is
 /// found in a few factorisations.
 const LOOK: usize = 5;
 
-/// Applies the load in increments and lets the algorithm step until the iteration error is within the tolerance.
+/// Applies the load in increments and lets the algorithm iterate until the iteration error is within the tolerance.
 ///
 /// Increment n of N applies `(n/N) f̂` and starts from the springs of the one before; the gap enters whole, once.
 pub fn iterate(problem: &ContactProblem, algorithm: &mut dyn Algorithm, settings: Settings) -> Result<Solution, Error> {
     iterate_from(&mut problem.initial_springs(), problem, algorithm, settings)
 }
 
-/// The same from given springs, which are left as they stand after the last step.
+/// The same from given springs, which are left as they stand after the last iteration.
 pub fn iterate_from(
     springs: &mut Springs,
     problem: &ContactProblem,
@@ -66,7 +66,7 @@ pub fn iterate_from(
 ) -> Result<Solution, Error> {
     let mut run =
         Run { problem, settings, work: Work::default(), history: Vec::new(), last: None, target: None, rigid: None };
-    let mut outcome = Outcome::Exhausted;
+    let mut outcome = Outcome::Capped;
     for increment in 1..=settings.increments {
         outcome = run.increment(increment, algorithm, springs)?;
         if outcome != Outcome::Converged {
@@ -80,7 +80,7 @@ struct Run<'a> {
     problem: &'a ContactProblem<'a>,
     settings: Settings,
     work: Work,
-    history: Vec<Step>,
+    history: Vec<Iterated>,
     last: Option<Iterate>,
     target: Option<Target>,
     rigid: Option<Target>,
@@ -109,18 +109,18 @@ impl Run<'_> {
         let law = if algorithm.is_elastic() { Law::Springs } else { Law::Rigid };
         let first = self.history.len();
         let (mut known, mut earlier, mut still, mut noise) = (Known::default(), VecDeque::new(), 0, 0);
-        let mut outcome = Outcome::Exhausted;
+        let mut outcome = Outcome::Capped;
         algorithm.reload();
-        while self.work.steps < self.settings.max_steps {
+        while self.work.iterations < self.settings.max_iterations {
             let stiffness = springs.stiffness[0];
-            let Some(iterate) = algorithm.step(self.problem, &load, springs, &mut self.work) else {
+            let Some(iterate) = algorithm.next(self.problem, &load, springs, &mut self.work) else {
                 if springs.stiffness.iter().any(|k| !k.is_finite()) {
                     outcome = Outcome::Diverged;
                     break;
                 }
                 return Err(self.nothing_holds(springs));
             };
-            self.work.steps += 1;
+            self.work.iterations += 1;
             self.record(increment, &iterate, stiffness);
             if !is_finite(&iterate) {
                 self.last = Some(iterate);
@@ -130,7 +130,7 @@ impl Run<'_> {
             let state = State::of(&iterate);
             self.judge(&mut known, &load, law, &iterate);
             self.last = Some(iterate);
-            let error = self.history.last().map_or(f64::NAN, |step| step.error.largest());
+            let error = self.history.last().map_or(f64::NAN, |iteration| iteration.error.largest());
             if error <= self.settings.tolerance {
                 outcome = Outcome::Converged;
                 break;
@@ -160,7 +160,7 @@ impl Run<'_> {
         Ok(outcome)
     }
 
-    /// Looks for the discrete solution once it is near, and tells the error of every step since.
+    /// Looks for the discrete solution once it is near, and tells the error of every iteration since.
     fn judge(&mut self, known: &mut Known, load: &[f64], law: Law, iterate: &Iterate) {
         if known.target.is_none() && known.looked {
             return;
@@ -168,7 +168,7 @@ impl Run<'_> {
         known.waiting.push(iterate.clone());
         if !known.looked {
             let pressed = target::pressed(self.problem, iterate);
-            let is_last = self.work.steps >= self.settings.max_steps;
+            let is_last = self.work.iterations >= self.settings.max_iterations;
             known.looked = known.waiting.len() >= LOOK || pressed == known.pressed || is_last;
             known.pressed = pressed;
             if known.looked {
@@ -177,8 +177,8 @@ impl Run<'_> {
         }
         if let Some(target) = &known.target {
             let first = self.history.len() - known.waiting.len();
-            for (step, iterate) in self.history[first..].iter_mut().zip(&known.waiting) {
-                step.error = target.error(self.problem, iterate);
+            for (iteration, iterate) in self.history[first..].iter_mut().zip(&known.waiting) {
+                iteration.error = target.error(self.problem, iterate);
             }
             known.waiting.clear();
         }
@@ -186,13 +186,13 @@ impl Run<'_> {
 
     /// Why no system of springs and bodies could be solved: springs that are lost in the round-off of S, or none left.
     fn nothing_holds(&self, springs: &Springs) -> Error {
-        if self.work.steps > 0 || springs.stiffness.iter().all(|k| *k <= 0.0) {
-            let steps = self.work.steps;
+        if self.work.iterations > 0 || springs.stiffness.iter().all(|k| *k <= 0.0) {
+            let iterations = self.work.iterations;
             let message = format!(
-                "only contact fixes the bodies, and no contact spring is left after iteration {steps}: the load pulls the bodies apart, the start is too soft, or the contact is smaller than two elements"
+                "only contact fixes the bodies, and no contact spring is left after iteration {iterations}: the load pulls the bodies apart, the start is too soft, or the contact is smaller than two elements"
             );
             let remedy = "reverse the load, add a support, raise the initial stiffness or refine the mesh";
-            return Error { kind: Kind::NoSpringLeft { steps }, ..Error::at(Place::Nowhere, message, remedy) };
+            return Error { kind: Kind::NoSpringLeft { iterations }, ..Error::at(Place::Nowhere, message, remedy) };
         }
         let stiffer = |times: f64| springs.stiffness.iter().map(|k| k * times).collect::<Vec<_>>();
         let holds = |times: &f64| self.problem.factorise(&stiffer(*times), &mut Work::default()).is_some();
@@ -210,7 +210,7 @@ impl Run<'_> {
             let floor = self.settings.tolerance * pressures().fold(0.0, f64::max);
             active += pressures().filter(|p| *p > floor).count();
         }
-        self.history.push(Step {
+        self.history.push(Iterated {
             increment,
             error: IterationError::UNKNOWN,
             active,
@@ -264,7 +264,7 @@ fn is_finite(iterate: &Iterate) -> bool {
     all.into_iter().all(|x| x.is_finite())
 }
 
-/// Pressures and approaches after a step.
+/// Pressures and approaches after an iteration.
 struct State([Vec<f64>; 2]);
 
 impl State {
@@ -281,28 +281,30 @@ impl State {
     }
 }
 
-/// Whether the last step changed no more than a share of the state.
+/// Whether the last iteration changed no more than a share of the state.
 fn changes_less(earlier: &VecDeque<State>, state: &State, share: f64) -> bool {
     earlier.front().is_some_and(|before| state.is_within(share, before))
 }
 
-/// Whether the least error of the last steps is below that of all before them.
-fn falls(history: &[Step]) -> bool {
-    let (steps, part) = FALLS;
-    let least = |steps: &[Step]| steps.iter().map(|step| step.error.largest()).fold(f64::INFINITY, f64::min);
-    let (before, last) = history.split_at(history.len().saturating_sub(steps));
+/// Whether the least error of the last iterations is below that of all before them.
+fn falls(history: &[Iterated]) -> bool {
+    let (iterations, part) = FALLS;
+    let least = |iterations: &[Iterated]| {
+        iterations.iter().map(|iteration| iteration.error.largest()).fold(f64::INFINITY, f64::min)
+    };
+    let (before, last) = history.split_at(history.len().saturating_sub(iterations));
     least(last) < (1.0 - part) * least(before)
 }
 
 /// Whether the error has grown far beyond its least, and stayed there.
-fn has_grown(history: &[Step]) -> bool {
-    let (steps, times) = GROWN;
-    let errors = || history.iter().map(|step| step.error.largest());
+fn has_grown(history: &[Iterated]) -> bool {
+    let (iterations, times) = GROWN;
+    let errors = || history.iter().map(|iteration| iteration.error.largest());
     let least = errors().fold(f64::INFINITY, f64::min);
-    history.len() > steps && errors().rev().take(steps).all(|error| error > times * least)
+    history.len() > iterations && errors().rev().take(iterations).all(|error| error > times * least)
 }
 
-/// Period after which the state has returned, while the last step itself was a real one.
+/// Period after which the state has returned, while the last iteration itself was a real one.
 fn returned(earlier: &VecDeque<State>, state: &State) -> Option<usize> {
     if state.is_within(MOVING, earlier.front()?) {
         return None;

@@ -6,7 +6,7 @@ use crate::named::named_enum;
 named_enum! {
     /// Iteration algorithm, in the paper's order.
     pub enum Iteration {
-        /// Varying stiffness: factorised at every step.
+        /// Varying stiffness: factorised at every iteration.
         Varying = "varying",
         /// Constant stiffness: one factorisation, changing forces.
         Constant = "constant",
@@ -33,7 +33,7 @@ impl Iteration {
         }
     }
 
-    /// The algorithm before its first step.
+    /// The algorithm before its first iteration.
     pub fn with(self, rule: StiffnessRule, acceleration: Acceleration, tolerance: f64) -> Box<dyn Algorithm> {
         match self {
             Self::Varying => Box::new(Varying::new(rule)),

@@ -1,9 +1,9 @@
-//! The factor of a system of which a few springs switch from step to step: it is updated.
+//! The factor of a system of which a few springs switch from one iteration to the next: it is updated.
 //!
 //! [`settling`](crate::algorithm::settling) keeps the factor of the same matrix `S + Σ A k bᵀb` for another kind of change.
-//! Under kinematic load a handful of springs opens or closes at a step, anywhere along the edges of the contact, and which
+//! Under kinematic load a handful of springs opens or closes at an iteration, anywhere along the edges of the contact, and which
 //! ones come next is not known: a term of rank one each is cheapest. With varying stiffness every closed spring moves at every
-//! step, far too many for such terms, but those that have come to rest stay there: what pays is to eliminate their rows once.
+//! iteration, far too many for such terms, but those that have come to rest stay there: what pays is to eliminate their rows once.
 //! Neither way does the other's work, and constant stiffness needs no more than the factor itself.
 
 use crate::algorithm::ContactProblem;

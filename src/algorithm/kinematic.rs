@@ -24,7 +24,7 @@ pub struct Kinematic {
 }
 
 impl Kinematic {
-    /// The algorithm before its first step.
+    /// The algorithm before its first iteration.
     pub fn new(rule: StiffnessRule, tolerance: f64) -> Self {
         Self { rule, tolerance, kept: KeptFactor::default() }
     }
@@ -41,7 +41,7 @@ impl Kinematic {
 }
 
 impl Algorithm for Kinematic {
-    fn step(
+    fn next(
         &mut self,
         problem: &ContactProblem,
         load: &[f64],

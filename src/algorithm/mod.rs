@@ -1,9 +1,9 @@
 //! How to find it: the three iterations, their rules, and one loop that counts, stops and judges.
 //!
 //! * [`problem`] — what an algorithm sees: matrices, points and scales, no geometry.
-//! * [`springs`] — the springs between two steps, and what a step finds.
+//! * [`springs`] — the springs between two iterations, and what an iteration finds.
 //! * [`rule`] — how the springs' strain drives their stiffness or force.
-//! * [`varying`], [`constant`], [`kinematic`] — equations (3.2)–(3.14), one step each.
+//! * [`varying`], [`constant`], [`kinematic`] — equations (3.2)–(3.14), one iteration each.
 //! * [`acceleration`] — of the fixed point of constant stiffness; an option.
 //! * [`kept`], [`settling`] — their factors, where few springs change and where most come to rest.
 //! * [`exact`] — the discrete solution that all of them shall end in.
@@ -58,12 +58,12 @@ pub use springs::{Iterate, Springs};
 pub use target::Target;
 pub use varying::Varying;
 
-/// An iteration algorithm: one step from springs to an iterate and to the next springs.
+/// An iteration algorithm: one iteration from springs to an iterate and to the next springs.
 pub trait Algorithm {
     /// Solves with the present springs under `load`, then lets the rule change them.
     ///
     /// None where `S + K_c` is not positive definite: no spring is left to hold a body.
-    fn step(
+    fn next(
         &mut self,
         problem: &ContactProblem,
         load: &[f64],
@@ -71,7 +71,7 @@ pub trait Algorithm {
         work: &mut Work,
     ) -> Option<Iterate>;
 
-    /// Told before the first step of each load increment: the load is no longer what it was.
+    /// Told before the first iteration of each load increment: the load is no longer what it was.
     fn reload(&mut self) {}
 
     /// Whether penetration is the springs' own law (penalty) instead of an error to be iterated away.

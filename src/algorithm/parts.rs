@@ -23,9 +23,9 @@ fn ranges(lengths: impl Iterator<Item = usize>) -> impl Iterator<Item = Range<us
     })
 }
 
-/// `Σ A p b` at every retained freedom from the pressures as reported \[N\].
-pub fn forces(points: &[ContactPoint], states: &[PointState], freedoms: usize) -> Vec<f64> {
-    let mut forces = vec![0.0; freedoms];
+/// `Σ A p b` at every retained dof from the pressures as reported \[N\].
+pub fn forces(points: &[ContactPoint], states: &[PointState], dofs: usize) -> Vec<f64> {
+    let mut forces = vec![0.0; dofs];
     points.iter().zip(states).for_each(|(point, state)| point.add_row(point.weight * state.pressure, &mut forces));
     forces
 }

@@ -1,6 +1,6 @@
-//! The springs between two steps, and what a step with them finds.
+//! The springs between two iterations, and what an iteration with them finds.
 
-/// The springs as they stand between two steps.
+/// The springs as they stand between two iterations.
 #[derive(Clone, Debug)]
 pub struct Springs {
     /// Stiffness `k` per area of each point [MPa/mm]; zero is open.
@@ -9,10 +9,10 @@ pub struct Springs {
     pub force: Vec<f64>,
 }
 
-/// What one step finds.
+/// What one iteration finds.
 #[derive(Clone, Debug)]
 pub struct Iterate {
-    /// Displacements of the retained freedoms \[mm\].
+    /// Displacements of the retained dofs \[mm\].
     pub displacement: Vec<f64>,
     /// Approach of each point \[mm\].
     pub approach: Vec<f64>,

@@ -1,4 +1,4 @@
-//! Iteration with varying stiffness, equations (3.2)–(3.5): the system is factorised at every step.
+//! Iteration with varying stiffness, equations (3.2)–(3.5): the system is factorised at every iteration.
 
 use crate::algorithm::rule::{self, StiffnessRule};
 use crate::algorithm::settling::Settling;
@@ -14,14 +14,14 @@ pub struct Varying {
 }
 
 impl Varying {
-    /// The algorithm before its first step.
+    /// The algorithm before its first iteration.
     pub fn new(rule: StiffnessRule) -> Self {
         Self { rule, kept: Settling::default() }
     }
 }
 
 impl Algorithm for Varying {
-    fn step(
+    fn next(
         &mut self,
         problem: &ContactProblem,
         load: &[f64],

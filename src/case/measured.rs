@@ -54,7 +54,7 @@ impl Solved<'_> {
                 let largest = points.iter().map(|p| departure(p.position, p.pressure)).fold(0.0, larger);
                 largest / self.scale()
             }
-            Quantity::Dofs => self.run.freedoms as f64,
+            Quantity::Dofs => self.run.dofs as f64,
             Quantity::Named { .. } => f64::NAN,
         })
     }

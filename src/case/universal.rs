@@ -63,7 +63,7 @@ pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>,
 fn equilibrium(discretisation: &Discretisation, run: &Run) -> Option<Judged> {
     let scene = &discretisation.scene;
     let [pair] = &scene.contacts[..] else { return balance(discretisation, run) };
-    let free = pair.bodies().find(|&body| !held_vertically(scene, body))?;
+    let free = pair.bodies().find(|&body| !fixed_vertically(scene, body))?;
     let applied = whole(pair) * discretisation.system.bodies[free].applied_vertical().abs();
     let check = Check::near(
         "resultant of the reported pressures",
@@ -77,7 +77,7 @@ fn equilibrium(discretisation: &Discretisation, run: &Run) -> Option<Judged> {
 /// Several contacts: on each body that only they hold along the load line, their forces and the applied load add up to 0.
 fn balance(discretisation: &Discretisation, run: &Run) -> Option<Judged> {
     let scene = &discretisation.scene;
-    let free: Vec<usize> = (0..scene.bodies.len()).filter(|&body| !held_vertically(scene, body)).collect();
+    let free: Vec<usize> = (0..scene.bodies.len()).filter(|&body| !fixed_vertically(scene, body)).collect();
     let imbalance = |&body: &usize| {
         let force = |(pair, contact): (&ContactPair, &Contact)| {
             let upwards = if pair.above == (body == pair.first) { 1.0 } else { -1.0 };
@@ -99,7 +99,7 @@ fn balance(discretisation: &Discretisation, run: &Run) -> Option<Judged> {
     Some(check.judge(worst))
 }
 
-fn held_vertically(scene: &Scene, body: usize) -> bool {
+fn fixed_vertically(scene: &Scene, body: usize) -> bool {
     scene.bodies[body].supports.iter().any(|support| support.component == crate::scene::Component::Y)
 }
 
@@ -122,8 +122,7 @@ fn frictionless(discretisation: &Discretisation, run: &Run, contact: usize) -> R
             let arm = arm(&pair.path, discretisation.mesh.points[candidate.node]);
             turning += arm[0] * residual[1] - arm[1] * residual[0];
             pressing += residual[0].hypot(residual[1]) * arm[0].hypot(arm[1]);
-            let equations =
-                system.freedoms.of_node(candidate.node).into_iter().filter_map(|freedom| freedom.equation());
+            let equations = system.dofs.of_node(candidate.node).into_iter().filter_map(|dof| dof.equation());
             rounded += equations.map(|equation| f64::EPSILON * terms[equation]).sum::<f64>() * arm[0].hypot(arm[1]);
         }
         moment = moment.max(turning.abs());
@@ -157,8 +156,8 @@ fn arm(path: &Path, point: [f64; 2]) -> [f64; 2] {
 fn nodal_force(discretisation: &Discretisation, body: usize, node: usize, internal: &[f64]) -> [f64; 2] {
     let system = &discretisation.system.bodies[body];
     let mut force = [0.0; 2];
-    for (freedom, axis) in system.freedoms.of_node(node).into_iter().zip(system.freedoms.frame(node)) {
-        if let Some(equation) = freedom.equation() {
+    for (dof, axis) in system.dofs.of_node(node).into_iter().zip(system.dofs.frame(node)) {
+        if let Some(equation) = dof.equation() {
             let value = internal[equation] - system.force[equation];
             force = [force[0] + value * axis[0], force[1] + value * axis[1]];
         }
@@ -193,8 +192,8 @@ fn nothing_where_open(discretisation: &Discretisation, run: &Run, limit: f64) ->
 /// Largest change of a pressure, over the largest, that round-off may make: 1e-9, or where the contact is sensitive, such as to
 /// what turns a body on a short contact, what one rounding of every product in `K U`, `S u` and `b·u` adds up to.
 ///
-/// A product of `K U` off by ε is a force `ε |K||U|` on its freedom; it changes the pressure of a point by that times the
-/// displacement v of the freedom under a unit of the point (reciprocity). One of `b·u` is a gap of `ε |b||u|`:
+/// A product of `K U` off by ε is a force `ε |K||U|` on its dof; it changes the pressure of a point by that times the
+/// displacement v of the dof under a unit of the point (reciprocity). One of `b·u` is a gap of `ε |b||u|`:
 /// `|δp| ≤ ε (Σ |v| |K||U| + Σ |v| |S||u| + Σ |m| |b||u|)`.
 fn limit(discretisation: &Discretisation, run: &Run) -> Result<f64, Error> {
     let points = discretisation.points(&run.formulation);
@@ -217,7 +216,7 @@ fn limit(discretisation: &Discretisation, run: &Run) -> Result<f64, Error> {
     Ok(ROUND_OFF.max(largest / scale(discretisation, run)))
 }
 
-/// The same problem told differently must give the same steps and pressures.
+/// The same problem told differently must give the same iterations and pressures.
 fn invariance(discretisation: &Discretisation, run: &Run, limit: f64) -> Result<Vec<Judged>, Error> {
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
     let resolution = discretisation.resolution;
@@ -265,9 +264,9 @@ fn same(run: &Run, name: &str, variant: &Discretisation, unit: f64, [scale, limi
         others[share.points.clone()].reverse();
     }
     let difference = largest_difference(pressures, others.into_iter()) / scale;
-    // Where the tolerance is as small as the perturbation itself, one step more or less is no difference.
+    // Where the tolerance is as small as the perturbation itself, one iteration more or less is no difference.
     let decidable = run.formulation.settings.tolerance >= 100.0 * limit * NOISE / ROUND_OFF;
-    let same_steps = other.outcome == run.solution.outcome && (!decidable || other.work == run.solution.work);
+    let same_iterations = other.outcome == run.solution.outcome && (!decidable || other.work == run.solution.work);
     let quantity = if decidable {
         "change of iterations (infinite) or pressures, over the largest pressure"
     } else {
@@ -275,13 +274,13 @@ fn same(run: &Run, name: &str, variant: &Discretisation, unit: f64, [scale, limi
     };
     let because = "the same problem in another form; 1e-9, or what one rounding of every product grows to through the contact's own condition";
     let check = Check::error(Quantity::at(quantity, name), Reference::own(name, 0.0), limit, because);
-    Ok(check.judge(if same_steps { difference } else { f64::INFINITY }))
+    Ok(check.judge(if same_iterations { difference } else { f64::INFINITY }))
 }
 
 fn path_independence(discretisation: &Discretisation, run: &Run) -> Result<Judged, Error> {
     let mut formulation: Formulation = run.formulation.clone();
     formulation.settings.increments = if formulation.settings.increments == 1 { INCREMENTS } else { 1 };
-    formulation.settings.max_steps *= INCREMENTS;
+    formulation.settings.max_iterations *= INCREMENTS;
     let other = discretisation.solve(&formulation)?;
     let apart = |share: &Share| {
         let [own, other] = [&run.solution.edges, &other.edges].map(|edges| &edges[share.edges.clone()]);

@@ -16,8 +16,10 @@ pub struct Document {
     #[serde(skip_serializing_if = "Option::is_none")]
     unmet: Option<String>,
     estimate: f64,
-    freedoms: usize,
-    freedoms_in_all: usize,
+    #[serde(rename = "freedoms")]
+    dofs: usize,
+    #[serde(rename = "freedoms_in_all")]
+    dofs_in_all: usize,
     stretches: Vec<f64>,
     growth: [f64; 2],
     quantities: Vec<OneQuantity>,
@@ -43,8 +45,10 @@ struct OneMesh {
     order: u8,
     elements: usize,
     growth: f64,
-    freedoms: usize,
-    steps: usize,
+    #[serde(rename = "freedoms")]
+    dofs: usize,
+    #[serde(rename = "steps")]
+    iterations: usize,
     contacts: Vec<OneContact>,
     estimate: f64,
 }
@@ -80,8 +84,8 @@ impl Document {
             order: tried.order.number(),
             elements: tried.elements,
             growth: tried.growth,
-            freedoms: tried.freedoms,
-            steps: tried.steps,
+            dofs: tried.dofs,
+            iterations: tried.iterations,
             contacts: tried.contacts.iter().map(contact).collect(),
             estimate: tried.estimate,
         };
@@ -90,8 +94,8 @@ impl Document {
             met: answer.unmet.is_none(),
             unmet: answer.unmet.clone(),
             estimate: answer.estimate(),
-            freedoms: answer.run.freedoms,
-            freedoms_in_all: in_all(answer),
+            dofs: answer.run.dofs,
+            dofs_in_all: in_all(answer),
             stretches: answer.scene.contacts.iter().map(|pair| pair.stretch).collect(),
             growth: [answer.scene.grading.along, answer.scene.grading.depth],
             quantities: answer.estimates.iter().map(quantity).collect(),
@@ -101,7 +105,7 @@ impl Document {
 }
 
 fn in_all(answer: &Answer) -> usize {
-    answer.tried.iter().map(|tried| tried.freedoms).sum()
+    answer.tried.iter().map(|tried| tried.dofs).sum()
 }
 
 /// Prints what was asked, what is estimated, and what was tried.
@@ -132,8 +136,8 @@ pub fn print((asked, answer): &(Asked, Answer)) {
     }
     match &answer.unmet {
         None => say(format!(
-            "met with {} freedoms; {} meshes were solved, with {} freedoms in all, the finer ones for the estimate",
-            answer.run.freedoms,
+            "met with {} dofs; {} meshes were solved, with {} dofs in all, the finer ones for the estimate",
+            answer.run.dofs,
             answer.tried.len(),
             in_all(answer)
         )),
@@ -149,7 +153,7 @@ pub fn print((asked, answer): &(Asked, Answer)) {
     };
     let stretch = format!("stretch [{unit}]");
     let half_width = format!("half-width [{unit}]");
-    let head = ["tried for", "cells", "elements", "growth", &stretch, "freedoms", "steps", "peak [MPa]", &half_width];
+    let head = ["tried for", "cells", "elements", "growth", &stretch, "dofs", "iterations", "peak [MPa]", &half_width];
     table.set_header(head.into_iter().chain(["estimate"]));
     // One line a contact.
     let lines = |tried: &Tried, of: fn(&TriedContact, f64) -> String| -> String {
@@ -163,8 +167,8 @@ pub fn print((asked, answer): &(Asked, Answer)) {
             tried.elements.to_string(),
             known(tried.growth, |growth| format!("{growth:.3}")),
             lines(tried, |found, factor| markdown::value(factor * found.stretch)),
-            if tried.freedoms == 0 { "contact beyond".into() } else { tried.freedoms.to_string() },
-            tried.steps.to_string(),
+            if tried.dofs == 0 { "contact beyond".into() } else { tried.dofs.to_string() },
+            tried.iterations.to_string(),
             lines(tried, |found, _| known(found.peak, markdown::value)),
             lines(tried, |found, factor| known(factor * found.half_width, markdown::value)),
             known(tried.estimate, markdown::error),

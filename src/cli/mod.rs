@@ -71,11 +71,11 @@ enum Command {
     },
     /// Solve the suite and print every check with its verdict, a line of JSON each; trials that break off fail too.
     Verdicts,
-    /// Survey the stability atlas and write snapshots/atlas; broken off, it goes on where it stopped.
+    /// Survey the stability atlas and write snapshots/atlas; interrupted, it resumes.
     Atlas,
-    /// Survey what is called converged and write snapshots/converged.csv; broken off, it goes on where it stopped.
+    /// Survey what is called converged and write snapshots/converged.csv; interrupted, it resumes.
     Converged,
-    /// Survey whether accuracies called met are met and write snapshots/met.csv; broken off, it resumes.
+    /// Survey whether accuracies called met are met and write snapshots/met.csv; interrupted, it resumes.
     Met,
     /// Measure speed against accuracy on one thread and write snapshots/timings; other codes are asked where installed.
     Timings {

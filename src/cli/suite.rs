@@ -37,7 +37,7 @@ fn run_all() -> Vec<(String, Result<Finding, Error>)> {
 pub fn print(findings: &[Finding]) {
     let mut table = Table::new();
     table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
-    table.set_header(["case", "formulation", "outcome", "steps", "errors against closed forms", "verdict"]);
+    table.set_header(["case", "formulation", "outcome", "iterations", "errors against closed forms", "verdict"]);
     for row in matrix::summary_rows(findings) {
         table.add_row(row);
     }

@@ -71,12 +71,12 @@ fn tell_lines(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
 fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     let mut table = Table::new();
     table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
-    table.set_header(["file", "formulation", "outcome", "steps", "its own checks", "checks of every run"]);
+    table.set_header(["file", "formulation", "outcome", "iterations", "its own checks", "checks of every run"]);
     for Verified { name, formulation, run, judged } in verified.iter().flatten() {
         let outcome = run.solution.outcome.to_string();
         let counted = [Scope::Own, Scope::Universal].map(|scope| counted(judged, scope));
-        let steps = run.solution.work.steps.to_string();
-        table.add_row([vec![name.clone(), formulation.clone(), outcome, steps], counted.into()].concat());
+        let iterations = run.solution.work.iterations.to_string();
+        table.add_row([vec![name.clone(), formulation.clone(), outcome, iterations], counted.into()].concat());
     }
     say(table);
     for Verified { name, judged, .. } in verified.iter().flatten() {

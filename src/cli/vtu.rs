@@ -68,7 +68,7 @@ fn on_candidates(discretisation: &Discretisation, run: &Run) -> [Vec<f64>; 2] {
         for body in pair.bodies() {
             let part = &mesh.bodies[body];
             for candidate in &part.candidates[part.candidates_of(contact)] {
-                // Of the facing body an edge may reach beyond the stretch, where there is no gap to tell.
+                // Of the primary body an edge may reach beyond the stretch, where there is no gap to tell.
                 if candidate.coordinate.abs() <= pair.stretch * (1.0 + 1e-9) {
                     pressure[candidate.node] = profile::interpolate(points, pair.stretch, candidate.coordinate);
                     gap[candidate.node] = profile::interpolate(&gaps, pair.stretch, candidate.coordinate);

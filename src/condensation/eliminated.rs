@@ -8,9 +8,9 @@ use crate::condensation::factor::{self, Factor};
 use crate::elasticity::BodySystem;
 use crate::error::Error;
 
-/// `K + σ I_c = L Lᵀ` with the retained freedoms last, and `y = L⁻¹ f`.
+/// `K + σ I_c = L Lᵀ` with the retained dofs last, and `y = L⁻¹ f`.
 ///
-/// The shift σ, of the size of the retained diagonal, makes bodies held by contact alone definite; it is taken off S again.
+/// The shift σ, of the size of the retained diagonal, makes bodies supported by contact alone definite; it is taken off S again.
 #[derive(Debug)]
 pub struct Eliminated {
     factor: Factor,
@@ -90,7 +90,7 @@ impl Eliminated {
     }
 }
 
-/// Values of `K + σ I_c`, and σ: the mean diagonal of the retained freedoms.
+/// Values of `K + σ I_c`, and σ: the mean diagonal of the retained dofs.
 pub(super) fn shifted(body: &BodySystem) -> (Vec<f64>, f64) {
     let (starts, mut values) = (body.stiffness.symbolic().col_ptr(), body.stiffness.val().to_vec());
     // The rows of a column ascend from the diagonal on.

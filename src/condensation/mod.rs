@@ -1,4 +1,4 @@
-//! What the contact sees of the bodies: the condensed stiffness `S` and load `f̂` on the normal freedoms of the candidates.
+//! What the contact sees of the bodies: the condensed stiffness `S` and load `f̂` on the normal dofs of the candidates.
 //!
 //! * [`factor`] — sparse Cholesky factorisation in the order of elimination.
 //! * [`eliminated`] — one body: S is the trailing block of its factor.
@@ -36,14 +36,14 @@ use eliminated::Eliminated;
 pub use plain::Plain;
 pub use uncondensed::{CoupledSpring, solve_uncondensed};
 
-/// `S u = f̂` on the retained freedoms of all bodies, body after body.
+/// `S u = f̂` on the retained dofs of all bodies, body after body.
 #[derive(Debug)]
 pub struct Condensed {
     /// Condensed stiffness `S = K_cc − K_ci K_ii⁻¹ K_ic` [N/mm], block-diagonal by body.
     pub stiffness: Mat<f64>,
     /// Condensed load `f̂ = f_c − K_ci K_ii⁻¹ f_i` \[N\].
     pub load: Vec<f64>,
-    /// First retained freedom of each body.
+    /// First retained dof of each body.
     pub offsets: Vec<usize>,
     bodies: Vec<Eliminated>,
 }
@@ -78,7 +78,7 @@ impl ElasticSystem {
 }
 
 impl Condensed {
-    /// Number of retained freedoms.
+    /// Number of retained dofs.
     pub fn retained(&self) -> usize {
         self.load.len()
     }

@@ -20,9 +20,9 @@ pub struct Plain {
 }
 
 impl Plain {
-    /// The system of a body; the shift σ is that of its condensation, without which bodies held by contact alone are singular.
+    /// The system of a body; the shift σ is that of its condensation, without which bodies supported by contact alone are singular.
     pub fn of(body: &BodySystem) -> Result<Self, Error> {
-        let equations = body.freedoms.in_mesh_order();
+        let equations = body.dofs.in_mesh_order();
         let n = equations.len();
         let mut row_of = vec![0; n];
         equations.iter().enumerate().for_each(|(row, &equation)| row_of[equation] = row);

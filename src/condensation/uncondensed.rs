@@ -8,10 +8,10 @@ use crate::condensation::factor::singular;
 use crate::elasticity::ElasticSystem;
 use crate::error::Error;
 
-/// A spring between retained freedoms.
+/// A spring between retained dofs.
 #[derive(Clone, Debug)]
 pub struct CoupledSpring {
-    /// Sparse row `b` on the retained freedoms.
+    /// Sparse row `b` on the retained dofs.
     pub row: Vec<(usize, f64)>,
     /// Spring constant `A k` [N/mm].
     pub constant: f64,

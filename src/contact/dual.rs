@@ -1,27 +1,27 @@
-//! What a node faces where nodes do not face one another: the mean of the facing displacement, weighted by the node's
+//! What lies opposite a contact node where the meshes do not match: the mean of the primary displacement, weighted by the node's
 //! dual shape function.
 
 use nalgebra::DMatrix;
 
 use crate::contact::Interface;
-use crate::contact::facing::Facing;
+use crate::contact::primary::PrimarySurface;
 use crate::elasticity::quadrature;
 
 /// Gauss points on each piece of an edge: products of two shape functions are polynomials of degree four.
 const POINTS: usize = 4;
 
-/// For each station the facing freedoms with `(1/D_a) ∫ φ_a N_b ds`, `D_a = ∫ N_a ds`.
+/// For each node the primary dofs with `(1/D_a) ∫ φ_a N_b ds`, `D_a = ∫ N_a ds`.
 ///
 /// The dual shape functions `φ = D M⁻¹ N`, `M_ac = ∫ N_a N_c ds` edge by edge, satisfy `∫ φ_a N_c ds = δ_ac D_a` and
 /// `Σ φ_a = 1` (Wohlmuth 2000). Where every node faces a node this is that node alone; elsewhere equal pressures at the
 /// nodes are a uniform pressure on both sides, and the patch test holds.
-pub(super) fn rows(interface: &Interface, facing: &Facing) -> Vec<Vec<(usize, f64)>> {
-    let stations = interface.stations.len();
-    if let Some(pairs) = pairs(interface, facing) {
+pub(super) fn rows(interface: &Interface, primary: &PrimarySurface) -> Vec<Vec<(usize, f64)>> {
+    let nodes = interface.nodes.len();
+    if let Some(pairs) = pairs(interface, primary) {
         return pairs;
     }
-    let mut rows = vec![Vec::new(); stations];
-    let mut areas = vec![0.0; stations];
+    let mut rows = vec![Vec::new(); nodes];
+    let mut areas = vec![0.0; nodes];
     for edge in &interface.edges {
         let n = edge.len();
         let points = interface.on_pieces(edge, &quadrature::gauss(POINTS));
@@ -35,29 +35,29 @@ pub(super) fn rows(interface: &Interface, facing: &Facing) -> Vec<Vec<(usize, f6
         let own: Vec<f64> = (0..n).map(|a| mass.row(a).sum()).collect();
         let Some(inverse) = mass.try_inverse() else { continue };
         for ((shapes, position, length), weight) in &at {
-            for (k, &station) in edge.iter().enumerate() {
+            for (k, &node) in edge.iter().enumerate() {
                 let dual = own[k] * (0..n).map(|c| inverse[(k, c)] * shapes[c]).sum::<f64>();
-                let nodes = facing.at(*position).into_iter().flatten();
-                rows[station].extend(nodes.map(|(node, value)| (node.freedom, dual * value * length * weight)));
+                let nodes = primary.at(*position).into_iter().flatten();
+                rows[node].extend(nodes.map(|(node, value)| (node.dof, dual * value * length * weight)));
             }
         }
-        edge.iter().zip(own).for_each(|(&station, area)| areas[station] += area);
+        edge.iter().zip(own).for_each(|(&node, area)| areas[node] += area);
     }
     let each = rows.into_iter().zip(areas);
     each.map(|(row, area)| {
-        let mean = super::interface::summed(row).into_iter().map(|(freedom, value)| (freedom, value / area));
+        let mean = super::interface::summed(row).into_iter().map(|(dof, value)| (dof, value / area));
         mean.collect()
     })
     .collect()
 }
 
-/// The node that every station faces, where the nodes of both sides are the same.
-fn pairs(interface: &Interface, facing: &Facing) -> Option<Vec<Vec<(usize, f64)>>> {
+/// The node that every node faces, where the nodes of both sides are the same.
+fn pairs(interface: &Interface, primary: &PrimarySurface) -> Option<Vec<Vec<(usize, f64)>>> {
     let whole = |edge: &Vec<usize>| interface.on_pieces(edge, &[(0.0, 2.0)]).len() == 1;
-    let alone = |s: f64| match facing.at(s)?[..] {
-        [(node, value)] => Some(vec![(node.freedom, value)]),
+    let alone = |s: f64| match primary.at(s)?[..] {
+        [(node, value)] => Some(vec![(node.dof, value)]),
         _ => None,
     };
-    let pairs = interface.stations.iter().map(|station| alone(station.coordinate));
+    let pairs = interface.nodes.iter().map(|node| alone(node.coordinate));
     pairs.collect::<Option<Vec<_>>>().filter(|_| interface.edges.iter().all(whole))
 }

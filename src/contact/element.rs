@@ -6,7 +6,7 @@ use crate::named::named_enum;
 named_enum! {
     /// Contact element, in the paper's order.
     pub enum Element {
-        /// Two facing edges joined by a distributed spring.
+        /// An edge and its opposite joined by a distributed spring.
         Line = "line",
         /// A thin element of fictitious material.
         Layer = "layer",

@@ -1,22 +1,22 @@
 //! Nodes and edges of the candidate stretch, and what they face.
 
 use crate::condensation::Condensed;
-use crate::contact::facing::{Facing, natural};
 use crate::contact::point::ContactEdge;
+use crate::contact::primary::{PrimarySurface, natural};
 use crate::elasticity::shape_functions;
 use crate::error::{Error, Part};
 use crate::mesh::{Candidate, Mesh, candidates};
 use crate::scene::{ContactPair, Profile, Scene};
 
-/// The candidate stretch of one contact: stations (nodes of the first body) and the edges between them.
+/// The candidate stretch of one contact: nodes (nodes of the first body) and the edges between them.
 #[derive(Clone, Debug)]
 pub struct Interface {
     /// Nodes of the first body, in the order of the contact coordinate.
-    pub stations: Vec<Station>,
-    /// Edges as station indices: first, last and, on 3-node edges, the middle.
+    pub nodes: Vec<ContactNode>,
+    /// Edges as node indices: first, last and, on 3-node edges, the middle.
     pub edges: Vec<Vec<usize>>,
     /// Edges of the second body; none where the other side is rigid.
-    pub facing: Option<Facing>,
+    pub primary: Option<PrimarySurface>,
     /// Index of the contact in the scene.
     pub contact: usize,
     /// Path, gap and symmetry of the contact.
@@ -27,7 +27,7 @@ pub struct Interface {
 
 /// A node of the first body and, unless the other side is rigid, what it faces on the second.
 #[derive(Clone, Debug)]
-pub struct Station {
+pub struct ContactNode {
     /// Contact coordinate.
     pub coordinate: f64,
     /// Position on the first body \[mm\].
@@ -36,25 +36,25 @@ pub struct Station {
     pub normal: [f64; 2],
     /// Initial gap \[mm\].
     pub gap: f64,
-    /// Retained freedom of its own normal displacement.
-    pub freedom: usize,
-    /// Retained freedoms of the second body with their weights: the facing node, or where nodes do not face one another
+    /// Retained dof of its own normal displacement.
+    pub dof: usize,
+    /// Retained dofs of the primary body with their weights: the opposite node, or where the meshes do not match
     /// those of the edges around, by the dual shape function of this node.
-    pub facing: Vec<(usize, f64)>,
+    pub opposite: Vec<(usize, f64)>,
 }
 
-impl Station {
-    /// Row `b` of the approach `w = b·u` at this node: own normal displacement plus the facing one, both outward.
+impl ContactNode {
+    /// Row `b` of the approach `w = b·u` at this node: own normal displacement plus the opposite one, both outward.
     pub fn row(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
-        std::iter::once((self.freedom, 1.0)).chain(self.facing.iter().copied())
+        std::iter::once((self.dof, 1.0)).chain(self.opposite.iter().copied())
     }
 }
 
 /// A normal displacement that takes part in the approach of a point.
 #[derive(Clone, Copy, Debug)]
 pub struct Term {
-    /// Retained freedom.
-    pub freedom: usize,
+    /// Retained dof.
+    pub dof: usize,
     /// Shape function.
     pub value: f64,
     /// Normal of the node, out of the first body.
@@ -67,15 +67,15 @@ impl Interface {
         let pair = &scene.contacts[contact];
         let first = &mesh.bodies[pair.first];
         let own = first.candidates_of(contact);
-        let other = |second| Facing::of(scene, mesh, pair, second, condensed.offsets[second]);
-        let facing = pair.second.map(other).transpose()?;
-        let station = |index: usize| {
+        let other = |second| PrimarySurface::of(scene, mesh, pair, second, condensed.offsets[second]);
+        let primary = pair.second.map(other).transpose()?;
+        let node = |index: usize| {
             let candidate: &Candidate = &first.candidates[index];
             let s = candidate.coordinate;
-            let opposite = match &facing {
+            let opposite = match &primary {
                 None => pair.path.own_depth(),
-                Some(facing) => {
-                    let nodes = facing.at(s).ok_or_else(|| not_facing(scene, contact, facing, s))?;
+                Some(primary) => {
+                    let nodes = primary.at(s).ok_or_else(|| non_matching(scene, contact, primary, s))?;
                     nodes.iter().map(|(node, value)| value * node.depth).sum()
                 }
             };
@@ -84,23 +84,23 @@ impl Interface {
                 Profile::Drawn => pair.drawn(pair.path.depth(point), opposite),
                 profile => profile.gap(s),
             };
-            let freedom = condensed.offsets[pair.first] + index;
-            Ok(Station { coordinate: s, point, normal: candidate.normal, gap, freedom, facing: Vec::new() })
+            let dof = condensed.offsets[pair.first] + index;
+            Ok(ContactNode { coordinate: s, point, normal: candidate.normal, gap, dof, opposite: Vec::new() })
         };
-        let stations = own.clone().map(station).collect::<Result<Vec<Station>, Error>>()?;
+        let nodes = own.clone().map(node).collect::<Result<Vec<ContactNode>, Error>>()?;
         let index = |node: usize| first.candidate_index(node).map(|index| index - own.start);
         let mut edges: Vec<Vec<usize>> = candidates::candidate_edges(mesh, scene, pair, pair.first)?
             .iter()
             .filter_map(|edge| edge.iter().map(|&n| index(n)).collect())
             .collect();
         edges.sort_by_key(|edge| edge[0].min(edge[1]));
-        Ok(Self { stations, edges, facing, contact, pair: pair.clone(), thickness: scene.thickness })
+        Ok(Self { nodes, edges, primary, contact, pair: pair.clone(), thickness: scene.thickness })
     }
 
     /// Where the candidate edges begin and end.
     pub fn contact_edges(&self) -> impl Iterator<Item = ContactEdge> + '_ {
         self.edges.iter().map(|edge| {
-            let [a, b] = [edge[0], edge[1]].map(|station| self.stations[station].coordinate);
+            let [a, b] = [edge[0], edge[1]].map(|node| self.nodes[node].coordinate);
             ContactEdge { contact: self.contact, ends: [a.min(b), a.max(b)] }
         })
     }
@@ -109,21 +109,21 @@ impl Interface {
     pub fn at(&self, edge: &[usize], xi: f64) -> (Vec<f64>, f64, f64) {
         let shapes = shape_functions::edge(edge.len(), xi);
         let of = |pick: fn(&(f64, f64)) -> f64| -> f64 {
-            shapes.iter().zip(edge).map(|(shape, &a)| pick(shape) * self.stations[a].coordinate).sum()
+            shapes.iter().zip(edge).map(|(shape, &a)| pick(shape) * self.nodes[a].coordinate).sum()
         };
         let position = of(|shape| shape.0);
         let length = of(|shape| shape.1).abs() * self.pair.path.metric();
         (shapes.iter().map(|shape| shape.0).collect(), position, length)
     }
 
-    /// Points and weights of a rule on every piece of an edge; it is cut where facing edges meet, so that the shape
+    /// Points and weights of a rule on every piece of an edge; it is cut where opposite edges meet, so that the shape
     /// functions of both sides are smooth on each piece.
     pub fn on_pieces(&self, edge: &[usize], rule: &[(f64, f64)]) -> Vec<(f64, f64)> {
-        let coordinates: Vec<f64> = edge.iter().map(|&a| self.stations[a].coordinate).collect();
+        let coordinates: Vec<f64> = edge.iter().map(|&a| self.nodes[a].coordinate).collect();
         let [low, high] = [coordinates[0].min(coordinates[1]), coordinates[0].max(coordinates[1])];
         let mut cuts = vec![-1.0, 1.0];
-        if let Some(facing) = &self.facing {
-            let within = facing.corners().filter(|s| *s > low + facing.same && *s < high - facing.same);
+        if let Some(primary) = &self.primary {
+            let within = primary.corners().filter(|s| *s > low + primary.same && *s < high - primary.same);
             cuts.extend(within.map(|s| natural(&coordinates, s)));
         }
         cuts.sort_by(f64::total_cmp);
@@ -135,43 +135,43 @@ impl Interface {
         cuts.windows(2).flat_map(piece).collect()
     }
 
-    /// The displacements in the approach of a point of an edge: own ones by `N_a`, facing ones by projection.
+    /// The displacements in the approach of a point of an edge: own ones by `N_a`, opposite ones by projection.
     pub fn terms(&self, edge: &[usize], shapes: &[f64], position: f64) -> Vec<Term> {
         let own = edge.iter().zip(shapes).map(|(&a, &value)| {
-            let station = &self.stations[a];
-            Term { freedom: station.freedom, value, normal: station.normal }
+            let node = &self.nodes[a];
+            Term { dof: node.dof, value, normal: node.normal }
         });
-        let facing = self.facing.iter().filter_map(|facing| facing.at(position)).flatten();
-        let facing = facing.map(|(node, value)| Term { freedom: node.freedom, value, normal: node.normal });
-        own.chain(facing).collect()
+        let primary = self.primary.iter().filter_map(|primary| primary.at(position)).flatten();
+        let primary = primary.map(|(node, value)| Term { dof: node.dof, value, normal: node.normal });
+        own.chain(primary).collect()
     }
 
     /// Initial gap at a point of an edge: that of the profile, or the drawn one interpolated by `N_a` \[mm\].
     pub fn gap(&self, edge: &[usize], shapes: &[f64], position: f64) -> f64 {
         match &self.pair.profile {
-            Profile::Drawn => edge.iter().zip(shapes).map(|(&a, value)| value * self.stations[a].gap).sum(),
+            Profile::Drawn => edge.iter().zip(shapes).map(|(&a, value)| value * self.nodes[a].gap).sum(),
             profile => profile.gap(position),
         }
     }
 }
 
-/// A row in which every freedom stands once, where it first stood.
+/// A row in which every dof stands once, where it first stood.
 pub(super) fn summed(row: Vec<(usize, f64)>) -> Vec<(usize, f64)> {
     let mut sums: Vec<(usize, f64)> = Vec::with_capacity(row.len());
-    for (freedom, value) in row {
-        match sums.iter_mut().find(|(known, _)| *known == freedom) {
+    for (dof, value) in row {
+        match sums.iter_mut().find(|(known, _)| *known == dof) {
             Some((_, sum)) => *sum += value,
-            None => sums.push((freedom, value)),
+            None => sums.push((dof, value)),
         }
     }
     sums
 }
 
-fn not_facing(scene: &Scene, contact: usize, facing: &Facing, at: f64) -> Error {
-    let from = facing.corners().fold(f64::INFINITY, f64::min);
-    let to = facing.corners().fold(f64::NEG_INFINITY, f64::max);
+fn non_matching(scene: &Scene, contact: usize, primary: &PrimarySurface, at: f64) -> Error {
+    let from = primary.corners().fold(f64::INFINITY, f64::min);
+    let to = primary.corners().fold(f64::NEG_INFINITY, f64::max);
     let pair = &scene.contacts[contact];
-    let [at, from, to] = [at, from, to].map(|s| pair.path.told(s));
+    let [at, from, to] = [at, from, to].map(|s| pair.path.reported(s));
     let message = format!(
         "nothing of the secondary body is opposite the node of the primary one at s = {at}: its contact side lies between {from} and {to}"
     );

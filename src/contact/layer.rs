@@ -1,4 +1,4 @@
-//! Layer contact element: a thin isoparametric element of fictitious material between two facing edges.
+//! Layer contact element: a thin isoparametric element of fictitious material between an edge and its opposite.
 
 use nalgebra::Vector2;
 
@@ -50,21 +50,21 @@ impl ContactElement for Layer {
 }
 
 fn length(interface: &Interface, edge: &[usize]) -> f64 {
-    let coordinate = |k: usize| interface.stations[edge[k]].coordinate;
+    let coordinate = |k: usize| interface.nodes[edge[k]].coordinate;
     (coordinate(1) - coordinate(0)).abs() * interface.pair.path.metric()
 }
 
-/// Row of `w = t ε` on the retained normal freedoms.
+/// Row of `w = t ε` on the retained normal dofs.
 ///
 /// Across the element `u = ½(1−η) u₁ + ½(1+η) u₂`. As `e` runs along `∂x/∂η`, with `t = 2 |∂x/∂η|`, `e·∇u = (u₂ − u₁)/t`
 /// exactly, however wedge-shaped the element is. The first body moves by `u n_a`, the second by `−u n_b`, `n` out of the
 /// first; closing is compression, and a displacement contributes `N (n·e)`. Its tangential part is dropped.
 fn normal_row(interface: &Interface, edge: &[usize], t0: f64, (shapes, position): (&[f64], f64)) -> Vec<(usize, f64)> {
     let across = |(&a, &value): (&usize, &f64)| {
-        let station = &interface.stations[a];
-        Vector2::from(station.normal) * (0.5 * value * (t0 + station.gap.max(0.0)))
+        let node = &interface.nodes[a];
+        Vector2::from(node.normal) * (0.5 * value * (t0 + node.gap.max(0.0)))
     };
     let director = edge.iter().zip(shapes).map(across).sum::<Vector2<f64>>().normalize();
     let terms = interface.terms(edge, shapes, position).into_iter();
-    terms.map(|term| (term.freedom, term.value * director.dot(&Vector2::from(term.normal)))).collect()
+    terms.map(|term| (term.dof, term.value * director.dot(&Vector2::from(term.normal)))).collect()
 }

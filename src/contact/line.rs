@@ -1,4 +1,4 @@
-//! Line contact element: two facing element edges joined by a distributed spring.
+//! Line contact element: an element edge and its opposite joined by a distributed spring.
 
 use crate::contact::{ContactElement, ContactPoint, Interface, Quadrature};
 
@@ -18,7 +18,7 @@ impl ContactElement for Line {
                 let area = weight * length * interface.thickness;
                 points.push(ContactPoint {
                     contact: interface.contact,
-                    row: interface.terms(edge, &shapes, position).iter().map(|t| (t.freedom, t.value)).collect(),
+                    row: interface.terms(edge, &shapes, position).iter().map(|t| (t.dof, t.value)).collect(),
                     position,
                     weight: area,
                     gap: interface.gap(edge, &shapes, position),

@@ -4,7 +4,7 @@
 //! * [`interface`] — nodes and edges of the candidate stretch.
 //! * `pairing` — from the candidates of both bodies to an interface.
 //! * `dual` — what a node faces where nodes do not face one another.
-//! * [`facing`] — projection on to the edges of the other body.
+//! * [`primary`] — projection on to the edges of the other body.
 //! * [`node`] — one spring per node pair (paper, Fig. 5).
 //! * [`mod@line`] — distributed springs between two element edges (Fig. 3).
 //! * [`layer`] — a thin element of fictitious material (Fig. 4).
@@ -29,13 +29,13 @@
 
 mod dual;
 pub mod element;
-pub mod facing;
 pub mod interface;
 pub mod layer;
 pub mod line;
 pub mod node;
 mod pairing;
 pub mod point;
+pub mod primary;
 pub mod quadrature;
 
 pub use element::Element;
@@ -46,7 +46,7 @@ pub use node::Node;
 pub use point::{ContactEdge, ContactPoint};
 pub use quadrature::Quadrature;
 
-/// A contact element: from facing edges to contact points.
+/// A contact element: from the edges of an interface to contact points.
 pub trait ContactElement {
     /// The contact points of an interface, in the order of the contact coordinate.
     fn points(&self, interface: &Interface) -> Vec<ContactPoint>;

@@ -1,4 +1,4 @@
-//! Node contact element: one spring between two facing nodes.
+//! Node contact element: one spring between a node and what lies opposite.
 
 use crate::contact::{ContactElement, ContactPoint, Interface};
 use crate::elasticity::quadrature;
@@ -13,20 +13,20 @@ pub struct Node;
 
 impl ContactElement for Node {
     fn points(&self, interface: &Interface) -> Vec<ContactPoint> {
-        let mut shares: Vec<Vec<(usize, f64)>> = vec![Vec::new(); interface.stations.len()];
+        let mut shares: Vec<Vec<(usize, f64)>> = vec![Vec::new(); interface.nodes.len()];
         for (index, edge) in interface.edges.iter().enumerate() {
             for (k, &a) in edge.iter().enumerate() {
                 shares[a].push((index, tributary_area(interface, edge, k)));
             }
         }
-        let stations = interface.stations.iter().zip(shares);
-        stations
-            .map(|(station, shares)| ContactPoint {
+        let nodes = interface.nodes.iter().zip(shares);
+        nodes
+            .map(|(node, shares)| ContactPoint {
                 contact: interface.contact,
-                row: station.row().collect(),
-                position: station.coordinate,
+                row: node.row().collect(),
+                position: node.coordinate,
                 weight: shares.iter().map(|(_, area)| area).sum(),
-                gap: station.gap,
+                gap: node.gap,
                 relative_stiffness: 1.0,
                 shares,
             })
@@ -36,7 +36,7 @@ impl ContactElement for Node {
 
 /// `∫ N_k (n·n_k) ds · thickness` over one edge \[mm²\].
 fn tributary_area(interface: &Interface, edge: &[usize], k: usize) -> f64 {
-    let own = interface.stations[edge[k]].coordinate;
+    let own = interface.nodes[edge[k]].coordinate;
     let terms = quadrature::gauss(3).into_iter().map(|(xi, weight)| {
         let (shapes, position, length) = interface.at(edge, xi);
         shapes[k] * interface.pair.path.alignment(position, own) * weight * length

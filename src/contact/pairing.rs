@@ -16,9 +16,9 @@ impl Interface {
     /// Projects the candidates of the first body of a contact on to the second; their nodes need not match.
     pub fn between(scene: &Scene, mesh: &Mesh, condensed: &Condensed, contact: usize) -> Result<Self, Error> {
         let mut interface = Self::projected(scene, mesh, condensed, contact)?;
-        if let Some(facing) = &interface.facing {
-            let rows = dual::rows(&interface, facing);
-            interface.stations.iter_mut().zip(rows).for_each(|(station, row)| station.facing = row);
+        if let Some(primary) = &interface.primary {
+            let rows = dual::rows(&interface, primary);
+            interface.nodes.iter_mut().zip(rows).for_each(|(node, row)| node.opposite = row);
         }
         Ok(interface)
     }

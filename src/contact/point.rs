@@ -5,7 +5,7 @@
 pub struct ContactPoint {
     /// Index of the contact in the scene.
     pub contact: usize,
-    /// Sparse row `b` on the retained freedoms: the approach is `w = b·u`.
+    /// Sparse row `b` on the retained dofs: the approach is `w = b·u`.
     pub row: Vec<(usize, f64)>,
     /// Contact coordinate `s` \[mm, or rad on an arc\].
     pub position: f64,
@@ -22,17 +22,17 @@ pub struct ContactPoint {
 impl ContactPoint {
     /// Approach `w = b·u` \[mm\], positive closing.
     pub fn approach(&self, u: &[f64]) -> f64 {
-        self.row.iter().map(|&(freedom, value)| value * u[freedom]).sum()
+        self.row.iter().map(|&(dof, value)| value * u[dof]).sum()
     }
 
     /// `|b|·|u|`: the size of the displacements whose difference the approach is \[mm\].
     pub fn size_of_approach(&self, u: &[f64]) -> f64 {
-        self.row.iter().map(|&(freedom, value)| (value * u[freedom]).abs()).sum()
+        self.row.iter().map(|&(dof, value)| (value * u[dof]).abs()).sum()
     }
 
-    /// Adds `factor · b` to a vector on the retained freedoms.
+    /// Adds `factor · b` to a vector on the retained dofs.
     pub fn add_row(&self, factor: f64, out: &mut [f64]) {
-        self.row.iter().for_each(|&(freedom, value)| out[freedom] += factor * value);
+        self.row.iter().for_each(|&(dof, value)| out[dof] += factor * value);
     }
 }
 

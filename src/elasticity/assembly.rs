@@ -7,7 +7,7 @@ use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 
 use crate::elasticity::degenerate::degenerate;
 use crate::elasticity::element::CellStiffness;
-use crate::elasticity::{Freedom, Freedoms, Index, NodeGraph};
+use crate::elasticity::{Dofs, Freedom, Index, NodeGraph};
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
@@ -23,15 +23,15 @@ pub fn stiffness(
     scene: &Scene,
     mesh: &Mesh,
     body: usize,
-    (graph, freedoms): (&NodeGraph, &Freedoms),
+    (graph, dofs): (&NodeGraph, &Dofs),
     factor: &(dyn Fn(usize) -> f64 + Sync),
     force: &mut [f64],
 ) -> Result<SparseColMat<Index, f64>, Error> {
     let material = &scene.bodies[body].material;
     let kernel = CellStiffness::of(mesh.order, material, scene.plane, scene.thickness);
-    let pattern = Pattern::of(graph, freedoms);
+    let pattern = Pattern::of(graph, dofs);
     let sum = |cells: Range<usize>| {
-        let mut sum = Sum { values: vec![0.0; pattern.columns.row_idx().len()], force: vec![0.0; freedoms.equations] };
+        let mut sum = Sum { values: vec![0.0; pattern.columns.row_idx().len()], force: vec![0.0; dofs.equations] };
         let mut k = vec![0.0; kernel.entries()];
         for cell in cells {
             let nodes = mesh.cell(cell);
@@ -40,8 +40,8 @@ pub fn stiffness(
                 .map_err(|jacobian| degenerate(scene, body, cell, jacobian))?;
             let factor = factor(cell);
             k.iter_mut().for_each(|entry| *entry *= factor);
-            freedoms.rotate(nodes, &mut k);
-            sum.add(nodes, &k, freedoms, &pattern);
+            dofs.rotate(nodes, &mut k);
+            sum.add(nodes, &k, dofs, &pattern);
         }
         Ok(sum)
     };
@@ -67,13 +67,13 @@ struct Pattern {
 
 impl Pattern {
     /// Rows are handed to their columns in ascending order, so that the rows of every column ascend.
-    fn of(graph: &NodeGraph, freedoms: &Freedoms) -> Self {
-        let n = freedoms.equations;
-        let of_node = |pair: &[Freedom; 2]| pair.map(|freedom| freedom.equation().map_or(Index::MAX, |e| e as Index));
-        let equations: Vec<[Index; 2]> = freedoms.components.iter().map(of_node).collect();
+    fn of(graph: &NodeGraph, dofs: &Dofs) -> Self {
+        let n = dofs.equations;
+        let of_node = |pair: &[Freedom; 2]| pair.map(|dof| dof.equation().map_or(Index::MAX, |e| e as Index));
+        let equations: Vec<[Index; 2]> = dofs.components.iter().map(of_node).collect();
         // The node of each equation; the common equation of a tied face has several.
         let (mut owner, mut further) = (vec![usize::MAX; n], BTreeMap::<usize, Vec<usize>>::new());
-        for (node, pair) in freedoms.components.iter().enumerate() {
+        for (node, pair) in dofs.components.iter().enumerate() {
             for equation in pair.iter().filter_map(Freedom::equation) {
                 if owner[equation] == usize::MAX {
                     owner[equation] = node;
@@ -140,14 +140,14 @@ impl Sum {
     }
 
     /// Adds the stiffness of a cell, its rows one after the other.
-    fn add(&mut self, nodes: &[usize], k: &[f64], freedoms: &Freedoms, pattern: &Pattern) {
+    fn add(&mut self, nodes: &[usize], k: &[f64], dofs: &Dofs, pattern: &Pattern) {
         let (starts, rows) = (pattern.columns.col_ptr(), pattern.columns.row_idx());
         let side = 2 * nodes.len();
-        let of_cell = || nodes.iter().flat_map(|&node| freedoms.of_node(node)).enumerate();
+        let of_cell = || nodes.iter().flat_map(|&node| dofs.of_node(node)).enumerate();
         let mut ascending = [(0, 0); 16];
         let mut count = 0;
-        for (i, freedom) in of_cell() {
-            if let Freedom::Equation(equation) = freedom {
+        for (i, dof) in of_cell() {
+            if let Freedom::Equation(equation) = dof {
                 ascending[count] = (equation as Index, i);
                 count += 1;
             }
@@ -178,8 +178,8 @@ impl Sum {
                 self.values[place] += k[j * side + i];
             }
         }
-        for (j, freedom) in of_cell() {
-            if let Freedom::Prescribed(u) = freedom
+        for (j, dof) in of_cell() {
+            if let Freedom::Prescribed(u) = dof
                 && u.abs() > 0.0
             {
                 ascending.iter().for_each(|&(row, i)| self.force[row as usize] -= k[i * side + j] * u);

@@ -7,7 +7,7 @@ use crate::elasticity::{quadrature, shape_functions};
 use crate::mesh::Order;
 use crate::scene::{Material, PlaneHypothesis};
 
-/// `k = ∫ Bᵀ D B t dA` [N/mm] of 4-node (2×2 Gauss) or 8-node cells (3×3 Gauss); freedoms are u_x, u_y node by node.
+/// `k = ∫ Bᵀ D B t dA` [N/mm] of 4-node (2×2 Gauss) or 8-node cells (3×3 Gauss); dofs are u_x, u_y node by node.
 ///
 /// Of nearly incompressible bodies `k = ∫ Bᵀ D₀ B t dA + λ₁ Σ b_j b_jᵀ` ([`dilatation`](crate::elasticity::dilatation)).
 /// The shape functions and their slopes at the Gauss points are the same for all cells and tabulated once.

@@ -44,15 +44,15 @@ impl NodeGraph {
         self.neighbours[self.starts[node]..self.starts[node + 1]].iter().map(|&other| other as usize)
     }
 
-    /// Entries that the lower triangle of a matrix of two freedoms per node has.
+    /// Entries that the lower triangle of a matrix of two dofs per node has.
     pub fn entries_of_lower_triangle(&self) -> usize {
         2 * self.neighbours.len() + (self.starts.len() - 1)
     }
 
     /// Approximate minimum degree order of the nodes that take part (Amestoy, Davis & Duff 1996).
     ///
-    /// Nodes instead of freedoms: a quarter of the entries. Ties are broken by the numbering the ordering is given; the
-    /// mesh's own backwards costs a third fewer operations than forwards (quarter cylinder, 1e5 freedoms).
+    /// Nodes instead of dofs: a quarter of the entries. Ties are broken by the numbering the ordering is given; the
+    /// mesh's own backwards costs a third fewer operations than forwards (quarter cylinder, 1e5 dofs).
     pub fn minimum_degree(&self, takes_part: &[bool]) -> Vec<usize> {
         let nodes: Vec<usize> = (0..takes_part.len()).rev().filter(|&node| takes_part[node]).collect();
         let mut number = vec![0; takes_part.len()];

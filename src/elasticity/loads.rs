@@ -1,7 +1,7 @@
 //! Consistent nodal forces of tractions, stress fields, body forces and concentrated forces.
 
 use crate::elasticity::degenerate::degenerate;
-use crate::elasticity::freedoms::Freedoms;
+use crate::elasticity::dofs::Dofs;
 use crate::elasticity::{element, point, quadrature, shape_functions};
 use crate::error::Error;
 use crate::mesh::{Edge, Mesh};
@@ -14,28 +14,28 @@ const EDGE_POINTS: usize = 16;
 type Taker<'a> = &'a mut dyn FnMut(usize, [f64; 2]);
 
 /// Load vector of a body \[N\].
-pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms) -> Result<Vec<f64>, Error> {
-    let mut force = vec![0.0; freedoms.equations];
+pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs) -> Result<Vec<f64>, Error> {
+    let mut force = vec![0.0; dofs.equations];
     for load in &scene.bodies[body].loads {
         if let Load::RigidFace { boundary, component, force: value } = load {
             // The component that the nodes of the face share; a node of it that a support holds has none.
             let nodes = mesh.boundary(scene, body, boundary)?.iter().flatten();
-            let shared = nodes.filter_map(|&node| freedoms.of_node(node)[component.index()].equation()).next();
-            let Some(equation) = shared else { return Err(held_face(scene, body, boundary, *value)) };
+            let shared = nodes.filter_map(|&node| dofs.of_node(node)[component.index()].equation()).next();
+            let Some(equation) = shared else { return Err(fixed_face(scene, body, boundary, *value)) };
             force[equation] += value;
         }
-        hand_out(scene, mesh, body, load, &mut |node, value| freedoms.add_force(node, value, &mut force))?;
+        hand_out(scene, mesh, body, load, &mut |node, value| dofs.add_force(node, value, &mut force))?;
     }
     Ok(force)
 }
 
-fn held_face(scene: &Scene, body: usize, boundary: &str, force: f64) -> Error {
+fn fixed_face(scene: &Scene, body: usize, boundary: &str, force: f64) -> Error {
     let expected = format!("every node of `{boundary}` is fixed in that direction");
     let remedy = "leave out the supports or the force";
     Error::value(scene.place_of_body(body), "force on a rigid face", force, expected, remedy)
 }
 
-/// Applied forces at each node of a body, in x and y, held components included \[N\].
+/// Applied forces at each node of a body, in x and y, fixed components included \[N\].
 ///
 /// The force on a rigid face is not among them: it acts on what its nodes have in common, which no support holds.
 pub fn at_nodes(scene: &Scene, mesh: &Mesh, body: usize) -> Result<Vec<[f64; 2]>, Error> {

@@ -5,7 +5,7 @@
 //! * [`dilatation`] — what keeps nearly incompressible cells from locking.
 //! * [`element`] — element stiffness, and stresses within a cell.
 //! * [`graph`] — which nodes share a cell, and the order in which they are eliminated.
-//! * [`freedoms`] — which displacement components are unknown, numbered in that order.
+//! * [`dofs`] — which displacement components are unknown, numbered in that order.
 //! * [`assembly`] — the stiffness matrix.
 //! * [`loads`] — consistent nodal forces.
 //! * `point` — where in the cells a point lies.
@@ -31,8 +31,8 @@
 pub mod assembly;
 mod degenerate;
 pub mod dilatation;
+pub mod dofs;
 pub mod element;
-pub mod freedoms;
 pub mod graph;
 pub mod loads;
 mod point;
@@ -50,10 +50,10 @@ use crate::error::{Error, Place};
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 
-pub use freedoms::{Freedom, Freedoms};
+pub use dofs::{Dofs, Freedom};
 pub use graph::{Index, NodeGraph};
 
-/// `K q = f` for every body, with the normal freedoms of the candidate contact nodes known.
+/// `K q = f` for every body, with the normal dofs of the candidate contact nodes known.
 #[derive(Clone, Debug)]
 pub struct ElasticSystem {
     /// One system per body; bodies are coupled by contact only.
@@ -70,7 +70,7 @@ pub struct BodySystem {
     /// Load vector `f`, prescribed displacements included \[N\].
     pub force: Vec<f64>,
     /// Numbering.
-    pub freedoms: Freedoms,
+    pub dofs: Dofs,
     /// Equations of the outward normal displacements of the candidate nodes: the last ones.
     pub retained: Range<usize>,
 }
@@ -78,7 +78,7 @@ pub struct BodySystem {
 /// The unknowns of every body, numbered in the order in which they are eliminated.
 #[derive(Clone, Debug)]
 pub struct Numbering {
-    bodies: Vec<(NodeGraph, Freedoms)>,
+    bodies: Vec<(NodeGraph, Dofs)>,
 }
 
 impl Numbering {
@@ -86,9 +86,9 @@ impl Numbering {
     pub fn of(scene: &Scene, mesh: &Mesh) -> Result<Self, Error> {
         let number = |body: usize| {
             let graph = NodeGraph::of(mesh, body);
-            let freedoms = Freedoms::number(scene, mesh, body, &graph)?;
-            rigid_motion::refuse_free(scene, mesh, body, &freedoms)?;
-            Ok((graph, freedoms))
+            let dofs = Dofs::number(scene, mesh, body, &graph)?;
+            rigid_motion::refuse_free(scene, mesh, body, &dofs)?;
+            Ok((graph, dofs))
         };
         Ok(Self { bodies: (0..scene.bodies.len()).map(number).collect::<Result<_, Error>>()? })
     }
@@ -113,14 +113,13 @@ impl ElasticSystem {
         factor: &(dyn Fn(usize) -> f64 + Sync),
     ) -> Result<Self, Error> {
         let bodies = numbering.bodies.into_iter().enumerate();
-        let bodies =
-            bodies.map(|(body, (graph, freedoms))| BodySystem::assemble(scene, mesh, body, &graph, freedoms, factor));
+        let bodies = bodies.map(|(body, (graph, dofs))| BodySystem::assemble(scene, mesh, body, &graph, dofs, factor));
         Ok(Self { bodies: bodies.collect::<Result<_, _>>()? })
     }
 
     /// Number of unknown displacement components.
-    pub fn freedoms(&self) -> usize {
-        self.bodies.iter().map(|body| body.freedoms.equations).sum()
+    pub fn dofs(&self) -> usize {
+        self.bodies.iter().map(|body| body.dofs.equations).sum()
     }
 
     /// Nodal displacements \[mm\] from the solution of each body, in mesh order.
@@ -131,7 +130,7 @@ impl ElasticSystem {
     /// The same where prescribed displacements are `share` times theirs.
     pub fn nodal_displacements_under(&self, share: f64, solutions: &[Vec<f64>]) -> Vec<[f64; 2]> {
         let per_body = self.bodies.iter().zip(solutions);
-        per_body.flat_map(|(body, solution)| body.freedoms.displacements_under(share, solution)).collect()
+        per_body.flat_map(|(body, solution)| body.dofs.displacements_under(share, solution)).collect()
     }
 }
 
@@ -141,21 +140,21 @@ impl BodySystem {
         mesh: &Mesh,
         body: usize,
         graph: &NodeGraph,
-        freedoms: Freedoms,
+        dofs: Dofs,
         factor: &(dyn Fn(usize) -> f64 + Sync),
     ) -> Result<Self, Error> {
-        let mut force = loads::nodal_forces(scene, mesh, body, &freedoms)?;
-        let stiffness = assembly::stiffness(scene, mesh, body, (graph, &freedoms), factor, &mut force)?;
-        let retained = freedoms.retained.clone();
-        Ok(Self { place: scene.place_of_body(body), stiffness, force, freedoms, retained })
+        let mut force = loads::nodal_forces(scene, mesh, body, &dofs)?;
+        let stiffness = assembly::stiffness(scene, mesh, body, (graph, &dofs), factor, &mut force)?;
+        let retained = dofs.retained.clone();
+        Ok(Self { place: scene.place_of_body(body), stiffness, force, dofs, retained })
     }
 
     /// Applied load along y: the load vector times a unit rigid motion along y, prescribed components at rest \[N\].
     pub fn applied_vertical(&self) -> f64 {
         let mut motion = vec![0.0; self.force.len()];
-        for (pair, n) in self.freedoms.components.iter().zip(&self.freedoms.axes) {
-            for (freedom, y) in pair.iter().zip([n[1], n[0]]) {
-                if let Freedom::Equation(equation) = freedom {
+        for (pair, n) in self.dofs.components.iter().zip(&self.dofs.axes) {
+            for (dof, y) in pair.iter().zip([n[1], n[0]]) {
+                if let Freedom::Equation(equation) = dof {
                     motion[*equation] = y;
                 }
             }

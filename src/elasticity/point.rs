@@ -9,7 +9,7 @@ use crate::scene::Scene;
 
 /// How far outside a cell, over its size, a point still belongs to it: edges only approach a curved outline.
 const OUTSIDE: f64 = 0.02;
-/// Steps of Newton's method, and the last change of a natural coordinate, at which they end.
+/// Iterations of Newton's method, and the last change of a natural coordinate, at which they end.
 const STEPS: usize = 30;
 const AT_REST: f64 = 1e-12;
 

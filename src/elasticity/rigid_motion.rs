@@ -1,8 +1,8 @@
-//! Refuses a body that could move as a rigid one although its supports and contact nodes are held.
+//! Refuses a body that could move as a rigid one although its supports and contact nodes are fixed.
 
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
-use crate::elasticity::freedoms::Freedoms;
+use crate::elasticity::dofs::Dofs;
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::{Load, Scene};
@@ -10,10 +10,10 @@ use crate::scene::{Load, Scene};
 /// Below this fraction of the largest eigenvalue a rigid motion counts as free.
 const FREE: f64 = 1e-10;
 
-/// The interior stiffness is positive definite ⇔ no rigid motion `(a, b, ω)` leaves every held component at rest.
+/// The interior stiffness is positive definite ⇔ no rigid motion `(a, b, ω)` leaves every fixed component at rest.
 ///
-/// Held are prescribed components, the normals of contact candidates, and the rotation of rigid faces.
-pub fn refuse_free(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms) -> Result<(), Error> {
+/// Fixed are prescribed components, the normals of contact candidates, and the rotation of rigid faces.
+pub fn refuse_free(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs) -> Result<(), Error> {
     let nodes = mesh.bodies[body].nodes.clone();
     let count = nodes.len() as f64;
     let centre: [f64; 2] = std::array::from_fn(|k| nodes.clone().map(|n| mesh.points[n][k]).sum::<f64>() / count);
@@ -26,8 +26,8 @@ pub fn refuse_free(scene: &Scene, mesh: &Mesh, body: usize, freedoms: &Freedoms)
     let mut gram = Matrix3::zeros();
     let mut hold = |row: Vector3<f64>| gram += row * row.transpose();
     for node in nodes {
-        for (freedom, axis) in freedoms.of_node(node).into_iter().zip(freedoms.frame(node)) {
-            if freedom.equation().is_none_or(|equation| freedoms.retained.contains(&equation)) {
+        for (dof, axis) in dofs.of_node(node).into_iter().zip(dofs.frame(node)) {
+            if dof.equation().is_none_or(|equation| dofs.retained.contains(&equation)) {
                 hold(held(node, axis));
             }
         }

@@ -16,7 +16,7 @@ pub enum Kind {
     /// No spring is left to fix a body that only contact fixes.
     NoSpringLeft {
         /// Iterations made before.
-        steps: usize,
+        iterations: usize,
     },
     /// Initial springs that cannot be distinguished from the round-off of the stiffness they are added to.
     SpringsTooSoft,

@@ -18,7 +18,7 @@ const INSET: f64 = 34.0;
 /// Place of the Gauss points of the two-point rule on 0…1.
 const GAUSS: [f64; 2] = [0.211_324_865, 0.788_675_135];
 
-/// The two facing edges of a panel, left to right.
+/// The two opposite edges of a panel, left to right.
 struct Faces {
     upper: [Point; 2],
     lower: [Point; 2],
@@ -99,7 +99,7 @@ fn node_element(canvas: &mut Canvas, left: f64) {
     caption(canvas, left, "node", NODE, &text);
 }
 
-/// Facing edges; a taper opens the gap to the right.
+/// Opposite edges; a taper opens the gap to the right.
 fn faces(left: f64, taper: f64) -> Faces {
     let (from, to) = (left + INSET, left + PANEL - 68.0);
     Faces {

@@ -87,7 +87,7 @@ impl Block {
         self.instead_of(boundary, Side::inner)
     }
 
-    /// The block with the sides of a boundary, or of a line inside, made anew from their points.
+    /// The block with the sides of a boundary, or of a line inside, made again from their points.
     pub fn instead_of(self, boundary: &str, made: impl Fn(Vec<Point>) -> Side) -> Self {
         let anew = |side: Side| if side.names.iter().any(|name| name == boundary) { made(side.points) } else { side };
         Self { bottom: anew(self.bottom), right: anew(self.right), top: anew(self.top), left: anew(self.left) }
@@ -101,7 +101,7 @@ impl Block {
     /// All lattice points, row by row from the bottom, by transfinite interpolation:
     /// `P = (1−η)b + ηt + (1−ξ)l + ξr − [(1−ξ)(1−η)P₀₀ + ξ(1−η)P₁₀ + ξηP₁₁ + (1−ξ)ηP₀₁]`.
     ///
-    /// (ξ, η) is where the straight lines between equal stations of opposite sides meet.
+    /// (ξ, η) is where the straight lines between equal positions of opposite sides meet.
     pub fn lattice(&self) -> Vec<Vec<Point>> {
         let [bottom, right, top, left] =
             [&self.bottom, &self.right, &self.top, &self.left].map(|side| fractions(&side.points));

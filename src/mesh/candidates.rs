@@ -1,4 +1,4 @@
-//! The candidate contact nodes of each body, with the outward normals that make their normal freedoms.
+//! The candidate contact nodes of each body, with the outward normals that make their normal dofs.
 
 use std::ops::Range;
 
@@ -28,7 +28,7 @@ pub(super) fn find(mesh: &mut Mesh, scene: &Scene) -> Result<(), Error> {
             known.extend(found);
         }
         if mesh.bodies[pair.first].candidates_of(contact).is_empty() {
-            let (place, stretch) = (scene.place_of(contact, Part::Stretch), pair.path.told(pair.stretch));
+            let (place, stretch) = (scene.place_of(contact, Part::Stretch), pair.path.reported(pair.stretch));
             let expected = format!("it must hold at least one element edge of `{}`", scene.bodies[pair.first].name);
             let error = Error::value(place, "candidate stretch", stretch, expected, "lengthen it or refine the mesh");
             return Err(Error { kind: Kind::EmptyStretch, ..error });

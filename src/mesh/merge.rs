@@ -53,9 +53,9 @@ impl Mesh {
                 (&block.top, (0..columns).rev().map(|i| (i, rows - 1)).collect()),
                 (&block.left, (0..rows).rev().map(|j| (0, j)).collect()),
             ];
-            for (side, stations) in sides {
+            for (side, positions) in sides {
                 let named = if side.inside { &mut body.lines } else { &mut body.boundaries };
-                for three in stations.windows(3).step_by(2).filter(|_| !side.names.is_empty()) {
+                for three in positions.windows(3).step_by(2).filter(|_| !side.names.is_empty()) {
                     let mut edge = vec![node(three[0].0, three[0].1), node(three[2].0, three[2].1)];
                     if quadratic {
                         edge.push(node(three[1].0, three[1].1));

@@ -1,6 +1,6 @@
-//! One-dimensional spacing laws: lists of stations from which structured blocks are built.
+//! One-dimensional spacing laws: lists of positions from which structured blocks are built.
 
-/// `n` equal intervals from `from` to `to`: `n + 1` stations.
+/// `n` equal intervals from `from` to `to`: `n + 1` positions.
 pub fn uniform(from: f64, to: f64, n: usize) -> Vec<f64> {
     stretched(from, to, n, 1.0)
 }
@@ -9,16 +9,16 @@ pub fn uniform(from: f64, to: f64, n: usize) -> Vec<f64> {
 pub fn stretched(from: f64, to: f64, n: usize, end: f64) -> Vec<f64> {
     let ratio = if n > 1 { end.powf(1.0 / (n as f64 - 1.0)) } else { 1.0 };
     let sizes = (0..n).map(|k| ratio.powi(k as i32)).collect();
-    stations(from, to, sizes)
+    positions(from, to, sizes)
 }
 
 /// About `n` intervals in geometric progression, the last `end` times the first, and none longer than that asks by more than
-/// a twentieth: every one of the ascending `breaks` between the ends is a station.
+/// a twentieth: every one of the ascending `breaks` between the ends is a position.
 pub fn broken(from: f64, to: f64, n: usize, end: f64, breaks: &[f64]) -> Vec<f64> {
     let asked = stretched(from, to, n, end);
-    // Stations and places among them count from 0 on.
+    // Positions and places among them count from 0 on.
     let count = |place: f64| {
-        let k = asked.partition_point(|station| *station <= place).clamp(1, n) - 1;
+        let k = asked.partition_point(|position| *position <= place).clamp(1, n) - 1;
         k as f64 + (place - asked[k]) / (asked[k + 1] - asked[k])
     };
     let place = |count: f64| {
@@ -42,7 +42,7 @@ pub fn broken(from: f64, to: f64, n: usize, end: f64, breaks: &[f64]) -> Vec<f64
     all
 }
 
-/// Distance of two breaks, over the whole length, up to which they share a station.
+/// Distance of two breaks, over the whole length, up to which they share a position.
 const TOGETHER: f64 = 1e-6;
 
 /// Intervals growing from `first` by `ratio` up to `coarsest`, scaled to end at `to` exactly.
@@ -59,7 +59,7 @@ pub fn growing(from: f64, to: f64, first: f64, ratio: f64, coarsest: f64) -> Vec
     if sizes.len() > 1 && surplus > 0.5 * sizes[sizes.len() - 1] {
         sizes.pop();
     }
-    stations(from, to, sizes)
+    positions(from, to, sizes)
 }
 
 /// Intervals growing by `ratio` from `ends[0]` at the start and from `ends[1]` at the end up to `coarsest` between them,
@@ -76,15 +76,15 @@ pub fn growing_from_both(from: f64, to: f64, ends: [f64; 2], ratio: f64, coarses
     }
     at_end.reverse();
     at_start.extend(at_end);
-    stations(from, to, at_start)
+    positions(from, to, at_start)
 }
 
 /// Part of an interval that need not be one of its own.
 const ROUNDED: f64 = 0.05;
-/// Difference of stations, over the whole length, below which they are one.
+/// Difference of positions, over the whole length, below which they are one.
 const SAME: f64 = 1e-9;
 
-/// Stations between two ends, with those of every fine stretch `[begin, end, size]` among them: within it intervals have
+/// Positions between two ends, with those of every fine stretch `[begin, end, size]` among them: within it intervals have
 /// about its size at most, outside all of them they grow by `ratio` up to `coarsest`, and so they do away from a finer one.
 pub fn fine_within([from, to]: [f64; 2], fine: &[[f64; 3]], ratio: f64, coarsest: f64) -> Vec<f64> {
     let mut breaks: Vec<f64> = fine.iter().flat_map(|one| [one[0], one[1]]).chain([from, to]).collect();
@@ -127,10 +127,10 @@ pub fn fitted(from: f64, to: f64, n: usize, first: f64) -> Vec<f64> {
         }
     }
     let sizes = (0..n).map(|k| low.powi(k as i32)).collect();
-    stations(from, to, sizes)
+    positions(from, to, sizes)
 }
 
-/// Joins lists that meet: the last station of one is the first of the next.
+/// Joins lists that meet: the last position of one is the first of the next.
 pub fn joined(lists: &[Vec<f64>]) -> Vec<f64> {
     let mut all: Vec<f64> = Vec::new();
     for list in lists {
@@ -140,7 +140,7 @@ pub fn joined(lists: &[Vec<f64>]) -> Vec<f64> {
     all
 }
 
-/// Halves every interval `levels` times, so that meshes are nested, and once more for the mid-side stations.
+/// Halves every interval `levels` times, so that meshes are nested, and once more for the mid-side positions.
 pub fn lattice(breaks: &[f64], levels: u32) -> Vec<f64> {
     let parts = 1usize << (levels + 1);
     let mut all = Vec::with_capacity((breaks.len() - 1) * parts + 1);
@@ -151,7 +151,7 @@ pub fn lattice(breaks: &[f64], levels: u32) -> Vec<f64> {
     all
 }
 
-fn stations(from: f64, to: f64, sizes: Vec<f64>) -> Vec<f64> {
+fn positions(from: f64, to: f64, sizes: Vec<f64>) -> Vec<f64> {
     let total: f64 = sizes.iter().sum();
     let mut covered = 0.0;
     let mut all = vec![from];

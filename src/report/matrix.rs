@@ -63,7 +63,7 @@ fn sign(finding: &Finding) -> String {
         Verdict::NotRun(_) => "○",
     };
     match numbers.run.solution.outcome {
-        Outcome::Converged => format!("{sign} {}", numbers.run.solution.work.steps),
+        Outcome::Converged => format!("{sign} {}", numbers.run.solution.work.iterations),
         other => format!("{sign} {other}"),
     }
 }
@@ -127,13 +127,13 @@ pub fn counts(findings: &[Finding]) -> [usize; 3] {
 /// One row per trial for the terminal: case, formulation, outcome, iterations, errors against closed forms, verdict.
 pub fn summary_rows(findings: &[Finding]) -> Vec<Vec<String>> {
     let row = |finding: &Finding| {
-        let (outcome, steps) = run(finding).map_or((String::new(), String::new()), |run| {
-            (run.solution.outcome.to_string(), run.solution.work.steps.to_string())
+        let (outcome, iterations) = run(finding).map_or((String::new(), String::new()), |run| {
+            (run.solution.outcome.to_string(), run.solution.work.iterations.to_string())
         });
         let truth = finding.judged.iter().filter(|judged| judged.reference.kind == ReferenceKind::Analytic);
         let errors: Vec<String> = truth.map(error).collect();
         let names = [finding.case.clone(), finding.name.clone()];
-        names.into_iter().chain([outcome, steps, errors.join("; "), finding.verdict().to_string()]).collect()
+        names.into_iter().chain([outcome, iterations, errors.join("; "), finding.verdict().to_string()]).collect()
     };
     findings.iter().map(row).collect()
 }

@@ -12,13 +12,13 @@ use crate::scene::spline::MonotoneCubic;
 pub struct ContactPair {
     /// Name in messages and results.
     pub name: String,
-    /// Body that carries the contact points: positions, areas and normals are measured on it.
+    /// The secondary body, which carries the contact points: positions, areas and normals are measured on it.
     pub first: usize,
     /// Whether that body is the upper, or inner, one; its outward normal is then the path's direction, else the opposite.
     pub above: bool,
-    /// Facing elastic body; none where the other side is rigid.
+    /// The primary body, elastic; none where the other side is rigid.
     pub second: Option<usize>,
-    /// Boundaries that touch: of the first body, and of the facing one.
+    /// Boundaries that touch: of the first body, and of the second one.
     pub sides: [BoundaryName; 2],
     /// The curve along which the contact coordinate runs.
     pub path: Path,
@@ -36,7 +36,7 @@ pub struct ContactPair {
 pub enum Profile {
     /// The same gap everywhere \[mm\]; negative is interference.
     Uniform(f64),
-    /// As the bodies are drawn: from each node of the first body to the facing edge; to y = 0, or to the arc, where the
+    /// As the bodies are drawn: from each node of the first body to the opposite edge; to y = 0, or to the arc, where the
     /// other side is rigid. Between the nodes the gap is interpolated, so [`Profile::gap`] cannot tell it.
     Drawn,
     /// Between the sides that are drawn, exactly, whatever the mesh.

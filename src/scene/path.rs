@@ -64,7 +64,7 @@ impl Path {
     }
 
     /// A contact coordinate as messages give it.
-    pub fn told(&self, s: f64) -> Coordinate {
+    pub fn reported(&self, s: f64) -> Coordinate {
         match self {
             Self::Straight(_) => Coordinate::Length(s),
             Self::Arc(_) => Coordinate::Angle(s),

@@ -98,7 +98,7 @@ impl Formulation {
         interfaces.iter().flat_map(|interface| element.points(interface)).collect()
     }
 
-    /// Iterates a problem from given springs, which are left as they stand after the last step.
+    /// Iterates a problem from given springs, which are left as they stand after the last iteration.
     pub(super) fn iterate(&self, springs: &mut Springs, problem: &ContactProblem) -> Result<Solution, Error> {
         let mut algorithm = self.algorithm.with(self.rule, self.acceleration, self.settings.tolerance);
         iterate_from(springs, problem, algorithm.as_mut(), self.settings)

@@ -8,7 +8,7 @@
 //! * `road` — from a discretisation to a solution.
 //! * `active_set` — which points were closed on another mesh.
 //! * `refusals` — problems that have no solution.
-//! * [`spill`] — contact that goes on beyond the candidates.
+//! * [`candidate_end`] — contact that reaches the end of the candidate surface.
 //! * [`fields`] — displacements and stresses of a solution.
 //! * [`mod@reactions`] — what the supports exert.
 //! * `uncondensed` — its pressures once more without condensation.
@@ -29,6 +29,7 @@
 //! ```
 
 mod active_set;
+pub mod candidate_end;
 pub mod change;
 pub mod discretisation;
 pub mod fields;
@@ -38,7 +39,6 @@ pub mod reactions;
 mod refusals;
 mod road;
 pub mod run;
-pub mod spill;
 mod start;
 pub mod unbounded;
 mod uncondensed;

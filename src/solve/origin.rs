@@ -8,10 +8,10 @@ named_enum! {
     pub enum Start {
         /// Every candidate point closed: the paper's own start.
         Closed = "closed",
-        /// The contact set of a mesh half as fine, itself found from one half as fine, down to one element per half-width.
+        /// The active set of a mesh half as fine, itself found from one half as fine, down to one element per half-width.
         ///
         /// A point starts as the nearest point of the coarser mesh ended: open, closed or hardened. The contact edge is then
-        /// wrong by about a coarse point spacing, and a step or two set it right.
+        /// wrong by about a coarse point spacing, and an iteration or two set it right.
         Nested = "nested",
     }
 }

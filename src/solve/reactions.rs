@@ -12,7 +12,7 @@ pub struct Reaction {
     pub body: usize,
     /// Index of the support in the body.
     pub support: usize,
-    /// Force on the modelled part of the body along the component that is held, positive along x or y \[N\].
+    /// Force on the modelled part of the body along the component that is fixed, positive along x or y \[N\].
     pub force: f64,
 }
 

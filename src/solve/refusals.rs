@@ -18,8 +18,8 @@ impl Discretisation {
 
     /// Smallest initial gap of a candidate node \[mm\].
     fn tightest_gap(&self) -> f64 {
-        let stations = self.interfaces.iter().flat_map(|interface| &interface.stations);
-        stations.map(|station| station.gap).fold(f64::INFINITY, f64::min)
+        let nodes = self.interfaces.iter().flat_map(|interface| &interface.nodes);
+        nodes.map(|node| node.gap).fold(f64::INFINITY, f64::min)
     }
 
     /// Refuses a problem in which nothing presses and springs alone would hold the bodies.

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::solution::Solution;
-use crate::solve::{Change, Discretisation, Formulation, Origin, spill};
+use crate::solve::{Change, Discretisation, Formulation, Origin, candidate_end};
 
 impl Discretisation {
     /// Solves the contact problem by one formulation, from its own start.
@@ -18,7 +18,7 @@ impl Discretisation {
         self.refuse_nothing(&problem)?;
         let iterated = self.iterated(&problem, formulation, origin, change);
         let solution = iterated.map_err(|error| self.named(error))?;
-        spill::refuse(self, &solution, change, formulation.settings.tolerance)?;
+        candidate_end::refuse(self, &solution, change, formulation.settings.tolerance)?;
         Ok(solution)
     }
 }

@@ -75,8 +75,8 @@ pub struct Run {
     /// The formulation.
     pub formulation: Formulation,
     /// Unknown displacement components.
-    pub freedoms: usize,
-    /// Retained normal freedoms.
+    pub dofs: usize,
+    /// Retained normal dofs.
     pub retained: usize,
     /// What came out.
     pub solution: Solution,
@@ -105,7 +105,7 @@ impl Run {
         let solution = clock.time(Stage::Iteration, || discretisation.solve_from(origin, formulation, change))?;
         Ok(Self {
             formulation: formulation.clone(),
-            freedoms: discretisation.system.freedoms(),
+            dofs: discretisation.system.dofs(),
             retained: discretisation.condensed.retained(),
             sparse_operations: discretisation.condensed.operations(),
             contacts: discretisation.interfaces.iter().map(|one| measured(discretisation, one, &solution)).collect(),
@@ -124,10 +124,10 @@ impl Run {
         self.contacts[0].transmitted
     }
 
-    /// Share of loads and prescribed displacements that the last step was made under: 1 at the last increment.
+    /// Share of loads and prescribed displacements that the last iteration was made under: 1 at the last increment.
     pub fn share(&self) -> f64 {
         let increments = self.formulation.settings.increments;
-        self.solution.history.last().map_or(1.0, |step| step.increment as f64 / increments as f64)
+        self.solution.history.last().map_or(1.0, |iteration| iteration.increment as f64 / increments as f64)
     }
 
     /// Largest iteration error of peak and half-width over all contacts, of those that are open in the discrete solution the
@@ -202,7 +202,7 @@ impl Run {
     /// Decades between the last iteration error and the tolerance, and between the last but one and the tolerance.
     pub fn decision_margin(&self) -> [f64; 2] {
         let tolerance = self.formulation.settings.tolerance;
-        let mut last = self.solution.history.iter().rev().map(|step| step.error.largest());
+        let mut last = self.solution.history.iter().rev().map(|iteration| iteration.error.largest());
         let mut decades = || last.next().map_or(f64::NAN, |error| (error.max(1e-99) / tolerance).log10());
         let end = decades();
         [end, decades()]
@@ -236,7 +236,7 @@ fn measured(discretisation: &Discretisation, interface: &Interface, solution: &S
 
 /// Sum of the nodal contact forces on the upper (inner) body along the load line, both halves \[N\].
 fn transmitted(interface: &Interface, solution: &Solution) -> f64 {
-    let along = interface.stations.iter().map(|s| solution.contact_force[s.freedom] * s.normal[1]);
+    let along = interface.nodes.iter().map(|s| solution.contact_force[s.dof] * s.normal[1]);
     let upwards = if interface.pair.above { 1.0 } else { -1.0 };
     upwards * whole(&interface.pair) * along.sum::<f64>()
 }

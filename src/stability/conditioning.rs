@@ -15,7 +15,7 @@ pub struct Conditioning {
     pub condition: f64,
     /// Largest error of one solve over the largest pressure; NaN where the matrix is refused.
     pub plain: f64,
-    /// The same after the refinement that every step makes; NaN where the matrix is refused.
+    /// The same after the refinement that every iteration makes; NaN where the matrix is refused.
     pub refined: f64,
 }
 
@@ -52,7 +52,7 @@ const HOLDING: f64 = 1e5;
 /// How the pressure of a closed point changes.
 #[derive(Clone, Debug)]
 pub struct Influence {
-    /// With forces on the retained freedoms, `δp = gᵀ δf`: displacements `g = (S + K)⁻¹ k b` [MPa/N].
+    /// With forces on the retained dofs, `δp = gᵀ δf`: displacements `g = (S + K)⁻¹ k b` [MPa/N].
     pub of_forces: Vec<f64>,
     /// With the gaps of the closed points, `δp = Σ_j m_j δg_j`: point index and m [MPa/mm].
     pub of_gaps: Vec<(usize, f64)>,
@@ -94,9 +94,9 @@ fn mixed(problem: &ContactProblem, stiffness: &[f64]) -> Vec<f64> {
     for (row, &i) in closed.iter().enumerate() {
         let point = &problem.points[i];
         let scale = point.weight * unit;
-        for &(freedom, b) in &point.row {
-            matrix[(freedom, n + row)] += scale * b;
-            matrix[(n + row, freedom)] += scale * b;
+        for &(dof, b) in &point.row {
+            matrix[(dof, n + row)] += scale * b;
+            matrix[(n + row, dof)] += scale * b;
         }
         matrix[(n + row, n + row)] = -scale * unit / stiffness[i];
         rhs[(n + row, 0)] = scale * point.gap;

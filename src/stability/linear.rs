@@ -1,4 +1,4 @@
-//! Steps of constant stiffness: linearised on the final contact set, from the error of its start and not only its rate; and
+//! Iterations of constant stiffness: linearised on the final active set, from the error of its start and not only its rate; and
 //! what the projection of hard springs costs before that.
 
 use faer::Mat;
@@ -7,15 +7,20 @@ use crate::algorithm::ContactProblem;
 use crate::solution::IterationError;
 use crate::stability::{Limit, rate};
 
-/// Doublings of the number of steps that are followed: a million steps.
+/// Doublings of the number of iterations that are followed: a million iterations.
 const DOUBLINGS: usize = 20;
 
-/// Steps in which the linear iteration `δr⁺ = M δr` of [`rate::correction`], started without carried forces,
+/// Iterations in which the linear iteration `δr⁺ = M δr` of [`rate::correction`], started without carried forces,
 /// `δr₀ = k₀ w* − p*`, brings a part of the iteration error below a tolerance; infinite beyond a million.
 ///
 /// Unlike `ln τ / ln ρ` it does not count modes that the start hardly holds or the error hardly sees. M is squared again
-/// and again, so that n steps cost log n products.
-pub fn steps(problem: &ContactProblem, limit: &Limit, part: fn(&IterationError) -> f64, tolerance: f64) -> Option<f64> {
+/// and again, so that n iterations cost log n products.
+pub fn iterations(
+    problem: &ContactProblem,
+    limit: &Limit,
+    part: fn(&IterationError) -> f64,
+    tolerance: f64,
+) -> Option<f64> {
     let flexibility = rate::flexibility(problem, &problem.initial)?;
     let step = rate::correction_step(problem, &flexibility, &limit.closed);
     let each = problem.initial.iter().zip(&limit.approach).zip(&limit.pressure);
@@ -43,11 +48,11 @@ pub fn steps(problem: &ContactProblem, limit: &Limit, part: fn(&IterationError) 
     Some((taken + 2) as f64)
 }
 
-/// Steps `max k₀ g/p̄` over the closed points in which hard springs work off their gaps; p̄ is the mean pressure of the
+/// Iterations `max k₀ g/p̄` over the closed points in which hard springs work off their gaps; p̄ is the mean pressure of the
 /// candidates.
 ///
 /// Hard springs without a gap hold every candidate at w ≈ 0 with about p̄. As long as `k₀ g > p`, the rule wants less than
-/// no force, and the projection `max(0, ·)` lets the carried force fall by no more than p a step: the gap opens by p/k₀.
+/// no force, and the projection `max(0, ·)` lets the carried force fall by no more than p an iteration: the gap opens by p/k₀.
 pub fn worked_off(problem: &ContactProblem, limit: &Limit) -> f64 {
     let weights = || problem.points.iter().map(|point| point.weight);
     let mean = weights().zip(&limit.pressure).map(|(a, p)| a * p).sum::<f64>() / weights().sum::<f64>();

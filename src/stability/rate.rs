@@ -1,8 +1,8 @@
-//! Asymptotic rates: the factor by which an error shrinks in a step, on the final contact set.
+//! Asymptotic rates: the factor by which an error shrinks in an iteration, on the final active set.
 //!
 //! All follow from the flexibility of the contact, `C_ij = b_i (S + Σ A k b bᵀ)⁻¹ b_j A_j`: a unit of pressure carried at
 //! point j lessens the approach of point i by `C_ij`. An iteration whose error obeys `δ⁺ = M δ` converges if and only if the
-//! spectral radius `ρ(M)` is below 1, and then gains `−log₁₀ ρ` decades a step.
+//! spectral radius `ρ(M)` is below 1, and then gains `−log₁₀ ρ` decades an iteration.
 
 use faer::Mat;
 
@@ -25,7 +25,7 @@ pub fn holds(problem: &ContactProblem, stiffness: &[f64]) -> bool {
     problem.factorise(stiffness, &mut Work::default()).is_some()
 }
 
-/// Constant stiffness with the rule `correction`, `κ = k₀`, on the final contact set.
+/// Constant stiffness with the rule `correction`, `κ = k₀`, on the final active set.
 ///
 /// A closed point has `r⁺ = r + k₀ (w − g)`, an open one `r⁺ = −k₀ w`, and `δw = −C δr`:
 /// `M = I − k₀ C` in the rows of closed points, `+k₀ C` in those of open ones.
@@ -99,8 +99,8 @@ pub fn secant(problem: &ContactProblem, stiffness: &[f64], approach: &[f64], sla
     }))
 }
 
-/// Steps `ln τ / ln ρ` in which an error of order 1 falls below τ; infinite where it does not shrink.
-pub fn steps(rate: f64, tolerance: f64) -> f64 {
+/// Iterations `ln τ / ln ρ` in which an error of order 1 falls below τ; infinite where it does not shrink.
+pub fn iterations(rate: f64, tolerance: f64) -> f64 {
     if rate < 1.0 { (tolerance.ln() / rate.ln()).max(1.0) } else { f64::INFINITY }
 }
 

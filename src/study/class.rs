@@ -8,10 +8,10 @@ use crate::solution::Outcome;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Class {
-    /// Within the limit of steps.
+    /// Within the limit of iterations.
     Converged,
-    /// Still on its way at the limit.
-    Slow,
+    /// Not converged when the cap of iterations was reached.
+    Capped,
     /// Returned to an earlier state.
     Cycling,
     /// The error grows without end, or is no number.
@@ -21,19 +21,19 @@ pub enum Class {
     /// No spring left to hold a body: the named error.
     Unsupported,
     /// Converged with contact beyond the candidates: the named error.
-    Spilled,
+    Beyond,
 }
 
 impl Class {
     /// All, from good to bad.
     pub const ALL: [Self; 7] =
-        [Self::Converged, Self::Slow, Self::Stalled, Self::Cycling, Self::Diverged, Self::Unsupported, Self::Spilled];
+        [Self::Converged, Self::Capped, Self::Stalled, Self::Cycling, Self::Diverged, Self::Unsupported, Self::Beyond];
 
     /// The class of an outcome.
     pub fn of(outcome: Outcome) -> Self {
         match outcome {
             Outcome::Converged => Self::Converged,
-            Outcome::Exhausted => Self::Slow,
+            Outcome::Capped => Self::Capped,
             Outcome::Cycling { .. } => Self::Cycling,
             Outcome::Diverged => Self::Diverged,
             Outcome::Stalled => Self::Stalled,
@@ -44,12 +44,12 @@ impl Class {
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",
-            Self::Slow => "slow",
+            Self::Capped => "capped",
             Self::Cycling => "cycling",
             Self::Diverged => "diverged",
             Self::Stalled => "stalled",
             Self::Unsupported => "unsupported",
-            Self::Spilled => "spilled",
+            Self::Beyond => "beyond",
         }
     }
 }

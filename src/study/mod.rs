@@ -49,7 +49,7 @@ rooms! {
     Met in met,
     /// Where methods fail: the recorded survey.
     Atlas in atlas,
-    /// Where methods fail: predicted rates and steps.
+    /// Where methods fail: predicted rates and iterations.
     Stability in stability,
     /// Cures of what fails or is slow.
     Cures in cures,

@@ -1,4 +1,4 @@
-//! Recorded surveys: lines of a CSV file, read whole and written whole; one that was broken off goes on where it stopped.
+//! Recorded surveys: lines of a CSV file, read whole and written whole; one that was interrupted resumes.
 
 use std::path::{Path, PathBuf};
 
@@ -9,7 +9,7 @@ use serde::de::DeserializeOwned;
 use crate::checkout::{root, sha256};
 use crate::error::Error;
 
-/// The records of a file, whatever they are; `renew` says what makes them anew.
+/// The records of a file, whatever they are; `renew` says what renews them.
 pub fn read<T: DeserializeOwned>(path: &Path, renew: &str) -> Result<Vec<T>, Error> {
     let text = std::fs::read_to_string(path).map_err(|_| Error::missing_file(path, renew))?;
     csv::Reader::from_reader(text.as_bytes())
@@ -40,7 +40,7 @@ pub fn file(name: &str) -> PathBuf {
     root().join("snapshots").join(name).with_extension("csv")
 }
 
-/// What makes it anew.
+/// What renews it.
 pub fn renewal(name: &str) -> String {
     format!("run `cargo run --release -- {name}` and review the diff of snapshots/{name}.csv")
 }

@@ -41,22 +41,22 @@ fn checks_of_the_study_fail_on_a_coarser_mesh_on_a_larger_one_and_on_an_accuracy
     let problem = subject.loaded(1.0);
     let exact = study::closed_form(&problem);
     let good = answered(&problem.scene, 1e-3);
-    let failed = |answer: &Answer, freedoms: usize| {
-        let by_hand = Price { dofs: freedoms, worst: 1e-4 };
+    let failed = |answer: &Answer, dofs: usize| {
+        let by_hand = Price { dofs: dofs, worst: 1e-4 };
         let checks = judge(&Numbers::of(answer, 1e-3, [exact, exact], by_hand)).expect("judged");
         checks.iter().map(|check| check.verdict == Verdict::Fail).collect::<Vec<_>>()
     };
-    assert_eq!(failed(&good, good.run.freedoms), [false; 5]);
-    assert_eq!(failed(&good, good.run.freedoms / 2 - 1), [false, false, false, false, true]);
+    assert_eq!(failed(&good, good.run.dofs), [false; 5]);
+    assert_eq!(failed(&good, good.run.dofs / 2 - 1), [false, false, false, false, true]);
     let mut coarse = good.clone();
     coarse.run.contacts[0].measures.half_width *= 1.0015;
-    assert_eq!(failed(&coarse, good.run.freedoms), [false, true, true, false, false]);
+    assert_eq!(failed(&coarse, good.run.dofs), [false, true, true, false, false]);
     let mut unmet = good.clone();
     unmet.unmet = Some("said so".into());
-    assert_eq!(failed(&unmet, good.run.freedoms), [true, false, true, false, false]);
+    assert_eq!(failed(&unmet, good.run.dofs), [true, false, true, false, false]);
     let mut broken = good.clone();
     broken.run.contacts[0].measures.peak.pressure = f64::NAN;
-    assert_eq!(failed(&broken, good.run.freedoms), [false, true, true, false, false]);
+    assert_eq!(failed(&broken, good.run.dofs), [false, true, true, false, false]);
 }
 
 #[test]
@@ -107,7 +107,7 @@ fn every_later_mesh_starts_from_the_contact_set_of_the_one_before() {
     let answer = answered(&Subject::Cylinder.loaded(1.0).scene, 1e-3);
     assert!(answer.tried.len() > 6);
     for tried in &answer.tried[2..] {
-        assert!(tried.steps <= 3, "{} elements took {} steps", tried.elements, tried.steps);
+        assert!(tried.iterations <= 3, "{} elements took {} iterations", tried.elements, tried.iterations);
     }
     let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution).expect("meshed");
     let own = discretisation.solve(&answer.run.formulation).expect("solved");
@@ -161,7 +161,7 @@ fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
     let asked = Asked { quantities: vec![Quantity::HalfWidth], ..Asked::new(1e-2) };
     let answer = accuracy::solve(&punch.scene, &plain(), &asked).expect("solved");
     assert!(answer.unmet.is_none() && answer.estimates.len() == 1);
-    // Too few cells, and too few steps.
+    // Too few cells, and too few iterations.
     let cylinder = Subject::Cylinder.loaded(1.0).scene;
     let few = Asked { most_cells: 300.0, ..Asked::new(1e-3) };
     let answer = accuracy::solve(&cylinder, &plain(), &few).expect("solved");
@@ -173,9 +173,9 @@ fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
     assert!(answer.unmet.is_some());
     assert!(study::error(&answer.run, study::closed_form(&problem)) <= answer.estimate());
     let mut hasty = plain();
-    hasty.settings.max_steps = 1;
+    hasty.settings.max_iterations = 1;
     let answer = accuracy::solve(&cylinder, &hasty, &Asked::new(1e-2)).expect("a result, not an error");
-    assert!(answer.unmet.is_some_and(|why| why.contains("exhausted")));
+    assert!(answer.unmet.is_some_and(|why| why.contains("not converged")));
 }
 
 #[test]

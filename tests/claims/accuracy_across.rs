@@ -105,7 +105,7 @@ fn symmetric_contact_takes_twice_the_freedoms_of_its_half_and_the_same_meshes() 
             let place = format!("{}, {asked}", whole.scene.bodies[0].name);
             assert!(half.unmet.is_none() && whole.unmet.is_none(), "{place}");
             assert_eq!(whole.tried.len(), half.tried.len(), "{place}");
-            assert_relative_eq!(whole.run.freedoms as f64, 2.0 * half.run.freedoms as f64, max_relative = 0.01);
+            assert_relative_eq!(whole.run.dofs as f64, 2.0 * half.run.dofs as f64, max_relative = 0.01);
             assert_relative_eq!(whole.scene.contact().stretch, half.scene.contact().stretch, max_relative = 1e-6);
             assert!(study::error(&whole.run, both(&half.run)) <= 1e-6, "{place}");
             assert_relative_eq!(whole.estimate(), half.estimate(), max_relative = 1e-3);
@@ -147,7 +147,7 @@ fn mirror_image_is_answered_with_the_mirrored_mesh() {
         let [right, left] =
             [centre, -centre].map(|centre| answered(&parsed(&rolling(a, centre, 6.0, WIDE, ANY)).scene, 3e-3));
         assert!(right.unmet.is_none() && left.unmet.is_none());
-        assert_eq!(right.run.freedoms, left.run.freedoms);
+        assert_eq!(right.run.dofs, left.run.dofs);
         assert_relative_eq!(right.scene.contact().stretch, left.scene.contact().stretch, max_relative = 1e-6);
         assert_relative_eq!(right.run.measures().centre, -left.run.measures().centre, max_relative = 1e-6);
         assert!(study::error(&right.run, both(&left.run)) <= 1e-6);

@@ -1,4 +1,4 @@
-//! The iterations on contact problems of one and two freedoms, whose solutions are known by hand.
+//! The iterations on contact problems of one and two dofs, whose solutions are known by hand.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::algorithm::{
@@ -54,7 +54,7 @@ pub fn edge(k: usize) -> ContactEdge {
     ContactEdge { contact: 0, ends: [k as f64, k as f64 + 1.0] }
 }
 
-/// One freedom with stiffness 300 N/mm, a point of 2 mm² at the gap 0.1 mm.
+/// One dof with stiffness 300 N/mm, a point of 2 mm² at the gap 0.1 mm.
 pub fn one(load: f64) -> Sample {
     Sample {
         stiffness: matrix(&[&[300.0]]),
@@ -65,7 +65,7 @@ pub fn one(load: f64) -> Sample {
     }
 }
 
-/// Two coupled freedoms and two points; the second point sees both freedoms.
+/// Two coupled dofs and two points; the second point sees both dofs.
 pub fn two(load: [f64; 2], gaps: [f64; 2]) -> Sample {
     Sample {
         stiffness: matrix(&[&[300.0, -100.0], &[-100.0, 200.0]]),
@@ -107,8 +107,8 @@ pub fn exact(sample: &Sample) -> Vec<f64> {
     panic!("no closed set solves the sample");
 }
 
-pub fn tight(max_steps: usize) -> Settings {
-    Settings { tolerance: 1e-9, increments: 1, max_steps }
+pub fn tight(max_iterations: usize) -> Settings {
+    Settings { tolerance: 1e-9, increments: 1, max_iterations }
 }
 
 /// Every algorithm and rule that iterates to the contact conditions.
@@ -197,9 +197,9 @@ fn penalty_springs_keep_their_initial_stiffness_and_reopen_and_close() {
     let mut penalty = Kinematic::new(StiffnessRule::Penalty, 1e-9);
     let mut work = Work::default();
     let mut springs = Springs { stiffness: vec![0.0], force: vec![0.0] };
-    penalty.step(&problem, &[90.0], &mut springs, &mut work);
+    penalty.next(&problem, &[90.0], &mut springs, &mut work);
     assert_relative_eq!(springs.stiffness[0], 100.0);
-    penalty.step(&problem, &[15.0], &mut springs, &mut work);
+    penalty.next(&problem, &[15.0], &mut springs, &mut work);
     assert_abs_diff_eq!(springs.stiffness[0], 0.0, epsilon = 0.0);
 }
 
@@ -236,8 +236,8 @@ fn body_held_by_contact_alone_is_carried_by_its_pressures() {
 }
 
 /// One step from given springs.
-pub fn step(algorithm: &mut dyn Algorithm, sample: &Sample, springs: &mut Springs) -> Iterate {
-    algorithm.step(&sample.problem(), &sample.load, springs, &mut Work::default()).expect("definite")
+pub fn next(algorithm: &mut dyn Algorithm, sample: &Sample, springs: &mut Springs) -> Iterate {
+    algorithm.next(&sample.problem(), &sample.load, springs, &mut Work::default()).expect("definite")
 }
 
 #[test]
@@ -249,7 +249,7 @@ fn first_step_of_varying_stiffness_is_equation_three_two() {
         (StiffnessRule::Correction, 26.0 / 0.18),
     ] {
         let mut springs = sample.problem().initial_springs();
-        let iterate = step(&mut Varying::new(rule), &sample, &mut springs);
+        let iterate = next(&mut Varying::new(rule), &sample, &mut springs);
         assert_relative_eq!(iterate.displacement[0], 0.18, max_relative = 1e-14);
         assert_relative_eq!(iterate.pressure[0], 18.0, max_relative = 1e-14);
         assert_relative_eq!(springs.stiffness[0], wanted, max_relative = 1e-13);
@@ -262,7 +262,7 @@ fn correction_of_varying_stiffness_uses_the_larger_of_present_and_initial_stiffn
     let sample = one(90.0);
     for (present, kappa) in [(400.0, 400.0), (10.0, 100.0)] {
         let mut springs = Springs { stiffness: vec![present], force: vec![0.0] };
-        step(&mut Varying::new(StiffnessRule::Correction), &sample, &mut springs);
+        next(&mut Varying::new(StiffnessRule::Correction), &sample, &mut springs);
         let w = 90.0 / (300.0 + 2.0 * present);
         let wanted = (present * w + kappa * (w - 0.1)) / w;
         assert_relative_eq!(springs.stiffness[0], wanted.max(1e-12 * 100.0), max_relative = 1e-12);
@@ -274,11 +274,11 @@ fn first_steps_of_constant_stiffness_are_equation_three_six() {
     let sample = one(90.0);
     let mut constant = Constant::new(StiffnessRule::Correction);
     let mut springs = sample.problem().initial_springs();
-    let first = step(&mut constant, &sample, &mut springs);
+    let first = next(&mut constant, &sample, &mut springs);
     // As above: p⁺ − p = 26 − 18.
     assert_relative_eq!(first.pressure[0], 18.0, max_relative = 1e-14);
     assert_relative_eq!(springs.force[0], 8.0, max_relative = 1e-13);
-    let second = step(&mut constant, &sample, &mut springs);
+    let second = next(&mut constant, &sample, &mut springs);
     // (300 + 200) u = 90 − 2·8, p = 100 u + 8.
     assert_relative_eq!(second.displacement[0], 74.0 / 500.0, max_relative = 1e-14);
     assert_relative_eq!(second.pressure[0], 100.0 * 74.0 / 500.0 + 8.0, max_relative = 1e-14);
@@ -290,7 +290,7 @@ fn secant_of_constant_stiffness_scales_the_spring_force_by_the_strain() {
     let sample = one(90.0);
     let mut constant = Constant::new(StiffnessRule::Secant);
     let mut springs = sample.problem().initial_springs();
-    step(&mut constant, &sample, &mut springs);
+    next(&mut constant, &sample, &mut springs);
     // p = 18, w/g = 1.8: p⁺ − p = 18·0.8.
     assert_relative_eq!(springs.force[0], 14.4, max_relative = 1e-12);
 }
@@ -300,10 +300,10 @@ fn literal_reading_adds_the_change_of_stored_stiffnesses_times_the_approach() {
     let sample = one(90.0);
     let mut literal = Constant::new(StiffnessRule::Literal);
     let mut springs = sample.problem().initial_springs();
-    step(&mut literal, &sample, &mut springs);
+    next(&mut literal, &sample, &mut springs);
     // k: 100 → 180; r = 80·0.18.
     assert_relative_eq!(springs.force[0], 14.4, max_relative = 1e-12);
-    let second = step(&mut literal, &sample, &mut springs);
+    let second = next(&mut literal, &sample, &mut springs);
     let w = (90.0 - 2.0 * 14.4) / 500.0;
     assert_relative_eq!(second.approach[0], w, max_relative = 1e-13);
     // k: 180 → 180 w/g, whose product with w is not the spring's force k₀ w + r.
@@ -320,7 +320,7 @@ fn literal_reading_does_not_find_the_solution() {
 fn first_step_of_kinematic_load_is_equation_three_eleven() {
     let sample = one(90.0);
     let mut springs = sample.problem().initial_springs();
-    let iterate = step(&mut Kinematic::new(StiffnessRule::Switching, 1e-3), &sample, &mut springs);
+    let iterate = next(&mut Kinematic::new(StiffnessRule::Switching, 1e-3), &sample, &mut springs);
     // (300 + 200) u = 90 + 2·100·0.1; p = 100 (u − 0.1) = 12; deeper than 1e-4 of its approach, so that it hardens.
     assert_relative_eq!(iterate.displacement[0], 0.22, max_relative = 1e-14);
     assert_relative_eq!(iterate.pressure[0], 12.0, max_relative = 1e-12);
@@ -332,7 +332,7 @@ fn kinematic_springs_open_under_tension_close_at_full_hardness_and_stay_otherwis
     let kinematic = || Kinematic::new(StiffnessRule::Switching, 1e-3);
     let after = |load: f64, k: f64| {
         let mut springs = Springs { stiffness: vec![k], force: vec![0.0] };
-        step(&mut kinematic(), &one(load), &mut springs);
+        next(&mut kinematic(), &one(load), &mut springs);
         springs.stiffness[0]
     };
     let hard = 1e6 * SCALE.stiffness;
@@ -350,11 +350,11 @@ fn hard_springs_hand_their_force_over_when_they_still_penetrate() {
     let hard = 1e6 * SCALE.stiffness;
     let mut kinematic = Kinematic::new(StiffnessRule::Switching, 1e-9);
     let mut springs = Springs { stiffness: vec![hard], force: vec![0.0] };
-    let first = step(&mut kinematic, &sample, &mut springs);
+    let first = next(&mut kinematic, &sample, &mut springs);
     // 30/1e8 = 3e-7 mm deep, more than 1e-9 of 0.1 mm.
     assert_relative_eq!(springs.force[0], first.pressure[0]);
     assert_relative_eq!(springs.stiffness[0], hard);
-    let second = step(&mut kinematic, &sample, &mut springs);
+    let second = next(&mut kinematic, &sample, &mut springs);
     // Each pass leaves s/Ak = 1.5e-6 of the error of the one before.
     assert_relative_eq!(second.pressure[0], 30.0, max_relative = 3e-12);
     assert_abs_diff_eq!(second.approach[0], 0.1, epsilon = 1e-12);

@@ -10,19 +10,19 @@ use contact_vv::study::atlas::{Chart, Class, Numbers, Plane, Record, judge, reco
 use contact_vv::study::method::Method;
 use contact_vv::study::records;
 
-fn point(method: Method, ordinate: f64, stiffness: f64, class: Class, steps: usize) -> Record {
+fn point(method: Method, ordinate: f64, stiffness: f64, class: Class, iterations: usize) -> Record {
     Record {
         method,
         ordinate,
         stiffness,
         class,
-        steps,
+        iterations,
         iteration_error: 1e-4,
         rate: 0.5,
         error: 0.01,
         penalty: 0.02,
         predicted_rate: 0.5,
-        predicted_steps: f64::INFINITY,
+        predicted_iterations: f64::INFINITY,
     }
 }
 
@@ -49,7 +49,7 @@ fn every_element_algorithm_and_rule_is_on_both_full_planes() {
 fn records_come_back_from_a_file_as_they_went() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("some.csv");
-    let mut kept = vec![point(Method::usual(Element::Node, Iteration::Varying), 1.9, 0.1, Class::Slow, 2000)];
+    let mut kept = vec![point(Method::usual(Element::Node, Iteration::Varying), 1.9, 0.1, Class::Capped, 2000)];
     kept[0].rate = f64::NAN;
     records::write(&path, &kept).expect("written");
     let read = records::read::<Record>(&path, record::RENEW).expect("read");
@@ -95,7 +95,7 @@ fn atlas_turns_red_where_a_point_moved_a_prediction_failed_or_an_answer_is_wrong
     let plane = Plane::Stretch;
     let mut records = flat(plane);
     for record in &mut records {
-        (record.predicted_steps, record.steps, record.error) = (record.steps as f64, 20, 1e-3);
+        (record.predicted_iterations, record.iterations, record.error) = (record.iterations as f64, 20, 1e-3);
     }
     let verdicts = |records: &[Record], moved: usize| {
         let numbers = Numbers { chart: Chart::of(plane, records), recomputed: 20, moved };
@@ -107,9 +107,9 @@ fn atlas_turns_red_where_a_point_moved_a_prediction_failed_or_an_answer_is_wrong
         |algorithm| records.iter().position(|r| r.method == Method::usual(Element::Node, algorithm)).expect("a row");
     let [constant, kinematic] = [Iteration::Constant, Iteration::Kinematic].map(node);
     for record in records.iter_mut().filter(|record| record.method.algorithm == Iteration::Kinematic) {
-        record.predicted_steps = record.steps as f64;
+        record.predicted_iterations = record.iterations as f64;
     }
-    (records[constant].predicted_steps, records[constant].class) = (f64::INFINITY, Class::Diverged);
+    (records[constant].predicted_iterations, records[constant].class) = (f64::INFINITY, Class::Diverged);
     assert_eq!(verdicts(&records, 0), [true; 6]);
     assert_eq!(verdicts(&records, 1), [false, true, true, true, true, true]);
     let spoiled = |place: usize, change: &dyn Fn(&mut Record)| {
@@ -118,9 +118,9 @@ fn atlas_turns_red_where_a_point_moved_a_prediction_failed_or_an_answer_is_wrong
         verdicts(&spoiled, 0).iter().position(|passed| !passed)
     };
     assert_eq!(spoiled(constant, &|r| r.class = Class::Converged), Some(1));
-    assert_eq!(spoiled(constant + 1, &|r| r.class = Class::Slow), Some(2));
-    assert_eq!(spoiled(constant + 1, &|r| r.steps *= 3), Some(3));
-    assert_eq!(spoiled(kinematic, &|r| r.steps += 2), Some(4));
+    assert_eq!(spoiled(constant + 1, &|r| r.class = Class::Capped), Some(2));
+    assert_eq!(spoiled(constant + 1, &|r| r.iterations *= 3), Some(3));
+    assert_eq!(spoiled(kinematic, &|r| r.iterations += 2), Some(4));
     assert_eq!(spoiled(kinematic, &|r| r.error = f64::NAN), Some(5));
 }
 
@@ -159,8 +159,8 @@ fn a_survey_goes_on_where_it_stopped() {
     let found = record::read_from(records.path(), plane).expect("complete");
     assert_eq!(done.into_inner(), found.len());
     let (resumed, fresh) = found.split_at(stiffnesses.len());
-    assert!(resumed.iter().all(|record| record.steps == 123_456));
-    assert!(fresh.iter().all(|record| record.steps <= 2000));
+    assert!(resumed.iter().all(|record| record.iterations == 123_456));
+    assert!(fresh.iter().all(|record| record.iterations <= 2000));
 }
 
 #[test]
@@ -176,14 +176,14 @@ fn a_point_is_as_recorded_only_if_class_counts_measures_and_predictions_are() {
     };
     assert!(spoiled(&|_| (), 0) && spoiled(&|_| (), 4) && spoiled(&|_| (), 5));
     let changes: [&dyn Fn(&mut Record); 8] = [
-        &|r| r.class = Class::Slow,
-        &|r| r.steps += 1,
+        &|r| r.class = Class::Capped,
+        &|r| r.iterations += 1,
         &|r| r.error *= 1.01,
         &|r| r.iteration_error *= 1.01,
         &|r| r.penalty *= 1.01,
         &|r| r.rate = f64::NAN,
         &|r| r.predicted_rate *= 1.01,
-        &|r| r.predicted_steps = 5000.0,
+        &|r| r.predicted_iterations = 5000.0,
     ];
     for (k, change) in changes.iter().enumerate() {
         assert!(!spoiled(change, 0), "change {k} far from a boundary");
@@ -212,17 +212,17 @@ fn a_digest_takes_what_converges_everywhere_and_the_best_of_the_worst() {
         digests.into_iter().find(|d| d.method == method).and_then(|digest| digest.safe)
     };
     let before = of(&charts);
-    let summary::Safe { from, to, best, best_steps, steps } = before.expect("a range");
-    assert!(best_steps <= steps);
+    let summary::Safe { from, to, best, best_iterations, iterations } = before.expect("a range");
+    assert!(best_iterations <= iterations);
     assert!(from <= best && best <= to && from < to);
     let row = charts[0].rows.iter_mut().find(|row| row[0].method == method).expect("a row");
     let point = row.iter_mut().find(|r| record::same(r.stiffness, best)).expect("the best start");
-    point.steps = 10 * best_steps;
+    point.iterations = 10 * best_iterations;
     let after = of(&charts);
     assert!(after.is_some_and(|now| !record::same(now.best, best)
-        && now.best_steps >= best_steps
-        && now.steps >= 10 * best_steps));
+        && now.best_iterations >= best_iterations
+        && now.iterations >= 10 * best_iterations));
     let row = charts[0].rows.iter_mut().find(|row| row[0].method == method).expect("a row");
-    row.iter_mut().filter(|r| r.stiffness >= best).for_each(|r| r.class = Class::Slow);
+    row.iter_mut().filter(|r| r.stiffness >= best).for_each(|r| r.class = Class::Capped);
     assert!(of(&charts).is_none_or(|now| now.to < best));
 }

@@ -120,7 +120,7 @@ fn symmetric_scene_on_both_sides_gives_what_its_half_gives() {
             let place = format!("{name}, {element:?}, {order:?}:\n{whole}");
             let [(_, half), (whole_scene, whole)] = [&half, &whole].map(|text| solved(text, element, order));
             assert!(half.solution.converged() && whole.solution.converged(), "{place}");
-            assert_eq!(half.solution.work.steps, whole.solution.work.steps, "{place}");
+            assert_eq!(half.solution.work.iterations, whole.solution.work.iterations, "{place}");
             for of in [
                 |run: &Run| run.measures().half_width,
                 |run: &Run| run.measures().half_width_nodes,

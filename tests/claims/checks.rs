@@ -104,8 +104,8 @@ fn trial_without_a_check_or_with_one_that_gives_no_reason_is_an_error() {
 fn sweep_fails_on_a_wrong_run_and_on_nan_and_says_where_nothing_converges() {
     let formulation = contact_vv::solve::Formulation::verification();
     let verdict = |error: Option<f64>| {
-        let steps = Curve { points: vec![[1.0, 7.0]], failed: vec![] };
-        let sweep = Sweep { scene: Scene::Cylinder, formulation: formulation.clone(), steps, error };
+        let iterations = Curve { points: vec![[1.0, 7.0]], failed: vec![] };
+        let sweep = Sweep { scene: Scene::Cylinder, formulation: formulation.clone(), iterations, error };
         sweep::judge(&Numbers::Sweep(sweep)).expect("judged")[0].verdict.clone()
     };
     let tolerance = formulation.settings.tolerance;

@@ -32,7 +32,7 @@ fn eliminated(body: &BodySystem) -> (DMatrix<f64>, DVector<f64>) {
     (schur, force(&retained) - coupling.transpose() * inverse.solve(&force(&inner)))
 }
 
-/// Supported by its lower half's diameter, held by contact alone, two bodies, and one pushed by a displacement.
+/// Supported by its lower half's diameter, supported by contact alone, two bodies, and one pushed by a displacement.
 fn samples() -> Vec<(&'static str, ElasticSystem)> {
     let pushed = block([4.0, 3.0], vec![held("left", Component::X, 0.0), held("far", Component::Y, -0.01)], vec![]);
     let mut all = Vec::new();
@@ -101,7 +101,7 @@ fn condensed_load_of_a_free_body_keeps_the_applied_resultant() {
     let numbers = Cylinder::default();
     let scene = numbers.scene();
     let condensed = system(&scene, 3, Order::Quadratic).condense().expect("condensed");
-    // Retained freedoms point downwards: the load presses the cylinder on the plane.
+    // Retained dofs point downwards: the load presses the cylinder on the plane.
     assert_relative_eq!(condensed.load.iter().sum::<f64>(), 0.5 * numbers.load(), max_relative = 1e-10);
 }
 
@@ -133,7 +133,7 @@ fn recovered_displacements_solve_the_full_system() {
     }
 }
 
-/// Row on the retained freedoms, spring constant [N/mm], force [N].
+/// Row on the retained dofs, spring constant [N/mm], force [N].
 type Spring = (Vec<(usize, f64)>, f64, f64);
 
 #[test]
@@ -141,7 +141,7 @@ fn springs_on_the_condensed_and_on_the_full_system_give_the_same_displacements()
     for (name, system) in samples() {
         let condensed = system.condense().expect("condensed");
         let m = condensed.retained();
-        // Springs between neighbours, some with two freedoms in a row, with forces of their own.
+        // Springs between neighbours, some with two dofs in a row, with forces of their own.
         let springs: Vec<Spring> = (0..m)
             .map(|i| (vec![(i, 1.0), ((i + 1) % m, 0.25)], 1e4 * (1.0 + i as f64 % 3.0), 2.0 - i as f64 % 5.0))
             .collect();

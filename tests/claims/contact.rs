@@ -2,8 +2,8 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::{Cylinder, Patch, PinRod, PressFit};
-use contact_vv::contact::facing::{Facing, FacingNode};
-use contact_vv::contact::interface::Station;
+use contact_vv::contact::interface::ContactNode;
+use contact_vv::contact::primary::{PrimaryNode, PrimarySurface};
 use contact_vv::contact::{ContactElement, ContactPoint, Interface, Layer, Line, Node, Quadrature};
 use contact_vv::elasticity::ElasticSystem;
 use contact_vv::mesh::{Mesh, Order};
@@ -60,38 +60,38 @@ fn on_path(
         coordinates.extend((1..=per).map(|k| two[0] + (two[1] - two[0]) * k as f64 / per as f64));
     }
     let count = coordinates.len();
-    let stations = coordinates.into_iter().enumerate().map(|(i, coordinate)| {
+    let nodes = coordinates.into_iter().enumerate().map(|(i, coordinate)| {
         let (point, normal) = place(coordinate);
-        Station {
+        ContactNode {
             coordinate,
             point,
             normal,
             gap: profile.gap(coordinate),
-            freedom: i,
-            facing: (1..bodies).map(|b| (b * count + i, 1.0)).collect(),
+            dof: i,
+            opposite: (1..bodies).map(|b| (b * count + i, 1.0)).collect(),
         }
     });
-    let stations: Vec<Station> = stations.collect();
+    let nodes: Vec<ContactNode> = nodes.collect();
     let edges = (0..corners.len() - 1).map(|e| {
         let first = e * per;
         if per == 1 { vec![first, first + 1] } else { vec![first, first + 2, first + 1] }
     });
     let edges: Vec<Vec<usize>> = edges.collect();
     let second = (bodies == 2).then_some(1);
-    let facing = second.map(|_| {
-        let node = |&i: &usize| FacingNode {
-            freedom: count + i,
-            coordinate: stations[i].coordinate,
+    let primary = second.map(|_| {
+        let node = |&i: &usize| PrimaryNode {
+            dof: count + i,
+            coordinate: nodes[i].coordinate,
             depth: 0.0,
-            normal: stations[i].normal,
+            normal: nodes[i].normal,
         };
-        Facing { edges: edges.iter().map(|edge| edge.iter().map(node).collect()).collect(), same: 1e-9 }
+        PrimarySurface { edges: edges.iter().map(|edge| edge.iter().map(node).collect()).collect(), same: 1e-9 }
     });
     let stretch = corners[corners.len() - 1];
     Interface {
-        stations,
+        nodes,
         edges,
-        facing,
+        primary,
         contact: 0,
         pair: ContactPair::new(second, path, profile, stretch),
         thickness: 2.5,
@@ -101,8 +101,8 @@ fn on_path(
 pub const CORNERS: [f64; 5] = [0.0, 0.3, 0.5, 1.1, 1.3];
 
 /// Row as a dense vector.
-pub fn expanded(point: &ContactPoint, freedoms: usize) -> Vec<f64> {
-    let mut row = vec![0.0; freedoms];
+pub fn expanded(point: &ContactPoint, dofs: usize) -> Vec<f64> {
+    let mut row = vec![0.0; dofs];
     point.add_row(1.0, &mut row);
     row
 }
@@ -170,7 +170,7 @@ fn rigid_approach_of_either_body_is_the_approach_of_every_point_on_a_flat_interf
         for (name, element) in elements() {
             for profile in [Profile::Uniform(0.1), Profile::Parabola { radius: 5.0 }, Profile::Uniform(-0.02)] {
                 let sample = flat(&CORNERS, order, 2, profile);
-                let count = sample.stations.len();
+                let count = sample.nodes.len();
                 let moved: Vec<f64> = (0..2 * count).map(|f| if f < count { 0.3 } else { 0.0 }).collect();
                 let facing: Vec<f64> = (0..2 * count).map(|f| if f < count { 0.0 } else { 0.7 }).collect();
                 for point in element.points(&sample) {
@@ -186,7 +186,7 @@ fn rigid_approach_of_either_body_is_the_approach_of_every_point_on_a_flat_interf
 fn rows_interpolate_a_quadratic_approach_between_the_nodes() {
     let sample = flat(&CORNERS, Order::Quadratic, 1, Profile::Uniform(0.1));
     let approach = |s: f64| 1.0 + 0.5 * s - 0.2 * s * s;
-    let u: Vec<f64> = sample.stations.iter().map(|station| approach(station.coordinate)).collect();
+    let u: Vec<f64> = sample.nodes.iter().map(|node| approach(node.coordinate)).collect();
     for (name, element) in elements() {
         for point in element.points(&sample) {
             assert!((point.approach(&u) - approach(point.position)).abs() <= 1e-14, "{name} at {}", point.position);
@@ -210,10 +210,10 @@ fn weights_of_nodes_on_a_straight_edge_are_one_sixth_four_sixths_one_sixth() {
 fn node_points_are_the_stations_with_their_gaps() {
     for order in ORDERS {
         let sample = flat(&CORNERS, order, 2, Profile::Parabola { radius: 5.0 });
-        for (station, point) in sample.stations.iter().zip(Node.points(&sample)) {
-            assert_relative_eq!(point.position, station.coordinate);
-            assert_relative_eq!(point.gap, station.coordinate * station.coordinate / 10.0, max_relative = 1e-14);
-            assert_eq!(point.row, station.row().collect::<Vec<_>>());
+        for (node, point) in sample.nodes.iter().zip(Node.points(&sample)) {
+            assert_relative_eq!(point.position, node.coordinate);
+            assert_relative_eq!(point.gap, node.coordinate * node.coordinate / 10.0, max_relative = 1e-14);
+            assert_eq!(point.row, node.row().collect::<Vec<_>>());
             assert_relative_eq!(point.relative_stiffness, 1.0);
         }
     }
@@ -259,9 +259,9 @@ fn layer_between_parallel_faces_has_the_rows_of_the_line_and_equal_springs() {
             let sample = flat(&[0.0, 0.5, 1.0], order, 2, Profile::Uniform(0.1));
             let line = Line { quadrature }.points(&sample);
             let layer = Layer { quadrature, thickness: 0.05 }.points(&sample);
-            let freedoms = 2 * sample.stations.len();
+            let dofs = 2 * sample.nodes.len();
             for (a, b) in line.iter().zip(&layer) {
-                for (x, y) in expanded(a, freedoms).iter().zip(expanded(b, freedoms)) {
+                for (x, y) in expanded(a, dofs).iter().zip(expanded(b, dofs)) {
                     assert_abs_diff_eq!(*x, y, epsilon = 1e-14);
                 }
                 assert_relative_eq!(a.weight, b.weight, max_relative = 1e-14);
@@ -310,9 +310,9 @@ fn layer_rows_on_an_arc_turn_the_nodal_normals_on_the_director() {
     let shapes = |x: f64| [x * (x - 1.0) / 2.0, 1.0 - x * x, x * (x + 1.0) / 2.0];
     for point in (Layer { quadrature: Quadrature::Gauss, thickness: t0 }).points(&sample) {
         let values = shapes((point.position - 0.7) / 0.3);
-        let normals: Vec<Vector2<f64>> = sample.stations.iter().map(|s| Vector2::from(s.normal)).collect();
+        let normals: Vec<Vector2<f64>> = sample.nodes.iter().map(|s| Vector2::from(s.normal)).collect();
         let across = (0..3).fold(Vector2::zeros(), |sum: Vector2<f64>, a| {
-            sum + normals[a] * (t0 * length + sample.stations[a].gap) * values[a]
+            sum + normals[a] * (t0 * length + sample.nodes[a].gap) * values[a]
         });
         let director = across.normalize();
         let row = expanded(&point, 6);
@@ -328,9 +328,9 @@ fn layer_rows_on_an_arc_turn_the_nodal_normals_on_the_director() {
 fn uniform_pressure_gives_the_same_consistent_nodal_forces_with_every_element() {
     for order in ORDERS {
         let sample = flat(&CORNERS, order, 2, Profile::Parabola { radius: 5.0 });
-        let freedoms = 2 * sample.stations.len();
+        let dofs = 2 * sample.nodes.len();
         let forces = |element: &dyn ContactElement| {
-            let mut force = vec![0.0; freedoms];
+            let mut force = vec![0.0; dofs];
             element.points(&sample).iter().for_each(|p| p.add_row(p.weight, &mut force));
             force
         };
@@ -347,7 +347,7 @@ fn uniform_pressure_gives_the_same_consistent_nodal_forces_with_every_element() 
 fn pressures_of_equal_size_hold_both_bodies_in_balance() {
     for (name, element) in elements() {
         let sample = arc(&CORNERS, Order::Quadratic, 7.0, Profile::Hole { radius: 7.0, clearance: 0.1 });
-        let count = sample.stations.len();
+        let count = sample.nodes.len();
         for point in element.points(&sample) {
             let row = expanded(&point, 2 * count);
             for k in 0..count {
@@ -384,7 +384,7 @@ fn as_many_gauss_points_as_nodes_ask_for_more_pressures_than_the_nodes_can_balan
         for (quadrature, unique) in [(Quadrature::Gauss, true), (Quadrature::GaussFull, false)] {
             let sample = flat(&CORNERS, order, 1, Profile::Uniform(0.0));
             let points = Line { quadrature }.points(&sample);
-            let count = sample.stations.len();
+            let count = sample.nodes.len();
             // Columns are the nodal forces of each point's pressure.
             let matrix = DMatrix::from_fn(count, points.len(), |i, j| expanded(&points[j], count)[i]);
             assert_eq!(matrix.rank(1e-10) == points.len(), unique, "{quadrature:?} {order:?}");
@@ -412,24 +412,24 @@ fn edges_of_a_mesh_follow_the_contact_coordinate() {
                 }
                 reached += usize::from(order.number());
             }
-            assert_eq!(reached + 1, sample.stations.len());
+            assert_eq!(reached + 1, sample.nodes.len());
             let bodies = scene.contact().bodies().count();
-            assert!(sample.stations.iter().all(|station| station.row().count() == bodies));
-            assert!(sample.stations.iter().enumerate().all(|(i, station)| station.freedom == i));
+            assert!(sample.nodes.iter().all(|node| node.row().count() == bodies));
+            assert!(sample.nodes.iter().enumerate().all(|(i, node)| node.dof == i));
         }
     }
 }
 
 #[test]
-fn facing_freedoms_belong_to_the_second_body_in_the_same_order() {
+fn primary_dofs_belong_to_the_second_body_in_the_same_order() {
     let scene = PinRod::default().scene();
     let swapped = scene.swapped().expect("two bodies");
     for scene in [scene, swapped] {
         let sample = interface(&scene, 6, Order::Quadratic);
-        let count = sample.stations.len();
+        let count = sample.nodes.len();
         let [first, second] = if scene.contact().first == 0 { [0, count] } else { [count, 0] };
-        for (i, station) in sample.stations.iter().enumerate() {
-            assert_eq!(station.row().collect::<Vec<_>>(), vec![(first + i, 1.0), (second + i, 1.0)]);
+        for (i, node) in sample.nodes.iter().enumerate() {
+            assert_eq!(node.row().collect::<Vec<_>>(), vec![(first + i, 1.0), (second + i, 1.0)]);
         }
     }
 }

@@ -33,9 +33,9 @@ fn residual(x: &[f64]) -> Vec<f64> {
 }
 
 /// Evaluations until the residual is below 1e-10; none within 400.
-fn evaluations(kind: Acceleration, freedoms: usize) -> Option<usize> {
-    let mut accelerator = Accelerator::new(kind, vec![1.0; freedoms]);
-    let mut x = vec![0.0; freedoms];
+fn evaluations(kind: Acceleration, dofs: usize) -> Option<usize> {
+    let mut accelerator = Accelerator::new(kind, vec![1.0; dofs]);
+    let mut x = vec![0.0; dofs];
     for count in 1..=400 {
         let f = residual(&x);
         if f.iter().all(|f| f.abs() <= 1e-10) {
@@ -127,17 +127,17 @@ fn accelerated_fixed_points_are_the_solution_of_kinematic_load() {
 fn acceleration_saves_steps_and_keeps_the_one_factorisation() {
     let discretisation = truncated(6);
     for element in Element::ALL {
-        let steps = |acceleration| {
+        let iterations = |acceleration| {
             let solution = discretisation.solve(&constant(element, 10.0, acceleration)).expect("solution");
             assert!(solution.converged());
             assert_eq!(solution.work.factorisations, 1);
-            let steps = solution.work.steps;
-            assert!((steps..=2 * steps).contains(&solution.work.back_substitutions));
-            steps
+            let iterations = solution.work.iterations;
+            assert!((iterations..=2 * iterations).contains(&solution.work.back_substitutions));
+            iterations
         };
-        let plain = steps(Acceleration::None);
+        let plain = iterations(Acceleration::None);
         for acceleration in [Acceleration::CrossedSecant, Acceleration::Anderson] {
-            let accelerated = steps(acceleration);
+            let accelerated = iterations(acceleration);
             assert!(2 * accelerated < plain, "{}: {accelerated} instead of {plain}", acceleration.name());
         }
     }
@@ -194,9 +194,9 @@ fn nested_start_takes_three_steps_at_most_and_finds_the_same_contact() {
         let closed = Formulation::new(Element::Node, Iteration::Kinematic);
         let from_closed = discretisation.solve(&closed).expect("solution");
         let nested = discretisation.solve(&Formulation { start: Start::Nested, ..closed }).expect("solution");
-        assert!(nested.converged() && nested.work.steps <= 3, "{elements}: {} steps", nested.work.steps);
-        assert!(from_closed.work.steps > 3 && from_closed.coarser.steps == 0);
-        assert!(nested.coarser.steps >= nested.coarser.factorisations && nested.coarser.steps > 0);
+        assert!(nested.converged() && nested.work.iterations <= 3, "{elements}: {} iterations", nested.work.iterations);
+        assert!(from_closed.work.iterations > 3 && from_closed.coarser.iterations == 0);
+        assert!(nested.coarser.iterations >= nested.coarser.factorisations && nested.coarser.iterations > 0);
         for (a, b) in pressures(&nested).iter().zip(pressures(&from_closed)) {
             assert_relative_eq!(*a, b, epsilon = 1e-3 * discretisation.scene.reference.pressure);
         }
@@ -209,7 +209,7 @@ fn share_below_the_multiple_of_the_plain_one_turns_red() {
     let (plain, crossed_secant) = (&recorded[0], recorded[1].clone());
     assert_eq!(cures::times(plain, &crossed_secant).verdict, Verdict::Pass);
     let mut spoiled = crossed_secant;
-    spoiled.steps[1].iter_mut().step_by(2).flatten().for_each(|steps| *steps = None);
+    spoiled.iterations[1].iter_mut().step_by(2).flatten().for_each(|iterations| *iterations = None);
     assert_eq!(cures::times(plain, &spoiled).verdict, Verdict::Fail);
     assert_eq!(cures::times(plain, plain).verdict, Verdict::Fail);
 }
@@ -228,7 +228,7 @@ fn acceleration_slower_than_none_and_another_rule_that_converges_turn_red() {
     slower[1].ended.swap(0, 2);
     assert_eq!(verdicts(slower), [Verdict::Fail, Verdict::Pass]);
     let mut lost = rules.clone();
-    lost[0].ended[1].outcome = Outcome::Exhausted;
+    lost[0].ended[1].outcome = Outcome::Capped;
     assert_eq!(verdicts(lost), [Verdict::Fail, Verdict::Pass]);
     let mut found = rules;
     found.last_mut().expect("rules").ended[2].outcome = Outcome::Converged;
@@ -236,7 +236,7 @@ fn acceleration_slower_than_none_and_another_rule_that_converges_turn_red() {
 }
 
 /// What follows a state of ten times the first residual after so many quiet evaluations: times it was given up, and the
-/// plain step before it.
+/// plain iteration before it.
 fn after_a_jump(quiet: usize) -> (usize, Vec<f64>, Vec<f64>) {
     let mut accelerator = Accelerator::new(Acceleration::CrossedSecant, vec![1.0]);
     let (mut x, mut plain, mut rejected) = (vec![0.0], vec![0.0], 0);

@@ -154,8 +154,8 @@ fn resultant(scene: &Scene, mesh: &Mesh) -> [f64; 3] {
     let body = &system.bodies[0];
     let mut sums = [0.0; 3];
     for (node, point) in mesh.points.iter().enumerate() {
-        for (freedom, axis) in body.freedoms.of_node(node).into_iter().zip(body.freedoms.frame(node)) {
-            let Freedom::Equation(equation) = freedom else { continue };
+        for (dof, axis) in body.dofs.of_node(node).into_iter().zip(body.dofs.frame(node)) {
+            let Freedom::Equation(equation) = dof else { continue };
             let [fx, fy] = axis.map(|a| a * body.force[equation]);
             sums = [sums[0] + fx, sums[1] + fy, sums[2] + point[0] * fy - point[1] * fx];
         }
@@ -237,7 +237,7 @@ fn traction_on_a_straight_quadratic_edge_is_shared_one_four_one() {
     let (scene, mesh) = loaded(Load::Traction { boundary: "far".into(), traction: [0.0, -6.0] }, Order::Quadratic);
     let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
     let edge = &mesh.boundary(&scene, 0, "far").expect("far")[0];
-    let on = |node: usize| match system.bodies[0].freedoms.of_node(node)[1] {
+    let on = |node: usize| match system.bodies[0].dofs.of_node(node)[1] {
         Freedom::Equation(equation) => system.bodies[0].force[equation],
         Freedom::Prescribed(_) => f64::NAN,
     };
@@ -354,10 +354,10 @@ fn retained_freedoms_are_displacements_along_the_outward_normals() {
     for (body, part) in system.bodies.iter().zip(&mesh.bodies) {
         assert_eq!(body.retained.len(), part.candidates.len());
         for (candidate, equation) in part.candidates.iter().zip(body.retained.clone()) {
-            let mut unit = vec![0.0; body.freedoms.equations];
+            let mut unit = vec![0.0; body.dofs.equations];
             unit[equation] = 1.0;
-            let u = body.freedoms.displacements(&unit);
-            let moved = u[candidate.node - body.freedoms.first];
+            let u = body.dofs.displacements(&unit);
+            let moved = u[candidate.node - body.dofs.first];
             assert!(distance(&moved, &candidate.normal) <= 1e-15);
             let others = u.iter().map(|u| u[0].hypot(u[1])).sum::<f64>();
             assert_abs_diff_eq!(others, 1.0, epsilon = 1e-14);
@@ -370,9 +370,9 @@ fn tangent_is_the_normal_turned_counter_clockwise() {
     let scene = PinRod::default().scene();
     let mesh = Mesh::of(&scene, resolution(6, 0, Order::Linear)).expect("mesh");
     let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
-    let freedoms = &system.bodies[0].freedoms;
+    let dofs = &system.bodies[0].dofs;
     for candidate in &mesh.bodies[0].candidates {
-        let [n, t] = freedoms.frame(candidate.node);
+        let [n, t] = dofs.frame(candidate.node);
         assert!(distance(&n, &candidate.normal) <= 0.0);
         assert_relative_eq!(n[0] * t[1] - n[1] * t[0], 1.0, max_relative = 1e-14);
         assert_abs_diff_eq!(n[0] * t[0] + n[1] * t[1], 0.0, epsilon = 1e-15);
@@ -423,10 +423,10 @@ fn rigid_face_stays_flat_and_takes_the_whole_force() {
 
 /// `K u` in Cartesian components at every node.
 fn internal_forces(body: &contact_vv::elasticity::BodySystem, u: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut unknowns = vec![0.0; body.freedoms.equations];
+    let mut unknowns = vec![0.0; body.dofs.equations];
     for (node, u) in u.iter().enumerate() {
-        for (freedom, axis) in body.freedoms.of_node(node).into_iter().zip(body.freedoms.frame(node)) {
-            if let Freedom::Equation(equation) = freedom {
+        for (dof, axis) in body.dofs.of_node(node).into_iter().zip(body.dofs.frame(node)) {
+            if let Freedom::Equation(equation) = dof {
                 unknowns[equation] = u[0] * axis[0] + u[1] * axis[1];
             }
         }
@@ -435,8 +435,8 @@ fn internal_forces(body: &contact_vv::elasticity::BodySystem, u: &[[f64; 2]]) ->
     (0..u.len())
         .map(|node| {
             let mut force = [0.0; 2];
-            for (freedom, axis) in body.freedoms.of_node(node).into_iter().zip(body.freedoms.frame(node)) {
-                if let Freedom::Equation(equation) = freedom {
+            for (dof, axis) in body.dofs.of_node(node).into_iter().zip(body.dofs.frame(node)) {
+                if let Freedom::Equation(equation) = dof {
                     force = [force[0] + product[equation] * axis[0], force[1] + product[equation] * axis[1]];
                 }
             }
@@ -452,7 +452,7 @@ fn product_is_that_of_the_full_symmetric_matrix() {
     let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
     for body in &system.bodies {
         let mut number = noise(5);
-        let u: Vec<f64> = (0..body.freedoms.equations).map(|_| number()).collect();
+        let u: Vec<f64> = (0..body.dofs.equations).map(|_| number()).collect();
         let wanted = dense(body) * DVector::from_vec(u.clone());
         let scale = wanted.amax();
         assert!(distance(&body.product(&u), wanted.as_slice()) <= 1e-13 * scale);
@@ -529,7 +529,7 @@ fn prescribed_displacement_along_a_normal_that_points_downwards_keeps_its_sign()
     let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
     let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
     let node = mesh.node_at(&scene, 0, [4.0, 0.0]).expect("corner");
-    let zeros = vec![0.0; system.bodies[0].freedoms.equations];
+    let zeros = vec![0.0; system.bodies[0].dofs.equations];
     assert_relative_eq!(system.nodal_displacements(&[zeros])[node][0], 0.02);
     // A mirrored arc: the tangent of a node at 90° is vertical, its sign must not turn the prescribed value.
     let circle = |radius| Circle { centre: [0.0, 0.0], radius };
@@ -547,7 +547,7 @@ fn prescribed_displacement_along_a_normal_that_points_downwards_keeps_its_sign()
         [(scene.mirrored(), mesh.mirrored()), (scene.clone(), mesh)]
     } {
         let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
-        let zeros = vec![0.0; system.bodies[0].freedoms.equations];
+        let zeros = vec![0.0; system.bodies[0].dofs.equations];
         let u = system.nodal_displacements(&[zeros]);
         for node in mesh.nodes_at(&scene, 0, &contact_vv::scene::Place::Boundary("end".into())).expect("end") {
             assert_relative_eq!(u[node][1], 0.01, max_relative = 1e-14);
@@ -591,7 +591,7 @@ fn scaling_every_cell_scales_the_matrix() {
     let doubled = ElasticSystem::assemble_scaled(&scene, &mesh, &|_| 2.0).expect("system");
     let [one, two] = [&plain, &doubled].map(|system| dense(&system.bodies[0]));
     assert!((one.clone() * 2.0 - two).amax() <= 1e-14 * one.amax());
-    assert_eq!(plain.freedoms(), 2 * mesh.points.len() - 1);
+    assert_eq!(plain.dofs(), 2 * mesh.points.len() - 1);
 }
 
 #[test]

@@ -133,7 +133,7 @@ fn support_across_a_contact_normal_is_refused() {
 
 #[test]
 fn rigid_face_that_meets_the_contact_is_refused() {
-    // The corner belongs to both: its frame follows the contact normal, the face's common freedom the x axis.
+    // The corner belongs to both: its frame follows the contact normal, the face's common dof the x axis.
     let face = vec![Load::RigidFace { boundary: "right".into(), component: Component::X, force: 1.0 }];
     let scene = block([4.0, 3.0], vec![held("left", Component::X, 0.0)], face);
     let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");

@@ -37,16 +37,16 @@ fn samples() -> Vec<(String, Scene, Mesh)> {
 
 /// `K` and the forces of prescribed displacements, added cell by cell into a full matrix.
 fn added_densely(scene: &Scene, mesh: &Mesh, body: usize, system: &ElasticSystem) -> (DMatrix<f64>, DVector<f64>) {
-    let freedoms = &system.bodies[body].freedoms;
+    let dofs = &system.bodies[body].dofs;
     let kernel = CellStiffness::new(mesh.order, &scene.bodies[body].material.stiffness(scene.plane), scene.thickness);
-    let mut matrix = DMatrix::zeros(freedoms.equations, freedoms.equations);
-    let mut force = DVector::zeros(freedoms.equations);
+    let mut matrix = DMatrix::zeros(dofs.equations, dofs.equations);
+    let mut force = DVector::zeros(dofs.equations);
     for cell in mesh.bodies[body].cells.clone() {
         let nodes = mesh.cell(cell);
         let mut k = vec![0.0; kernel.entries()];
         kernel.integrate(nodes.iter().map(|&n| mesh.points[n]), &mut k).expect("sound cell");
-        freedoms.rotate(nodes, &mut k);
-        let of_cell: Vec<Freedom> = nodes.iter().flat_map(|&n| freedoms.of_node(n)).collect();
+        dofs.rotate(nodes, &mut k);
+        let of_cell: Vec<Freedom> = nodes.iter().flat_map(|&n| dofs.of_node(n)).collect();
         for (i, row) in of_cell.iter().enumerate() {
             let Freedom::Equation(row) = *row else { continue };
             for (j, column) in of_cell.iter().enumerate() {
@@ -98,7 +98,7 @@ fn is_tie(load: &contact_vv::scene::Load) -> bool {
 
 /// Whether several components share an equation; a rigid face carries its own load there.
 fn is_tied(body: &contact_vv::elasticity::BodySystem, equation: usize) -> bool {
-    body.freedoms.components.iter().flatten().filter(|freedom| freedom.equation() == Some(equation)).count() > 1
+    body.dofs.components.iter().flatten().filter(|dof| dof.equation() == Some(equation)).count() > 1
 }
 
 #[test]
@@ -106,12 +106,12 @@ fn every_unknown_has_one_number_and_the_candidates_have_the_last_ones() {
     for (name, scene, mesh) in samples() {
         let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
         for (body, part) in system.bodies.iter().zip(&mesh.bodies) {
-            let freedoms = &body.freedoms;
-            let mut numbers = freedoms.in_mesh_order();
+            let dofs = &body.dofs;
+            let mut numbers = dofs.in_mesh_order();
             numbers.sort_unstable();
-            assert!(numbers.iter().copied().eq(0..freedoms.equations), "{name}");
-            let normals = part.candidates.iter().map(|candidate| freedoms.of_node(candidate.node)[0].equation());
-            let last = freedoms.equations - part.candidates.len()..freedoms.equations;
+            assert!(numbers.iter().copied().eq(0..dofs.equations), "{name}");
+            let normals = part.candidates.iter().map(|candidate| dofs.of_node(candidate.node)[0].equation());
+            let last = dofs.equations - part.candidates.len()..dofs.equations;
             assert!(normals.eq(last.map(Some)), "{name}");
         }
     }
@@ -293,7 +293,7 @@ fn varying_stiffness_on_a_large_interface_factorises_what_still_moves() {
     let discretisation = large();
     let formulation = Formulation::new(Element::Node, Iteration::Varying);
     let solution = discretisation.solve(&formulation).expect("solved");
-    assert!(solution.converged() && solution.work.factorisations == solution.work.steps);
+    assert!(solution.converged() && solution.work.factorisations == solution.work.iterations);
     let m = discretisation.condensed.retained() as f64;
     let whole = solution.work.factorisations as f64 * m.powi(3) / 3.0;
     assert!(solution.work.operations < 0.6 * whole, "{:.2}", solution.work.operations / whole);
@@ -315,7 +315,7 @@ fn several_solutions_are_recovered_at_once_as_one_by_one() {
     }
 }
 
-/// A contact with more than 256 retained freedoms, where factors are updated.
+/// A contact with more than 256 retained dofs, where factors are updated.
 fn large() -> Discretisation {
     let scene = Cylinder::default().scene();
     Discretisation::of(scene, resolution(10, 3, Order::Quadratic)).expect("discretised")
@@ -347,14 +347,14 @@ fn springs_that_open_and_close_a_few_at_a_time_are_solved_as_if_factorised_anew(
 }
 
 #[test]
-fn kinematic_load_on_a_large_interface_updates_its_factor_and_keeps_its_steps() {
+fn kinematic_load_on_a_large_interface_updates_its_factor_and_keeps_its_iterations() {
     let discretisation = large();
     for element in Element::ALL {
         let formulation = Formulation::new(element, Iteration::Kinematic);
         let solution = discretisation.solve(&formulation).expect("solved");
         assert!(solution.converged());
         assert!(solution.work.updates > 0, "{element:?}: {:?}", solution.work);
-        assert!(solution.work.factorisations < solution.work.steps, "{element:?}: {:?}", solution.work);
+        assert!(solution.work.factorisations < solution.work.iterations, "{element:?}: {:?}", solution.work);
     }
 }
 
@@ -420,7 +420,7 @@ fn resolved(scene: &Scene, elements: usize, load: f64, clearance: f64, formulati
     }
     let mut discretisation =
         Discretisation::of(changed, resolution(elements, 0, Order::Quadratic)).expect("discretised");
-    discretisation.interfaces[0].stations.iter_mut().for_each(|station| station.gap += clearance);
+    discretisation.interfaces[0].nodes.iter_mut().for_each(|station| station.gap += clearance);
     if clearance > 0.0 && formulation.element != Element::Node {
         // Line and layer elements take their gaps from the profile, which has no room for a clearance of its own.
         return vec![f64::NAN];

@@ -119,7 +119,7 @@ fn mesh_across_the_middle_is_solved_on_both_sides_of_it() {
     let scene = scene.replace("at = \"axis\"", "at = [-1, 0]");
     let (discretisation, run) = solved(&Case::parse(&folder.join("scene.toml"), &scene).expect("sound"));
     assert_eq!(run.solution.points.len(), 3);
-    assert_relative_eq!(discretisation.interfaces[0].stations[0].coordinate, -1.0);
+    assert_relative_eq!(discretisation.interfaces[0].nodes[0].coordinate, -1.0);
     // ∫ (5 + x) and its moment over −1 … 1.
     assert_relative_eq!(run.transmitted(), 10.0, max_relative = 1e-9);
     assert_relative_eq!(run.measures().centre, 2.0 / 30.0, max_relative = 1e-6);
@@ -316,7 +316,7 @@ fn bodies_meshed_here_and_given_as_meshes_have_one_solution() {
             text.split_inclusive('\n').filter(|line| !without.iter().any(|key| line.starts_with(key))).collect();
         let given = Case::parse(&folder.join("scene.toml"), &text).expect("sound");
         let (_, found) = solved(&given);
-        assert_eq!(found.freedoms, wanted.freedoms);
+        assert_eq!(found.dofs, wanted.dofs);
         assert_relative_eq!(found.measures().peak.pressure, wanted.measures().peak.pressure, max_relative = 1e-9);
         assert_relative_eq!(found.measures().half_width, wanted.measures().half_width, max_relative = 1e-9);
     }
@@ -378,7 +378,7 @@ const TWO_BLOCKS: &str = "{ blocks = [{ corners = [[0, 0], [1, 0], [1, 1], [0, 1
 #[test]
 fn chain_of_blocks_is_the_body_they_make() {
     let [one, two] = [ONE_BLOCK, TWO_BLOCKS].map(|shape| solved(&of_blocks(shape).expect("sound")).1);
-    assert_eq!(one.freedoms, two.freedoms);
+    assert_eq!(one.dofs, two.dofs);
     for (a, b) in one.solution.points.iter().zip(&two.solution.points) {
         assert_relative_eq!(a.pressure, b.pressure, max_relative = 1e-9, epsilon = 1e-9);
     }

@@ -8,7 +8,7 @@ use contact_vv::scene::{Load, Profile, Scene};
 use contact_vv::solution::PointState;
 use contact_vv::solve::Run;
 use contact_vv::solve::run::RESOLVED;
-use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, spill};
+use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, candidate_end};
 use contact_vv::stability::conditioning;
 use contact_vv::study::limits;
 
@@ -75,13 +75,13 @@ fn contact_up_to_the_end_of_body_or_punch_is_no_spill() {
         let discretisation = Discretisation::of(scene, resolution(elements, 0, Order::Quadratic)).expect("solvable");
         let solution = discretisation.solve(&Formulation::verification()).expect("no spill");
         assert!(solution.points.last().is_some_and(|point| point.pressure > 0.0));
-        let deepest = spill::deepest(
+        let deepest = candidate_end::deepest(
             &discretisation,
             &discretisation.interfaces[0],
             &solution,
             Change::NONE,
             1e-8,
-            spill::End::Last,
+            candidate_end::End::Last,
         )
         .expect("recovered");
         assert!(deepest.is_none_or(|spill| spill.penetration < 0.0), "{deepest:?}");
@@ -242,7 +242,7 @@ fn every_limit_gives_one_full_row_of_the_summary_and_passes() {
 fn limit_that_ends_in_an_error_shows_its_remedy_as_what_to_do_instead() {
     for (name, remedy) in [
         ("spring stiffness", "give κ₀ within these limits"),
-        ("held by contact alone", "reverse the load"),
+        ("supported by contact alone", "reverse the load"),
         ("zero load", "apply a load or add a support"),
         ("candidates too short", "widen the candidate stretch"),
         ("distorted cells", "make the grading gentler"),

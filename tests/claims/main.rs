@@ -2,8 +2,8 @@
 
 mod cells;
 mod checks;
-mod facing;
 mod iterate;
+mod primary;
 mod problem;
 mod spacing;
 mod workbench;

@@ -291,7 +291,7 @@ fn every_contact_node_lies_on_the_exact_curve() {
 }
 
 #[test]
-fn facing_nodes_lie_on_one_normal_at_the_distance_of_the_gap() {
+fn opposite_nodes_lie_on_one_normal_at_the_distance_of_the_gap() {
     let scenes = [
         PinRod::default().scene(),
         PinRod { clearance: 2.0, ..PinRod::default() }.scene(),

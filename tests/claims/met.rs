@@ -182,7 +182,7 @@ fn slow_algorithms_are_run_on_the_mesh_that_kinematic_load_chose() {
 fn iteration_that_stops_early_is_the_reason_why_an_accuracy_is_not_met() {
     let sample = site(Family::Polynomial, 0).sample().expect("a scene");
     let mut formulation = Formulation::new(Element::Line, Iteration::Constant);
-    formulation.settings.max_steps = 2;
+    formulation.settings.max_iterations = 2;
     let answer = accuracy::solve(&sample.scene, &formulation, &Asked::new(3e-3)).expect("solved");
     assert!(answer.unmet.as_ref().is_some_and(|why| why.contains("line.constant")), "{:?}", answer.unmet);
     assert!(answer.estimate() > 3e-3, "{:e}", answer.estimate());

@@ -32,7 +32,7 @@ const FIT: PressFit = PressFit {
 };
 
 const BARS: Bars =
-    Bars { young: 1000.0, section: 5.0, moved_length: 30.0, held_length: 20.0, gap: 0.1, displacement: 0.3 };
+    Bars { young: 1000.0, section: 5.0, moved_length: 30.0, fixed_length: 20.0, gap: 0.1, displacement: 0.3 };
 
 const PUNCH: FlatPunch = FlatPunch { load: 300.0, half_width: 2.0 };
 
@@ -41,9 +41,9 @@ const PATCH: Uniform = Uniform { applied: 7.0, width: 3.0 };
 const BLOCK: OwnWeight = OwnWeight { specific_weight: 7.7e-5, height: 100.0, width: 40.0 };
 
 /// `∫ f` by the midpoint rule, which converges exponentially once the ends are smooth.
-fn integral(from: f64, to: f64, steps: usize, f: impl Fn(f64) -> f64) -> f64 {
-    let h = (to - from) / steps as f64;
-    (0..steps).map(|i| h * f(from + (i as f64 + 0.5) * h)).sum()
+fn integral(from: f64, to: f64, iterations: usize, f: impl Fn(f64) -> f64) -> f64 {
+    let h = (to - from) / iterations as f64;
+    (0..iterations).map(|i| h * f(from + (i as f64 + 0.5) * h)).sum()
 }
 
 /// `∫ f` by Simpson's rule.
@@ -231,12 +231,12 @@ fn pin_in_hole_is_in_equilibrium() {
 /// the term `n = 1` is a shift of the pin, which is free.
 fn gaps(pin: &PinInHole, angles: &[f64]) -> Vec<f64> {
     let edge = pin.half_angle();
-    let steps = 4000;
-    let samples: Vec<(f64, f64)> = (0..steps)
+    let iterations = 4000;
+    let samples: Vec<(f64, f64)> = (0..iterations)
         .map(|i| {
-            let t = -FRAC_PI_2 + (i as f64 + 0.5) * PI / steps as f64;
+            let t = -FRAC_PI_2 + (i as f64 + 0.5) * PI / iterations as f64;
             let angle = edge * t.sin();
-            (angle, pin.pressure(angle) * edge * t.cos() / steps as f64)
+            (angle, pin.pressure(angle) * edge * t.cos() / iterations as f64)
         })
         .collect();
     let moment = |order: f64| samples.iter().map(|(angle, weight)| weight * (order * angle).cos()).sum::<f64>();
@@ -460,7 +460,7 @@ fn spoiled(value: f64) -> Vec<(&'static str, Box<dyn Oracle>)> {
         ("young", Box::new(Bars { young: value, ..BARS })),
         ("section", Box::new(Bars { section: value, ..BARS })),
         ("moved_length", Box::new(Bars { moved_length: value, ..BARS })),
-        ("held_length", Box::new(Bars { held_length: value, ..BARS })),
+        ("fixed_length", Box::new(Bars { fixed_length: value, ..BARS })),
         ("gap", Box::new(Bars { gap: value, ..BARS })),
         ("load", Box::new(FlatPunch { load: value, ..PUNCH })),
         ("half_width", Box::new(FlatPunch { half_width: value, ..PUNCH })),

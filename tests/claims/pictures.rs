@@ -169,8 +169,8 @@ fn charts_hold_the_pressures_and_the_iteration_error_of_every_step() {
     let force = curve(&chart, "force");
     assert!(force[0].1.is_nan() && force[1].1.is_nan());
     for (label, of) in [
-        ("peak", (|step| step.error.peak) as fn(&contact_vv::solution::Step) -> f64),
-        ("force", |step| step.error.force),
+        ("peak", (|iteration| iteration.error.peak) as fn(&contact_vv::solution::Iterated) -> f64),
+        ("force", |iteration| iteration.error.force),
     ] {
         for (k, (step, drawn)) in run.solution.history.iter().zip(curve(&chart, label)).enumerate() {
             assert_abs_diff_eq!(drawn.0, (k + 1) as f64, epsilon = 0.0);
@@ -223,11 +223,11 @@ fn command_draws_what_did_not_converge_and_shows_no_progress_where_there_is_no_t
     };
     let output = solve(&text);
     assert!(output.status.success() && output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
-    let output = solve(&text.replace("[solve]", "[solve]\nmax-steps = 2"));
+    let output = solve(&text.replace("[solve]", "[solve]\nmax-iterations = 2"));
     assert!(!output.status.success());
     let svg = std::fs::read_to_string(&picture).expect("a picture");
     elements(&svg);
-    assert!(svg.contains("exhausted after 2 steps"));
+    assert!(svg.contains("not converged after 2 iterations"));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What a step solves: system matrix and equilibrium.
+//! What an iteration solves: system matrix and equilibrium.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::algorithm::{ContactProblem, Iterate, Springs};

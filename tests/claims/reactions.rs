@@ -43,7 +43,7 @@ fn forces(discretisation: &Discretisation, solution: &Solution) -> Vec<f64> {
     discretisation.reactions(solution).expect("reactions").iter().map(|reaction| reaction.force).collect()
 }
 
-/// Contact force on a body from the contact points alone, `−Σ A p n` of the nodes' retained freedoms \[N\].
+/// Contact force on a body from the contact points alone, `−Σ A p n` of the nodes' retained dofs \[N\].
 fn contact(discretisation: &Discretisation, solution: &Solution, body: usize) -> [f64; 2] {
     let offset = discretisation.condensed.offsets[body];
     let candidates = discretisation.mesh.bodies[body].candidates.iter().enumerate();
@@ -97,7 +97,7 @@ fn loads_contact_and_reactions_of_a_body_add_up_to_zero() {
 fn run_that_ends_before_the_last_increment_has_the_reactions_of_its_own_share() {
     let push = "{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\", value = -0.05 }";
     let text = bar("stress", 0.0, push, "{ body-force = [0.5, -0.25] }");
-    let text = text.replace("[solve]", "[solve]\nincrements = 4\nmax-steps = 2\nstiffness = 1e4");
+    let text = text.replace("[solve]", "[solve]\nincrements = 4\nmax-iterations = 2\nstiffness = 1e4");
     let case = Case::parse(Path::new("scene.toml"), &text).expect("sound");
     let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
     let run = Run::of(&discretisation, case.formulation()).expect("stopped");

@@ -50,7 +50,7 @@ fn check_of_another_value_fails_and_so_does_a_run_that_does_not_converge() {
     for (was, is, failing) in [
         ("value = 4000", "value = 4001", 1),
         ("at = 3\nvalue = 100", "at = 3\nvalue = 100.001", 1),
-        ("tolerance = 1e-8\n\n[[check]]", "tolerance = 1e-8\nmax-steps = 1\n\n[[check]]", 3),
+        ("tolerance = 1e-8\n\n[[check]]", "tolerance = 1e-8\nmax-iterations = 1\n\n[[check]]", 3),
     ] {
         assert_eq!(text.matches(was).count(), 1, "{was}");
         let file = Case::parse(Path::new("blocks.toml"), &text.replace(was, is)).expect("sound");
@@ -88,7 +88,7 @@ fn scene_in_metres_is_the_cylinder_of_the_library() {
     let own = Discretisation::of(Cylinder::default().scene(), file.resolution).expect("meshed");
     let read = Discretisation::of(file.scene.clone(), file.resolution).expect("meshed");
     let [own, read] = [own, read].map(|one| Run::of(&one, &formulation).expect("solved"));
-    assert_eq!(own.freedoms, read.freedoms);
+    assert_eq!(own.dofs, read.dofs);
     assert_relative_eq!(read.measures().peak.pressure, own.measures().peak.pressure, max_relative = 1e-9);
     assert_relative_eq!(read.measures().half_width, own.measures().half_width, max_relative = 1e-9);
     assert_relative_eq!(read.transmitted(), own.transmitted(), max_relative = 1e-9);

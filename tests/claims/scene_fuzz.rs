@@ -93,7 +93,7 @@ fn fuzz(seed: u64, files_to_try: usize, solves: usize) -> (usize, usize) {
             if let Some(asked) = &file.accuracy {
                 let bounded = Asked { most_cells: 3000.0, ..asked.clone() };
                 let mut formulation = file.formulation().clone();
-                formulation.settings.max_steps = formulation.settings.max_steps.min(200);
+                formulation.settings.max_iterations = formulation.settings.max_iterations.min(200);
                 match accuracy::solve(&file.scene, &formulation, &bounded) {
                     Ok(answer) => assert!(answer.unmet.is_some() || answer.estimate() <= asked.relative),
                     Err(error) => assert!(!error.to_string().is_empty()),
@@ -103,7 +103,7 @@ fn fuzz(seed: u64, files_to_try: usize, solves: usize) -> (usize, usize) {
             let discretisation = Discretisation::of(file.scene.clone(), file.resolution);
             let run = discretisation.and_then(|discretisation| {
                 let mut formulation = file.formulation().clone();
-                formulation.settings.max_steps = formulation.settings.max_steps.min(200);
+                formulation.settings.max_iterations = formulation.settings.max_iterations.min(200);
                 Run::of(&discretisation, &formulation)
             });
             if let Err(error) = run {

@@ -210,13 +210,13 @@ fn both_starts_carried_sets_and_another_load_keep_the_contacts_apart() {
     };
     let nested = discretisation.solve(&Formulation { start: Start::Nested, ..formulation.clone() }).expect("nested");
     same(&nested);
-    // The set is at hand: a step that confirms it, or two.
+    // The set is at hand: an iteration that confirms it, or two.
     let carried = discretisation.solve_from(Origin::From(&run.solution), &formulation, Change::NONE).expect("carried");
     same(&carried);
-    assert!(carried.work.steps < run.solution.work.steps, "{} steps", carried.work.steps);
+    assert!(carried.work.iterations < run.solution.work.iterations, "{} iterations", carried.work.iterations);
     let again = discretisation.solve_from(Origin::From(&run.solution), &formulation, Change::NONE).expect("again");
     same(&again);
-    assert!(again.work.steps <= 2, "{} steps", again.work.steps);
+    assert!(again.work.iterations <= 2, "{} iterations", again.work.iterations);
 }
 
 #[test]
@@ -318,7 +318,7 @@ fn weak_contact_beside_a_strong_one_is_converged_on_its_own_scale() {
 
 #[test]
 fn interference_that_nothing_opposes_presses_nothing() {
-    // Both walls to the same side: the block steps back.
+    // Both walls to the same side: the block iterations back.
     let text = between_punches([0.0, 0.0], [3.0, 3.0], "1.7").replace("loads = [{ body-force = [0, -1] }]\n", "");
     let open = text.replacen("gap = { parabola = 80 }", "gap = { uniform = -0.01 }", 1);
     let open = open.replacen("gap = { parabola = 80 }", "gap = { uniform = 0.03 }", 1);
@@ -358,7 +358,7 @@ fn contact_beyond_the_candidates_is_told_for_the_contact_it_belongs_to() {
 
 #[test]
 fn what_another_contact_holds_is_no_contact_beyond_the_candidates() {
-    // A floor with a step of 0.005 between two neighbouring nodes: either level goes on below the candidates of the other.
+    // A floor with an iteration of 0.005 between two neighbouring nodes: either level goes on below the candidates of the other.
     let text = "plane = \"strain\"\nthickness = 1.0\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
         shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }\n\
         supports = [{ at = \"left\", component = \"x\" }]\n\

@@ -25,5 +25,5 @@ fn atlas_records_springs_too_soft_as_unsupported() {
     let site = Site::of(&row).expect("meshed");
     let ground = Ground::of(&site, &row).expect("points");
     let record = ground.record(&row, LOST).expect("a record");
-    assert_eq!((record.class, record.steps), (Class::Unsupported, 0));
+    assert_eq!((record.class, record.iterations), (Class::Unsupported, 0));
 }

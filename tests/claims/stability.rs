@@ -10,7 +10,7 @@ use contact_vv::mesh::{Order, Resolution};
 use contact_vv::solution::{IterationError, Work};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::stability::{Limit, halving, linear, rate, release};
-use contact_vv::study::stability::halving::{Law, Mesh, Scene, Steps};
+use contact_vv::study::stability::halving::{Iterations, Law, Mesh, Scene};
 use contact_vv::study::stability::judge::rate_check;
 use contact_vv::study::stability::{Numbers, judge};
 
@@ -20,7 +20,7 @@ fn discretisation() -> Discretisation {
         .expect("a solvable scene")
 }
 
-/// Factor by which `(S + K₀) u⁺ = f̂ + (K₀ − K*) u` changes the difference of two neighbouring steps in the end.
+/// Factor by which `(S + K₀) u⁺ = f̂ + (K₀ − K*) u` changes the difference of two neighbouring iterations in the end.
 fn observed(problem: &ContactProblem, initial: f64, target: f64) -> f64 {
     let n = problem.points.len();
     let factor = problem.factorise(&vec![initial; n], &mut Work::default()).expect("springs hold the body");
@@ -37,9 +37,9 @@ fn observed(problem: &ContactProblem, initial: f64, target: f64) -> f64 {
             break;
         }
     }
-    let steps = (change.len() / 3).max(2);
-    let (first, end) = (change[change.len() - 1 - steps], change[change.len() - 1]);
-    (end / first).powf(1.0 / steps as f64)
+    let iterations = (change.len() / 3).max(2);
+    let (first, end) = (change[change.len() - 1 - iterations], change[change.len() - 1]);
+    (end / first).powf(1.0 / iterations as f64)
 }
 
 #[test]
@@ -85,13 +85,13 @@ fn rates_of_a_problem_without_springs_are_none() {
 
 #[test]
 fn halving_takes_one_step_where_the_candidates_end_at_the_edge_and_one_more_by_each_doubling() {
-    assert_eq!(halving::steps(1.0, 1.0, 0.1, 1e6), 1);
-    assert_eq!(halving::steps(1.0, 1.0, 0.1, 0.1), 2);
-    assert_eq!(halving::steps(1.0, 1.0, 0.1, 2e3), 1);
-    assert_eq!(halving::steps(1.0, 1.0, 0.1, 1.0), 1);
+    assert_eq!(halving::iterations(1.0, 1.0, 0.1, 1e6), 1);
+    assert_eq!(halving::iterations(1.0, 1.0, 0.1, 0.1), 2);
+    assert_eq!(halving::iterations(1.0, 1.0, 0.1, 2e3), 1);
+    assert_eq!(halving::iterations(1.0, 1.0, 0.1, 1.0), 1);
     // (4 − 1)/(2 · 1/16) = 24, between 2⁴ and 2⁵; halving the spacing adds one.
-    assert_eq!(halving::steps(2.0, 1.0, 1.0 / 16.0, 1e6), 6);
-    assert_eq!(halving::steps(2.0, 1.0, 1.0 / 32.0, 1e6), 7);
+    assert_eq!(halving::iterations(2.0, 1.0, 1.0 / 16.0, 1e6), 6);
+    assert_eq!(halving::iterations(2.0, 1.0, 1.0 / 32.0, 1e6), 7);
 }
 
 #[test]
@@ -109,8 +109,8 @@ fn a_rate_that_is_not_the_predicted_one_turns_red() {
 #[test]
 fn pin_rod_turns_red_where_twice_the_elements_cost_more_than_a_halving() {
     let mesh = |elements, measured: [Option<usize>; 2]| {
-        let steps = measured.map(|measured| Steps { stiffness: 1.0, predicted: 5, measured });
-        Mesh { stretch: 1.5, elements, steps }
+        let iterations = measured.map(|measured| Iterations { stiffness: 1.0, predicted: 5, measured });
+        Mesh { stretch: 1.5, elements, iterations }
     };
     let verdict = |fine: [Option<usize>; 2]| {
         let law = Law { scene: Scene::PinRod, meshes: vec![mesh(12, [Some(6), Some(5)]), mesh(24, fine)] };
@@ -132,7 +132,7 @@ fn between_nodes() -> Discretisation {
 
 /// Spectral radius of the derivative of one real step, by central differences around the limit.
 ///
-/// `state` makes the springs of a state; `read` takes the state from the springs after the step.
+/// `state` makes the springs of a state; `read` takes the state from the springs after the iteration.
 fn derivative(
     problem: &ContactProblem,
     limit: &[f64],
@@ -167,7 +167,7 @@ fn carried(problem: &ContactProblem, limit: &Limit) -> Vec<f64> {
 }
 
 #[test]
-fn the_rates_of_constant_stiffness_are_the_derivatives_of_its_steps() {
+fn the_rates_of_constant_stiffness_are_the_derivatives_of_its_iterations() {
     let discretisation = between_nodes();
     // Line elements have no point with g = 0, where the secant rule has no derivative.
     for (element, rule) in [
@@ -190,7 +190,7 @@ fn the_rates_of_constant_stiffness_are_the_derivatives_of_its_steps() {
                 &carried(&problem, &limit),
                 |springs| {
                     let load = problem.load;
-                    Constant::new(rule).step(&problem, load, springs, &mut Work::default()).expect("springs hold");
+                    Constant::new(rule).next(&problem, load, springs, &mut Work::default()).expect("springs hold");
                 },
                 |force| Springs { stiffness: problem.initial.clone(), force: force.to_vec() },
                 |springs| springs.force.clone(),
@@ -217,7 +217,7 @@ fn the_rate_of_varying_stiffness_with_correction_is_the_derivative_of_its_step()
                 &target,
                 |springs| {
                     let load = problem.load;
-                    Varying::new(rule).step(&problem, load, springs, &mut Work::default()).expect("springs hold");
+                    Varying::new(rule).next(&problem, load, springs, &mut Work::default()).expect("springs hold");
                 },
                 |stiffness| Springs { stiffness: stiffness.to_vec(), force: vec![0.0; stiffness.len()] },
                 // Open points stop at once: what they hand on is cut off.
@@ -239,13 +239,13 @@ fn linear_steps_are_those_of_the_linear_iteration_taken_one_by_one() {
         let points: Vec<ContactPoint> = discretisation.points(&formulation);
         let problem = discretisation.problem(&formulation, &points);
         let limit = Limit::of(&problem).expect("a limit");
-        let run = discretisation.solve(&formulation).expect("solved").work.steps as f64;
-        let predicted = linear::steps(&problem, &limit, IterationError::largest, 1e-3).expect("a prediction");
+        let run = discretisation.solve(&formulation).expect("solved").work.iterations as f64;
+        let predicted = linear::iterations(&problem, &limit, IterationError::largest, 1e-3).expect("a prediction");
         assert!((predicted / run).max(run / predicted) < 2.0, "κ₀ = {stiffness}: {predicted} against {run}");
         // Each decade of the tolerance takes what the rate says, once the slowest mode is alone.
         let rate = rate::correction(&problem, &limit.closed).expect("a rate");
         let [fine, finer] = [1e-11, 1e-12]
-            .map(|tau| linear::steps(&problem, &limit, IterationError::largest, tau).expect("a prediction"));
+            .map(|tau| linear::iterations(&problem, &limit, IterationError::largest, tau).expect("a prediction"));
         assert_relative_eq!(finer - fine, -std::f64::consts::LN_10 / rate.ln(), max_relative = 0.05, epsilon = 1.5);
     }
 }
@@ -260,8 +260,8 @@ fn points_outside_the_contact_let_go_as_slowly_as_predicted() {
         let points: Vec<ContactPoint> = discretisation.points(&formulation);
         let problem = discretisation.problem(&formulation, &points);
         let limit = Limit::of(&problem).expect("a limit");
-        let predicted = release::steps(&problem, &limit, rule, 1e-3).expect("a prediction");
-        let run = discretisation.solve(&formulation).expect("solved").work.steps as f64;
+        let predicted = release::iterations(&problem, &limit, rule, 1e-3).expect("a prediction");
+        let run = discretisation.solve(&formulation).expect("solved").work.iterations as f64;
         assert!(
             (predicted / run).max(run / predicted) < 2.0,
             "{}, {stiffness}: {predicted} against {run}",
@@ -300,8 +300,8 @@ fn hard_springs_work_off_their_gaps_step_by_step_where_every_candidate_stays_clo
         let points: Vec<ContactPoint> = discretisation.points(&formulation);
         let problem = discretisation.problem(&formulation, &points);
         let limit = Limit::of(&problem).expect("a limit");
-        assert!(linear::steps(&problem, &limit, |error| error.force, 1e-3).expect("a prediction") < 10.0);
-        let run = discretisation.solve(&formulation).expect("solved").work.steps as f64;
+        assert!(linear::iterations(&problem, &limit, |error| error.force, 1e-3).expect("a prediction") < 10.0);
+        let run = discretisation.solve(&formulation).expect("solved").work.iterations as f64;
         let predicted = linear::worked_off(&problem, &limit);
         assert!((predicted / run).max(run / predicted) < 2.0, "κ₀ = {stiffness}: {predicted} against {run}");
     }

@@ -22,7 +22,7 @@ fn record() -> Record {
         formulation: Pairing { element: Element::Node, algorithm: Iteration::Kinematic },
         tolerance: 1e-3,
         class: Class::Converged,
-        steps: 7,
+        iterations: 7,
         error: 1e-4,
     }
 }
@@ -34,7 +34,7 @@ fn converged_run_that_is_wrong_or_not_known_to_be_right_is_red() {
     for error in [3.1e-3, f64::INFINITY, f64::NAN] {
         let spoiled = Record { error, ..record() };
         assert_eq!(right(&[record(), spoiled.clone()]).verdict, Verdict::Fail, "{error}");
-        let stopped = Record { class: Class::Slow, ..spoiled };
+        let stopped = Record { class: Class::Capped, ..spoiled };
         assert_eq!(right(&[record(), stopped]).verdict, Verdict::Pass, "{error} of a run that did not converge");
     }
 }
@@ -47,8 +47,8 @@ fn run_that_moved_is_not_as_recorded() {
     for moved in [
         unknown.clone(),
         Record { error: 1.1e-4, ..record() },
-        Record { steps: 8, ..record() },
-        Record { class: Class::Slow, ..record() },
+        Record { iterations: 8, ..record() },
+        Record { class: Class::Capped, ..record() },
         Record { load: 1.0, ..record() },
         Record { formulation: Pairing { element: Element::Line, ..record().formulation }, ..record() },
         Record { tolerance: 1e-6, ..record() },
@@ -73,11 +73,11 @@ fn survey_that_was_broken_off_goes_on_where_it_stopped() {
     let [unfinished, file] = ["unfinished", "record.csv"].map(|name| folder.path().join(name));
     let (made, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let survey = |broken: bool, [unfinished, file]: [&Path; 2]| {
-        let run = |steps: &usize| {
+        let run = |iterations: &usize| {
             made.fetch_add(1, Ordering::Relaxed);
-            match broken && *steps == 2 {
+            match broken && *iterations == 2 {
                 true => records::read(Path::new("broken off"), ""),
-                false => Ok(vec![Record { steps: *steps, ..record() }]),
+                false => Ok(vec![Record { iterations: *iterations, ..record() }]),
             }
         };
         let done = || {
@@ -91,9 +91,9 @@ fn survey_that_was_broken_off_goes_on_where_it_stopped() {
     assert_eq!(survey(false, paths).expect("surveyed"), 3);
     // What a broken survey finished depends on which thread met the fault; the fault itself is run again.
     assert!((1..=3).contains(&made.load(Ordering::Relaxed)) && before + made.load(Ordering::Relaxed) == 4);
-    let steps: Vec<usize> =
-        records::read::<Record>(&file, "").expect("read").into_iter().map(|record| record.steps).collect();
-    assert_eq!(steps, [0, 1, 2]);
+    let iterations: Vec<usize> =
+        records::read::<Record>(&file, "").expect("read").into_iter().map(|record| record.iterations).collect();
+    assert_eq!(iterations, [0, 1, 2]);
 }
 
 #[test]

@@ -52,11 +52,11 @@ fn every_recorded_number_but_the_seconds_is_compared() {
     assert_eq!(spoiled(&|point| point.seconds *= 2.0), 0);
     let spoils: [&dyn Fn(&mut Point); 13] = [
         &|point| point.elements += 1,
-        &|point| point.freedoms += 1,
+        &|point| point.dofs += 1,
         &|point| point.converged -= 1,
         &|point| point.sparse_operations *= 1.01,
         &|point| point.dense_operations *= 1.01,
-        &|point| point.steps += 1.0,
+        &|point| point.iterations += 1.0,
         &|point| point.peak *= 1.01,
         &|point| point.peak_worst *= 1.01,
         &|point| point.half_width *= 1.01,
@@ -128,7 +128,7 @@ fn record_that_is_not_complete_or_was_not_measured_again_is_not_as_recorded() {
     assert_eq!(of_counts(&fewer, &counts), Verdict::Fail);
     assert_eq!(of_counts(&measured, &[]), Verdict::Fail);
     let mut moved = counts;
-    moved[0].steps += 1;
+    moved[0].iterations += 1;
     assert_eq!(of_counts(&measured, &moved), Verdict::Fail);
 }
 

@@ -186,7 +186,7 @@ fn exit_codes_tell_how_a_command_ended() {
         (vec!["verify", &broken], 2),
         (vec!["solve", "no-such-file.toml"], 2),
         (vec!["solve", "cylinder", "--no-such-option"], 2),
-        (vec!["solve", &slow, "--max-steps", "2"], 3),
+        (vec!["solve", &slow, "--max-iterations", "2"], 3),
         (vec!["solve", &open], 3),
     ] {
         assert_eq!(code(&arguments), Some(wanted), "{arguments:?}");

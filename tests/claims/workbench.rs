@@ -106,7 +106,7 @@ pub fn distorted_patch(order: Order) -> Mesh {
 
 /// Full dense stiffness from the stored lower triangle.
 pub fn dense(body: &BodySystem) -> DMatrix<f64> {
-    let n = body.freedoms.equations;
+    let n = body.dofs.equations;
     let mut matrix = DMatrix::zeros(n, n);
     let stored = body.stiffness.as_ref();
     for column in 0..n {

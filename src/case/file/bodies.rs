@@ -25,7 +25,7 @@ pub fn body(
 ) -> Result<Body, Error> {
     let shape = shape(source, units, across, &table.shape)?;
     let supports = table.supports.iter().map(|support| self::support(source, units, &shape, support));
-    refuse_held_twice(source, table)?;
+    refuse_fixed_twice(source, table)?;
     let loads = table.loads.iter().map(|load| self::load(source, units, &shape, load));
     Ok(Body {
         name: table.name.get_ref().clone(),
@@ -49,7 +49,7 @@ pub fn refuse_equal_names(source: Source, bodies: &[Keyed<BodyTable>]) -> Result
 }
 
 /// Refuses a component that is prescribed twice at one place, or prescribed and loaded as a rigid face.
-fn refuse_held_twice(source: Source, table: &BodyTable) -> Result<(), Error> {
+fn refuse_fixed_twice(source: Source, table: &BodyTable) -> Result<(), Error> {
     for (k, support) in table.supports.iter().enumerate() {
         let same = |other: &Keyed<SupportTable>| {
             other.component.get_ref() == support.component.get_ref() && other.at.get_ref() == support.at.get_ref()

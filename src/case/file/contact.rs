@@ -87,8 +87,8 @@ fn pair(
         let remedy = "leave it out, or name the secondary body as `second`";
         return Err(source.refused(side.span(), "`second-side` without `second`", remedy));
     }
-    let facing = second.zip(table.second.as_ref()).map(|(body, name)| (body, name, &table.second_side));
-    let named: Vec<_> = [(first, &table.first, &table.first_side)].into_iter().chain(facing).collect();
+    let other = second.zip(table.second.as_ref()).map(|(body, name)| (body, name, &table.second_side));
+    let named: Vec<_> = [(first, &table.first, &table.first_side)].into_iter().chain(other).collect();
     let side =
         |&(body, name, boundary): &(usize, _, _)| named_side(source, &bodies[body], (name, boundary), &path, stretch);
     let sides = named.iter().map(side).collect::<Result<Vec<Side>, Error>>()?;

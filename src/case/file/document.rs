@@ -53,7 +53,8 @@ struct SolveTable {
     start: Option<Name>,
     increments: Option<Spanned<usize>>,
     tolerance: Option<Number>,
-    max_steps: Option<Spanned<usize>>,
+    #[serde(alias = "max-steps")]
+    max_iterations: Option<Spanned<usize>>,
 }
 
 const RULES: [StiffnessRule; 5] = [
@@ -194,7 +195,7 @@ impl SolveTable {
         };
         let settings = &mut formulation.settings;
         settings.increments = count("increments", &self.increments, 1000, settings.increments)?;
-        settings.max_steps = count("max-steps", &self.max_steps, 1_000_000, settings.max_steps)?;
+        settings.max_iterations = count("max-iterations", &self.max_iterations, 1_000_000, settings.max_iterations)?;
         Ok(formulation)
     }
 }

@@ -257,7 +257,7 @@ impl Reader<'_> {
             young: self.scene.bodies[self.scene.contacts[self.contact].first].material.young,
             section: self.length("width", &t.width)?,
             moved_length: self.length("lengths", moved)?,
-            held_length: self.length("lengths", fixed)?,
+            fixed_length: self.length("lengths", fixed)?,
             gap: self.units.length * self.source.number("gap", &t.gap, "a gap of 0 or more", |gap| gap >= 0.0)?,
             displacement: self.length("push", &t.push)?,
         })

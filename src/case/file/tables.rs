@@ -269,7 +269,7 @@ pub struct ContactTable {
     pub first: Name,
     /// Boundary of it that touches: `contact` where it is left out.
     pub first_side: Option<Name>,
-    /// Facing body; a rigid one where it is left out.
+    /// The primary body; a rigid one where it is left out.
     pub second: Option<Name>,
     /// Boundary of that one.
     pub second_side: Option<Name>,

@@ -69,7 +69,7 @@ impl Bars {
             young: self.young,
             section: 2.0 * self.width,
             moved_length: self.length,
-            held_length: self.length,
+            fixed_length: self.length,
             gap: self.gap,
             displacement: self.push * self.gap,
         };

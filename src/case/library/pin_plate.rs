@@ -14,7 +14,7 @@ use crate::scene::{
     Body, Circle, Component, Face, Grading, Load, Material, Place, PlaneHypothesis, Scene, Sector, Shape, Support,
 };
 
-/// Pin in a wide plate of the same material; the pin is held at its centre node only, where the force acts.
+/// Pin in a wide plate of the same material; the pin is fixed at its centre node only, where the force acts.
 #[derive(Clone, Copy, Debug)]
 pub struct PinPlate {
     /// Radius of the pin \[mm\].
@@ -51,7 +51,7 @@ impl Default for PinPlate {
 }
 
 impl PinPlate {
-    /// The scene: half by symmetry; the pin is a half disc loaded at its centre and held by contact alone.
+    /// The scene: half by symmetry; the pin is a half disc loaded at its centre and supported by contact alone.
     pub fn scene(&self) -> Scene {
         let pin = Body {
             density: 1.0,

@@ -56,7 +56,7 @@ impl Default for PinRod {
 }
 
 impl PinRod {
-    /// The scene: half by symmetry, pin held on its horizontal diameter, rod pulled upwards by a rigid end face.
+    /// The scene: half by symmetry, pin fixed on its horizontal diameter, rod pulled upwards by a rigid end face.
     pub fn scene(&self) -> Scene {
         let pin = Body {
             density: 1.0,

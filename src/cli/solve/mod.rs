@@ -104,7 +104,7 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
         }
     }
     if let Some(remedy) = remedy(&run) {
-        eprintln!("not converged: these numbers are those of the last step; {remedy}");
+        eprintln!("not converged: these numbers are those of the last iteration; {remedy}");
     }
     let passed = found.checks.iter().all(|check| check.verdict != Verdict::Fail);
     Ok(Ended::of(&run, Ended::checked(passed)))
@@ -118,10 +118,12 @@ fn remedy(run: &Run) -> Option<&'static str> {
             "nothing changes any more, for round-off or because springs are at their limit: ask for a larger --tolerance, or choose --element node with --algorithm kinematic",
         ),
         Outcome::Cycling { .. } => {
-            Some("more steps would repeat: choose another --stiffness, or --algorithm kinematic")
+            Some("more iterations would repeat: choose another --stiffness, or --algorithm kinematic")
         }
         Outcome::Diverged => Some("choose another --stiffness, or --algorithm kinematic"),
-        Outcome::Exhausted => Some("allow more with --max-steps, choose another --stiffness, or --algorithm kinematic"),
+        Outcome::Capped => {
+            Some("allow more with --max-iterations, choose another --stiffness, or --algorithm kinematic")
+        }
     }
 }
 

@@ -56,9 +56,9 @@ pub struct Arguments {
     /// Largest error accepted of peak, profile, width and approach against the solution of the same discrete problem.
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     tolerance: Option<f64>,
-    /// Most steps of the iteration, over all increments.
-    #[arg(long, value_name = "N")]
-    max_steps: Option<usize>,
+    /// Most iterations, over all increments.
+    #[arg(long, value_name = "N", alias = "max-steps")]
+    max_iterations: Option<usize>,
     /// Write the result as JSON to a file, or to standard output with `-`.
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
@@ -68,7 +68,7 @@ pub struct Arguments {
     /// Write displacement, stress, pressure and gap on the mesh as VTK for ParaView.
     #[arg(long, value_name = "FILE.vtu")]
     pub vtu: Option<PathBuf>,
-    /// Draw the deformed shape with its stresses, the pressure and the iteration error of every step as SVG.
+    /// Draw the deformed shape with its stresses, the pressure and the iteration error of every iteration as SVG.
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
 }
@@ -120,7 +120,7 @@ impl Arguments {
         let settings = &mut formulation.settings;
         settings.tolerance = self.tolerance.unwrap_or(settings.tolerance);
         settings.increments = self.increments.unwrap_or(settings.increments);
-        settings.max_steps = self.max_steps.unwrap_or(settings.max_steps);
+        settings.max_iterations = self.max_iterations.unwrap_or(settings.max_iterations);
         formulation.acceleration = self.acceleration.unwrap_or(formulation.acceleration);
         formulation.start = self.start.unwrap_or(formulation.start);
         formulation.rule = self.rule.unwrap_or(formulation.rule);

@@ -18,28 +18,23 @@ const ROUND_OFF: f64 = 1e-9;
 pub fn print(Found { problem, resolution, run, reactions, checks }: &Found) {
     let order = resolution.order.nodes_per_cell();
     say(format!("{}: {}", problem.name, problem.title));
-    say(format!(
-        "{}, {order}-node cells, {} freedoms, {} retained",
-        run.formulation.name(),
-        run.freedoms,
-        run.retained
-    ));
+    say(format!("{}, {order}-node cells, {} dofs, {} retained", run.formulation.name(), run.dofs, run.retained));
     let work = &run.solution.work;
     say(format!(
-        "{} after {} steps, {} factorisations, iteration error {}",
+        "{} after {} iterations, {} factorisations, iteration error {}",
         run.solution.outcome,
-        work.steps,
+        work.iterations,
         work.factorisations,
         markdown::error(run.solution.error().largest())
     ));
     if run.formulation.acceleration != Acceleration::None {
-        say(format!("{} accelerated steps given up for the plain one", work.rejected));
+        say(format!("{} accelerated iterations given up for the plain one", work.rejected));
     }
     if run.formulation.start == Start::Nested {
         let coarser = &run.solution.coarser;
         say(format!(
-            "start found by {} steps and {} factorisations on coarser meshes",
-            coarser.steps, coarser.factorisations
+            "start found by {} iterations and {} factorisations on coarser meshes",
+            coarser.iterations, coarser.factorisations
         ));
     }
     let several = run.contacts.len() > 1;

@@ -16,13 +16,13 @@ fn block(layout: &Layout, shape: &BlockShape) -> Block {
         spacing::stretched(0.0, 1.0, n, shape.growth[k].powi(n as i32 - 1))
     });
     // Corner at which a side begins and ends: bottom and top run to the right, left and right upwards.
-    let side = |k: usize, [from, to]: [usize; 2], stations: &[f64]| {
+    let side = |k: usize, [from, to]: [usize; 2], positions: &[f64]| {
         let ends = [shape.corners[from], shape.corners[to]];
         let at = |t: f64| match shape.arcs[k] {
             None => between(ends[0], ends[1], t),
             Some(centre) => on_arc(centre, ends, t),
         };
-        let points = layout.along(stations, at);
+        let points = layout.along(positions, at);
         match &shape.names[k] {
             Some(name) => Side::named(name.clone(), points),
             None => Side::inner(points),

@@ -87,9 +87,9 @@ fn first_angle(arcs: &[Vec<f64>]) -> f64 {
     arcs[0][arcs[0].len() - 1]
 }
 
-fn nearest(stations: &[f64], target: f64) -> usize {
-    let distance = |i: &usize| (stations[*i] - target).abs();
-    (1..stations.len() - 1).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
+fn nearest(positions: &[f64], target: f64) -> usize {
+    let distance = |i: &usize| (positions[*i] - target).abs();
+    (1..positions.len() - 1).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
 }
 
 /// Size of the surface elements where spoke `k` meets the arc.
@@ -108,17 +108,17 @@ fn spoke(layout: &Layout, from: Point, to: Point, depth: &[f64], size: f64) -> V
     let length = (to[0] - from[0]).hypot(to[1] - from[1]);
     let n = depth.len() - 1;
     let first = (size * layout.grading.first).min(length / n as f64);
-    let stations = spacing::fitted(0.0, length, n, first);
-    layout.along(&stations, |d| between(from, to, d / length))
+    let positions = spacing::fitted(0.0, length, n, first);
+    layout.along(&positions, |d| between(from, to, d / length))
 }
 
 /// Side of the core opposite to an arc: half way between the arc's spacing and an even one.
 fn chord(layout: &Layout, arc: &[f64], from: Point, to: Point) -> Vec<Point> {
     let n = arc.len() - 1;
     let sweep = arc[n] - arc[0];
-    let stations: Vec<f64> =
+    let positions: Vec<f64> =
         arc.iter().enumerate().map(|(k, a)| 0.4 * (a - arc[0]) / sweep + 0.6 * k as f64 / n as f64).collect();
-    layout.along(&stations, |t| between(from, to, t))
+    layout.along(&positions, |t| between(from, to, t))
 }
 
 /// The second spoke lies on the cut, or on the line `middle` inside a half disc; the last one on the axis.

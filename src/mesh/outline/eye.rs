@@ -30,8 +30,8 @@ pub(super) fn blocks(layout: &Layout, shape: &Shape) -> Vec<Block> {
     let rest = spacing::growing(corner, PI, fine / outer_radius, along, coarsest);
     let depth = outer_radius - hole.radius;
     let first = hole.radius * (angles[1] - angles[0]) * grading.first;
-    let stations = spacing::growing_from_both(0.0, depth, [first, fine], grading.depth, grading.coarsest * depth);
-    let inwards: Vec<f64> = stations.iter().rev().map(|d| 1.0 - d / depth).collect();
+    let positions = spacing::growing_from_both(0.0, depth, [first, fine], grading.depth, grading.coarsest * depth);
+    let inwards: Vec<f64> = positions.iter().rev().map(|d| 1.0 - d / depth).collect();
 
     let outer = |angle: f64| polar(hole.centre, outer_radius, angle);
     let arc = |list: &[f64]| layout.along(list, |angle| on_ray(hole, pole, angle));

@@ -1,4 +1,4 @@
-//! What the outlines need to know of the scene, and the stations that follow from it.
+//! What the outlines need to know of the scene, and the positions that follow from it.
 
 use crate::mesh::Resolution;
 use crate::mesh::block::Point;
@@ -42,13 +42,13 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Stations of the candidate stretch in the contact coordinate, from 0 on.
+    /// Positions of the candidate stretch in the contact coordinate, from 0 on.
     pub fn candidates(&self) -> Vec<f64> {
         let n = elements_on(self.stretch * self.path.metric(), self.elements / self.grading.unit);
         spacing::broken(0.0, self.stretch, n, self.grading.end, &self.kinks)
     }
 
-    /// Stations of an arc: the candidates, then growing element sizes up to each of the given angles in turn.
+    /// Positions of an arc: the candidates, then growing element sizes up to each of the given angles in turn.
     pub fn arc(&self, radius: f64, until: &[f64]) -> Vec<f64> {
         let mut angles: Vec<f64> = match self.path {
             _ if !self.several.is_empty() => self.angles_of_all(radius),
@@ -76,7 +76,7 @@ impl<'a> Layout<'a> {
         spacing::fine_within([0.0, end], &fine, self.grading.along, self.grading.coarsest)
     }
 
-    /// Depth stations from 0 (surface) to `depth`, starting near the size `surface` of the elements along the surface.
+    /// Depth positions from 0 (surface) to `depth`, starting near the size `surface` of the elements along the surface.
     pub fn depth(&self, surface: f64, depth: f64) -> Vec<f64> {
         let grading = self.grading;
         spacing::growing(0.0, depth, surface * grading.first, grading.depth, grading.coarsest * depth)
@@ -96,7 +96,7 @@ impl<'a> Layout<'a> {
         spacing::lattice(breaks, self.refinement)
     }
 
-    /// Points `at(s)` on the lattice of the given stations.
+    /// Points `at(s)` on the lattice of the given positions.
     pub fn along(&self, breaks: &[f64], at: impl Fn(f64) -> Point) -> Vec<Point> {
         self.lattice(breaks).into_iter().map(at).collect()
     }
@@ -138,9 +138,9 @@ fn elements_on(length: f64, per_length: f64) -> usize {
     (per_length * length).round().max(1.0) as usize
 }
 
-/// The last two stations of a list.
-pub(super) fn last_two(stations: &[f64]) -> [f64; 2] {
-    match stations {
+/// The last two positions of a list.
+pub(super) fn last_two(positions: &[f64]) -> [f64; 2] {
+    match positions {
         [.., before, last] => [*before, *last],
         _ => [0.0, 0.0],
     }

@@ -26,7 +26,7 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     }]
 }
 
-/// Stations along the contact: from the left side on, or from the path's origin on to both sides.
+/// Positions along the contact: from the left side on, or from the path's origin on to both sides.
 fn columns(layout: &Layout, [left, right]: [f64; 2]) -> Vec<f64> {
     if !layout.several.is_empty() {
         return columns_of_all(layout, [left, right]);
@@ -37,28 +37,28 @@ fn columns(layout: &Layout, [left, right]: [f64; 2]) -> Vec<f64> {
     let origin = layout.path.origin()[0];
     let leftwards = outwards(layout, origin - left).iter().rev().map(|s| origin - s).collect();
     let rightwards = outwards(layout, right - origin).iter().map(|s| origin + s).collect();
-    let mut stations = spacing::joined(&[leftwards, rightwards]);
+    let mut positions = spacing::joined(&[leftwards, rightwards]);
     // To the last bit, as supports and other bodies know them.
-    if let [from, .., to] = &mut stations[..] {
+    if let [from, .., to] = &mut positions[..] {
         (*from, *to) = (left, right);
     }
-    stations
+    positions
 }
 
-/// Stations of one side: the candidates, then growing sizes up to the end of the body.
+/// Positions of one side: the candidates, then growing sizes up to the end of the body.
 fn outwards(layout: &Layout, end: f64) -> Vec<f64> {
     let candidates = layout.candidates();
     let [before, last] = last_two(&candidates);
-    let mut stations = candidates;
+    let mut positions = candidates;
     if end > last * (1.0 + 1e-9) {
         let grading = layout.grading;
         let rest = spacing::growing(last, end, (last - before) * grading.along, grading.along, grading.coarsest * end);
-        stations = spacing::joined(&[stations, rest]);
+        positions = spacing::joined(&[positions, rest]);
     }
-    stations
+    positions
 }
 
-/// Stations along the contacts on both sides of the rectangle: every stretch begins, has its s = 0 and ends on one.
+/// Positions along the contacts on both sides of the rectangle: every stretch begins, has its s = 0 and ends on one.
 fn columns_of_all(layout: &Layout, ends: [f64; 2]) -> Vec<f64> {
     let straight = layout.several.iter().filter(|one| one.straight);
     let fine = straight.flat_map(|one| {

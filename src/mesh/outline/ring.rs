@@ -14,10 +14,10 @@ pub(super) fn blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: 
         Face::Bottom => (inner.radius * (angles[1] - angles[0]), outer.radius - inner.radius),
         Face::Top => (outer.radius * (angles[1] - angles[0]), outer.radius - inner.radius),
     };
-    let stations = layout.across(first, depth);
+    let positions = layout.across(first, depth);
     let inwards: Vec<f64> = match contact {
-        Face::Bottom => stations.iter().rev().map(|d| 1.0 - d / depth).collect(),
-        Face::Top => stations.iter().map(|d| d / depth).collect(),
+        Face::Bottom => positions.iter().rev().map(|d| 1.0 - d / depth).collect(),
+        Face::Top => positions.iter().map(|d| d / depth).collect(),
     };
     let arc = |circle: Circle| layout.along(&angles, |angle| on_ray(circle, pole, angle));
     let radial = |angle: f64| {

@@ -12,11 +12,11 @@ pub struct Bars {
     pub section: f64,
     /// Length of the moved bar `L₁` \[mm\].
     pub moved_length: f64,
-    /// Length of the held bar `L₂` \[mm\].
-    pub held_length: f64,
+    /// Length of the fixed bar `L₂` \[mm\].
+    pub fixed_length: f64,
     /// Gap between them `g ≥ 0` \[mm\].
     pub gap: f64,
-    /// Displacement of the free end `u` \[mm\], positive towards the held bar.
+    /// Displacement of the free end `u` \[mm\], positive towards the fixed bar.
     pub displacement: f64,
 }
 
@@ -32,7 +32,7 @@ impl Bars {
         if closure <= 0.0 {
             return 0.0;
         }
-        self.young * closure / (self.moved_length + self.held_length)
+        self.young * closure / (self.moved_length + self.fixed_length)
     }
 }
 
@@ -54,7 +54,7 @@ impl Oracle for Bars {
             positive("young", self.young),
             positive("section", self.section),
             positive("moved_length", self.moved_length),
-            positive("held_length", self.held_length),
+            positive("fixed_length", self.fixed_length),
             non_negative("gap", self.gap),
             finite("displacement", self.displacement),
         ];

@@ -11,7 +11,7 @@ use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
 
 /// Places of the coarse search for the peak on half of the contact.
 const PLACES: usize = 720;
-/// Steps of the golden section that follows.
+/// Iterations of the golden section that follows.
 const SECTIONS: usize = 60;
 /// Terms of the potentials below this part of the first one are left out.
 const ROUNDING: f64 = 1e-18;

@@ -71,7 +71,7 @@ impl PinInHole {
         self.load / self.radius * (2.0 * mean_pressure(b) - unit_pressure(b, phi) + bending)
     }
 
-    /// Hoop stress on the rim of the pin \[MPa\] at `φ` \[rad\], tension positive; the pin is held at its centre.
+    /// Hoop stress on the rim of the pin \[MPa\] at `φ` \[rad\], tension positive; the pin is fixed at its centre.
     ///
     /// `R σ_θθ/P = −R p/P + [2/(κ'+1)] cos φ/π`.
     pub fn pin_hoop_stress(&self, phi: f64) -> f64 {

@@ -92,7 +92,7 @@ impl Series {
                 ("peak".to_owned(), vec![answer.peak]),
                 ("resultant".to_owned(), vec![answer.resultant]),
                 ("profile".to_owned(), answer.pressure.clone()),
-                ("freedoms".to_owned(), vec![answer.freedoms as f64, answer.contact_edges as f64]),
+                ("freedoms".to_owned(), vec![answer.dofs as f64, answer.contact_edges as f64]),
             ]
         });
         groups.collect()

@@ -55,7 +55,7 @@ pub fn physical(code: Code, scene: &PhysicalScene, level: usize, method: Method)
             peak: answer.get_item("peak")?.extract()?,
             resultant: answer.get_item("resultant")?.extract()?,
             pressure: answer.get_item("pressure")?.extract::<PyReadonlyArray1<'_, f64>>()?.as_array().to_vec(),
-            freedoms: answer.get_item("freedoms")?.extract()?,
+            dofs: answer.get_item("freedoms")?.extract()?,
             contact_edges: answer.get_item("contact_edges")?.extract()?,
         })
     })

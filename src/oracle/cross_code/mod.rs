@@ -156,7 +156,8 @@ pub struct PhysicalAnswer {
     /// Pressure at the stations \[MPa\].
     pub pressure: Vec<f64>,
     /// Displacement components of the mesh.
-    pub freedoms: usize,
+    #[serde(rename = "freedoms")]
+    pub dofs: usize,
     /// Candidate edges.
     pub contact_edges: usize,
 }

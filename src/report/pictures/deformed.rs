@@ -21,7 +21,7 @@ const TOLD_APART: f64 = 0.99;
 /// What lies far above: more than this times the stress of those nodes.
 const FAR: f64 = 2.0;
 
-/// The bodies under the last step's displacements; none where these are not finite.
+/// The bodies under the last iteration's displacements; none where these are not finite.
 pub fn field(discretisation: &Discretisation, run: &Run) -> Result<Option<Field>, Error> {
     let fields = discretisation.recover_under(run.share(), &run.solution)?;
     let mesh = &discretisation.mesh;

@@ -1,4 +1,4 @@
-//! The picture of one run: deformed shape with stress, contact pressure, and the iteration error step by step.
+//! The picture of one run: deformed shape with stress, contact pressure, and the iteration error from iteration to iteration.
 
 use super::deformed;
 use crate::case::Case;
@@ -18,18 +18,18 @@ const STATIONS: usize = 200;
 const HEADROOM: f64 = 1.08;
 /// Part of the largest gap that rounding explains.
 const ROUND_OFF: f64 = 1e-9;
-/// Fewest steps an axis has room for.
-const STEPS: usize = 5;
+/// Fewest iterations an axis has room for.
+const FEWEST: usize = 5;
 
 /// The sheet of a run, converged or not.
 pub fn sheet(problem: &Case, discretisation: &Discretisation, run: &Run) -> Result<Sheet, Error> {
-    let steps = run.solution.work.steps;
-    let plural = if steps == 1 { "" } else { "s" };
+    let iterations = run.solution.work.iterations;
+    let plural = if iterations == 1 { "" } else { "s" };
     let field = deformed::field(discretisation, run)?;
-    let missing = field.is_none().then(|| "The last step has no finite displacements to draw.".to_string());
+    let missing = field.is_none().then(|| "The last iteration has no finite displacements to draw.".to_string());
     Ok(Sheet {
         title: format!(
-            "{}: {}, {} after {steps} step{plural}",
+            "{}: {}, {} after {iterations} iteration{plural}",
             problem.name,
             run.formulation.name(),
             run.solution.outcome
@@ -121,16 +121,18 @@ const KINDS: [Kind; 4] = [
     ("approach", |error| error.approach, palette::ORANGE, Marker::Triangle),
 ];
 
-/// The iteration error of every step with the tolerance; what a logarithm cannot show is left out.
+/// The iteration error of every iteration with the tolerance; what a logarithm cannot show is left out.
 pub fn iteration_error(run: &Run) -> Chart {
     let history = &run.solution.history;
-    let last = history.len().max(STEPS) as f64;
-    let mut chart = Chart::new("Iteration error", Axis::linear("step").over(0.0, last), Axis::log("relative error"));
+    let last = history.len().max(FEWEST) as f64;
+    let mut chart =
+        Chart::new("Iteration error", Axis::linear("iteration").over(0.0, last), Axis::log("relative error"));
     let shown = |value: f64| if value.is_finite() && value > 0.0 { value } else { f64::NAN };
     let mut at_rest = Vec::new();
     for (label, of, colour, marker) in KINDS {
-        let steps = history.iter().enumerate();
-        let points: Vec<(f64, f64)> = steps.map(|(step, state)| ((step + 1) as f64, shown(of(&state.error)))).collect();
+        let iterations = history.iter().enumerate();
+        let points: Vec<(f64, f64)> =
+            iterations.map(|(before, state)| ((before + 1) as f64, shown(of(&state.error)))).collect();
         if points.iter().all(|point| point.1.is_nan()) {
             at_rest.push(label);
             continue;
@@ -141,7 +143,7 @@ pub fn iteration_error(run: &Run) -> Chart {
     let at = run.formulation.settings.tolerance;
     chart.guides.push(Guide { direction: Direction::Horizontal, at, label: "tolerance".into() });
     if !at_rest.is_empty() {
-        chart.notes.push(format!("Errors that are 0 or no number in every step: {}.", at_rest.join(", ")));
+        chart.notes.push(format!("Errors that are 0 or no number in every iteration: {}.", at_rest.join(", ")));
     }
     chart
 }

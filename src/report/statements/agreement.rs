@@ -10,7 +10,7 @@ use crate::study::{Numbers, Room};
 
 /// Difference of the nine that counts as none.
 const UNREMARKABLE: f64 = 1.0;
-/// Most over fewest steps that count as a difference.
+/// Most over fewest iterations that count as a difference.
 const DIFFERENT: f64 = 10.0;
 
 /// Every combination agrees with the reference.
@@ -31,7 +31,7 @@ pub fn of_all(f: &Findings) -> Statement {
 
 /// No formulation is more accurate than another.
 pub fn no_difference(f: &Findings) -> Statement {
-    let work = |run: &&Run| run.solution.work.steps as f64;
+    let work = |run: &&Run| run.solution.work.iterations as f64;
     let runs = f.runs(cylinder::NINE);
     let [low, high] = extremes(runs.iter().map(work));
     let spread = |of: fn(&Run) -> f64| {
@@ -40,8 +40,10 @@ pub fn no_difference(f: &Findings) -> Statement {
     };
     let (peak, width) = (spread(|r| r.measures().peak.pressure), spread(|r| r.measures().half_width));
     Statement {
-        text: "Within the prescribed accuracy there is no remarkable difference between elements or algorithms; the differences are in steps and time",
-        measured: format!("cylinder: spread of the nine {peak:.2} % in p₀, {width:.2} % in a; {low} to {high} steps"),
+        text: "Within the prescribed accuracy there is no remarkable difference between elements or algorithms; the differences are in iterations and time",
+        measured: format!(
+            "cylinder: spread of the nine {peak:.2} % in p₀, {width:.2} % in a; {low} to {high} iterations"
+        ),
         judgement: judged(peak < UNREMARKABLE && width < UNREMARKABLE && high / low > DIFFERENT),
     }
 }

@@ -61,13 +61,13 @@ impl<'a> Findings<'a> {
 
 /// `n of m` converged runs of some sweeps.
 pub fn share(sweeps: &[&Sweep]) -> (usize, usize) {
-    let converged: usize = sweeps.iter().map(|sweep| sweep.steps.points.len()).sum();
-    (converged, converged + sweeps.iter().map(|sweep| sweep.steps.failed.len()).sum::<usize>())
+    let converged: usize = sweeps.iter().map(|sweep| sweep.iterations.points.len()).sum();
+    (converged, converged + sweeps.iter().map(|sweep| sweep.iterations.failed.len()).sum::<usize>())
 }
 
-/// Fewest and most steps of some sweeps.
-pub fn steps(sweeps: &[&Sweep]) -> [f64; 2] {
-    extremes(sweeps.iter().flat_map(|sweep| sweep.steps.points.iter().map(|point| point[1])))
+/// Fewest and most iterations of some sweeps.
+pub fn iterations(sweeps: &[&Sweep]) -> [f64; 2] {
+    extremes(sweeps.iter().flat_map(|sweep| sweep.iterations.points.iter().map(|point| point[1])))
 }
 
 /// The smallest and the largest of some numbers.

@@ -25,7 +25,7 @@ pub fn judge(findings: &[Finding]) -> Vec<Statement> {
         agreement::of_all(&f),
         stiffness::dependence(&f),
         stiffness::stability(&f),
-        stiffness::two_steps(&f),
+        stiffness::two_iterations(&f),
         agreement::no_difference(&f),
         agreement::top_quarter(&f),
         work::constant_saves(&f),

@@ -1,29 +1,29 @@
-//! How far steps and convergence depend on the initial stiffness.
+//! How far iterations and convergence depend on the initial stiffness.
 
-use super::found::{Findings, extremes, share, steps};
+use super::found::{Findings, extremes, iterations, share};
 use super::statement::{Judgement, Statement};
 use crate::solve::{Element, Iteration};
 use crate::study::sweep::run::Sweep;
 use crate::study::sweep::scene::Scene;
 
-/// Most over fewest steps from which a dependence counts as strong.
+/// Most over fewest iterations from which a dependence counts as strong.
 const STRONG: f64 = 10.0;
 
-/// Steps depend on the initial stiffness.
+/// Iterations depend on the initial stiffness.
 pub fn dependence(f: &Findings) -> Statement {
-    // Within one scene and element: the most a start changes the steps, and the share of starts that fail.
+    // Within one scene and element: the most a start changes the iterations, and the share of starts that fail.
     let describe = |algorithm: Iteration| {
         let sweeps = f.sweeps(algorithm);
         let ratio = |sweep: &&Sweep| {
-            let [low, high] = steps(&[*sweep]);
+            let [low, high] = iterations(&[*sweep]);
             high / low
         };
         // A sweep in which nothing converges has no ratio.
-        let some = sweeps.iter().filter(|sweep| !sweep.steps.points.is_empty());
+        let some = sweeps.iter().filter(|sweep| !sweep.iterations.points.is_empty());
         let [low, high] = extremes(some.map(ratio));
         let (n, m) = share(&sweeps);
         let text = format!(
-            "{}: most over fewest steps {low:.1} to {high:.1} by scene and element, {n} of {m} starts converged",
+            "{}: most over fewest iterations {low:.1} to {high:.1} by scene and element, {n} of {m} starts converged",
             algorithm.name()
         );
         (text, low > STRONG, n < m)
@@ -37,7 +37,7 @@ pub fn dependence(f: &Findings) -> Statement {
     };
     let condition = if judgement == Judgement::UnderCondition { ". Condition: constant stiffness" } else { "" };
     Statement {
-        text: "With varying and with constant stiffness the steps depend strongly on the initial stiffness; in some cases there is no convergence (Fig. 11)",
+        text: "With varying and with constant stiffness the iterations depend strongly on the initial stiffness; in some cases there is no convergence (Fig. 11)",
         measured: format!("{varying}; {constant}{condition}"),
         judgement,
     }
@@ -49,8 +49,8 @@ pub fn stability(f: &Findings) -> Statement {
     let line: Vec<_> = varying.iter().filter(|sweep| sweep.formulation.element == Element::Line).copied().collect();
     let ((v, of_v), (c, of_c), (l, of_l)) = (share(&varying), share(&constant), share(&line));
     let more_stable = v * of_c > c * of_v;
-    let first_failure = line.iter().flat_map(|sweep| &sweep.steps.failed).fold(f64::INFINITY, |a, &x| a.min(x));
-    let below = line.iter().flat_map(|sweep| &sweep.steps.points).map(|p| p[0]).filter(|&x| x < first_failure);
+    let first_failure = line.iter().flat_map(|sweep| &sweep.iterations.failed).fold(f64::INFINITY, |a, &x| a.min(x));
+    let below = line.iter().flat_map(|sweep| &sweep.iterations.points).map(|p| p[0]).filter(|&x| x < first_failure);
     let judgement = match (more_stable, l == of_l) {
         (true, true) => Judgement::Reproduced,
         (true, false) => Judgement::UnderCondition,
@@ -70,13 +70,13 @@ pub fn stability(f: &Findings) -> Statement {
     }
 }
 
-/// Kinematic load takes two steps.
-pub fn two_steps(f: &Findings) -> Statement {
+/// Kinematic load takes two iterations.
+pub fn two_iterations(f: &Findings) -> Statement {
     let of_nodes = |sweep: &&Sweep| sweep.formulation.element == Element::Node;
     let wide: Vec<&Sweep> = f.sweeps(Iteration::Kinematic).into_iter().filter(of_nodes).collect();
     let edge = f.sweeps_of(Scene::AtTheEdge);
-    let ([low, high], (n, m)) = (steps(&wide), share(&wide));
-    let ([_, edge_high], (k, of_k)) = (steps(&edge), share(&edge));
+    let ([low, high], (n, m)) = (iterations(&wide), share(&wide));
+    let ([_, edge_high], (k, of_k)) = (iterations(&edge), share(&edge));
     let judgement = match (high <= 2.0 && n == m, edge_high <= 2.0 && k == of_k) {
         (true, _) => Judgement::Reproduced,
         (false, true) => Judgement::UnderCondition,
@@ -87,9 +87,9 @@ pub fn two_steps(f: &Findings) -> Statement {
         _ => "",
     };
     Statement {
-        text: "Kinematic load with node elements converged in two steps for any initial stiffness, in both examples",
+        text: "Kinematic load with node elements converged in two iterations for any initial stiffness, in both examples",
         measured: format!(
-            "candidates wider than the contact: {low} to {high} steps, {n} of {m} starts converged; candidates ending at the contact edge (cylinder): at most {edge_high} steps, {k} of {of_k}{condition}"
+            "candidates wider than the contact: {low} to {high} iterations, {n} of {m} starts converged; candidates ending at the contact edge (cylinder): at most {edge_high} iterations, {k} of {of_k}{condition}"
         ),
         judgement,
     }
@@ -127,8 +127,8 @@ pub fn alike(f: &Findings) -> Statement {
 
 /// Whether each start of a sweep converged, from the softest to the stiffest.
 fn outcomes(sweep: &Sweep) -> Vec<bool> {
-    let converged = sweep.steps.points.iter().map(|point| (point[0], true));
-    let mut all: Vec<(f64, bool)> = converged.chain(sweep.steps.failed.iter().map(|&x| (x, false))).collect();
+    let converged = sweep.iterations.points.iter().map(|point| (point[0], true));
+    let mut all: Vec<(f64, bool)> = converged.chain(sweep.iterations.failed.iter().map(|&x| (x, false))).collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     all.into_iter().map(|(_, converged)| converged).collect()
 }

@@ -26,37 +26,37 @@ pub fn constant_saves(f: &Findings) -> Statement {
 
 /// Kinematic load is the cheapest.
 pub fn least(f: &Findings) -> Statement {
-    let (mut least_steps, mut dearer, mut described) = (true, Vec::new(), Vec::new());
+    let (mut least_iterations, mut dearer, mut described) = (true, Vec::new(), Vec::new());
     for case in CASES {
         let of = |algorithm| f.run(case, Element::Node, algorithm);
         let (Some(a), Some(b), Some(c)) = (of(Iteration::Varying), of(Iteration::Constant), of(Iteration::Kinematic))
         else {
-            least_steps = false;
+            least_iterations = false;
             continue;
         };
-        let steps = [a, b, c].map(|run| run.solution.work.steps);
+        let iterations = [a, b, c].map(|run| run.solution.work.iterations);
         let operations = [a, b, c].map(|run| run.solution.work.operations / c.solution.work.operations);
-        least_steps &= steps[2] < steps[0].min(steps[1]);
+        least_iterations &= iterations[2] < iterations[0].min(iterations[1]);
         if operations[2] > operations[0].min(operations[1]) {
             dearer.push(case);
         }
         described.push(format!(
-            "{case}: {} / {} / {} steps, operations {:.2} / {:.2} / 1 of kinematic's",
-            steps[0], steps[1], steps[2], operations[0], operations[1]
+            "{case}: {} / {} / {} iterations, operations {:.2} / {:.2} / 1 of kinematic's",
+            iterations[0], iterations[1], iterations[2], operations[0], operations[1]
         ));
     }
-    let judgement = match (least_steps, dearer.is_empty()) {
+    let judgement = match (least_iterations, dearer.is_empty()) {
         (true, true) => Judgement::Reproduced,
         (true, false) => Judgement::UnderCondition,
         _ => Judgement::NotReproduced,
     };
     let condition = if judgement == Judgement::UnderCondition {
-        format!(". Condition: counted in steps; in operations another is cheaper for {}", dearer.join(" and "))
+        format!(". Condition: counted in iterations; in operations another is cheaper for {}", dearer.join(" and "))
     } else {
         String::new()
     };
     Statement {
-        text: "Kinematic load takes the fewest steps and the least computing time",
+        text: "Kinematic load takes the fewest iterations and the least computing time",
         measured: format!("node elements, varying / constant / kinematic: {}{condition}", described.join("; ")),
         judgement,
     }
@@ -74,9 +74,9 @@ pub fn condensation_pays(f: &Findings) -> Statement {
     let refactoring: Vec<f64> = runs.iter().filter(|run| !single(run)).map(gain).collect();
     let [low, high] = extremes(refactoring.into_iter());
     Statement {
-        text: "It pays to iterate on the external freedoms alone (substructuring)",
+        text: "It pays to iterate on the external dofs alone (substructuring)",
         measured: format!(
-            "operations without over with condensation, where the algorithm factorises at every step: {low:.1} to {high:.0}; with constant stiffness one factorisation serves either way"
+            "operations without over with condensation, where the algorithm factorises at every iteration: {low:.1} to {high:.0}; with constant stiffness one factorisation serves either way"
         ),
         judgement: judged(low > 1.0),
     }

@@ -51,7 +51,7 @@ impl ByHand {
             let case = subject.loaded(1.0 + place / self.elements as f64);
             let run = self.solved(&case.scene, subject.nominal())?;
             price.worst = larger(price.worst, error(&run, closed_form(&case)));
-            price.dofs = run.freedoms;
+            price.dofs = run.dofs;
         }
         Ok(price)
     }

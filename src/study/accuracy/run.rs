@@ -46,8 +46,8 @@ impl Numbers {
             estimate: answer.estimate(),
             closed_form: error(&answer.run, exact),
             finer: error(&answer.run, finer),
-            dofs: answer.run.freedoms,
-            dofs_in_all: answer.tried.iter().map(|tried| tried.freedoms).sum(),
+            dofs: answer.run.dofs,
+            dofs_in_all: answer.tried.iter().map(|tried| tried.dofs).sum(),
             by_hand,
         }
     }

@@ -7,11 +7,11 @@ use crate::study::atlas::record::Record;
 use crate::study::class::Class;
 use crate::study::method::Method;
 
-/// Factor within which steps on nodes are predicted, and factor off the limit of steps from which a class is.
+/// Factor within which iterations on nodes are predicted, and factor off the limit of iterations from which a class is.
 pub const FACTOR: f64 = 2.5;
-/// Steps within which the halving law is met.
+/// Iterations within which the halving law is met.
 pub const HALVINGS: f64 = 1.0;
-/// Fewer steps than this are over before a rate matters.
+/// Fewer iterations than this are over before a rate matters.
 const FEW: usize = 20;
 
 /// Some of some.
@@ -32,13 +32,13 @@ pub struct Agreement {
     pub converged: Share,
     /// Failed, of those predicted to converge.
     pub failed: Share,
-    /// Steps off by more than [`FACTOR`], or under kinematic load by more than [`HALVINGS`].
+    /// Iterations off by more than [`FACTOR`], or under kinematic load by more than [`HALVINGS`].
     pub off: Share,
 }
 
-/// Whether a record's prediction of steps is made of a rate; kinematic load has a law instead.
+/// Whether a record's prediction of iterations is made of a rate; kinematic load has a law instead.
 pub fn has_rate(record: &Record) -> bool {
-    !record.predicted_steps.is_nan() && record.method.algorithm != Iteration::Kinematic
+    !record.predicted_iterations.is_nan() && record.method.algorithm != Iteration::Kinematic
 }
 
 /// Whether the error sees a method fail. The instability of constant stiffness with secant sits in the point nearest the
@@ -54,19 +54,19 @@ pub fn is_attracted(method: Method) -> bool {
 
 /// A converged run long enough to be judged.
 pub fn is_long(record: &Record) -> bool {
-    record.class == Class::Converged && record.steps >= FEW && record.predicted_steps.is_finite()
+    record.class == Class::Converged && record.iterations >= FEW && record.predicted_iterations.is_finite()
 }
 
-/// Measured over predicted steps or the inverse, whichever is above 1.
+/// Measured over predicted iterations or the inverse, whichever is above 1.
 pub fn ratio(record: &Record) -> f64 {
-    let ratio = record.steps as f64 / record.predicted_steps;
+    let ratio = record.iterations as f64 / record.predicted_iterations;
     ratio.max(1.0 / ratio)
 }
 
-/// Steps between measured and predicted; NaN where a run did not converge.
-pub fn steps_off(record: &Record) -> f64 {
-    let steps = if record.class == Class::Converged { record.steps as f64 } else { f64::NAN };
-    (steps - record.predicted_steps).abs()
+/// Iterations between measured and predicted; NaN where a run did not converge.
+pub fn iterations_off(record: &Record) -> f64 {
+    let iterations = if record.class == Class::Converged { record.iterations as f64 } else { f64::NAN };
+    (iterations - record.predicted_iterations).abs()
 }
 
 /// Every method that has a prediction, over all charts.
@@ -75,20 +75,20 @@ pub fn agreements(charts: &[&Chart]) -> Vec<Agreement> {
 }
 
 fn agreement(charts: &[&Chart], method: Method) -> Option<Agreement> {
-    let limit = Settings::default().max_steps as f64;
+    let limit = Settings::default().max_iterations as f64;
     let all: Vec<&Record> = charts.iter().flat_map(|chart| chart.of_method(method)).flatten().collect();
     let kinematic = method.algorithm == Iteration::Kinematic;
-    // A run that does not converge is no number of steps off: it is counted as failed.
-    let is_counted = |r: &Record| if kinematic { !r.predicted_steps.is_nan() } else { is_long(r) };
-    let is_off = |r: &Record| if kinematic { steps_off(r) > HALVINGS } else { ratio(r) > FACTOR };
+    // A run that does not converge is no number of iterations off: it is counted as failed.
+    let is_counted = |r: &Record| if kinematic { !r.predicted_iterations.is_nan() } else { is_long(r) };
+    let is_off = |r: &Record| if kinematic { iterations_off(r) > HALVINGS } else { ratio(r) > FACTOR };
     let share = |of: &dyn Fn(&Record) -> bool, counted: &dyn Fn(&Record) -> bool| {
         let of: Vec<&&Record> = all.iter().filter(|r| of(r)).collect();
         Share { count: of.iter().filter(|r| counted(r)).count(), of: of.len() }
     };
-    all.iter().any(|r| !r.predicted_steps.is_nan()).then(|| Agreement {
+    all.iter().any(|r| !r.predicted_iterations.is_nan()).then(|| Agreement {
         method,
-        converged: share(&|r| r.predicted_steps > FACTOR * limit, &|r| r.class == Class::Converged),
-        failed: share(&|r| r.predicted_steps * FACTOR <= limit, &|r| r.class != Class::Converged),
+        converged: share(&|r| r.predicted_iterations > FACTOR * limit, &|r| r.class == Class::Converged),
+        failed: share(&|r| r.predicted_iterations * FACTOR <= limit, &|r| r.class != Class::Converged),
         off: share(&is_counted, &is_off),
     })
 }

@@ -4,7 +4,7 @@ use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::measure::larger;
 use crate::solve::{Element, Iteration, Settings};
-use crate::study::atlas::agreement::{FACTOR, HALVINGS, has_rate, is_attracted, is_long, is_seen, ratio, steps_off};
+use crate::study::atlas::agreement::{FACTOR, HALVINGS, has_rate, is_attracted, is_long, is_seen, ratio, iterations_off};
 use crate::study::atlas::chart::Chart;
 use crate::study::atlas::plane::Plane;
 use crate::study::atlas::record::{RIGHT, Record};
@@ -30,17 +30,17 @@ fn recomputed(numbers: &Numbers) -> Judged {
     let Numbers { recomputed, moved, .. } = *numbers;
     let quantity =
         Quantity::at("point of a recomputed twentieth that is not what was recorded", format!("of {recomputed}"));
-    Check::none(quantity, "classes near a boundary, steps, errors and predictions elsewhere; `atlas` renews the record")
+    Check::none(quantity, "classes near a boundary, iterations, errors and predictions elsewhere; `atlas` renews the record")
         .judge(count(moved, recomputed))
 }
 
-/// Three predictions: what fails, what converges, and in how many steps.
+/// Three predictions: what fails, what converges, and in how many iterations.
 fn predicted(chart: &Chart) -> Vec<Judged> {
-    let limit = Settings::default().max_steps as f64;
+    let limit = Settings::default().max_iterations as f64;
     let records = || chart.rows.iter().flatten().filter(|r| has_rate(r) && is_seen(r.method));
     let on_nodes = || records().filter(|r| r.method.element == Element::Node);
-    let failing: Vec<&Record> = records().filter(|r| r.predicted_steps > FACTOR * limit).collect();
-    let ending = |r: &&Record| r.predicted_steps * FACTOR <= limit && is_attracted(r.method);
+    let failing: Vec<&Record> = records().filter(|r| r.predicted_iterations > FACTOR * limit).collect();
+    let ending = |r: &&Record| r.predicted_iterations * FACTOR <= limit && is_attracted(r.method);
     let ending: Vec<&Record> = on_nodes().filter(ending).collect();
     let ratios: Vec<f64> = on_nodes().filter(|r| is_long(r)).map(ratio).collect();
     // Planes with nodes and one increment hold something of each kind: nothing of it is a fault.
@@ -49,7 +49,7 @@ fn predicted(chart: &Chart) -> Vec<Judged> {
     [
         asked(failing.len(), never_converge(&failing)),
         asked(ending.len(), always_converge(&ending)),
-        asked(ratios.len(), in_steps(&ratios)),
+        asked(ratios.len(), in_iterations(&ratios)),
     ]
     .into_iter()
     .flatten()
@@ -62,7 +62,7 @@ fn never_converge(failing: &[&Record]) -> Judged {
         format!("of {} predicted to fail", failing.len()),
     );
     let because = format!(
-        "spectral radius above 1, or more than {FACTOR} times the limit of steps; `secant` with constant stiffness is reported"
+        "spectral radius above 1, or more than {FACTOR} times the limit of iterations; `secant` with constant stiffness is reported"
     );
     let converged = failing.iter().filter(|r| r.class == Class::Converged).count();
     Check::none(quantity, because).judge(count(converged, failing.len()))
@@ -74,16 +74,16 @@ fn always_converge(ending: &[&Record]) -> Judged {
         format!("of {} predicted to converge", ending.len()),
     );
     let because = format!(
-        "less than the limit of steps over {FACTOR}; varying stiffness with correction is attracted from nearby only"
+        "less than the limit of iterations over {FACTOR}; varying stiffness with correction is attracted from nearby only"
     );
     let failed = ending.iter().filter(|r| r.class != Class::Converged).count();
     Check::none(quantity, because).judge(count(failed, ending.len()))
 }
 
-fn in_steps(ratios: &[f64]) -> Judged {
+fn in_iterations(ratios: &[f64]) -> Judged {
     Check::at_most(
         Quantity::at(
-            "largest factor between predicted and measured steps on nodes",
+            "largest factor between predicted and measured iterations on nodes",
             format!("{} points", ratios.len()),
         ),
         Reference::own("factor accepted", FACTOR),
@@ -96,9 +96,9 @@ fn in_steps(ratios: &[f64]) -> Judged {
 fn halved(chart: &Chart) -> Option<Judged> {
     let hertz = [Plane::Stretch, Plane::Mesh, Plane::Cylinder].contains(&chart.plane);
     let switching = chart.of_method(Method::usual(Element::Node, Iteration::Kinematic));
-    let off: Vec<f64> = switching.flatten().map(steps_off).collect();
+    let off: Vec<f64> = switching.flatten().map(iterations_off).collect();
     let check = Check::at_most(
-        "largest number of steps off the halving law on nodes under kinematic load, from any start",
+        "largest number of iterations off the halving law on nodes under kinematic load, from any start",
         Reference::own("halving of L² − a²", HALVINGS),
         "the law counts halvings; the last one may end anywhere within a node spacing",
     );

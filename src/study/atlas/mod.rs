@@ -1,4 +1,4 @@
-//! The stability atlas: outcome, steps, rate and error of every element × algorithm × rule over initial stiffness and one
+//! The stability atlas: outcome, iterations, rate and error of every element × algorithm × rule over initial stiffness and one
 //! other number, each predicted before it is run.
 //!
 //! * `plane` — initial stiffness against which other number.
@@ -12,7 +12,7 @@
 //! * `judge`) — what the records must hold.
 //! * `summary` — what the records say of each method.
 //! * `section`, `recommended`, `slices` — the chapter.
-//! * `picture` — steps with their predictions, and the maps.
+//! * `picture` — iterations with their predictions, and the maps.
 
 pub mod agreement;
 pub mod chart;

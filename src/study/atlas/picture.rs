@@ -1,4 +1,4 @@
-//! Steps against initial stiffness with their prediction (Fig. 11), and the maps of the stability atlas.
+//! Iterations against initial stiffness with their prediction (Fig. 11), and the maps of the stability atlas.
 
 use crate::algorithm::StiffnessRule;
 use crate::error::Error;
@@ -13,14 +13,14 @@ use crate::study::atlas::run::Numbers;
 use crate::study::class::Class;
 use crate::study::method::Method;
 
-/// Steps up to which a converged run is quick, and ordinary.
+/// Iterations up to which a converged run is quick, and ordinary.
 const QUICK: [usize; 2] = [20, 200];
 /// Errors of p₀ and a that a run which stopped may have, told by colours where they are no iteration error.
 const OFF: [f64; 2] = [0.01, 0.1];
 /// Where the maps carry ticks: every third decade of twelve, by halves.
 const TICKS: [(usize, &str); 5] = [(0, "1e-6"), (6, "1e-3"), (12, "1"), (18, "1e3"), (24, "1e6")];
 
-/// A map of each full plane, and the steps with their prediction.
+/// A map of each full plane, and the iterations with their prediction.
 pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
     let mut pictures = Vec::new();
     for chart in findings.iter().map(|found| &found.numbers.chart) {
@@ -28,19 +28,19 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Er
             pictures.push((format!("atlas-{}.svg", chart.plane.name()), map(chart)?));
         }
         if chart.plane == Plane::Stretch {
-            pictures.push(("steps-predicted.svg".into(), steps(chart)?));
+            pictures.push(("iterations-predicted.svg".into(), iterations(chart)?));
         }
     }
     Ok(pictures)
 }
 
-/// Steps against initial stiffness, one panel per algorithm and element: measured points over the predicted curve.
-fn steps(stretch: &Recorded) -> Result<String, Error> {
+/// Iterations against initial stiffness, one panel per algorithm and element: measured points over the predicted curve.
+fn iterations(stretch: &Recorded) -> Result<String, Error> {
     let mut charts = Vec::new();
     for algorithm in Iteration::ALL {
         for element in Element::ALL {
             let title = format!("{} · {}", element.name(), algorithm.name());
-            let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-6, 1e6), Axis::log("steps").over(1.0, 3000.0));
+            let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-6, 1e6), Axis::log("iterations").over(1.0, 3000.0));
             for &rule in algorithm.rules() {
                 let mut rows = stretch.of_method(Method { element, algorithm, rule });
                 if let Some(row) = rows.find(|row| same(row[0].ordinate, STRETCH)) {
@@ -50,7 +50,7 @@ fn steps(stretch: &Recorded) -> Result<String, Error> {
             charts.push(chart);
         }
     }
-    panels("Steps against initial stiffness: measured points on predicted curves", &charts, 3)
+    panels("Iterations against initial stiffness: measured points on predicted curves", &charts, 3)
 }
 
 /// One colour a rule, whatever the algorithm.
@@ -68,10 +68,10 @@ fn colour(rule: StiffnessRule) -> Colour {
 fn curves(row: &[Record], rule: StiffnessRule) -> Vec<Series> {
     let (colour, rule) = (colour(rule), rule.name());
     let points = |of: &dyn Fn(&Record) -> f64| row.iter().map(|r| (r.stiffness, of(r))).collect::<Vec<_>>();
-    let predicted = points(&|r| if r.predicted_steps.is_finite() { r.predicted_steps } else { f64::NAN });
-    let measured = points(&|r| if r.class == Class::Converged { r.steps as f64 } else { f64::NAN });
+    let predicted = points(&|r| if r.predicted_iterations.is_finite() { r.predicted_iterations } else { f64::NAN });
+    let measured = points(&|r| if r.class == Class::Converged { r.iterations as f64 } else { f64::NAN });
     let series = |label: String, points, style, hollow| Series { label, points, style, hollow };
-    let shown = |points: &[(f64, f64)]| points.iter().any(|(_, steps)| steps.is_finite());
+    let shown = |points: &[(f64, f64)]| points.iter().any(|(_, iterations)| iterations.is_finite());
     let mut curves = Vec::new();
     if shown(&predicted) {
         let style = Style::run(colour, Dash::Solid, Marker::Absent);
@@ -82,12 +82,12 @@ fn curves(row: &[Record], rule: StiffnessRule) -> Vec<Series> {
         curves.push(series(format!("{rule}: measured"), measured, style, vec![]));
     }
     let causes = [
-        (Class::Slow, Marker::Circle),
+        (Class::Capped, Marker::Circle),
         (Class::Stalled, Marker::Circle),
         (Class::Cycling, Marker::Diamond),
         (Class::Diverged, Marker::Triangle),
         (Class::Unsupported, Marker::Square),
-        (Class::Spilled, Marker::Wedge),
+        (Class::Beyond, Marker::Wedge),
     ];
     for (class, marker) in causes {
         let hollow: Vec<f64> = row.iter().filter(|r| r.class == class).map(|r| r.stiffness).collect();
@@ -107,8 +107,8 @@ fn map(plane: &Recorded) -> Result<String, Error> {
     let colours = palette::ENDS;
     let [quick, ordinary] = QUICK;
     let names = [
-        format!("≤ {quick} steps"),
-        format!("≤ {ordinary} steps"),
+        format!("≤ {quick} iterations"),
+        format!("≤ {ordinary} iterations"),
         "converged".into(),
         format!("stopped off by ≤ {} %", 100.0 * OFF[0]),
         format!("off by ≤ {} %", 100.0 * OFF[1]),
@@ -117,7 +117,7 @@ fn map(plane: &Recorded) -> Result<String, Error> {
         "cycling".into(),
         "diverged".into(),
         "no spring left".into(),
-        "spilled".into(),
+        "beyond".into(),
     ];
     let other = plane.plane.label();
     ClassMap {
@@ -138,15 +138,15 @@ fn panel(plane: &Recorded, method: Method) -> MapPanel {
 }
 
 fn note(plane: &Recorded) -> String {
-    let limit = Settings::default().max_steps;
-    let predicted = |rule| plane.rows.iter().flatten().any(|r| r.method.rule == rule && !r.predicted_steps.is_nan());
+    let limit = Settings::default().max_iterations;
+    let predicted = |rule| plane.rows.iter().flatten().any(|r| r.method.rule == rule && !r.predicted_iterations.is_nan());
     let rules = Iteration::ALL.into_iter().flat_map(Iteration::rules);
     let silent: Vec<String> = rules.filter(|rule| !predicted(**rule)).map(|rule| format!("`{}`", rule.name())).collect();
     let silent = silent.join(" and ");
     format!(
-        "The black line is predicted: on its one side the condensed matrices say that a run ends within {limit} steps, on \
+        "The black line is predicted: on its one side the condensed matrices say that a run ends within {limit} iterations, on \
          the other that it does not. Off by: stopped there, and that far from p₀ or a of the discrete \
-         solution. Slow: not at the tolerance after {limit} steps. No spring left: the named error. Spilled: \
+         solution. Slow: not at the tolerance after {limit} iterations. No spring left: the named error. Spilled: \
          contact beyond the candidates, the named error. Nothing is predicted for {silent}."
     )
 }
@@ -157,16 +157,16 @@ fn cell(record: &Record) -> Cell {
         Class::Converged if !record.is_right() => {
             3 + OFF.len() - OFF.iter().filter(|limit| record.error + record.penalty <= **limit).count()
         }
-        Class::Converged if record.steps <= quick => 0,
-        Class::Converged if record.steps <= ordinary => 1,
+        Class::Converged if record.iterations <= quick => 0,
+        Class::Converged if record.iterations <= ordinary => 1,
         Class::Converged => 2,
-        Class::Slow | Class::Stalled => 6,
+        Class::Capped | Class::Stalled => 6,
         Class::Cycling => 7,
         Class::Diverged => 8,
         Class::Unsupported => 9,
-        Class::Spilled => 10,
+        Class::Beyond => 10,
     };
-    let limit = Settings::default().max_steps as f64;
-    let predicted = (!record.predicted_steps.is_nan()).then_some(record.predicted_steps <= limit);
+    let limit = Settings::default().max_iterations as f64;
+    let predicted = (!record.predicted_iterations.is_nan()).then_some(record.predicted_iterations <= limit);
     Cell { colour: palette::ENDS[place], predicted }
 }

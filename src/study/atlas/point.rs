@@ -48,41 +48,41 @@ impl<'a> Ground<'a> {
     /// Predicts and runs a row at an initial stiffness.
     pub fn record(&self, row: &Row, stiffness: f64) -> Result<Record, Error> {
         let formulation = row.formulation(stiffness);
-        let [predicted_rate, predicted_steps] = self.predicted(row, &formulation);
-        let record = |class, steps, iteration_error, rate, [error, penalty]: [f64; 2]| Record {
+        let [predicted_rate, predicted_iterations] = self.predicted(row, &formulation);
+        let record = |class, iterations, iteration_error, rate, [error, penalty]: [f64; 2]| Record {
             method: row.method,
             ordinate: row.ordinate,
             stiffness: rounded(stiffness),
             class,
-            steps,
+            iterations,
             iteration_error: rounded(iteration_error),
             rate: rounded(rate),
             error: rounded(error),
             penalty: rounded(penalty),
             predicted_rate: rounded(predicted_rate),
-            predicted_steps: rounded(predicted_steps),
+            predicted_iterations: rounded(predicted_iterations),
         };
         match Run::of(&self.site.discretisation, &formulation) {
             Ok(run) => {
                 let solution = &run.solution;
                 let [iteration, rate] = [solution.error().largest(), observed_rate(solution)];
                 let errors = [run.iteration_error(), run.penalty_error()];
-                Ok(record(Class::of(solution.outcome), solution.work.steps, iteration, rate, errors))
+                Ok(record(Class::of(solution.outcome), solution.work.iterations, iteration, rate, errors))
             }
-            Err(Error { kind: Kind::NoSpringLeft { steps }, .. }) => {
-                Ok(record(Class::Unsupported, steps, f64::NAN, f64::NAN, [f64::NAN; 2]))
+            Err(Error { kind: Kind::NoSpringLeft { iterations }, .. }) => {
+                Ok(record(Class::Unsupported, iterations, f64::NAN, f64::NAN, [f64::NAN; 2]))
             }
             Err(Error { kind: Kind::SpringsTooSoft, .. }) => {
                 Ok(record(Class::Unsupported, 0, f64::NAN, f64::NAN, [f64::NAN; 2]))
             }
             Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => {
-                Ok(record(Class::Spilled, 0, f64::NAN, f64::NAN, [f64::NAN; 2]))
+                Ok(record(Class::Beyond, 0, f64::NAN, f64::NAN, [f64::NAN; 2]))
             }
             Err(error) => Err(error),
         }
     }
 
-    /// Spectral radius on the limit's contact set and the steps it asks for; the halving law for kinematic load.
+    /// Spectral radius on the limit's active set and the iterations it asks for; the halving law for kinematic load.
     fn predicted(&self, row: &Row, formulation: &Formulation) -> [f64; 2] {
         let Some(limit) = &self.limit else { return [f64::NAN; 2] };
         if formulation.settings.increments > 1 {
@@ -93,35 +93,35 @@ impl<'a> Ground<'a> {
         let found = match (row.method.algorithm, row.method.rule) {
             (Iteration::Kinematic, StiffnessRule::Switching) => {
                 let stretch = self.site.discretisation.scene.contact().stretch;
-                let spacing = stretch / (self.site.discretisation.interfaces[0].stations.len() - 1) as f64;
+                let spacing = stretch / (self.site.discretisation.interfaces[0].nodes.len() - 1) as f64;
                 let edge = limit.edge(&problem).max(spacing);
-                return [f64::NAN, halving::steps(stretch, edge, spacing, formulation.stiffness) as f64];
+                return [f64::NAN, halving::iterations(stretch, edge, spacing, formulation.stiffness) as f64];
             }
             (Iteration::Constant, StiffnessRule::Correction) => {
-                let steps = linear::steps(&problem, limit, IterationError::largest, tolerance);
-                let steps = steps.map(|steps| steps.max(linear::worked_off(&problem, limit)));
-                rate::correction(&problem, &limit.closed).zip(steps)
+                let iterations = linear::iterations(&problem, limit, IterationError::largest, tolerance);
+                let iterations = iterations.map(|iterations| iterations.max(linear::worked_off(&problem, limit)));
+                rate::correction(&problem, &limit.closed).zip(iterations)
             }
             (Iteration::Constant, StiffnessRule::Secant) => {
-                rate::secant_force(&problem, limit).map(|rate| (rate, rate::steps(rate, tolerance)))
+                rate::secant_force(&problem, limit).map(|rate| (rate, rate::iterations(rate, tolerance)))
             }
             (Iteration::Varying, rule) => {
                 let rate = match rule {
                     StiffnessRule::Correction => rate::varying_correction(&problem, limit),
                     _ => rate::secant(&problem, &limit.target(&problem), &limit.approach, tolerance * limit.length()),
                 };
-                rate.zip(release::steps(&problem, limit, rule, tolerance))
+                rate.zip(release::iterations(&problem, limit, rule, tolerance))
             }
             _ => None,
         };
-        let [rate, steps] = found.map_or([f64::NAN; 2], |(rate, steps)| [rate, steps]);
-        [rate, if rate > INDIFFERENT { f64::INFINITY } else { steps }]
+        let [rate, iterations] = found.map_or([f64::NAN; 2], |(rate, iterations)| [rate, iterations]);
+        [rate, if rate > INDIFFERENT { f64::INFINITY } else { iterations }]
     }
 }
 
-/// Slope of the logarithm of the iteration error over the latter half of the steps.
+/// Slope of the logarithm of the iteration error over the latter half of the iterations.
 fn observed_rate(solution: &Solution) -> f64 {
-    let errors: Vec<f64> = solution.history.iter().map(|step| step.error.largest()).collect();
+    let errors: Vec<f64> = solution.history.iter().map(|iteration| iteration.error.largest()).collect();
     let latter = &errors[errors.len() / 2..];
     if latter.len() < 5 {
         return f64::NAN;

@@ -36,19 +36,19 @@ pub fn recommendation(digests: &[Digest]) -> String {
     text
 }
 
-/// Methods with a range, fewest steps first; a penalty stops at a penetration of its own and is not among them.
+/// Methods with a range, fewest iterations first; a penalty stops at a penetration of its own and is not among them.
 fn reliable(digests: &[Digest]) -> Vec<(Method, Safe)> {
     let exact = digests.iter().filter(|digest| digest.method.rule != StiffnessRule::Penalty);
     let mut reliable: Vec<(Method, Safe)> =
         exact.filter_map(|digest| digest.safe.map(|safe| (digest.method, safe))).collect();
-    reliable.sort_by_key(|(_, safe)| safe.best_steps);
+    reliable.sort_by_key(|(_, safe)| safe.best_iterations);
     reliable
 }
 
 fn sentence((method, safe): &(Method, Safe)) -> String {
-    let Safe { from, to, best, best_steps, .. } = safe;
+    let Safe { from, to, best, best_iterations, .. } = safe;
     format!(
-        "`{method}` from κ₀ = {best:e} (at most {best_steps} steps; every surveyed run ends right for κ₀ from {from:e} to {to:e})"
+        "`{method}` from κ₀ = {best:e} (at most {best_iterations} iterations; every surveyed run ends right for κ₀ from {from:e} to {to:e})"
     )
 }
 
@@ -57,8 +57,8 @@ fn widest(reliable: &[(Method, Safe)]) -> Vec<String> {
     let is_widest = |safe: &Safe| !reliable.iter().any(|(_, other)| other.is_wider_than(Some(*safe)));
     let widest = reliable.iter().filter(|(_, safe)| is_widest(safe));
     widest
-        .map(|(method, Safe { from, to, steps, .. })| {
-            format!("`{method}` (at most {steps} steps from any κ₀ from {from:e} to {to:e})")
+        .map(|(method, Safe { from, to, iterations, .. })| {
+            format!("`{method}` (at most {iterations} iterations from any κ₀ from {from:e} to {to:e})")
         })
         .collect()
 }
@@ -122,12 +122,12 @@ fn wider(digests: &[Digest], algorithm: Iteration, rule: StiffnessRule) -> Strin
 /// What a rule has to overcome, by its own formula.
 fn obstacle(algorithm: Iteration, rule: StiffnessRule) -> &'static str {
     match (algorithm, rule) {
-        (Iteration::Varying, StiffnessRule::Secant) => "an open point loses its force by w/g a step, and w/g → 1 at the contact edge",
+        (Iteration::Varying, StiffnessRule::Secant) => "an open point loses its force by w/g an iteration, and w/g → 1 at the contact edge",
         (Iteration::Varying, StiffnessRule::Correction) => {
             "a correction by κ ≥ k₀ of points near the edge, where p/w is small: of hard κ₀ it is too large, and they swing"
         }
         (Iteration::Constant, StiffnessRule::Correction) => {
-            "a closed point keeps 1 − k₀ C of an error at each step, nearly all where κ₀ is soft; an open one k₀ C, nearly all where it is hard"
+            "a closed point keeps 1 − k₀ C of an error at each iteration, nearly all where κ₀ is soft; an open one k₀ C, nearly all where it is hard"
         }
         (Iteration::Constant, StiffnessRule::Secant) => "the spring asked for, p/g, has no bound where g → 0",
         (Iteration::Constant, StiffnessRule::Literal) => "Σ Δk w is not the change of k w: what is missing stays in points that open",

@@ -33,11 +33,11 @@ pub struct Record {
     pub stiffness: f64,
     /// How it ended.
     pub class: Class,
-    /// Steps made; zero where an error keeps them.
-    pub steps: usize,
-    /// Iteration error after the last step.
+    /// Iterations made; zero where an error keeps them.
+    pub iterations: usize,
+    /// Iteration error after the last iteration.
     pub iteration_error: f64,
-    /// Factor by which the iteration error shrank at each of the latter half of the steps; NaN where these are fewer than five.
+    /// Factor by which the iteration error shrank at each of the latter half of the iterations; NaN where these are fewer than five.
     pub rate: f64,
     /// Larger error of p₀ and a against the solution of the same discrete problem.
     pub error: f64,
@@ -45,8 +45,8 @@ pub struct Record {
     pub penalty: f64,
     /// Spectral radius predicted; NaN where none is.
     pub predicted_rate: f64,
-    /// Steps predicted; NaN where none are, infinite where it shall not converge.
-    pub predicted_steps: f64,
+    /// Iterations predicted; NaN where none are, infinite where it shall not converge.
+    pub predicted_iterations: f64,
 }
 
 impl Record {

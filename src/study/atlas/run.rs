@@ -64,11 +64,11 @@ pub fn is_as_recorded(chart: &Chart, row: usize, column: usize, fresh: &Record) 
     let near = |a: f64, b: f64| a.is_finite() && b.is_finite() && (a - b).abs() <= DIGITS * a.abs().max(b.abs());
     let alike = |a: f64, b: f64| (a.is_nan() && b.is_nan()) || a == b || near(a, b);
     let predictions =
-        alike(kept.predicted_rate, fresh.predicted_rate) && alike(kept.predicted_steps, fresh.predicted_steps);
+        alike(kept.predicted_rate, fresh.predicted_rate) && alike(kept.predicted_iterations, fresh.predicted_iterations);
     let measured = alike(kept.error, fresh.error)
         && alike(kept.penalty, fresh.penalty)
         && alike(kept.iteration_error, fresh.iteration_error)
         && alike(kept.rate, fresh.rate);
     let exact = kept.class == Class::Converged && !chart.is_near_a_boundary(row, column);
-    kept.class == fresh.class && predictions && (!exact || (kept.steps == fresh.steps && measured))
+    kept.class == fresh.class && predictions && (!exact || (kept.iterations == fresh.iterations && measured))
 }

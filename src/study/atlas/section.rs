@@ -21,7 +21,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let mut text = String::from("## Where methods fail\n\n");
     let _ = writeln!(text, "{}", recommendation(&digests));
     text += &picture(
-        "steps-predicted.svg",
+        "iterations-predicted.svg",
         &format!(
             "Fig. 11 once more: measured points on curves predicted from the condensed matrices; truncated Hertz, candidates to \
              {STRETCH} half-widths; colours tell the rules apart. Hollow markers above the frame: how the others ended"
@@ -45,7 +45,7 @@ fn predictions(agreements: &[Agreement]) -> String {
         "method".into(),
         "converged against the prediction".into(),
         "failed against it".into(),
-        format!("steps off by a factor above {FACTOR}, or under kinematic load by more than {HALVINGS}"),
+        format!("iterations off by a factor above {FACTOR}, or under kinematic load by more than {HALVINGS}"),
     ];
     let cell = |Share { count, of }: Share| if of == 0 { "–".into() } else { format!("{count} of {of}") };
     let row = |one: &Agreement| vec![one.method.to_string(), cell(one.converged), cell(one.failed), cell(one.off)];
@@ -54,8 +54,8 @@ fn predictions(agreements: &[Agreement]) -> String {
 
 const LAWS: &str = "\
 The curves, from the condensed matrices and the final active set alone: *constant stiffness with correction* is followed as a \
-linear iteration from its start to the tolerance, and takes no fewer steps than hard springs need to work off their gaps, \
-k₀ g/p̄; *varying stiffness* is as slow as the slowest point near the contact edge, whose force falls by w/g, or by κ (w − g), a step; \
+linear iteration from its start to the tolerance, and takes no fewer iterations than hard springs need to work off their gaps, \
+k₀ g/p̄; *varying stiffness* is as slow as the slowest point near the contact edge, whose force falls by w/g, or by κ (w − g), an iteration; \
 *kinematic load* halves L² − a². Derivations are given beside the formulas in `src/stability`.\n\n";
 
 const EXPLAINED: &str = "\

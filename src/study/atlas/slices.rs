@@ -1,4 +1,4 @@
-//! Steps along the slices, at the default initial stiffness of each algorithm.
+//! Iterations along the slices, at the default initial stiffness of each algorithm.
 
 use std::fmt::Write;
 
@@ -13,7 +13,7 @@ use crate::study::method::Method;
 /// A table for each slice.
 pub fn slices(charts: &[&Chart]) -> String {
     let mut text = String::from(
-        "Slices through the centre, at the surveyed initial stiffness next to each algorithm's own: steps, and error of p₀ or a \
+        "Slices through the centre, at the surveyed initial stiffness next to each algorithm's own: iterations, and error of p₀ or a \
          against the discrete solution.\n\n",
     );
     let is_slice = |plane| [Plane::Increments, Plane::Thickness, Plane::Quadrature].contains(&plane);
@@ -37,7 +37,7 @@ fn row(chart: &Chart, method: Method) -> Option<Vec<String>> {
 
 fn cell(record: &Record) -> String {
     match record.class {
-        Class::Converged => format!("{} steps, {}", record.steps, markdown::error(record.error)),
+        Class::Converged => format!("{} iterations, {}", record.iterations, markdown::error(record.error)),
         class => class.name().into(),
     }
 }

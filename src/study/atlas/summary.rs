@@ -29,12 +29,12 @@ pub struct Safe {
     pub from: f64,
     /// Hardest start of the range.
     pub to: f64,
-    /// Most steps of any run in the range.
-    pub steps: usize,
-    /// The start with the fewest steps in the worst case.
+    /// Most iterations of any run in the range.
+    pub iterations: usize,
+    /// The start with the fewest iterations in the worst case.
     pub best: f64,
-    /// Most steps of any run from there.
-    pub best_steps: usize,
+    /// Most iterations of any run from there.
+    pub best_iterations: usize,
 }
 
 impl Safe {
@@ -63,7 +63,7 @@ fn digest(charts: &[&Chart], method: Method) -> Digest {
         method,
         safe: safe(&rows, method.algorithm.default_stiffness()),
         ends: Class::ALL.map(count).into_iter().filter(|(_, number)| *number > 0).collect(),
-        predicted: all().filter(|record| !record.predicted_steps.is_nan()).count(),
+        predicted: all().filter(|record| !record.predicted_iterations.is_nan()).count(),
     }
 }
 
@@ -73,16 +73,16 @@ fn safe(rows: &[&[Record]], usual: f64) -> Option<Safe> {
     let column = |c: usize| rows.iter().map(move |row| &row[c]);
     let [from, to] = longest_run(columns, |c| column(c).all(Record::is_right))?;
     let stiffness = |c: usize| rows[0][c].stiffness;
-    let worst = |c: usize| column(c).map(|record| record.steps).max().unwrap_or(0);
+    let worst = |c: usize| column(c).map(|record| record.iterations).max().unwrap_or(0);
     let away = |c: usize| (stiffness(c) / usual).ln().abs();
     let better = |a: &usize, b: &usize| worst(*a).cmp(&worst(*b)).then(away(*a).total_cmp(&away(*b)));
     let best = (from..=to).min_by(better)?;
     Some(Safe {
         from: stiffness(from),
         to: stiffness(to),
-        steps: (from..=to).map(worst).max()?,
+        iterations: (from..=to).map(worst).max()?,
         best: stiffness(best),
-        best_steps: worst(best),
+        best_iterations: worst(best),
     })
 }
 

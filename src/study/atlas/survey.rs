@@ -1,4 +1,4 @@
-//! The whole atlas, row by row; a survey that was broken off goes on where it stopped.
+//! The whole atlas, row by row; a survey that was interrupted resumes.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
@@ -102,7 +102,7 @@ fn entered<'a>(site: &'a OnceLock<Result<Site, Error>>, row: &Row) -> Result<&'a
     site.get_or_init(|| Site::of(row)).as_ref().map_err(Error::clone)
 }
 
-/// Finished rows; a file that cannot be read holds none, and is surveyed anew.
+/// Finished rows; a file that cannot be read holds none, and is surveyed again.
 fn kept(path: &Path) -> Vec<Record> {
     records::read(path, record::RENEW).unwrap_or_default()
 }

@@ -84,7 +84,7 @@ fn row(Numbers { case, run, .. }: &Numbers) -> Vec<String> {
         factor * measures.edge(),
         run.transmitted(),
     ];
-    let counts = [work.steps, work.factorisations, work.back_substitutions].map(|n| n.to_string());
+    let counts = [work.iterations, work.factorisations, work.back_substitutions].map(|n| n.to_string());
     let quoted = quoted.map(|x| if run.solution.converged() { markdown::significant(x, 5) } else { "–".into() });
     let first = [run.formulation.name(), run.solution.outcome.to_string()];
     first.into_iter().chain(counts).chain(quoted).collect()

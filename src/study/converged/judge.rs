@@ -27,17 +27,17 @@ fn as_recorded(recorded: &[Record], again: &[Again]) -> Judged {
     }
     let quantity = Quantity::at("recomputed run that is not the recorded one", format!("of {runs}"));
     let record = Reference::own("snapshots/converged.csv", 0.0);
-    Check::at_most(quantity, record, "outcome, steps and error; `converged` renews the record")
+    Check::at_most(quantity, record, "outcome, iterations and error; `converged` renews the record")
         .judge(if runs == 0 { f64::NAN } else { moved as f64 })
 }
 
-/// Whether a fresh run is the recorded one: outcome and steps always, the error where it is above round-off.
+/// Whether a fresh run is the recorded one: outcome and iterations always, the error where it is above round-off.
 pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
     let key = |record: &Record| (record.formulation, record.load.to_bits(), record.tolerance.to_bits());
     let [a, b] = [kept.error, fresh.error];
     let alike =
         (a.is_nan() && b.is_nan()) || (a - b).abs() <= DIGITS * a.abs().max(b.abs()) + ROUND_OFF * kept.tolerance;
-    key(kept) == key(fresh) && kept.class == fresh.class && kept.steps == fresh.steps && alike
+    key(kept) == key(fresh) && kept.class == fresh.class && kept.iterations == fresh.iterations && alike
 }
 
 /// Nothing is called converged that is not.

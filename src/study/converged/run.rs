@@ -39,8 +39,8 @@ pub struct Record {
     pub tolerance: f64,
     /// How it ended.
     pub class: Class,
-    /// Steps made.
-    pub steps: usize,
+    /// Iterations made.
+    pub iterations: usize,
     /// Largest error of p₀ and a against the solution of the same discrete problem; 0 where it is round-off, NaN where
     /// there is none.
     pub error: f64,
@@ -136,23 +136,23 @@ fn one(
     load: f64,
     formulation: &Formulation,
 ) -> Result<Option<Record>, Error> {
-    let record = |class, steps, error| Record {
+    let record = |class, iterations, error| Record {
         scene: site.scene(),
         stretch: site.stretch,
         load,
         formulation: Pairing::of(formulation),
         tolerance: formulation.settings.tolerance,
         class,
-        steps,
+        iterations,
         error: if error < ROUND_OFF * formulation.settings.tolerance { 0.0 } else { rounded(error) },
     };
     match Run::from_origin(Origin::Own, discretisation, formulation, Change { load, ..Change::NONE }) {
         Ok(run) => {
             let error = run.iteration_error();
-            Ok(Some(record(Class::of(run.solution.outcome), run.solution.work.steps, error)))
+            Ok(Some(record(Class::of(run.solution.outcome), run.solution.work.iterations, error)))
         }
-        Err(Error { kind: Kind::NoSpringLeft { steps }, .. }) => Ok(Some(record(Class::Unsupported, steps, f64::NAN))),
-        Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => Ok(Some(record(Class::Spilled, 0, f64::NAN))),
+        Err(Error { kind: Kind::NoSpringLeft { iterations }, .. }) => Ok(Some(record(Class::Unsupported, iterations, f64::NAN))),
+        Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => Ok(Some(record(Class::Beyond, 0, f64::NAN))),
         Err(Error { kind: Kind::Input | Kind::NothingPresses, .. }) => Ok(None),
         Err(error) => Err(error),
     }

@@ -77,7 +77,7 @@ fn by_stretch(recorded: &[&Record]) -> String {
     }
     let stretches = STRETCHES.map(|stretch| if stretch > 0.0 { format!("{stretch} a") } else { "own".into() });
     let head = [vec!["formulation".into(), "tolerance".into()], stretches.into()].concat();
-    let limit = Settings::default().max_steps;
+    let limit = Settings::default().max_iterations;
     let title = format!("Share of the runs that converge within {limit} iterations, by candidate stretch, all loads");
     markdown::folded(&title, &markdown::table(&head, &rows), false)
 }

@@ -127,7 +127,7 @@ impl Found {
             peak: measured(|answer| answer.peak),
             resultant: fine.resultant,
             profile: fine.pressure.clone(),
-            dofs: fine.freedoms,
+            dofs: fine.dofs,
         })
     }
 }
@@ -181,7 +181,7 @@ fn ours(benchmark: &Benchmark) -> Result<Vec<PhysicalAnswer>, Error> {
             peak: converged(run.measures().peak.pressure),
             resultant: converged(run.transmitted()),
             pressure: means.into_iter().map(converged).collect(),
-            freedoms: run.freedoms,
+            dofs: run.dofs,
             contact_edges: run.solution.edges.len(),
         })
     };

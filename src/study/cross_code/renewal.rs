@@ -1,4 +1,4 @@
-//! Asking the codes now, and making the frozen files anew.
+//! Asking the codes now, and renewing the frozen files.
 
 use crate::error::{Error, Kind};
 use crate::oracle::cross_code::frozen::{Frozen, Series, script_hash};
@@ -27,7 +27,7 @@ pub fn freeze() -> Result<Vec<String>, Error> {
         match Frozen::load(code) {
             Ok(old) => lines.extend(changes(code, &old, &new)),
             Err(Error { kind: Kind::MissingFile, .. }) => lines.push(format!("{code}: frozen for the first time")),
-            Err(unreadable) => lines.push(format!("{code}: frozen anew, as {unreadable}")),
+            Err(unreadable) => lines.push(format!("{code}: frozen again, as {unreadable}")),
         }
         new.write(code)?;
     }

@@ -3,7 +3,7 @@
 use crate::algorithm::StiffnessRule;
 use crate::case::library;
 use crate::contact::Quadrature;
-use crate::elasticity::Freedoms;
+use crate::elasticity::Dofs;
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::cross_code::frozen::Digest;
@@ -47,7 +47,7 @@ impl Twin {
     pub fn on(discretisation: Discretisation) -> Result<Self, Error> {
         let bodies = &discretisation.system.bodies;
         let vectors: Vec<Vec<Vec<f64>>> =
-            PRIMES.iter().map(|p| bodies.iter().map(|body| fixed_vector(*p, &body.freedoms)).collect()).collect();
+            PRIMES.iter().map(|p| bodies.iter().map(|body| fixed_vector(*p, &body.dofs)).collect()).collect();
         let on_nodes = |v: &Vec<Vec<f64>>| discretisation.system.nodal_displacements(v).as_flattened().to_vec();
         let problem = handed_over::problem(&discretisation, vectors.iter().map(on_nodes).collect())?;
         let product = |v: &Vec<Vec<f64>>| bodies.iter().zip(v).flat_map(|(body, x)| body.product(x)).collect();
@@ -84,7 +84,7 @@ impl Twin {
             let body: &crate::elasticity::BodySystem = body;
             let mut out = vec![0.0; body.force.len()];
             for node in part.nodes.clone() {
-                body.freedoms.add_force(node, [force[2 * node], force[2 * node + 1]], &mut out);
+                body.dofs.add_force(node, [force[2 * node], force[2 * node + 1]], &mut out);
             }
             out
         };
@@ -105,9 +105,9 @@ fn penalty(kappa: f64, order: Order) -> Formulation {
 
 /// Weyl's sequence `2 {i √p} − 1`: equally distributed between −1 and 1, independent for different primes, the same on
 /// every machine.
-fn fixed_vector(prime: f64, freedoms: &Freedoms) -> Vec<f64> {
-    let mut vector = vec![f64::NAN; freedoms.equations];
-    for (i, equation) in freedoms.in_mesh_order().into_iter().enumerate() {
+fn fixed_vector(prime: f64, dofs: &Dofs) -> Vec<f64> {
+    let mut vector = vec![f64::NAN; dofs.equations];
+    for (i, equation) in dofs.in_mesh_order().into_iter().enumerate() {
         vector[equation] = 2.0 * ((i + 1) as f64 * prime.sqrt()).fract() - 1.0;
     }
     vector

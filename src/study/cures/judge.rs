@@ -75,7 +75,7 @@ fn drift(runs: &Runs, recorded: &Runs, tolerance: usize) -> Judged {
 
 /// Iterations on the drawn plane against the recorded ones: the same where plain, near where round-off is amplified.
 fn steady(runs: &Runs, recorded: &Runs) -> Judged {
-    let pairs = runs.steps[0][DRAWN].iter().zip(&recorded.steps[0][DRAWN]);
+    let pairs = runs.iterations[0][DRAWN].iter().zip(&recorded.iterations[0][DRAWN]);
     let far = |(now, before): (usize, usize)| now.max(before) as f64 > STEADY * now.min(before) as f64;
     let both: Vec<(usize, usize)> = pairs.filter_map(|(now, before)| now.zip(*before)).collect();
     let moved = both.iter().filter(|pair| far(**pair)).count() as f64 / both.len() as f64;

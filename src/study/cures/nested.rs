@@ -83,7 +83,7 @@ fn on_mesh(mesh: &Discretisation, closed: &Formulation) -> Result<OnMesh, Error>
     let other = compared.then(|| mesh.solve(closed)).transpose()?;
     Ok(OnMesh {
         nested: Ended::of(&nested),
-        coarser: nested.coarser.steps,
+        coarser: nested.coarser.iterations,
         closed: other.as_ref().map(Ended::of),
         apart: other.map(|other| difference(&mesh.scene, [&nested, &other])),
     })

@@ -56,7 +56,7 @@ fn style(runs: &Runs) -> Style {
 /// Iterations to the default tolerance against initial stiffness on the drawn plane.
 fn curve(runs: &Runs) -> Curve {
     let mut curve = Curve::default();
-    for (stiffness, iterations) in stiffnesses().into_iter().zip(&runs.steps[0][DRAWN]) {
+    for (stiffness, iterations) in stiffnesses().into_iter().zip(&runs.iterations[0][DRAWN]) {
         match iterations {
             Some(iterations) => curve.points.push([stiffness, *iterations as f64]),
             None => curve.failed.push(stiffness),

@@ -37,7 +37,7 @@ pub struct Runs {
     /// Acceleration of constant stiffness.
     pub acceleration: Acceleration,
     /// Iterations to each tolerance by plane and start; none where 200 are not enough.
-    pub steps: [Vec<Vec<Option<usize>>>; 2],
+    pub iterations: [Vec<Vec<Option<usize>>>; 2],
     /// Accelerated iterations given up.
     pub rejected: usize,
 }
@@ -59,7 +59,7 @@ impl Runs {
 
     /// Part of the starts that converge.
     pub fn share(&self, tolerance: usize) -> f64 {
-        let all = self.steps[tolerance].iter().flatten();
+        let all = self.iterations[tolerance].iter().flatten();
         all.clone().flatten().count() as f64 / all.count() as f64
     }
 }
@@ -88,24 +88,24 @@ fn runs(
     planes: &[Discretisation],
     exact: &Solution,
 ) -> Result<Measured, Error> {
-    let mut runs = Runs { element, acceleration, steps: Default::default(), rejected: 0 };
-    let settings = Settings { tolerance: TOLERANCES[1], max_steps: ITERATIONS, ..Settings::default() };
+    let mut runs = Runs { element, acceleration, iterations: Default::default(), rejected: 0 };
+    let settings = Settings { tolerance: TOLERANCES[1], max_iterations: ITERATIONS, ..Settings::default() };
     let base = Formulation { settings, ..runs.formulation() };
     let mut apart = Vec::new();
     for (index, plane) in planes.iter().enumerate() {
-        let mut steps = [Vec::new(), Vec::new()];
+        let mut iterations = [Vec::new(), Vec::new()];
         for stiffness in stiffnesses() {
             let solution = plane.solve(&Formulation { stiffness, ..base.clone() })?;
             runs.rejected += solution.work.rejected;
-            for (steps, tolerance) in steps.iter_mut().zip(TOLERANCES) {
+            for (iterations, tolerance) in iterations.iter_mut().zip(TOLERANCES) {
                 let mut history = solution.history.iter();
-                steps.push(history.position(|step| step.error.largest() <= tolerance).map(|at| at + 1));
+                iterations.push(history.position(|iteration| iteration.error.largest() <= tolerance).map(|at| at + 1));
             }
             if index == DRAWN && solution.converged() {
                 apart.push(difference(&solution, exact) / plane.scene.reference.pressure);
             }
         }
-        runs.steps.iter_mut().zip(steps).for_each(|(all, steps)| all.push(steps));
+        runs.iterations.iter_mut().zip(iterations).for_each(|(all, iterations)| all.push(iterations));
     }
     // None that converges on the drawn plane is no agreement.
     Ok(Measured { runs, apart: apart.into_iter().reduce(larger).unwrap_or(f64::NAN) })
@@ -124,8 +124,8 @@ pub fn read(element: Element) -> Result<Vec<Runs>, Error> {
     let all: Vec<Runs> = serde_json::from_str(&text).map_err(|error| Error::unreadable(&path(), error, renew))?;
     let found: Vec<Runs> = all.into_iter().filter(|runs| runs.element == element).collect();
     let complete = |runs: &Runs| {
-        let planes = runs.steps.iter().flatten();
-        runs.steps.iter().all(|planes| planes.len() == PLANES.len())
+        let planes = runs.iterations.iter().flatten();
+        runs.iterations.iter().all(|planes| planes.len() == PLANES.len())
             && planes.into_iter().all(|plane| plane.len() == stiffnesses().len())
     };
     if found.iter().map(|runs| runs.acceleration).eq(Acceleration::ALL) && found.iter().all(complete) {

@@ -31,7 +31,7 @@ pub struct Ended {
 impl Ended {
     /// Of a solution.
     pub(super) fn of(solution: &Solution) -> Self {
-        Self { outcome: solution.outcome, iterations: solution.work.steps }
+        Self { outcome: solution.outcome, iterations: solution.work.iterations }
     }
 
     /// Iterations to convergence; none where there was none.
@@ -46,7 +46,7 @@ impl Ended {
 pub(super) fn run() -> Result<Vec<Rule>, Error> {
     let discretisation = discretised(PLANES[DRAWN])?;
     let base = Formulation::new(Element::Node, Iteration::Constant);
-    let settings = Settings { max_steps: ITERATIONS, ..Settings::default() };
+    let settings = Settings { max_iterations: ITERATIONS, ..Settings::default() };
     let starts = Iteration::Constant.rules().iter().flat_map(|&rule| [1.0, 10.0].map(|stiffness| (rule, stiffness)));
     let of = |(rule, stiffness): (StiffnessRule, f64)| {
         let ended = |&acceleration: &Acceleration| {

@@ -74,7 +74,7 @@ fn shares(findings: &[Found<Numbers>]) -> String {
 }
 
 fn row_of_shares(plain: &Runs, runs: &Runs, tolerance: usize) -> Vec<String> {
-    let planes = &runs.steps[tolerance];
+    let planes = &runs.iterations[tolerance];
     let everywhere: Vec<bool> =
         (0..stiffnesses().len()).map(|k| planes.iter().all(|plane| plane[k].is_some())).collect();
     let [share, plain] = [runs, plain].map(|runs| runs.share(tolerance));
@@ -99,7 +99,7 @@ fn rows_of_planes(Reach { recorded, .. }: &Reach) -> Vec<Vec<String>> {
         let element = recorded.first().map_or("", |runs| runs.element.name()).into();
         let place = [element, format!("{:e}", TOLERANCES[tolerance]), stretch.to_string(), elements.to_string()];
         let converged =
-            |runs: &Runs| runs.steps[tolerance][plane].iter().map(Option::is_some).collect::<Vec<_>>();
+            |runs: &Runs| runs.iterations[tolerance][plane].iter().map(Option::is_some).collect::<Vec<_>>();
         place.into_iter().chain(recorded.iter().map(|runs| interval(&converged(runs)))).collect()
     };
     [0, 1].into_iter().flat_map(|tolerance| (0..PLANES.len()).map(move |plane| row(tolerance, plane))).collect()

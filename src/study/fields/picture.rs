@@ -105,12 +105,12 @@ fn paths(runs: &[&Run]) -> Result<String, Error> {
 }
 
 fn path(run: &Run) -> Path {
-    let states = run.solution.history.iter().map(|step| {
-        let [approach, pressure, stiffness] = step.first_point;
+    let states = run.solution.history.iter().map(|iteration| {
+        let [approach, pressure, stiffness] = iteration.first_point;
         State { approach, pressure, stiffness }
     });
     Path {
-        algorithm: format!("{}, {} steps", run.formulation.algorithm.name(), run.solution.work.steps),
+        algorithm: format!("{}, {} iterations", run.formulation.algorithm.name(), run.solution.work.iterations),
         dash: style(&run.formulation).dash,
         states: states.collect(),
         converged: run.solution.converged(),

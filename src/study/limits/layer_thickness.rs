@@ -67,7 +67,7 @@ fn of_algorithm(
     let run = Run::of(discretisation, &layer(thickness, algorithm))?;
     Ok(OfAlgorithm {
         outcome: run.solution.outcome,
-        iterations: run.solution.work.steps,
+        iterations: run.solution.work.iterations,
         errors: hertz_errors(&discretisation.scene, &run),
     })
 }

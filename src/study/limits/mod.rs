@@ -6,7 +6,7 @@
 //! * `pulled_apart`, `no_load`, `small_load` — loads of the wrong sign, of zero, too small for the mesh.
 //! * `short_candidates`, `body_end` — candidates and bodies that end before the contact.
 //! * `incompressible`, `distorted` — cells.
-//! * `unequal_sizes`, `not_facing` — meshes that differ on the two sides.
+//! * `unequal_sizes`, `non_matching` — meshes that differ on the two sides.
 //! * `layer_thickness`, `cycling` — parameters and rules.
 //! * `large_contact` — a/R, where it is the reference that fails.
 //! * `seen` — what the user sees of a run.
@@ -23,7 +23,7 @@ mod incompressible;
 mod large_contact;
 mod layer_thickness;
 mod no_load;
-mod not_facing;
+mod non_matching;
 mod plan;
 mod pulled_apart;
 mod row;

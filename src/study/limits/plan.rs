@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::study::Planned;
 use crate::study::limits::row::{Detail, Limit};
 use crate::study::limits::{
-    body_end, cycling, distorted, gauss_points, incompressible, large_contact, layer_thickness, no_load, not_facing,
+    body_end, cycling, distorted, gauss_points, incompressible, large_contact, layer_thickness, no_load, non_matching,
     pulled_apart, short_candidates, small_load, springs, unequal_sizes,
 };
 
@@ -53,7 +53,7 @@ macro_rules! limits {
 limits! {
     "three Gauss points": ThreeGaussPoints in gauss_points,
     "spring stiffness": SpringStiffness in springs,
-    "held by contact alone": PulledApart in pulled_apart,
+    "supported by contact alone": PulledApart in pulled_apart,
     "zero load": NoLoad in no_load,
     "load too small for the mesh": SmallLoad in small_load,
     "candidates too short": ShortCandidates in short_candidates,
@@ -61,7 +61,7 @@ limits! {
     "near incompressibility": Incompressible in incompressible,
     "distorted cells": Distorted in distorted,
     "element sizes across the interface": UnequalSizes in unequal_sizes,
-    "nodes that do not face": NotFacing in not_facing,
+    "nodes that do not face": NonMatching in non_matching,
     "layer thickness": LayerThickness in layer_thickness,
     "a/R": LargeContact in large_contact,
     "cycling": Cycling in cycling,

@@ -40,7 +40,7 @@ impl PulledApart {
     /// Runs that name the loss of the last spring, and runs that used up their iterations.
     fn ends(&self) -> [f64; 2] {
         let named = count(&self.runs, |run| run.seen.is_refused(Why::NoSpringLeft));
-        [named, count(&self.runs, |run| run.seen.is(Outcome::Exhausted))]
+        [named, count(&self.runs, |run| run.seen.is(Outcome::Capped))]
     }
 
     pub(super) fn judge(&self) -> Vec<Judged> {
@@ -70,7 +70,7 @@ impl PulledApart {
             pushed: "a body supported by contact alone, every spring open",
             range: "the load of the cylinder, reversed".into(),
             onset: "once the last spring is open".into(),
-            seen: format!("{named} of {}: {message}; {capped}: {}", self.runs.len(), Outcome::Exhausted),
+            seen: format!("{named} of {}: {message}; {capped}: {}", self.runs.len(), Outcome::Capped),
             instead: remedy,
         }
     }

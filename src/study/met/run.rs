@@ -68,8 +68,8 @@ impl Record {
             estimate: rounded(answer.estimate()),
             peak,
             half_width,
-            dofs: answer.run.freedoms,
-            dofs_in_all: answer.tried.iter().map(|tried| tried.freedoms).sum(),
+            dofs: answer.run.dofs,
+            dofs_in_all: answer.tried.iter().map(|tried| tried.dofs).sum(),
         }
     }
 

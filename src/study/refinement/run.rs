@@ -149,7 +149,7 @@ fn errors(numbers: &TruncatedHertz, order: Order, refinement: u32) -> Result<Err
     let load = whole(scene.contact()) * discretisation.system.bodies[0].applied_vertical().abs();
     Ok(Errors {
         size: 1.0 / (COARSEST << refinement) as f64,
-        dofs: run.freedoms,
+        dofs: run.dofs,
         peak: converged(&run, relative_error(run.measures().largest.pressure, exact.peak_pressure())),
         half_width: converged(&run, relative_error(run.measures().half_width, exact.half_width())),
         l2: converged(&run, profile::relative_l2(&run.solution.points, |x| exact.pressure(x), within)),
@@ -169,7 +169,7 @@ pub fn model_error() -> Result<ModelError, Error> {
             a_over_r,
             peak: converged(&run, run.measures().peak.pressure / pressure),
             half_width: converged(&run, run.measures().half_width / numbers.half_width()),
-            dofs: run.freedoms,
+            dofs: run.dofs,
         })
     };
     let [a, b, c, d]: [Result<Ratio, Error>; 4] = A_OVER_R.map(ratio);
@@ -197,7 +197,7 @@ fn series(order: Order, runs: &[Run; LEVELS as usize]) -> PinSeries {
         let run = &runs[refinement];
         PinLevel {
             elements: COARSEST_PIN << refinement,
-            dofs: run.freedoms,
+            dofs: run.dofs,
             peak: converged(run, run.measures().peak.pressure),
             angle: converged(run, run.measures().half_width),
         }

@@ -12,7 +12,7 @@ use crate::study::stability::ground;
 
 /// Initial stiffnesses around the boundary.
 const STARTS: [f64; 10] = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
-/// Relative change of the limit's springs at the start, steps followed, and what error tells staying from leaving.
+/// Relative change of the limit's springs at the start, iterations followed, and what error tells staying from leaving.
 const NUDGE: f64 = 1e-3;
 const STEPS: usize = 3000;
 const LEFT: f64 = 1e-2;
@@ -33,9 +33,9 @@ pub struct Start {
 /// How a run from equal springs ends.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub enum Far {
-    /// With an outcome, after so many steps.
+    /// With an outcome, after so many iterations.
     Ended(Outcome, usize),
-    /// With the error that no spring is left, after so many steps.
+    /// With the error that no spring is left, after so many iterations.
     NoSpringLeft(usize),
 }
 
@@ -52,8 +52,8 @@ fn start(discretisation: &Discretisation, element: Element, stiffness: f64) -> R
     let problem = discretisation.problem(&formulation, &points);
     let limit = ground::limit(&problem)?;
     let far = match discretisation.solve(&formulation) {
-        Ok(solution) => Far::Ended(solution.outcome, solution.work.steps),
-        Err(Error { kind: Kind::NoSpringLeft { steps }, .. }) => Far::NoSpringLeft(steps),
+        Ok(solution) => Far::Ended(solution.outcome, solution.work.iterations),
+        Err(Error { kind: Kind::NoSpringLeft { iterations }, .. }) => Far::NoSpringLeft(iterations),
         Err(error) => return Err(error),
     };
     let predicted = rate::varying_correction(&problem, &limit).unwrap_or(f64::NAN);
@@ -69,7 +69,7 @@ fn stays(problem: &ContactProblem, limit: &Limit) -> bool {
     let mut algorithm = Varying::new(StiffnessRule::Correction);
     let mut error = f64::NAN;
     for _ in 0..STEPS {
-        let Some(iterate) = algorithm.step(problem, problem.load, &mut springs, &mut Work::default()) else {
+        let Some(iterate) = algorithm.next(problem, problem.load, &mut springs, &mut Work::default()) else {
             return false;
         };
         error = limit.error(problem, iterate.pressure, iterate.approach).largest();

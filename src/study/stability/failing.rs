@@ -54,7 +54,7 @@ fn start(discretisation: &Discretisation, element: Element, stiffness: f64) -> R
     })
 }
 
-/// Largest force that the last step left in a point that is open in the limit, over the limit's largest.
+/// Largest force that the last iteration left in a point that is open in the limit, over the limit's largest.
 fn force_left(solution: &Solution, limit: &Limit) -> f64 {
     let open = solution.spring_pressures.iter().zip(&limit.closed).filter(|(_, closed)| !**closed);
     open.map(|(p, _)| p.abs()).fold(0.0, f64::max) / limit.pressure.iter().copied().fold(0.0, f64::max)

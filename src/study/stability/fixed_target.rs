@@ -15,7 +15,7 @@ use crate::study::stability::ground;
 const TARGETS: [f64; 7] = [-0.1, 0.1, 1.0, 3.0, 10.0, 1e2, 1e4];
 /// Nearer to the boundary than this a point is not judged.
 pub(super) const NEAR: f64 = 1.02;
-/// Steps of a window, relative difference of ln ρ between two of them at which the slowest mode is alone, most windows.
+/// Iterations of a window, relative difference of ln ρ between two of them at which the slowest mode is alone, most windows.
 const WINDOW: usize = 40;
 const SETTLED: f64 = 5e-4;
 const WINDOWS: usize = 300;
@@ -44,7 +44,7 @@ pub struct Start {
     pub observed: f64,
 }
 
-/// How a point ends within the limit of steps.
+/// How a point ends within the limit of iterations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// To the tolerance.
@@ -94,10 +94,10 @@ fn definite(problem: &ContactProblem, initial: &[f64], target: &[f64]) -> bool {
     rate::holds(problem, target) && rate::holds(problem, &other)
 }
 
-/// Decades per limit of steps over the decades asked for: above 1 it ends, converged or diverged, below it crawls.
+/// Decades per limit of iterations over the decades asked for: above 1 it ends, converged or diverged, below it crawls.
 pub fn progress(rate: f64) -> f64 {
     let settings = Settings::default();
-    settings.max_steps as f64 * rate.ln() / settings.tolerance.ln()
+    settings.max_iterations as f64 * rate.ln() / settings.tolerance.ln()
 }
 
 /// How a rate ends.
@@ -109,7 +109,7 @@ pub fn end(rate: f64) -> End {
     }
 }
 
-/// Rate at which `(S + K₀) u⁺ = (K₀ − K*) u` shrinks a start that holds every mode, over [`WINDOW`] steps.
+/// Rate at which `(S + K₀) u⁺ = (K₀ − K*) u` shrinks a start that holds every mode, over [`WINDOW`] iterations.
 ///
 /// Without a load the solution is zero: however small the error, it has all its digits.
 fn observed_rate(problem: &ContactProblem, initial: &[f64], target: &[f64]) -> f64 {

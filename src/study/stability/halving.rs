@@ -1,4 +1,4 @@
-//! The halving law of kinematic load: predicted against measured steps.
+//! The halving law of kinematic load: predicted against measured iterations.
 
 use serde::Serialize;
 
@@ -45,12 +45,12 @@ pub struct Mesh {
     /// Elements per half-width, on the pin-rod per 10 mm.
     pub elements: usize,
     /// From a soft and a hard start.
-    pub steps: [Steps; 2],
+    pub iterations: [Iterations; 2],
 }
 
-/// Steps from a start.
+/// Iterations from a start.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub struct Steps {
+pub struct Iterations {
     /// Initial stiffness κ₀.
     pub stiffness: f64,
     /// By the law.
@@ -97,8 +97,8 @@ fn hertz(scene: crate::scene::Scene, stretch: f64, elements: usize) -> Result<Me
     let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
     let discretisation = Discretisation::of(scene, resolution)?;
     let spacing = half_width / (2.0 * elements as f64);
-    let steps = both(&discretisation, [stretch * half_width, half_width, spacing])?;
-    Ok(Mesh { stretch, elements, steps })
+    let iterations = both(&discretisation, [stretch * half_width, half_width, spacing])?;
+    Ok(Mesh { stretch, elements, iterations })
 }
 
 /// The pin-rod: its last closed point is found first.
@@ -107,18 +107,18 @@ fn pin_rod(degrees: f64, elements: usize) -> Result<Mesh, Error> {
     let discretisation = Discretisation::of(scene, Resolution { elements, refinement: 0, order: Order::Quadratic })?;
     let edge = Run::of(&discretisation, &Formulation::verification())?.measures().edge();
     let stretch = discretisation.scene.contact().stretch;
-    let spacing = stretch / (discretisation.interfaces[0].stations.len() - 1) as f64;
-    Ok(Mesh { stretch: stretch / edge, elements, steps: both(&discretisation, [stretch, edge, spacing])? })
+    let spacing = stretch / (discretisation.interfaces[0].nodes.len() - 1) as f64;
+    Ok(Mesh { stretch: stretch / edge, elements, iterations: both(&discretisation, [stretch, edge, spacing])? })
 }
 
-/// Steps from both starts: candidates to `stretch`, contact to `edge`, nodes `spacing` apart.
-fn both(discretisation: &Discretisation, [stretch, edge, spacing]: [f64; 3]) -> Result<[Steps; 2], Error> {
-    let steps = |stiffness: f64| -> Result<Steps, Error> {
+/// Iterations from both starts: candidates to `stretch`, contact to `edge`, nodes `spacing` apart.
+fn both(discretisation: &Discretisation, [stretch, edge, spacing]: [f64; 3]) -> Result<[Iterations; 2], Error> {
+    let iterations = |stiffness: f64| -> Result<Iterations, Error> {
         let formulation = Formulation { stiffness, ..Formulation::new(Element::Node, Iteration::Kinematic) };
         let solution = discretisation.solve(&formulation)?;
-        let measured = solution.converged().then_some(solution.work.steps);
-        Ok(Steps { stiffness, predicted: halving::steps(stretch, edge, spacing, stiffness), measured })
+        let measured = solution.converged().then_some(solution.work.iterations);
+        Ok(Iterations { stiffness, predicted: halving::iterations(stretch, edge, spacing, stiffness), measured })
     };
     let [soft, hard] = SOFT_AND_HARD;
-    Ok([steps(soft)?, steps(hard)?])
+    Ok([iterations(soft)?, iterations(hard)?])
 }

@@ -5,10 +5,10 @@ use crate::error::Error;
 use crate::measure::larger;
 use crate::solution::Outcome;
 use crate::study::stability::fixed_target::{NEAR, Target, end, progress};
-use crate::study::stability::halving::{Law, Mesh, PIN_ELEMENTS, Scene, Steps};
+use crate::study::stability::halving::{Law, Mesh, PIN_ELEMENTS, Scene, Iterations};
 use crate::study::stability::{Numbers, basin, failing, fixed_target, rates};
 
-/// Rates between which prediction and measurement are compared: faster ones leave no steps to measure.
+/// Rates between which prediction and measurement are compared: faster ones leave no iterations to measure.
 const MEASURABLE: [f64; 2] = [0.05, 0.999];
 /// Where the slope of the linearised iteration over the measured errors differs from ln ρ by more than this, the start
 /// hardly holds the slowest mode and round-off comes before it is alone: the linearised slope is the prediction.
@@ -17,9 +17,9 @@ const ALONE: f64 = 0.02;
 const COMPARED: f64 = 3.0;
 /// Error of ln ρ that is accepted.
 const ACCEPTED: f64 = 0.05;
-/// Towards fixed springs a start is not judged that ends about where the limit of steps is: [`progress`] between these.
+/// Towards fixed springs a start is not judged that ends about where the limit of iterations is: [`progress`] between these.
 const CRAWLING: std::ops::Range<f64> = 0.98..1.02;
-/// Steps within which the halving law is met.
+/// Iterations within which the halving law is met.
 const HALVINGS: f64 = 1.0;
 
 /// The checks of a trial.
@@ -74,7 +74,7 @@ pub fn followed(start: &rates::Start) -> Option<Judged> {
     slope.map(|slope| against("linearised iteration", start.stiffness, slope, start.measured.unwrap_or(f64::NAN)))
 }
 
-/// Measured against predicted rate, by their logarithms: the steps a decade takes.
+/// Measured against predicted rate, by their logarithms: the iterations a decade takes.
 pub fn rate_check(stiffness: f64, predicted: f64, measured: f64) -> Judged {
     against("spectral radius", stiffness, predicted, measured)
 }
@@ -111,7 +111,7 @@ fn fixed_target(targets: &[Target]) -> Vec<Judged> {
                  converges although they are not",
                 format!("of {}", judged.len()),
             ),
-            format!("at every start farther than a factor of {NEAR} from the boundary; where it merely crawls, predicted steps against the limit"),
+            format!("at every start farther than a factor of {NEAR} from the boundary; where it merely crawls, predicted iterations against the limit"),
         )
         .judge(count(judged.iter().filter(ends_otherwise).count(), judged.len())),
         Check::error(
@@ -121,7 +121,7 @@ fn fixed_target(targets: &[Target]) -> Vec<Judged> {
             ),
             Reference::own("spectral radius", 0.0),
             ACCEPTED,
-            "over forty steps, once the slowest mode is alone",
+            "over forty iterations, once the slowest mode is alone",
         )
         .judge(errors.into_iter().reduce(larger).unwrap_or(f64::NAN)),
     ]
@@ -161,12 +161,12 @@ fn failing(starts: &[failing::Start]) -> Vec<Judged> {
 }
 
 fn halved(mesh: &Mesh) -> [Judged; 2] {
-    let Mesh { stretch, elements, steps } = mesh;
-    steps.map(|Steps { stiffness, predicted, measured }| {
-        let measured = measured.map_or(f64::NAN, |steps| steps as f64);
+    let Mesh { stretch, elements, iterations } = mesh;
+    iterations.map(|Iterations { stiffness, predicted, measured }| {
+        let measured = measured.map_or(f64::NAN, |iterations| iterations as f64);
         Check::error(
             Quantity::at(
-                "number of steps of kinematic load off the halving law",
+                "number of iterations of kinematic load off the halving law",
                 format!("L/a = {stretch}, {elements} per half-width, κ₀ = {stiffness:e}"),
             ),
             Reference::own("halving of L² − a²", 0.0),
@@ -177,9 +177,9 @@ fn halved(mesh: &Mesh) -> [Judged; 2] {
     })
 }
 
-/// The pin-rod, whose contact is no Hertz contact: the law is not asked how many steps, but how many more on a finer mesh.
+/// The pin-rod, whose contact is no Hertz contact: the law is not asked how many iterations, but how many more on a finer mesh.
 fn twice_the_elements(law: &Law) -> Judged {
-    let measured = |mesh: &Mesh| mesh.steps.map(|steps| steps.measured.map_or(f64::NAN, |steps| steps as f64));
+    let measured = |mesh: &Mesh| mesh.iterations.map(|iterations| iterations.measured.map_or(f64::NAN, |iterations| iterations as f64));
     let more = law.meshes.chunks_exact(PIN_ELEMENTS.len()).flat_map(|pair| {
         let [coarse, fine] = [measured(&pair[0]), measured(&pair[1])];
         [fine[0] - coarse[0], fine[1] - coarse[1]]
@@ -187,7 +187,7 @@ fn twice_the_elements(law: &Law) -> Judged {
     let more: Vec<f64> = more.collect();
     Check::at_most(
         Quantity::at(
-            "largest number of steps of kinematic load that twice the elements cost",
+            "largest number of iterations of kinematic load that twice the elements cost",
             format!("{} pairs of meshes", more.len()),
         ),
         Reference::own("halving of L² − a²", HALVINGS),

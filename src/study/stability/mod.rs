@@ -5,7 +5,7 @@
 //! * `fixed_target` — constant stiffness towards given springs: whether and how fast.
 //! * `basin` — varying stiffness with `correction`: what attracts nearby, and what happens from afar.
 //! * `failing` — why `secant` and `literal` fail with constant stiffness.
-//! * `halving` — steps of kinematic load.
+//! * `halving` — iterations of kinematic load.
 //! * `plan` — all of them, by element or by scene.
 //! * `judge` — the predictions hold.
 //! * `section`, `tables` — predictions beside measurements.

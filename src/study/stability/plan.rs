@@ -26,7 +26,7 @@ pub fn plan() -> Vec<Planned<Numbers>> {
     trials.extend(by_element("constant stiffness, rules that fail", |e| failing::failing(e).map(Numbers::Failing)));
     trials.extend(Scene::ALL.map(|scene| {
         let run = move || halving::law(scene).map(Numbers::Halving);
-        Planned::new("predicted steps of kinematic load", scene.name(), run)
+        Planned::new("predicted iterations of kinematic load", scene.name(), run)
     }));
     trials
 }

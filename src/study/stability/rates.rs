@@ -15,14 +15,14 @@ use crate::study::stability::ground;
 /// Initial stiffnesses of the rate studies: constant stiffness depends on them, varying stiffness does not.
 const STARTS: [f64; 9] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0];
 const FEW_STARTS: [f64; 3] = [0.1, 3.0, 100.0];
-/// Misplaced force between which the rate is measured, in the latter half of the steps: below the first the contact set is
+/// Misplaced force between which the rate is measured, in the latter half of the iterations: below the first the active set is
 /// final, above the last is no round-off.
 const WINDOW: [f64; 2] = [1e-5, 2e-12];
 /// The least error of a run, times this, is still above what springs at their limit leave.
 const ABOVE_LEAST: f64 = 20.0;
-/// Steps that half must hold.
+/// Iterations that half must hold.
 const STEPS: usize = 20;
-/// Tolerance and limit of steps of a run whose rate is measured.
+/// Tolerance and limit of iterations of a run whose rate is measured.
 const TOLERANCE: f64 = 1e-12;
 const LIMIT: usize = 12_000;
 
@@ -35,7 +35,7 @@ pub struct Start {
     pub predicted: f64,
     /// Slope of the linearised iteration over the measured errors; constant stiffness alone has one.
     pub linearised: Option<f64>,
-    /// Measured rate; none where there are too few steps to measure it.
+    /// Measured rate; none where there are too few iterations to measure it.
     pub measured: Option<f64>,
 }
 
@@ -48,7 +48,7 @@ pub fn rates(method: Method) -> Result<Vec<Start>, Error> {
 
 fn start(discretisation: &Discretisation, method: Method, stiffness: f64) -> Result<Start, Error> {
     let mut formulation = method.formulation(stiffness).tolerance(TOLERANCE);
-    formulation.settings.max_steps = LIMIT;
+    formulation.settings.max_iterations = LIMIT;
     let measured = measured(&discretisation.solve(&formulation)?);
     Ok(Start {
         stiffness,
@@ -78,9 +78,9 @@ struct Measured {
     to: f64,
 }
 
-/// Slope of the errors in the latter half of the window; none where that holds too few steps.
+/// Slope of the errors in the latter half of the window; none where that holds too few iterations.
 fn measured(solution: &Solution) -> Option<Measured> {
-    let errors: Vec<f64> = solution.history.iter().map(|step| step.error.force).collect();
+    let errors: Vec<f64> = solution.history.iter().map(|iteration| iteration.error.force).collect();
     let least = errors.iter().copied().fold(f64::INFINITY, f64::min);
     let [from, to] = [WINDOW[0], WINDOW[1].max(ABOVE_LEAST * least)];
     let first = errors.iter().rposition(|r| *r > from).map_or(0, |index| index + 1);
@@ -93,7 +93,7 @@ fn measured(solution: &Solution) -> Option<Measured> {
     Some(Measured { rate: weighted_line(&line).1.exp(), from: latter[0], to: latter[latter.len() - 1] })
 }
 
-/// Mean slope of constant stiffness linearised on its final contact set, between the errors that were measured.
+/// Mean slope of constant stiffness linearised on its final active set, between the errors that were measured.
 fn linearised(
     discretisation: &Discretisation,
     formulation: &Formulation,
@@ -105,6 +105,6 @@ fn linearised(
     let points: Vec<ContactPoint> = discretisation.points(formulation);
     let problem = discretisation.problem(formulation, &points);
     let limit = ground::limit(&problem)?;
-    let steps = |tolerance: f64| linear::steps(&problem, &limit, |error| error.force, tolerance);
-    Ok(steps(from).zip(steps(to)).map(|(first, last)| ((to / from).ln() / (last - first)).exp()))
+    let iterations = |tolerance: f64| linear::iterations(&problem, &limit, |error| error.force, tolerance);
+    Ok(iterations(from).zip(iterations(to)).map(|(first, last)| ((to / from).ln() / (last - first)).exp()))
 }

@@ -33,7 +33,7 @@ given.\n\n";
 
 const RATES: &str = "### Rates of constant and varying stiffness\n\n\
 The asymptotic rate of an iteration is the spectral radius of its error's matrix on the final active set, made of the flexibility \
-of the contact and of its springs; – where too few steps lie between the final active set and round-off. Truncated Hertz, contact \
+of the contact and of its springs; – where too few iterations lie between the final active set and round-off. Truncated Hertz, contact \
 edge between two nodes. Where a start hardly holds the slowest mode, round-off comes before that is alone: the spectral radius is \
 not what is measured then, and the prediction is the iteration linearised on the final active set and followed from its start over \
 the same errors.\n\n";
@@ -48,6 +48,6 @@ Next to the contact it is stable while 2 (S + K*) − max(K*, K₀) is positive 
 k* → 0, κ₀ must remain below about twice the stiffness of the bodies. From equal springs, farther away, that is no promise.\n\n";
 
 const HALVING: &str = "\n### Kinematic load: the halving law\n\n\
-Started with every candidate closed it shrinks the contact by halving L² − a². By that law the paper's *two steps for any initial \
-stiffness* need candidates that end at the contact edge, L = a; elsewhere each halving of the mesh costs one step more. It is a law \
+Started with every candidate closed it shrinks the contact by halving L² − a². By that law the paper's *two iterations for any initial \
+stiffness* need candidates that end at the contact edge, L = a; elsewhere each halving of the mesh costs one iteration more. It is a law \
 of nodes: the Gauss points of line and layer elements have an alternating mode that it does not know.\n\n";

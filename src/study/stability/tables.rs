@@ -101,8 +101,8 @@ pub fn basin(findings: &[Found<Numbers>]) -> String {
     let head = ["element", "κ₀", "predicted ρ", "next to the contact", "from equal springs"];
     let row = |element: &str, start: &basin::Start| {
         let far = match start.far {
-            Far::Ended(outcome, steps) => format!("{outcome} after {steps}"),
-            Far::NoSpringLeft(steps) => format!("no spring left after {steps}"),
+            Far::Ended(outcome, iterations) => format!("{outcome} after {iterations}"),
+            Far::NoSpringLeft(iterations) => format!("no spring left after {iterations}"),
         };
         let near = if start.stays { "stays" } else { "leaves" };
         vec![element.into(), start.stiffness.to_string(), format!("{:.3}", start.predicted), near.into(), far]
@@ -113,7 +113,7 @@ pub fn basin(findings: &[Found<Numbers>]) -> String {
     })
 }
 
-/// Predicted and measured steps, a folded table for each scene.
+/// Predicted and measured iterations, a folded table for each scene.
 pub fn halving(findings: &[Found<Numbers>]) -> String {
     let folded = |found: &Found<Numbers>| {
         let Numbers::Halving(law) = found.numbers else { return None };
@@ -127,16 +127,16 @@ fn law_table(law: &Law) -> String {
     let pin_rod = law.scene == Scene::PinRod;
     let [stretch, elements] =
         if pin_rod { ["L / last closed point", "elements per 10 mm"] } else { ["L/a", "elements per a"] };
-    let starts = law.meshes.first().into_iter().flat_map(|mesh| mesh.steps);
-    let starts = starts.map(|steps| format!("predicted / measured, κ₀ = {:e}", steps.stiffness));
+    let starts = law.meshes.first().into_iter().flat_map(|mesh| mesh.iterations);
+    let starts = starts.map(|iterations| format!("predicted / measured, κ₀ = {:e}", iterations.stiffness));
     let head: Vec<String> = [stretch, elements].map(String::from).into_iter().chain(starts).collect();
     let row = |mesh: &Mesh| {
         let stretch = if pin_rod { format!("{:.2}", mesh.stretch) } else { mesh.stretch.to_string() };
-        let steps = mesh.steps.map(|steps| {
-            let measured = steps.measured.map_or("not converged".into(), |measured| measured.to_string());
-            format!("{} / {measured}", steps.predicted)
+        let iterations = mesh.iterations.map(|iterations| {
+            let measured = iterations.measured.map_or("not converged".into(), |measured| measured.to_string());
+            format!("{} / {measured}", iterations.predicted)
         });
-        [stretch, mesh.elements.to_string()].into_iter().chain(steps).collect()
+        [stretch, mesh.elements.to_string()].into_iter().chain(iterations).collect()
     };
     markdown::table(&head, &law.meshes.iter().map(row).collect::<Vec<_>>())
 }

@@ -14,7 +14,7 @@ const SLACK: f64 = 3.0;
 pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
     let (error, tolerance, starts) = match numbers {
         Numbers::Sweep(sweep) => {
-            (sweep.error, sweep.formulation.settings.tolerance, format!("{} starts converge", sweep.steps.points.len()))
+            (sweep.error, sweep.formulation.settings.tolerance, format!("{} starts converge", sweep.iterations.points.len()))
         }
         Numbers::Rules(rules) => {
             let errors = || rules.iter().flat_map(|rule| &rule.runs).filter_map(|run| run.error);

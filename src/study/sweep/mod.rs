@@ -1,4 +1,4 @@
-//! Steps against initial stiffness (the paper's Fig. 11), the condition of its "two steps", and the rules of each algorithm.
+//! Iterations against initial stiffness (the paper's Fig. 11), the condition of its "two iterations", and the rules of each algorithm.
 //!
 //! * `scene` — what is swept, and over which stiffnesses.
 //! * `plan` — both scenes under all nine formulations, candidates that end at the contact edge, all rules.

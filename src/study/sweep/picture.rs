@@ -1,4 +1,4 @@
-//! Steps against initial stiffness, one panel per scene and algorithm.
+//! Iterations against initial stiffness, one panel per scene and algorithm.
 
 use crate::error::Error;
 use crate::figure::{Axis, Chart, panels};
@@ -17,13 +17,13 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Er
     let sweeps: Vec<&Sweep> = sweeps.collect();
     let panels_of = |scene| Iteration::ALL.map(|algorithm| panel(&sweeps, scene, algorithm));
     let charts: Vec<Chart> = Scene::PAPER.into_iter().flat_map(panels_of).collect();
-    Ok(vec![("steps-against-stiffness.svg".into(), panels("Steps against initial stiffness", &charts, 3)?)])
+    Ok(vec![("iterations-against-stiffness.svg".into(), panels("Iterations against initial stiffness", &charts, 3)?)])
 }
 
 fn panel(sweeps: &[&Sweep], scene: Scene, algorithm: Iteration) -> Chart {
     let title = format!("{}: {}", scene.name(), algorithm.name());
-    let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-3, 1e6), Axis::log("steps").over(1.0, 3000.0));
+    let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-3, 1e6), Axis::log("iterations").over(1.0, 3000.0));
     let own = sweeps.iter().filter(|sweep| sweep.scene == scene && sweep.formulation.algorithm == algorithm);
-    chart.series = own.map(|sweep| sweep.steps.drawn(label(&sweep.formulation), style(&sweep.formulation))).collect();
+    chart.series = own.map(|sweep| sweep.iterations.drawn(label(&sweep.formulation), style(&sweep.formulation))).collect();
     chart
 }

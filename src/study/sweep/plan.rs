@@ -5,7 +5,7 @@ use crate::study::Planned;
 use crate::study::sweep::run::{self, Numbers};
 use crate::study::sweep::scene::Scene;
 
-/// Every formulation on both scenes, the rules, and the condition of "two steps".
+/// Every formulation on both scenes, the rules, and the condition of "two iterations".
 pub fn plan() -> Vec<Planned<Numbers>> {
     let sweep = |scene: Scene, formulation: Formulation| {
         let name = formulation.name();

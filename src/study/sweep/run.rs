@@ -13,21 +13,21 @@ use crate::study::sweep::scene::{Scene, stiffnesses};
 /// What a trial found.
 #[derive(Clone, Debug)]
 pub enum Numbers {
-    /// Steps over initial stiffness.
+    /// Iterations over initial stiffness.
     Sweep(Sweep),
     /// Every rule of every algorithm.
     Rules(Vec<Rule>),
 }
 
-/// Steps of one formulation from every initial stiffness.
+/// Iterations of one formulation from every initial stiffness.
 #[derive(Clone, Debug)]
 pub struct Sweep {
     /// Where.
     pub scene: Scene,
     /// By what.
     pub formulation: Formulation,
-    /// Steps over κ₀; starts without convergence.
-    pub steps: Curve,
+    /// Iterations over κ₀; starts without convergence.
+    pub iterations: Curve,
     /// Largest error of p₀ and a among the runs that converged; none where none did.
     pub error: Option<f64>,
 }
@@ -50,8 +50,8 @@ pub struct End {
     pub stiffness: f64,
     /// Outcome; none where contact reaches the end of the candidate surface, which is refused.
     pub outcome: Option<String>,
-    /// Steps, where it converged.
-    pub steps: Option<usize>,
+    /// Iterations, where it converged.
+    pub iterations: Option<usize>,
     /// Error of p₀ and a, where it converged.
     pub error: Option<f64>,
 }
@@ -63,17 +63,17 @@ pub(super) const STARTS: [f64; 3] = [0.1, 1.0, 10.0];
 pub(super) fn sweep(scene: Scene, formulation: &Formulation) -> Result<Numbers, Error> {
     let case = scene.case();
     let discretisation = Discretisation::of(case.scene, case.resolution)?;
-    let (mut steps, mut error) = (Curve::default(), None);
+    let (mut iterations, mut error) = (Curve::default(), None);
     for stiffness in stiffnesses() {
         let run = Run::of(&discretisation, &Formulation { stiffness, ..formulation.clone() })?;
         if !run.solution.converged() {
-            steps.failed.push(stiffness);
+            iterations.failed.push(stiffness);
             continue;
         }
-        steps.points.push([stiffness, run.solution.work.steps as f64]);
+        iterations.points.push([stiffness, run.solution.work.iterations as f64]);
         error = Some(error.map_or(run.iteration_error(), |worst| larger(worst, run.iteration_error())));
     }
-    Ok(Numbers::Sweep(Sweep { scene, formulation: formulation.clone(), steps, error }))
+    Ok(Numbers::Sweep(Sweep { scene, formulation: formulation.clone(), iterations, error }))
 }
 
 /// Every rule of every algorithm on the cylinder, node element.
@@ -97,7 +97,7 @@ fn end(discretisation: &Discretisation, formulation: &Formulation) -> Result<End
     let run = match Run::of(discretisation, formulation) {
         // Soft springs of a penalty spread the contact beyond any candidates.
         Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => {
-            return Ok(End { stiffness, outcome: None, steps: None, error: None });
+            return Ok(End { stiffness, outcome: None, iterations: None, error: None });
         }
         run => run?,
     };
@@ -105,7 +105,7 @@ fn end(discretisation: &Discretisation, formulation: &Formulation) -> Result<End
     Ok(End {
         stiffness,
         outcome: Some(run.solution.outcome.to_string()),
-        steps: converged.then_some(run.solution.work.steps),
+        iterations: converged.then_some(run.solution.work.iterations),
         error: converged.then(|| run.iteration_error()),
     })
 }

@@ -11,8 +11,8 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let mut text = String::from("## Elements and iterations\n\n");
     text += &picture("contact-elements.svg", "The three contact elements");
     text += &picture(
-        "steps-against-stiffness.svg",
-        "Steps against initial stiffness; runs that did not converge are drawn as hollow markers above the chart",
+        "iterations-against-stiffness.svg",
+        "Iterations against initial stiffness; runs that did not converge are drawn as hollow markers above the chart",
     );
     let rules = findings.iter().filter_map(|found| match found.numbers {
         Numbers::Rules(rules) => Some(rules),
@@ -29,11 +29,11 @@ fn row(rule: &Rule) -> Vec<String> {
     [rule.algorithm, rule.rule].map(String::from).into_iter().chain(ends).collect()
 }
 
-/// How a run ended, with its steps where it converged.
+/// How a run ended, with its iterations where it converged.
 fn end(run: &End) -> String {
-    match (&run.outcome, run.steps) {
+    match (&run.outcome, run.iterations) {
         (None, _) => "refused: contact reaches the end of the candidate surface".into(),
-        (Some(outcome), Some(steps)) => format!("{outcome}, {steps} steps"),
+        (Some(outcome), Some(iterations)) => format!("{outcome}, {iterations} iterations"),
         (Some(outcome), None) => outcome.clone(),
     }
 }

@@ -55,13 +55,13 @@ pub fn measure(case: &Case) -> Result<DefaultMesh, Error> {
         let (found, wanted) = (run.measures(), finer.measures());
         let [peak, half_width] =
             [found.peak.pressure / wanted.peak.pressure - 1.0, found.half_width / wanted.half_width - 1.0];
-        Ok(Tried { growth, dofs: run.freedoms, peak, half_width })
+        Ok(Tried { growth, dofs: run.dofs, peak, half_width })
     };
     let is_other = |growth: &[f64; 3]| growth.map(f64::to_bits) != own.map(f64::to_bits);
     Ok(DefaultMesh {
         scene: case.name.clone(),
         elements,
-        finer_dofs: finer.freedoms,
+        finer_dofs: finer.dofs,
         own: tried(own)?,
         others: TRIED.into_iter().filter(is_other).map(tried).collect::<Result<_, _>>()?,
     })

@@ -66,11 +66,11 @@ pub struct Counts {
     /// Times halved.
     pub refinement: u32,
     /// Unknown displacement components.
-    pub freedoms: usize,
+    pub dofs: usize,
     /// Retained normal displacements.
     pub retained: usize,
-    /// Steps of the contact iteration.
-    pub steps: usize,
+    /// Iterations of the contact iteration.
+    pub iterations: usize,
     /// Entries of the sparse factor.
     pub factor_entries: usize,
     /// Operations of the sparse factorisation.
@@ -87,17 +87,17 @@ pub fn counts(elements: usize, refinement: u32) -> Result<Counts, Error> {
     let scene = Cylinder::default().scene();
     let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
     let solution = discretisation.solve(&Formulation::verification())?;
-    Ok(counted(&discretisation, (elements, refinement), solution.work.steps))
+    Ok(counted(&discretisation, (elements, refinement), solution.work.iterations))
 }
 
-fn counted(discretisation: &Discretisation, (elements, refinement): (usize, u32), steps: usize) -> Counts {
+fn counted(discretisation: &Discretisation, (elements, refinement): (usize, u32), iterations: usize) -> Counts {
     let condensed = &discretisation.condensed;
     Counts {
         elements,
         refinement,
-        freedoms: discretisation.system.freedoms(),
+        dofs: discretisation.system.dofs(),
         retained: condensed.retained(),
-        steps,
+        iterations,
         factor_entries: condensed.factor_entries(),
         factor_operations: condensed.operations(),
     }
@@ -163,7 +163,7 @@ fn once(elements: usize, refinement: u32) -> Result<Once, Error> {
     let again = Instant::now();
     std::hint::black_box(discretisation.solve_from(Origin::From(&solution), &Formulation::verification(), change)?);
     let again = again.elapsed().as_secs_f64();
-    let counts = counted(&discretisation, (elements, refinement), solution.work.steps);
+    let counts = counted(&discretisation, (elements, refinement), solution.work.iterations);
     let Discretisation { scene, mesh, .. } = discretisation;
     let assembly_on_all = assembly_on_all_threads(&scene, &mesh)?;
     Ok(Once { counts, stages: clock.seconds, again, assembly_on_all })
@@ -202,10 +202,10 @@ pub struct Nine {
     pub counts: Counts,
     /// All nine.
     pub all: [Spread; 2],
-    /// Those six of them that do not factorise at every step until springs die out.
+    /// Those six of them that do not factorise at every iteration until springs die out.
     pub without_varying: [Spread; 2],
-    /// Steps of varying stiffness with its three elements.
-    pub varying_steps: usize,
+    /// Iterations of varying stiffness with its three elements.
+    pub varying_iterations: usize,
 }
 
 /// Measures the nine at their own defaults on one mesh, so many times.
@@ -226,10 +226,10 @@ pub fn nine((elements, refinement): (usize, u32), repeats: usize) -> Result<Nine
         }
     }
     let none = || Error::at(Place::Nowhere, "nothing was measured", "repeat at least once");
-    let OnceNine { steps, varying_steps, .. } = last.ok_or_else(none)?;
+    let OnceNine { iterations, varying_iterations, .. } = last.ok_or_else(none)?;
     let spreads = |lists: [Vec<f64>; 2]| lists.map(|list| Spread::of(&list));
-    let counts = counted(&discretisation, (elements, refinement), steps);
-    Ok(Nine { counts, all: spreads(all), without_varying: spreads(six), varying_steps })
+    let counts = counted(&discretisation, (elements, refinement), iterations);
+    Ok(Nine { counts, all: spreads(all), without_varying: spreads(six), varying_iterations })
 }
 
 /// Seconds of the condensation that all share, of the single solve, and of the nine.
@@ -238,8 +238,8 @@ struct OnceNine {
     single: f64,
     others: f64,
     varying: f64,
-    steps: usize,
-    varying_steps: usize,
+    iterations: usize,
+    varying_iterations: usize,
 }
 
 /// Mesh to displacements by the single formulation and by the nine, these side by side on the threads at hand.
@@ -256,11 +256,11 @@ fn once_all_nine(elements: usize, refinement: u32) -> Result<OnceNine, Error> {
         std::hint::black_box(discretisation.condensed.recover_all(&retained));
         Ok((clock.elapsed().as_secs_f64(), solutions))
     };
-    let steps = |solutions: &[Solution]| solutions.iter().map(|solution| solution.work.steps).sum();
+    let iterations = |solutions: &[Solution]| solutions.iter().map(|solution| solution.work.iterations).sum();
     let (varying, others): (Vec<_>, Vec<_>) =
         Formulation::nine().into_iter().partition(|formulation| formulation.algorithm == Iteration::Varying);
     let (single, one) = solved(&[Formulation::verification()])?;
     let (others, _) = solved(&others)?;
     let (varying, three) = solved(&varying)?;
-    Ok(OnceNine { shared, single, others, varying, steps: steps(&one), varying_steps: steps(&three) })
+    Ok(OnceNine { shared, single, others, varying, iterations: iterations(&one), varying_iterations: iterations(&three) })
 }

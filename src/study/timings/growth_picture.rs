@@ -60,7 +60,7 @@ pub fn growth(growth: &[Growth]) -> Result<String, Error> {
 
 /// A curve with its exponent, fitted to the larger meshes, in the legend.
 fn grown(growth: &[Growth], name: &str, of: &dyn Fn(&Growth) -> f64, style: Style) -> Series {
-    let points: Vec<[f64; 2]> = growth.iter().map(|g| [g.counts.freedoms as f64, of(g)]).collect();
+    let points: Vec<[f64; 2]> = growth.iter().map(|g| [g.counts.dofs as f64, of(g)]).collect();
     let large: Vec<[f64; 2]> = points.iter().copied().filter(|p| p[0] >= LARGE && p[1] > 0.0).collect();
     Series {
         label: format!("{name}: ∝ n^{:.2}", exponent(&large)),

@@ -25,10 +25,10 @@ pub fn section(record: &Record) -> String {
 
 /// How the counted operations grow, which seconds follow in the end.
 fn operations(record: &Record) -> String {
-    let large = record.measured.growth.iter().map(|one| &one.counts).filter(|counts| counts.freedoms as f64 >= LARGE);
+    let large = record.measured.growth.iter().map(|one| &one.counts).filter(|counts| counts.dofs as f64 >= LARGE);
     let (operations, entries): (Vec<_>, Vec<_>) = large
         .map(|counts| {
-            let n = counts.freedoms as f64;
+            let n = counts.dofs as f64;
             ([n, counts.factor_operations], [n, counts.factor_entries as f64])
         })
         .unzip();
@@ -55,9 +55,9 @@ fn stages(record: &Record) -> String {
     let rows: Vec<Vec<String>> = Stage::ALL.into_iter().map(row).collect();
     format!(
         "### Where the time goes\n\nThe default cylinder, {} degrees of freedom, {} retained, {} iterations:\n\n{}\n",
-        one.counts.freedoms,
+        one.counts.dofs,
         one.counts.retained,
-        one.counts.steps,
+        one.counts.iterations,
         markdown::table(&["stage", "ms", "share", ""].map(String::from), &rows)
     )
 }
@@ -65,14 +65,14 @@ fn stages(record: &Record) -> String {
 /// Where other codes spend their time on the way to 0.1 %, and where we do.
 fn stage_for_stage(record: &Record) -> String {
     let mut rows = Vec::new();
-    let mut row = |code: String, freedoms: usize, stages: &Stages| {
+    let mut row = |code: String, dofs: usize, stages: &Stages| {
         let milliseconds = [stages.stiffness, stages.linear, stages.rest].map(|s| markdown::significant(1e3 * s, 2));
-        rows.push([vec![code, freedoms.to_string()], milliseconds.into()].concat());
+        rows.push([vec![code, dofs.to_string()], milliseconds.into()].concat());
     };
     for beside in &record.measured.beside {
         if let (Some(theirs), Some(own)) = (theirs(record, beside.code), cheapest(&record.points)) {
-            row(format!("{} {}", theirs.code, theirs.version), theirs.freedoms, &theirs.stages);
-            row(format!("ours beside {}", beside.code), own.freedoms, &beside.stages);
+            row(format!("{} {}", theirs.code, theirs.version), theirs.dofs, &theirs.stages);
+            row(format!("ours beside {}", beside.code), own.dofs, &beside.stages);
         }
     }
     if rows.is_empty() {
@@ -95,8 +95,8 @@ fn peers(record: &Record) -> String {
             let percent = |x: f64| format!("{:.2} %", 100.0 * x);
             vec![
                 format!("{} {}", p.code.name(), p.version),
-                p.freedoms.to_string(),
-                p.steps.to_string(),
+                p.dofs.to_string(),
+                p.iterations.to_string(),
                 markdown::significant(p.seconds.median, 3),
                 markdown::significant(p.ours.median, 3),
                 format!("{:.0}", p.seconds.median / p.ours.median),

@@ -48,7 +48,7 @@ fn is_same(kept: &Point, fresh: &Point) -> bool {
     let pairs = [
         (kept.sparse_operations, fresh.sparse_operations),
         (kept.dense_operations, fresh.dense_operations),
-        (kept.steps, fresh.steps),
+        (kept.iterations, fresh.iterations),
         (kept.peak, fresh.peak),
         (kept.peak_worst, fresh.peak_worst),
         (kept.half_width, fresh.half_width),
@@ -56,7 +56,7 @@ fn is_same(kept: &Point, fresh: &Point) -> bool {
         (kept.l2, fresh.l2),
         (kept.l2_worst, fresh.l2_worst),
     ];
-    kept.freedoms == fresh.freedoms && kept.converged == fresh.converged && pairs.into_iter().all(|(a, b)| near(a, b))
+    kept.dofs == fresh.dofs && kept.converged == fresh.converged && pairs.into_iter().all(|(a, b)| near(a, b))
 }
 
 fn counts_as_recorded(Recounted { recorded, fresh }: &Recounted) -> Judged {

@@ -40,7 +40,7 @@ pub struct OtherPoint {
     /// Mesh as it was asked for.
     pub mesh: String,
     /// Displacement components.
-    pub freedoms: usize,
+    pub dofs: usize,
     /// Seconds, median over the loads.
     pub seconds: f64,
     /// What of them went where.
@@ -66,7 +66,7 @@ pub struct Stages {
     pub stiffness: f64,
     /// Ordering, factorisation and solution of the sparse system, as often as it is done.
     pub linear: f64,
-    /// Contact rows, steps, and all else; with us the mesh too.
+    /// Contact rows, iterations, and all else; with us the mesh too.
     pub rest: f64,
 }
 
@@ -101,9 +101,9 @@ pub struct PeerPoint {
     /// Times halved.
     pub refinement: u32,
     /// Our degrees of freedom.
-    pub freedoms: usize,
-    /// Steps of its iteration.
-    pub steps: usize,
+    pub dofs: usize,
+    /// Iterations of its iteration.
+    pub iterations: usize,
     /// Seconds by its own account.
     pub seconds: Spread,
     /// What they count.
@@ -179,7 +179,7 @@ pub fn precision(code: Code) -> Result<Result<Vec<OtherPoint>, String>, Error> {
             code,
             version: line["version"].as_str().unwrap_or("unknown").into(),
             mesh: line["mesh"].to_string(),
-            freedoms: line["freedoms"].as_u64().unwrap_or(0) as usize,
+            dofs: line["freedoms"].as_u64().unwrap_or(0) as usize,
             seconds,
             stages: Stages { stiffness, linear, rest: seconds - stiffness - linear },
             peak: peak.median,
@@ -228,7 +228,7 @@ impl Peer {
 pub fn cylinder(peer: Peer) -> Result<Result<Vec<PeerPoint>, String>, Error> {
     let mut points = Vec::new();
     for (elements, refinement, repeats) in SHARED {
-        let (file, ours, our_errors, freedoms) = exported(elements, refinement)?;
+        let (file, ours, our_errors, dofs) = exported(elements, refinement)?;
         let told = run(peer.script(), &[file.display().to_string(), repeats.to_string()], "");
         // The file is in the build's own folder: nothing is lost if it cannot be removed.
         let _ = std::fs::remove_file(&file);
@@ -246,8 +246,8 @@ pub fn cylinder(peer: Peer) -> Result<Result<Vec<PeerPoint>, String>, Error> {
             version: line["version"].as_str().unwrap_or("unknown").into(),
             elements,
             refinement,
-            freedoms,
-            steps: line["steps"].as_u64().unwrap_or(0) as usize,
+            dofs,
+            iterations: line["steps"].as_u64().unwrap_or(0) as usize,
             seconds: Spread::of(&seconds),
             counted: line["counted"].as_str().unwrap_or_default().into(),
             ours,
@@ -271,5 +271,5 @@ fn exported(elements: usize, refinement: u32) -> Result<(PathBuf, Spread, [f64; 
     let file = root().join("target").join(format!("cylinder-{elements}-{refinement}.json"));
     handed_over::export(&discretisation, &file)?;
     let ours = growth::contact_seconds(elements, refinement, 5)?;
-    Ok((file, ours, errors, run.freedoms))
+    Ok((file, ours, errors, run.dofs))
 }

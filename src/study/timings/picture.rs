@@ -129,7 +129,7 @@ fn what_pays(record: &Record) -> Result<String, Error> {
     ];
     let cells = [(4, palette::ORANGE, Marker::Square), (8, palette::PURPLE, Marker::Circle)];
     let mut charts = Vec::new();
-    let axes = [("degrees of freedom", (|p| p.freedoms as f64) as fn(&Point) -> f64), ("seconds", |p| p.seconds)];
+    let axes = [("degrees of freedom", (|p| p.dofs as f64) as fn(&Point) -> f64), ("seconds", |p| p.seconds)];
     for (axis, cost) in axes {
         let mut chart = Chart::new("Cells and grading, node", Axis::log(axis), Axis::log("larger error of p₀ and a"));
         for (nodes, colour, marker) in cells {

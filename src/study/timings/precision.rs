@@ -58,13 +58,13 @@ pub struct Point {
     /// Contact element and algorithm.
     pub formulation: Pairing,
     /// Unknown displacement components.
-    pub freedoms: usize,
+    pub dofs: usize,
     /// Operations of the sparse factorisation.
     pub sparse_operations: f64,
     /// Operations of the iteration, median.
     pub dense_operations: f64,
-    /// Steps, median.
-    pub steps: f64,
+    /// Iterations, median.
+    pub iterations: f64,
     /// Loads of eight that converged; the errors are numbers only where all do.
     pub converged: usize,
     /// Seconds from the scene to the pressures, median.
@@ -200,10 +200,10 @@ fn point(family: Family, order: Order, elements: usize, formulation: &Formulatio
         cell_nodes: order.nodes_per_cell(),
         elements,
         formulation: Pairing::of(formulation),
-        freedoms: first.freedoms,
+        dofs: first.dofs,
         sparse_operations: first.sparse_operations,
         dense_operations: over(&|one| one.run.solution.work.operations).median,
-        steps: over(&|one| one.run.solution.work.steps as f64).median,
+        iterations: over(&|one| one.run.solution.work.iterations as f64).median,
         converged: loaded.iter().filter(|one| one.run.solution.converged()).count(),
         seconds: over(&|one| one.run.seconds.iter().map(|(_, seconds)| seconds).sum()).median,
         peak: peak.median,

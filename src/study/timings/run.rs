@@ -44,7 +44,7 @@ pub struct Recounted {
 impl Recounted {
     /// Recorded counts that are counted again.
     pub fn kept(recorded: &Measured) -> impl Iterator<Item = &Counts> {
-        recorded.growth.iter().map(|one| &one.counts).filter(|counts| counts.freedoms <= RECOUNTED)
+        recorded.growth.iter().map(|one| &one.counts).filter(|counts| counts.dofs <= RECOUNTED)
     }
 }
 

@@ -118,7 +118,7 @@ fn what_pays(record: &Record) -> String {
 fn needed(points: &[&Point], error: f64) -> String {
     let enough = points.iter().filter(|point| point.error() <= error);
     let cheapest = enough.min_by(|a, b| a.seconds.total_cmp(&b.seconds));
-    cheapest.map_or("–".into(), |p| format!("{}, {} ms", p.freedoms, markdown::significant(1e3 * p.seconds, 2)))
+    cheapest.map_or("–".into(), |p| format!("{}, {} ms", p.dofs, markdown::significant(1e3 * p.seconds, 2)))
 }
 
 /// What growth the scenes have by default, and what others would change.

@@ -36,13 +36,13 @@ const REPEATS: usize = 10;
 /// All rows.
 pub fn targets(record: &Record) -> Vec<Target> {
     let growth = &record.measured.growth;
-    let near = |freedoms: f64| {
-        let apart = |n: usize| (n as f64 / freedoms).ln().abs();
-        growth.iter().min_by(|a, b| apart(a.counts.freedoms).total_cmp(&apart(b.counts.freedoms)))
+    let near = |dofs: f64| {
+        let apart = |n: usize| (n as f64 / dofs).ln().abs();
+        growth.iter().min_by(|a, b| apart(a.counts.dofs).total_cmp(&apart(b.counts.dofs)))
     };
     let mut all = Vec::new();
     for one in SIZES.into_iter().filter_map(near) {
-        let n = one.counts.freedoms;
+        let n = one.counts.dofs;
         all.push(at_most(format!("contact solve ÷ plain solve, {n} dofs"), 1.1, one.ratio.median));
         all.push(at_most(
             format!("assembly ÷ plain solve, {n} dofs, one thread"),
@@ -53,23 +53,23 @@ pub fn targets(record: &Record) -> Vec<Target> {
         all.push(at_most(format!("one more solve ÷ the first, {n} dofs"), 0.02, one.again_ratio.median));
     }
     for nine in &record.measured.nine {
-        let mesh = format!("{} dofs, {} retained", nine.counts.freedoms, nine.counts.retained);
+        let mesh = format!("{} dofs, {} retained", nine.counts.dofs, nine.counts.retained);
         for (threads, k) in [("one thread", 0), ("all threads", 1)] {
             let what = format!("all nine formulations ÷ one, {mesh}, {threads}");
             all.push(at_most(what, 2.0, nine.all[k].median));
         }
-        let without = format!("the same without varying stiffness and its {} iterations, one thread", nine.varying_steps);
+        let without = format!("the same without varying stiffness and its {} iterations, one thread", nine.varying_iterations);
         all.push(at_most(without, 2.0, nine.without_varying[0].median));
     }
     let whole: Vec<[f64; 2]> = (growth.iter())
-        .filter(|one| one.counts.freedoms as f64 >= LARGE)
-        .map(|one| [one.counts.freedoms as f64, one.stages.values().map(|stage| stage.median).sum()])
+        .filter(|one| one.counts.dofs as f64 >= LARGE)
+        .map(|one| [one.counts.dofs as f64, one.stages.values().map(|stage| stage.median).sum()])
         .collect();
     let ends = whole.first().zip(whole.last()).map_or([f64::NAN; 2], |(first, last)| [first[0], last[0]]);
     let what = format!("exponent of the whole time, {} to {} dofs", ends[0], ends[1]);
     all.push(at_most(what, 1.25, exponent(&whole)));
-    for one in growth.iter().filter(|one| one.counts.freedoms as f64 >= 0.7 * SIZES[1]) {
-        let what = format!("peak memory ÷ bytes of the factor, {} dofs", one.counts.freedoms);
+    for one in growth.iter().filter(|one| one.counts.dofs as f64 >= 0.7 * SIZES[1]) {
+        let what = format!("peak memory ÷ bytes of the factor, {} dofs", one.counts.dofs);
         all.push(match one.memory_ratio {
             Some(ratio) => at_most(what, 2.0, ratio),
             None => absent(what, "≤ 2".into()),
@@ -118,9 +118,9 @@ fn to_accuracy(record: &Record, code: Code, asked: f64) -> Target {
             let measured = format!(
                 "{ratio:.1} ({:.1} ms with {} dofs against {:.2} ms with {})",
                 1e3 * theirs.seconds,
-                theirs.freedoms,
+                theirs.dofs,
                 1e3 * ours.median,
-                own.freedoms
+                own.dofs
             );
             Target { measured, ..at_least(what, asked, ratio) }
         }

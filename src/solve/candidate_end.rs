@@ -1,4 +1,4 @@
-//! Contact that goes on beyond the outermost candidates: the pressure found is that of a shorter body, and is refused.
+//! Contact that reaches the end of the candidate surface: the pressure found is that of a shorter body, and is refused.
 
 use std::collections::HashSet;
 
@@ -13,7 +13,7 @@ const SAME: f64 = 1e-9;
 
 /// How deep the surfaces penetrate beyond an outermost candidate, at the worst node.
 #[derive(Clone, Copy, Debug)]
-pub struct Spill {
+pub struct Beyond {
     /// Contact coordinate of that candidate \[mm, or rad on an arc\].
     pub end: f64,
     /// Contact coordinate of the node \[mm, or rad on an arc\].
@@ -61,9 +61,9 @@ pub fn deepest(
     change: Change,
     accepted: f64,
     at: End,
-) -> Result<Option<Spill>, Error> {
+) -> Result<Option<Beyond>, Error> {
     let pair = &interface.pair;
-    let Some(last) = at.outermost(&interface.stations) else { return Ok(None) };
+    let Some(last) = at.outermost(&interface.nodes) else { return Ok(None) };
     let end = last.coordinate;
     let surfaces: Vec<Vec<Surface>> =
         pair.bodies().map(|body| surface(discretisation, interface, body)).collect::<Result<_, _>>()?;
@@ -90,19 +90,19 @@ pub fn deepest(
     let outward =
         |node: &Surface| node.normal[0] * displacement[node.node][0] + node.normal[1] * displacement[node.node][1];
     let depth = |node: &Surface| {
-        let facing = match surfaces.get(1) {
+        let opposite = match surfaces.get(1) {
             None => 0.0,
             // Both normals are those of the first body: the second body's outward one is their opposite.
             Some(other) => -between(other, node.coordinate, outward)?,
         };
-        let penetration = outward(node) + facing - gap(node)? - change.clearance;
-        Some(Spill { end, position: node.coordinate, penetration })
+        let penetration = outward(node) + opposite - gap(node)? - change.clearance;
+        Some(Beyond { end, position: node.coordinate, penetration })
     };
     let depths = surfaces[0].iter().filter(beyond).filter_map(depth);
     Ok(depths.max_by(|a, b| a.penetration.total_cmp(&b.penetration)))
 }
 
-/// Refuses a converged solution whose contact goes on beyond the candidates, by the criterion of the candidates themselves:
+/// Refuses a converged solution whose contact reaches the end of the candidate surface, by the criterion of the candidates themselves:
 /// penetration over the approach that its own force makes within the tolerance.
 ///
 /// Beyond steeply growing elements the next node may lie where the surfaces have parted again. A contact cut short shows all
@@ -130,10 +130,10 @@ fn refuse_one(
     let edges = solution.edges_of(interface.contact);
     for &at in End::of(&interface.pair) {
         match deepest(discretisation, interface, solution, change, accepted, at)? {
-            Some(Spill { end, position, penetration }) if penetration.is_nan() || penetration > accepted => {
+            Some(Beyond { end, position, penetration }) if penetration.is_nan() || penetration > accepted => {
                 return Err(too_short(discretisation, interface, end, Some((position, penetration))));
             }
-            Some(Spill { end, penetration, .. }) if penetration.is_finite() && rises(edges, tolerance, at) => {
+            Some(Beyond { end, penetration, .. }) if penetration.is_finite() && rises(edges, tolerance, at) => {
                 return Err(too_short(discretisation, interface, end, None));
             }
             _ => {}
@@ -144,7 +144,7 @@ fn refuse_one(
 
 /// Error of a contact that reaches the end of the candidate surface, with the deepest penetration beyond, if it is seen.
 fn too_short(discretisation: &Discretisation, interface: &Interface, end: f64, deepest: Option<(f64, f64)>) -> Error {
-    let told = |s: f64| interface.pair.path.told(s);
+    let told = |s: f64| interface.pair.path.reported(s);
     let (end, deepest) = (told(end), deepest.map(|(position, depth)| (told(position), depth)));
     let seen = match deepest {
         Some((position, depth)) => format!("at s = {position} the surfaces penetrate by {depth:.3e} mm"),

@@ -1,4 +1,4 @@
-//! Nodes that do not face one another: projection on to the facing edge, and what it balances.
+//! Meshes that do not match: projection on to the opposite edge, and what it balances.
 
 use approx::assert_abs_diff_eq;
 use contact_vv::case::library::{Patch, PinRod};
@@ -39,21 +39,21 @@ fn on_a_block(density: f64) -> Scene {
 }
 
 #[test]
-fn weights_of_the_facing_freedoms_reproduce_constant_and_linear_displacements() {
+fn weights_of_the_opposite_dofs_reproduce_constant_and_linear_displacements() {
     for order in ORDERS {
         for density in [0.3, 0.8, 1.0, 1.7, 5.0] {
             let scene = on_a_block(density);
             let mesh = Mesh::of(&scene, resolution(10, 0, order)).expect("mesh");
-            let facing = &mesh.bodies[1].candidates;
+            let primary = &mesh.bodies[1].candidates;
             let sample = interface(&scene, 10, order);
-            let offset = sample.stations.len();
-            for station in &sample.stations {
-                let [sum, position] = station.facing.iter().fold([0.0, 0.0], |[sum, position], &(freedom, value)| {
-                    [sum + value, position + value * facing[freedom - offset].coordinate]
+            let offset = sample.nodes.len();
+            for node in &sample.nodes {
+                let [sum, position] = node.opposite.iter().fold([0.0, 0.0], |[sum, position], &(dof, value)| {
+                    [sum + value, position + value * primary[dof - offset].coordinate]
                 });
                 assert_abs_diff_eq!(sum, 1.0, epsilon = 1e-14);
-                assert_abs_diff_eq!(position, station.coordinate, epsilon = 1e-12);
-                assert_abs_diff_eq!(station.gap, scene.contact().profile.gap(0.0), epsilon = 0.0);
+                assert_abs_diff_eq!(position, node.coordinate, epsilon = 1e-12);
+                assert_abs_diff_eq!(node.gap, scene.contact().profile.gap(0.0), epsilon = 0.0);
             }
         }
     }
@@ -66,10 +66,10 @@ fn uniform_pressure_presses_consistently_on_both_sides_whatever_their_meshes() {
             let scene = on_a_block(density);
             let mesh = Mesh::of(&scene, resolution(10, 0, order)).expect("mesh");
             let sample = interface(&scene, 10, order);
-            let own = sample.stations.len();
-            let facing = &mesh.bodies[1].candidates;
+            let own = sample.nodes.len();
+            let primary = &mesh.bodies[1].candidates;
             for (name, element) in elements() {
-                let mut force = vec![0.0; own + facing.len()];
+                let mut force = vec![0.0; own + primary.len()];
                 element.points(&sample).iter().for_each(|point| point.add_row(point.weight, &mut force));
                 for (body, forces) in [(0, &force[..own]), (1, &force[own..])] {
                     let mut alone = scene.clone();
@@ -95,10 +95,10 @@ fn projection_finds_the_place_on_an_edge_whose_middle_lies_off_the_middle() {
     let sample = Interface::between(&scene, &mesh, &condensed, 0).expect("interface");
     let xi = 0.5 * (29.0_f64.sqrt() - 5.0);
     let wanted = [0.5 * xi * (xi - 1.0), 1.0 - xi * xi, 0.5 * xi * (xi + 1.0)];
-    let middle = sample.facing.expect("two bodies").at(5.0).expect("an edge");
+    let middle = sample.primary.expect("two bodies").at(5.0).expect("an edge");
     assert_eq!(middle.len(), 3);
     for (node, value) in middle {
-        assert_abs_diff_eq!(value, wanted[node.freedom - 3], epsilon = 1e-14);
+        assert_abs_diff_eq!(value, wanted[node.dof - 3], epsilon = 1e-14);
     }
 }
 
@@ -117,9 +117,9 @@ fn drawn_gap_is_the_distance_along_the_normal_whichever_side_carries_the_points(
         let mesh = mesh(&scene);
         let condensed = ElasticSystem::assemble(&scene, &mesh).expect("system").condense().expect("condensed");
         let sample = Interface::between(&scene, &mesh, &condensed, 0).expect("interface");
-        for station in &sample.stations {
-            assert_abs_diff_eq!(station.gap, profile.gap(station.coordinate), epsilon = 1e-9);
-            let outward = station.point[0] * station.normal[0] + station.point[1] * station.normal[1];
+        for node in &sample.nodes {
+            assert_abs_diff_eq!(node.gap, profile.gap(node.coordinate), epsilon = 1e-9);
+            let outward = node.point[0] * node.normal[0] + node.point[1] * node.normal[1];
             assert_eq!(outward > 0.0, above, "the pin's normal points away from its centre, the rod's towards it");
         }
     }

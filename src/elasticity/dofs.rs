@@ -31,7 +31,7 @@ impl Freedom {
 /// Candidate contact nodes have the frame (n, t): outward normal and the tangent `t = (−n_y, n_x)`;
 /// all others have (x, y).
 #[derive(Clone, Debug)]
-pub struct Freedoms {
+pub struct Dofs {
     /// First node of the body in the mesh.
     pub first: usize,
     /// First axis of each node's frame.
@@ -52,7 +52,7 @@ enum Mark {
     Tied(usize),
 }
 
-impl Freedoms {
+impl Dofs {
     /// Numbers the unknowns of a body in the order in which they are eliminated: node by node in the graph's order of
     /// minimum degree, then the components that the nodes of a rigid face share, last the candidates' normals.
     ///
@@ -131,8 +131,8 @@ impl Freedoms {
 
     /// Adds a Cartesian nodal force to the load vector.
     pub fn add_force(&self, node: usize, force: [f64; 2], out: &mut [f64]) {
-        for (freedom, axis) in self.of_node(node).into_iter().zip(self.frame(node)) {
-            if let Freedom::Equation(equation) = freedom {
+        for (dof, axis) in self.of_node(node).into_iter().zip(self.frame(node)) {
+            if let Freedom::Equation(equation) = dof {
                 out[equation] += force[0] * axis[0] + force[1] * axis[1];
             }
         }
@@ -152,7 +152,7 @@ impl Freedoms {
 
     /// The same where prescribed displacements are `share` times theirs.
     pub fn displacements_under(&self, share: f64, solution: &[f64]) -> Vec<[f64; 2]> {
-        let value = |freedom| match freedom {
+        let value = |dof| match dof {
             Freedom::Equation(equation) => solution[equation],
             Freedom::Prescribed(value) => share * value,
         };
@@ -181,7 +181,7 @@ fn marks(scene: &Scene, mesh: &Mesh, body: usize, axes: &[[f64; 2]]) -> Result<V
             match mark {
                 Mark::Prescribed(value) => *slot = Mark::Prescribed(sign * value),
                 Mark::Tied(face) if *slot == Mark::Free => *slot = Mark::Tied(face),
-                _ => return Err(held_face(scene, body, at, node)),
+                _ => return Err(fixed_face(scene, body, at, node)),
             }
         }
         Ok(())
@@ -203,7 +203,7 @@ fn aligned(n: [f64; 2], component: Component) -> Option<(usize, f64)> {
     (0..2).find(|&axis| along[axis].abs() > 1.0 - 1e-12).map(|axis| (axis, along[axis].signum()))
 }
 
-fn held_face(scene: &Scene, body: usize, at: &Place, node: usize) -> Error {
+fn fixed_face(scene: &Scene, body: usize, at: &Place, node: usize) -> Error {
     let boundary = match at {
         Place::Boundary(name) => name.to_string(),
         Place::Point(point) => format!("{point:?}"),

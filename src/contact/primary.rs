@@ -1,4 +1,4 @@
-//! The facing side of the second body: projection of points along the normal on to its edges.
+//! The contact side of the primary (second) body: projection of points along the normal on to its edges.
 
 use crate::elasticity::shape_functions;
 use crate::error::Error;
@@ -10,18 +10,18 @@ const SAME: f64 = 1e-9;
 
 /// The candidate edges of the second body as functions of the contact coordinate.
 #[derive(Clone, Debug)]
-pub struct Facing {
+pub struct PrimarySurface {
     /// Edges: first node, last node and, on 3-node edges, the middle.
-    pub edges: Vec<Vec<FacingNode>>,
+    pub edges: Vec<Vec<PrimaryNode>>,
     /// Difference of contact coordinates below which two points are one \[mm, or rad on an arc\].
     pub same: f64,
 }
 
-/// A node of a facing edge.
+/// A node of an edge of it.
 #[derive(Clone, Copy, Debug)]
-pub struct FacingNode {
-    /// Retained freedom of its outward normal displacement.
-    pub freedom: usize,
+pub struct PrimaryNode {
+    /// Retained dof of its outward normal displacement.
+    pub dof: usize,
     /// Contact coordinate \[mm, or rad on an arc\].
     pub coordinate: f64,
     /// How far it lies along the path's direction \[mm\].
@@ -30,15 +30,15 @@ pub struct FacingNode {
     pub normal: [f64; 2],
 }
 
-impl Facing {
-    /// The candidate edges of the second body of a contact, whose retained freedoms begin at `offset`.
+impl PrimarySurface {
+    /// The candidate edges of the second body of a contact, whose retained dofs begin at `offset`.
     pub fn of(scene: &Scene, mesh: &Mesh, pair: &ContactPair, body: usize, offset: usize) -> Result<Self, Error> {
         let part = &mesh.bodies[body];
         let node = |&node: &usize| {
             let index = part.candidate_index(node)?;
             let candidate = part.candidates[index];
-            Some(FacingNode {
-                freedom: offset + index,
+            Some(PrimaryNode {
+                dof: offset + index,
                 coordinate: candidate.coordinate,
                 depth: pair.path.depth(mesh.points[node]),
                 normal: candidate.normal.map(|n| 0.0 - n),
@@ -51,7 +51,7 @@ impl Facing {
 
     /// The node at a contact coordinate, or those of the edge that holds it, with its shape functions there; none where
     /// no edge faces the point.
-    pub fn at(&self, s: f64) -> Option<Vec<(FacingNode, f64)>> {
+    pub fn at(&self, s: f64) -> Option<Vec<(PrimaryNode, f64)>> {
         let node = self.edges.iter().flatten().find(|node| (node.coordinate - s).abs() <= self.same);
         if let Some(node) = node {
             return Some(vec![(*node, 1.0)]);

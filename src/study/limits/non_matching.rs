@@ -28,7 +28,7 @@ const COARSE: f64 = 0.5;
 
 /// The patch test and Hertz across meshes that do not match.
 #[derive(Clone, Debug, Serialize)]
-pub struct NotFacing {
+pub struct NonMatching {
     /// By density, with 4-node and 8-node cells.
     pub densities: Vec<[AtDensity; 2]>,
 }
@@ -54,8 +54,8 @@ pub struct Blocks {
 }
 
 /// Every density with both kinds of cells.
-pub(super) fn run() -> Result<NotFacing, Error> {
-    Ok(NotFacing { densities: with_both_orders(&DENSITIES, at_density)? })
+pub(super) fn run() -> Result<NonMatching, Error> {
+    Ok(NonMatching { densities: with_both_orders(&DENSITIES, at_density)? })
 }
 
 fn at_density(density: f64, order: Order) -> Result<AtDensity, Error> {
@@ -106,7 +106,7 @@ fn unbalanced(discretisation: &Discretisation, run: &Run) -> f64 {
     largest([(force - other) / force, (moment - opposite) / (force * arm)])
 }
 
-impl NotFacing {
+impl NonMatching {
     fn all(&self) -> impl Iterator<Item = &AtDensity> {
         self.densities.iter().flatten()
     }
