@@ -49,7 +49,7 @@ impl std::fmt::Display for Outcome {
 
 /// How far an answer is from the discrete solution of its own element and mesh, on the scale of that solution: of several
 /// contacts the largest of each.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct IterationError {
     /// `|p − p*|/p*` of the largest pressure.
     pub peak: f64,
@@ -86,7 +86,7 @@ impl IterationError {
 
 /// Error of the last iteration in the energy norm, `‖u − u*‖²_S`, and the bound that the iteration's own forces and gaps give, both over
 /// what the contact forces of the discrete solution store.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct EnergyError {
     /// The error.
     pub error: f64,
@@ -95,9 +95,9 @@ pub struct EnergyError {
 }
 
 /// Work done by an iteration: counts, not seconds.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Work {
-    /// Iteration iterations over all load increments.
+    /// Iterations over all load increments.
     pub iterations: usize,
     /// Factorisations of the dense system `S + K_c`.
     pub factorisations: usize,
@@ -131,7 +131,7 @@ impl std::ops::AddAssign for Work {
 }
 
 /// The state of one contact point at the end.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, serde::Serialize)]
 pub struct PointState {
     /// Contact coordinate `s` \[mm, or rad on an arc\].
     pub position: f64,
@@ -144,7 +144,7 @@ pub struct PointState {
 }
 
 /// Means over one edge at the end.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, serde::Serialize)]
 pub struct EdgeState {
     /// Contact coordinates where it begins and ends \[mm, or rad on an arc\].
     pub ends: [f64; 2],
@@ -172,7 +172,7 @@ impl EdgeState {
 }
 
 /// The part of a solution that belongs to one contact.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize)]
 pub struct Share {
     /// Its contact points.
     pub points: Range<usize>,
@@ -183,7 +183,7 @@ pub struct Share {
 }
 
 /// Contact points and edge means of a solution.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize)]
 pub struct States {
     /// Contact points: contact by contact, in the order of the contact coordinate.
     pub points: Vec<PointState>,
@@ -192,7 +192,7 @@ pub struct States {
 }
 
 /// The same of one contact.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, serde::Serialize)]
 pub struct Part<'a> {
     /// Contact points, in the order of the contact coordinate.
     pub points: &'a [PointState],
@@ -208,7 +208,7 @@ impl States {
 }
 
 /// One iteration, as recorded.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, serde::Serialize)]
 pub struct Iterated {
     /// Load increment the iteration belongs to, from 1.
     pub increment: usize,
@@ -221,7 +221,7 @@ pub struct Iterated {
 }
 
 /// Result of a contact iteration.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize)]
 pub struct Solution {
     /// How it ended.
     pub outcome: Outcome,

@@ -11,7 +11,7 @@ use crate::error::{Error, Kind, Place};
 use crate::solution::{Iterated, IterationError, Outcome, Share, Solution, States, Work};
 
 /// When to stop.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, serde::Serialize)]
 pub struct Settings {
     /// Largest iteration error accepted: of peak, force, width and approach of every contact, over the discrete solution's own.
     pub tolerance: f64,

@@ -6,7 +6,7 @@ use crate::elasticity::quadrature;
 ///
 /// As many Gauss points as the edge has nodes are more than its normal displacements can follow: pressures are then not
 /// unique and oscillate as springs stiffen. The default takes one point fewer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 pub enum Quadrature {
     /// Gauss, one point fewer than the edge has nodes: 1 on 2-node, 2 on 3-node edges; the default.
     Gauss,

@@ -33,7 +33,7 @@ pub use peak::Peak;
 pub use stretch::Stretch;
 
 /// Measures of the pressures of one contact.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize)]
 pub struct Measures {
     /// Half-width by second moment about the centre, `2 √(∫p (s − c)² / ∫p)` \[mm\]; on arcs the same functional of the
     /// angle \[rad\].

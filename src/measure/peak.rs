@@ -14,7 +14,7 @@ use crate::measure::larger;
 use crate::solution::EdgeState;
 
 /// A pressure and where it is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Peak {
     /// Contact coordinate \[mm, or rad on an arc\].
     pub position: f64,

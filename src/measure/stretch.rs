@@ -4,7 +4,7 @@ use crate::scene::ContactPair;
 use crate::solution::{EdgeState, Part};
 
 /// A stretch that is pressed throughout.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Stretch {
     /// Contact coordinate where it begins; 0 on a symmetry line \[mm, or rad on an arc\].
     pub begin: f64,

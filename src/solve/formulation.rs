@@ -7,7 +7,7 @@ use crate::solution::Solution;
 use crate::solve::Start;
 
 /// One way of solving a contact problem.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize)]
 pub struct Formulation {
     /// Contact element.
     pub element: Element,

@@ -20,7 +20,7 @@ pub const INSIDE: f64 = 0.8;
 const ROUGH: f64 = 0.1;
 
 /// The numbers one quotes of a contact.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize)]
 pub struct Contact {
     /// Half-width, peak and the like.
     pub measures: Measures,
@@ -37,7 +37,7 @@ pub struct Contact {
 }
 
 /// A peak that grows with every halving of the elements.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Unbounded {
     /// Contact coordinate \[mm, or rad on an arc\].
     pub position: f64,
@@ -70,7 +70,7 @@ impl Errors {
 }
 
 /// A finished run.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize)]
 pub struct Run {
     /// The formulation.
     pub formulation: Formulation,

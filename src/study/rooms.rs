@@ -3,7 +3,7 @@
 /// Declares the rooms, in the order of the page. Each is a folder with
 ///
 /// * `plan() -> Vec<Planned<Numbers>>` — what is run,
-/// * `Numbers` — what came out,
+/// * `Numbers` — what came out, serialisable,
 /// * `judge(&Numbers) -> Result<Vec<Judged>, Error>` — the checks with their verdicts,
 /// * `section(&[Found<Numbers>]) -> Result<String, Error>` — Markdown,
 /// * `pictures(&[Found<Numbers>]) -> Result<Vec<(String, String)>, Error>` — file names and SVG.
@@ -19,7 +19,7 @@ macro_rules! rooms {
 
         /// What a trial of any study came out with; a few hundred of them are not worth a box.
         #[allow(clippy::large_enum_variant)]
-        #[derive(Clone, Debug)]
+        #[derive(Clone, Debug, serde::Serialize)]
         pub enum Numbers {
             $($(#[$about])* $Room($room::Numbers)),*
         }

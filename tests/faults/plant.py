@@ -82,14 +82,18 @@ def main(wanted):
     sound, ended = failures()
     if sound or ended:
         sys.exit(f"the tree without a fault is not green: {ended or sound[0]}")
-    known = {old["name"]: old for old in json.loads(RECORD.read_text())["record"]} if wanted else {}
+    known = {old["name"]: old for old in json.loads(RECORD.read_text())["record"]} if RECORD.exists() else {}
     for number, fault in enumerate(chosen, 1):
         planted = known[fault["name"]] = plant(fault)
         print(f"{number}/{len(chosen)} {fault['name']}: {dict(planted['red']) or planted['ended'] or 'NOT CAUGHT'}", flush=True)
-    missing = [fault["name"] for fault in faults if fault["name"] not in known]
+        missing = [fault["name"] for fault in faults if fault["name"] not in known]
+        if not missing:  # after each: what is interrupted keeps what it found
+            write(text, [known[fault["name"]] for fault in faults])
     if missing:
         sys.exit(f"never planted, so nothing is recorded: {', '.join(missing)}")
-    record = [known[fault["name"]] for fault in faults]
+
+
+def write(text, record):
     listed = hashlib.sha256(text.encode()).hexdigest()
     RECORD.write_text(json.dumps({"faults_toml": listed, "record": record}, indent=1, ensure_ascii=False) + "\n")
 

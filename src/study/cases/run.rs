@@ -2,18 +2,22 @@
 
 use std::sync::{Arc, OnceLock};
 
+use serde::Serialize;
+
 use crate::case::{Case, Judged, Meshed};
 use crate::error::Error;
 use crate::solve::{Formulation, Run};
 
 /// A case solved by one formulation.
-#[derive(Clone)]
+#[derive(Clone, Serialize)]
 pub struct Numbers {
     /// The case.
+    #[serde(skip)]
     pub case: Arc<Case>,
     /// The run.
     pub run: Run,
     /// Its checks; they need the mesh, which is not kept.
+    #[serde(skip)]
     judged: Vec<Judged>,
 }
 

@@ -9,7 +9,7 @@ use crate::mesh::BodyMesh;
 use crate::solve::{Discretisation, Fields, Formulation, Run};
 
 /// What a trial found.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub enum Numbers {
     /// A run on two bars closing a gap; its history is the path.
     Path(Box<Run>),

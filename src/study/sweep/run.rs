@@ -11,7 +11,7 @@ use crate::study::drawn::Curve;
 use crate::study::sweep::scene::{Scene, stiffnesses};
 
 /// What a trial found.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub enum Numbers {
     /// Iterations over initial stiffness.
     Sweep(Sweep),
@@ -20,7 +20,7 @@ pub enum Numbers {
 }
 
 /// Iterations of one formulation from every initial stiffness.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Sweep {
     /// Where.
     pub scene: Scene,
