@@ -86,6 +86,20 @@ struct Run<'a> {
     rigid: Option<Target>,
 }
 
+/// What is remembered of the iterates of an increment.
+#[derive(Default)]
+struct Course {
+    /// What is known of the discrete solution.
+    known: Known,
+    /// Latest states, the newest first.
+    earlier: VecDeque<State>,
+    /// Iterations in a row that changed next to nothing, and no more than round-off does.
+    still: usize,
+    noise: usize,
+    /// Index of its first iteration in the history.
+    first: usize,
+}
+
 /// What is known of one increment.
 #[derive(Default)]
 struct Known {
@@ -107,8 +121,7 @@ impl Run<'_> {
         let fraction = increment as f64 / self.settings.increments as f64;
         let load: Vec<f64> = self.problem.load.iter().map(|f| f * fraction).collect();
         let law = if algorithm.is_elastic() { Law::Springs } else { Law::Rigid };
-        let first = self.history.len();
-        let (mut known, mut earlier, mut still, mut noise) = (Known::default(), VecDeque::new(), 0, 0);
+        let mut course = Course { first: self.history.len(), ..Course::default() };
         let mut outcome = Outcome::Capped;
         algorithm.reload();
         while self.work.iterations < self.settings.max_iterations {
@@ -127,37 +140,43 @@ impl Run<'_> {
                 outcome = Outcome::Diverged;
                 break;
             }
+            self.judge(&mut course.known, &load, law, &iterate);
             let state = State::of(&iterate);
-            self.judge(&mut known, &load, law, &iterate);
             self.last = Some(iterate);
-            let error = self.history.last().map_or(f64::NAN, |iteration| iteration.error.largest());
-            if error <= self.settings.tolerance {
-                outcome = Outcome::Converged;
+            if let Some(ended) = self.ended(&mut course, state) {
+                outcome = ended;
                 break;
             }
-            if let Some(period) = returned(&earlier, &state) {
-                outcome = Outcome::Cycling { period };
-                break;
-            }
-            still = if changes_less(&earlier, &state, STILL.1) { still + 1 } else { 0 };
-            noise = if changes_less(&earlier, &state, NOISE) { noise + 1 } else { 0 };
-            let rests = noise >= FALLS.0 && !falls(&self.history[first..]);
-            if known.looked && (still >= STILL.0 || rests) {
-                outcome = Outcome::Stalled;
-                break;
-            }
-            if has_grown(&self.history[first..]) {
-                outcome = Outcome::Diverged;
-                break;
-            }
-            earlier.push_front(state);
-            earlier.truncate(MEMORY);
         }
         if let (Law::Springs, Some(last)) = (law, &self.last) {
             self.rigid = Target::of(self.problem, &load, Law::Rigid, &target::pressed(self.problem, last));
         }
-        self.target = known.target;
+        self.target = course.known.target;
         Ok(outcome)
+    }
+
+    /// How the increment ends with its newest state; none where it goes on.
+    fn ended(&self, course: &mut Course, state: State) -> Option<Outcome> {
+        let error = self.history.last().map_or(f64::NAN, |iteration| iteration.error.largest());
+        if error <= self.settings.tolerance {
+            return Some(Outcome::Converged);
+        }
+        if let Some(period) = returned(&course.earlier, &state) {
+            return Some(Outcome::Cycling { period });
+        }
+        let own = &self.history[course.first..];
+        course.still = if changes_less(&course.earlier, &state, STILL.1) { course.still + 1 } else { 0 };
+        course.noise = if changes_less(&course.earlier, &state, NOISE) { course.noise + 1 } else { 0 };
+        let rests = course.noise >= FALLS.0 && !falls(own);
+        if course.known.looked && (course.still >= STILL.0 || rests) {
+            return Some(Outcome::Stalled);
+        }
+        if has_grown(own) {
+            return Some(Outcome::Diverged);
+        }
+        course.earlier.push_front(state);
+        course.earlier.truncate(MEMORY);
+        None
     }
 
     /// Looks for the discrete solution once it is near, and tells the error of every iteration since.

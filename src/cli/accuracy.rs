@@ -114,25 +114,7 @@ pub fn print((asked, answer): &(Asked, Answer)) {
     say(format!("accuracy asked: {} %", 100.0 * asked.relative));
     for quoted in &answer.estimates {
         let of = if contacts.len() > 1 { format!("{}, ", contacts[quoted.contact].name) } else { String::new() };
-        let order = |order: f64| known(order, |order| format!("{order:.1}"));
-        let (parts, orders) = match quoted.growth.is_finite() {
-            true => (
-                format!(
-                    "{} from the elements, {} from growth",
-                    known(quoted.elements, markdown::error),
-                    markdown::error(quoted.growth)
-                ),
-                format!("{} along the contact, {} of growth", order(quoted.order), order(quoted.growth_order)),
-            ),
-            false => (format!("{} from the mesh", known(quoted.elements, markdown::error)), order(quoted.order)),
-        };
-        say(format!(
-            "{of}{}: estimated error {}: {parts}, {} from the iteration, and at least {} by a finer mesh; observed order {orders}",
-            quoted.quantity.name(),
-            known(quoted.relative, markdown::error),
-            known(quoted.iteration, markdown::error),
-            known(quoted.check, markdown::error),
-        ));
+        say(of + &sentence(quoted));
     }
     match &answer.unmet {
         None => say(format!(
@@ -143,19 +125,42 @@ pub fn print((asked, answer): &(Asked, Answer)) {
         )),
         Some(why) => say(format!("NOT met: {why}; the result is the best that was found")),
     }
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING);
-    let factors: Vec<f64> = contacts.iter().map(|pair| display_factor(&pair.path)).collect();
+    say(meshes(answer));
+}
+
+/// What is estimated of a quantity, and from what.
+fn sentence(quoted: &Quoted) -> String {
+    let order = |order: f64| known(order, |order| format!("{order:.1}"));
+    let elements = known(quoted.elements, markdown::error);
+    let (parts, orders) = match quoted.growth.is_finite() {
+        true => (
+            format!("{elements} from the elements, {} from growth", markdown::error(quoted.growth)),
+            format!("{} along the contact, {} of growth", order(quoted.order), order(quoted.growth_order)),
+        ),
+        false => (format!("{elements} from the mesh"), order(quoted.order)),
+    };
+    format!(
+        "{}: estimated error {}: {parts}, {} from the iteration, and at least {} by a finer mesh; observed order {orders}",
+        quoted.quantity.name(),
+        known(quoted.relative, markdown::error),
+        known(quoted.iteration, markdown::error),
+        known(quoted.check, markdown::error),
+    )
+}
+
+/// A row for each mesh that was solved, in it a line for each contact.
+fn meshes(answer: &Answer) -> Table {
+    let factors: Vec<f64> = answer.scene.contacts.iter().map(|pair| display_factor(&pair.path)).collect();
     let unit = match factors.iter().filter(|factor| **factor > 1.0).count() {
         0 => "mm",
         arcs if arcs == factors.len() => "°",
         _ => "mm, °",
     };
-    let stretch = format!("stretch [{unit}]");
-    let half_width = format!("half-width [{unit}]");
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING);
+    let [stretch, half_width] = ["stretch", "half-width"].map(|length| format!("{length} [{unit}]"));
     let head = ["tried for", "cells", "elements", "growth", &stretch, "dofs", "iterations", "peak [MPa]", &half_width];
     table.set_header(head.into_iter().chain(["estimate"]));
-    // One line a contact.
     let lines = |tried: &Tried, of: fn(&TriedContact, f64) -> String| -> String {
         let each: Vec<String> = tried.contacts.iter().zip(&factors).map(|(found, factor)| of(found, *factor)).collect();
         each.join("\n")
@@ -174,7 +179,7 @@ pub fn print((asked, answer): &(Asked, Answer)) {
             known(tried.estimate, markdown::error),
         ]);
     }
-    say(table);
+    table
 }
 
 fn known(value: f64, shown: impl Fn(f64) -> String) -> String {

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::mesh::candidates;
 use crate::oracle::cross_code::DiscreteProblem;
-use crate::scene::{Load, Path, PlaneHypothesis, Profile};
+use crate::scene::{Load, Path, PlaneHypothesis, Profile, Scene};
 use crate::solve::Discretisation;
 
 /// Stiffness of the springs.
@@ -24,21 +24,7 @@ pub fn problem(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Resul
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
     let contact = scene.contact();
     let side = |body: usize| candidates::candidate_edges(mesh, scene, contact, body);
-    let (profile, radius, clearance) = match contact.profile {
-        Profile::Circle { radius } => ("circle", radius, 0.0),
-        Profile::Parabola { radius } => ("parabola", radius, 0.0),
-        Profile::Hole { radius, clearance } => ("hole", radius, clearance),
-        Profile::Uniform(_) | Profile::Punch { .. } => return Err(not_handed_over(&scene.name, "a uniform gap")),
-        Profile::Drawn
-        | Profile::Bodies(_)
-        | Profile::Table(_)
-        | Profile::Smooth(_)
-        | Profile::Even { .. }
-        | Profile::Wedge { .. }
-        | Profile::Cosine { .. } => {
-            return Err(not_handed_over(&scene.name, "this rigid profile"));
-        }
-    };
+    let (profile, radius, clearance) = profile(scene)?;
     let mut problem = DiscreteProblem {
         name: format!("{}, {}-node", scene.name, mesh.order.nodes_per_cell()),
         plane: if scene.plane == PlaneHypothesis::Strain { "strain" } else { "stress" },
@@ -59,34 +45,62 @@ pub fn problem(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Resul
         vectors,
         ..Default::default()
     };
-    for (index, body) in scene.bodies.iter().enumerate() {
-        for support in &body.supports {
-            let nodes = mesh.nodes_at(scene, index, &support.at)?;
-            problem.held.extend(nodes.into_iter().map(|node| [node, support.component.index()]));
-        }
-        for load in &body.loads {
-            match load {
-                Load::Traction { boundary, traction } => {
-                    problem.load_edges.extend_from_slice(mesh.boundary(scene, index, boundary)?);
-                    problem.traction = *traction;
-                }
-                Load::Stress { boundary, .. } => {
-                    problem.load_edges.extend_from_slice(mesh.boundary(scene, index, boundary)?);
-                    problem.hertz_load = true;
-                }
-                Load::RigidFace { boundary, force, .. } => {
-                    problem.tied = mesh.boundary(scene, index, boundary)?.iter().flatten().copied().collect();
-                    problem.tied.sort_unstable();
-                    problem.tied.dedup();
-                    problem.tied_force = *force;
-                }
-                Load::BodyForce(_) | Load::Force { .. } | Load::TractionField { .. } => {
-                    return Err(not_handed_over(&scene.name, "such a load"));
-                }
+    for index in 0..scene.bodies.len() {
+        supports_and_loads(discretisation, index, &mut problem)?;
+    }
+    Ok(problem)
+}
+
+/// Name, radius and clearance of the gap.
+fn profile(scene: &Scene) -> Result<(&'static str, f64, f64), Error> {
+    match scene.contact().profile {
+        Profile::Circle { radius } => Ok(("circle", radius, 0.0)),
+        Profile::Parabola { radius } => Ok(("parabola", radius, 0.0)),
+        Profile::Hole { radius, clearance } => Ok(("hole", radius, clearance)),
+        Profile::Uniform(_) | Profile::Punch { .. } => Err(not_handed_over(&scene.name, "a uniform gap")),
+        Profile::Drawn
+        | Profile::Bodies(_)
+        | Profile::Table(_)
+        | Profile::Smooth(_)
+        | Profile::Even { .. }
+        | Profile::Wedge { .. }
+        | Profile::Cosine { .. } => Err(not_handed_over(&scene.name, "this rigid profile")),
+    }
+}
+
+/// Adds the fixed components and the loads of a body.
+fn supports_and_loads(
+    discretisation: &Discretisation,
+    index: usize,
+    problem: &mut DiscreteProblem,
+) -> Result<(), Error> {
+    let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
+    for support in &scene.bodies[index].supports {
+        let nodes = mesh.nodes_at(scene, index, &support.at)?;
+        problem.held.extend(nodes.into_iter().map(|node| [node, support.component.index()]));
+    }
+    for load in &scene.bodies[index].loads {
+        match load {
+            Load::Traction { boundary, traction } => {
+                problem.load_edges.extend_from_slice(mesh.boundary(scene, index, boundary)?);
+                problem.traction = *traction;
+            }
+            Load::Stress { boundary, .. } => {
+                problem.load_edges.extend_from_slice(mesh.boundary(scene, index, boundary)?);
+                problem.hertz_load = true;
+            }
+            Load::RigidFace { boundary, force, .. } => {
+                problem.tied = mesh.boundary(scene, index, boundary)?.iter().flatten().copied().collect();
+                problem.tied.sort_unstable();
+                problem.tied.dedup();
+                problem.tied_force = *force;
+            }
+            Load::BodyForce(_) | Load::Force { .. } | Load::TractionField { .. } => {
+                return Err(not_handed_over(&scene.name, "such a load"));
             }
         }
     }
-    Ok(problem)
+    Ok(())
 }
 
 /// The refusal of what another code is not taught to take.

@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 
 use crate::case::file::Source;
-use crate::case::file::tables::{BlockTable, Keyed, Pair};
+use crate::case::file::tables::{BlockTable, Keyed};
 use crate::case::file::units::Units;
 use crate::error::Error;
 use crate::scene::{BlockShape, Shape};
@@ -34,11 +34,29 @@ pub fn shape(
 
 fn block(source: Source, units: &Units, spanned: &Spanned<Keyed<BlockTable>>) -> Result<BlockShape, Error> {
     let table = spanned.get_ref();
-    let point = |key: &str, pair: &Pair| Ok::<_, Error>(source.pair(key, pair)?.map(|x| units.length * x));
     let mut corners = [[0.0; 2]; 4];
     for (corner, pair) in corners.iter_mut().zip(source.entries::<_, 4>("corners", &table.corners)?) {
-        *corner = point("corners", pair)?;
+        *corner = source.pair("corners", pair)?.map(|x| units.length * x);
     }
+    let elements = elements(source, table)?;
+    let growth = growth(source, table, elements)?;
+    let arcs = arcs(source, units, table, &corners)?;
+    let turns = |k: usize| {
+        let [a, b, c] = [0, 1, 2].map(|i| corners[(k + i) % 4]);
+        (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
+    };
+    if !(0..4).all(|k| turns(k) > 0.0) {
+        let remedy =
+            "give the four corners of a convex block counter-clockwise: bottom from corner 1 to 2, right from 2 to 3";
+        return Err(source.refused(spanned.span(), "the corners do not go round counter-clockwise", remedy));
+    }
+    let name = |name: &Option<Spanned<String>>| name.as_ref().map(|name| name.get_ref().clone().into());
+    let names = [name(&table.bottom), name(&table.right), name(&table.top), name(&table.left)];
+    Ok(BlockShape { corners, arcs, names, elements, growth })
+}
+
+/// Numbers of elements along the bottom and the right side.
+fn elements(source: Source, table: &BlockTable) -> Result<[usize; 2], Error> {
     let mut elements = [0; 2];
     for (count, given) in elements.iter_mut().zip(source.entries::<_, 2>("elements", &table.elements)?) {
         *count = *given.get_ref();
@@ -50,6 +68,11 @@ fn block(source: Source, units: &Units, spanned: &Spanned<Keyed<BlockTable>>) ->
             ));
         }
     }
+    Ok(elements)
+}
+
+/// Growth of the elements along both, from one to the next.
+fn growth(source: Source, table: &BlockTable, elements: [usize; 2]) -> Result<[f64; 2], Error> {
     let mut growth = [1.0; 2];
     if let Some(pair) = &table.growth {
         for ((ratio, given), count) in growth.iter_mut().zip(source.entries::<_, 2>("growth", pair)?).zip(elements) {
@@ -60,11 +83,21 @@ fn block(source: Source, units: &Units, spanned: &Spanned<Keyed<BlockTable>>) ->
             }
         }
     }
+    Ok(growth)
+}
+
+/// Centres of the sides that are arcs \[mm\].
+fn arcs(
+    source: Source,
+    units: &Units,
+    table: &BlockTable,
+    corners: &[[f64; 2]; 4],
+) -> Result<[Option<[f64; 2]>; 4], Error> {
     let given = [&table.arcs.bottom, &table.arcs.right, &table.arcs.top, &table.arcs.left];
     let mut arcs = [None; 4];
     for (k, (arc, pair)) in arcs.iter_mut().zip(given).enumerate() {
         let Some(pair) = pair else { continue };
-        let centre = point("arcs", pair)?;
+        let centre = source.pair("arcs", pair)?.map(|x| units.length * x);
         let ends = [corners[k], corners[(k + 1) % 4]];
         let [a, b] = ends.map(|p| [p[0] - centre[0], p[1] - centre[1]]);
         let [r, q] = [a, b].map(|p| p[0].hypot(p[1]));
@@ -81,18 +114,7 @@ fn block(source: Source, units: &Units, spanned: &Spanned<Keyed<BlockTable>>) ->
         }
         *arc = Some(centre);
     }
-    let turns = |k: usize| {
-        let [a, b, c] = [0, 1, 2].map(|i| corners[(k + i) % 4]);
-        (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
-    };
-    if !(0..4).all(|k| turns(k) > 0.0) {
-        let remedy =
-            "give the four corners of a convex block counter-clockwise: bottom from corner 1 to 2, right from 2 to 3";
-        return Err(source.refused(spanned.span(), "the corners do not go round counter-clockwise", remedy));
-    }
-    let name = |name: &Option<Spanned<String>>| name.as_ref().map(|name| name.get_ref().clone().into());
-    let names = [name(&table.bottom), name(&table.right), name(&table.top), name(&table.left)];
-    Ok(BlockShape { corners, arcs, names, elements, growth })
+    Ok(arcs)
 }
 
 /// Largest element of a side over its smallest.

@@ -73,20 +73,10 @@ fn pair(
     bodies: &[Body],
     table: &ContactTable,
 ) -> Result<ContactPair, Error> {
-    let known: Vec<_> = tables.iter().enumerate().map(|(k, body)| (body.name.get_ref().as_str(), k)).collect();
-    let first = source.choice("body", &table.first, &known)?;
-    let second = table.second.as_ref().map(|name| source.choice("body", name, &known)).transpose()?;
-    if let Some(name) = table.second.as_ref().filter(|_| second == Some(first)) {
-        let message = format!("`{}` would touch itself", name.get_ref());
-        return Err(source.refused(name.span(), message, "name another body, or leave `second` out for a rigid one"));
-    }
+    let (first, second) = touching(source, tables, table)?;
     let across = table.has_both_sides();
     refuse_mirrored(source, table)?;
     let (path, stretch) = way(source, units, table)?;
-    if let (None, Some(side)) = (second, &table.second_side) {
-        let remedy = "leave it out, or name the secondary body as `second`";
-        return Err(source.refused(side.span(), "`second-side` without `second`", remedy));
-    }
     let other = second.zip(table.second.as_ref()).map(|(body, name)| (body, name, &table.second_side));
     let named: Vec<_> = [(first, &table.first, &table.first_side)].into_iter().chain(other).collect();
     let side =
@@ -122,6 +112,26 @@ fn pair(
     refuse_overlap(source, units, table, &pair, &sides)?;
     compared::refuse_other(source, units, table, &pair, &drawn)?;
     Ok(pair)
+}
+
+/// Indices of the secondary body, and of the primary one where it is elastic.
+fn touching(
+    source: Source,
+    tables: &[Keyed<BodyTable>],
+    table: &ContactTable,
+) -> Result<(usize, Option<usize>), Error> {
+    let known: Vec<_> = tables.iter().enumerate().map(|(k, body)| (body.name.get_ref().as_str(), k)).collect();
+    let first = source.choice("body", &table.first, &known)?;
+    let second = table.second.as_ref().map(|name| source.choice("body", name, &known)).transpose()?;
+    if let Some(name) = table.second.as_ref().filter(|_| second == Some(first)) {
+        let message = format!("`{}` would touch itself", name.get_ref());
+        return Err(source.refused(name.span(), message, "name another body, or leave `second` out for a rigid one"));
+    }
+    if let (None, Some(side)) = (second, &table.second_side) {
+        let remedy = "leave it out, or name the primary body as `second`";
+        return Err(source.refused(side.span(), "`second-side` without `second`", remedy));
+    }
+    Ok((first, second))
 }
 
 /// The path, and how far the candidates lie along it.

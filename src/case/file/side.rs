@@ -133,104 +133,106 @@ impl Side {
     ) -> Result<(), Error> {
         let [line, level] =
             [("x", 0), ("y", 1)].map(|(axis, k)| format!("{axis} = {}", path.origin()[k] / units.length));
-        let refused = |what: &str, remedy: &str| {
-            let message = format!("the contact side of `{}` {what}", name.get_ref());
-            Err(source.refused(name.span(), message, remedy))
-        };
         let clearance = match profile {
             Profile::Hole { clearance, .. } => *clearance,
             Profile::Drawn | Profile::Bodies(_) => f64::INFINITY,
             other => other.gap(0.0).abs(),
         };
-        let near = |a: f64, b: f64| (a - b).abs() <= clearance * (1.0 + 1e-6) + 1e-6 * a.abs().max(b.abs());
+        let wanted = Wanted { path, line, level, clearance, is_first };
+        match self.on_other_sides(&wanted).or_else(|| self.misplaced(&wanted)) {
+            None => Ok(()),
+            Some(Misfit { what, remedy }) => {
+                let message = format!("the contact side of `{}` {what}", name.get_ref());
+                Err(source.refused(name.span(), message, remedy))
+            }
+        }
+    }
+
+    /// A side that lies on other sides of s = 0 than the contact.
+    fn on_other_sides(&self, wanted: &Wanted) -> Option<Misfit> {
+        let both = wanted.path.has_both_sides();
+        match self.across {
+            Some(true) if !both => misfit(
+                "lies on both sides of s = 0, the contact on one",
+                "the body is meshed for another contact, which has both sides: give this one `both-sides = true` too",
+            ),
+            Some(false) if both && matches!(self.place, Place::Disc { .. }) => misfit(
+                "lies on one side of s = 0, the contact on both",
+                "leave `half` out, or give all contacts of the body the same sides of s = 0",
+            ),
+            _ if both && !matches!(self.place, Place::Arc(_)) && self.length <= 0.0 => {
+                let line = &wanted.line;
+                let remedy = format!(
+                    "with `both-sides` the candidates lie left and right of {line}: move the bodies there, or give `origin`"
+                );
+                misfit(format!("does not lie on both sides of {line}"), remedy)
+            }
+            _ => None,
+        }
+    }
+
+    /// A side that does not lie on the path.
+    fn misplaced(&self, wanted: &Wanted) -> Option<Misfit> {
+        let Wanted { path, line, level, .. } = wanted;
         let [x0, y0] = path.origin();
         let on_axis = |x: f64, size: f64| (x - x0).abs() <= 1e-9 * size;
         let one_side = path.is_straight() && !path.has_both_sides();
-        match self.across {
-            Some(true) if !path.has_both_sides() => {
-                let remedy = "the body is meshed for another contact, which has both sides: give this one `both-sides = true` too";
-                return refused("lies on both sides of s = 0, the contact on one", remedy);
-            }
-            Some(false) if path.has_both_sides() && matches!(self.place, Place::Disc { .. }) => {
-                let remedy = "leave `half` out, or give all contacts of the body the same sides of s = 0";
-                return refused("lies on one side of s = 0, the contact on both", remedy);
-            }
-            _ => {}
-        }
-        if path.has_both_sides() && !matches!(self.place, Place::Arc(_)) && self.length <= 0.0 {
-            let remedy = format!(
-                "with `both-sides` the candidates lie left and right of {line}: move the bodies there, or give `origin`"
-            );
-            return refused(&format!("does not lie on both sides of {line}"), &remedy);
-        }
         match (&self.place, path) {
-            (Place::Straight { from, .. }, _) if one_side && !on_axis(*from, self.length) => refused(
-                &format!("does not begin at {line}"),
+            (Place::Straight { from, .. }, _) if one_side && !on_axis(*from, self.length) => misfit(
+                format!("does not begin at {line}"),
                 "the contact begins on the symmetry line: move the bodies there, or give `both-sides = true`",
             ),
-            (Place::Straight { height, .. }, Path::Straight(_)) if !near(*height, y0) => refused(
-                &format!("does not lie at {level}"),
+            (Place::Straight { height, .. }, Path::Straight(_)) if !wanted.near(*height, y0) => misfit(
+                format!("does not lie at {level}"),
                 "the contact runs along that line: move the bodies there, give its `origin`, or `gap = \"drawn\"`",
             ),
-            (Place::Disc { circle, .. }, Path::Straight(_)) if !on_axis(circle.centre[0], circle.radius) => refused(
-                &format!("does not touch at {line}"),
-                &format!("give the disc a centre at {line}, where its mesh is finest, or the contact another `origin`"),
+            (Place::Disc { circle, .. }, Path::Straight(_)) if !on_axis(circle.centre[0], circle.radius) => misfit(
+                format!("does not touch at {line}"),
+                format!("give the disc a centre at {line}, where its mesh is finest, or the contact another `origin`"),
             ),
-            (Place::Disc { height, .. }, Path::Straight(_)) if !near(*height, y0) => refused(
-                &format!("does not touch {level}"),
+            (Place::Disc { height, .. }, Path::Straight(_)) if !wanted.near(*height, y0) => misfit(
+                format!("does not touch {level}"),
                 "the contact runs along that line: give the disc a centre one radius above or below, or the contact its `origin`",
             ),
-            (Place::Arc(circle) | Place::Disc { circle, .. }, Path::Arc(arc)) => {
-                let aligned = (0..2).all(|k| near(circle.centre[k], arc.centre[k]));
-                let fits = if is_first {
-                    (circle.radius / arc.radius - 1.0).abs() <= 1e-9
-                } else {
-                    near(circle.radius, arc.radius)
-                };
-                if aligned && fits {
-                    return Ok(());
-                }
-                refused(
-                    "does not lie on `arc`",
-                    "`arc` is the circle of the first body's side; the other lies there too, a gap apart at most",
-                )
-            }
-            (Place::Straight { .. }, Path::Arc(_)) => refused("is straight, the path is an arc", "leave `arc` out"),
+            (Place::Arc(circle) | Place::Disc { circle, .. }, Path::Arc(arc)) => wanted.circle(circle, arc),
+            (Place::Straight { .. }, Path::Arc(_)) => misfit("is straight, the path is an arc", "leave `arc` out"),
             (Place::Arc(_), Path::Straight(_)) => {
-                refused("is an arc, the path is straight", "name the circle the contact runs along, as `arc`")
+                misfit("is an arc, the path is straight", "name the circle the contact runs along, as `arc`")
             }
-            (Place::Pieces(pieces), _) => {
-                let begin = pieces.iter().flatten().map(|point| path.coordinate(*point)).fold(f64::INFINITY, f64::min);
-                let left = pieces.iter().flatten().map(|point| point[0]).fold(f64::INFINITY, f64::min);
-                let off = begin > 1e-6 * self.length || left < x0 - 1e-6 * self.length * path.metric();
-                if off && !path.has_both_sides() {
-                    return refused(
-                        &format!("does not begin on the symmetry line {line}"),
-                        "the contact begins there at s = 0: move the bodies there, model one half, or give `both-sides = true`",
-                    );
-                }
-                if self.outward.is_none() {
-                    let remedy = "name the boundary that faces the other body, and end the stretch where it turns away";
-                    return refused("does not look one way", remedy);
-                }
-                if let Some(slope) = steep(pieces, path) {
-                    let message = format!("slopes by {slope:.2} against the path");
-                    let remedy = "contact forces act along y, or along the radius of `arc`: turn the scene, or give a rigid profile its gap";
-                    return refused(&message, remedy);
-                }
-                if !near(self.depth(path), path.own_depth()) {
-                    let remedy =
-                        "move the body there, give its `origin`, or `gap = \"drawn\"` where it is drawn as it stands";
-                    return refused(&format!("does not begin at {level}, or on `arc`"), remedy);
-                }
-                let on_arc = |point: &[f64; 2]| (path.depth(*point) / path.own_depth() - 1.0).abs() <= 1e-3;
-                if is_first && matches!(path, Path::Arc(_)) && !pieces.iter().flatten().all(on_arc) {
-                    return refused("does not lie on `arc`", "`arc` is the circle of the first body's side");
-                }
-                Ok(())
-            }
-            _ => Ok(()),
+            (Place::Pieces(pieces), _) => self.pieces(pieces, wanted),
+            _ => None,
         }
+    }
+
+    /// A chain of pieces that begins elsewhere, turns away from the other body or leaves the path.
+    fn pieces(&self, pieces: &[Piece], wanted: &Wanted) -> Option<Misfit> {
+        let Wanted { path, line, level, is_first, .. } = wanted;
+        let begin = pieces.iter().flatten().map(|point| path.coordinate(*point)).fold(f64::INFINITY, f64::min);
+        let left = pieces.iter().flatten().map(|point| point[0]).fold(f64::INFINITY, f64::min);
+        let off = begin > 1e-6 * self.length || left < path.origin()[0] - 1e-6 * self.length * path.metric();
+        if off && !path.has_both_sides() {
+            return misfit(
+                format!("does not begin on the symmetry line {line}"),
+                "the contact begins there at s = 0: move the bodies there, model one half, or give `both-sides = true`",
+            );
+        }
+        if self.outward.is_none() {
+            let remedy = "name the boundary that faces the other body, and end the stretch where it turns away";
+            return misfit("does not look one way", remedy);
+        }
+        if let Some(slope) = steep(pieces, path) {
+            let remedy = "contact forces act along y, or along the radius of `arc`: turn the scene, or give a rigid profile its gap";
+            return misfit(format!("slopes by {slope:.2} against the path"), remedy);
+        }
+        if !wanted.near(self.depth(path), path.own_depth()) {
+            let remedy = "move the body there, give its `origin`, or `gap = \"drawn\"` where it is drawn as it stands";
+            return misfit(format!("does not begin at {level}, or on `arc`"), remedy);
+        }
+        let on_arc = |point: &[f64; 2]| (path.depth(*point) / path.own_depth() - 1.0).abs() <= 1e-3;
+        if *is_first && matches!(path, Path::Arc(_)) && !pieces.iter().flatten().all(on_arc) {
+            return misfit("does not lie on `arc`", "`arc` is the circle of the first body's side");
+        }
+        None
     }
 
     /// Refuses a candidate stretch that goes on where the side has ended.
@@ -293,4 +295,47 @@ fn chords(curve: &Curve) -> Vec<Piece> {
     let count = if matches!(curve, Curve::Arc { .. }) { CHORDS } else { 1 };
     let at = |k: usize| curve.point(k as f64 / count as f64);
     (0..count).map(|k| [at(k), at(k + 1)]).collect()
+}
+
+/// Where a side shall lie.
+struct Wanted<'a> {
+    path: &'a Path,
+    /// The symmetry line, and the level of the path, as the file would write them.
+    line: String,
+    level: String,
+    /// What may lie between the side and the path \[mm\].
+    clearance: f64,
+    is_first: bool,
+}
+
+impl Wanted<'_> {
+    fn near(&self, a: f64, b: f64) -> bool {
+        (a - b).abs() <= self.clearance * (1.0 + 1e-6) + 1e-6 * a.abs().max(b.abs())
+    }
+
+    fn circle(&self, circle: &Circle, arc: &Circle) -> Option<Misfit> {
+        let aligned = (0..2).all(|k| self.near(circle.centre[k], arc.centre[k]));
+        let fits = if self.is_first {
+            (circle.radius / arc.radius - 1.0).abs() <= 1e-9
+        } else {
+            self.near(circle.radius, arc.radius)
+        };
+        if aligned && fits {
+            return None;
+        }
+        misfit(
+            "does not lie on `arc`",
+            "`arc` is the circle of the first body's side; the other lies there too, a gap apart at most",
+        )
+    }
+}
+
+/// What is wrong with a side, and what to do.
+struct Misfit {
+    what: String,
+    remedy: String,
+}
+
+fn misfit(what: impl Into<String>, remedy: impl Into<String>) -> Option<Misfit> {
+    Some(Misfit { what: what.into(), remedy: remedy.into() })
 }

@@ -10,7 +10,7 @@ use crate::case::{Check, Quantity, Reference};
 use crate::error::Error;
 use crate::measure::display_factor;
 use crate::oracle::{self, ReferenceKind, SharedOracle};
-use crate::scene::Scene;
+use crate::scene::{ContactPair, Scene};
 
 use super::support::SupportName;
 
@@ -82,58 +82,23 @@ impl CheckTable {
         scene: &Scene,
         oracles: &[Option<SharedOracle>],
     ) -> Result<Check, Error> {
-        let quantity = source.choice("quantity", &self.quantity, &QUANTITIES)?;
-        let contact = self.contact(source, quantity, scene)?;
+        let asked = source.choice("quantity", &self.quantity, &QUANTITIES)?;
+        let contact = self.contact(source, asked, scene)?;
         let pair = &scene.contacts[contact];
         // What turns a contact coordinate of the file into mm or rad.
         let along = if pair.path.is_straight() { units.length } else { 1.0 / display_factor(&pair.path) };
-        let unit = match quantity {
-            Asked::PeakPressure | Asked::Pressure => units.stress,
-            Asked::Resultant | Asked::Reaction => units.force,
-            Asked::HalfWidth | Asked::Centre => along,
-        };
-        if quantity == Asked::Centre && !pair.path.has_both_sides() {
-            let remedy = "leave the check out, or give `both-sides = true` in [contact]";
-            return Err(source.refused(self.quantity.span(), "a contact that begins at x = 0 has no `centre`", remedy));
-        }
-        let at = match (&self.at, quantity) {
-            (Some(at), Asked::Pressure) if pair.path.has_both_sides() => {
-                let [end, shown] = [pair.stretch * (1.0 + 1e-9), pair.stretch / along];
-                along
-                    * source.number("at", at, &format!("a coordinate from -{shown} to {shown}"), |s| {
-                        (along * s).abs() <= end
-                    })?
-            }
-            (Some(at), Asked::Pressure) => along * source.number("at", at, "a coordinate from 0 on", |s| s >= 0.0)?,
-            (None, Asked::Pressure) => {
-                return Err(source.refused(self.quantity.span(), "a pressure without a place", "add `at`"));
-            }
-            (Some(at), _) => {
-                return Err(source.refused(at.span(), "only `pressure` is taken at a place", "leave `at` out"));
-            }
-            (None, _) => f64::NAN,
-        };
-        let support = match (&self.support, quantity) {
-            (Some(support), Asked::Reaction) => Some(support.get_ref().find(source, bodies)?),
-            (None, Asked::Reaction) => {
-                let remedy = "add `support = { body = \"…\", at = \"…\", component = \"…\" }`, as the body lists it";
-                return Err(source.refused(self.quantity.span(), "a reaction without its support", remedy));
-            }
-            (Some(support), _) => {
-                return Err(source.refused(support.span(), "only a `reaction` has a support", "leave `support` out"));
-            }
-            (None, _) => None,
+        let at = self.place(source, asked, pair, along)?;
+        let support = self.support(source, asked, bodies)?;
+        let (quantity, unit) = match (asked, support) {
+            (Asked::PeakPressure, _) => (Quantity::PeakPressure, units.stress),
+            (Asked::HalfWidth, _) => (Quantity::HalfWidth, along),
+            (Asked::Centre, _) => (Quantity::Centre, along),
+            (Asked::Resultant, _) => (Quantity::Resultant, units.force),
+            (Asked::Reaction, Some([body, support])) => (Quantity::Reaction { body, support }, units.force),
+            (Asked::Pressure, _) | (Asked::Reaction, None) => (Quantity::Pressure { at }, units.stress),
         };
         let kind = self.kind.as_ref().map(|kind| source.choice("kind of reference", kind, &KINDS)).transpose()?;
         let tolerance = source.positive("tolerance", &self.tolerance)?;
-        let quantity = match (quantity, support) {
-            (Asked::PeakPressure, _) => Quantity::PeakPressure,
-            (Asked::HalfWidth, _) => Quantity::HalfWidth,
-            (Asked::Centre, _) => Quantity::Centre,
-            (Asked::Resultant, _) => Quantity::Resultant,
-            (Asked::Reaction, Some([body, support])) => Quantity::Reaction { body, support },
-            (Asked::Pressure, _) | (Asked::Reaction, None) => Quantity::Pressure { at },
-        };
         let reference = match &self.value {
             Some(value) => Reference {
                 name: self.source.clone().unwrap_or_else(|| "the value given".into()),
@@ -149,6 +114,43 @@ impl CheckTable {
             false => Check::absolute(quantity, reference, unit * tolerance, because),
         };
         Ok(Check { contact, ..check })
+    }
+
+    /// Where a pressure is asked for \[mm, or rad on an arc\]; NaN for what has no place.
+    fn place(&self, source: Source, asked: Asked, pair: &ContactPair, along: f64) -> Result<f64, Error> {
+        let both = pair.path.has_both_sides();
+        match (&self.at, asked) {
+            (Some(at), Asked::Pressure) if both => {
+                let [end, shown] = [pair.stretch * (1.0 + 1e-9), pair.stretch / along];
+                let expected = format!("a coordinate from -{shown} to {shown}");
+                Ok(along * source.number("at", at, &expected, |s| (along * s).abs() <= end)?)
+            }
+            (Some(at), Asked::Pressure) => Ok(along * source.number("at", at, "a coordinate from 0 on", |s| s >= 0.0)?),
+            (None, Asked::Pressure) => {
+                Err(source.refused(self.quantity.span(), "a pressure without a place", "add `at`"))
+            }
+            (Some(at), _) => Err(source.refused(at.span(), "only `pressure` is taken at a place", "leave `at` out")),
+            (None, Asked::Centre) if !both => {
+                let remedy = "leave the check out, or give `both-sides = true` in [contact]";
+                Err(source.refused(self.quantity.span(), "a contact that begins at x = 0 has no `centre`", remedy))
+            }
+            (None, _) => Ok(f64::NAN),
+        }
+    }
+
+    /// Indices of the body and of its support whose reaction is asked for.
+    fn support(&self, source: Source, asked: Asked, bodies: &[Keyed<BodyTable>]) -> Result<Option<[usize; 2]>, Error> {
+        match (&self.support, asked) {
+            (Some(support), Asked::Reaction) => Ok(Some(support.get_ref().find(source, bodies)?)),
+            (None, Asked::Reaction) => {
+                let remedy = "add `support = { body = \"…\", at = \"…\", component = \"…\" }`, as the body lists it";
+                Err(source.refused(self.quantity.span(), "a reaction without its support", remedy))
+            }
+            (Some(support), _) => {
+                Err(source.refused(support.span(), "only a `reaction` has a support", "leave `support` out"))
+            }
+            (None, _) => Ok(None),
+        }
     }
 
     /// What the closed form of the contact says of a quantity.

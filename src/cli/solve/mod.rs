@@ -29,6 +29,9 @@ use crate::solve::Run;
 pub use options::Arguments;
 use stages::Stages;
 
+/// What stands for standard output in place of a file.
+const STDOUT: &str = "-";
+
 /// Solves, prints a table unless JSON goes to standard output, writes what was asked for, and tells how it ended.
 ///
 /// A mistake that shows only now is told with its line in the file.
@@ -77,37 +80,43 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
         run: &run,
         checks,
     };
-    let document = arguments.json.is_some().then(|| {
-        let accuracy = accurate.as_ref().map(cli::accuracy::Document::of);
-        json::text(&found, accuracy)
-    });
-    let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
-    if let (Some(path), Some(text), false) = (&arguments.json, &document, to_stdout) {
-        write(path, text)?;
-    }
-    if let Some(path) = &arguments.csv {
-        write(path, &profile::csv(&problem.scene, &run, path)?)?;
-    }
-    if let Some(path) = &arguments.vtu {
-        write(path, &vtu::text(&discretisation, &run)?)?;
-    }
-    if let Some(path) = &arguments.plot {
-        write(path, &pictures::solve::sheet(&problem, &discretisation, &run)?.svg()?)?;
-    }
+    let document = json::text(&found, accurate.as_ref().map(cli::accuracy::Document::of));
+    write_files(arguments, &document, &discretisation, &found)?;
     stages.end();
-
-    match document.filter(|_| to_stdout) {
-        Some(text) => say(text),
-        None => {
-            table::print(&found);
-            accurate.iter().for_each(cli::accuracy::print);
-        }
+    if arguments.json.as_deref() == Some(Path::new(STDOUT)) {
+        say(document);
+    } else {
+        table::print(&found);
+        accurate.iter().for_each(cli::accuracy::print);
     }
     if let Some(remedy) = remedy(&run) {
         eprintln!("not converged: these numbers are those of the last iteration; {remedy}");
     }
     let passed = found.checks.iter().all(|check| check.verdict != Verdict::Fail);
     Ok(Ended::of(&run, Ended::checked(passed)))
+}
+
+/// Writes the files that were asked for.
+fn write_files(
+    arguments: &Arguments,
+    document: &str,
+    discretisation: &Discretisation,
+    found: &Found,
+) -> Result<(), Error> {
+    let Found { problem, run, .. } = found;
+    if let Some(path) = arguments.json.as_ref().filter(|path| path.as_os_str() != STDOUT) {
+        write(path, document)?;
+    }
+    if let Some(path) = &arguments.csv {
+        write(path, &profile::csv(&problem.scene, run, path)?)?;
+    }
+    if let Some(path) = &arguments.vtu {
+        write(path, &vtu::text(discretisation, run)?)?;
+    }
+    if let Some(path) = &arguments.plot {
+        write(path, &pictures::solve::sheet(problem, discretisation, run)?.svg()?)?;
+    }
+    Ok(())
 }
 
 /// What to do where an iteration did not converge.

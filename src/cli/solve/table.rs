@@ -7,17 +7,44 @@ use crate::cli::terminal::say;
 use crate::cli::{json, verify};
 use crate::markdown;
 use crate::measure::display_factor;
+use crate::mesh::Order;
 use crate::scene::ContactPair;
 use crate::solve::Start;
-use crate::solve::run::Contact;
+use crate::solve::run::{Contact, Run};
 
 /// A reaction below this part of the largest force, or a place below this part of the half-width, is round-off, told as 0.
 const ROUND_OFF: f64 = 1e-9;
 
 /// Prints what was solved, how it ended, what was measured, and how far that is from the oracle.
 pub fn print(Found { problem, resolution, run, reactions, checks }: &Found) {
-    let order = resolution.order.nodes_per_cell();
     say(format!("{}: {}", problem.name, problem.title));
+    print_work(run, resolution.order);
+    let several = run.contacts.len() > 1;
+    for (index, pair) in problem.scene.contacts.iter().enumerate() {
+        if several {
+            say(format!("contact `{}`:", pair.name));
+        }
+        print_contact(pair, &run.contacts[index], run.note(index), if several { "  " } else { "" });
+    }
+    print_reactions(run, reactions);
+    for check in checks {
+        say(verify::told("check", check));
+    }
+    for oracle in json::oracles(problem, run) {
+        say(format!(
+            "{} ({}) {}: {}, error {}",
+            oracle.name,
+            oracle.kind,
+            oracle.quantity,
+            markdown::value(oracle.reference),
+            markdown::error(oracle.error)
+        ));
+    }
+}
+
+/// By what it was solved, how it ended, and what that took.
+fn print_work(run: &Run, order: Order) {
+    let order = order.nodes_per_cell();
     say(format!("{}, {order}-node cells, {} dofs, {} retained", run.formulation.name(), run.dofs, run.retained));
     let work = &run.solution.work;
     say(format!(
@@ -37,31 +64,15 @@ pub fn print(Found { problem, resolution, run, reactions, checks }: &Found) {
             coarser.iterations, coarser.factorisations
         ));
     }
-    let several = run.contacts.len() > 1;
-    for (index, pair) in problem.scene.contacts.iter().enumerate() {
-        if several {
-            say(format!("contact `{}`:", pair.name));
-        }
-        print_contact(pair, &run.contacts[index], run.note(index), if several { "  " } else { "" });
-    }
+}
+
+/// What the supports exert.
+fn print_reactions(run: &Run, reactions: &[ReactionReading]) {
     let forces = run.contacts.iter().map(|contact| contact.transmitted);
     let largest = forces.chain(reactions.iter().map(|reaction| reaction.force)).map(f64::abs).fold(0.0, f64::max);
     for ReactionReading { body, at, component, force } in reactions {
         let force = if force.abs() < ROUND_OFF * largest { 0.0 } else { *force };
         say(format!("reaction on `{body}` at {at}: {component} {} N", markdown::value(force)));
-    }
-    for check in checks {
-        say(verify::told("check", check));
-    }
-    for oracle in json::oracles(problem, run) {
-        say(format!(
-            "{} ({}) {}: {}, error {}",
-            oracle.name,
-            oracle.kind,
-            oracle.quantity,
-            markdown::value(oracle.reference),
-            markdown::error(oracle.error)
-        ));
     }
 }
 
