@@ -119,7 +119,7 @@ pub struct Tried {
     pub order: Order,
     /// Elements within the contact, within half of it where it has both sides; within that of fewest where there are several.
     pub elements: usize,
-    /// Growth along the surface; NaN where every body brings its mesh.
+    /// Growth along the surface; NaN where the mesh of every body is given.
     pub growth: f64,
     /// Dofs; 0 where contact went on beyond the candidates.
     pub dofs: usize,

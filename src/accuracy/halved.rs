@@ -1,4 +1,4 @@
-//! Bodies that bring their mesh, and several contacts: from mesh to mesh all elements are halved.
+//! Bodies whose mesh is given, and several contacts: from mesh to mesh all elements are halved.
 //!
 //! Cells that are given are cut both ways. Where all bodies are meshed here, the elements on the contacts are halved and the
 //! growth follows them, which needs far fewer cells. No ladder fits such meshes to the ends of the contact, so that the
@@ -39,7 +39,7 @@ const FINER: usize = 2;
 
 /// Whether the mesh of a scene is chosen in this way.
 pub(super) fn applies(scene: &Scene) -> bool {
-    scene.contacts.len() > 1 || scene.bodies.iter().any(|body| body.shape.brings_mesh())
+    scene.contacts.len() > 1 || scene.bodies.iter().any(|body| body.shape.has_given_mesh())
 }
 
 /// The scene on its first mesh: candidates as they are guessed, growth as usual, cells of the order that is given.
@@ -174,9 +174,9 @@ impl Halving<'_> {
         }
     }
 
-    /// Whether each body brings its mesh.
+    /// Whether the mesh of each body is given.
     fn brought(&self) -> impl Iterator<Item = bool> {
-        self.scene.bodies.iter().map(|body| body.shape.brings_mesh())
+        self.scene.bodies.iter().map(|body| body.shape.has_given_mesh())
     }
 
     /// The scene on a mesh halved so many times.
@@ -198,7 +198,7 @@ impl Halving<'_> {
             let pair = &mut self.scene.contacts[contact];
             let [begin, end] = ends::ends(part, pair);
             let [pressed, _] = ends::pressed(part, pair);
-            let brought = |body: usize| self.scene.bodies[body].shape.brings_mesh();
+            let brought = |body: usize| self.scene.bodies[body].shape.has_given_mesh();
             if pressed == 0 || pair.bodies().all(brought) {
                 continue;
             }

@@ -9,7 +9,7 @@
 //! * `along` — the ladder along the contact: more and more elements on one growth.
 //! * `depth` — the ladder of growth: gentler and gentler on one surface mesh.
 //! * `confirmed` — the last word on a mesh: one finer in both directions.
-//! * `halved` — bodies that bring their mesh, and several contacts: all of the mesh halved again and again.
+//! * `halved` — bodies whose mesh is given, and several contacts: all of the mesh halved again and again.
 //! * `sizes` — sizes of elements where there are several contacts.
 //! * `slow` — the mesh chosen by kinematic load, and run by another algorithm.
 //! * `search` — which meshes are solved, and which one is answered.

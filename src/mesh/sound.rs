@@ -15,7 +15,7 @@ const JOINED: &str = "let neighbouring cells share their nodes (Coherence in Gms
 /// Refuses bodies given cell by cell or block by block that do not hang together.
 pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {
     for (index, body) in scene.bodies.iter().enumerate() {
-        if !body.shape.brings_mesh() {
+        if !body.shape.has_given_mesh() {
             continue;
         }
         let refused = |what: &str, node: usize| {

@@ -120,8 +120,8 @@ pub struct Grading {
 }
 
 impl Shape {
-    /// Whether the body brings its mesh instead of being meshed.
-    pub fn brings_mesh(&self) -> bool {
+    /// Whether the mesh of the body is given instead of made here.
+    pub fn has_given_mesh(&self) -> bool {
         matches!(self, Self::Given(_) | Self::Blocks(_))
     }
 

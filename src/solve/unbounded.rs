@@ -21,13 +21,13 @@ impl Run {
 }
 
 /// Whether the peaks of a run grow without a limit: told from meshes of half and a quarter of the elements. None where these
-/// cannot be made or do not hold the contact, and for bodies that bring their mesh.
+/// cannot be made or do not hold the contact, and for bodies whose mesh is given.
 pub fn of(discretisation: &Discretisation, run: &Run) -> Result<Vec<Option<Unbounded>>, Error> {
     let nothing = Ok(vec![None; run.contacts.len()]);
     let Resolution { elements, .. } = discretisation.resolution;
     if elements < 4
         || !run.solution.converged()
-        || discretisation.scene.bodies.iter().any(|body| body.shape.brings_mesh())
+        || discretisation.scene.bodies.iter().any(|body| body.shape.has_given_mesh())
     {
         return nothing;
     }

@@ -172,10 +172,10 @@ fn contacts_of_any_two_sizes_meet_an_accuracy() {
 }
 
 #[test]
-fn bodies_of_the_random_meshes_bring_them() {
+fn random_meshes_are_given() {
     for number in 0..Family::Mesh.each() {
         let sample = Site { family: Family::Mesh, number }.sample().expect("a scene");
-        assert!(sample.scene.bodies[0].shape.brings_mesh(), "{number}");
+        assert!(sample.scene.bodies[0].shape.has_given_mesh(), "{number}");
     }
 }
 

@@ -15,7 +15,7 @@ use crate::scene::{Body, Scene, Shape};
 /// Elements up to which the default growth is as it is described; beyond, it follows them.
 const USUAL: f64 = 16.0;
 
-/// `[mesh]`: `elements` of the candidate stretch on every length `per`, or an `accuracy`; bodies that bring their mesh need
+/// `[mesh]`: `elements` of the candidate stretch on every length `per`, or an `accuracy`; bodies whose mesh is given need
 /// neither.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -88,7 +88,7 @@ impl MeshTable {
         place: &Range<usize>,
         scene: Scene,
     ) -> Result<(Scene, Resolution), Error> {
-        let brought = |body: &Body| body.shape.brings_mesh();
+        let brought = |body: &Body| body.shape.has_given_mesh();
         if let Some(accuracy) = &self.accuracy {
             if scene.contacts.iter().any(|pair| !pair.profile.kinks().is_empty()) {
                 return Err(source.refused(accuracy.span(), KINKED, UNKINKED));

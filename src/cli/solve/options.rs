@@ -131,7 +131,7 @@ impl Arguments {
     /// Gives the problem the mesh asked for, if it can be solved; growth follows the elements.
     pub fn refine(&self, problem: &mut Case) -> Result<(), Error> {
         let order = self.order.unwrap_or(problem.resolution.order);
-        let brought = |body: &Body| body.shape.brings_mesh();
+        let brought = |body: &Body| body.shape.has_given_mesh();
         if let (Some(elements), true) = (self.resolution, problem.scene.bodies.iter().all(brought)) {
             let remedy = "leave it out, and refine those meshes";
             return Err(Error::value("solve", "--resolution", elements, "the meshes of all bodies are given", remedy));

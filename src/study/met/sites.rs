@@ -21,7 +21,7 @@ pub enum Family {
     Cylinder,
     /// Pins in a wide plate.
     Pin,
-    /// Profiles on blocks, and cylinders, that bring a coarse mesh.
+    /// Profiles on blocks, and cylinders, with a coarse mesh given.
     Mesh,
     /// Two profiles on blocks, cylinders or waves in one scene, whatever their sizes.
     Pair,
@@ -74,7 +74,7 @@ impl Family {
             Self::Cosine => "waves on a block",
             Self::Cylinder => "cylinder on a plane",
             Self::Pin => "pin in a wide plate",
-            Self::Mesh => "body that brings a coarse mesh",
+            Self::Mesh => "body with a coarse mesh given",
             Self::Pair => "two contacts",
         }
     }
