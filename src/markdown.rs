@@ -74,5 +74,5 @@ pub fn folded(summary: &str, text: &str, open: bool) -> String {
 }
 
 fn escape(cell: &str) -> String {
-    cell.replace('|', "\\|")
+    cell.replace('|', "\\|").replace('\n', " ")
 }

@@ -15,6 +15,8 @@ pub struct Case {
     pub name: String,
     /// What it is, in a sentence.
     pub title: String,
+    /// Where it comes from; empty where that is its oracle's.
+    pub source: String,
     /// The scene.
     pub scene: Scene,
     /// Its mesh; with an accuracy the first one of the search.
@@ -37,6 +39,7 @@ impl Case {
         Self {
             name: name.into(),
             title: title.into(),
+            source: String::new(),
             scene,
             resolution: Resolution { elements, refinement: 0, order: Order::Quadratic },
             accuracy: None,

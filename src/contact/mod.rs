@@ -3,7 +3,7 @@
 //! * [`point`] — what a contact element makes.
 //! * [`interface`] — nodes and edges of the candidate stretch.
 //! * `pairing` — from the candidates of both bodies to an interface.
-//! * `dual` — what a node faces where nodes do not face one another.
+//! * `dual` — what lies opposite a contact node where meshes do not match.
 //! * [`primary`] — projection on to the edges of the other body.
 //! * [`node`] — one spring per node pair (paper, Fig. 5).
 //! * [`mod@line`] — distributed springs between two element edges (Fig. 3).

@@ -42,7 +42,7 @@ fn checks_of_the_study_fail_on_a_coarser_mesh_on_a_larger_one_and_on_an_accuracy
     let exact = study::closed_form(&problem);
     let good = answered(&problem.scene, 1e-3);
     let failed = |answer: &Answer, dofs: usize| {
-        let by_hand = Price { dofs: dofs, worst: 1e-4 };
+        let by_hand = Price { dofs, worst: 1e-4 };
         let checks = judge(&Numbers::of(answer, 1e-3, [exact, exact], by_hand)).expect("judged");
         checks.iter().map(|check| check.verdict == Verdict::Fail).collect::<Vec<_>>()
     };

@@ -51,6 +51,7 @@ mod several_contacts;
 mod shared_mesh;
 mod soft_springs;
 mod stability;
+mod statements;
 mod surveys;
 mod timings;
 mod told;

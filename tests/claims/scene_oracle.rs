@@ -105,3 +105,11 @@ fn oracles_that_cannot_speak_are_refused_with_a_remedy() {
     let error = Case::parse(Path::new("oracle.toml"), &without).map(|_| ()).expect_err("nothing").to_string();
     assert!(error.contains("nothing to be held against") && error.contains("the contact an `oracle`"), "{error}");
 }
+
+#[test]
+fn source_of_a_file_is_that_of_its_case() {
+    let text = block("{ parabola = 100 }", "{ hertz = { load = 1000, radius = 100 } }");
+    let read = |text: &str| Case::parse(Path::new("source.toml"), text).expect("a scene").source;
+    assert_eq!(read(&format!("source = \"a book\"\n{text}")), "a book");
+    assert_eq!(read(&text), "");
+}

@@ -29,6 +29,7 @@ const LARGEST_FILE: u64 = 1 << 20;
 #[serde(deny_unknown_fields)]
 struct Document {
     title: Option<String>,
+    source: Option<String>,
     plane: Name,
     thickness: Number,
     units: Option<Keyed<UnitsTable>>,
@@ -156,6 +157,7 @@ impl Document {
         Ok(Case {
             resolution,
             accuracy,
+            source: self.source.clone().unwrap_or_default(),
             formulations: vec![formulation],
             checks,
             oracle: oracles.into_iter().next().flatten(),

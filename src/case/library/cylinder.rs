@@ -105,12 +105,15 @@ impl Cylinder {
     pub fn case(&self) -> Case {
         let scene = self.scene();
         let oracle = Hertz { load: self.load(), radius: self.radius, modulus: scene.contact_modulus() };
-        Case { oracle: Some(Arc::new(oracle)), ..Case::of("cylinder", TITLE, scene, 12) }
+        let source = SOURCE.into();
+        Case { source, oracle: Some(Arc::new(oracle)), ..Case::of("cylinder", TITLE, scene, 12) }
     }
 }
 
 /// What it is.
 pub(super) const TITLE: &str = "elastic cylinder pressed on a rigid plane, the lower quarter (paper, example a)";
+/// Its dimensions are not in the text of the paper.
+const SOURCE: &str = "J. Égert 1999, first example; dimensions chosen here";
 
 /// Name of the case of all nine.
 pub const NINE: &str = "cylinder";

@@ -108,12 +108,14 @@ impl PinRod {
 impl PinRod {
     /// The case; there is no closed form.
     pub fn case(&self) -> Case {
-        Case::of("pin-rod", TITLE, self.scene(), 32)
+        Case { source: SOURCE.into(), ..Case::of("pin-rod", TITLE, self.scene(), 32) }
     }
 }
 
 /// What it is.
 pub(super) const TITLE: &str = "pin in a connecting-rod eye, two elastic bodies (paper, example b)";
+/// Its dimensions are not in the text of the paper.
+const SOURCE: &str = "J. Égert 1999, second example; dimensions chosen here";
 
 /// Name of the case of all nine.
 pub const NINE: &str = "pin-rod";

@@ -1,6 +1,6 @@
 //! Two bars closing a gap.
 
-use super::{answer, finite, non_negative, positive};
+use super::{finite, non_negative, positive, uniform_answer};
 use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
 
 /// Two bars in line, one end moved towards the other until the gap closes (`ν = 0`).
@@ -50,7 +50,7 @@ impl Oracle for Bars {
     }
 
     fn read(&self, quantity: Quantity) -> Reading {
-        let mut parameters = vec![
+        let parameters = vec![
             positive("young", self.young),
             positive("section", self.section),
             positive("moved_length", self.moved_length),
@@ -58,15 +58,6 @@ impl Oracle for Bars {
             non_negative("gap", self.gap),
             finite("displacement", self.displacement),
         ];
-        let value = match quantity {
-            Quantity::Resultant => self.force(),
-            Quantity::PeakPressure => self.pressure(),
-            Quantity::Pressure { at } => {
-                parameters.push(finite("at", at));
-                self.pressure()
-            }
-            _ => return Reading::Silent,
-        };
-        answer(&parameters, value)
+        uniform_answer(parameters, quantity, self.pressure(), self.force())
     }
 }

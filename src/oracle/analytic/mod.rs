@@ -10,7 +10,7 @@
 //! * [`waves`]: a sinusoidal gap on a half-plane.
 //! * [`weight`]: a block under its own weight.
 
-use super::Reading;
+use super::{Quantity, Reading};
 use crate::scene::PlaneHypothesis;
 
 pub mod bars;
@@ -88,4 +88,18 @@ fn answer(parameters: &[Parameter], value: f64) -> Reading {
     let given: Vec<String> =
         parameters.iter().map(|parameter| format!("{} = {}", parameter.name, parameter.value)).collect();
     Reading::Unavailable(format!("no finite value with {}", given.join(", ")))
+}
+
+/// A quantity of a contact under one pressure everywhere.
+fn uniform_answer(mut parameters: Vec<Parameter>, quantity: Quantity, pressure: f64, resultant: f64) -> Reading {
+    let value = match quantity {
+        Quantity::Resultant => resultant,
+        Quantity::PeakPressure => pressure,
+        Quantity::Pressure { at } => {
+            parameters.push(finite("at", at));
+            pressure
+        }
+        _ => return Reading::Silent,
+    };
+    answer(&parameters, value)
 }

@@ -1,6 +1,6 @@
 //! A patch under uniform pressure.
 
-use super::{answer, finite, positive};
+use super::{positive, uniform_answer};
 use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
 
 /// Two blocks with matching faces pressed together by a uniform pressure.
@@ -38,16 +38,7 @@ impl Oracle for Uniform {
     }
 
     fn read(&self, quantity: Quantity) -> Reading {
-        let mut parameters = vec![positive("applied", self.applied), positive("width", self.width)];
-        let value = match quantity {
-            Quantity::Resultant => self.resultant(),
-            Quantity::PeakPressure => self.pressure(),
-            Quantity::Pressure { at } => {
-                parameters.push(finite("at", at));
-                self.pressure()
-            }
-            _ => return Reading::Silent,
-        };
-        answer(&parameters, value)
+        let parameters = vec![positive("applied", self.applied), positive("width", self.width)];
+        uniform_answer(parameters, quantity, self.pressure(), self.resultant())
     }
 }

@@ -1,6 +1,6 @@
 //! A block under its own weight.
 
-use super::{answer, finite, positive};
+use super::{positive, uniform_answer};
 use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
 
 /// Rectangular block standing free on a rigid frictionless plane.
@@ -40,20 +40,11 @@ impl Oracle for OwnWeight {
     }
 
     fn read(&self, quantity: Quantity) -> Reading {
-        let mut parameters = vec![
+        let parameters = vec![
             positive("specific_weight", self.specific_weight),
             positive("height", self.height),
             positive("width", self.width),
         ];
-        let value = match quantity {
-            Quantity::Resultant => self.resultant(),
-            Quantity::PeakPressure => self.pressure(),
-            Quantity::Pressure { at } => {
-                parameters.push(finite("at", at));
-                self.pressure()
-            }
-            _ => return Reading::Silent,
-        };
-        answer(&parameters, value)
+        uniform_answer(parameters, quantity, self.pressure(), self.resultant())
     }
 }

@@ -70,7 +70,7 @@ pub fn iterations(sweeps: &[&Sweep]) -> [f64; 2] {
     extremes(sweeps.iter().flat_map(|sweep| sweep.iterations.points.iter().map(|point| point[1])))
 }
 
-/// The smallest and the largest of some numbers.
+/// The smallest and the largest of some numbers; NaN where one is.
 pub fn extremes(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
-    numbers.fold([f64::INFINITY, 0.0], |[low, high], x| [low.min(x), high.max(x)])
+    numbers.fold([f64::INFINITY, 0.0], |[low, high], x| [-larger(-low, -x), larger(high, x)])
 }

@@ -51,15 +51,15 @@ pub fn stability(f: &Findings) -> Statement {
     let more_stable = v * of_c > c * of_v;
     let first_failure = line.iter().flat_map(|sweep| &sweep.iterations.failed).fold(f64::INFINITY, |a, &x| a.min(x));
     let below = line.iter().flat_map(|sweep| &sweep.iterations.points).map(|p| p[0]).filter(|&x| x < first_failure);
+    let up_to = below.fold(0.0, f64::max);
     let judgement = match (more_stable, l == of_l) {
         (true, true) => Judgement::Reproduced,
-        (true, false) => Judgement::UnderCondition,
+        (true, false) if up_to > 0.0 => Judgement::UnderCondition,
         _ => Judgement::NotReproduced,
     };
-    let condition = if judgement == Judgement::UnderCondition {
-        format!(". Condition: with line elements in every case up to κ₀ = {}", below.fold(0.0, f64::max))
-    } else {
-        String::new()
+    let condition = match judgement {
+        Judgement::UnderCondition => format!(". Condition: with line elements in every case up to κ₀ = {up_to}"),
+        _ => String::new(),
     };
     Statement {
         text: "Varying stiffness is more stable than constant stiffness; with line elements it converged in every case",

@@ -55,13 +55,16 @@ fn references(findings: &[Found<Numbers>]) -> String {
             continue;
         }
         let reference = match &numbers.case.oracle {
-            Some(oracle) => format!("{}: {}", oracle.name(), oracle.source().citation),
+            Some(oracle) => oracle.name().to_owned(),
             None if numbers.case.is_reported() => "reported only".into(),
             None => "its own checks".into(),
         };
-        rows.push(vec![(*case).into(), numbers.case.title.clone(), reference]);
+        let cited = numbers.case.oracle.iter().map(|oracle| oracle.source().citation);
+        let sources = [numbers.case.source.clone()].into_iter().filter(|source| !source.is_empty()).chain(cited);
+        let sources = sources.collect::<Vec<_>>().join("; ");
+        rows.push(vec![(*case).into(), numbers.case.title.clone(), reference, sources]);
     }
-    markdown::table(&["case", "what it is", "reference"].map(String::from), &rows) + "\n"
+    markdown::table(&["case", "what it is", "reference", "source"].map(String::from), &rows) + "\n"
 }
 
 /// What one quotes of every run of a case.

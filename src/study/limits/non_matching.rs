@@ -1,4 +1,4 @@
-//! Limit of the interface: nodes that do not face one another.
+//! Limit of the interface: non-matching meshes.
 
 use serde::Serialize;
 
@@ -161,7 +161,7 @@ impl NonMatching {
         };
         let last = self.all().last().map(|found| found.blocks[1].seen.to_string()).unwrap_or_default();
         Limit {
-            pushed: "nodes that do not face one another",
+            pushed: "non-matching meshes",
             range: range(&DENSITIES, "elements of the second body over those of the first"),
             onset: format!(
                 "error beyond {}: 4-node {}; 8-node {}; largest error of the patch test {}",

@@ -61,7 +61,7 @@ limits! {
     "near incompressibility": Incompressible in incompressible,
     "distorted cells": Distorted in distorted,
     "element sizes across the interface": UnequalSizes in unequal_sizes,
-    "nodes that do not face": NonMatching in non_matching,
+    "non-matching meshes": NonMatching in non_matching,
     "layer thickness": LayerThickness in layer_thickness,
     "a/R": LargeContact in large_contact,
     "cycling": Cycling in cycling,
