@@ -15,6 +15,8 @@ pub struct Reference {
     pub kind: ReferenceKind,
     /// The value; zero where an error is held against its tolerance.
     pub value: f64,
+    /// Its uncertainty, in its unit; 0 where it is exact, none where it is not known.
+    pub uncertainty: Option<f64>,
 }
 
 /// What a quantity is held against.
@@ -74,21 +76,26 @@ pub struct Check {
 impl Reference {
     /// A value the code must reproduce when asked in another way.
     pub fn own(name: &str, value: f64) -> Self {
-        Self { name: name.into(), kind: ReferenceKind::SelfConsistency, value }
+        Self { name: name.into(), kind: ReferenceKind::SelfConsistency, value, uncertainty: None }
     }
 
     /// A closed-form value.
     pub fn analytic(name: &str, value: f64) -> Self {
-        Self { name: name.into(), kind: ReferenceKind::Analytic, value }
+        Self { name: name.into(), kind: ReferenceKind::Analytic, value, uncertainty: Some(0.0) }
+    }
+
+    /// A multiple of it.
+    pub fn times(self, factor: f64) -> Self {
+        Self { value: factor * self.value, uncertainty: self.uncertainty.map(|u| factor.abs() * u), ..self }
     }
 
     /// What an oracle reads for a quantity; NaN, which no check passes, where it cannot say.
     pub fn read(oracle: &dyn Oracle, quantity: oracle::Quantity) -> Self {
-        let value = match oracle.read(quantity) {
-            Reading::Value { value, .. } => value,
-            Reading::Silent | Reading::Unavailable(_) => f64::NAN,
+        let (value, uncertainty) = match oracle.read(quantity) {
+            Reading::Value { value, uncertainty } => (value, Some(uncertainty)),
+            Reading::Silent | Reading::Unavailable(_) => (f64::NAN, None),
         };
-        Self { name: oracle.name().into(), kind: oracle.kind(), value }
+        Self { name: oracle.name().into(), kind: oracle.kind(), value, uncertainty }
     }
 }
 

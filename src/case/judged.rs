@@ -23,6 +23,8 @@ pub struct Judged {
     pub check: Check,
     /// The value found.
     pub value: f64,
+    /// Its uncertainty, in its unit; none where it is not known.
+    pub uncertainty: Option<f64>,
     /// What it was held against.
     pub reference: Reference,
     /// The error, relative to the reference or to the scale the quantity names.
@@ -53,13 +55,14 @@ impl Check {
             Relation::AtMost => value - reference.value,
         };
         let verdict = if error <= self.tolerance { Verdict::Pass } else { Verdict::Fail };
-        Judged { check: self, value, reference, error, verdict }
+        Judged { check: self, value, uncertainty: None, reference, error, verdict }
     }
 
     /// A check whose reference is absent, and why.
     pub fn not_run(self, kind: ReferenceKind, name: &str, why: String) -> Judged {
-        let reference = Reference { name: name.into(), kind, value: f64::NAN };
-        Judged { check: self, value: f64::NAN, reference, error: f64::NAN, verdict: Verdict::NotRun(why) }
+        let reference = Reference { name: name.into(), kind, value: f64::NAN, uncertainty: None };
+        let [value, error] = [f64::NAN; 2];
+        Judged { check: self, value, uncertainty: None, reference, error, verdict: Verdict::NotRun(why) }
     }
 }
 

@@ -69,7 +69,7 @@ impl Solved<'_> {
             Quantity::HoopStress { at } => case.reading(oracle::Quantity::HoopStress { at: *at }),
             Quantity::Resultant => {
                 let per_thickness = case.reading(oracle::Quantity::Resultant);
-                Reference { value: per_thickness.value * case.scene.thickness, ..per_thickness }
+                per_thickness.times(case.scene.thickness)
             }
             Quantity::Departure => case.reading(oracle::Quantity::PeakPressure),
             Quantity::Profile => Reference { value: 0.0, ..case.reading(oracle::Quantity::PeakPressure) },

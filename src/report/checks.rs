@@ -44,9 +44,14 @@ fn rows(own: &[(&str, &Judged)]) -> String {
 
 fn row(name: &str, judged: &Judged) -> Vec<String> {
     let Judged { check, reference, .. } = judged;
-    let found = if check.relation == Relation::Error { String::new() } else { markdown::value(judged.value) };
-    let held =
-        if reference.value.abs() > 0.0 { format!(" {}", markdown::value(reference.value)) } else { String::new() };
+    let found = match check.relation {
+        Relation::Error => String::new(),
+        _ => with_uncertainty(judged.value, judged.uncertainty),
+    };
+    let held = match reference.value.abs() > 0.0 {
+        true => format!(" {}", with_uncertainty(reference.value, reference.uncertainty)),
+        false => String::new(),
+    };
     let error = match judged.verdict {
         Verdict::NotRun(_) => "–".into(),
         _ => markdown::error(judged.error),
@@ -63,6 +68,14 @@ fn row(name: &str, judged: &Judged) -> Vec<String> {
         check.because.to_string(),
         judged.verdict.to_string(),
     ]
+}
+
+/// A value, with its uncertainty where that is known and more than none.
+fn with_uncertainty(value: f64, uncertainty: Option<f64>) -> String {
+    match uncertainty.filter(|uncertainty| *uncertainty > 0.0) {
+        Some(uncertainty) => format!("{} ± {}", markdown::value(value), markdown::significant(uncertainty, 2)),
+        None => markdown::value(value),
+    }
 }
 
 /// The universal requirements: number of runs, worst error over its tolerance, verdict.

@@ -263,7 +263,7 @@ fn page_on_scene_files_is_true() {
     let supports = "supports = [{ at = \"left\", component = \"x\" }, { at = \"right\", component = \"x\" }]";
     assert!(block.contains(supports));
     let list = rows("Supports and loads");
-    assert_eq!(list.len(), 10);
+    assert_eq!(list.len(), 11);
     for line in list {
         let key = if line.contains("component") && !line.contains("rigid-face") { "supports" } else { "loads" };
         let start = block.find(&format!("{key} = ")).expect("the key");

@@ -99,9 +99,9 @@ type Mistake = (&'static str, &'static str, &'static str, [&'static str; 3]);
 const MISTAKES: &[Mistake] = &[
     (
         "flat-punch",
-        "stretch = 2\n",
-        "stretch = 2.5\n",
-        ["gap = { punch = 2 }", "the punch ends before the candidates do", "shorten `stretch`"],
+        "stretch = 1\n",
+        "stretch = 1.5\n",
+        ["gap = { punch = 1 }", "the punch ends before the candidates do", "shorten `stretch`"],
     ),
     (
         "rigid-cosine",

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use contact_vv::case::{Against, Case, Verdict};
+use contact_vv::case::{Against, Case, Verdict, library};
 use contact_vv::oracle::ReferenceKind;
 
 use crate::scene_file::text_of;
@@ -67,7 +67,13 @@ fn closed_forms_of_the_library_are_those_of_files() {
     let lame = references(&text_of("press-fit.toml"))[0].0;
     assert_relative_eq!(lame, 12.703010, max_relative = 1e-6);
     let punch = references(&text_of("flat-punch.toml"))[0].0;
-    assert_relative_eq!(punch, 1000.0 / (std::f64::consts::PI * 3.0_f64.sqrt()), max_relative = 1e-9);
+    assert_relative_eq!(punch, 1000.0 / (std::f64::consts::PI * 0.75_f64.sqrt()), max_relative = 1e-9);
+    // A scene that is built in and a file of it are one scene.
+    let hertz = references(&text_of("cylinder-in-metres.toml"))[0].0;
+    for (file, name, at) in [(lame, "press-fit", 0.0), (punch, "flat-punch", 0.5), (hertz, "cylinder", 0.0)] {
+        let built_in = library::find(name, None).expect(name).reference_pressure(at);
+        assert_relative_eq!(file, built_in, max_relative = 1e-9);
+    }
 }
 
 #[test]
@@ -112,4 +118,34 @@ fn source_of_a_file_is_that_of_its_case() {
     let read = |text: &str| Case::parse(Path::new("source.toml"), text).expect("a scene").source;
     assert_eq!(read(&format!("source = \"a book\"\n{text}")), "a book");
     assert_eq!(read(&text), "");
+}
+
+#[test]
+fn truncated_hertz_of_a_file_has_no_model_error_above_or_below_its_contact() {
+    // a = 2 mm on R = 100 mm: p₀ = E* a / 2R, P = π a p₀ / 2 per thickness.
+    let peak = MODULUS * 2.0 / 200.0;
+    let load = std::f64::consts::PI * 2.0 * peak / 2.0;
+    let oracle = format!("{{ hertz = {{ load = {}, radius = 100 }} }}", 2.0 * load);
+    let stress = |at: &str| format!("{{ hertz = {{ at = \"{at}\", peak-pressure = {peak}, half-width = 2 }} }}");
+    let above = block("{ parabola = 100 }", &oracle)
+        .replace("{ traction = { at = \"far\", value = [0, -1] } }", &format!("{}, {}", stress("far"), stress("right")))
+        .replace("elements = 4\nper = 4", "elements = 12\nper = 2")
+        .replace("tolerance = 0.1", "tolerance = 5e-3");
+    let below = above.replace("y = [0, 20], contact = \"bottom\"", "y = [-20, 0], contact = \"top\"");
+    let verdicts = |text: &str| {
+        let case = Case::parse(Path::new("truncated.toml"), text).unwrap_or_else(|error| panic!("{error}"));
+        let meshed = case.meshed().expect("meshed");
+        let run = case.run(&meshed, case.formulation()).expect("solved");
+        let judged = case.judge(&meshed, &run).expect("judged");
+        judged.into_iter().map(|one| (one.error, one.verdict)).collect::<Vec<_>>()
+    };
+    for text in [&above, &below] {
+        let found = verdicts(text);
+        assert!(found.iter().all(|(_, verdict)| *verdict == Verdict::Pass), "{found:?}");
+    }
+    // Other stresses are another problem.
+    let other = verdicts(&above.replace("half-width = 2 }", "half-width = 1.9 }"));
+    assert!(other.iter().any(|(_, verdict)| *verdict == Verdict::Fail), "{other:?}");
+    let error = Case::parse(Path::new("truncated.toml"), &above.replace("half-width = 2 }", "half-width = 0 }"));
+    assert!(error.map(|_| ()).expect_err("0").to_string().contains("`half-width` is 0"));
 }

@@ -174,6 +174,10 @@ fn load(source: Source, units: &Units, shape: &Shape, table: &LoadTable) -> Resu
                 field: pressure(source, units, &table.law)?,
             }
         }
+        LoadTable::Hertz(table) => {
+            refuse_inside(source, shape, &table.at)?;
+            Load::Stress { boundary: boundary(source, units, shape, &table.at)?, field: table.field(source, units)? }
+        }
         LoadTable::BodyForce(pair) => {
             let density = units.force / units.length.powi(3);
             Load::BodyForce(source.pair("body-force", pair)?.map(|f| density * f))

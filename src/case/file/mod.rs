@@ -10,6 +10,7 @@
 //! * `curves` — the sides of shapes.
 //! * `disc` — how much of a disc is modelled.
 //! * `gmsh` — bodies from meshes.
+//! * `hertz_load` — Hertz's stresses as a load.
 //! * [`contact`] — contacts, their bodies, sides and paths.
 //! * `side` — the side of a body that carries a contact.
 //! * `gap` — the gap of a contact.
@@ -36,6 +37,7 @@ mod folder;
 mod gap;
 pub mod gap_keys;
 mod gmsh;
+mod hertz_load;
 mod mesh;
 pub mod oracle;
 pub mod places;

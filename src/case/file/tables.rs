@@ -8,6 +8,7 @@ use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
 use crate::case::file::gap_keys::GapTable;
+use crate::case::file::hertz_load::HertzLoadTable;
 use crate::case::file::oracle::OracleTable;
 
 pub use crate::case::file::values::{Keyed, List, Name, Number, Pair};
@@ -173,6 +174,8 @@ pub enum LoadTable {
     Traction(Keyed<TractionTable>),
     /// `{ pressure = { at = "far", law = { … } } }`, normal to the boundary, positive inwards.
     Pressure(Keyed<PressureTable>),
+    /// `{ hertz = { at = "far", peak-pressure = p0, half-width = a } }`, the stresses of a half-plane under Hertz's pressure.
+    Hertz(Keyed<HertzLoadTable>),
     /// `{ body-force = [fx, fy] }`, force per volume.
     BodyForce(Pair),
     /// `{ force = { at = [x, y], value = [fx, fy] } }`.

@@ -104,6 +104,7 @@ impl CheckTable {
                 name: self.source.clone().unwrap_or_else(|| "the value given".into()),
                 kind: kind.unwrap_or(ReferenceKind::SelfConsistency),
                 value: unit * source.finite("value", value)?,
+                uncertainty: None,
             },
             None => self.read(source, &quantity, scene.thickness, oracles[contact].as_ref())?,
         };
@@ -176,7 +177,7 @@ impl CheckTable {
             Quantity::Pressure { at } => read(oracle::Quantity::Pressure { at: *at }),
             Quantity::Resultant => {
                 let per_thickness = read(oracle::Quantity::Resultant);
-                Reference { value: per_thickness.value * thickness, ..per_thickness }
+                per_thickness.times(thickness)
             }
             _ => Reference::own(oracle.name(), f64::NAN),
         };

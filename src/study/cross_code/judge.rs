@@ -33,7 +33,7 @@ fn discrete(compared: &discrete::Compared) -> Vec<Judged> {
 
 /// A live answer is what was frozen; the versions that changed since are named.
 pub fn reproduced(code: Code, live: &Reproduced) -> Judged {
-    let frozen = Reference { name: "frozen results".into(), kind: ReferenceKind::CrossCode, value: 0.0 };
+    let frozen = Reference { name: "frozen results".into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
     let because = format!("solvers and libraries differ in round-off; {}", live.versions);
     let quantity = Quantity::at("largest relative change of a live answer", code.name());
     Check::error(quantity, frozen, REPRODUCED, because).judge(live.change)
@@ -55,7 +55,7 @@ pub fn assembled_alike(code: Code, difference: &Difference) -> Judged {
 }
 
 fn theirs(name: impl ToString, value: f64) -> Reference {
-    Reference { name: name.to_string(), kind: ReferenceKind::CrossCode, value }
+    Reference { name: name.to_string(), kind: ReferenceKind::CrossCode, value, uncertainty: None }
 }
 
 fn physical(compared: &physical::Compared) -> Vec<Judged> {
@@ -99,7 +99,9 @@ pub fn agreement(scene: Scene, ours: &Found, found: &Found) -> [Judged; 4] {
     let near = |name: &'static str, at: &str, a: Measured, b: Measured| {
         let combined = 100.0 * a.uncertainty.hypot(b.uncertainty) / b.value.abs();
         let because = format!("demanded at the finest meshes; combined uncertainty {combined:.3} %");
-        Check::near(Quantity::at(name, at), theirs(found.by, b.value), measured, because).judge(a.value)
+        let theirs = Reference { uncertainty: Some(b.uncertainty), ..theirs(found.by, b.value) };
+        let judged = Check::near(Quantity::at(name, at), theirs, measured, because).judge(a.value);
+        Judged { uncertainty: Some(a.uncertainty), ..judged }
     };
     [
         near("peak pressure", "[MPa]", ours.peak, found.peak),

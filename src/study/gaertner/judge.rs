@@ -10,7 +10,7 @@ use crate::study::gaertner::run::{Curve, Numbers};
 pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
     Ok(match numbers {
         Numbers::Absent(why) => {
-            let source = Reference { name: "Gaertner 1977".into(), kind: ReferenceKind::Measured, value: 0.0 };
+            let source = Reference { name: "Gaertner 1977".into(), kind: ReferenceKind::Measured, value: 0.0, uncertainty: None };
             let name = source.name.clone();
             vec![check("p(θ), σ(θ)", source, None).not_run(ReferenceKind::Measured, &name, why.clone())]
         }
@@ -19,7 +19,7 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
 }
 
 fn of(curve: &Curve) -> Judged {
-    let source = Reference { name: curve.source.clone(), kind: curve.kind, value: 0.0 };
+    let source = Reference { name: curve.source.clone(), kind: curve.kind, value: 0.0, uncertainty: None };
     match &curve.deviates {
         Some(deviates) => check(&curve.file, source, deviates.model_form.as_deref()).judge(deviates.worst),
         None => {

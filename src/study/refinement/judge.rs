@@ -97,8 +97,10 @@ fn pin_rod(pin: &PinRod) -> Vec<Judged> {
         let (a, b) = (linear.limit(of), quadratic.limit(of));
         let because = "combined uncertainty of both series, at least the 0.3 % asked of each";
         let quantity = Quantity::at("value of 4-node cells, extrapolated,", name);
-        let reference = Reference::own("8-node, extrapolated", b.limit);
-        Check::near(quantity, reference, larger(a.uncertainty.hypot(b.uncertainty), OWN), because).judge(a.limit)
+        let [ours, theirs] = [a, b].map(|series| Some(series.uncertainty * series.limit.abs()));
+        let reference = Reference { uncertainty: theirs, ..Reference::own("8-node, extrapolated", b.limit) };
+        let tolerance = larger(a.uncertainty.hypot(b.uncertainty), OWN);
+        Judged { uncertainty: ours, ..Check::near(quantity, reference, tolerance, because).judge(a.limit) }
     });
     let curve = Check::error(
         "difference of the profile of 4-node cells in L2",
