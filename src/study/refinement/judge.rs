@@ -96,7 +96,7 @@ fn pin_rod(pin: &PinRod) -> Vec<Judged> {
     let limits = MEASURED.map(|(name, of)| {
         let (a, b) = (linear.limit(of), quadratic.limit(of));
         let because = "combined uncertainty of both series, at least the 0.3 % asked of each";
-        let quantity = Quantity::at("value of 4-node cells, extrapolated,", name);
+        let quantity = Quantity::at("extrapolated value of 4-node cells", name);
         let [ours, theirs] = [a, b].map(|series| Some(series.uncertainty * series.limit.abs()));
         let reference = Reference { uncertainty: theirs, ..Reference::own("8-node, extrapolated", b.limit) };
         let tolerance = larger(a.uncertainty.hypot(b.uncertainty), OWN);
