@@ -123,7 +123,7 @@ pub struct Tried {
     pub growth: f64,
     /// Dofs; 0 where contact went on beyond the candidates.
     pub dofs: usize,
-    /// Iterations of the iteration.
+    /// Contact iterations.
     pub iterations: usize,
     /// What was found, contact by contact.
     pub contacts: Vec<TriedContact>,

@@ -2,7 +2,7 @@
 //!
 //! With the rule `correction` the iteration `x → G(x)` of the carried forces is Douglas–Rachford splitting of elasticity and
 //! contact (Lions & Mercier 1979). In the norm `‖f‖² = Σ A f²/k₀` it is firmly nonexpansive, so the residual
-//! `f = G(x) − x` never grows in a plain iteration, whatever κ₀, and crossed secant never iterations shorter than a plain one.
+//! `f = G(x) − x` never grows in a plain iteration, whatever κ₀, and crossed secant never takes a shorter step than it.
 
 use std::collections::VecDeque;
 
@@ -44,9 +44,9 @@ const SAFEGUARD: (f64, f64) = (100.0, 1.1);
 /// The last states of a fixed-point iteration, and what is made of them.
 ///
 /// Three safeguards. A state reached by acceleration is given up for the plain iteration before it where
-/// `‖f‖ > 100 F (n + 1)^−1.1`, n accelerated iterations so far, F the residual of the first state: a summable bound, which with nonexpansive plain iterations leaves no way but to converge (Zhang, O'Donoghue &
-/// Boyd 2020). A plain iteration follows where the residual rose, and after every Anderson iteration. An iteration that is not finite is
-/// not made.
+/// `‖f‖ > 100 F (n + 1)^−1.1`, n accelerated iterations so far, F the residual of the first state: a summable bound, which with
+/// nonexpansive plain iterations leaves no way but to converge (Zhang, O'Donoghue & Boyd 2020). A plain iteration follows where
+/// the residual rose, and after every Anderson iteration. A step that is not finite is not made.
 #[derive(Clone, Debug)]
 pub struct Accelerator {
     /// How.

@@ -38,7 +38,7 @@ const FALLS: (usize, f64) = (50, 1e-3);
 const NOISE: f64 = 1e-7;
 /// Two states closer than this are one that returned.
 const SAME: f64 = 1e-10;
-/// An iteration larger than this is still an iteration.
+/// An iteration that changes the state by less is at rest, and no part of a cycle.
 const MOVING: f64 = 1e-6;
 /// Decades by which springs may be too soft.
 const DECADES: i32 = 18;
@@ -323,7 +323,7 @@ fn has_grown(history: &[Iterated]) -> bool {
     history.len() > iterations && errors().rev().take(iterations).all(|error| error > times * least)
 }
 
-/// Period after which the state has returned, while the last iteration itself was a real one.
+/// Period after which the state has returned, while the last iteration itself did change it.
 fn returned(earlier: &VecDeque<State>, state: &State) -> Option<usize> {
     if state.is_within(MOVING, earlier.front()?) {
         return None;

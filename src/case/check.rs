@@ -178,8 +178,8 @@ impl Check {
             }
             Relation::Error => format!("{name} shall be at most {tolerance} against {origin}"),
             Relation::AtLeast => format!("{name} shall be at least {bound} ({origin})"),
-            Relation::AtMost if reference.value.abs() > 0.0 => format!("{name} shall be at most {bound} ({origin})"),
-            Relation::AtMost => return format!("There shall be no {name}"),
+            Relation::AtMost if reference.value.abs() <= 0.0 => return format!("There shall be no {name}"),
+            Relation::AtMost => format!("{name} shall be at most {bound} ({origin})"),
         };
         capitalised(&sentence)
     }

@@ -51,7 +51,7 @@ pub(super) fn rows(interface: &Interface, primary: &PrimarySurface) -> Vec<Vec<(
     .collect()
 }
 
-/// The node that every node faces, where the nodes of both sides are the same.
+/// The primary node that every contact node meets, where the nodes of both sides are the same.
 fn pairs(interface: &Interface, primary: &PrimarySurface) -> Option<Vec<Vec<(usize, f64)>>> {
     let whole = |edge: &Vec<usize>| interface.on_pieces(edge, &[(0.0, 2.0)]).len() == 1;
     let alone = |s: f64| match primary.at(s)?[..] {

@@ -8,7 +8,7 @@ use crate::error::{Error, Part};
 use crate::mesh::{Candidate, Mesh, candidates};
 use crate::scene::{ContactPair, Profile, Scene};
 
-/// The candidate stretch of one contact: nodes (nodes of the first body) and the edges between them.
+/// The candidate stretch of one contact: contact nodes and the edges between them.
 #[derive(Clone, Debug)]
 pub struct Interface {
     /// Nodes of the first body, in the order of the contact coordinate.

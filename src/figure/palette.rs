@@ -33,8 +33,8 @@ pub const PALE: Colour = Colour(0xE4, 0xE4, 0xE0);
 /// The card every figure stands on, so that it reads on light and on dark pages.
 pub const CARD: Colour = Colour(0xFD, 0xFD, 0xFC);
 
-/// Runs on maps, by how they ended: quick, ordinary, long; stopped off the contact by a little, by more, by much; then slow or
-/// stalled, cycling, diverged, unsupported, spilled.
+/// Runs on maps, by how they ended: quick, ordinary, long; stopped off the contact by a little, by more, by much; then not
+/// converged or stalled, cycling, diverged, unsupported, beyond the candidates.
 pub const ENDS: [Colour; 11] = [
     Colour(0x00, 0x6D, 0x4F),
     Colour(0x5F, 0xC0, 0x92),

@@ -94,23 +94,23 @@ pub fn interpolate(points: &[PointState], stretch: f64, position: f64) -> f64 {
     }
 }
 
-/// Mean pressures over stretches of equal length whose middles are the stations.
+/// Mean pressures over stretches of equal length with these middles.
 ///
 /// From the force between 0 and s, linear within each edge: a mean feels the square-root end of a contact as force, where
 /// a value would feel how far it lies from the next node.
-pub fn means(edges: &[EdgeState], stations: &[f64]) -> Vec<f64> {
+pub fn means(edges: &[EdgeState], middles: &[f64]) -> Vec<f64> {
     let from = edges.first().map_or(0.0, |edge| edge.ends[0]);
     let mut carried = vec![[from, 0.0]];
     for edge in edges {
         let [_, force] = carried[carried.len() - 1];
         carried.push([edge.ends[1], force + edge.length() * edge.pressure]);
     }
-    let half = match stations {
+    let half = match middles {
         [first, second, ..] => 0.5 * (second - first),
         _ => 0.5 * (carried[carried.len() - 1][0] - from),
     };
     let force_to = |s: f64| linear(&carried, s);
-    stations.iter().map(|s| (force_to(s + half) - force_to(s - half)) / (2.0 * half)).collect()
+    middles.iter().map(|s| (force_to(s + half) - force_to(s - half)) / (2.0 * half)).collect()
 }
 
 /// Value of a line through points of growing abscissa, constant beyond its ends.

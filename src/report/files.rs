@@ -60,7 +60,7 @@ fn shortened(line: &str) -> String {
 fn committed_charts(folder: &Path) -> Vec<String> {
     let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
     let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
-    names.filter(|name| name.ends_with(".svg")).collect()
+    names.filter(|name| Path::new(name).extension().is_some_and(|extension| extension == "svg")).collect()
 }
 
 fn unwritable(path: &Path, error: &std::io::Error) -> Error {

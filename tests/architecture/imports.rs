@@ -7,7 +7,7 @@ use super::source::{Source, Use};
 /// How the binary names the library.
 const LIBRARY: &str = "contact_vv";
 
-/// Iterations of passing a name on, from `mod.rs` to `mod.rs`, that are followed.
+/// Steps of passing a name on, from `mod.rs` to `mod.rs`, that are followed.
 const PASSED_ON: usize = 8;
 
 /// A path from the root of the crate, seen from a module; none where it begins with a name of the module's own.

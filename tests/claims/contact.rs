@@ -172,10 +172,10 @@ fn rigid_approach_of_either_body_is_the_approach_of_every_point_on_a_flat_interf
                 let sample = flat(&CORNERS, order, 2, profile);
                 let count = sample.nodes.len();
                 let moved: Vec<f64> = (0..2 * count).map(|f| if f < count { 0.3 } else { 0.0 }).collect();
-                let facing: Vec<f64> = (0..2 * count).map(|f| if f < count { 0.0 } else { 0.7 }).collect();
+                let dofs: Vec<f64> = (0..2 * count).map(|f| if f < count { 0.0 } else { 0.7 }).collect();
                 for point in element.points(&sample) {
                     assert!((point.approach(&moved) - 0.3).abs() <= 1e-13, "{name}, first body");
-                    assert!((point.approach(&facing) - 0.7).abs() <= 1e-13, "{name}, second body");
+                    assert!((point.approach(&dofs) - 0.7).abs() <= 1e-13, "{name}, second body");
                 }
             }
         }
@@ -207,7 +207,7 @@ fn weights_of_nodes_on_a_straight_edge_are_one_sixth_four_sixths_one_sixth() {
 }
 
 #[test]
-fn node_points_are_the_stations_with_their_gaps() {
+fn node_points_are_the_contact_nodes_with_their_gaps() {
     for order in ORDERS {
         let sample = flat(&CORNERS, order, 2, Profile::Parabola { radius: 5.0 });
         for (node, point) in sample.nodes.iter().zip(Node.points(&sample)) {

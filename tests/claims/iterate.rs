@@ -57,7 +57,7 @@ fn state_that_stands_still_off_the_solution_is_stalled_and_no_cycle() {
     // Three iterations without a change after the first.
     assert_eq!(solution.work.iterations, 4);
     assert_relative_eq!(solution.error().peak, 2.0 / 3.0, max_relative = 1e-9);
-    // 1e-8 of a state is round-off: more than a return, less than an iteration; the error does not fall.
+    // 1e-8 of a state is round-off: more than a return, less than a change; the error does not fall.
     let creeping = one(90.0).solve(&mut Playback::of(vec![10.0, 10.0 + 1e-7]), tight(200));
     assert_eq!(creeping.outcome, Outcome::Stalled);
     assert_eq!(creeping.work.iterations, 51);

@@ -70,10 +70,10 @@ fn two_bodies_that_touch_beyond_the_candidates_are_refused() {
 }
 
 #[test]
-fn contact_up_to_the_end_of_body_or_punch_is_no_spill() {
+fn contact_up_to_the_end_of_body_or_punch_is_not_beyond_the_candidates() {
     for (scene, elements) in [(Patch::default().scene(), 3), (FlatPunch::default().scene(), 8)] {
         let discretisation = Discretisation::of(scene, resolution(elements, 0, Order::Quadratic)).expect("solvable");
-        let solution = discretisation.solve(&Formulation::verification()).expect("no spill");
+        let solution = discretisation.solve(&Formulation::verification()).expect("within the candidates");
         assert!(solution.points.last().is_some_and(|point| point.pressure > 0.0));
         let deepest = candidate_end::deepest(
             &discretisation,
@@ -84,7 +84,7 @@ fn contact_up_to_the_end_of_body_or_punch_is_no_spill() {
             candidate_end::End::Last,
         )
         .expect("recovered");
-        assert!(deepest.is_none_or(|spill| spill.penetration < 0.0), "{deepest:?}");
+        assert!(deepest.is_none_or(|beyond| beyond.penetration < 0.0), "{deepest:?}");
     }
 }
 

@@ -41,9 +41,9 @@ const PATCH: Uniform = Uniform { applied: 7.0, width: 3.0 };
 const BLOCK: OwnWeight = OwnWeight { specific_weight: 7.7e-5, height: 100.0, width: 40.0 };
 
 /// `∫ f` by the midpoint rule, which converges exponentially once the ends are smooth.
-fn integral(from: f64, to: f64, iterations: usize, f: impl Fn(f64) -> f64) -> f64 {
-    let h = (to - from) / iterations as f64;
-    (0..iterations).map(|i| h * f(from + (i as f64 + 0.5) * h)).sum()
+fn integral(from: f64, to: f64, intervals: usize, f: impl Fn(f64) -> f64) -> f64 {
+    let h = (to - from) / intervals as f64;
+    (0..intervals).map(|i| h * f(from + (i as f64 + 0.5) * h)).sum()
 }
 
 /// `∫ f` by Simpson's rule.
@@ -231,12 +231,12 @@ fn pin_in_hole_is_in_equilibrium() {
 /// the term `n = 1` is a shift of the pin, which is free.
 fn gaps(pin: &PinInHole, angles: &[f64]) -> Vec<f64> {
     let edge = pin.half_angle();
-    let iterations = 4000;
-    let samples: Vec<(f64, f64)> = (0..iterations)
+    let intervals = 4000;
+    let samples: Vec<(f64, f64)> = (0..intervals)
         .map(|i| {
-            let t = -FRAC_PI_2 + (i as f64 + 0.5) * PI / iterations as f64;
+            let t = -FRAC_PI_2 + (i as f64 + 0.5) * PI / intervals as f64;
             let angle = edge * t.sin();
-            (angle, pin.pressure(angle) * edge * t.cos() / iterations as f64)
+            (angle, pin.pressure(angle) * edge * t.cos() / intervals as f64)
         })
         .collect();
     let moment = |order: f64| samples.iter().map(|(angle, weight)| weight * (order * angle).cos()).sum::<f64>();

@@ -76,8 +76,8 @@ fn stack_of_blocks_carries_one_pressure_through_both_contacts() {
         let file = read("stack.toml", &text);
         let discretisation = discretised(&file);
         // Where nodes do not face one another the node element is the one to take.
-        let facing = |formulation: &Formulation| density == "1.0" || formulation.element == Element::Node;
-        for formulation in Formulation::nine().into_iter().filter(facing) {
+        let serves = |formulation: &Formulation| density == "1.0" || formulation.element == Element::Node;
+        for formulation in Formulation::nine().into_iter().filter(serves) {
             // Secant springs end at the stiffest, 1e6 E*/l.
             let formulation = formulation.tolerance(1e-5);
             let run = Run::of(&discretisation, &formulation).expect("run");
@@ -318,7 +318,7 @@ fn weak_contact_beside_a_strong_one_is_converged_on_its_own_scale() {
 
 #[test]
 fn interference_that_nothing_opposes_presses_nothing() {
-    // Both walls to the same side: the block iterations back.
+    // Both walls to the same side: the block steps back.
     let text = between_punches([0.0, 0.0], [3.0, 3.0], "1.7").replace("loads = [{ body-force = [0, -1] }]\n", "");
     let open = text.replacen("gap = { parabola = 80 }", "gap = { uniform = -0.01 }", 1);
     let open = open.replacen("gap = { parabola = 80 }", "gap = { uniform = 0.03 }", 1);
@@ -358,7 +358,7 @@ fn contact_beyond_the_candidates_is_told_for_the_contact_it_belongs_to() {
 
 #[test]
 fn what_another_contact_holds_is_no_contact_beyond_the_candidates() {
-    // A floor with an iteration of 0.005 between two neighbouring nodes: either level goes on below the candidates of the other.
+    // A floor with a step of 0.005 between two neighbouring nodes: either level goes on below the candidates of the other.
     let text = "plane = \"strain\"\nthickness = 1.0\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
         shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }\n\
         supports = [{ at = \"left\", component = \"x\" }]\n\

@@ -1,4 +1,4 @@
-//! Stations along a line, and the lattice that a block spans between four of them.
+//! Coordinates along a line, and the lattice that a block spans between four of them.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::mesh::block::{Block, Side};
@@ -7,10 +7,10 @@ use contact_vv::mesh::spacing;
 #[test]
 fn uniform_spacing_has_equal_steps_and_exact_ends() {
     for n in [1, 2, 7] {
-        let stations = spacing::uniform(0.1, 0.7, n);
-        assert_eq!(stations.len(), n + 1);
-        assert!((stations[0] - 0.1).abs() <= 0.0 && (stations[n] - 0.7).abs() <= 0.0);
-        for two in stations.windows(2) {
+        let coordinates = spacing::uniform(0.1, 0.7, n);
+        assert_eq!(coordinates.len(), n + 1);
+        assert!((coordinates[0] - 0.1).abs() <= 0.0 && (coordinates[n] - 0.7).abs() <= 0.0);
+        for two in coordinates.windows(2) {
             assert_relative_eq!(two[1] - two[0], 0.6 / n as f64, max_relative = 1e-13);
         }
     }
@@ -19,8 +19,8 @@ fn uniform_spacing_has_equal_steps_and_exact_ends() {
 #[test]
 fn stretched_spacing_is_a_geometric_progression_with_the_asked_end_ratio() {
     for (n, end) in [(2, 3.0), (5, 0.2), (9, 0.02), (12, 1.0)] {
-        let stations = spacing::stretched(-1.0, 2.0, n, end);
-        let sizes: Vec<f64> = stations.windows(2).map(|two| two[1] - two[0]).collect();
+        let coordinates = spacing::stretched(-1.0, 2.0, n, end);
+        let sizes: Vec<f64> = coordinates.windows(2).map(|two| two[1] - two[0]).collect();
         assert_eq!(sizes.len(), n);
         assert_relative_eq!(sizes[n - 1] / sizes[0], end, max_relative = 1e-12);
         assert_relative_eq!(sizes.iter().sum::<f64>(), 3.0, max_relative = 1e-14);
@@ -35,9 +35,11 @@ fn growing_spacing_keeps_its_ratio_up_to_the_coarsest_and_ends_exactly() {
     for (length, first, ratio, coarsest) in
         [(10.0, 0.1, 1.3, 2.0), (1.0, 0.3, 1.0, 1.0), (5.0, 0.01, 2.0, 0.5), (1.0, 3.0, 1.5, 0.1)]
     {
-        let stations = spacing::growing(2.0, 2.0 + length, first, ratio, coarsest);
-        let sizes: Vec<f64> = stations.windows(2).map(|two| two[1] - two[0]).collect();
-        assert!((stations[0] - 2.0).abs() <= 0.0 && (stations[stations.len() - 1] - 2.0 - length).abs() <= 0.0);
+        let coordinates = spacing::growing(2.0, 2.0 + length, first, ratio, coarsest);
+        let sizes: Vec<f64> = coordinates.windows(2).map(|two| two[1] - two[0]).collect();
+        assert!(
+            (coordinates[0] - 2.0).abs() <= 0.0 && (coordinates[coordinates.len() - 1] - 2.0 - length).abs() <= 0.0
+        );
         // The law is scaled as a whole so that it ends at the end: all sizes by one factor.
         let scale = sizes[0] / first;
         let mut wanted = first;
@@ -54,8 +56,8 @@ fn growing_spacing_keeps_its_ratio_up_to_the_coarsest_and_ends_exactly() {
 #[test]
 fn fitted_spacing_starts_with_the_asked_size_and_fills_the_length() {
     for (n, first) in [(4, 0.05), (6, 0.1), (8, 0.3), (3, 0.6)] {
-        let stations = spacing::fitted(1.0, 2.0, n, first);
-        let sizes: Vec<f64> = stations.windows(2).map(|two| two[1] - two[0]).collect();
+        let coordinates = spacing::fitted(1.0, 2.0, n, first);
+        let sizes: Vec<f64> = coordinates.windows(2).map(|two| two[1] - two[0]).collect();
         assert_eq!(sizes.len(), n);
         assert_relative_eq!(sizes[0], first, max_relative = 1e-9);
         assert_relative_eq!(sizes.iter().sum::<f64>(), 1.0, max_relative = 1e-14);
@@ -68,9 +70,9 @@ fn fitted_spacing_starts_with_the_asked_size_and_fills_the_length() {
 #[test]
 fn growing_from_both_ends_is_fine_at_both_and_never_jumps() {
     for (ends, ratio, coarsest) in [([0.1, 0.02], 1.3, 0.5), ([0.05, 0.05], 1.5, 0.2), ([0.2, 0.1], 1.2, 0.3)] {
-        let stations = spacing::growing_from_both(1.0, 3.0, ends, ratio, coarsest);
-        let sizes: Vec<f64> = stations.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        assert_eq!((stations[0], stations[stations.len() - 1]), (1.0, 3.0));
+        let coordinates = spacing::growing_from_both(1.0, 3.0, ends, ratio, coarsest);
+        let sizes: Vec<f64> = coordinates.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        assert_eq!((coordinates[0], coordinates[coordinates.len() - 1]), (1.0, 3.0));
         // Scaled to fit: no size is farther from what was asked than one interval allows.
         let scale = sizes[0] / ends[0];
         assert!((0.5..=1.0 + 1e-12).contains(&scale), "{scale}");
@@ -98,8 +100,8 @@ fn lattice_halves_every_interval_once_more_than_the_level() {
 #[test]
 fn transfinite_block_with_straight_sides_is_the_bilinear_map() {
     let corners = [[0.0, 0.0], [4.0, 1.0], [3.0, 5.0], [-1.0, 2.0]];
-    let line = |a: [f64; 2], b: [f64; 2], stations: &[f64]| -> Vec<[f64; 2]> {
-        stations.iter().map(|t| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]).collect()
+    let line = |a: [f64; 2], b: [f64; 2], coordinates: &[f64]| -> Vec<[f64; 2]> {
+        coordinates.iter().map(|t| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]).collect()
     };
     let (xi, eta) = ([0.0, 0.1, 0.35, 0.6, 1.0], [0.0, 0.4, 1.0]);
     let block = Block {
@@ -124,7 +126,7 @@ fn transfinite_block_with_straight_sides_is_the_bilinear_map() {
 }
 
 #[test]
-fn transfinite_block_keeps_stations_that_differ_on_opposite_sides_on_straight_lines() {
+fn transfinite_block_keeps_coordinates_that_differ_on_opposite_sides_on_straight_lines() {
     let (lower, upper) = ([0.0, 0.2, 0.5, 1.0], [0.0, 0.5, 0.8, 1.0]);
     let heights = [0.0, 0.3, 1.0];
     let block = Block {
@@ -141,15 +143,15 @@ fn transfinite_block_keeps_stations_that_differ_on_opposite_sides_on_straight_li
 }
 
 #[test]
-fn fine_stretches_end_on_stations_and_sizes_grow_away_from_them() {
+fn fine_stretches_end_on_coordinates_and_sizes_grow_away_from_them() {
     let fine = [[-3.0, 3.0, 0.5], [-1.0, 0.2, 0.1], [7.0, 8.0, 0.25]];
-    let stations = spacing::fine_within([-10.0, 20.0], &fine, 1.5, 4.0);
-    assert!(stations.windows(2).all(|two| two[0] < two[1]));
-    assert_eq!((stations[0], stations[stations.len() - 1]), (-10.0, 20.0));
+    let coordinates = spacing::fine_within([-10.0, 20.0], &fine, 1.5, 4.0);
+    assert!(coordinates.windows(2).all(|two| two[0] < two[1]));
+    assert_eq!((coordinates[0], coordinates[coordinates.len() - 1]), (-10.0, 20.0));
     for end in fine.iter().flat_map(|one| [one[0], one[1]]) {
-        assert!(stations.iter().any(|at| (at - end).abs() < 1e-12), "{end} is no station");
+        assert!(coordinates.iter().any(|at| (at - end).abs() < 1e-12), "{end} is no coordinate");
     }
-    for two in stations.windows(2) {
+    for two in coordinates.windows(2) {
         let [middle, size] = [0.5 * (two[0] + two[1]), two[1] - two[0]];
         for one in fine.iter().filter(|one| one[0] < middle && middle < one[1]) {
             assert!(size <= one[2] * 1.06, "{size} at {middle}");
@@ -157,6 +159,6 @@ fn fine_stretches_end_on_stations_and_sizes_grow_away_from_them() {
         assert!(size <= 4.0);
     }
     // Neighbours differ by the ratio, and what fitting the last of a stretch takes.
-    let sizes: Vec<f64> = stations.windows(2).map(|two| two[1] - two[0]).collect();
+    let sizes: Vec<f64> = coordinates.windows(2).map(|two| two[1] - two[0]).collect();
     assert!(sizes.windows(2).all(|two| two[0] / two[1] < 2.0 && two[1] / two[0] < 2.0), "{sizes:?}");
 }

@@ -49,8 +49,8 @@ fn peak_off_the_centre_of_an_even_gap_is_the_peak_and_the_pressure_at_the_centre
         let phi = (s / a).acos();
         0.5 * modulus * (b[0] * phi.sin() + b[1] * (3.0 * phi).sin() + b[2] * (5.0 * phi).sin())
     };
-    let stations = (0..=2000).map(|k| a * f64::from(k) / 2000.0);
-    let (place, peak) = stations.map(|s| (s, pressure(s))).max_by(|p, q| p.1.total_cmp(&q.1)).expect("stations");
+    let places = (0..=2000).map(|k| a * f64::from(k) / 2000.0);
+    let (place, peak) = places.map(|s| (s, pressure(s))).max_by(|p, q| p.1.total_cmp(&q.1)).expect("places");
     assert!(place > 1.0 && peak > 1.1 * pressure(0.0));
     let load = 0.5 * PI * a * modulus * b[0] / 4.0;
     for order in [1, 2] {

@@ -12,8 +12,8 @@ use crate::solve::Discretisation;
 use crate::solve::Run;
 use crate::study::drawn::{label, style};
 
-/// Stations at which the closed form is drawn.
-const STATIONS: usize = 200;
+/// Intervals into which the closed form is drawn.
+const INTERVALS: usize = 200;
 /// Upper end of the pressure axis over the highest pressure.
 const HEADROOM: f64 = 1.08;
 /// Part of the largest gap that rounding explains.
@@ -95,8 +95,8 @@ pub fn pressure(problem: &Case, run: &Run, contact: usize) -> Chart {
     let pair = &problem.scene.contacts[contact];
     if let (Some(oracle), 0) = (&problem.oracle, contact) {
         let factor = display_factor(&pair.path);
-        let stations = (0..=STATIONS).map(|k| k as f64 / STATIONS as f64 * pair.stretch);
-        let curve = stations.map(|s| (factor * s, problem.reference_pressure(s))).collect();
+        let places = (0..=INTERVALS).map(|k| k as f64 / INTERVALS as f64 * pair.stretch);
+        let curve = places.map(|s| (factor * s, problem.reference_pressure(s))).collect();
         chart.series.push(Series {
             label: oracle.name().into(),
             points: curve,

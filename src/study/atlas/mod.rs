@@ -9,7 +9,7 @@
 //! * `chart` — a plane as classes and their boundaries.
 //! * `plan`, `run` — a record is read, and a twentieth of it recomputed.
 //! * `agreement` — predictions against runs.
-//! * `judge`) — what the records must hold.
+//! * `judge` — what the records must hold.
 //! * `summary` — what the records say of each method.
 //! * `section`, `recommended`, `slices` — the chapter.
 //! * `picture` — iterations with their predictions, and the maps.

@@ -113,7 +113,7 @@ fn map(plane: &Recorded) -> Result<String, Error> {
         format!("stopped off by ≤ {} %", 100.0 * OFF[0]),
         format!("off by ≤ {} %", 100.0 * OFF[1]),
         "off by more".into(),
-        "slow or stalled".into(),
+        "not converged or stalled".into(),
         "cycling".into(),
         "diverged".into(),
         "no spring left".into(),
@@ -146,8 +146,8 @@ fn note(plane: &Recorded) -> String {
     format!(
         "The black line is predicted: on its one side the condensed matrices say that a run ends within {limit} iterations, on \
          the other that it does not. Off by: stopped there, and that far from p₀ or a of the discrete \
-         solution. Slow: not at the tolerance after {limit} iterations. No spring left: the named error. Spilled: \
-         contact beyond the candidates, the named error. Nothing is predicted for {silent}."
+         solution. Not converged: not at the tolerance after {limit} iterations. No spring left: the named error. \
+         Beyond: contact beyond the candidates, the named error. Nothing is predicted for {silent}."
     )
 }
 

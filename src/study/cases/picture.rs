@@ -12,8 +12,8 @@ use crate::study::Found;
 use crate::study::cases::run::Numbers;
 use crate::study::drawn::{label, style};
 
-/// Stations at which the closed form is drawn.
-const STATIONS: usize = 200;
+/// Intervals into which the closed form is drawn.
+const INTERVALS: usize = 200;
 
 /// Pressure of the two examples, with the schemes of their scenes.
 pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
@@ -52,7 +52,7 @@ fn cylinder(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let mut pressure =
         Chart::new("Pressure, edge means", Axis::linear("x / a").over(0.0, 1.5), Axis::linear("p / p₀").over(0.0, 1.1));
     pressure.series = curves(runs(findings, cylinder::NINE), p0, [1.0 / a, 1.0]);
-    let hertz = (0..=STATIONS).map(|k| 1.5 * k as f64 / STATIONS as f64).map(|x| (x, exact(x)));
+    let hertz = (0..=INTERVALS).map(|k| 1.5 * k as f64 / INTERVALS as f64).map(|x| (x, exact(x)));
     pressure.series.push(Series {
         label: "Hertz".into(),
         points: hertz.collect(),

@@ -1,12 +1,12 @@
 //! Cures of what fails or is slow: options beside the paper's algorithms, off by default.
 //!
-//! * `plan`) — a trial for each element, one for the rules, one for each scene of nested starts.
+//! * `plan` — a trial for each element, one for the rules, one for each scene of nested starts.
 //! * `run` — what came out of any of them.
 //! * `record` — over which initial stiffnesses constant stiffness converges, plain and accelerated: measured and recorded.
 //! * `rules` — every rule of constant stiffness with every acceleration.
 //! * `nested` — iterations of kinematic load from every candidate closed, and from the active set of coarser meshes.
-//! * `judge`) — the checks.
-//! * `section`) — the tables.
+//! * `judge` — the checks.
+//! * `section` — the tables.
 //! * `picture` — iterations against initial stiffness.
 
 mod judge;

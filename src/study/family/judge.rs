@@ -47,15 +47,15 @@ fn smaller(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.min(b) }
 }
 
-/// Change of a slope with half the iteration.
+/// Change of a slope with half the step.
 const STEPS: f64 = 0.02;
 
 fn of_slopes(sensitivities: &Sensitivities) -> Vec<Judged> {
     let of_number = |slope: &Slope| {
         ["p_max", "angle"].into_iter().enumerate().map(|(k, result)| {
-            let quantity = Quantity::at("change of a sensitivity by half the iteration", format!("{result} by {}", slope.number));
-            let because = "central differences: error of the order of the iteration squared, and of the mesh that changes with it";
-            Check::error(quantity, Reference::own("half the iteration", 0.0), STEPS, because)
+            let quantity = Quantity::at("change of a sensitivity by half the step", format!("{result} by {}", slope.number));
+            let because = "central differences: error of the order of the step squared, and of the mesh that changes with it";
+            Check::error(quantity, Reference::own("half the step", 0.0), STEPS, because)
                 .judge((slope.slope[k] - slope.by_half[k]).abs())
         }).collect::<Vec<_>>()
     };

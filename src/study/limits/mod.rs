@@ -1,6 +1,6 @@
 //! Limits of validity: each trial pushes one thing until it fails, and measures the onset.
 //!
-//! * `plan`) — the list of limits: a line and a file each.
+//! * `plan` — the list of limits: a line and a file each.
 //! * `gauss_points` — three Gauss points on an edge.
 //! * `springs` — stiffness against digits.
 //! * `pulled_apart`, `no_load`, `small_load` — loads of the wrong sign, of zero, too small for the mesh.
@@ -13,7 +13,7 @@
 //! * `solved` — scenes meshed and solved, and their errors.
 //! * `written` — numbers in words.
 //! * `row` — a row of the table of limits, and the table behind it.
-//! * `section`) — the table and what is behind it.
+//! * `section` — the table and what is behind it.
 
 mod body_end;
 mod cycling;

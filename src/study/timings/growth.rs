@@ -69,7 +69,7 @@ pub struct Counts {
     pub dofs: usize,
     /// Retained normal displacements.
     pub retained: usize,
-    /// Iterations of the contact iteration.
+    /// Contact iterations.
     pub iterations: usize,
     /// Entries of the sparse factor.
     pub factor_entries: usize,

@@ -102,7 +102,7 @@ pub struct PeerPoint {
     pub refinement: u32,
     /// Our degrees of freedom.
     pub dofs: usize,
-    /// Iterations of its iteration.
+    /// Iterations it took.
     pub iterations: usize,
     /// Seconds by its own account.
     pub seconds: Spread,
