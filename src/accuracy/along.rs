@@ -76,7 +76,7 @@ impl Search<'_> {
         let half = with(finest / 2).filter(|_| finest % 2 == 0)?;
         let quarter = with(finest / 4).filter(|_| finest % 4 == 0);
         let of = |q: Quantity| {
-            let value = |at: usize| q.of(&self.rungs[at].run.contacts[0]);
+            let value = |at: usize| q.of(self.rungs[at].run.measures());
             richardson(quarter.map(value), value(half), value(top), 2.0)
         };
         Some(self.quantities().map(of).collect())
@@ -85,7 +85,7 @@ impl Search<'_> {
     /// What the finer meshes of a ladder say of its first one.
     fn first_of(&self, ladder: &[(usize, usize)], estimates: &[Estimate]) -> Fine {
         let error = |(quantity, estimate): (Quantity, &Estimate)| {
-            let values = ladder.iter().map(|rung| quantity.of(&self.rungs[rung.1].run.contacts[0]));
+            let values = ladder.iter().map(|rung| quantity.of(self.rungs[rung.1].run.measures()));
             (envelope(values, estimate.limit) + estimate.uncertainty) / estimate.limit.abs()
         };
         Fine {

@@ -1,45 +1,18 @@
 //! What is asked, and what is answered.
 
+use crate::accuracy::reading::Quantity;
 use crate::measure::larger;
 use crate::mesh::size::MOST;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solve::run::{Contact, Errors, Run};
 
-/// A quantity that shall be accurate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// Peak pressure.
-    PeakPressure,
-    /// Half-width by second moment; on arcs the same functional of the angle.
-    HalfWidth,
-}
-
 impl Quantity {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::PeakPressure, Self::HalfWidth];
-
-    /// Name in scene files and results.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::PeakPressure => "peak-pressure",
-            Self::HalfWidth => "half-width",
-        }
-    }
-
-    /// Its value in a contact [MPa; mm or rad].
-    pub fn of(self, contact: &Contact) -> f64 {
-        match self {
-            Self::PeakPressure => contact.measures.peak.pressure,
-            Self::HalfWidth => contact.measures.half_width,
-        }
-    }
-
     /// Relative error that the iteration leaves in it, with what springs of the rule `penalty` cost; NaN where it is not known.
     pub(super) fn iterated(self, contact: &Contact) -> f64 {
         let of = |errors: Errors| match self {
-            Self::PeakPressure => errors.peak.abs(),
             Self::HalfWidth => errors.half_width.abs(),
+            _ => errors.peak.abs(),
         };
         contact.iteration.map_or(f64::NAN, of) + contact.penalty.map_or(0.0, of)
     }
@@ -59,7 +32,7 @@ pub struct Asked {
 impl Asked {
     /// A relative error in peak and half-width, by meshes of any size that is solved at all.
     pub fn new(relative: f64) -> Self {
-        Self { relative, quantities: Quantity::ALL.into(), most_cells: MOST[0] }
+        Self { relative, quantities: Quantity::ASKED.into(), most_cells: MOST[0] }
     }
 }
 

@@ -30,7 +30,7 @@ impl Search<'_> {
         };
         let [own, finer] = [fine.rung, check].map(|at| &self.rungs[at].run);
         let one = |one: Quoted| {
-            let [value, wanted] = [own, finer].map(|run| one.quantity.of(&run.contacts[0]));
+            let [value, wanted] = [own, finer].map(|run| one.quantity.of(run.measures()));
             let check = SAFETY * ((value - wanted) / wanted).abs();
             let enough = one.relative - one.iteration >= check;
             let relative = if enough { one.relative } else { check + one.iteration };

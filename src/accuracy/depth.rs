@@ -76,7 +76,7 @@ impl Search<'_> {
     pub(super) fn quoted(&self, fine: &Fine, growth: Option<(&[usize], usize)>) -> Vec<Quoted> {
         let one = |(k, quantity): (usize, Quantity)| {
             let (growth, growth_order) = growth.map_or((f64::NAN, f64::NAN), |(ladder, from)| {
-                let values: Vec<f64> = ladder.iter().map(|&at| quantity.of(&self.rungs[at].run.contacts[0])).collect();
+                let values: Vec<f64> = ladder.iter().map(|&at| quantity.of(self.rungs[at].run.measures())).collect();
                 let estimate = levels(&values);
                 let distance = envelope(values[from..].iter().copied(), estimate.limit);
                 ((distance + estimate.uncertainty) / estimate.limit.abs(), estimate.order)

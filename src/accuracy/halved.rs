@@ -291,7 +291,7 @@ impl Halving<'_> {
     fn quoted(&self, level: usize) -> Vec<Quoted> {
         let finest = self.runs.len() - 1;
         let one = |contact: usize, quantity: Quantity| {
-            let values: Vec<f64> = self.runs.iter().map(|run| quantity.of(&run.contacts[contact])).collect();
+            let values: Vec<f64> = self.runs.iter().map(|run| quantity.of(&run.contacts[contact].measures)).collect();
             let (order, elements, check) = match *values {
                 [.., coarse, medium, fine] => {
                     let estimate = richardson(Some(coarse), medium, fine, 2.0);

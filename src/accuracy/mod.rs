@@ -1,5 +1,8 @@
-//! The cheapest mesh that meets an accuracy asked, found from coarse to fine.
+//! The error bar of an answer; and the cheapest mesh that meets an accuracy asked, found from coarse to fine.
 //!
+//! * [`reading`] — the numbers that are quoted of a run.
+//! * [`mod@bar`] — how far each may be from the truth.
+//! * [`mod@coarser`] — the same scene on coarser meshes.
 //! * [`answer`] — what is asked, and what is answered.
 //! * [`estimate`] — Richardson with the observed order as a check.
 //! * [`ends`] — where the contact found so far begins and ends.
@@ -25,6 +28,8 @@
 
 mod along;
 pub mod answer;
+pub mod bar;
+pub mod coarser;
 mod confirmed;
 mod depth;
 pub mod ends;
@@ -32,6 +37,7 @@ pub mod estimate;
 pub mod fitted;
 mod halved;
 pub mod longest;
+pub mod reading;
 mod rungs;
 mod search;
 mod sizes;
@@ -42,7 +48,9 @@ use crate::mesh::Resolution;
 use crate::scene::Scene;
 use crate::solve::{Formulation, Iteration};
 
-pub use answer::{Answer, Asked, Quantity, Quoted, Tried, TriedContact};
+pub use answer::{Answer, Asked, Quoted, Tried, TriedContact};
+pub use bar::{Bar, Barred, Bars, bars};
+pub use reading::{Quantity, Subject};
 
 /// Smallest and largest relative error that may be asked for.
 pub const RANGE: [f64; 2] = [1e-5, 0.2];

@@ -1,5 +1,6 @@
 //! What `solve` found.
 
+use crate::accuracy::Bars;
 use crate::case::{Case, Judged};
 use crate::cli::reactions::ReactionReading;
 use crate::mesh::Resolution;
@@ -15,6 +16,8 @@ pub struct Found<'a> {
     pub run: &'a Run,
     /// What its supports exert.
     pub reactions: Vec<ReactionReading>,
+    /// How far each number may be from the truth; none where that was not asked for.
+    pub bars: Option<Bars>,
     /// The file's own checks, and that of the accuracy asked for.
     pub checks: Vec<Judged>,
 }

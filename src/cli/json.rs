@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::case::{Case, Judged, Reference, Verdict};
-use crate::cli::accuracy;
 use crate::cli::found::Found;
 use crate::cli::reactions::ReactionReading;
+use crate::cli::{accuracy, bars};
 use crate::oracle::Quantity;
 use crate::solution::{IterationError, PointState};
 use crate::solve::Run;
@@ -40,6 +40,8 @@ struct Document<'a> {
     iteration_error: IterationParts,
     contacts: Vec<Contact<'a>>,
     reactions: &'a [ReactionReading],
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    error_bars: Vec<bars::Document>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     checks: Vec<JudgedCheck<'a>>,
     oracles: Vec<OracleReading>,
@@ -164,7 +166,7 @@ pub struct OracleReading {
 
 /// The document of a run.
 pub fn text(found: &Found, accuracy: Option<accuracy::Document>) -> String {
-    let Found { problem, resolution, run, reactions, checks } = found;
+    let Found { problem, resolution, run, reactions, checks, .. } = found;
     let solution = &run.solution;
     let IterationError { peak, force, width, approach } = solution.error();
     let contacts = (0..run.contacts.len()).map(|contact| of_contact(problem, run, contact)).collect();
@@ -191,6 +193,7 @@ pub fn text(found: &Found, accuracy: Option<accuracy::Document>) -> String {
         iteration_error: IterationParts { peak, force, width, approach },
         contacts,
         reactions,
+        error_bars: bars::Document::all(found),
         checks: checks.iter().map(JudgedCheck::of).collect(),
         oracles: oracles(problem, run),
         accuracy,

@@ -9,6 +9,7 @@
 //! * [`solve`] — one case, with its outputs.
 //! * [`verify`] — scene files with their checks.
 //! * `found` — what it found.
+//! * `bars` — how far each number may be from the truth.
 //! * [`reactions`] — what its supports exert.
 //! * [`json`] — the result of a solve as JSON.
 //! * `terminal` — lines, errors and a bar of progress.
@@ -16,6 +17,7 @@
 
 pub mod accuracy;
 pub mod atlas;
+mod bars;
 pub mod ended;
 mod found;
 pub mod json;

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::error::Error;
-use crate::scene::{BoundaryName, Component, Place};
+use crate::scene::{BoundaryName, Component, Place, Support};
 use crate::solve::Run;
 use crate::solve::{Discretisation, Reaction};
 
@@ -39,6 +39,22 @@ impl std::fmt::Display for At {
     }
 }
 
+/// Where a support is.
+pub fn at(support: &Support) -> At {
+    match &support.at {
+        Place::Boundary(name) => At::Boundary(name.clone()),
+        Place::Point(point) => At::Point(*point),
+    }
+}
+
+/// Which component it holds.
+pub fn component(support: &Support) -> &'static str {
+    match support.component {
+        Component::X => "x",
+        Component::Y => "y",
+    }
+}
+
 /// The reaction of every support, body by body in the order of the scene.
 pub fn readings(discretisation: &Discretisation, run: &Run) -> Result<Vec<ReactionReading>, Error> {
     let reading = |reaction: Reaction| {
@@ -46,14 +62,8 @@ pub fn readings(discretisation: &Discretisation, run: &Run) -> Result<Vec<Reacti
         let support = &body.supports[reaction.support];
         ReactionReading {
             body: body.name.clone(),
-            at: match &support.at {
-                Place::Boundary(name) => At::Boundary(name.clone()),
-                Place::Point(point) => At::Point(*point),
-            },
-            component: match support.component {
-                Component::X => "x",
-                Component::Y => "y",
-            },
+            at: at(support),
+            component: component(support),
             force: reaction.force,
         }
     };

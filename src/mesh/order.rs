@@ -28,13 +28,23 @@ impl Order {
     /// growth's logarithm as with that of the element, e = 1; 8-node ones with its fourth power, e = ½. Fewer elements leave
     /// the grading as it is.
     pub fn refined(self, grading: &Grading, times: f64) -> Grading {
+        self.regraded(grading, 1.0 / times.max(1.0))
+    }
+
+    /// The grading of a mesh of the same family whose elements on the contact are larger by a ratio: all others grow with them.
+    pub fn coarsened(self, grading: &Grading, ratio: f64) -> Grading {
+        Grading { unit: ratio * grading.unit, ..self.regraded(grading, ratio) }
+    }
+
+    /// Growth `q^(r^e)` and coarsest element times r^e.
+    fn regraded(self, grading: &Grading, ratio: f64) -> Grading {
         let exponent = match self {
             Self::Linear => 1.0,
             Self::Quadratic => 0.5,
         };
-        let slower = times.max(1.0).powf(-exponent);
-        let [along, depth] = [grading.along, grading.depth].map(|growth| growth.powf(slower));
-        Grading { along, depth, coarsest: grading.coarsest * slower, ..*grading }
+        let faster = ratio.powf(exponent);
+        let [along, depth] = [grading.along, grading.depth].map(|growth| growth.powf(faster));
+        Grading { along, depth, coarsest: grading.coarsest * faster, ..*grading }
     }
 
     /// 1 or 2, as users write it.

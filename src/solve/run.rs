@@ -30,6 +30,9 @@ pub struct Contact {
     pub iteration: Option<Errors>,
     /// What springs of the rule `penalty` cost: their solution against that of the contact conditions.
     pub penalty: Option<Errors>,
+    /// Measures of what the iteration shall end in, and of the discrete solution itself, which differ where springs of the rule
+    /// `penalty` are the target; none where they were not found.
+    pub exact: Option<[Measures; 2]>,
     /// What is known of a peak without a limit; none where it has one, or was not asked about.
     pub unbounded: Option<Unbounded>,
     /// Whether the contact is open in the discrete solution; none where that was not found.
@@ -230,6 +233,7 @@ fn measured(discretisation: &Discretisation, interface: &Interface, solution: &S
         penalty: pressing.zip(rigidly).map(|(target, rigid)| Errors::between(target, rigid)),
         unbounded: None,
         open: discrete.map(|discrete| discrete.largest.pressure <= 0.0),
+        exact: target.clone().map(|target| [target.clone(), rigid.unwrap_or(target)]),
         measures,
     }
 }

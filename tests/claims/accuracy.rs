@@ -266,7 +266,7 @@ fn accuracy_in_a_file_is_the_engines_and_its_first_mesh_is_within_limits() {
     let file = Case::parse(&path, &text).expect("sound");
     let asked = file.accuracy.clone().expect("asked");
     assert_relative_eq!(asked.relative, 1e-3, max_relative = 1e-12);
-    assert_eq!(asked.quantities, Quantity::ALL);
+    assert_eq!(asked.quantities, Quantity::ASKED);
     let (meshed, run) = file.solve().expect("solved");
     let answer = meshed.answer;
     let answer = answer.expect("answered");

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::accuracy::{self, Asked};
+use contact_vv::accuracy::{self, Asked, Quantity};
 use contact_vv::case::Case;
 use contact_vv::case::library::{Cylinder, CylinderModel};
 use contact_vv::mesh::{Mesh, Order, Resolution};
@@ -131,8 +131,8 @@ fn errors_of(scene: &Scene, truths: &[[f64; 2]], asked: f64) -> (bool, f64) {
     let answer = accuracy::solve(scene, &formulation, &Asked::new(asked)).expect("solved");
     assert_eq!(answer.estimates.len(), 2 * truths.len());
     let error = answer.estimates.iter().map(|one| {
-        let found = one.quantity.of(&answer.run.contacts[one.contact]);
-        (found / truths[one.contact][one.quantity as usize] - 1.0).abs()
+        let found = one.quantity.of(&answer.run.contacts[one.contact].measures);
+        (found / truths[one.contact][usize::from(one.quantity == Quantity::HalfWidth)] - 1.0).abs()
     });
     (answer.unmet.is_none(), error.fold(0.0, f64::max))
 }

@@ -195,3 +195,35 @@ fn run_that_does_not_converge_and_mesh_that_is_too_large_fail() {
     let (sound, _, error) = contact_vv(&["solve", &folder.path().display().to_string()]);
     assert!(!sound && error.contains("this is no file"), "{error}");
 }
+
+#[test]
+fn error_bars_are_told_in_the_table_and_in_the_document_unless_they_are_not_wanted() {
+    let file = scene("two-cylinders");
+    let (sound, table, error) = contact_vv(&["solve", &file]);
+    assert!(sound, "{error}");
+    let (_, text, _) = contact_vv(&["solve", &file, "--json", "-"]);
+    let document: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let bars = document["error_bars"].as_array().expect("a list");
+    let peak = bars.iter().find(|bar| bar["quantity"] == "peak-pressure").expect("a peak");
+    let number = |key: &str| peak[key].as_f64().expect("a number");
+    assert!(number("bound") > 0.0 && number("mesh") > 0.0);
+    assert_relative_eq!(number("bound"), number("mesh") + number("iteration") + number("penalty"));
+    assert_relative_eq!(number("value"), document["contacts"][0]["peak_pressure"].as_f64().expect("a number"));
+    let lines: Vec<&str> = table.lines().filter(|line| line.contains(" ± ")).collect();
+    // A head, and a line each.
+    assert_eq!(lines.len(), 1 + bars.len(), "{table}");
+
+    let (_, table, _) = contact_vv(&["solve", &file, "--no-error-bar"]);
+    assert!(!table.contains('±'), "{table}");
+    let (_, text, _) = contact_vv(&["solve", &file, "--no-error-bar", "--json", "-"]);
+    let document: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert!(document["error_bars"].is_null());
+}
+
+#[test]
+fn bar_of_a_peak_without_a_limit_and_of_a_mesh_made_elsewhere_is_unknown() {
+    let (_, table, _) = contact_vv(&["solve", &scene("flat-punch")]);
+    assert!(table.lines().any(|line| line.contains("peak-pressure") && line.contains("without limit")), "{table}");
+    let (_, table, _) = contact_vv(&["solve", &scene("rings-from-gmsh")]);
+    assert!(table.contains("± unknown") && table.contains("`--accuracy`"), "{table}");
+}

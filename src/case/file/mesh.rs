@@ -67,7 +67,7 @@ impl MeshTable {
         };
         let mut asked = Asked::new(relative);
         if let Some(list) = &self.quantity {
-            let known = Quantity::ALL.map(|quantity| (quantity.name(), quantity));
+            let known = Quantity::ASKED.map(|quantity| (quantity.name(), quantity));
             let names = list.get_ref().iter().map(|name| source.choice("quantity with an accuracy", name, &known));
             asked.quantities = names.collect::<Result<_, _>>()?;
             if asked.quantities.is_empty() {

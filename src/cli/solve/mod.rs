@@ -77,6 +77,7 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
         problem: &problem,
         resolution,
         reactions: reactions::readings(&discretisation, &run)?,
+        bars: (!arguments.no_error_bar).then(|| accuracy::bars(&discretisation, &run)).transpose()?,
         run: &run,
         checks,
     };

@@ -59,6 +59,9 @@ pub struct Arguments {
     /// Most iterations, over all increments.
     #[arg(long, value_name = "N", alias = "max-steps")]
     max_iterations: Option<usize>,
+    /// Do not solve coarser meshes for error bars.
+    #[arg(long)]
+    pub no_error_bar: bool,
     /// Write the result as JSON to a file, or to standard output with `-`.
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,

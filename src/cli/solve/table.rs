@@ -4,7 +4,7 @@ use crate::algorithm::Acceleration;
 use crate::cli::found::Found;
 use crate::cli::reactions::ReactionReading;
 use crate::cli::terminal::say;
-use crate::cli::{json, verify};
+use crate::cli::{bars, json, verify};
 use crate::markdown;
 use crate::measure::display_factor;
 use crate::mesh::Order;
@@ -16,7 +16,8 @@ use crate::solve::run::{Contact, Run};
 const ROUND_OFF: f64 = 1e-9;
 
 /// Prints what was solved, how it ended, what was measured, and how far that is from the oracle.
-pub fn print(Found { problem, resolution, run, reactions, checks }: &Found) {
+pub fn print(found: &Found) {
+    let Found { problem, resolution, run, reactions, checks, .. } = found;
     say(format!("{}: {}", problem.name, problem.title));
     print_work(run, resolution.order);
     let several = run.contacts.len() > 1;
@@ -27,6 +28,7 @@ pub fn print(Found { problem, resolution, run, reactions, checks }: &Found) {
         print_contact(pair, &run.contacts[index], run.note(index), if several { "  " } else { "" });
     }
     print_reactions(run, reactions);
+    bars::print(found);
     for check in checks {
         say(verify::told("check", check));
     }

@@ -56,7 +56,7 @@ impl Record {
     pub fn of(site: &Site, asked: f64, sample: &Sample, answer: &Answer) -> Self {
         let error = |k: usize| {
             let each = answer.run.contacts.iter().zip(&sample.truths);
-            let errors = each.map(|(contact, truth)| Quantity::ALL[k].of(contact) / truth[k] - 1.0);
+            let errors = each.map(|(contact, truth)| Quantity::ASKED[k].of(&contact.measures) / truth[k] - 1.0);
             rounded(errors.reduce(|a, b| if a.abs() >= b.abs() || a.is_nan() { a } else { b }).unwrap_or(f64::NAN))
         };
         let [peak, half_width] = [error(0), error(1)];

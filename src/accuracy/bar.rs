@@ -1,0 +1,218 @@
+//! The error bar of an answer: what mesh, iteration and penalty may leave in each number.
+//!
+//! The mesh's part comes from the same scene on coarser meshes of the same family. With the finest value f₀ and those of meshes
+//! of the sizes `rᵢ h`,
+//!
+//! `u = F max |f₀ − fᵢ| / (rᵢ^q − 1)`,
+//!
+//! where q is an order that the number has shown on scenes of closed form, and F a factor of safety (`counted` in
+//! [`reading`](crate::accuracy::reading)). It takes the worst of four neighbours instead of extrapolating: the end of a contact
+//! lies at another place of its element on each mesh, and two of them may agree by accident. A series that oscillates or has not
+//! begun to converge makes it wider.
+//!
+//! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
+
+use rayon::prelude::*;
+
+use crate::accuracy::coarser::coarser;
+use crate::accuracy::reading::{Quantity, Reading, Subject, of_contacts, of_supports};
+use crate::error::Error;
+use crate::measure::{Measures, larger};
+use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin, Run, Settings};
+
+/// Part of a number's scale that round-off may leave.
+const ROUND_OFF: f64 = 1e-9;
+/// Fewest coarser meshes that say something, and the factor where there is one only (Roache's 3 for two meshes over 1.25).
+const FEWEST: (usize, f64) = (2, 2.4);
+/// Tolerance of the runs on coarser meshes.
+const TOLERANCE: f64 = 1e-9;
+
+/// How far a number may be from the truth of the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bar {
+    /// For the mesh is not infinitely fine; NaN where it is not known.
+    pub mesh: f64,
+    /// For the iteration ended; NaN where the discrete solution was not found.
+    pub iteration: f64,
+    /// For springs of the rule `penalty` are not rigid.
+    pub penalty: f64,
+}
+
+impl Bar {
+    /// All of it; NaN where a part is not known.
+    pub fn total(&self) -> f64 {
+        self.mesh + self.iteration + self.penalty
+    }
+}
+
+/// A number with its bar.
+#[derive(Clone, Copy, Debug)]
+pub struct Barred {
+    /// What was measured.
+    pub subject: Subject,
+    /// Its value; NaN for a peak without a limit.
+    pub value: f64,
+    /// How far it may be off.
+    pub bar: Bar,
+}
+
+/// The bars of all numbers of a run.
+#[derive(Clone, Debug)]
+pub struct Bars {
+    /// Contact by contact, then support by support.
+    pub all: Vec<Barred>,
+    /// Coarser meshes that were solved.
+    pub meshes: usize,
+}
+
+impl Bars {
+    /// The bar of a number; none where it has none.
+    pub fn of(&self, subject: Subject) -> Option<Bar> {
+        self.all.iter().find(|one| one.subject == subject).map(|one| one.bar)
+    }
+
+    /// That of a number of a contact.
+    pub fn of_contact(&self, contact: usize, quantity: Quantity) -> Option<Bar> {
+        self.of(Subject::Contact(contact, quantity))
+    }
+}
+
+/// What a coarser mesh says.
+struct Coarse {
+    /// Largest element of each contact's candidates.
+    sizes: Vec<f64>,
+    readings: Vec<Reading>,
+}
+
+/// The bars of a run on its mesh.
+pub fn bars(discretisation: &Discretisation, run: &Run) -> Result<Bars, Error> {
+    let exact = exact(run);
+    let coarse: Vec<Coarse> = coarser(&discretisation.scene, discretisation.resolution)
+        .into_par_iter()
+        // A mesh too coarse to hold the contact says nothing.
+        .filter_map(|(scene, resolution)| {
+            let coarse = Discretisation::of(scene, resolution).ok()?;
+            let run = Run::of(&coarse, &exact).ok()?;
+            said(&coarse, &run)
+        })
+        .collect();
+    let size = sizes(discretisation);
+    let measured: Vec<&Measures> = run.contacts.iter().map(|contact| &contact.measures).collect();
+    let [target, rigid] = [0, 1].map(|k| of_discrete(discretisation, run, k));
+    let mut all: Vec<Barred> = Vec::new();
+    for reading in of_contacts(discretisation, &measured) {
+        let discrete = value_of(&rigid, reading.subject);
+        let ended = value_of(&target, reading.subject);
+        let mesh = mesh(&reading, discrete, &size, &coarse, run, discretisation);
+        let mesh = larger(mesh, beyond(run, reading.subject, &size));
+        let bar = Bar { mesh, iteration: (reading.value - ended).abs(), penalty: (ended - discrete).abs() };
+        let value = if is_unbounded(run, reading.subject) { f64::NAN } else { reading.value };
+        all.push(Barred { subject: reading.subject, value, bar });
+    }
+    let rigidly = match exact_run(discretisation, run, &exact) {
+        Some(run) => of_supports(discretisation, &run)?,
+        None => Vec::new(),
+    };
+    for reading in of_supports(discretisation, run)? {
+        let discrete = value_of(&rigidly, reading.subject);
+        let mesh = mesh(&reading, discrete, &size, &coarse, run, discretisation);
+        // Springs of a penalty are in it.
+        let bar = Bar { mesh, iteration: (reading.value - discrete).abs(), penalty: 0.0 };
+        all.push(Barred { subject: reading.subject, value: reading.value, bar });
+    }
+    Ok(Bars { all, meshes: coarse.len() })
+}
+
+/// What finds the discrete solution of the run's own contact element, without a penalty.
+fn exact(run: &Run) -> Formulation {
+    let Formulation { element, layer_thickness, settings, .. } = run.formulation;
+    let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), increments: 1, ..settings };
+    Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) }
+}
+
+/// The discrete solution with its displacements; none where it is not found.
+fn exact_run(discretisation: &Discretisation, run: &Run, exact: &Formulation) -> Option<Run> {
+    Run::from_origin(Origin::From(&run.solution), discretisation, exact, Change::NONE)
+        .ok()
+        .filter(|run| run.solution.converged())
+}
+
+/// Numbers of what the iteration shall end in, or of the discrete solution.
+fn of_discrete(discretisation: &Discretisation, run: &Run, which: usize) -> Vec<Reading> {
+    let measures = run.contacts.iter().map(|contact| contact.exact.as_ref().map(|exact| &exact[which]));
+    measures.collect::<Option<Vec<_>>>().map_or_else(Vec::new, |measures| of_contacts(discretisation, &measures))
+}
+
+fn value_of(readings: &[Reading], subject: Subject) -> f64 {
+    readings.iter().find(|reading| reading.subject == subject).map_or(f64::NAN, |reading| reading.value)
+}
+
+/// What a converged run on a coarser mesh says.
+fn said(coarse: &Discretisation, run: &Run) -> Option<Coarse> {
+    let mut readings = of_discrete(coarse, run, 1);
+    readings.extend(of_supports(coarse, run).ok()?);
+    run.solution.converged().then(|| Coarse { sizes: sizes(coarse), readings })
+}
+
+/// Mean candidate element of each contact, in its coordinate.
+fn sizes(discretisation: &Discretisation) -> Vec<f64> {
+    let each = discretisation.interfaces.iter().map(|interface| {
+        let nodes = &interface.nodes;
+        let [begin, end] = [nodes.first(), nodes.last()].map(|node| node.map_or(f64::NAN, |node| node.coordinate));
+        (end - begin) / interface.edges.len() as f64
+    });
+    each.collect()
+}
+
+/// The mesh's part of a number whose value in the discrete solution is given.
+fn mesh(
+    reading: &Reading,
+    discrete: f64,
+    size: &[f64],
+    coarse: &[Coarse],
+    run: &Run,
+    discretisation: &Discretisation,
+) -> f64 {
+    let subject = reading.subject;
+    let [order, factor] = subject.counted(run.formulation.element, discretisation.resolution.order);
+    let ratio = |other: &Coarse| match subject {
+        Subject::Contact(contact, _) => other.sizes[contact] / size[contact],
+        Subject::Reaction(..) => other.sizes[0] / size[0],
+    };
+    let apart = coarse.iter().filter(|other| ratio(other) > LARGER).map(|other| {
+        let value = value_of(&other.readings, subject);
+        (discrete - value).abs() / (ratio(other).powf(order) - 1.0)
+    });
+    let known: Vec<f64> = apart.filter(|apart| apart.is_finite()).collect();
+    let (fewest, alone) = FEWEST;
+    let factor = match known.len() {
+        0 => f64::NAN,
+        few if few < fewest => alone * factor,
+        _ => factor,
+    };
+    factor * known.into_iter().fold(0.0, f64::max) + ROUND_OFF * reading.scale.abs()
+}
+
+/// Elements are larger on a coarser mesh than by this factor, or it is none.
+const LARGER: f64 = 1.1;
+
+/// Whether it is a peak without a limit, which is no number.
+fn is_unbounded(run: &Run, subject: Subject) -> bool {
+    match subject {
+        Subject::Contact(contact, Quantity::PeakPressure) => run.contacts[contact].unbounded.is_some(),
+        _ => false,
+    }
+}
+
+/// Where a contact goes on to its outermost candidate, the mesh does not tell where it ends within that.
+fn beyond(run: &Run, subject: Subject, size: &[f64]) -> f64 {
+    let Subject::Contact(contact, quantity) = subject else { return 0.0 };
+    let reaches =
+        |k: usize, side: usize| run.contacts[contact].measures.stretches.get(k).is_some_and(|s| s.reaches[side]);
+    let cut = match quantity {
+        Quantity::Begin(k) => reaches(k, 0),
+        Quantity::End(k) => reaches(k, 1),
+        _ => false,
+    };
+    if cut { 0.5 * size[contact] } else { 0.0 }
+}

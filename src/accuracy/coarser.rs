@@ -1,0 +1,40 @@
+//! The same scene on coarser meshes of the same family.
+
+use crate::mesh::Resolution;
+use crate::scene::{BlockShape, Scene, Shape};
+
+/// Element sizes over those of the mesh: whole numbers of candidates make them uneven, which is welcome: an end of the contact
+/// lies at another place of its element on each.
+pub const RATIOS: [f64; 4] = [1.6, 2.0, 2.5, 3.2];
+
+/// The coarser meshes, from the finest on; none where a mesh made elsewhere was not halved.
+///
+/// Growth and coarsest element follow the elements of the contact, as they do in refinement; blocks have fewer elements; a mesh
+/// made elsewhere has only those that it was halved from.
+pub fn coarser(scene: &Scene, resolution: Resolution) -> Vec<(Scene, Resolution)> {
+    if scene.bodies.iter().any(|body| matches!(body.shape, Shape::Given(_))) {
+        let halved = (0..resolution.refinement).rev().take(RATIOS.len());
+        return halved.map(|refinement| (scene.clone(), Resolution { refinement, ..resolution })).collect();
+    }
+    RATIOS.into_iter().map(|ratio| (by(scene, resolution, ratio), resolution)).collect()
+}
+
+/// The scene with elements larger by a ratio.
+fn by(scene: &Scene, resolution: Resolution, ratio: f64) -> Scene {
+    let mut scene = scene.clone();
+    scene.grading = resolution.order.coarsened(&scene.grading, ratio);
+    for body in &mut scene.bodies {
+        if let Shape::Blocks(blocks) = &mut body.shape {
+            blocks.iter_mut().for_each(|block| fewer(block, ratio));
+        }
+    }
+    scene
+}
+
+fn fewer(block: &mut BlockShape, ratio: f64) {
+    for (elements, growth) in block.elements.iter_mut().zip(&mut block.growth) {
+        let fewer = (*elements as f64 / ratio).round().max(1.0);
+        *growth = growth.powf(*elements as f64 / fewer);
+        *elements = fewer as usize;
+    }
+}

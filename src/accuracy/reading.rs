@@ -1,0 +1,163 @@
+//! The numbers that are quoted of a run, each with the scale of its round-off.
+
+use crate::error::Error;
+use crate::measure::Measures;
+use crate::mesh::Order;
+use crate::scene::ContactPair;
+use crate::solve::{Discretisation, Element, Reaction, Run};
+
+/// A number of a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Peak pressure \[MPa\].
+    PeakPressure,
+    /// Where it lies \[mm, or rad on arcs\].
+    PeakPlace,
+    /// Half-width by second moment; on arcs the same functional of the angle.
+    HalfWidth,
+    /// Centre of pressure of a contact on both sides of s = 0.
+    Centre,
+    /// Where a closed stretch begins.
+    Begin(usize),
+    /// Where it ends.
+    End(usize),
+    /// Force along the load line \[N\].
+    Resultant,
+    /// Moment of the pressures about s = 0, of a straight contact on both sides of it \[N mm\].
+    Moment,
+}
+
+/// What is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// A number of a contact.
+    Contact(usize, Quantity),
+    /// Force of a support of a body \[N\].
+    Reaction(usize, usize),
+}
+
+/// A number, and the size that round-off of it is judged by.
+#[derive(Clone, Copy, Debug)]
+pub struct Reading {
+    /// What is measured.
+    pub subject: Subject,
+    /// Its value.
+    pub value: f64,
+    /// What its round-off is relative to.
+    pub scale: f64,
+}
+
+impl Quantity {
+    /// Those that an accuracy may be asked for.
+    pub const ASKED: [Self; 2] = [Self::PeakPressure, Self::HalfWidth];
+
+    /// Name in scene files and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::PeakPressure => "peak-pressure",
+            Self::PeakPlace => "peak-place",
+            Self::HalfWidth => "half-width",
+            Self::Centre => "centre",
+            Self::Begin(_) => "begin",
+            Self::End(_) => "end",
+            Self::Resultant => "resultant",
+            Self::Moment => "moment",
+        }
+    }
+
+    /// Its value; NaN where there is no such stretch.
+    pub fn of(self, measures: &Measures) -> f64 {
+        let stretch = |k: usize| measures.stretches.get(k);
+        match self {
+            Self::PeakPressure => measures.peak.pressure,
+            Self::PeakPlace => measures.peak.position,
+            Self::HalfWidth => measures.half_width,
+            Self::Centre => measures.centre,
+            Self::Begin(k) => stretch(k).map_or(f64::NAN, |stretch| stretch.begin),
+            Self::End(k) => stretch(k).map_or(f64::NAN, |stretch| stretch.end),
+            Self::Resultant => measures.resultant,
+            Self::Moment => measures.resultant * measures.centre,
+        }
+    }
+
+    /// Those of a contact: what a symmetry line fixes is none.
+    pub fn all(pair: &ContactPair, measures: &Measures) -> Vec<Self> {
+        let across = pair.path.has_both_sides();
+        let mut all = vec![Self::PeakPressure, Self::PeakPlace, Self::HalfWidth, Self::Resultant];
+        if across {
+            all.push(Self::Centre);
+        }
+        if across && pair.path.is_straight() {
+            all.push(Self::Moment);
+        }
+        for (k, stretch) in measures.stretches.iter().enumerate() {
+            if across || stretch.begin > 0.0 {
+                all.push(Self::Begin(k));
+            }
+            all.push(Self::End(k));
+        }
+        all
+    }
+
+    /// Order in the element size that the error of this number is counted on to fall with, and the factor of safety on that.
+    ///
+    /// Pressures at the points of line and layer elements oscillate, and their means converge with first order on 8-node cells.
+    /// Edges are found from a square-root end. All others show second order.
+    pub fn counted(self, element: Element, order: Order) -> [f64; 2] {
+        let is_node = element == Element::Node;
+        match self {
+            Self::PeakPressure | Self::PeakPlace if is_node => [2.0, 2.2],
+            Self::PeakPressure | Self::PeakPlace if order == Order::Linear => [1.5, 1.4],
+            Self::PeakPressure | Self::PeakPlace => [1.0, 1.15],
+            Self::Begin(_) | Self::End(_) => [1.5, 1.9],
+            _ => [2.0, 1.75],
+        }
+    }
+
+    /// What round-off of it is relative to.
+    fn scale(self, measures: &Measures) -> f64 {
+        match self {
+            Self::PeakPressure => measures.peak.pressure,
+            Self::Resultant => measures.resultant,
+            Self::Moment => measures.resultant * measures.half_width,
+            _ => measures.half_width,
+        }
+    }
+}
+
+impl Subject {
+    /// Order that the error is counted on to fall with, and the factor of safety on that.
+    pub fn counted(self, element: Element, order: Order) -> [f64; 2] {
+        match self {
+            Self::Contact(_, quantity) => quantity.counted(element, order),
+            Self::Reaction(..) => Quantity::Resultant.counted(element, order),
+        }
+    }
+}
+
+/// The numbers of some measures, contact by contact.
+pub fn of_contacts(discretisation: &Discretisation, measures: &[&Measures]) -> Vec<Reading> {
+    let pairs = discretisation.scene.contacts.iter().zip(measures).enumerate();
+    let of = |(contact, (pair, measures)): (usize, (&ContactPair, &&Measures))| {
+        let one = |quantity: Quantity| Reading {
+            subject: Subject::Contact(contact, quantity),
+            value: quantity.of(measures),
+            scale: quantity.scale(measures),
+        };
+        Quantity::all(pair, measures).into_iter().map(one).collect::<Vec<_>>()
+    };
+    pairs.flat_map(of).collect()
+}
+
+/// The forces of the supports.
+pub fn of_supports(discretisation: &Discretisation, run: &Run) -> Result<Vec<Reading>, Error> {
+    let reactions = discretisation.reactions_under(run.share(), &run.solution)?;
+    let pressed = run.contacts.iter().map(|contact| contact.transmitted.abs());
+    let scale = reactions.iter().map(|reaction| reaction.force.abs()).chain(pressed).fold(0.0, f64::max);
+    let one = |reaction: Reaction| Reading {
+        subject: Subject::Reaction(reaction.body, reaction.support),
+        value: reaction.force,
+        scale,
+    };
+    Ok(reactions.into_iter().map(one).collect())
+}
