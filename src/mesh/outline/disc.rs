@@ -70,8 +70,12 @@ fn right_blocks(layout: &Layout, centre: Point, radius: f64, half: bool) -> Vec<
 
 /// The arc in pieces of about 45°; each piece is a list of angles.
 fn arcs(layout: &Layout, radius: f64, half: bool) -> Vec<Vec<f64>> {
-    let quarter = layout.arc(radius, &[FRAC_PI_4, FRAC_PI_2]);
-    let split = nearest(&quarter, FRAC_PI_4);
+    let mut quarter = layout.arc(radius, &[FRAC_PI_4, FRAC_PI_2]);
+    if quarter.len() < 3 {
+        quarter.insert(1, FRAC_PI_4);
+    }
+    // Both pieces have an element, however coarse.
+    let split = nearest(&quarter, FRAC_PI_4).clamp(1, quarter.len() - 2);
     let mut arcs = vec![quarter[..=split].to_vec(), quarter[split..].to_vec()];
     if half {
         let count = arcs.iter().map(Vec::len).collect::<Vec<_>>();
