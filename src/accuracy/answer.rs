@@ -11,8 +11,10 @@ impl Quantity {
     /// Relative error that the iteration leaves in it, with what springs of the rule `penalty` cost; NaN where it is not known.
     pub(super) fn iterated(self, contact: &Contact) -> f64 {
         let of = |errors: Errors| match self {
+            Self::PeakPressure => errors.peak.abs(),
             Self::HalfWidth => errors.half_width.abs(),
-            _ => errors.peak.abs(),
+            // Nothing is recorded of the others, and no accuracy may be asked for them.
+            _ => f64::NAN,
         };
         contact.iteration.map_or(f64::NAN, of) + contact.penalty.map_or(0.0, of)
     }

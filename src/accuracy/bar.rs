@@ -5,19 +5,22 @@
 //!
 //! `u = F max |f₀ − fᵢ| / (rᵢ^q − 1)`,
 //!
-//! where q is an order that the number has shown on scenes of closed form, and F a factor of safety (`counted` in
-//! [`reading`](crate::accuracy::reading)). It takes the worst of four neighbours instead of extrapolating: the end of a contact
-//! lies at another place of its element on each mesh, and two of them may agree by accident. A series that oscillates or has not
-//! begun to converge makes it wider.
+//! where the order q and the factor of safety F were chosen for each kind of number on random scenes of closed form (`counted`
+//! in [`reading`](crate::accuracy::reading)) and tested on others (`tests/claims/bars.rs`). It takes the worst of four neighbours
+//! instead of extrapolating: the end of a contact lies at another place of its element on each mesh, and two of them may agree by
+//! accident. A series that oscillates or has not begun to converge makes it wider.
 //!
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
 use rayon::prelude::*;
 
+use crate::accuracy::Answer;
 use crate::accuracy::coarser::coarser;
 use crate::accuracy::reading::{Quantity, Reading, Subject, of_contacts, of_supports};
+use crate::algorithm::StiffnessRule;
 use crate::error::Error;
 use crate::measure::{Measures, larger};
+use crate::mesh::Order;
 use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin, Run, Settings};
 
 /// Part of a number's scale that round-off may leave.
@@ -26,6 +29,8 @@ const ROUND_OFF: f64 = 1e-9;
 const FEWEST: (usize, f64) = (2, 2.4);
 /// Tolerance of the runs on coarser meshes.
 const TOLERANCE: f64 = 1e-9;
+/// Elements are larger on a coarser mesh than by this factor, or it is none.
+const LARGER: f64 = 1.1;
 
 /// How far a number may be from the truth of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,64 +82,118 @@ impl Bars {
     }
 }
 
+/// The bars of a run on its mesh; `None` for the answer where no accuracy chose that.
+///
+/// Of what an accuracy was asked for, the mesh's part is what its search says, from finer meshes.
+pub fn bars(discretisation: &Discretisation, run: &Run, answer: Option<&Answer>) -> Result<Bars, Error> {
+    let family = Family::of(discretisation, run);
+    let mut all = of_pressures(discretisation, run, &family);
+    all.extend(of_reactions(discretisation, run, &family)?);
+    for quoted in answer.into_iter().flat_map(|answer| &answer.estimates) {
+        let subject = Subject::Contact(quoted.contact, quoted.quantity);
+        for one in all.iter_mut().filter(|one| one.subject == subject) {
+            one.bar.mesh = (quoted.relative - quoted.iteration) * one.value.abs();
+        }
+    }
+    Ok(Bars { all, meshes: family.coarse.len() })
+}
+
+/// Numbers of the contacts.
+fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> Vec<Barred> {
+    let measured: Vec<&Measures> = run.contacts.iter().map(|contact| &contact.measures).collect();
+    let [target, rigid] = [0, 1].map(|k| of_discrete(discretisation, run, k));
+    let one = |reading: Reading| {
+        let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, reading.subject));
+        let mesh = larger(family.mesh(&reading, discrete), beyond(run, reading.subject, &family.sizes));
+        let bar = Bar { mesh, iteration: (reading.value - ended).abs(), penalty: (ended - discrete).abs() };
+        let value = if is_unbounded(run, reading.subject) { f64::NAN } else { reading.value };
+        Barred { subject: reading.subject, value, bar }
+    };
+    of_contacts(discretisation, &measured).into_iter().map(one).collect()
+}
+
+/// Forces of the supports, whose discrete solutions are solved for: what is recorded of those has no displacements.
+fn of_reactions(discretisation: &Discretisation, run: &Run, family: &Family) -> Result<Vec<Barred>, Error> {
+    let of = |formulation: &Formulation| -> Result<Vec<Reading>, Error> {
+        match Run::from_origin(Origin::From(&run.solution), discretisation, formulation, Change::NONE) {
+            Ok(run) if run.solution.converged() => of_supports(discretisation, &run),
+            // Not found: its numbers are unknown.
+            _ => Ok(Vec::new()),
+        }
+    };
+    let rigid = of(&family.formulation)?;
+    let target = match run.formulation.rule {
+        StiffnessRule::Penalty => {
+            of(&Formulation { settings: family.formulation.settings, ..run.formulation.clone() })?
+        }
+        _ => rigid.clone(),
+    };
+    let one = |reading: Reading| {
+        let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, reading.subject));
+        let mesh = family.mesh(&reading, discrete);
+        let bar = Bar { mesh, iteration: (reading.value - ended).abs(), penalty: (ended - discrete).abs() };
+        Barred { subject: reading.subject, value: reading.value, bar }
+    };
+    Ok(of_supports(discretisation, run)?.into_iter().map(one).collect())
+}
+
+/// The coarser meshes of a run.
+struct Family {
+    /// What finds the discrete solution of the run's own contact element, without a penalty.
+    formulation: Formulation,
+    order: Order,
+    /// Mean candidate element of each contact.
+    sizes: Vec<f64>,
+    coarse: Vec<Coarse>,
+}
+
 /// What a coarser mesh says.
 struct Coarse {
-    /// Largest element of each contact's candidates.
+    /// Mean candidate element of each contact.
     sizes: Vec<f64>,
     readings: Vec<Reading>,
 }
 
-/// The bars of a run on its mesh.
-pub fn bars(discretisation: &Discretisation, run: &Run) -> Result<Bars, Error> {
-    let exact = exact(run);
-    let coarse: Vec<Coarse> = coarser(&discretisation.scene, discretisation.resolution)
-        .into_par_iter()
+impl Family {
+    fn of(discretisation: &Discretisation, run: &Run) -> Self {
+        let Formulation { element, layer_thickness, settings, .. } = run.formulation;
+        let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), increments: 1, ..settings };
+        let formulation = Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) };
+        let coarse = coarser(&discretisation.scene, discretisation.resolution).into_par_iter();
         // A mesh too coarse to hold the contact says nothing.
-        .filter_map(|(scene, resolution)| {
+        let said = |(scene, resolution)| {
             let coarse = Discretisation::of(scene, resolution).ok()?;
-            let run = Run::of(&coarse, &exact).ok()?;
+            let run = Run::of(&coarse, &formulation).ok()?;
             said(&coarse, &run)
-        })
-        .collect();
-    let size = sizes(discretisation);
-    let measured: Vec<&Measures> = run.contacts.iter().map(|contact| &contact.measures).collect();
-    let [target, rigid] = [0, 1].map(|k| of_discrete(discretisation, run, k));
-    let mut all: Vec<Barred> = Vec::new();
-    for reading in of_contacts(discretisation, &measured) {
-        let discrete = value_of(&rigid, reading.subject);
-        let ended = value_of(&target, reading.subject);
-        let mesh = mesh(&reading, discrete, &size, &coarse, run, discretisation);
-        let mesh = larger(mesh, beyond(run, reading.subject, &size));
-        let bar = Bar { mesh, iteration: (reading.value - ended).abs(), penalty: (ended - discrete).abs() };
-        let value = if is_unbounded(run, reading.subject) { f64::NAN } else { reading.value };
-        all.push(Barred { subject: reading.subject, value, bar });
+        };
+        let coarse = coarse.filter_map(said).collect();
+        Self { formulation, order: discretisation.resolution.order, sizes: sizes(discretisation), coarse }
     }
-    let rigidly = match exact_run(discretisation, run, &exact) {
-        Some(run) => of_supports(discretisation, &run)?,
-        None => Vec::new(),
-    };
-    for reading in of_supports(discretisation, run)? {
-        let discrete = value_of(&rigidly, reading.subject);
-        let mesh = mesh(&reading, discrete, &size, &coarse, run, discretisation);
-        // Springs of a penalty are in it.
-        let bar = Bar { mesh, iteration: (reading.value - discrete).abs(), penalty: 0.0 };
-        all.push(Barred { subject: reading.subject, value: reading.value, bar });
+
+    /// The mesh's part of a number whose value in the discrete solution is given; NaN where no mesh tells.
+    fn mesh(&self, reading: &Reading, discrete: f64) -> f64 {
+        let subject = reading.subject;
+        let [order, factor] = subject.counted(self.formulation.element, self.order);
+        let contact = match subject {
+            Subject::Contact(contact, _) => contact,
+            Subject::Reaction(..) => 0,
+        };
+        let ratio = |other: &Coarse| other.sizes[contact] / self.sizes[contact];
+        let apart = self
+            .coarse
+            .iter()
+            .filter(|other| ratio(other) > LARGER)
+            .map(|other| (discrete - value_of(&other.readings, subject)).abs() / (ratio(other).powf(order) - 1.0));
+        // Where a coarser contact has other stretches, there is nothing to compare.
+        let known: Vec<f64> = apart.filter(|apart| apart.is_finite()).collect();
+        let (fewest, alone) = FEWEST;
+        let factor = match known.len() {
+            0 => f64::NAN,
+            few if few < fewest => alone * factor,
+            _ => factor,
+        };
+        factor * known.into_iter().fold(0.0, f64::max) + ROUND_OFF * reading.scale.abs()
     }
-    Ok(Bars { all, meshes: coarse.len() })
-}
-
-/// What finds the discrete solution of the run's own contact element, without a penalty.
-fn exact(run: &Run) -> Formulation {
-    let Formulation { element, layer_thickness, settings, .. } = run.formulation;
-    let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), increments: 1, ..settings };
-    Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) }
-}
-
-/// The discrete solution with its displacements; none where it is not found.
-fn exact_run(discretisation: &Discretisation, run: &Run, exact: &Formulation) -> Option<Run> {
-    Run::from_origin(Origin::From(&run.solution), discretisation, exact, Change::NONE)
-        .ok()
-        .filter(|run| run.solution.converged())
 }
 
 /// Numbers of what the iteration shall end in, or of the discrete solution.
@@ -163,38 +222,6 @@ fn sizes(discretisation: &Discretisation) -> Vec<f64> {
     });
     each.collect()
 }
-
-/// The mesh's part of a number whose value in the discrete solution is given.
-fn mesh(
-    reading: &Reading,
-    discrete: f64,
-    size: &[f64],
-    coarse: &[Coarse],
-    run: &Run,
-    discretisation: &Discretisation,
-) -> f64 {
-    let subject = reading.subject;
-    let [order, factor] = subject.counted(run.formulation.element, discretisation.resolution.order);
-    let ratio = |other: &Coarse| match subject {
-        Subject::Contact(contact, _) => other.sizes[contact] / size[contact],
-        Subject::Reaction(..) => other.sizes[0] / size[0],
-    };
-    let apart = coarse.iter().filter(|other| ratio(other) > LARGER).map(|other| {
-        let value = value_of(&other.readings, subject);
-        (discrete - value).abs() / (ratio(other).powf(order) - 1.0)
-    });
-    let known: Vec<f64> = apart.filter(|apart| apart.is_finite()).collect();
-    let (fewest, alone) = FEWEST;
-    let factor = match known.len() {
-        0 => f64::NAN,
-        few if few < fewest => alone * factor,
-        _ => factor,
-    };
-    factor * known.into_iter().fold(0.0, f64::max) + ROUND_OFF * reading.scale.abs()
-}
-
-/// Elements are larger on a coarser mesh than by this factor, or it is none.
-const LARGER: f64 = 1.1;
 
 /// Whether it is a peak without a limit, which is no number.
 fn is_unbounded(run: &Run, subject: Subject) -> bool {
