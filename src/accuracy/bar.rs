@@ -3,12 +3,12 @@
 //! The mesh's part comes from the same scene on coarser meshes of the same family. With the finest value f₀ and those of meshes
 //! of the sizes `rᵢ h`,
 //!
-//! `u = F max |f₀ − fᵢ| / (rᵢ^q − 1)`,
+//! `u = F max |f₀ − fᵢ| / (rᵢ^q − 1) + C (h/a)^s + D`,
 //!
-//! where the order q and the factor of safety F were chosen for each kind of number on random scenes of closed form (`counted`
-//! in [`reading`](crate::accuracy::reading)) and tested on others (`tests/claims/bars.rs`). It takes the worst of four neighbours
-//! instead of extrapolating: the end of a contact lies at another place of its element on each mesh, and two of them may agree by
-//! accident. A series that oscillates or has not begun to converge makes it wider.
+//! where `counted` has the constants of each kind of number. It takes the worst of four neighbours instead of extrapolating: the
+//! end of a contact lies at another place of its element on each mesh, and two of them may agree by accident. A series that
+//! oscillates or has not begun to converge makes it wider. Where a maximum lies is known no better than how high it is:
+//! it may be wherever the pressure comes near it.
 //!
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
@@ -16,6 +16,7 @@ use rayon::prelude::*;
 
 use crate::accuracy::Answer;
 use crate::accuracy::coarser::coarser;
+use crate::accuracy::counted::Counted;
 use crate::accuracy::reading::{Quantity, Reading, Subject, of_contacts, of_supports};
 use crate::algorithm::StiffnessRule;
 use crate::error::Error;
@@ -29,6 +30,10 @@ const ROUND_OFF: f64 = 1e-9;
 const FEWEST: (usize, f64) = (2, 2.4);
 /// Tolerance of the runs on coarser meshes.
 const TOLERANCE: f64 = 1e-9;
+/// Part of the peak's bar within which the pressures elsewhere may be the true peak: their errors are alike.
+const FLAT: f64 = 0.5;
+/// Factor on the distance between two readings of a peak.
+const READINGS: f64 = 1.8;
 /// Elements are larger on a coarser mesh than by this factor, or it is none.
 const LARGER: f64 = 1.1;
 
@@ -66,7 +71,7 @@ pub struct Barred {
 pub struct Bars {
     /// Contact by contact, then support by support.
     pub all: Vec<Barred>,
-    /// Coarser meshes that were solved.
+    /// Coarser meshes that tell something.
     pub meshes: usize,
 }
 
@@ -95,21 +100,40 @@ pub fn bars(discretisation: &Discretisation, run: &Run, answer: Option<&Answer>)
             one.bar.mesh = (quoted.relative - quoted.iteration) * one.value.abs();
         }
     }
-    Ok(Bars { all, meshes: family.coarse.len() })
+    Ok(Bars { all, meshes: if family.shallow { 0 } else { family.coarse.len() } })
 }
 
 /// Numbers of the contacts.
 fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> Vec<Barred> {
     let measured: Vec<&Measures> = run.contacts.iter().map(|contact| &contact.measures).collect();
     let [target, rigid] = [0, 1].map(|k| of_discrete(discretisation, run, k));
-    let one = |reading: Reading| {
+    let readings = of_contacts(discretisation, &measured);
+    let flat = |contact: usize| {
+        let peak = readings.iter().find(|one| one.subject == Subject::Contact(contact, Quantity::PeakPressure));
+        peak.map_or(f64::NAN, |peak| farthest(run, contact, family.mesh(run, peak, value_of(&rigid, peak.subject))))
+    };
+    let one = |reading: &Reading| {
         let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, reading.subject));
-        let mesh = larger(family.mesh(&reading, discrete), beyond(run, reading.subject, &family.sizes));
+        let mesh = match reading.subject {
+            Subject::Contact(contact, Quantity::PeakPlace) if !family.is_at_end(run, contact) => {
+                family.mesh(run, reading, discrete) + flat(contact)
+            }
+            _ => larger(family.mesh(run, reading, discrete), beyond(run, reading.subject, &family.sizes)),
+        };
         let bar = Bar { mesh, iteration: (reading.value - ended).abs(), penalty: (ended - discrete).abs() };
         let value = if is_unbounded(run, reading.subject) { f64::NAN } else { reading.value };
         Barred { subject: reading.subject, value, bar }
     };
-    of_contacts(discretisation, &measured).into_iter().map(one).collect()
+    readings.iter().map(one).collect()
+}
+
+/// How far the peak is from the outermost end of an edge whose mean comes near it.
+fn farthest(run: &Run, contact: usize, bar: f64) -> f64 {
+    let edges = &run.solution.edges[run.solution.contacts[contact].edges.clone()];
+    let peak = &run.contacts[contact].measures.peak;
+    let near = edges.iter().filter(|edge| edge.pressure >= peak.pressure - FLAT * bar);
+    let farthest = near.flat_map(|edge| edge.ends).map(|end| (end - peak.position).abs()).fold(0.0, f64::max);
+    if bar.is_nan() { f64::NAN } else { farthest }
 }
 
 /// Forces of the supports, whose discrete solutions are solved for: what is recorded of those has no displacements.
@@ -130,7 +154,7 @@ fn of_reactions(discretisation: &Discretisation, run: &Run, family: &Family) -> 
     };
     let one = |reading: Reading| {
         let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, reading.subject));
-        let mesh = family.mesh(&reading, discrete);
+        let mesh = family.mesh(run, &reading, discrete);
         let bar = Bar { mesh, iteration: (reading.value - ended).abs(), penalty: (ended - discrete).abs() };
         Barred { subject: reading.subject, value: reading.value, bar }
     };
@@ -144,6 +168,9 @@ struct Family {
     order: Order,
     /// Mean candidate element of each contact.
     sizes: Vec<f64>,
+    cells: usize,
+    /// Whether a body is one element deep below a contact, which no coarser mesh tells from a finer one.
+    shallow: bool,
     coarse: Vec<Coarse>,
 }
 
@@ -151,6 +178,7 @@ struct Family {
 struct Coarse {
     /// Mean candidate element of each contact.
     sizes: Vec<f64>,
+    cells: usize,
     readings: Vec<Reading>,
 }
 
@@ -167,32 +195,62 @@ impl Family {
             said(&coarse, &run)
         };
         let coarse = coarse.filter_map(said).collect();
-        Self { formulation, order: discretisation.resolution.order, sizes: sizes(discretisation), coarse }
+        let (sizes, cells) = (sizes(discretisation), discretisation.mesh.cells());
+        let order = discretisation.resolution.order;
+        Self { formulation, order, sizes, cells, shallow: is_shallow(discretisation), coarse }
     }
 
     /// The mesh's part of a number whose value in the discrete solution is given; NaN where no mesh tells.
-    fn mesh(&self, reading: &Reading, discrete: f64) -> f64 {
+    fn mesh(&self, run: &Run, reading: &Reading, discrete: f64) -> f64 {
         let subject = reading.subject;
-        let [order, factor] = subject.counted(self.formulation.element, self.order);
         let contact = match subject {
             Subject::Contact(contact, _) => contact,
             Subject::Reaction(..) => 0,
         };
-        let ratio = |other: &Coarse| other.sizes[contact] / self.sizes[contact];
-        let apart = self
-            .coarse
-            .iter()
-            .filter(|other| ratio(other) > LARGER)
-            .map(|other| (discrete - value_of(&other.readings, subject)).abs() / (ratio(other).powf(order) - 1.0));
+        // Wherever the iteration ended.
+        let measures = match &run.contacts[contact].exact {
+            Some([_, discrete]) => discrete,
+            None => &run.contacts[contact].measures,
+        };
+        let ends_at_candidates = measures.stretches.iter().any(|stretch| stretch.reaches.contains(&true));
+        let counted = Counted::of(subject, self.formulation.element, self.order, ends_at_candidates);
+        let along = |other: &Coarse| other.sizes[contact] / self.sizes[contact];
+        // Where all of the mesh counts alike, and not the elements at the end of a contact, cells tell how much coarser it is:
+        // one that has one element across a ring has no coarser neighbours in that direction.
+        let of_cells = |other: &Coarse| (self.cells as f64 / other.cells as f64).sqrt();
+        let ratio = |other: &Coarse| match counted.hidden > 0.0 && !ends_at_candidates {
+            true => along(other),
+            false => along(other).min(of_cells(other)),
+        };
+        let apart = |other: &Coarse| {
+            (discrete - value_of(&other.readings, subject)).abs() / (ratio(other).powf(counted.exponent) - 1.0)
+        };
+        let coarser = self.coarse.iter().filter(|other| ratio(other) > LARGER);
         // Where a coarser contact has other stretches, there is nothing to compare.
-        let known: Vec<f64> = apart.filter(|apart| apart.is_finite()).collect();
+        let known: Vec<f64> = coarser.map(apart).filter(|apart| apart.is_finite()).collect();
         let (fewest, alone) = FEWEST;
         let factor = match known.len() {
+            _ if self.shallow => f64::NAN,
             0 => f64::NAN,
-            few if few < fewest => alone * factor,
-            _ => factor,
+            few if few < fewest => alone * counted.factor,
+            _ => counted.factor,
         };
-        factor * known.into_iter().fold(0.0, f64::max) + ROUND_OFF * reading.scale.abs()
+        let hidden = counted.hidden * (self.sizes[contact] / measures.half_width).powf(counted.power);
+        let [scale, read] = match subject {
+            Subject::Contact(_, Quantity::PeakPressure) => {
+                [measures.peak.pressure, READINGS * (measures.peak_by_parabola - measures.peak.pressure).abs()]
+            }
+            Subject::Contact(_, quantity) => [quantity.scale(measures), 0.0],
+            Subject::Reaction(..) => [reading.scale, 0.0],
+        };
+        factor * known.into_iter().fold(0.0, f64::max) + (hidden + ROUND_OFF) * scale.abs() + read
+    }
+
+    /// Whether the peak lies in the last element before the end of the candidates, where no parabola has its top.
+    fn is_at_end(&self, run: &Run, contact: usize) -> bool {
+        let Measures { peak, stretches, .. } = &run.contacts[contact].measures;
+        let near = |end: f64| (peak.position - end).abs() < self.sizes[contact];
+        stretches.iter().any(|one| (one.reaches[0] && near(one.begin)) || (one.reaches[1] && near(one.end)))
     }
 }
 
@@ -210,7 +268,16 @@ fn value_of(readings: &[Reading], subject: Subject) -> f64 {
 fn said(coarse: &Discretisation, run: &Run) -> Option<Coarse> {
     let mut readings = of_discrete(coarse, run, 1);
     readings.extend(of_supports(coarse, run).ok()?);
-    run.solution.converged().then(|| Coarse { sizes: sizes(coarse), readings })
+    run.solution.converged().then(|| Coarse { sizes: sizes(coarse), cells: coarse.mesh.cells(), readings })
+}
+
+/// Whether a body has no more cells than candidate edges of one of its contacts.
+fn is_shallow(discretisation: &Discretisation) -> bool {
+    let pairs = discretisation.scene.contacts.iter().zip(&discretisation.interfaces);
+    let bodies = &discretisation.mesh.bodies;
+    pairs
+        .into_iter()
+        .any(|(pair, interface)| pair.bodies().any(|body| bodies[body].cells.len() <= interface.edges.len()))
 }
 
 /// Mean candidate element of each contact, in its coordinate.

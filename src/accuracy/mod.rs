@@ -3,6 +3,7 @@
 //! * [`reading`] — the numbers that are quoted of a run.
 //! * [`mod@bar`] — how far each may be from the truth.
 //! * [`mod@coarser`] — the same scene on coarser meshes.
+//! * `counted` — how far differences between meshes tell the error.
 //! * [`answer`] — what is asked, and what is answered.
 //! * [`estimate`] — Richardson with the observed order as a check.
 //! * [`ends`] — where the contact found so far begins and ends.
@@ -31,6 +32,7 @@ pub mod answer;
 pub mod bar;
 pub mod coarser;
 mod confirmed;
+mod counted;
 mod depth;
 pub mod ends;
 pub mod estimate;

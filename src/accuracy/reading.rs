@@ -2,9 +2,8 @@
 
 use crate::error::Error;
 use crate::measure::Measures;
-use crate::mesh::Order;
 use crate::scene::ContactPair;
-use crate::solve::{Discretisation, Element, Reaction, Run};
+use crate::solve::{Discretisation, Reaction, Run};
 
 /// A number of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,38 +98,13 @@ impl Quantity {
         all
     }
 
-    /// Order in the element size that the error of this number is counted on to fall with, and the factor of safety on that.
-    ///
-    /// Pressures at the points of line and layer elements oscillate, and their means converge with first order on 8-node cells.
-    /// Edges are found from a square-root end. All others are counted on for second order.
-    pub fn counted(self, element: Element, order: Order) -> [f64; 2] {
-        let is_node = element == Element::Node;
-        match self {
-            Self::PeakPressure | Self::PeakPlace if is_node => [2.0, 2.2],
-            Self::PeakPressure | Self::PeakPlace if order == Order::Linear => [1.5, 1.4],
-            Self::PeakPressure | Self::PeakPlace => [1.0, 1.15],
-            Self::Begin(_) | Self::End(_) => [1.5, 2.5],
-            _ => [2.0, 1.75],
-        }
-    }
-
     /// What round-off of it is relative to.
-    fn scale(self, measures: &Measures) -> f64 {
+    pub(super) fn scale(self, measures: &Measures) -> f64 {
         match self {
             Self::PeakPressure => measures.peak.pressure,
             Self::Resultant => measures.resultant,
             Self::Moment => measures.resultant * measures.half_width,
             _ => measures.half_width,
-        }
-    }
-}
-
-impl Subject {
-    /// Order that the error is counted on to fall with, and the factor of safety on that.
-    pub fn counted(self, element: Element, order: Order) -> [f64; 2] {
-        match self {
-            Self::Contact(_, quantity) => quantity.counted(element, order),
-            Self::Reaction(..) => Quantity::Resultant.counted(element, order),
         }
     }
 }

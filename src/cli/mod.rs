@@ -1,7 +1,7 @@
 //! What the user types.
 //!
 //! * [`accuracy`] — what `solve` says of an accuracy that was asked for.
-//! * [`survey`] — surveys what is called converged, and what is called met, with a progress bar.
+//! * [`survey`] — surveys what is called converged and met, and whether error bars hold, with a progress bar.
 //! * [`ended`] — how a command ended, as its exit code tells.
 //! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`timings`] — measures speed against accuracy.
@@ -79,6 +79,8 @@ enum Command {
     Converged,
     /// Survey whether accuracies called met are met and write snapshots/met.csv; interrupted, it resumes.
     Met,
+    /// Survey whether error bars hold and write snapshots/coverage.csv; interrupted, it resumes.
+    Coverage,
     /// Measure speed against accuracy on one thread and write snapshots/timings; other codes are asked where installed.
     Timings {
         /// Solve one mesh, elements per half-width and refinement, and print the largest memory of the process in bytes.
@@ -101,6 +103,7 @@ pub fn main() -> ExitCode {
         Command::Atlas => atlas::run().map(|()| Ended::Well),
         Command::Converged => survey::converged().map(|()| Ended::Well),
         Command::Met => survey::met().map(|()| Ended::Well),
+        Command::Coverage => survey::coverage().map(|()| Ended::Well),
         Command::Timings { memory: Some(mesh) } => {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Ended::Well)
         }

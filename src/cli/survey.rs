@@ -5,7 +5,7 @@ use serde::de::DeserializeOwned;
 
 use crate::cli::terminal::{progress, say};
 use crate::error::Error;
-use crate::study::{converged, met, records};
+use crate::study::{converged, coverage, met, random, records};
 
 /// What is called converged.
 pub fn converged() -> Result<(), Error> {
@@ -14,7 +14,12 @@ pub fn converged() -> Result<(), Error> {
 
 /// What is called met.
 pub fn met() -> Result<(), Error> {
-    run(met::NAME, &met::sites(), met::Site::key, met::run::records)
+    run(met::NAME, &met::sites(), random::Site::key, met::run::records)
+}
+
+/// Whether error bars hold.
+pub fn coverage() -> Result<(), Error> {
+    run(coverage::NAME, &coverage::sites(), random::Site::key, coverage::run::records)
 }
 
 /// Runs every site that this program has not yet run, then writes the record.

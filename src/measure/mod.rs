@@ -50,6 +50,9 @@ pub struct Measures {
     pub stretches: Vec<Stretch>,
     /// The largest pressure of the profile, wherever it lies.
     pub peak: Peak,
+    /// The same read by a parabola through the highest means \[MPa\].
+    #[serde(skip)]
+    pub peak_by_parabola: f64,
     /// Pressure at s = 0 \[MPa\].
     pub pressure_at_origin: f64,
     /// The largest pressure of a contact point.
@@ -85,6 +88,7 @@ impl Measures {
             pressed_edges: edges.iter().filter(|edge| edge.pressure > floor).count(),
             stretches: stretch::closed(pair, part, floor),
             peak: if across { peak } else { Peak { position: peak.position.abs(), ..peak } },
+            peak_by_parabola: peak::by_parabola(edges),
             pressure_at_origin: peak::pressure_at(edges, 0.0),
             largest: Peak { position: at, pressure: largest },
             resultant: whole(pair) * profile::resultant(points, &pair.path),

@@ -59,6 +59,17 @@ pub fn of(edges: &[EdgeState], centre: f64) -> Peak {
     if moved { top } else { Peak { position: centre, pressure: top.pressure } }
 }
 
+/// The largest pressure read in another way: by a parabola through the highest pair and its neighbours \[MPa\]. How far both are
+/// apart tells whether the mesh resolves the top. NaN without an edge.
+pub fn by_parabola(edges: &[EdgeState]) -> f64 {
+    let pairs = pairs(edges);
+    let Some([first, last]) = highest(&pairs) else { return f64::NAN };
+    let end = (last + 1).min(pairs.len() - 1);
+    // At the end of the contact the two before it.
+    let start = first.saturating_sub(1).min(end.saturating_sub(PARABOLA - 1));
+    Fit::over(&pairs, start..=end.max(start + PARABOLA - 1).min(pairs.len() - 1)).top().pressure
+}
+
 /// Pressure at a place, by the same fit around the pairs that hold it; 0 where no pressed one does.
 pub fn pressure_at(edges: &[EdgeState], place: f64) -> f64 {
     let pairs = pairs(edges);

@@ -4,6 +4,7 @@
 //! * `rooms` — what a room must have, and how the page meets all of them.
 //! * [`drawn`] — colours and dashes of formulations, and curves.
 //! * [`class`](mod@class), [`method`], [`pairing`] — how a run ended and what was run, as they are recorded.
+//! * [`random`] — random scenes of closed form.
 //! * [`records`] — files of recorded surveys.
 //! * [`handed_over`] — our discretisation as plain numbers, for other codes.
 
@@ -12,6 +13,7 @@ pub mod drawn;
 pub mod handed_over;
 pub mod method;
 pub mod pairing;
+pub mod random;
 pub mod records;
 mod rooms;
 pub mod trial;
@@ -43,6 +45,8 @@ rooms! {
     Timings in timings,
     /// What is called converged.
     Converged in converged,
+    /// Whether error bars hold.
+    Coverage in coverage,
     /// An accuracy asked for instead of a mesh.
     Accuracy in accuracy,
     /// What is called met.

@@ -512,3 +512,27 @@ fn infinite_pressure_at_a_punch_corner_is_not_read() {
     assert!(matches!(&reading, Reading::Unavailable(why) if why.contains("at = 2")), "{reading:?}");
     assert_eq!(PUNCH.read(Quantity::PeakPressure), Reading::Silent);
 }
+
+#[test]
+fn stresses_below_a_flat_punch_carry_its_load_and_are_its_pressure_on_the_surface() {
+    let punch = FlatPunch { load: 1000.0, half_width: 2.0 };
+    for x in [0.0, 0.7, -1.9] {
+        let [sx, sz, shear] = punch.stress(x, 0.0);
+        assert_relative_eq!(sz, -punch.pressure(x), max_relative = 1e-12);
+        assert_relative_eq!(sx, sz, max_relative = 1e-12);
+        assert!(shear.abs() <= 1e-12 * sz.abs());
+    }
+    assert!(punch.stress(3.0, 0.0).iter().all(|stress| stress.abs() <= 1e-9));
+    // On a line below, x = z tan t: all of the load, and no shear altogether; far away Flamant's 2P/πz.
+    for z in [0.3, 2.0, 50.0] {
+        let parts = 20_000;
+        let at = |part: usize| std::f64::consts::PI * ((part as f64 + 0.5) / parts as f64 - 0.5);
+        let sum = |k: usize| -> f64 {
+            let one = |part: usize| punch.stress(z * at(part).tan(), z)[k] * z / at(part).cos().powi(2);
+            (0..parts).map(one).sum::<f64>() * std::f64::consts::PI / parts as f64
+        };
+        assert_relative_eq!(sum(1), -1000.0, max_relative = 1e-6);
+        assert!(sum(2).abs() <= 1e-6 * 1000.0, "{}", sum(2));
+    }
+    assert_relative_eq!(punch.stress(0.0, 2000.0)[1], -1000.0 / std::f64::consts::PI / 1000.0, max_relative = 1e-5);
+}

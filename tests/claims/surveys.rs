@@ -10,6 +10,7 @@ use contact_vv::study::class::Class;
 use contact_vv::study::converged::judge::{is_as_recorded, right};
 use contact_vv::study::converged::run::{Record, records as runs_of};
 use contact_vv::study::converged::{NAME, sites};
+use contact_vv::study::coverage;
 use contact_vv::study::met;
 use contact_vv::study::pairing::Pairing;
 use contact_vv::study::records;
@@ -120,7 +121,12 @@ fn records_are_written_as_they_were_read() {
         .expect("written");
     records::write(&copy("met"), &records::read::<met::Record>(&records::file("met"), "").expect("read"))
         .expect("written");
-    for name in ["converged", "met"] {
+    records::write(
+        &copy("coverage"),
+        &records::read::<coverage::Record>(&records::file("coverage"), "").expect("read"),
+    )
+    .expect("written");
+    for name in ["converged", "met", "coverage"] {
         let [kept, fresh] = [records::file(name), copy(name)].map(|file| std::fs::read(file).expect("a file"));
         assert!(kept == fresh, "{name}");
     }

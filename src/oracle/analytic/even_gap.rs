@@ -84,8 +84,13 @@ impl EvenGap {
         0.5 * self.modulus * self.terms().map(|(n, b)| b * (n * phi).sin()).sum::<f64>()
     }
 
-    /// Largest pressure, wherever it lies \[MPa\]: the best of many places, then a golden section.
+    /// Largest pressure, wherever it lies \[MPa\].
     pub fn peak_pressure(&self) -> f64 {
+        self.pressure(self.peak_place())
+    }
+
+    /// φ of the largest pressure, `x = a cos φ`, on the half x ≥ 0: the best of many places, then a golden section.
+    pub fn peak_place(&self) -> f64 {
         let place = |k: usize| FRAC_PI_2 * k as f64 / PLACES as f64;
         let best = (1..=PLACES).max_by(|&k, &l| self.pressure(place(k)).total_cmp(&self.pressure(place(l))));
         let best = best.unwrap_or(PLACES);
@@ -96,7 +101,8 @@ impl EvenGap {
             *if self.pressure(left) < self.pressure(right) { &mut low } else { &mut high } =
                 if self.pressure(left) < self.pressure(right) { left } else { right };
         }
-        self.pressure(0.5 * (low + high)).max(self.pressure(FRAC_PI_2))
+        let inside = 0.5 * (low + high);
+        if self.pressure(inside) > self.pressure(FRAC_PI_2) { inside } else { FRAC_PI_2 }
     }
 
     /// Half-width by second moment `2 √(∫p x²/∫p) = a √(1 + b₃/b₁)` \[mm\].

@@ -31,6 +31,31 @@ impl FlatPunch {
         self.pressure(0.0)
     }
 
+    /// Stresses `[σ_x, σ_z, τ_xz]` \[MPa\] in the half-plane; `x` right, `z ≥ 0` into the body \[mm\], tension positive.
+    ///
+    /// Flamant's solution, integrated: with `ζ = x + iz` and `F = ∫ p ds/(s − ζ) = −P/√(ζ² − a²)`,
+    ///
+    /// * `σ_x + σ_z = −(2/π) Im F`,
+    /// * `σ_z − σ_x = (2/π) z Re F'`,
+    /// * `τ_xz = (1/π) z Im F'`, `F' = P ζ/(ζ² − a²)^{3/2}`.
+    ///
+    /// Not a number at the corners `x = ±a, z = 0`.
+    pub fn stress(&self, x: f64, z: f64) -> [f64; 3] {
+        let a = self.half_width;
+        // ζ² − a² = r e^{iψ} with ψ from 0 to 2π, as its root lies in the upper half-plane like ζ.
+        let [real, imaginary] = [(x - a) * (x + a) - z * z, 2.0 * x * z];
+        let (size, angle) = (real.hypot(imaginary), imaginary.atan2(real));
+        let angle = if angle < 0.0 { angle + 2.0 * PI } else { angle };
+        let potential = self.load / size.sqrt() * (0.5 * angle).sin();
+        // 1/(ζ² − a²)^{3/2} = r^{−3/2} e^{−3iψ/2}.
+        let (sin, cos) = (1.5 * angle).sin_cos();
+        let scale = self.load / size.powf(1.5);
+        let derivative = [scale * (x * cos + z * sin), scale * (z * cos - x * sin)];
+        let sum = -2.0 / PI * potential;
+        let [difference, shear] = [2.0 / PI * z * derivative[0], z / PI * derivative[1]];
+        [0.5 * (sum - difference), 0.5 * (sum + difference), shear]
+    }
+
     /// Half-width by second moment `2 √(∫p x²/∫p) = √2 a` \[mm\].
     pub fn second_moment(&self) -> f64 {
         std::f64::consts::SQRT_2 * self.half_width

@@ -3,17 +3,13 @@
 //!
 //! * `sites` — which scenes, and which accuracies.
 //! * `plan` — what is run.
-//! * `draw` — the random numbers.
-//! * `scenes` — a random scene of each family, and the truth about it.
 //! * `run` — one scene solved to one accuracy, against the truth.
 //! * `judge` — what the record must hold.
 //! * `section` — what it shows.
 
-pub mod draw;
 pub mod judge;
 mod plan;
 pub mod run;
-pub mod scenes;
 mod section;
 pub mod sites;
 
@@ -24,4 +20,4 @@ pub use judge::judge;
 pub use plan::plan;
 pub use run::{Numbers, Record};
 pub use section::{pictures, section};
-pub use sites::{ASKED, Family, Site, sites};
+pub use sites::{ASKED, FAMILIES, sites};

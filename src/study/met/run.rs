@@ -8,8 +8,8 @@ use crate::error::Error;
 use crate::measure::larger;
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::met::NAME;
-use crate::study::met::sites::{ASKED, Family, Site, sites};
-use crate::study::met::scenes::Sample;
+use crate::study::met::sites::{ASKED, sites};
+use crate::study::random::{Family, Sample, Site};
 use crate::study::records::{self, rounded};
 
 /// One of so many scenes is solved again, to the accuracies that are cheap.
@@ -55,8 +55,9 @@ impl Record {
     /// Of an answer.
     pub fn of(site: &Site, asked: f64, sample: &Sample, answer: &Answer) -> Self {
         let error = |k: usize| {
-            let each = answer.run.contacts.iter().zip(&sample.truths);
-            let errors = each.map(|(contact, truth)| Quantity::ASKED[k].of(&contact.measures) / truth[k] - 1.0);
+            let quantity = Quantity::ASKED[k];
+            let each = answer.run.contacts.iter().enumerate();
+            let errors = each.map(|(at, one)| quantity.of(&one.measures) / sample.truth(at, quantity) - 1.0);
             rounded(errors.reduce(|a, b| if a.abs() >= b.abs() || a.is_nan() { a } else { b }).unwrap_or(f64::NAN))
         };
         let [peak, half_width] = [error(0), error(1)];

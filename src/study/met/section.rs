@@ -4,9 +4,9 @@ use crate::error::Error;
 use crate::markdown;
 use crate::measure::larger;
 use crate::study::Found;
-use crate::study::met::sites::{ASKED, Family};
+use crate::study::met::sites::{ASKED, FAMILIES};
 use crate::study::met::run::{Numbers, Record};
-use crate::study::met::scenes::GUESS;
+use crate::study::random::{Family, GUESS};
 
 /// Columns.
 const HEAD: [&str; 7] = [
@@ -37,7 +37,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
 
 fn by_family(recorded: &[Record]) -> Vec<Vec<String>> {
     let mut rows = Vec::new();
-    for family in Family::ALL {
+    for (family, _) in FAMILIES {
         for asked in ASKED {
             let is_own = |record: &&Record| record.family == family && record.asked.to_bits() == asked.to_bits();
             rows.push(row(family, asked, &recorded.iter().filter(is_own).collect::<Vec<_>>()));

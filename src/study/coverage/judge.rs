@@ -1,0 +1,78 @@
+//! What the record must hold: a fixed part solved again is what was recorded, and errors lie within their bars.
+
+use crate::case::{Check, Judged, Quantity, Reference};
+use crate::error::Error;
+use crate::study::coverage::group::{CELLS, Group};
+use crate::study::coverage::run::{Kind, Numbers, Record};
+use crate::study::coverage::sites::FAMILIES;
+
+/// Share of errors that lie within their bars.
+pub const SHARE: f64 = 0.95;
+/// Bars beyond which hardly an error lies.
+pub const BEYOND: f64 = 3.0;
+/// The share that may.
+pub const FAR: f64 = 1e-3;
+/// Bars over errors in the median: a bar that is never needed says nothing. Four cannot be had beside none beyond three bars:
+/// where a mesh is coarse, a few errors in a thousand are many times the median one.
+pub const MEDIAN: f64 = 5.0;
+/// A recomputed error or bar may differ by this share: the record holds four digits.
+const DIGITS: f64 = 2e-3;
+/// Errors and bars below may differ: they are round-off.
+const ROUND_OFF: f64 = 1e-7;
+
+/// The checks.
+pub fn judge(Numbers { recorded, fresh }: &Numbers) -> Result<Vec<Judged>, Error> {
+    Ok(vec![as_recorded(recorded, fresh), within(recorded), beyond(recorded), narrow(recorded)])
+}
+
+/// Whether fresh errors and bars are the recorded ones, number by number of each scene.
+pub fn as_recorded(recorded: &[Record], fresh: &[Record]) -> Judged {
+    let site = |record: &Record| (record.family, record.number);
+    let moved = |scene: &[Record]| {
+        let kept: Vec<&Record> = recorded.iter().filter(|kept| site(kept) == site(&scene[0])).collect();
+        let apart = scene.iter().zip(&kept).filter(|(fresh, kept)| !is_as_recorded(kept, fresh)).count();
+        apart + scene.len().abs_diff(kept.len())
+    };
+    let moved: usize = fresh.chunk_by(|a, b| site(a) == site(b)).map(moved).sum();
+    let quantity = Quantity::at("recomputed error or bar that is not the recorded one", format!("of {}", fresh.len()));
+    let record = Reference::own("snapshots/coverage.csv", 0.0);
+    Check::at_most(quantity, record, "errors and bars; `coverage` renews the record")
+        .judge(if fresh.is_empty() { f64::NAN } else { moved as f64 })
+}
+
+/// Whether a fresh number is the recorded one.
+pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
+    let key = |record: &Record| (record.family, record.number, record.cell, record.element, record.kind);
+    let alike =
+        |a: f64, b: f64| (a.is_nan() && b.is_nan()) || (a - b).abs() <= DIGITS * a.abs().max(b.abs()) + ROUND_OFF;
+    key(kept) == key(fresh) && alike(kept.error, fresh.error) && alike(kept.bar, fresh.bar)
+}
+
+/// The share of errors within their bars, of each number, of each family and of each kind of cells, where it is smallest.
+pub fn within(recorded: &[Record]) -> Judged {
+    let kinds = Kind::ALL.into_iter().map(|kind| (kind.title().to_string(), Group::of(recorded, |one| one.kind == kind)));
+    let families = FAMILIES.into_iter();
+    let families = families.map(|family| (family.title().into(), Group::of(recorded, |one| one.family == family)));
+    let cells = CELLS.into_iter().map(|cell| (format!("{cell}-node cells"), Group::of(recorded, |one| one.cell == cell)));
+    let shares = kinds.chain(families).chain(cells).map(|(name, group)| (name, group.within(1.0)));
+    let least = shares.reduce(|a, b| if b.1 < a.1 || b.1.is_nan() { b } else { a });
+    let (at, share) = least.unwrap_or((String::new(), f64::NAN));
+    let quantity = Quantity::at("share of the true errors within their bars, where it is smallest", at);
+    let bound = Reference::analytic("closed forms", SHARE);
+    Check::at_least(quantity, bound, "of each number, of each family and of each kind of cells").judge(share)
+}
+
+/// Errors far outside.
+pub fn beyond(recorded: &[Record]) -> Judged {
+    let within = Group::of(recorded, |_| true).within(BEYOND);
+    let quantity = Quantity::at(format!("share of the true errors beyond {BEYOND} bars"), format!("of {}", recorded.len()));
+    let because = "four meshes agree by accident once in some thousand times";
+    Check::at_most(quantity, Reference::analytic("closed forms", FAR), because).judge(1.0 - within)
+}
+
+/// Bars are no wider than they need be.
+pub fn narrow(recorded: &[Record]) -> Judged {
+    let median = Group::of(recorded, |_| true).median();
+    let quantity = Quantity::at("median of bar over true error", format!("all numbers above round-off, of {}", recorded.len()));
+    Check::at_most(quantity, Reference::analytic("closed forms", MEDIAN), "a bar that is never needed says nothing").judge(median)
+}

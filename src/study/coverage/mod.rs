@@ -1,0 +1,28 @@
+//! Whether error bars hold: random scenes of closed form on random meshes, and their true errors.
+//!
+//! * [`sites`] — which scenes.
+//! * [`setup`] — on which mesh, by which formulation.
+//! * `plan` — what is run.
+//! * [`run`] — one scene solved, its errors and bars.
+//! * [`group`] — what some errors and bars say together.
+//! * [`judge`](mod@judge) — what the record must hold.
+//! * `section`, `picture` — what it shows.
+
+pub mod group;
+pub mod judge;
+mod picture;
+mod plan;
+pub mod run;
+mod section;
+pub mod setup;
+pub mod sites;
+
+/// Name of the command that surveys it, and of its record.
+pub const NAME: &str = "coverage";
+
+pub use judge::judge;
+pub use picture::pictures;
+pub use plan::plan;
+pub use run::{Kind, Numbers, Record};
+pub use section::section;
+pub use sites::sites;

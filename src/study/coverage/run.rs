@@ -1,0 +1,142 @@
+//! One scene solved, its errors and bars; and the part of the record that is solved again.
+
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::accuracy::{Quantity, Subject, bars};
+use crate::error::Error;
+use crate::mesh::Order;
+use crate::solve::{Discretisation, Element, Run};
+use crate::study::coverage::NAME;
+use crate::study::coverage::setup::Setup;
+use crate::study::coverage::sites::sites;
+use crate::study::random::{Family, Sample, Site, Truth};
+use crate::study::records::{file, read, renewal, rounded};
+
+/// One of so many scenes is solved again.
+const OF: usize = 20;
+/// The first of them.
+const FIRST: usize = 7;
+
+/// The record, and a part of it solved again.
+#[derive(Clone, Debug, Serialize)]
+pub struct Numbers {
+    /// All errors and bars recorded.
+    pub recorded: Vec<Record>,
+    /// Those of the fixed part as they are now.
+    pub fresh: Vec<Record>,
+}
+
+/// A number whose bars are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// Peak pressure.
+    Peak,
+    /// Where it lies.
+    Place,
+    /// Half-width.
+    HalfWidth,
+    /// Centre of pressure.
+    Centre,
+    /// Where a stretch begins or ends.
+    Edge,
+    /// Contact resultant, its moment, or a reaction.
+    Force,
+}
+
+/// A number of a scene: its error and its bar, over the size of such a number.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// Family of the scene.
+    pub family: Family,
+    /// Its number in the family.
+    pub number: usize,
+    /// Nodes of a cell.
+    pub cell: usize,
+    /// Contact element.
+    pub element: Element,
+    /// Elements on half of the contact.
+    pub per: f64,
+    /// Which number.
+    pub kind: Kind,
+    /// True error; NaN where the run did not converge.
+    pub error: f64,
+    /// Its bar; NaN where it is not known.
+    pub bar: f64,
+}
+
+impl Kind {
+    /// All.
+    pub const ALL: [Self; 6] = [Self::Peak, Self::Place, Self::HalfWidth, Self::Centre, Self::Edge, Self::Force];
+
+    /// Name in results.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Peak => "peak pressure",
+            Self::Place => "place of the peak",
+            Self::HalfWidth => "half-width",
+            Self::Centre => "centre",
+            Self::Edge => "ends of the contact",
+            Self::Force => "forces and moment",
+        }
+    }
+
+    fn of(subject: Subject) -> Self {
+        match subject {
+            Subject::Contact(_, Quantity::PeakPressure) => Self::Peak,
+            Subject::Contact(_, Quantity::PeakPlace) => Self::Place,
+            Subject::Contact(_, Quantity::HalfWidth) => Self::HalfWidth,
+            Subject::Contact(_, Quantity::Centre) => Self::Centre,
+            Subject::Contact(_, Quantity::Begin(_) | Quantity::End(_)) => Self::Edge,
+            Subject::Contact(_, Quantity::Resultant | Quantity::Moment) | Subject::Reaction(..) => Self::Force,
+        }
+    }
+}
+
+/// What errors of a number are relative to: the true peak, half-width or force.
+fn size(sample: &Sample, subject: Subject, value: f64) -> f64 {
+    let true_one = |quantity| sample.truth(0, quantity);
+    match subject {
+        Subject::Contact(_, Quantity::PeakPressure) | Subject::Reaction(..) => value.abs(),
+        Subject::Contact(_, Quantity::Resultant) => value,
+        Subject::Contact(_, Quantity::Moment) => true_one(Quantity::Resultant) * true_one(Quantity::HalfWidth),
+        Subject::Contact(..) => true_one(Quantity::HalfWidth),
+    }
+}
+
+/// All numbers of a scene whose truth is known.
+pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
+    let sample = site.sample()?;
+    let Setup { scene, resolution, formulation, per } = Setup::of(site, &sample);
+    let discretisation = Discretisation::of(scene, resolution)?;
+    let run = Run::of(&discretisation, &formulation)?;
+    let bars = bars(&discretisation, &run, None)?;
+    let record = |truth: &Truth| {
+        let size = size(&sample, truth.subject, truth.value);
+        let found = bars.all.iter().find(|one| one.subject == truth.subject && run.solution.converged());
+        let [error, bar] = found.map_or([f64::NAN; 2], |one| [(one.value - truth.value).abs(), one.bar.total()]);
+        Record {
+            family: site.family,
+            number: site.number,
+            cell: match resolution.order {
+                Order::Linear => 4,
+                Order::Quadratic => 8,
+            },
+            element: formulation.element,
+            per: rounded(per),
+            kind: Kind::of(truth.subject),
+            error: rounded(error / size),
+            bar: rounded(bar / size),
+        }
+    };
+    Ok(sample.truths.iter().map(record).collect())
+}
+
+/// The record, and a fixed twentieth of its scenes once more.
+pub fn numbers() -> Result<Numbers, Error> {
+    let recorded = read(&file(NAME), &renewal(NAME))?;
+    let again: Vec<Site> = sites().into_iter().skip(FIRST).step_by(OF).collect();
+    let fresh = again.par_iter().map(records).collect::<Result<Vec<_>, Error>>()?.concat();
+    Ok(Numbers { recorded, fresh })
+}

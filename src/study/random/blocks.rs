@@ -1,0 +1,198 @@
+//! Blocks pressed by profiles, or by their own load, on which the closed forms hold exactly.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
+
+use crate::accuracy::Quantity;
+use crate::case::library::{FlatPunch, TruncatedHertz};
+use crate::oracle::analytic::even_gap::EvenGap;
+use crate::oracle::analytic::hertz::Hertz;
+use crate::oracle::analytic::punch;
+use crate::oracle::analytic::waves::Waves;
+use crate::scene::{
+    Body, Component, ContactPair, Face, Grading, Line, Load, Material, MonotoneCubic, Path, Place, PlaneHypothesis,
+    Profile, ReferenceValues, Scene, Shape, StressField, Support,
+};
+use crate::study::random::draw::Draw;
+use crate::study::random::sample::Sample;
+
+/// Terms of the series of a wedge: what is left out is 1e-8 of the peak.
+const TERMS: usize = 4000;
+/// Elements on the tip of a wedge: on fewer, no coarser mesh sees it.
+const ON_TIP: f64 = 4.0;
+/// Points on half of a contact at which a drawn polynomial is looked at.
+const LOOKED_AT: usize = 200;
+/// Length over which a cubic rounds the corner of a wedge's curvature, over the length of its tip.
+const CORNER: f64 = 1e-4;
+
+/// A block with the half-plane's stresses on its sides, pressed by a profile.
+fn block(solution: EvenGap, material: Material, profile: Profile, [size, guess]: [f64; 2]) -> Sample {
+    let (a, slope) = (solution.half_width, solution.slopes[0]);
+    let Material { young, poisson } = material;
+    let numbers = TruncatedHertz { radius: a / slope, young, poisson, a_over_r: slope, size, stretch: guess.min(size) };
+    let place = solution.peak_place();
+    let truths = [
+        (Quantity::PeakPressure, solution.pressure(place)),
+        (Quantity::PeakPlace, a * place.cos()),
+        (Quantity::HalfWidth, solution.second_moment()),
+        (Quantity::End(0), a),
+        (Quantity::Resultant, solution.load()),
+    ];
+    let mut scene = numbers.scene_under(StressField(Arc::new(move |[x, depth]: [f64; 2]| solution.stress(x, depth))));
+    scene.contacts[0].profile = profile;
+    Sample::of(scene, truths)
+}
+
+/// `g = c₂ s² + c₄ s⁴ + c₆ s⁶`, drawn until it is pressed all over the contact, and open all over the block beyond it.
+pub fn polynomial(draw: &mut Draw, material: Material, guess: f64, off_centre: bool) -> Sample {
+    let modulus = material.plane_modulus(PlaneHypothesis::Strain);
+    let (a, slope, size) = (draw.decades(0.01, 100.0), draw.decades(1e-4, 1e-2), draw.between(4.0, 14.0));
+    loop {
+        let parts = [draw.between(0.0, 1.0), draw.between(-0.5, 1.0), draw.between(-0.5, 1.0)];
+        let coefficients = [0, 1, 2].map(|k| slope * parts[k] / (2.0 * (k + 1) as f64 * a.powi(2 * k as i32 + 1)));
+        let solution = EvenGap::polynomial(modulus, a, coefficients);
+        let steepness = |x: f64| (0..3).map(|k| slope * parts[k] * (x / a).powi(2 * k as i32 + 1)).sum::<f64>();
+        let mean = solution.slopes[0];
+        let phi = |k: usize| FRAC_PI_2 * (k as f64 + 0.5) / LOOKED_AT as f64;
+        let pressed = |k: usize| 2.0 * solution.pressure(phi(k)) / (modulus * phi(k).sin()) > 0.1 * mean;
+        let beyond = |k: usize| a * (1.0 + (size - 1.0) * (k as f64 + 1.0) / LOOKED_AT as f64);
+        let open = |k: usize| solution.opening(beyond(k), steepness(beyond(k))) > 0.0;
+        let hollow = solution.peak_pressure() > 1.01 * solution.pressure(FRAC_PI_2);
+        if mean > 0.1 * slope && hollow == off_centre && (0..LOOKED_AT).all(|k| pressed(k) && open(k)) {
+            return block(solution, material, Profile::Even { coefficients: coefficients.into() }, [size, guess]);
+        }
+    }
+}
+
+/// `g' = s/R` up to a tenth to eight tenths of the contact, and constant beyond: a cubic through points, which is exact but
+/// for the corner of its curvature.
+pub fn wedge(draw: &mut Draw, material: Material, guess: f64) -> Sample {
+    let modulus = material.plane_modulus(PlaneHypothesis::Strain);
+    let (a, slope, size) = (draw.decades(0.01, 100.0), draw.decades(1e-4, 1e-2), draw.between(4.0, 14.0));
+    let round = a * draw.between(0.1, 0.8);
+    let radius = round / slope;
+    let gap = |s: f64| if s < round { 0.5 * s * s / radius } else { round / radius * (s - 0.5 * round) };
+    let places = [0.0, 0.5 * round, round * (1.0 - CORNER), round, round * (1.0 + CORNER), size * a];
+    let cubic = MonotoneCubic::through(&places.map(|s| [s, gap(s)]));
+    let solution = EvenGap::rounded_wedge(modulus, a, radius, round, TERMS);
+    block(solution, material, Profile::Smooth(Arc::new(cubic)), [size, guess]).seen_by(ON_TIP * a / round)
+}
+
+/// Westergaard's waves on half a wave of a block, under the mean pressure `p* sin² ψ` that makes contact up to `a`, `ψ = πa/λ`.
+pub fn cosine(draw: &mut Draw, material: Material, guess: f64) -> Sample {
+    let modulus = material.plane_modulus(PlaneHypothesis::Strain);
+    let (wavelength, amplitude) = (draw.decades(0.1, 1000.0), draw.decades(1e-5, 1e-3));
+    let amplitude = amplitude * wavelength;
+    let [share, height] = [draw.between(0.03, 0.42), wavelength * draw.between(2.0, 3.0)];
+    let open = Waves { modulus, amplitude, wavelength, mean: 0.0 };
+    let waves = Waves { mean: open.complete() * (PI * share).sin().powi(2), ..open };
+    let (peak, half_width) = (waves.pressure(0.0), share * wavelength);
+    let rolled = |at: Place| Support { at, component: Component::X, value: 0.0 };
+    let side = 0.5 * wavelength;
+    let scene = Scene {
+        name: "waves".into(),
+        plane: PlaneHypothesis::Strain,
+        thickness: 1.0,
+        bodies: vec![Body {
+            density: 1.0,
+            name: "block".into(),
+            shape: Shape::Rectangle { x: [0.0, side], y: [0.0, height], contact: Face::Bottom },
+            material,
+            supports: ["left", "right"].map(|name| rolled(Place::Boundary(name.into()))).into(),
+            loads: vec![Load::Traction { boundary: "far".into(), traction: [0.0, -waves.mean] }],
+        }],
+        contacts: vec![ContactPair::new(
+            None,
+            Path::HORIZONTAL,
+            Profile::Cosine { amplitude, wavelength },
+            (guess * half_width).min(side),
+        )],
+        reference: ReferenceValues { length: half_width, pressure: peak, gap: amplitude },
+        grading: Grading { unit: half_width, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
+    };
+    let truths = [
+        (Quantity::PeakPressure, peak),
+        (Quantity::PeakPlace, 0.0),
+        (Quantity::HalfWidth, waves.second_moment()),
+        (Quantity::End(0), half_width),
+        (Quantity::Resultant, 2.0 * side * waves.mean),
+    ];
+    Sample::of(scene, truths)
+}
+
+/// A parabola on a block with Hertz's stresses on its sides.
+pub fn hertz(draw: &mut Draw, Material { young, poisson }: Material, guess: f64) -> Sample {
+    let (radius, a_over_r, size) = (draw.decades(0.1, 1000.0), draw.decades(1e-4, 0.1), draw.between(3.0, 14.0));
+    let numbers = TruncatedHertz { radius, young, poisson, a_over_r, size, stretch: guess.min(size) };
+    let scene = numbers.scene();
+    let hertz = Hertz { load: numbers.load(), radius, modulus: scene.contact_modulus() };
+    Sample::of(scene, of_hertz(&hertz))
+}
+
+/// What Hertz says of a contact.
+pub fn of_hertz(hertz: &Hertz) -> [(Quantity, f64); 5] {
+    [
+        (Quantity::PeakPressure, hertz.peak_pressure()),
+        (Quantity::PeakPlace, 0.0),
+        (Quantity::HalfWidth, hertz.half_width()),
+        (Quantity::End(0), hertz.half_width()),
+        (Quantity::Resultant, hertz.load),
+    ]
+}
+
+/// A block on a rigid plane under a pressure linear in x, which is that of the contact at every height.
+pub fn eccentric(draw: &mut Draw, material: Material) -> Sample {
+    let (half, mean) = (draw.decades(0.1, 1000.0), material.young * draw.decades(1e-5, 1e-3));
+    let (height, slope) = (half * draw.between(0.5, 2.0), mean / half * draw.between(-0.9, 0.9));
+    let pressure = move |x: f64| mean + slope * x;
+    // ∫p = 2 p̄ L, ∫p s = 2 p' L³/3, ∫p s² = 2 p̄ L³/3.
+    let centre = slope * half * half / (3.0 * mean);
+    let half_width = 2.0 * (half * half / 3.0 - centre * centre).sqrt();
+    let field = StressField(Arc::new(move |[x, _]: [f64; 2]| [0.0, -pressure(x), 0.0]));
+    let path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: true });
+    let scene = Scene {
+        name: "block under an eccentric load".into(),
+        plane: PlaneHypothesis::Strain,
+        thickness: 1.0,
+        bodies: vec![Body {
+            density: 1.0,
+            name: "block".into(),
+            shape: Shape::Rectangle { x: [-half, half], y: [0.0, height], contact: Face::Bottom },
+            material,
+            supports: vec![Support { at: Place::Point([0.0, height]), component: Component::X, value: 0.0 }],
+            loads: vec![Load::Stress { boundary: "far".into(), field }],
+        }],
+        contacts: vec![ContactPair { symmetric: false, ..ContactPair::new(None, path, Profile::Uniform(0.0), half) }],
+        reference: ReferenceValues { length: half, pressure: mean, gap: half * mean / material.young },
+        grading: Grading { unit: half, along: 1.0, depth: 1.0, first: 1.0, coarsest: 1.0, end: 1.0 },
+    };
+    Sample::of(
+        scene,
+        [
+            (Quantity::PeakPressure, mean + (slope * half).abs()),
+            (Quantity::PeakPlace, half.copysign(slope)),
+            (Quantity::HalfWidth, half_width),
+            (Quantity::Centre, centre),
+            (Quantity::Begin(0), -half),
+            (Quantity::End(0), half),
+            (Quantity::Resultant, 2.0 * mean * half),
+            (Quantity::Moment, 2.0 * mean * half * centre),
+        ],
+    )
+}
+
+/// A flat punch on a block with the half-plane's stresses on its sides; its peak has no limit.
+pub fn flat_punch(draw: &mut Draw, material: Material) -> Sample {
+    let (half_width, size) = (draw.decades(0.01, 100.0), draw.between(4.0, 14.0));
+    let modulus = material.plane_modulus(PlaneHypothesis::Strain);
+    let load = modulus * half_width * draw.decades(1e-5, 1e-2);
+    let solution = punch::FlatPunch { load, half_width };
+    let mut scene = FlatPunch { half_width, size, material, load }.scene();
+    let field = StressField(Arc::new(move |[x, depth]: [f64; 2]| solution.stress(x, depth)));
+    let sides = ["right", "far"].map(|side| Load::Stress { boundary: side.into(), field: field.clone() });
+    scene.bodies[0].loads = sides.into();
+    Sample::of(
+        scene,
+        [(Quantity::HalfWidth, solution.second_moment()), (Quantity::End(0), half_width), (Quantity::Resultant, load)],
+    )
+}

@@ -1,0 +1,150 @@
+//! Cylinders, pins and rings.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use crate::accuracy::Quantity;
+use crate::case::library::{Cylinder, CylinderModel, PinPlate, PressFit};
+use crate::oracle::analytic::Plane;
+use crate::oracle::analytic::hertz::Hertz;
+use crate::oracle::analytic::lame;
+use crate::oracle::analytic::persson::PinInHole;
+use crate::scene::{
+    Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
+    ReferenceValues, Scene, Sector, Shape, Support,
+};
+use crate::study::random::blocks::of_hertz;
+use crate::study::random::draw::Draw;
+use crate::study::random::sample::Sample;
+
+/// Elements across a ring: one has no coarser neighbour.
+const ACROSS: f64 = 2.0;
+/// Radius of the plate's rim, and clearance, over the radius of the pin.
+const PLATE: [f64; 2] = [1000.0, 1e-6];
+
+/// A cylinder on a plane, as a quarter or as a half.
+pub fn cylinder(draw: &mut Draw, Material { young, poisson }: Material, guess: f64) -> Sample {
+    let (radius, a_over_r) = (draw.decades(0.1, 1000.0), draw.decades(0.001, 0.005));
+    let model = match draw.between(0.0, 3.0) {
+        third if third < 1.0 => CylinderModel::Quarter,
+        third if third < 2.0 => CylinderModel::Half,
+        _ => CylinderModel::HalfLoadedAbove,
+    };
+    let numbers = Cylinder { radius, young, poisson, a_over_r, stretch: guess, model };
+    let scene = numbers.scene();
+    let hertz = Hertz { load: numbers.load(), radius, modulus: scene.contact_modulus() };
+    Sample::of(scene, of_hertz(&hertz))
+}
+
+/// Persson's pin, pressed to a half-angle of 15 to 80 degrees.
+pub fn pin(draw: &mut Draw, material: Material, guess: f64) -> Sample {
+    let (pin_radius, half_angle) = (draw.decades(0.1, 1000.0), draw.between(15.0, 80.0).to_radians());
+    let [rim_radius, clearance] = PLATE.map(|part| part * pin_radius);
+    let load = PinInHole::load_for(half_angle, clearance, material.young);
+    let numbers = PinPlate {
+        pin_radius,
+        clearance,
+        rim_radius,
+        thickness: 1.0,
+        material,
+        force: load,
+        stretch: (guess * half_angle).min(FRAC_PI_2),
+        unit: pin_radius,
+    };
+    let solution = PinInHole {
+        radius: pin_radius,
+        clearance,
+        load,
+        modulus: material.young,
+        poisson: material.poisson,
+        plane: Plane::Stress,
+    };
+    let truths = [
+        (Quantity::PeakPressure, solution.peak_pressure()),
+        (Quantity::PeakPlace, 0.0),
+        (Quantity::HalfWidth, solution.second_moment()),
+        (Quantity::End(0), half_angle),
+        (Quantity::Resultant, load),
+    ];
+    Sample::of(numbers.scene(), truths)
+}
+
+/// An elastic cylinder on another one; the gap is the parabola of both, as Hertz has it.
+pub fn cylinders(draw: &mut Draw, upper: Material, guess: f64) -> Sample {
+    let lower = Material { young: upper.young * draw.decades(0.1, 10.0), poisson: draw.between(0.0, 0.45) };
+    let (above, below) = (draw.decades(0.1, 1000.0), draw.decades(0.3, 3.0));
+    let [above, below] = [above, above * below];
+    let half_width = above.min(below) * draw.decades(0.001, 0.005);
+    let radius = 1.0 / (1.0 / above + 1.0 / below);
+    let compliance: f64 = [upper, lower].iter().map(|m| 1.0 / m.plane_modulus(PlaneHypothesis::Strain)).sum();
+    let hertz =
+        Hertz { load: Hertz::load_for(half_width, radius, 1.0 / compliance), radius, modulus: 1.0 / compliance };
+    let held =
+        |boundary: &'static str, component| Support { at: Place::Boundary(boundary.into()), component, value: 0.0 };
+    let disc = |name: &str, centre: f64, radius, contact, material| Body {
+        density: 1.0,
+        name: name.into(),
+        shape: Shape::Disc { centre: [0.0, centre], radius, sector: Sector::Quarter, contact },
+        material,
+        supports: vec![held("axis", Component::X)],
+        loads: vec![],
+    };
+    let mut bodies =
+        vec![disc("upper", above, above, Face::Bottom, upper), disc("lower", -below, below, Face::Top, lower)];
+    bodies[0].loads = vec![Load::Traction { boundary: "cut".into(), traction: [0.0, -hertz.load / (2.0 * above)] }];
+    bodies[1].supports.push(held("cut", Component::Y));
+    let scene = Scene {
+        name: "two cylinders".into(),
+        plane: PlaneHypothesis::Strain,
+        thickness: 1.0,
+        bodies,
+        contacts: vec![ContactPair::new(Some(1), Path::HORIZONTAL, Profile::Parabola { radius }, guess * half_width)],
+        reference: ReferenceValues {
+            length: half_width,
+            pressure: 2.0 * hertz.load / (PI * half_width),
+            gap: half_width * half_width / (2.0 * radius),
+        },
+        grading: Grading { unit: half_width, along: 1.7, depth: 1.6, first: 1.0, coarsest: 0.3, end: 1.0 },
+    };
+    Sample::of(scene, of_hertz(&hertz))
+}
+
+/// Two rings of any thickness and materials; the cuts of each carry what the fit makes them.
+pub fn press_fit(draw: &mut Draw, inside: Material) -> Sample {
+    let outside = Material { young: inside.young * draw.decades(0.1, 10.0), poisson: draw.between(0.0, 0.45) };
+    let interface = draw.decades(0.1, 1000.0);
+    let plane = if draw.between(0.0, 2.0) < 1.0 { PlaneHypothesis::Stress } else { PlaneHypothesis::Strain };
+    let numbers = PressFit {
+        inner: interface * draw.between(0.3, 0.8),
+        interface,
+        outer: interface * draw.between(1.3, 3.0),
+        interference: interface * draw.decades(1e-5, 1e-3),
+        materials: [inside, outside],
+        plane,
+    };
+    let [inner, outer] = [inside, outside].map(|m| lame::RingMaterial { young: m.young, poisson: m.poisson });
+    let lame = lame::PressFit {
+        bore: numbers.inner,
+        interface,
+        outside: numbers.outer,
+        interference: numbers.interference,
+        inner,
+        outer,
+        plane: plane.into(),
+    };
+    let thinner = (interface - numbers.inner).min(numbers.outer - interface);
+    let pressure = lame.pressure();
+    // p b on each cut, by equilibrium of a quarter; one support tells it for all four.
+    let on_cut = pressure * interface;
+    // Uniform: ∫p = pε, ∫p θ² = pε³/3 over the quarter; along the load line 2 ∫p b cos θ dθ = 2 p b.
+    Sample::of(
+        numbers.scene(),
+        [
+            (Quantity::PeakPressure, pressure),
+            (Quantity::HalfWidth, 2.0 * FRAC_PI_2 / 3f64.sqrt()),
+            (Quantity::End(0), FRAC_PI_2),
+            (Quantity::Resultant, 2.0 * on_cut),
+        ],
+    )
+    .held((0, 0), on_cut)
+    .seen_by(ACROSS * FRAC_PI_2 * interface / thinner)
+}

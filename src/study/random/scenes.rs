@@ -1,0 +1,84 @@
+//! A scene of each family.
+
+use std::sync::Arc;
+
+use crate::accuracy::Subject;
+use crate::accuracy::longest::longest;
+use crate::error::Error;
+use crate::mesh::{Mesh, Order, Resolution};
+use crate::scene::{ContactPair, Material, Shape};
+use crate::study::random::draw::Draw;
+use crate::study::random::family::{Family, Site};
+use crate::study::random::sample::{GUESS, Sample, Truth};
+use crate::study::random::{blocks, round};
+
+impl Site {
+    /// The scene.
+    pub fn sample(&self) -> Result<Sample, Error> {
+        let mut draw = Draw::new((1000 * self.family as usize + self.number) as u64);
+        self.family.sample(&mut draw, self.number)
+    }
+}
+
+impl Family {
+    /// A scene of the family.
+    fn sample(self, draw: &mut Draw, number: usize) -> Result<Sample, Error> {
+        let material = Material { young: draw.decades(1e3, 4e5), poisson: draw.between(0.0, 0.45) };
+        // The first number of a seed is like that of the next one.
+        let guess = draw.decades(GUESS[0], GUESS[1]);
+        Ok(match self {
+            Self::Polynomial => blocks::polynomial(draw, material, guess, number % 2 == 1),
+            Self::Wedge => blocks::wedge(draw, material, guess),
+            Self::Cosine => blocks::cosine(draw, material, guess),
+            Self::Cylinder => round::cylinder(draw, material, guess),
+            Self::Pin => round::pin(draw, material, guess),
+            Self::Mesh => return meshed(draw, number),
+            Self::Pair => return pair(draw, number),
+            Self::Hertz => blocks::hertz(draw, material, guess),
+            Self::Cylinders => round::cylinders(draw, material, guess),
+            Self::PressFit => round::press_fit(draw, material),
+            Self::Eccentric => blocks::eccentric(draw, material),
+            Self::Punch => blocks::flat_punch(draw, material),
+        })
+    }
+}
+
+/// A scene of another family with a mesh given for its body: of 4- or 8-node cells, two to six of them on the half-width, its
+/// inner nodes shaken.
+fn meshed(draw: &mut Draw, number: usize) -> Result<Sample, Error> {
+    let of = [Family::Polynomial, Family::Wedge, Family::Cosine, Family::Cylinder][number % 4];
+    let (elements, shake) = (draw.between(2.0, 7.0) as usize, draw.between(0.0, 0.2));
+    let order = if draw.between(0.0, 2.0) < 1.0 { Order::Linear } else { Order::Quadratic };
+    let mut sample = of.sample(draw, number)?;
+    let scene = &mut sample.scene;
+    let guess = scene.contacts[0].stretch;
+    // Its cells have the size of a part of the contact, whatever the guess.
+    scene.contacts[0].stretch = (1.5 * scene.grading.unit).min(longest(scene, scene.contact()));
+    let mesh = Mesh::of(scene, Resolution { elements, refinement: 0, order })?;
+    // Shaken, a line inside would no longer be straight, and its load another one.
+    let straight = mesh.bodies[0].lines.is_empty();
+    let mesh = if straight { mesh.shaken(shake) } else { mesh };
+    scene.bodies[0].shape = Shape::Given(Arc::new(mesh.given(0)));
+    scene.contacts[0].stretch = guess;
+    Ok(sample)
+}
+
+/// Two scenes of other families in one.
+fn pair(draw: &mut Draw, number: usize) -> Result<Sample, Error> {
+    let families = [Family::Polynomial, Family::Wedge, Family::Cosine, Family::Cylinder];
+    let Sample { mut scene, mut truths, fewest } = families[number % 4].sample(draw, number)?;
+    let other = families[number / 4 % 4].sample(draw, number)?;
+    let bodies = scene.bodies.len();
+    scene.bodies.extend(other.scene.bodies);
+    scene.contacts.extend(other.scene.contacts.into_iter().map(|pair| ContactPair {
+        first: pair.first + bodies,
+        second: pair.second.map(|second| second + bodies),
+        ..pair
+    }));
+    let second = |truth: Truth| match truth.subject {
+        Subject::Contact(_, quantity) => Truth { subject: Subject::Contact(1, quantity), ..truth },
+        Subject::Reaction(body, support) => Truth { subject: Subject::Reaction(body + bodies, support), ..truth },
+    };
+    truths.extend(other.truths.into_iter().map(second));
+    Ok(Sample { scene, truths, fewest: fewest.max(other.fewest) })
+}
