@@ -20,7 +20,7 @@
 //! * [`cli`] — what the user types.
 //!
 //! Beside the chain stand [`error`], what was wrong, [`clock`], what each stage took, `named`, enums of named members, [`checkout`],
-//! where the project's files are, and
+//! where the project's files are, [`uncertainty`], what ± means, and
 //! [`figure`] and [`markdown`], how results are drawn and written.
 //!
 //! # Signs and units
@@ -61,3 +61,4 @@ pub mod solution;
 pub mod solve;
 pub mod stability;
 pub mod study;
+pub mod uncertainty;

@@ -58,6 +58,16 @@ pub fn significant(x: f64, digits: usize) -> String {
     format!("{x:.decimals$}")
 }
 
+/// The same with its sign; what rounds to nothing has none.
+pub fn signed(x: f64, digits: usize) -> String {
+    let size = significant(x.abs(), digits);
+    match x {
+        x if x > 0.0 => format!("+{size}"),
+        x if x < 0.0 => format!("-{size}"),
+        _ => size,
+    }
+}
+
 /// A Markdown table, its cells not padded: what changes in one row changes no other.
 pub fn table(head: &[String], rows: &[Vec<String>]) -> String {
     let line =

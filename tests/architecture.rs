@@ -21,25 +21,26 @@ enum May {
 }
 
 /// Modules in the order in which they are read, and what each may import from the crate besides itself.
-const ALLOWED: [(&str, May); 23] = [
+const ALLOWED: [(&str, May); 24] = [
     ("error", Only(&[])),
     ("named", Only(&[])),
     ("clock", Only(&["named"])),
     ("checkout", Only(&[])),
     ("figure", Only(&["error"])),
     ("markdown", Only(&[])),
+    ("uncertainty", Only(&[])),
     ("scene", Only(&["error"])),
     ("mesh", Only(&["error", "named", "scene"])),
     ("elasticity", Only(&["error", "scene", "mesh"])),
     ("condensation", Only(&["error", "clock", "elasticity"])),
     ("contact", Only(&["error", "named", "scene", "mesh", "elasticity", "condensation"])),
     ("solution", Only(&[])),
-    ("measure", Only(&["scene", "mesh", "solution"])),
+    ("measure", Only(&["scene", "mesh", "solution", "uncertainty"])),
     ("algorithm", Only(&["error", "named", "condensation", "contact", "solution", "measure"])),
     ("stability", Only(&["error", "condensation", "contact", "solution", "measure", "algorithm"])),
     ("solve", AllAboveBut(&["checkout", "figure", "markdown", "stability"])),
     ("accuracy", Only(&["error", "scene", "mesh", "solution", "measure", "algorithm", "solve"])),
-    ("oracle", Only(&["error", "checkout", "scene"])),
+    ("oracle", Only(&["error", "checkout", "scene", "uncertainty"])),
     ("case", AllAboveBut(&["named", "figure"])),
     ("study", AllAboveBut(&[])),
     (

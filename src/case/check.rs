@@ -15,7 +15,7 @@ pub struct Reference {
     pub kind: ReferenceKind,
     /// The value; zero where an error is held against its tolerance.
     pub value: f64,
-    /// Its uncertainty, in its unit; 0 where it is exact, none where it is not known.
+    /// Its standard uncertainty, in its unit; 0 where it is exact, none where it is not known.
     pub uncertainty: Option<f64>,
 }
 

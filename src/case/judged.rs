@@ -23,7 +23,7 @@ pub struct Judged {
     pub check: Check,
     /// The value found.
     pub value: f64,
-    /// Its uncertainty, in its unit; none where it is not known.
+    /// Its standard uncertainty, in its unit; none where it is not known.
     pub uncertainty: Option<f64>,
     /// What it was held against.
     pub reference: Reference,

@@ -3,6 +3,7 @@
 //! * [`definition`] — the case.
 //! * [`check`] — a quantity, what it is held against, a tolerance and the reason for it.
 //! * [`quantity`] — what a check asks for; `measured` — its value in a run.
+//! * [`mod@covered`] — a comparison that its uncertainties must cover.
 //! * [`judged`] — a check with what was found, and the verdict.
 //! * [`hertz`] — errors against Hertz.
 //! * [`solved`] — a case meshed, run and judged.
@@ -11,6 +12,7 @@
 //! * [`mod@file`] — cases that users write.
 
 pub mod check;
+pub mod covered;
 pub mod definition;
 pub mod file;
 pub mod hertz;
@@ -22,6 +24,7 @@ pub mod solved;
 pub mod universal;
 
 pub use check::{Against, Check, Reference, Relation, Scope};
+pub use covered::covered;
 pub use definition::Case;
 pub use judged::{Judged, Verdict};
 pub use quantity::Quantity;

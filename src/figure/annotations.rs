@@ -1,7 +1,7 @@
-//! What stands in a chart beside the curves: shaded ranges and reference lines.
+//! What stands in a chart beside the curves: shaded ranges, reference lines and triangles of orders.
 
 use super::canvas::Canvas;
-use super::chart::{Band, Direction, Guide};
+use super::chart::{Band, Direction, Guide, Slope};
 use super::frame::Frame;
 use super::palette::{GREY, tint};
 use super::pen::{Lettering, Pen, text_width};
@@ -39,6 +39,19 @@ impl Plot<'_> {
         let backing = Frame { left: x - across, top: y - up, right: x + across, bottom: y + up };
         canvas.area(&backing.corners(), tint(GREY, BAND));
         canvas.label((x, y), &band.label, if flat { lettering } else { lettering.upright() });
+    }
+
+    /// Draws a triangle of an order, which stands beside its vertical leg.
+    pub fn slope(&self, canvas: &mut Canvas, slope: &Slope) {
+        let [start, end, corner] = slope.corners().map(|corner| self.place(corner));
+        canvas.area(&[start, end, corner], tint(GREY, BAND));
+        canvas.line(&[start, end, corner, start], Pen::solid(GREY, 1.0));
+        let (upright, side, lettering) = match slope.above {
+            true => (start, -5.0, Lettering::end(GUIDE_SIZE)),
+            false => (end, 5.0, Lettering::start(GUIDE_SIZE)),
+        };
+        let beside = (corner.0 + side, 0.5 * (corner.1 + upright.1));
+        canvas.label(beside, &format!("order {}", slope.order), lettering.coloured(GREY));
     }
 
     /// Draws a reference line, its label outside the frame.

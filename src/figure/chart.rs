@@ -68,6 +68,28 @@ pub struct Band {
     pub label: String,
 }
 
+/// A triangle on two logarithmic axes whose hypotenuse has the slope of an order of accuracy.
+#[derive(Clone, Copy, Debug)]
+pub struct Slope {
+    /// Ends of its horizontal leg, the smaller first.
+    pub ends: [f64; 2],
+    /// Ordinate of its hypotenuse at the smaller one.
+    pub value: f64,
+    /// The order.
+    pub order: f64,
+    /// Whether it stands above its hypotenuse, for a place above a curve.
+    pub above: bool,
+}
+
+impl Slope {
+    /// The ends of the hypotenuse, then the right angle.
+    pub fn corners(&self) -> [(f64, f64); 3] {
+        let [from, to] = self.ends;
+        let top = self.value * (to / from).powf(self.order);
+        [(from, self.value), (to, top), if self.above { (from, top) } else { (to, self.value) }]
+    }
+}
+
 /// Curves over two axes.
 #[derive(Clone, Debug)]
 pub struct Chart {
@@ -83,6 +105,8 @@ pub struct Chart {
     pub guides: Vec<Guide>,
     /// Shaded ranges.
     pub bands: Vec<Band>,
+    /// Triangles of orders.
+    pub slopes: Vec<Slope>,
     /// Small print below.
     pub notes: Vec<String>,
 }
@@ -91,7 +115,7 @@ impl Chart {
     /// A chart without curves.
     pub fn new(title: &str, x: Axis, y: Axis) -> Chart {
         let title = title.to_string();
-        Chart { title, x, y, series: vec![], guides: vec![], bands: vec![], notes: vec![] }
+        Chart { title, x, y, series: vec![], guides: vec![], bands: vec![], slopes: vec![], notes: vec![] }
     }
 }
 

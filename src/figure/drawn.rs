@@ -38,6 +38,7 @@ impl Plot<'_> {
         // References lie on top: their gaps show what they cover.
         curves.sort_by_key(|curve| curve.style.dash == Dash::Long);
         curves.iter().for_each(|curve| self.line(canvas, curve));
+        self.chart.slopes.iter().for_each(|slope| self.slope(canvas, slope));
         self.outline(canvas);
         for Curve { style, signs, .. } in &curves {
             signs.iter().for_each(|&(at, radius)| signs::filled(canvas, at, style.marker, radius, style.colour));

@@ -46,7 +46,7 @@ pub mod sheet;
 mod signs;
 mod sketch;
 
-pub use chart::{Axis, Band, Chart, Direction, Guide, Scale, Series};
+pub use chart::{Axis, Band, Chart, Direction, Guide, Scale, Series, Slope};
 pub use class_map::{Cell, ClassMap, MapPanel};
 pub use contact_elements::contact_elements;
 pub use field::{Detail, Field, Window};

@@ -3,7 +3,8 @@
 //! * [`profile`] — half-width, resultant and norms of a pressure profile.
 //! * [`mod@peak`] — its largest pressure, wherever that lies.
 //! * [`stretch`] — where its closed stretches begin and end.
-//! * [`order`] — observed order of accuracy, Richardson's uncertainty.
+//! * [`parabola`] — the same as the other codes measure it.
+//! * [`order`] — observed orders of accuracy, Richardson's bound.
 //!
 //! ```
 //! use contact_vv::case::library::Cylinder;
@@ -21,6 +22,7 @@
 //! ```
 
 pub mod order;
+pub mod parabola;
 pub mod peak;
 pub mod profile;
 pub mod stretch;

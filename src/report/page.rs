@@ -72,7 +72,7 @@ fn paper(findings: &[Finding]) -> String {
 
 fn verdicts(findings: &[Finding]) -> String {
     format!(
-        "## Verdicts\n\nIterations to convergence; ✓ all checks of the run pass, ✗ some fail, · reported only. Several numbers: several load increments. In tables of checks, value ± u: u is the uncertainty that the check carries for that value, from refinement (`contact-vv verdicts` prints it for both).\n\n{}\n{}\n{}\n{}\n",
+        "## Verdicts\n\nIterations to convergence; ✓ all checks of the run pass, ✗ some fail, · reported only. Several numbers: several load increments. In tables of checks, value ± u: u is the standard uncertainty that the check carries for that value, half of a bound that covers about 95 %, from refinement (`contact-vv verdicts` prints it for both).\n\n{}\n{}\n{}\n{}\n",
         matrix::verdict_matrix(findings),
         matrix::by_kind(findings),
         matrix::study_table(findings),

@@ -3,8 +3,8 @@
 use contact_vv::case::library;
 use contact_vv::case::{Judged, Verdict};
 use contact_vv::mesh::{Order, Resolution};
-use contact_vv::oracle::cross_code::frozen::{Digest, Frozen, script_hash};
-use contact_vv::oracle::cross_code::{Code, PhysicalAnswer};
+use contact_vv::oracle::cross_code::frozen::{Digest, Frozen, Series, script_hash};
+use contact_vv::oracle::cross_code::{Code, Method, PhysicalAnswer};
 use contact_vv::scene::{Load, Path, PlaneHypothesis, Profile, Scene};
 use contact_vv::solve::Discretisation;
 use contact_vv::study::cross_code::Answers;
@@ -12,9 +12,10 @@ use contact_vv::study::cross_code::answers::Reproduced;
 use contact_vv::study::cross_code::benchmark::Scene as Shared;
 use contact_vv::study::cross_code::differences::{changes, largest_change, relative_difference};
 use contact_vv::study::cross_code::discrete::differences;
-use contact_vv::study::cross_code::judge::{agreement, assembled_alike, reproduced};
-use contact_vv::study::cross_code::physical::{Finder, Found};
+use contact_vv::study::cross_code::judge::{agreement, assembled_alike, reproduced, tight};
+use contact_vv::study::cross_code::physical::{Compared, Finder, Found, Measured, Other};
 use contact_vv::study::cross_code::twin::{Twin, problems};
+use contact_vv::study::cross_code::validation::{self, Number};
 use contact_vv::study::faults::{Fault, is_caught};
 
 fn all_pass(checks: &[Judged]) -> bool {
@@ -171,20 +172,117 @@ fn a_code_that_differs_by_more_than_demanded_turns_red() {
         ("NaN in the profile", |a| a.pressure[3] = f64::NAN),
         ("a missing station", |a| a.pressure.truncate(39)),
     ];
-    let found = |levels: &[PhysicalAnswer]| Found::of(Finder::Ours, levels);
     for shared in Shared::ALL {
-        let levels = &Frozen::read(Code::Dolfinx).expect("frozen results").physical[shared.name()].penalty;
-        let sound = found(levels).expect("three meshes");
-        assert!(all_pass(&agreement(shared, &sound, &sound)));
+        let series = &Frozen::read(Code::ScikitFem).expect("frozen results").physical[shared.name()];
+        let sound = physical(shared, &series.penalty, series);
+        for found in &sound.others[0].found[..1] {
+            assert!(all_pass(&agreement(&sound, found)), "{}", shared.name());
+        }
         for (what, spoil) in spoils {
-            let mut spoiled = levels.clone();
-            spoil(&mut spoiled[2]);
-            let spoiled = found(&spoiled).expect("three meshes");
-            assert!(!all_pass(&agreement(shared, &spoiled, &sound)), "{}: {what} in ours", shared.name());
-            assert!(!all_pass(&agreement(shared, &sound, &spoiled)), "{}: {what} in theirs", shared.name());
+            let mut levels = series.penalty.clone();
+            spoil(&mut levels[2]);
+            let ours = physical(shared, &levels, series);
+            assert!(!all_pass(&agreement(&ours, &ours.others[0].found[0])), "{}: {what} in ours", shared.name());
+            let theirs = physical(shared, &series.penalty, &Series { penalty: levels, ..series.clone() });
+            assert!(!all_pass(&agreement(&theirs, &theirs.others[0].found[0])), "{}: {what} in theirs", shared.name());
         }
     }
-    assert!(found(&[]).is_err());
+    assert!(Found::of(Finder::Ours, &[]).is_err());
+}
+
+/// A scene with given answers for ours, and both methods of a code.
+fn physical(scene: Shared, ours: &[PhysicalAnswer], series: &Series) -> Compared {
+    let found = |by, levels: &[PhysicalAnswer]| Found::of(by, levels).expect("three meshes");
+    let theirs = |method| Finder::Theirs(Code::ScikitFem, method);
+    let both =
+        vec![found(theirs(Method::Penalty), &series.penalty), found(theirs(Method::ActiveSet), &series.active_set)];
+    let ours = found(Finder::Ours, ours);
+    Compared {
+        scene,
+        stations: series.scene.stations.clone(),
+        reference: [1.0, 1.0],
+        closed_form: None,
+        peak_as_theirs: ours.peak.value,
+        ours,
+        others: vec![Other { code: Code::ScikitFem, reproduced: None, found: both }],
+    }
+}
+
+#[test]
+fn a_difference_that_its_uncertainties_do_not_cover_turns_red_within_the_tolerance() {
+    let series = &Frozen::read(Code::ScikitFem).expect("frozen results").physical["truncated Hertz"];
+    let compared = physical(Shared::TruncatedHertz, &series.active_set, series);
+    let exact = &compared.others[0].found[1];
+    for (number, at) in [(Number::Peak, 1), (Number::Width, 3)] {
+        let (comparison, _) = validation::against(&compared, exact, number);
+        assert!(comparison.uncertainty > 0.0);
+        let judged = |by: f64| {
+            let mut moved = compared.clone();
+            let peak = |measured: &mut Measured| measured.value = number.of(exact).value + by * comparison.uncertainty;
+            match number {
+                Number::Peak => {
+                    peak(&mut moved.ours.peak);
+                    moved.peak_as_theirs = moved.ours.peak.value;
+                }
+                Number::Width => peak(&mut moved.ours.half_width),
+            }
+            agreement(&moved, exact).map(|one| one.verdict)
+        };
+        assert_eq!(judged(1.9)[at], Verdict::Pass, "{number:?}");
+        for by in [2.1, -2.1, f64::NAN] {
+            assert_eq!(judged(by)[at], Verdict::Fail, "{number:?}, {by} u");
+        }
+    }
+    // Uncertainties that are not known, or without end, cover nothing.
+    for spoiled in [f64::NAN, f64::INFINITY] {
+        let mut unknown = compared.clone();
+        unknown.ours.peak.uncertainty = spoiled;
+        assert_eq!(agreement(&unknown, exact)[1].verdict, Verdict::Fail);
+        unknown = compared.clone();
+        unknown.peak_as_theirs = spoiled;
+        assert_eq!(agreement(&unknown, exact)[1].verdict, Verdict::Fail);
+    }
+}
+
+#[test]
+fn what_the_penalty_costs_is_a_source_of_its_own_and_must_be_known() {
+    let series = &Frozen::read(Code::ScikitFem).expect("frozen results").physical["pin-rod"];
+    let compared = physical(Shared::PinRod, &series.active_set, series);
+    let [soft, exact] = [&compared.others[0].found[0], &compared.others[0].found[1]];
+    let (with, sources) = validation::against(&compared, soft, Number::Peak);
+    assert!((sources.penalty - (soft.peak.limit - exact.peak.limit).abs()).abs() <= 1e-12);
+    assert!(sources.penalty > 0.0 && with.uncertainty > sources.penalty);
+    assert!(validation::against(&compared, exact, Number::Peak).1.penalty <= 0.0);
+    // Without the code that solves it both ways, the row cannot pass.
+    let mut alone = compared.clone();
+    alone.others[0].found.truncate(1);
+    assert_eq!(agreement(&alone, soft)[1].verdict, Verdict::Fail);
+}
+
+#[test]
+fn a_tolerance_of_more_than_three_times_what_is_found_turns_red() {
+    let series = &Frozen::read(Code::ScikitFem).expect("frozen results").physical["truncated Hertz"];
+    let verdicts =
+        |ours: &[PhysicalAnswer]| tight(&physical(Shared::TruncatedHertz, ours, series)).map(|one| one.verdict);
+    // Nothing differs from the penalty by less than the active set does.
+    let red = [Verdict::Fail, Verdict::Fail, Verdict::Fail];
+    let nearer: Vec<PhysicalAnswer> =
+        series.penalty.iter().zip(&series.active_set).map(|(a, b)| middle(a, b)).collect();
+    assert_eq!(verdicts(&nearer), red);
+    let mut none = series.penalty.clone();
+    none[2].peak = f64::NAN;
+    assert_eq!(verdicts(&none)[0], Verdict::Fail);
+}
+
+/// The middle of two answers, which differs from either by half as much as they from each other.
+fn middle(a: &PhysicalAnswer, b: &PhysicalAnswer) -> PhysicalAnswer {
+    let pressure = a.pressure.iter().zip(&b.pressure).map(|(p, q)| 0.5 * (p + q)).collect();
+    PhysicalAnswer {
+        peak: 0.5 * (a.peak + b.peak),
+        half_width: 0.5 * (a.half_width + b.half_width),
+        pressure,
+        ..a.clone()
+    }
 }
 
 #[test]

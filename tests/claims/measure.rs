@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::{Cylinder, PinRod};
-use contact_vv::measure::order::{observed, richardson};
+use contact_vv::measure::order::{Observed, Why, bound_of_two, of_changes, pairs, richardson, slope};
+use contact_vv::measure::parabola;
 use contact_vv::measure::peak::{self, Peak};
 use contact_vv::measure::profile::{
     means, misplaced, relative_l2, relative_l2_between, resultant, second_moment_half_width, weighted_line,
@@ -12,6 +13,7 @@ use contact_vv::measure::profile::{
 use contact_vv::measure::{Measures, display_factor, relative_error, whole};
 use contact_vv::scene::{Circle, Path};
 use contact_vv::solution::{EdgeState, Part, PointState};
+use contact_vv::uncertainty::{Comparison, standard};
 
 /// Points in the middle of `n` equal intervals of `0 … end`.
 fn sampled(end: f64, n: usize, pressure: impl Fn(f64) -> f64) -> Vec<PointState> {
@@ -254,37 +256,156 @@ fn counted_half_width_on_an_arc_is_an_angle() {
 }
 
 #[test]
-fn observed_order_is_the_exponent_of_a_manufactured_series() {
+fn slope_is_the_exponent_of_a_manufactured_series() {
     let sizes = [0.4, 0.2, 0.1, 0.05];
     for order in [0.5, 1.0, 2.0, 3.7] {
         let errors: Vec<f64> = sizes.iter().map(|h: &f64| -0.3 * h.powf(order)).collect();
-        assert_relative_eq!(observed(&sizes, &errors), order, max_relative = 1e-12);
+        assert_relative_eq!(slope(&sizes, &errors), order, max_relative = 1e-12);
+        for pair in pairs(&sizes, &errors, 0.0) {
+            assert_relative_eq!(pair.value(), order, max_relative = 1e-12);
+        }
     }
 }
 
 #[test]
+fn a_pair_sees_the_mesh_that_a_slope_averages() {
+    // Second order, but for the finest mesh, whose error does not fall as it should.
+    let (sizes, errors) = ([0.4, 0.2, 0.1, 0.05], [0.16, 0.04, 0.01, 0.008]);
+    let found: Vec<f64> = pairs(&sizes, &errors, 0.0).into_iter().map(Observed::value).collect();
+    assert_relative_eq!(found[0], 2.0, max_relative = 1e-12);
+    assert_relative_eq!(found[2], (10.0_f64 / 8.0).log2(), max_relative = 1e-12);
+    assert!(slope(&sizes, &errors) > 1.4 && found[2] < 0.4);
+}
+
+#[test]
+fn a_series_that_is_not_monotone_has_no_order_anywhere() {
+    let sizes = [0.25, 0.125, 0.0625, 0.03125];
+    let withheld = [Observed::Withheld(Why::NotMonotone); 3];
+    for (what, errors) in [
+        ("a growing error", [1.3e-3, 5.3e-5, 5.7e-5, 1.9e-5]),
+        ("a change of sign", [1.3e-3, -5.3e-5, -2e-5, -1e-5]),
+        ("an error that stays", [4.0, 2.0, 2.0, 1.0]),
+        ("NaN", [4.0, f64::NAN, 1.0, 0.5]),
+        ("infinity", [f64::INFINITY, 2.0, 1.0, 0.5]),
+    ] {
+        let found = pairs(&sizes, &errors, 0.0);
+        assert_eq!(found, withheld, "{what}");
+        assert!(found.iter().all(|pair| pair.value().is_nan()), "{what}");
+    }
+    assert_eq!(pairs(&sizes, &[4.0, 2.0, 1.0, 0.5], f64::NAN), withheld);
+}
+
+#[test]
+fn errors_near_the_floor_have_no_order() {
+    let sizes = [0.4, 0.2, 0.1, 0.05];
+    let floor = [Observed::Withheld(Why::Floor); 2];
+    // Within five times the floor an error says nothing, whatever its sign.
+    let found = pairs(&sizes, &[1.6e-7, 4e-8, 4.9e-9, -1e-9], 1e-9);
+    assert_relative_eq!(found[0].value(), 2.0, max_relative = 1e-12);
+    assert_eq!(found[1..], floor);
+}
+
+#[test]
+fn changes_of_values_have_the_order_of_their_errors() {
+    let values: Vec<f64> = [0.4, 0.2, 0.1, 0.05].map(|h: f64| 7.0 - 0.2 * h.powf(1.5)).to_vec();
+    let found = of_changes(&values);
+    assert_eq!(found.len(), 2);
+    for pair in found {
+        assert_relative_eq!(pair.value(), 1.5, max_relative = 1e-9);
+    }
+    let oscillating = of_changes(&[134.387, 134.168, 134.197, 134.187]);
+    assert_eq!(oscillating, [Observed::Withheld(Why::NotMonotone); 2]);
+}
+
+#[test]
 fn richardson_finds_order_limit_and_error_of_a_manufactured_series() {
-    for (order, amplitude) in [(1.0, 0.2), (1.5, -0.3), (2.0, 0.1)] {
+    for (order, amplitude) in [(0.7, 0.2), (1.0, 0.2), (1.5, -0.3), (2.0, 0.1)] {
         let value = |h: f64| 7.0 + amplitude * h.powf(order);
         let found = richardson([value(0.4), value(0.2), value(0.1)]);
         let error = (amplitude * 0.1_f64.powf(order)).abs();
         assert_relative_eq!(found.order, order, max_relative = 1e-11);
         assert_relative_eq!(found.limit, 7.0, max_relative = 1e-13);
-        // Factor of safety 1.25 (Roache 1994).
-        assert_relative_eq!(found.uncertainty, 1.25 * error / value(0.1), max_relative = 1e-10);
+        // Factor of safety 1.25 (Roache 1994); half of a bound that covers 95 % is standard.
+        assert_relative_eq!(found.bound, 1.25 * error, max_relative = 1e-10);
+        assert_relative_eq!(found.uncertainty(), 0.5 * found.bound, max_relative = 1e-15);
     }
 }
 
 #[test]
-fn richardson_trusts_no_order_above_two_and_no_oscillation() {
-    let value = |h: f64| 7.0 + h.powi(4);
-    let [coarse, medium, fine] = [value(0.4), value(0.2), value(0.1)];
-    let found = richardson([coarse, medium, fine]);
-    assert_relative_eq!(found.order, 4.0, max_relative = 1e-10);
-    assert_relative_eq!(found.uncertainty, 1.25 * (medium - fine) / 3.0 / fine, max_relative = 1e-12);
-    let oscillating = richardson([1.0, 2.0, 1.5]);
-    assert!(oscillating.order.is_nan());
-    assert_relative_eq!(oscillating.uncertainty, 1.0 / 1.5, max_relative = 1e-12);
+fn richardson_never_extrapolates_an_oscillation() {
+    for series in [[1.0, 2.0, 1.5], [2.0, 1.0, 1.2], [1.0, 2.0, -3.0], [1.0, 3.0, 3.0], [3.0, 3.0, 2.0]] {
+        let found = richardson(series);
+        assert!(found.order.is_nan(), "{series:?}");
+        assert_abs_diff_eq!(found.limit, series[2], epsilon = 0.0);
+        let [least, most] = [f64::min, f64::max].map(|of| series.into_iter().reduce(of).expect("three"));
+        assert_relative_eq!(found.bound, most - least, max_relative = 1e-12);
+    }
+    assert_abs_diff_eq!(richardson([2.0; 3]).bound, 0.0, epsilon = 0.0);
+}
+
+#[test]
+fn richardson_is_cautious_beyond_the_orders_of_its_elements() {
+    let series = |order: f64| [0.4, 0.2, 0.1].map(|h: f64| 7.0 + h.powf(order));
+    let of = |order: f64| (richardson(series(order)), (series(order)[1] - series(order)[2]).abs());
+    let (faster, change) = of(2.6);
+    assert_relative_eq!(faster.order, 2.6, max_relative = 1e-10);
+    assert_relative_eq!(faster.bound, 1.25 * change / 3.0, max_relative = 1e-12);
+    // A last change that is small by accident is neither extrapolated nor trusted.
+    let (accident, change) = of(6.0);
+    assert_relative_eq!(accident.bound, 3.0 * change, max_relative = 1e-12);
+    assert_abs_diff_eq!(accident.limit, series(6.0)[2], epsilon = 0.0);
+    // Slow: the bound covers at least the error that the observed order tells.
+    for order in [0.45, 0.2, 0.05] {
+        let (slow, change) = of(order);
+        let observed = 1.25 * change / (2f64.powf(order) - 1.0);
+        assert!(slow.bound >= observed * (1.0 - 1e-9) && slow.bound >= 6.0 * change, "{order}: {}", slow.bound);
+        assert_abs_diff_eq!(slow.limit, series(order)[2], epsilon = 0.0);
+    }
+    // Changes that do not fall bound nothing, and what is no number neither.
+    for series in
+        [[1.0, 2.0, 3.0], [1.0, 2.0, 4.0], [f64::NAN, 2.0, 1.5], [1.0, 2.0, f64::NAN], [f64::INFINITY, 2.0, 1.5]]
+    {
+        assert!(richardson(series).bound.is_nan(), "{series:?}");
+    }
+}
+
+#[test]
+fn bound_of_two_meshes_is_three_times_what_second_order_tells() {
+    assert_relative_eq!(bound_of_two([7.3, 7.1]), 3.0 * 0.2 / 3.0, max_relative = 1e-12);
+    assert!(bound_of_two([f64::NAN, 7.1]).is_nan());
+}
+
+#[test]
+fn a_comparison_is_covered_by_what_all_its_sources_make() {
+    let compared = Comparison::of(5.0, 2.0, [1.0, 2.0, 2.0]);
+    assert_relative_eq!(compared.error, 3.0);
+    assert_relative_eq!(compared.uncertainty, 3.0);
+    assert_relative_eq!(compared.ratio(), 1.0);
+    assert_relative_eq!(standard(5.0), 2.5);
+    for spoiled in [f64::NAN, f64::INFINITY] {
+        assert!(Comparison::of(5.0, 2.0, [1.0, spoiled]).ratio().is_nan());
+        assert!(Comparison::of(spoiled, 2.0, [1.0]).ratio() > 1e9 || spoiled.is_nan());
+    }
+    assert!(Comparison::of(f64::NAN, 2.0, [1.0]).ratio().is_nan());
+    assert!(Comparison::of(2.0, 2.0, []).ratio().is_nan());
+}
+
+#[test]
+fn parabola_of_the_other_codes_finds_the_top_on_the_line_and_off_it() {
+    // p = 9 − 2 s²: exact by either fit; with its top at 0.617 by five edges.
+    let centred = edges(0.0, 2.0, 20, |s| 9.0 * s - 2.0 / 3.0 * s.powi(3));
+    assert_relative_eq!(parabola::peak(&centred, 2.0), 9.0, max_relative = 1e-12);
+    let top = 0.617;
+    let off = edges(0.0, 2.0, 40, |s: f64| 9.0 * s - 2.0 / 3.0 * (s - top).powi(3));
+    assert_relative_eq!(parabola::peak(&off, 1.0), 9.0, max_relative = 1e-11);
+    // On a semi-ellipse it is biased by what its fourth power adds within a quarter: 3/35 of 1/8 of 4⁻⁴.
+    let ellipse = edges(0.0, 1.5, 1200, force_of_semi_ellipse(5.0, 1.0));
+    let bias = parabola::peak(&ellipse, 1.0) / 5.0 - 1.0;
+    assert_relative_eq!(bias, 3.0 / 35.0 / 8.0 / 256.0, max_relative = 0.1);
+    let mut lost = centred.clone();
+    lost[15].pressure = f64::NAN;
+    assert!(parabola::peak(&lost, 2.0).is_nan());
+    assert!(parabola::peak(&[], 1.0).is_nan());
 }
 
 #[test]

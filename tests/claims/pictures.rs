@@ -6,7 +6,7 @@ use std::process::Command;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::Case;
 use contact_vv::clock::{Clock, Stage};
-use contact_vv::figure::{Chart, Direction};
+use contact_vv::figure::{Chart, Direction, Slope};
 use contact_vv::report::pictures::{deformed, solve};
 use contact_vv::solve::Discretisation;
 use contact_vv::solve::Run;
@@ -245,4 +245,15 @@ fn stages_are_announced_in_their_order() {
     heard.sort_unstable();
     heard.dedup();
     assert_eq!(heard, timed);
+}
+
+#[test]
+fn a_slope_triangle_has_the_slope_of_its_order_and_legs_along_the_axes() {
+    for (order, above) in [(1.0, false), (2.0, true)] {
+        let [start, end, corner] = Slope { ends: [0.04, 0.09], value: 3e-4, order, above }.corners();
+        assert_relative_eq!((end.1 / start.1).ln() / (end.0 / start.0).ln(), order, max_relative = 1e-12);
+        let expected = if above { (start.0, end.1) } else { (end.0, start.1) };
+        assert_relative_eq!(corner.0, expected.0);
+        assert_relative_eq!(corner.1, expected.1);
+    }
 }

@@ -1,6 +1,7 @@
 //! The checks of the rooms turn red where their numbers are spoiled.
 
 use contact_vv::case::{Judged, Verdict};
+use contact_vv::measure::order::{Richardson, richardson};
 use contact_vv::mesh::Order;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::study::{family, fields, gaertner, quarter, refinement};
@@ -9,48 +10,105 @@ fn fails(judged: &[Judged]) -> usize {
     judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
 }
 
-fn model(ratios: [[f64; 2]; 4]) -> refinement::Numbers {
+fn model(departures: [[f64; 2]; 4]) -> refinement::Numbers {
     let mut a_over_r = [0.005, 0.05, 0.1, 0.2].into_iter();
+    let departure = |value| refinement::Departure { value, bound: 1e-6 };
     let ratio = |[peak, half_width]: [f64; 2]| refinement::Ratio {
         a_over_r: a_over_r.next().expect("four"),
-        peak,
-        half_width,
+        peak: departure(peak),
+        half_width: departure(half_width),
         dofs: 1,
     };
-    refinement::Numbers::ModelError(refinement::ModelError { elements: 48, ratios: ratios.map(ratio) })
+    refinement::Numbers::ModelError(refinement::ModelError { elements: 48, ratios: departures.map(ratio) })
 }
 
 #[test]
 fn a_model_error_that_does_not_fall_with_the_square_of_the_contact_turns_red() {
-    let judge = |ratios| refinement::judge(&model(ratios)).expect("judged");
-    let sound = [[1.0, 1.0], [0.9994, 1.0004], [0.9976, 1.0016], [0.9904, 1.0064]];
-    assert_eq!(fails(&judge(sound)), 0);
+    let judge = |departures| refinement::judge(&model(departures)).expect("judged");
+    let sound = [[3e-5, 3e-5], [-6e-4, 4e-4], [-2.4e-3, 1.6e-3], [-9.6e-3, 6.4e-3]];
+    assert_eq!((judge(sound).len(), fails(&judge(sound))), (6, 0));
     let spoiled = |index: usize, by: f64| {
-        let mut ratios = sound;
-        ratios[index] = ratios[index].map(|ratio| ratio * by);
-        ratios
+        let mut departures = sound;
+        departures[index] = departures[index].map(|departure| departure * by);
+        departures
     };
-    assert_eq!(fails(&judge(spoiled(0, 1.001))), 2);
-    assert_eq!(fails(&judge(spoiled(1, 1.0005))), 2);
-    assert_eq!(fails(&judge(spoiled(3, f64::NAN))), 2);
+    // The smallest contact off: itself, and no departure near it has a power any more; 0.05 alone is below five times it.
+    assert_eq!(fails(&judge(spoiled(0, 6.0))), 2 + 2);
+    // One departure off spoils the pairs on both its sides.
+    assert_eq!(fails(&judge(spoiled(1, 1.3))), 2);
+    assert_eq!(fails(&judge(spoiled(2, 1.3))), 4);
+    // Of another sign, or no number: no power at all.
+    assert_eq!(fails(&judge(spoiled(2, -1.0))), 4);
+    assert_eq!(fails(&judge(spoiled(3, f64::NAN))), 4);
+    assert_eq!(fails(&judge(spoiled(0, f64::NAN))), 6);
+}
+
+/// Errors of truncated Hertz on four meshes: of the pressure and the half-width, and of the profile.
+fn orders(order: Order, errors: [f64; 4], profile: [f64; 4]) -> refinement::Numbers {
+    let level = |k: usize| refinement::Errors {
+        size: 0.25 * 0.5f64.powi(k as i32),
+        dofs: 1,
+        peak: errors[k],
+        half_width: errors[k],
+        l2: profile[k],
+        load: 1e-12,
+        edge: 0.0,
+    };
+    refinement::Numbers::Orders(refinement::Orders { order, levels: (0..4).map(level).collect(), floor: 1e-8 })
 }
 
 #[test]
-fn an_order_that_is_not_reached_turns_red() {
-    let orders = |power: f64| {
-        let level = |size: f64| refinement::Errors {
-            size,
-            dofs: 1,
-            peak: size.powf(power),
-            half_width: size.powf(power),
-            l2: size.powf(0.5 * power),
-            load: 1e-12,
-        };
-        let levels = [0.25, 0.125, 0.0625, 0.03125].map(level).into();
-        refinement::Numbers::Orders(refinement::Orders { order: Order::Quadratic, levels })
+fn an_order_that_one_pair_of_meshes_does_not_reach_turns_red() {
+    let series = |power: f64| [0.25f64, 0.125, 0.0625, 0.03125].map(|size| 0.02 * size.powf(power));
+    let judge = |errors, profile| {
+        let judged = refinement::judge(&orders(Order::Quadratic, errors, profile)).expect("judged");
+        assert_eq!(judged.len(), 10);
+        fails(&judged)
     };
-    let judge = |power| fails(&refinement::judge(&orders(power)).expect("judged"));
-    assert_eq!([judge(2.0), judge(1.5), judge(f64::NAN)], [0, 3, 3]);
+    assert_eq!(judge(series(2.0), series(1.0)), 0);
+    assert_eq!(judge(series(1.5), series(0.75)), 9);
+    assert_eq!(judge(series(f64::NAN), series(f64::NAN)), 9);
+    // The finest mesh alone: a slope over four would still be 1.85.
+    let [a, b, c, d] = series(2.0);
+    assert_eq!(judge([a, b, c, 1.5 * d], series(1.0)), 2);
+    // Not monotone, or of changing sign: no order is left that could pass.
+    assert_eq!(judge([a, b, 1.1 * b, d], series(1.0)), 6);
+    assert_eq!(judge([a, b, c, -d], series(1.0)), 6);
+    assert_eq!(judge(series(2.0), [a, b, b, d]), 3);
+}
+
+#[test]
+fn a_half_width_without_an_order_must_still_fall_with_the_second_power() {
+    let judge = |half_width: [f64; 4]| {
+        let squares = [0.25f64, 0.125, 0.0625, 0.03125];
+        let mut numbers = orders(Order::Linear, squares.map(|h| 0.02 * h * h), squares.map(|h| 0.3 * h));
+        if let refinement::Numbers::Orders(orders) = &mut numbers {
+            orders.levels.iter_mut().zip(half_width).for_each(|(level, error)| level.half_width = error);
+        }
+        let judged = refinement::judge(&numbers).expect("judged");
+        let own = judged.iter().filter(|one| one.check.quantity.name().contains("half-width"));
+        assert_eq!(own.clone().filter(|one| one.check.quantity.name().contains("order")).count(), 0);
+        own.filter(|one| one.verdict == Verdict::Fail).count()
+    };
+    assert_eq!(judge([1.3e-3, -5.3e-5, -5.7e-5, -1.9e-5]), 0);
+    // One mesh, those of first order from 1.3e-3 on, and no number.
+    assert_eq!(judge([1.3e-3, -5.3e-5, -5.7e-4, -1.9e-5]), 1);
+    assert_eq!(judge([1.3e-3, -6.5e-4, -3.3e-4, -1.6e-4]), 2);
+    assert_eq!(judge([1.3e-3, f64::NAN, -5.7e-5, -1.9e-5]), 1);
+}
+
+#[test]
+fn limits_of_both_orders_of_cells_that_their_uncertainties_do_not_cover_turn_red() {
+    let sound = richardson([134.440, 134.227, 134.170]);
+    let at = |limit: f64| Richardson { limit, ..sound };
+    let judge = |linear, quadratic| refinement::one_limit("peak [MPa]", linear, quadratic).map(|one| one.verdict);
+    let u = sound.uncertainty() * 2f64.sqrt();
+    assert_eq!(judge(at(100.0 + 1.9 * u), at(100.0))[1], Verdict::Pass);
+    assert_eq!(judge(at(100.0 + 2.1 * u), at(100.0))[1], Verdict::Fail);
+    assert_eq!(judge(at(100.1), at(100.0)), [Verdict::Fail, Verdict::Fail]);
+    assert_eq!(judge(at(f64::NAN), at(100.0)), [Verdict::Fail, Verdict::Fail]);
+    let diverging = richardson([1.0, 2.0, 4.0]);
+    assert_eq!(judge(Richardson { limit: 100.0, ..diverging }, at(100.0))[1], Verdict::Fail);
 }
 
 #[test]

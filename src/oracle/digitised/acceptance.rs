@@ -1,11 +1,7 @@
 //! How far our curve may lie from a digitised one.
 
 use super::{CurvePoint, DigitisedCurve};
-
-/// Largest accepted deviation in combined standard uncertainties.
-///
-/// Two cover about 95 % of a normal error (JCGM 100:2008, Guide to the expression of uncertainty, 6.3.3).
-pub const COVERAGE_FACTOR: f64 = 2.0;
+use crate::uncertainty::{COVERAGE, Comparison as Compared, combined};
 
 /// Our value at an abscissa.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,9 +37,9 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Whether every point deviates by at most [`COVERAGE_FACTOR`] uncertainties; no point, or NaN, fails.
+    /// Whether every point deviates by at most [`COVERAGE`] uncertainties; no point, or NaN, fails.
     pub fn accepted(&self) -> bool {
-        let within = |deviation: &Deviation| deviation.ratio <= COVERAGE_FACTOR;
+        let within = |deviation: &Deviation| deviation.ratio <= COVERAGE;
         !self.deviations.is_empty() && self.deviations.iter().all(within)
     }
 
@@ -71,11 +67,10 @@ fn deviation(point: &CurvePoint, ours: &dyn Fn(f64) -> OurPoint) -> Deviation {
     let (x, error) = (point.abscissa, point.abscissa_error);
     let mine = ours(x);
     let slope = (ours(x + error).value - ours(x - error).value) / (2.0 * error);
-    let digitising = point.ordinate_error.hypot(slope * error);
-    let uncertainty = digitising.hypot(mine.uncertainty);
-    // An infinite uncertainty would accept anything.
-    let ratio = if uncertainty.is_finite() { (mine.value - point.ordinate).abs() / uncertainty } else { f64::NAN };
+    let digitising = combined([point.ordinate_error, slope * error]);
+    let compared = Compared::of(mine.value, point.ordinate, [digitising, mine.uncertainty]);
 
+    let (uncertainty, ratio) = (compared.uncertainty, compared.ratio());
     Deviation { abscissa: x, theirs: point.ordinate, ours: mine.value, uncertainty, ratio }
 }
 

@@ -7,6 +7,7 @@ use crate::case::{Quantity, Verdict};
 use crate::solve::Run;
 use crate::study::quarter::LEFT_OUT;
 use crate::study::{Numbers, Room};
+use crate::uncertainty::COVERAGE;
 
 /// Difference of the nine that counts as none.
 const UNREMARKABLE: f64 = 1.0;
@@ -76,8 +77,8 @@ pub fn top_quarter(f: &Findings) -> Statement {
 pub fn gaertner(f: &Findings) -> Statement {
     let verdict = f.0.iter().find(|finding| finding.room == Room::Gaertner).map(|finding| finding.verdict());
     let (measured, judgement) = match verdict {
-        Some(Verdict::Pass) => ("within the combined uncertainty".to_string(), Judgement::Reproduced),
-        Some(Verdict::Fail) => ("outside the combined uncertainty".to_string(), Judgement::NotReproduced),
+        Some(Verdict::Pass) => (format!("every point within {COVERAGE} u_val"), Judgement::Reproduced),
+        Some(Verdict::Fail) => (format!("a point beyond {COVERAGE} u_val"), Judgement::NotReproduced),
         Some(Verdict::NotRun(why)) => (why, Judgement::NotJudged),
         None => ("not asked".to_string(), Judgement::NotJudged),
     };

@@ -7,6 +7,7 @@
 //! * `answers` — where the other codes' answers come from: frozen files, or the codes themselves.
 //! * `differences` — how far two answers are apart.
 //! * `renewal` — asking the codes now, and freezing what they answer (feature `python`).
+//! * `validation` — comparison errors, and what their uncertainties are made of.
 //! * `judge` — the tolerances, each with its reason.
 //! * `section`, `picture` — every code's numbers, the price of the penalty, the profiles.
 
@@ -22,6 +23,7 @@ mod plan;
 pub mod renewal;
 mod section;
 pub mod twin;
+pub mod validation;
 
 use serde::Serialize;
 

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::error::Error;
 use crate::measure::order::richardson;
-use crate::measure::profile;
+use crate::measure::{parabola, profile};
 use crate::mesh::{Order, Resolution};
 use crate::oracle::cross_code::frozen::REFREEZE;
 use crate::oracle::cross_code::{Code, Method, PhysicalAnswer};
@@ -31,6 +31,8 @@ pub struct Compared {
     pub ours: Found,
     /// What the others found.
     pub others: Vec<Other>,
+    /// Our peak on the finest mesh as the others measure it \[MPa\].
+    pub peak_as_theirs: f64,
 }
 
 /// The closed form of a scene.
@@ -88,9 +90,9 @@ pub struct Found {
 pub struct Measured {
     /// The number.
     pub value: f64,
-    /// Its uncertainty by Richardson.
+    /// Its standard uncertainty, by Richardson.
     pub uncertainty: f64,
-    /// Extrapolated to no mesh size.
+    /// Extrapolated to no mesh size, where the series allows that.
     pub limit: f64,
 }
 
@@ -108,8 +110,7 @@ impl Measured {
     fn of(levels: [&PhysicalAnswer; LEVELS], of: fn(&PhysicalAnswer) -> f64) -> Self {
         let values = levels.map(of);
         let series = richardson(values);
-        let value = values[LEVELS - 1];
-        Self { value, uncertainty: series.uncertainty * value.abs(), limit: series.limit }
+        Self { value: values[LEVELS - 1], uncertainty: series.uncertainty(), limit: series.limit }
     }
 }
 
@@ -148,13 +149,15 @@ impl Compared {
 pub fn compare(benchmark: &Benchmark, answers: Answers) -> Result<Compared, Error> {
     let reference = &benchmark.case.scene.reference;
     let other = |code| other(benchmark, code, answers);
+    let (ours, peak_as_theirs) = ours(benchmark)?;
     Ok(Compared {
         scene: benchmark.scene,
         stations: benchmark.physical.stations.clone(),
         reference: [reference.length, reference.pressure],
         closed_form: closed_form(benchmark),
-        ours: Found::of(Finder::Ours, &ours(benchmark)?)?,
+        ours: Found::of(Finder::Ours, &ours)?,
         others: Code::ALL.into_iter().map(other).collect::<Result<_, _>>()?,
+        peak_as_theirs,
     })
 }
 
@@ -167,15 +170,17 @@ fn other(benchmark: &Benchmark, code: Code, answers: Answers) -> Result<Other, E
     Ok(Other { code, reproduced, found })
 }
 
-/// Our own series, in the same form.
-fn ours(benchmark: &Benchmark) -> Result<Vec<PhysicalAnswer>, Error> {
-    let level = |refinement: usize| {
+/// Our own series, in the same form, and the peak on the finest mesh as the others measure it.
+fn ours(benchmark: &Benchmark) -> Result<(Vec<PhysicalAnswer>, f64), Error> {
+    let mut peak_as_theirs = f64::NAN;
+    let mut level = |refinement: usize| {
         let resolution =
             Resolution { elements: benchmark.elements, refinement: refinement as u32, order: Order::Quadratic };
         let discretisation = Discretisation::of(benchmark.case.scene.clone(), resolution)?;
         let run = Run::of(&discretisation, &Formulation::verification())?;
         let converged = |value: f64| if run.solution.converged() { value } else { f64::NAN };
         let means = profile::means(&run.solution.edges, &benchmark.physical.stations);
+        peak_as_theirs = converged(parabola::peak(&run.solution.edges, run.measures().half_width));
         Ok(PhysicalAnswer {
             half_width: converged(run.measures().half_width),
             peak: converged(run.measures().peak.pressure),
@@ -185,7 +190,8 @@ fn ours(benchmark: &Benchmark) -> Result<Vec<PhysicalAnswer>, Error> {
             contact_edges: run.solution.edges.len(),
         })
     };
-    (0..LEVELS).map(level).collect()
+    let levels = (0..LEVELS).map(&mut level).collect::<Result<_, Error>>()?;
+    Ok((levels, peak_as_theirs))
 }
 
 /// Samples of the closed form in a stretch.

@@ -3,8 +3,8 @@
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::oracle::ReferenceKind;
-use crate::oracle::digitised::acceptance::COVERAGE_FACTOR;
 use crate::study::gaertner::run::{Curve, Numbers};
+use crate::uncertainty::COVERAGE;
 
 /// The checks.
 pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
@@ -34,7 +34,7 @@ fn check(curve: &str, source: Reference, model_form: Option<&str>) -> Check {
     Check::error(
         Quantity::at("largest deviation of the pin–rod in combined standard uncertainties", curve),
         source,
-        COVERAGE_FACTOR,
-        format!("digitising ⊕ measurement ⊕ ours at coverage 2; {friction}"),
+        COVERAGE,
+        format!("u_val = digitising ⊕ measurement ⊕ our mesh, each standard; coverage {COVERAGE}; {friction}"),
     )
 }

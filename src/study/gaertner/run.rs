@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::case::library::PinRod;
 use crate::error::Error;
+use crate::measure::order::bound_of_two;
 use crate::measure::profile;
 use crate::mesh::{Order, Resolution};
 use crate::checkout::root;
@@ -14,6 +15,7 @@ use crate::oracle::{Oracle, ReferenceKind};
 use crate::scene::Material;
 use crate::solution::{EdgeState, PointState};
 use crate::solve::{Discretisation, Formulation, Run};
+use crate::uncertainty::standard;
 
 /// Elements per 10 mm of arc for a pin of 10 mm radius; scaled with the source's pin.
 const ELEMENTS: usize = 24;
@@ -74,7 +76,7 @@ fn deviation(curve: &DigitisedCurve) -> Result<Deviates, Error> {
         |(stretch, points): &(f64, Vec<PointState>), angle: f64| profile::interpolate(points, *stretch, angle.abs());
     let ours = |angle: f64| {
         let value = at(&fine, angle);
-        OurPoint { value, uncertainty: (value - at(&coarse, angle)).abs() }
+        OurPoint { value, uncertainty: standard(bound_of_two([at(&coarse, angle), value])) }
     };
     let comparison = compare(curve, &ours);
     let worst = comparison.worst().map_or(f64::NAN, |deviation| deviation.ratio);

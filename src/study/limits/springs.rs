@@ -66,7 +66,7 @@ impl SpringStiffness {
 
     /// `d log / d log κ` on the rigid plane.
     fn slope(&self, of: fn(&Conditioning) -> f64, range: std::ops::Range<usize>) -> f64 {
-        order::observed(&self.stiffnesses[range.clone()], &self.plane[range].iter().map(of).collect::<Vec<_>>())
+        order::slope(&self.stiffnesses[range.clone()], &self.plane[range].iter().map(of).collect::<Vec<_>>())
     }
 
     fn slope_of_errors(&self) -> f64 {

@@ -1,14 +1,19 @@
-//! Orders of accuracy, how the model error falls, and whether two orders of cells tend to one limit.
+//! Orders of accuracy pair by pair, how the model error falls, and whether two orders of cells tend to one limit.
 
-use crate::case::{Check, Judged, Quantity, Reference};
+use crate::case::{Check, Judged, Quantity, Reference, covered};
 use crate::error::Error;
 use crate::measure::larger;
-use crate::measure::order::observed;
+use crate::measure::order::{Observed, Richardson};
 use crate::mesh::Order;
-use crate::study::refinement::run::{Errors, ModelError, Numbers, Orders, PinLevel, PinRod, Ratio};
+use crate::study::refinement::run::{Departure, Errors, ModelError, Numbers, Orders, PinLevel, PinRod, Ratio};
+use crate::uncertainty::{COVERAGE, Comparison, standard};
 
-/// Uncertainty that a series of the pin–rod may have.
-const OWN: f64 = 3e-3;
+/// What is below the formal order and passes: pairs approach it from both sides.
+const SLACK: f64 = 0.1;
+/// Relative standard uncertainty that a series of the pin–rod may have.
+const OWN: f64 = 7e-4;
+/// How near the limits of both orders of cells must come.
+const LIMITS: f64 = 3.5e-4;
 
 /// The checks.
 pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
@@ -20,67 +25,102 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
 }
 
 fn accuracy(orders: &Orders) -> Vec<Judged> {
-    let order = |quantity: &'static str, origin, bound, because: &'static str, of: fn(&Errors) -> f64| {
-        Check::at_least(quantity, Reference::analytic(origin, bound), because).judge(orders.order_of(of))
+    let half_width = match orders.order {
+        Order::Linear => below_second_order(orders),
+        Order::Quadratic => {
+            reaches(orders, "observed order of the half-width", 2.0, "the edge lies on a node", |level| level.half_width)
+        }
     };
-    let slope = "least-squares slope over four meshes";
     let edge = "square-root edge (Drouet & Hild 2015; Belhachmi & Ben Belgacem 2003): capped near 1";
-    let profile = match orders.order {
-        Order::Linear => 0.6,
-        Order::Quadratic => 0.9,
+    let load = Check::error(
+        "largest error of the assembled load",
+        Reference::analytic("Hertz", 0.0),
+        1e-7,
+        "16-point Gauss on every edge",
+    );
+    let largest = orders.levels.iter().map(|level| level.load).fold(0.0, larger);
+    reaches(orders, "observed order of the pressure of the centre node", 2.0, "every pair of meshes", |level| level.peak)
+        .into_iter()
+        .chain(half_width)
+        .chain(reaches(orders, "observed order of the pressure profile in L2", 1.0, edge, |level| level.l2))
+        .chain([load.judge(largest)])
+        .collect()
+}
+
+/// The order between each two successive meshes reaches the formal one; one that is withheld does not.
+fn reaches(
+    orders: &Orders,
+    name: &'static str,
+    formal: f64,
+    because: &'static str,
+    of: fn(&Errors) -> f64,
+) -> Vec<Judged> {
+    let origin = format!("formal order {formal}, a tenth less");
+    let pairs = orders.levels.windows(2).zip(orders.pairs(of));
+    let judged = pairs.map(|(two, pair)| {
+        let quantity = Quantity::at(name, format!("h/a = {} to {}", two[0].size, two[1].size));
+        Check::at_least(quantity, Reference::analytic(&origin, formal - SLACK), because).judge(pair.value())
+    });
+    judged.collect()
+}
+
+/// Without an order that could be read, the half-width must lie below a line of second order on every mesh.
+///
+/// A pressure that stands for its surroundings of length h has the error `h²/24` of the midpoint rule.
+fn below_second_order(orders: &Orders) -> Vec<Judged> {
+    let readable = orders.pairs(|level| level.half_width).into_iter().all(|pair| matches!(pair, Observed::Order(_)));
+    let because = if readable {
+        "the midpoint rule's h²/24"
+    } else {
+        "the midpoint rule's h²/24; errors that change their sign or do not fall have no order"
     };
-    let load = orders.levels.iter().map(|level| level.load).fold(0.0, larger);
-    vec![
-        order("observed order of the pressure of the centre node", "second order", 1.8, slope, |level| level.peak),
-        order("observed order of the half-width", "second order", 1.8, "the edge lies on a node", |level| {
-            level.half_width
-        }),
-        order("observed order of the pressure profile in L2", "first order", profile, edge, |level| level.l2),
-        Check::error(
-            "largest error of the assembled load",
-            Reference::analytic("Hertz", 0.0),
-            1e-7,
-            "16-point Gauss on every edge",
-        )
-        .judge(load),
-    ]
+    let judged = orders.levels.iter().map(|level| {
+        let quantity = Quantity::at("error of the half-width over (h/a)²", format!("h/a = {}", level.size));
+        Check::error(quantity, Reference::analytic("Hertz", 0.0), 1.0 / 24.0, because)
+            .judge(level.half_width.abs() / level.size.powi(2))
+    });
+    judged.collect()
 }
 
 /// A number by name.
-type Named<N> = (&'static str, fn(&N) -> f64);
+type Named<N, T> = (&'static str, fn(&N) -> T);
 
 /// Numbers of the cylinder over those of Hertz.
-const RATIOS: [Named<Ratio>; 2] =
-    [("peak pressure over that of Hertz", |ratio| ratio.peak), ("half-width over that of Hertz", |ratio| ratio.half_width)];
-/// How near the smallest contact must come to Hertz's.
-const SMALL: f64 = 2e-4;
+const RATIOS: [Named<Ratio, Departure>; 2] = [
+    ("peak pressure over that of Hertz", |ratio| ratio.peak),
+    ("half-width over that of Hertz", |ratio| ratio.half_width),
+];
+/// How near peak and half-width of the smallest contact must come to Hertz's.
+const SMALL: [f64; 2] = [1e-4, 1.5e-4];
+/// How near the powers must come to 2, relative to that.
+const POWER: f64 = 0.1;
 
 /// The smallest contact is Hertz's; with growing contact the difference grows by (a/R)².
 fn model_error(model: &ModelError) -> Vec<Judged> {
     let [first, others @ ..] = &model.ratios;
-    let small = RATIOS.map(|(quantity, of)| {
-        let because = "model error about 2e-5; 48 8-node cells per half-width";
+    let small = [0, 1].map(|number| {
+        let (quantity, of) = RATIOS[number];
+        let because = format!("no model error is left, but the mesh: {} 8-node cells per half-width", model.elements);
         let at = format!("a/R = {}", first.a_over_r);
-        Check::near(Quantity::at(quantity, at), Reference::analytic("Hertz", 1.0), SMALL, because).judge(of(first))
+        let check = Check::near(Quantity::at(quantity, at), Reference::analytic("Hertz", 1.0), SMALL[number], because);
+        Judged { uncertainty: Some(standard(of(first).bound)), ..check.judge(1.0 + of(first).value) }
     });
-    let sizes: Vec<f64> = others.iter().map(|ratio| ratio.a_over_r).collect();
-    let growth = RATIOS.map(|(name, of)| {
-        let because = "least-squares slope over the larger contacts, where discretisation is a tenth of the difference";
-        let errors: Vec<f64> = others.iter().map(|ratio| of(ratio) - 1.0).collect();
-        Check::near(
-            Quantity::at("power of a/R by which the cylinder departs from Hertz", name),
-            Reference::analytic("far field", 2.0),
-            0.1,
-            because,
-        )
-        .judge(observed(&sizes, &errors))
+    let growth = RATIOS.into_iter().flat_map(|(name, of)| {
+        let pairs = others.windows(2).rev().zip(model.powers(of));
+        let judged = pairs.map(move |(two, power)| {
+            let at = format!("{name}, a/R = {} to {}", two[0].a_over_r, two[1].a_over_r);
+            let quantity = Quantity::at("power of a/R by which the cylinder departs from Hertz", at);
+            let because = "the next power of a/R, and what the mesh still changes";
+            Check::near(quantity, Reference::analytic("far field", 2.0), POWER, because).judge(power.value())
+        });
+        judged.collect::<Vec<_>>()
     });
     small.into_iter().chain(growth).collect()
 }
 
 /// Numbers of the pin–rod.
-const MEASURED: [Named<PinLevel>; 2] =
-    [("peak", |level| level.peak), ("second-moment angle", |level| level.angle)];
+const MEASURED: [Named<PinLevel, f64>; 2] =
+    [("peak [MPa]", |level| level.peak), ("second-moment angle [rad]", |level| level.angle)];
 
 /// The pin–rod has no closed form: its refinement series gives its own uncertainty.
 fn pin_rod(pin: &PinRod) -> Vec<Judged> {
@@ -88,25 +128,34 @@ fn pin_rod(pin: &PinRod) -> Vec<Judged> {
     let own = pin.series.iter().flat_map(|series| {
         MEASURED.map(|(name, of)| {
             let at = format!("{name}, {}-node", series.order.nodes_per_cell());
-            let quantity = Quantity::at("uncertainty of the pin–rod on the finest mesh", at);
-            let because = "three finest of four nested meshes, factor of safety 1.25";
-            Check::error(quantity, Reference::own("Richardson", 0.0), OWN, because).judge(series.limit(of).uncertainty)
+            let quantity = Quantity::at("relative standard uncertainty of the pin–rod on the finest mesh", at);
+            let because = "three finest of four nested meshes, standard";
+            let series = series.limit(of);
+            Check::error(quantity, Reference::own("Richardson", 0.0), OWN, because)
+                .judge(series.uncertainty() / series.limit.abs())
         })
     });
-    let limits = MEASURED.map(|(name, of)| {
-        let (a, b) = (linear.limit(of), quadratic.limit(of));
-        let because = "combined uncertainty of both series, at least the 0.3 % asked of each";
-        let quantity = Quantity::at("extrapolated value of 4-node cells", name);
-        let [ours, theirs] = [a, b].map(|series| Some(series.uncertainty * series.limit.abs()));
-        let reference = Reference { uncertainty: theirs, ..Reference::own("8-node, extrapolated", b.limit) };
-        let tolerance = larger(a.uncertainty.hypot(b.uncertainty), OWN);
-        Judged { uncertainty: ours, ..Check::near(quantity, reference, tolerance, because).judge(a.limit) }
-    });
+    let limits = MEASURED.into_iter().flat_map(|(name, of)| one_limit(name, linear.limit(of), quadratic.limit(of)));
     let curve = Check::error(
         "difference of the profile of 4-node cells in L2",
         Reference::own("8-node", 0.0),
-        1e-2,
+        6e-3,
         "edge means on the finest mesh; the contact edge moves by a fraction of an element",
     );
     own.chain(limits).chain([curve.judge(pin.difference)]).collect()
+}
+
+/// Both orders of cells tend to one limit: near each other, and within what their own uncertainties cover.
+pub fn one_limit(name: &str, linear: Richardson, quadratic: Richardson) -> [Judged; 2] {
+    let sources = [linear.uncertainty(), quadratic.uncertainty()];
+    let reference = || {
+        let reference = Reference::own("8-node, limit", quadratic.limit);
+        Reference { uncertainty: Some(sources[1]), ..reference }
+    };
+    let because = format!("three finest of four nested meshes; {COVERAGE} u_val is asked beside it");
+    let near = Check::near(Quantity::at("limit of 4-node cells", name), reference(), LIMITS, because);
+    let near = Judged { uncertainty: Some(sources[0]), ..near.judge(linear.limit) };
+    let comparison = Comparison::of(linear.limit, quadratic.limit, sources);
+    let of = format!("limit of 4-node cells, {name}");
+    [near, covered(&of, reference(), comparison, "4-node mesh ⊕ 8-node mesh")]
 }

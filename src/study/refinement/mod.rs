@@ -1,4 +1,4 @@
-//! Refinement: observed orders, the model error of the cylinder, the pin–rod's own uncertainty.
+//! Refinement: observed orders pair by pair, the model error of the cylinder, the pin–rod's own uncertainty.
 //!
 //! * `plan` — one trial per order of the cells, one for the model error, one for the pin–rod.
 //! * `run` — errors, ratios and values on each mesh.
@@ -11,8 +11,8 @@ mod plan;
 mod run;
 mod section;
 
-pub use judge::judge;
+pub use judge::{judge, one_limit};
 pub use picture::pictures;
 pub use plan::plan;
-pub use run::{Errors, ModelError, Numbers, Orders, PinLevel, PinRod, PinSeries, Ratio};
+pub use run::{Departure, Errors, ModelError, Numbers, Orders, PinLevel, PinRod, PinSeries, Ratio};
 pub use section::section;

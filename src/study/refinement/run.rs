@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use crate::case::library::{self, Cylinder, TruncatedHertz};
 use crate::error::Error;
-use crate::measure::order::{Richardson, observed, richardson};
-use crate::measure::{profile, relative_error, whole};
+use crate::measure::order::{Observed, Richardson, of_changes, pairs, richardson};
+use crate::measure::{larger, profile, relative_error, whole};
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::hertz::Hertz;
 use crate::solve::{Discretisation, Formulation, Run};
@@ -16,8 +16,8 @@ const COARSEST: usize = 4;
 const COARSEST_PIN: usize = 8;
 /// Nested meshes.
 const LEVELS: u32 = 4;
-/// Elements per half-width that show the model error of the cylinder.
-const FINE: usize = 48;
+/// Elements per half-width that show the model error of the cylinder: the finest of three meshes.
+const FINE: [usize; 3] = [12, 24, 48];
 /// Ratios a/R of the cylinder.
 const A_OVER_R: [f64; 4] = [0.005, 0.05, 0.1, 0.2];
 
@@ -39,9 +39,11 @@ pub struct Orders {
     pub order: Order,
     /// Coarse to fine.
     pub levels: Vec<Errors>,
+    /// Relative error that no mesh removes: of the assembled load, or of the iteration if its tolerance is larger.
+    pub floor: f64,
 }
 
-/// Relative errors on one mesh of truncated Hertz.
+/// Relative errors with their signs on one mesh of truncated Hertz.
 #[derive(Clone, Debug, Serialize)]
 pub struct Errors {
     /// Element size over the half-width.
@@ -56,28 +58,39 @@ pub struct Errors {
     pub l2: f64,
     /// Of the assembled load.
     pub load: f64,
+    /// Where the contact ends: from the nearest node outwards \[elements\].
+    pub edge: f64,
 }
 
 /// The cylinder under uniform load over Hertz's line contact, by a/R.
 #[derive(Clone, Debug, Serialize)]
 pub struct ModelError {
-    /// Elements per half-width.
+    /// Elements per half-width of the finest mesh.
     pub elements: usize,
     /// From the smallest contact to the largest.
     pub ratios: [Ratio; 4],
 }
 
-/// The cylinder over Hertz at one a/R.
+/// The cylinder beside Hertz at one a/R.
 #[derive(Clone, Debug, Serialize)]
 pub struct Ratio {
     /// Half-width of Hertz over the radius.
     pub a_over_r: f64,
-    /// Peak pressure over that of Hertz.
-    pub peak: f64,
-    /// Half-width over that of Hertz.
-    pub half_width: f64,
-    /// Degrees of freedom.
+    /// Of the peak pressure.
+    pub peak: Departure,
+    /// Of the half-width.
+    pub half_width: Departure,
+    /// Degrees of freedom of the finest mesh.
     pub dofs: usize,
+}
+
+/// How far a number of the cylinder departs from that of Hertz, relative to it.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Departure {
+    /// On the finest mesh.
+    pub value: f64,
+    /// What the mesh may still change, a bound that covers about 95 %.
+    pub bound: f64,
 }
 
 /// The pin–rod on nested meshes.
@@ -109,17 +122,36 @@ pub struct PinLevel {
     pub peak: f64,
     /// Half-angle by second moment \[rad\].
     pub angle: f64,
+    /// Where the contact ends: from the nearest node outwards \[elements\].
+    pub edge: f64,
 }
 
 impl Orders {
-    /// Observed order of an error.
-    pub fn order_of(&self, error: fn(&Errors) -> f64) -> f64 {
+    /// Observed orders of an error, between each two successive meshes.
+    pub fn pairs(&self, error: fn(&Errors) -> f64) -> Vec<Observed> {
         let sizes: Vec<f64> = self.levels.iter().map(|level| level.size).collect();
-        observed(&sizes, &self.levels.iter().map(error).collect::<Vec<_>>())
+        pairs(&sizes, &self.levels.iter().map(error).collect::<Vec<_>>(), self.floor)
+    }
+}
+
+impl ModelError {
+    /// Powers of a/R by which a departure falls, from the largest contact to the smallest, whose own departure is what the mesh
+    /// leaves: it has no power, and nothing below five times as much has one.
+    pub fn powers(&self, of: fn(&Ratio) -> Departure) -> Vec<Observed> {
+        let [smallest, others @ ..] = &self.ratios;
+        let floor = others.iter().map(|ratio| of(ratio).bound).fold(of(smallest).value.abs(), larger);
+        let falling = || self.ratios.iter().rev();
+        let sizes: Vec<f64> = falling().map(|ratio| ratio.a_over_r).collect();
+        pairs(&sizes, &falling().map(|ratio| of(ratio).value).collect::<Vec<_>>(), floor)
     }
 }
 
 impl PinSeries {
+    /// Observed orders of a number, between each two successive changes.
+    pub fn pairs(&self, of: fn(&PinLevel) -> f64) -> Vec<Observed> {
+        of_changes(&self.levels.each_ref().map(of))
+    }
+
     /// What the three finest meshes say of the limit of a number.
     pub fn limit(&self, of: fn(&PinLevel) -> f64) -> Richardson {
         let [_, coarse, medium, fine] = &self.levels;
@@ -132,11 +164,27 @@ fn converged(run: &Run, value: f64) -> f64 {
     if run.solution.converged() { value } else { f64::NAN }
 }
 
+impl Departure {
+    /// From three meshes, coarse to fine.
+    fn of(series: [f64; 3]) -> Self {
+        Self { value: series[2], bound: richardson(series).bound }
+    }
+}
+
+/// Where the contact ends: from the nearest node outwards \[elements\].
+fn within_element(run: &Run) -> f64 {
+    let end = run.measures().edge();
+    let nodes = run.solution.edges.iter().flat_map(|edge| edge.ends.map(|node| (end - node) / edge.length()));
+    nodes.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(f64::NAN)
+}
+
 /// Errors of truncated Hertz on nested meshes of an order.
 pub fn orders(order: Order) -> Result<Orders, Error> {
     let numbers = TruncatedHertz::default();
     let levels = (0..LEVELS).map(|refinement| errors(&numbers, order, refinement));
-    Ok(Orders { order, levels: levels.collect::<Result<_, _>>()? })
+    let levels: Vec<Errors> = levels.collect::<Result<_, _>>()?;
+    let floor = levels.iter().map(|level| level.load).fold(Formulation::verification().settings.tolerance, larger);
+    Ok(Orders { order, levels, floor })
 }
 
 fn errors(numbers: &TruncatedHertz, order: Order, refinement: u32) -> Result<Errors, Error> {
@@ -150,10 +198,11 @@ fn errors(numbers: &TruncatedHertz, order: Order, refinement: u32) -> Result<Err
     Ok(Errors {
         size: 1.0 / (COARSEST << refinement) as f64,
         dofs: run.dofs,
-        peak: converged(&run, relative_error(run.measures().largest.pressure, exact.peak_pressure())),
-        half_width: converged(&run, relative_error(run.measures().half_width, exact.half_width())),
+        peak: converged(&run, run.measures().largest.pressure / exact.peak_pressure() - 1.0),
+        half_width: converged(&run, run.measures().half_width / exact.half_width() - 1.0),
         l2: converged(&run, profile::relative_l2(&run.solution.points, |x| exact.pressure(x), within)),
         load: relative_error(load, numbers.load()),
+        edge: converged(&run, within_element(&run)),
     })
 }
 
@@ -161,19 +210,22 @@ fn errors(numbers: &TruncatedHertz, order: Order, refinement: u32) -> Result<Err
 pub fn model_error() -> Result<ModelError, Error> {
     let ratio = |a_over_r| {
         let numbers = Cylinder { a_over_r, ..Default::default() };
-        let scene = numbers.scene();
-        let pressure = scene.reference.pressure;
-        let resolution = Resolution { elements: FINE, refinement: 0, order: Order::Quadratic };
-        let run = Run::of(&Discretisation::of(scene, resolution)?, &Formulation::verification())?;
+        let run = |elements| {
+            let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
+            Run::of(&Discretisation::of(numbers.scene(), resolution)?, &Formulation::verification())
+        };
+        let [coarse, medium, fine] = FINE.map(run);
+        let runs = [coarse?, medium?, fine?];
+        let departure = |exact: f64, of: fn(&Run) -> f64| Departure::of(runs.each_ref().map(|run| of(run) / exact - 1.0));
         Ok(Ratio {
             a_over_r,
-            peak: converged(&run, run.measures().peak.pressure / pressure),
-            half_width: converged(&run, run.measures().half_width / numbers.half_width()),
-            dofs: run.dofs,
+            peak: departure(numbers.scene().reference.pressure, |run| converged(run, run.measures().peak.pressure)),
+            half_width: departure(numbers.half_width(), |run| converged(run, run.measures().half_width)),
+            dofs: runs[2].dofs,
         })
     };
     let [a, b, c, d]: [Result<Ratio, Error>; 4] = A_OVER_R.map(ratio);
-    Ok(ModelError { elements: FINE, ratios: [a?, b?, c?, d?] })
+    Ok(ModelError { elements: FINE[2], ratios: [a?, b?, c?, d?] })
 }
 
 /// The pin–rod by both orders; it has no closed form.
@@ -200,6 +252,7 @@ fn series(order: Order, runs: &[Run; LEVELS as usize]) -> PinSeries {
             dofs: run.dofs,
             peak: converged(run, run.measures().peak.pressure),
             angle: converged(run, run.measures().half_width),
+            edge: converged(run, within_element(run)),
         }
     };
     PinSeries { order, levels: std::array::from_fn(level) }
