@@ -5,11 +5,15 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use crate::case::{Judged, Verdict};
-use crate::cli::terminal::{progress, say};
+use crate::cli::terminal::{progress, say, show};
 use crate::error::Error;
 use crate::markdown;
 use crate::report::matrix;
+use crate::study::faults::present;
 use crate::study::{self, Finding};
+
+/// What is said here of the record of planted faults, and not on the page.
+const PRESENT: &str = "planted faults × the present sources";
 
 /// Runs every trial, two or more at a time, in the order of the page; the first that breaks off ends it.
 pub fn run() -> Result<Vec<Finding>, Error> {
@@ -45,15 +49,24 @@ pub fn print(findings: &[Finding]) {
     let [pass, fail, not_run] = matrix::counts(findings);
     say(format!("\nchecks: {pass} passed, {fail} failed, {not_run} not run"));
     for finding in findings {
-        for check in finding.judged.iter().filter(|check| check.verdict != Verdict::Pass) {
-            let error = match check.verdict {
-                Verdict::NotRun(_) => String::new(),
-                Verdict::Pass | Verdict::Fail => format!(": error {}", markdown::error(check.error)),
-            };
-            let [case, name, requirement] = [&finding.case, &finding.name, &check.requirement()];
-            say(format!("{case} × {name}: {} — {requirement}{error}", check.verdict));
-        }
+        finding
+            .judged
+            .iter()
+            .for_each(|check| print_unless_passed(&format!("{} × {}", finding.case, finding.name), check));
     }
+    match present::check() {
+        Ok(check) => print_unless_passed(PRESENT, &check),
+        Err(error) => show(&error),
+    }
+}
+
+fn print_unless_passed(title: &str, check: &Judged) {
+    let error = match check.verdict {
+        Verdict::Pass => return,
+        Verdict::NotRun(_) => String::new(),
+        Verdict::Fail => format!(": error {}", markdown::error(check.error)),
+    };
+    say(format!("{title}: {} — {}{error}", check.verdict, check.requirement()));
 }
 
 /// Prints every check of every trial as a line of JSON, and tells whether none failed.
@@ -64,6 +77,10 @@ pub fn verdicts() -> bool {
             Ok(finding) => lines.extend(self::lines(&title, &finding.judged)),
             Err(error) => lines.push(broken(&title, &error)),
         }
+    }
+    match present::check() {
+        Ok(check) => lines.push(line(PRESENT, &check)),
+        Err(error) => lines.push(broken(PRESENT, &error)),
     }
     lines.iter().for_each(say);
     lines.iter().all(|line| line["verdict"] != "fail")

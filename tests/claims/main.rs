@@ -25,6 +25,7 @@ mod digitised;
 mod elasticity;
 mod errors;
 mod fast_paths;
+mod faults;
 mod formulation;
 mod gmsh;
 mod growth;

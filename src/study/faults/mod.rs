@@ -1,16 +1,18 @@
 //! Fault injection: what turned red when a fault was put into a copy of the tree.
 //!
 //! * `plan` — one trial, the record.
-//! * `run` — the record is read.
+//! * [`run`] — the record is read.
 //! * `judge` — every fault turned a check against a truth red.
+//! * [`present`] — whether the faults were planted on the present sources.
 //! * `section` — a row for each fault.
 
 mod judge;
 mod plan;
-mod run;
+pub mod present;
+pub mod run;
 mod section;
 
 pub use judge::{is_caught, judge};
 pub use plan::plan;
-pub use run::{Fault, Numbers};
+pub use run::{Fault, Numbers, Planted};
 pub use section::{pictures, section};
