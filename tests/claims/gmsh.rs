@@ -401,6 +401,22 @@ fn arcs_of_blocks_lie_on_their_circles() {
 }
 
 #[test]
+fn arcs_of_blocks_turn_by_less_than_half_a_turn_whichever_way_they_lie() {
+    // Half the chord of a horizontal and of a vertical side, and the circle's centre at a distance from its middle.
+    let centre_of_top = |distance: f64| format!("arcs = {{ top = [1, {}] }}, ", 1.0 - distance);
+    let centre_of_right = |distance: f64| format!("arcs = {{ right = [{}, 0.5] }}, ", 2.0 - distance);
+    for (half, arc) in [(1.0, &centre_of_top as &dyn Fn(f64) -> String), (0.5, &centre_of_right)] {
+        for (degrees, fits) in [(60.0_f64, true), (120.0, true), (170.0, true), (179.0, false), (180.0, false)] {
+            let arcs = arc(half / (0.5 * degrees).to_radians().tan());
+            let read = of_blocks(&ONE_BLOCK.replace("bottom = ", &(arcs.clone() + "bottom = ")));
+            let told = read.map(|_| ()).map_err(|error| error.to_string());
+            let turned = matches!(&told, Err(error) if error.contains("less than half a turn apart"));
+            assert!(told.is_ok() == fits && turned != fits, "{arcs}{degrees}°: {told:?}");
+        }
+    }
+}
+
+#[test]
 fn blocks_that_do_not_fit_are_refused() {
     for (was, is, wanted) in [
         ("[2, 0], [2, 1], [1, 1], [1, 0]]", "[2, 0], [1, 0], [1, 1], [2, 1]]", "counter-clockwise"),
