@@ -217,6 +217,46 @@ fn every_mistake_in_a_mesh_names_its_line() {
 }
 
 #[test]
+fn groups_of_an_entity_are_few_and_have_short_names() {
+    let folder = folder("groups");
+    let surface = "1 0 0 0 2 1 0 1 4 3 1 2 3";
+    assert_eq!(TWO_CELLS.matches(surface).count(), 1);
+    let of_groups = |groups: &[String]| {
+        let listed = format!("1 0 0 0 2 1 0 {} {} 3 1 2 3", groups.len(), groups.join(" "));
+        read(&folder, &TWO_CELLS.replace(surface, &listed)).map(|_| ()).map_err(|error| error.to_string())
+    };
+    // Where the surface is turned over its group has a sign; no number is left without its opposite.
+    assert_eq!(of_groups(&["-4".into()]), Ok(()));
+    let least = of_groups(&[i64::MIN.to_string()]).expect_err("another group");
+    assert!(
+        least.contains("no physical surface `body`") && least.contains(&i64::MIN.unsigned_abs().to_string()),
+        "{least}"
+    );
+    // Copies of every cell for every group would take memory by the product of both.
+    let some: Vec<String> = (4..20).map(|group| group.to_string()).collect();
+    assert_eq!(of_groups(&some), Ok(()));
+    let many: Vec<String> = (4..30_000).map(|group| group.to_string()).collect();
+    let line = 1 + TWO_CELLS[..TWO_CELLS.find(surface).expect("a place")].matches('\n').count();
+    for groups in [&many[..17], &many] {
+        let told = of_groups(groups).expect_err("too many");
+        assert!(told.contains("entity 1 belongs to more than 16 physical groups"), "{told}");
+        assert!(told.contains(&format!("mesh.msh:{line}: ")), "{told}");
+    }
+    for (characters, fits) in [(127, true), (128, false)] {
+        let name = "é".repeat(characters);
+        let read = read(
+            &folder,
+            &TWO_CELLS
+                .replace("1 3 \"axis\"", &format!("1 3 \"axis\"\n1 5 \"{name}\""))
+                .replace("$PhysicalNames\n4", "$PhysicalNames\n5"),
+        );
+        let told = read.map(|_| ()).map_err(|error| error.to_string());
+        assert_eq!(told.is_ok(), fits, "{told:?}");
+        assert!(fits || told.is_err_and(|told| told.contains("this name has 128 characters")));
+    }
+}
+
+#[test]
 fn mesh_file_cut_anywhere_is_refused() {
     let folder = folder("cut");
     let end = TWO_CELLS.find("$EndElements").expect("an end");
