@@ -165,6 +165,13 @@ const MISTAKES: &[(&str, &str, &str, [&str; 2])] = &[
     ("7\n3\n40", "7\n7\n40", "0 0 0\n1 0 0", ["node 7 stands twice", "save the mesh again"]),
     ("6 3 40 5 11", "6 3 40 6 11", "6 3 40 6", ["node 6, which does not exist", "with its nodes first"]),
     ("2 1 3 2", "2 1 5 2", "2 1 5 2", ["type 5 are not read", "Mesh.RecombineAll = 1"]),
+    (
+        "1 3 1 1\n5 3 11",
+        "1 3 15 1\n5 3",
+        "1 3 15 1",
+        ["type 15 stand in an entity of dimension 1", "save the mesh again"],
+    ),
+    ("2 1 3 2\n6", "2 1 26 2\n6", "2 1 26 2", ["type 26 stand in an entity of dimension 2", "save the mesh again"]),
     ("$EndNodes", "$EndNods", "$Nodes", ["`$Nodes` has no end", "the file is cut"]),
     ("1 2 \"high side\"", "1 2 high side", "1 2 high side", ["no name in quotes", "save the mesh again"]),
     ("$Entities\n0 3 1 0", "$Entities\n0 3 1", "$Entities", ["", "save it again"]),

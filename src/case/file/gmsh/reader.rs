@@ -44,18 +44,18 @@ pub struct Piece {
     pub is_triangular: bool,
 }
 
-/// Elements known here: type, nodes, whether it is a triangle. The others are of three dimensions or higher order.
-const TYPES: [(u64, usize, bool); 10] = [
-    (1, 2, false),
-    (8, 3, false),
-    (26, 4, false),
-    (2, 3, true),
-    (9, 6, true),
-    (21, 10, true),
-    (3, 4, false),
-    (16, 8, false),
-    (10, 9, false),
-    (15, 1, false),
+/// Elements known here: type, nodes, corners. The others are of three dimensions or higher order.
+const TYPES: [(u64, usize, usize); 10] = [
+    (15, 1, 1),
+    (1, 2, 2),
+    (8, 3, 2),
+    (26, 4, 2),
+    (2, 3, 3),
+    (9, 6, 3),
+    (21, 10, 3),
+    (3, 4, 4),
+    (16, 8, 4),
+    (10, 9, 4),
 ];
 
 /// Physical groups by dimension and entity.
@@ -113,10 +113,14 @@ impl Gmsh {
                 let message = format!("elements of Gmsh's type {kind} are solids");
                 return Err(words.source.refused(begin..words.at, message, PLANE));
             }
-            let Some((_, count, is_triangular)) = TYPES.iter().find(|(known, ..)| *known == kind).copied() else {
+            let Some((_, count, corners)) = TYPES.iter().find(|(known, ..)| *known == kind).copied() else {
                 let message = format!("elements of Gmsh's type {kind} are not read");
                 return Err(words.source.refused(begin..words.at, message, OPTIONS));
             };
+            if dimension != (corners - 1).min(2) {
+                let message = format!("elements of Gmsh's type {kind} stand in an entity of dimension {dimension}");
+                return Err(words.source.refused(begin..words.at, message, "save the mesh again"));
+            }
             let elements: u64 = words.number("a number of elements")?;
             let mut pieces = Vec::new();
             for _ in 0..elements {
@@ -131,7 +135,7 @@ impl Gmsh {
                         "save the mesh again, with its nodes first",
                     ));
                 }
-                pieces.push(Piece { tag, nodes, is_triangular });
+                pieces.push(Piece { tag, nodes, is_triangular: corners == 3 });
             }
             let Some(named) = (match dimension {
                 1 => Some(&mut self.curves),
