@@ -9,11 +9,8 @@ use crate::cli::terminal::{progress, say, show};
 use crate::error::Error;
 use crate::markdown;
 use crate::report::matrix;
-use crate::study::faults::present;
+use crate::study::present::{MADE, Made};
 use crate::study::{self, Finding};
-
-/// What is said here of the record of planted faults, and not on the page.
-const PRESENT: &str = "planted faults × the present sources";
 
 /// Runs every trial, two or more at a time, in the order of the page; the first that breaks off ends it.
 pub fn run() -> Result<Vec<Finding>, Error> {
@@ -54,10 +51,17 @@ pub fn print(findings: &[Finding]) {
             .iter()
             .for_each(|check| print_unless_passed(&format!("{} × {}", finding.case, finding.name), check));
     }
-    match present::check() {
-        Ok(check) => print_unless_passed(PRESENT, &check),
-        Err(error) => show(&error),
+    for made in MADE {
+        match made.check() {
+            Ok(check) => print_unless_passed(&title(&made), &check),
+            Err(error) => show(&error),
+        }
     }
+}
+
+/// What is said here of a record, and not on the page.
+fn title(made: &Made) -> String {
+    format!("{}s × the present sources", made.entry)
 }
 
 fn print_unless_passed(title: &str, check: &Judged) {
@@ -78,9 +82,9 @@ pub fn verdicts() -> bool {
             Err(error) => lines.push(broken(&title, &error)),
         }
     }
-    match present::check() {
-        Ok(check) => lines.push(line(PRESENT, &check)),
-        Err(error) => lines.push(broken(PRESENT, &error)),
+    for made in MADE {
+        lines
+            .push(made.check().map_or_else(|error| broken(&title(&made), &error), |check| line(&title(&made), &check)));
     }
     lines.iter().for_each(say);
     lines.iter().all(|line| line["verdict"] != "fail")

@@ -4,7 +4,7 @@
 //! * `rooms` — what a room must have, and how the page meets all of them.
 //! * [`drawn`] — colours and dashes of formulations, and curves.
 //! * [`class`](mod@class), [`method`], [`pairing`] — how a run ended and what was run, as they are recorded.
-//! * [`records`] — files of recorded surveys.
+//! * [`records`] — files of recorded surveys; [`present`] — whether what scripts record is of the present sources.
 //! * [`handed_over`] — our discretisation as plain numbers, for other codes.
 
 pub mod class;
@@ -12,6 +12,7 @@ pub mod drawn;
 pub mod handed_over;
 pub mod method;
 pub mod pairing;
+pub mod present;
 pub mod records;
 mod rooms;
 pub mod trial;

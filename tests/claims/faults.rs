@@ -4,10 +4,11 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use contact_vv::case::{Judged, Verdict};
+use contact_vv::case::Verdict;
 use contact_vv::checkout::{digest, root};
 use contact_vv::error::Error;
-use contact_vv::study::faults::{Fault, Numbers, Planted, is_caught, present, run};
+use contact_vv::study::faults::{Fault, Numbers, Planted, is_caught, run};
+use contact_vv::study::present::{Entry, MADE, Record};
 
 fn fault(name: &str, red: &[(&str, usize)], sources: Option<&str>) -> Fault {
     let [name, file, was, is] = [name, "src/lib.rs", "sound", "spoiled"].map(String::from);
@@ -99,23 +100,35 @@ fn digest_is_the_same_in_python() {
 }
 
 #[test]
-fn a_record_of_other_sources_is_not_run_and_says_how_many_faults_are() {
+fn a_record_of_other_sources_is_not_run_and_says_how_many_entries_are() {
     let folder = sources();
     let planted_on = digest_of(folder.path());
-    let faults = ["one", "two"].map(|name| fault(name, &[("analytic", 1)], Some(&planted_on)));
-    let of = |faults: &[Fault]| Numbers { sources: vec!["src".into(), "Cargo.toml".into()], faults: faults.to_vec() };
-    let judged = |faults: &[Fault]| present::judge(&of(faults), &digest_of(folder.path()));
-    let is_not_run = |judged: &Judged, told: &str| match &judged.verdict {
-        Verdict::NotRun(why) => why.starts_with(told),
-        _ => false,
+    let names = vec!["src".into(), "Cargo.toml".into()];
+    let of = |entries: &[Option<&str>]| Record {
+        sources: names.clone(),
+        record: entries.iter().map(|sources| Entry { sources: sources.map(String::from) }).collect(),
     };
-    assert_eq!(judged(&faults).verdict, Verdict::Pass);
-    let unknown = fault("two", &[("analytic", 1)], None);
-    assert!(is_not_run(&judged(&[faults[0].clone(), unknown]), "1 of 2 faults"));
+    let judged = |entries: &[Option<&str>]| MADE[0].judge(&of(entries), &digest_of(folder.path())).verdict;
+    let is_not_run = |verdict: Verdict, told: &str| matches!(verdict, Verdict::NotRun(why) if why.starts_with(told));
+    let two = [Some(planted_on.as_str()); 2];
+    assert_eq!(judged(&two), Verdict::Pass);
+    assert!(is_not_run(judged(&[two[0], None]), "1 of 2 are of other sources"));
+    assert!(is_not_run(judged(&[]), "none is recorded"));
     write(folder.path(), "src/deep/one.rs", "changed");
-    assert!(is_not_run(&judged(&faults), "2 of 2 faults"), "{:?}", judged(&faults).verdict);
+    assert!(is_not_run(judged(&two), "2 of 2 are of other sources"));
     write(folder.path(), "src/deep/one.rs", "src/deep/one.rs");
-    assert_eq!(judged(&faults).verdict, Verdict::Pass);
+    assert_eq!(judged(&two), Verdict::Pass);
+}
+
+#[test]
+fn every_record_of_a_script_covers_the_sources_and_says_what_each_entry_was_made_on() {
+    for made in MADE {
+        let record = made.read().expect(made.file);
+        assert!(record.sources.iter().any(|name| name.starts_with("src")), "{}", made.file);
+        assert!(digest(&root(), &record.sources).is_ok(), "{}", made.file);
+        let script = made.renew.split('`').nth(1).and_then(|command| command.split(' ').nth(1)).expect("a command");
+        assert!(root().join(script).is_file(), "{script}");
+    }
 }
 
 #[test]
@@ -127,13 +140,14 @@ fn a_record_of_another_list_is_refused() {
         run::parse((Path::new("faults.toml"), list), (Path::new("faults.json"), record))
     };
     let one = fault("one", &[("analytic", 1)], None);
-    assert_eq!(parsed(list, &record(&[one.clone()], "src")).expect("the same").faults.len(), 1);
+    let alone = std::slice::from_ref(&one);
+    assert_eq!(parsed(list, &record(alone, "src")).expect("the same").faults.len(), 1);
     for (list, record, told) in [
-        (list.replace("spoiled", "spoilt"), record(&[one.clone()], "src"), "another `one`"),
-        (list.replace("sound", "whole"), record(&[one.clone()], "src"), "another `one`"),
-        (list.repeat(2), record(&[one.clone()], "src"), "but 2 are listed"),
+        (list.replace("spoiled", "spoilt"), record(alone, "src"), "another `one`"),
+        (list.replace("sound", "whole"), record(alone, "src"), "another `one`"),
+        (list.repeat(2), record(alone, "src"), "but 2 are listed"),
         ("fault = []".into(), record(&[], "src"), "0 faults long"),
-        (list.into(), record(&[one], "tests"), "without `src`"),
+        (list.into(), record(alone, "tests"), "without `src`"),
         (list.into(), "{}".into(), "sources"),
     ] {
         let error = parsed(&list, &record).expect_err(told).to_string();

@@ -19,6 +19,7 @@ mod both_sides;
 mod condensation;
 mod contact;
 mod converged;
+mod corpus;
 mod cross_code;
 mod cures;
 mod digitised;

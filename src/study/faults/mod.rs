@@ -3,12 +3,10 @@
 //! * `plan` — one trial, the record.
 //! * [`run`] — the record is read.
 //! * `judge` — every fault turned a check against a truth red.
-//! * [`present`] — whether the faults were planted on the present sources.
 //! * `section` — a row for each fault.
 
 mod judge;
 mod plan;
-pub mod present;
 pub mod run;
 mod section;
 

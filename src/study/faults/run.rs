@@ -10,7 +10,7 @@ use crate::checkout::root;
 use crate::error::Error;
 
 /// What renews the record.
-pub const REPLANT: &str = "run `python3 tests/faults/plant.py`";
+const REPLANT: &str = "run `python3 tests/faults/plant.py`";
 /// The faults to plant.
 const LIST: &str = "tests/faults/faults.toml";
 /// What planting them showed.
