@@ -106,15 +106,10 @@ fn stretch_four_times_too_long_or_half_as_much_too_short_leads_to_the_same_conta
 fn first_mesh_on_which_the_iteration_does_not_converge_ends_the_search() {
     let mut formulation = plain();
     formulation.settings.max_iterations = 1;
-    let mut short = Subject::Truncated.loaded(1.0).scene;
-    // Fewer pressed elements than tell where the contact ends.
-    short.contacts[0].stretch *= 12.0;
-    for (name, scene) in [("few elements pressed", short), ("many", Subject::Truncated.loaded(1.0).scene)] {
-        let answer = accuracy::solve(&scene, &formulation, &Asked::new(1e-2)).expect("solved");
-        let why = answer.unmet.as_deref().unwrap_or("met");
-        assert!(why.contains("the first iteration ended so"), "{name}: {why}");
-        assert_eq!(answer.tried.len(), 1, "{name}");
-    }
+    let scene = Subject::Truncated.loaded(1.0).scene;
+    let answer = accuracy::solve(&scene, &formulation, &Asked::new(1e-2)).expect("solved");
+    let why = answer.unmet.as_deref().unwrap_or("met");
+    assert!(why.contains("the first iteration ended so") && answer.tried.len() == 1, "{why}, {}", answer.tried.len());
 }
 
 #[test]
