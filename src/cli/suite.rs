@@ -5,10 +5,11 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use crate::case::{Judged, Verdict};
-use crate::cli::terminal::{progress, say};
+use crate::cli::terminal::{progress, say, show};
 use crate::error::Error;
 use crate::markdown;
 use crate::report::matrix;
+use crate::study::present::{MADE, Made};
 use crate::study::{self, Finding};
 
 /// Runs every trial, two or more at a time, in the order of the page; the first that breaks off ends it.
@@ -45,15 +46,31 @@ pub fn print(findings: &[Finding]) {
     let [pass, fail, not_run] = matrix::counts(findings);
     say(format!("\nchecks: {pass} passed, {fail} failed, {not_run} not run"));
     for finding in findings {
-        for check in finding.judged.iter().filter(|check| check.verdict != Verdict::Pass) {
-            let error = match check.verdict {
-                Verdict::NotRun(_) => String::new(),
-                Verdict::Pass | Verdict::Fail => format!(": error {}", markdown::error(check.error)),
-            };
-            let [case, name, requirement] = [&finding.case, &finding.name, &check.requirement()];
-            say(format!("{case} × {name}: {} — {requirement}{error}", check.verdict));
+        finding
+            .judged
+            .iter()
+            .for_each(|check| print_unless_passed(&format!("{} × {}", finding.case, finding.name), check));
+    }
+    for made in MADE {
+        match made.check() {
+            Ok(check) => print_unless_passed(&title(&made), &check),
+            Err(error) => show(&error),
         }
     }
+}
+
+/// What is said here of a record, and not on the page.
+fn title(made: &Made) -> String {
+    format!("{}s × the present sources", made.entry)
+}
+
+fn print_unless_passed(title: &str, check: &Judged) {
+    let error = match check.verdict {
+        Verdict::Pass => return,
+        Verdict::NotRun(_) => String::new(),
+        Verdict::Fail => format!(": error {}", markdown::error(check.error)),
+    };
+    say(format!("{title}: {} — {}{error}", check.verdict, check.requirement()));
 }
 
 /// Prints every check of every trial as a line of JSON, and tells whether none failed.
@@ -64,6 +81,10 @@ pub fn verdicts() -> bool {
             Ok(finding) => lines.extend(self::lines(&title, &finding.judged)),
             Err(error) => lines.push(broken(&title, &error)),
         }
+    }
+    for made in MADE {
+        lines
+            .push(made.check().map_or_else(|error| broken(&title(&made), &error), |check| line(&title(&made), &check)));
     }
     lines.iter().for_each(say);
     lines.iter().all(|line| line["verdict"] != "fail")

@@ -5,7 +5,7 @@
 //! * [`drawn`] — colours and dashes of formulations, and curves.
 //! * [`class`](mod@class), [`method`], [`pairing`] — how a run ended and what was run, as they are recorded.
 //! * [`random`] — random scenes of closed form.
-//! * [`records`] — files of recorded surveys.
+//! * [`records`] — files of recorded surveys; [`present`] — whether what scripts record is of the present sources.
 //! * [`handed_over`] — our discretisation as plain numbers, for other codes.
 
 pub mod class;
@@ -13,6 +13,7 @@ pub mod drawn;
 pub mod handed_over;
 pub mod method;
 pub mod pairing;
+pub mod present;
 pub mod random;
 pub mod records;
 mod rooms;

@@ -103,6 +103,16 @@ fn stretch_four_times_too_long_or_half_as_much_too_short_leads_to_the_same_conta
 }
 
 #[test]
+fn first_mesh_on_which_the_iteration_does_not_converge_ends_the_search() {
+    let mut formulation = plain();
+    formulation.settings.max_iterations = 1;
+    let scene = Subject::Truncated.loaded(1.0).scene;
+    let answer = accuracy::solve(&scene, &formulation, &Asked::new(1e-2)).expect("solved");
+    let why = answer.unmet.as_deref().unwrap_or("met");
+    assert!(why.contains("the first iteration ended so") && answer.tried.len() == 1, "{why}, {}", answer.tried.len());
+}
+
+#[test]
 fn every_later_mesh_starts_from_the_contact_set_of_the_one_before() {
     let answer = answered(&Subject::Cylinder.loaded(1.0).scene, 1e-3);
     assert!(answer.tried.len() > 6);

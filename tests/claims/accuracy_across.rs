@@ -249,3 +249,13 @@ fn contact_too_far_from_the_middle_for_its_width_is_told() {
     let answer = answered(&scene, 1e-2);
     assert!(answer.unmet.as_ref().is_some_and(|why| why.contains("put x = 0 nearer to it")), "{:?}", answer.unmet);
 }
+
+#[test]
+fn first_mesh_across_the_middle_that_does_not_converge_ends_the_search_where_it_tells_the_contact() {
+    let mut formulation = Formulation::verification();
+    formulation.settings.max_iterations = 1;
+    let scene = parsed(&rolling(2.0, 0.0, 3.0, WIDE, ANY)).scene;
+    let answer = accuracy::solve(&scene, &formulation, &Asked::new(1e-2)).expect("solved");
+    let why = answer.unmet.as_deref().unwrap_or("met");
+    assert!(why.contains("the first iteration ended so") && answer.tried.len() == 1, "{why}, {}", answer.tried.len());
+}

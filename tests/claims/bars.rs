@@ -52,7 +52,7 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
     assert_eq!(verdicts(&|record| record.bar *= 3.0), [pass.clone(), pass.clone(), fail.clone()]);
     // Unknown bars are no bars.
     let unknown = |record: &mut Record| {
-        if record.family == Family::Pin && record.number % 10 == 0 {
+        if record.family == Family::Pin && record.number.is_multiple_of(10) {
             record.bar = f64::NAN;
         }
     };

@@ -16,7 +16,6 @@ use contact_vv::study::cross_code::judge::{agreement, assembled_alike, reproduce
 use contact_vv::study::cross_code::physical::{Compared, Finder, Found, Measured, Other};
 use contact_vv::study::cross_code::twin::{Twin, problems};
 use contact_vv::study::cross_code::validation::{self, Number};
-use contact_vv::study::faults::{Fault, is_caught};
 
 fn all_pass(checks: &[Judged]) -> bool {
     !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)
@@ -298,21 +297,6 @@ fn the_fixed_vectors_are_independent() {
 }
 
 #[test]
-fn every_planted_fault_finds_the_line_it_spoils_exactly_once() {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-    let read = |file: &str| std::fs::read_to_string(root.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
-    let list: toml::Table = read("tests/faults/faults.toml").parse().expect("the list is TOML");
-    let faults = list["fault"].as_array().expect("a list of faults");
-    assert!(faults.len() >= 20);
-    for fault in faults {
-        let text = |key: &str| fault[key].as_str().unwrap_or_else(|| panic!("{fault:?}: no {key}"));
-        let found = read(text("file")).matches(text("was")).count();
-        assert_eq!(found, 1, "{}: found {found} times in {}", text("name"), text("file"));
-        assert_ne!(text("was"), text("is"));
-    }
-}
-
-#[test]
 fn a_live_answer_that_is_not_what_was_frozen_turns_red_and_names_the_version() {
     let old = Frozen::read(Code::ScikitFem).expect("frozen results");
     let kept = old.physical["truncated Hertz"].numbers();
@@ -329,22 +313,4 @@ fn a_live_answer_that_is_not_what_was_frozen_turns_red_and_names_the_version() {
         assert!(check.verdict == Verdict::Fail && check.check.because.contains("scipy"), "{}", check.check.because);
     }
     assert_eq!(judged(&kept[1..]).verdict, Verdict::Fail);
-}
-
-#[test]
-fn a_fault_is_caught_by_a_truth_and_by_nothing_else() {
-    let fault = |red: &[(&str, usize)], ended: Option<&str>| Fault {
-        name: "planted".into(),
-        file: "src/lib.rs".into(),
-        red: red.iter().map(|(kind, number)| (kind.to_string(), *number)).collect(),
-        examples: Default::default(),
-        ended: ended.map(String::from),
-    };
-    for kind in ["analytic", "cross-code", "self-consistency"] {
-        assert!(is_caught(&fault(&[(kind, 1)], None)), "{kind}");
-        assert!(!is_caught(&fault(&[(kind, 0)], None)), "{kind}");
-    }
-    assert!(!is_caught(&fault(&[], None)));
-    assert!(!is_caught(&fault(&[("broken off", 9)], None)));
-    assert!(!is_caught(&fault(&[], Some("no end within 600 s"))));
 }

@@ -165,6 +165,13 @@ const MISTAKES: &[(&str, &str, &str, [&str; 2])] = &[
     ("7\n3\n40", "7\n7\n40", "0 0 0\n1 0 0", ["node 7 stands twice", "save the mesh again"]),
     ("6 3 40 5 11", "6 3 40 6 11", "6 3 40 6", ["node 6, which does not exist", "with its nodes first"]),
     ("2 1 3 2", "2 1 5 2", "2 1 5 2", ["type 5 are not read", "Mesh.RecombineAll = 1"]),
+    (
+        "1 3 1 1\n5 3 11",
+        "1 3 15 1\n5 3",
+        "1 3 15 1",
+        ["type 15 stand in an entity of dimension 1", "save the mesh again"],
+    ),
+    ("2 1 3 2\n6", "2 1 26 2\n6", "2 1 26 2", ["type 26 stand in an entity of dimension 2", "save the mesh again"]),
     ("$EndNodes", "$EndNods", "$Nodes", ["`$Nodes` has no end", "the file is cut"]),
     ("1 2 \"high side\"", "1 2 high side", "1 2 high side", ["no name in quotes", "save the mesh again"]),
     ("$Entities\n0 3 1 0", "$Entities\n0 3 1", "$Entities", ["", "save it again"]),
@@ -213,6 +220,46 @@ fn every_mistake_in_a_mesh_names_its_line() {
         assert!(error.contains("scene.toml:"), "{error}");
         assert!(!error.contains("cell") || error.contains(&format!("scene.toml:{line}: ")), "{error}");
         wanted.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
+    }
+}
+
+#[test]
+fn groups_of_an_entity_are_few_and_have_short_names() {
+    let folder = folder("groups");
+    let surface = "1 0 0 0 2 1 0 1 4 3 1 2 3";
+    assert_eq!(TWO_CELLS.matches(surface).count(), 1);
+    let of_groups = |groups: &[String]| {
+        let listed = format!("1 0 0 0 2 1 0 {} {} 3 1 2 3", groups.len(), groups.join(" "));
+        read(&folder, &TWO_CELLS.replace(surface, &listed)).map(|_| ()).map_err(|error| error.to_string())
+    };
+    // Where the surface is turned over its group has a sign; no number is left without its opposite.
+    assert_eq!(of_groups(&["-4".into()]), Ok(()));
+    let least = of_groups(&[i64::MIN.to_string()]).expect_err("another group");
+    assert!(
+        least.contains("no physical surface `body`") && least.contains(&i64::MIN.unsigned_abs().to_string()),
+        "{least}"
+    );
+    // Copies of every cell for every group would take memory by the product of both.
+    let some: Vec<String> = (4..20).map(|group| group.to_string()).collect();
+    assert_eq!(of_groups(&some), Ok(()));
+    let many: Vec<String> = (4..30_000).map(|group| group.to_string()).collect();
+    let line = 1 + TWO_CELLS[..TWO_CELLS.find(surface).expect("a place")].matches('\n').count();
+    for groups in [&many[..17], &many] {
+        let told = of_groups(groups).expect_err("too many");
+        assert!(told.contains("entity 1 belongs to more than 16 physical groups"), "{told}");
+        assert!(told.contains(&format!("mesh.msh:{line}: ")), "{told}");
+    }
+    for (characters, fits) in [(127, true), (128, false)] {
+        let name = "é".repeat(characters);
+        let read = read(
+            &folder,
+            &TWO_CELLS
+                .replace("1 3 \"axis\"", &format!("1 3 \"axis\"\n1 5 \"{name}\""))
+                .replace("$PhysicalNames\n4", "$PhysicalNames\n5"),
+        );
+        let told = read.map(|_| ()).map_err(|error| error.to_string());
+        assert_eq!(told.is_ok(), fits, "{told:?}");
+        assert!(fits || told.is_err_and(|told| told.contains("this name has 128 characters")));
     }
 }
 
@@ -398,6 +445,22 @@ fn arcs_of_blocks_lie_on_their_circles() {
         assert_relative_eq!(x.hypot(y - 1.0), 1.0, max_relative = 1e-14);
     }
     assert_eq!(mesh.cells(), 18);
+}
+
+#[test]
+fn arcs_of_blocks_turn_by_less_than_half_a_turn_whichever_way_they_lie() {
+    // Half the chord of a horizontal and of a vertical side, and the circle's centre at a distance from its middle.
+    let centre_of_top = |distance: f64| format!("arcs = {{ top = [1, {}] }}, ", 1.0 - distance);
+    let centre_of_right = |distance: f64| format!("arcs = {{ right = [{}, 0.5] }}, ", 2.0 - distance);
+    for (half, arc) in [(1.0, &centre_of_top as &dyn Fn(f64) -> String), (0.5, &centre_of_right)] {
+        for (degrees, fits) in [(60.0_f64, true), (120.0, true), (170.0, true), (179.0, false), (180.0, false)] {
+            let arcs = arc(half / (0.5 * degrees).to_radians().tan());
+            let read = of_blocks(&ONE_BLOCK.replace("bottom = ", &(arcs.clone() + "bottom = ")));
+            let told = read.map(|_| ()).map_err(|error| error.to_string());
+            let turned = matches!(&told, Err(error) if error.contains("less than half a turn apart"));
+            assert!(told.is_ok() == fits && turned != fits, "{arcs}{degrees}°: {told:?}");
+        }
+    }
 }
 
 #[test]

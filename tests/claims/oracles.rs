@@ -526,13 +526,13 @@ fn stresses_below_a_flat_punch_carry_its_load_and_are_its_pressure_on_the_surfac
     // On a line below, x = z tan t: all of the load, and no shear altogether; far away Flamant's 2P/πz.
     for z in [0.3, 2.0, 50.0] {
         let parts = 20_000;
-        let at = |part: usize| std::f64::consts::PI * ((part as f64 + 0.5) / parts as f64 - 0.5);
+        let at = |part: usize| PI * ((part as f64 + 0.5) / parts as f64 - 0.5);
         let sum = |k: usize| -> f64 {
             let one = |part: usize| punch.stress(z * at(part).tan(), z)[k] * z / at(part).cos().powi(2);
-            (0..parts).map(one).sum::<f64>() * std::f64::consts::PI / parts as f64
+            (0..parts).map(one).sum::<f64>() * PI / parts as f64
         };
         assert_relative_eq!(sum(1), -1000.0, max_relative = 1e-6);
         assert!(sum(2).abs() <= 1e-6 * 1000.0, "{}", sum(2));
     }
-    assert_relative_eq!(punch.stress(0.0, 2000.0)[1], -1000.0 / std::f64::consts::PI / 1000.0, max_relative = 1e-5);
+    assert_relative_eq!(punch.stress(0.0, 2000.0)[1], -1000.0 / PI / 1000.0, max_relative = 1e-5);
 }

@@ -255,3 +255,41 @@ fn library_scenes_are_valid() {
         assert!(scene.in_metres().validate().is_ok(), "{}", scene.name);
     }
 }
+
+#[test]
+fn direction_of_an_arc_is_exact_on_its_axes_whatever_its_radius() {
+    for radius in [1e-9, 1.0, 1e9] {
+        let path = Path::Arc(Circle { centre: [0.0, 0.0], radius });
+        for (angle, sine) in [(PI / 6.0, 0.5), (1e-6, 1e-6_f64.sin()), (1e-11, 1e-11)] {
+            let [along, across] = [radius * angle.sin(), radius * angle.cos()];
+            let [[x, _], [_, y]] = [path.direction([along, -across]), path.direction([across, -along])];
+            assert_relative_eq!(x, sine, max_relative = 1e-12);
+            assert_relative_eq!(y, -sine, max_relative = 1e-12);
+        }
+        let rounded = 5e-13 * radius;
+        assert_eq!(path.direction([rounded, -radius]), [0.0, -1.0], "{radius}");
+        assert_eq!(path.direction([radius, -rounded]), [1.0, 0.0], "{radius}");
+    }
+}
+
+#[test]
+fn gap_reaches_its_last_place_as_rounded_and_no_further() {
+    let punch = Profile::Punch { half_width: 3.0 };
+    let table = Profile::Table([[0.0, 0.0], [1.0, 0.5], [3.0, 2.5]].into());
+    for (profile, last, rounded, beyond) in [(punch, 0.0, 5e-10, 2e-9), (table, 2.5, 5e-13, 2e-12)] {
+        assert_eq!(profile.gap(3.0), last);
+        assert_eq!(profile.gap(3.0 * (1.0 + rounded)), last);
+        assert_eq!(profile.gap(3.0 * (1.0 + beyond)), f64::INFINITY);
+    }
+}
+
+#[test]
+fn kinks_of_a_table_do_not_depend_on_the_unit_of_its_gaps() {
+    for unit in [1e-9, 1.0, 1e9] {
+        // Straight but for rounding up to 0.7, with a kink there.
+        let straight = (0..8).map(|k| [0.1 * f64::from(k), unit * (0.3 * f64::from(k))]);
+        let table: Vec<[f64; 2]> = straight.chain([[0.8, unit * 3.0]]).collect();
+        let kinks = Profile::Table(table.into()).kinks();
+        assert!(kinks.len() == 1 && (kinks[0] - 0.7).abs() < 1e-12, "{unit}: {kinks:?}");
+    }
+}

@@ -162,3 +162,37 @@ fn fine_stretches_end_on_coordinates_and_sizes_grow_away_from_them() {
     let sizes: Vec<f64> = coordinates.windows(2).map(|two| two[1] - two[0]).collect();
     assert!(sizes.windows(2).all(|two| two[0] / two[1] < 2.0 && two[1] / two[0] < 2.0), "{sizes:?}");
 }
+
+#[test]
+fn spacing_does_not_depend_on_the_unit_of_length() {
+    // Breaks and ends of stretches so close that they share a position, and some that only just do not.
+    let laws = |unit: f64| {
+        let of = |list: &[f64]| list.iter().map(|x| unit * x).collect::<Vec<f64>>();
+        let fine = [[-3.0, 3.0, 0.5], [3.0 + 1e-9, 4.0, 0.1], [5.0, 5.0 + 1e-6, 1.0]].map(|one| one.map(|x| unit * x));
+        [
+            spacing::broken(0.0, 10.0 * unit, 6, 2.0, &of(&[3.0, 3.0 + 5e-6, 7.0, 7.0 + 5e-5])),
+            spacing::fine_within([-10.0 * unit, 20.0 * unit], &fine, 1.5, 4.0 * unit),
+            spacing::growing(0.0, 10.0 * unit, 0.1 * unit, 1.3, 2.0 * unit),
+            spacing::growing_from_both(0.0, 10.0 * unit, [0.1 * unit, 0.3 * unit], 1.3, 2.0 * unit),
+        ]
+    };
+    let millimetres = laws(1.0);
+    assert!(millimetres[0].windows(2).all(|two| two[1] - two[0] > 4e-5), "{:?}", millimetres[0]);
+    let near = |list: &[f64], at: f64| list.iter().filter(|x| (*x - at).abs() < 1e-5).count();
+    assert_eq!([near(&millimetres[0], 7.0), near(&millimetres[1], 3.0), near(&millimetres[1], 5.0)], [1, 1, 2]);
+    for unit in [2.0_f64.powi(-20), 2.0_f64.powi(20)] {
+        for (law, (one, other)) in millimetres.iter().zip(laws(unit)).enumerate() {
+            assert_eq!(one.len(), other.len(), "law {law} in units of {unit}");
+            for (a, b) in one.iter().zip(other) {
+                assert_abs_diff_eq!(*a, b / unit, epsilon = 1e-12);
+            }
+        }
+    }
+}
+
+#[test]
+fn intervals_that_fill_the_length_exactly_are_not_followed_by_another() {
+    let even = [0.0, 0.25, 0.5, 0.75, 1.0];
+    assert_eq!(spacing::growing(0.0, 1.0, 0.25, 1.0, 1.0), even);
+    assert_eq!(spacing::growing_from_both(0.0, 1.0, [0.25, 0.25], 1.0, 1.0), even);
+}

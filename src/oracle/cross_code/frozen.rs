@@ -118,7 +118,12 @@ impl Frozen {
     pub fn load(code: Code) -> Result<Self, Error> {
         let file = file(code);
         let text = fs::read_to_string(&file).map_err(|_| Error::missing_file(&file, REFREEZE))?;
-        serde_json::from_str(&text).map_err(|error| Error::unreadable(&file, error, REFREEZE))
+        Self::parse(&file, &text)
+    }
+
+    /// The same from a text; the file is only named.
+    pub fn parse(file: &Path, text: &str) -> Result<Self, Error> {
+        serde_json::from_str(text).map_err(|error| Error::unreadable(file, error, REFREEZE))
     }
 
     /// All numbers in groups of one unit and scale, by name.

@@ -1,11 +1,11 @@
 //! Whether error bars hold: random scenes of closed form on random meshes, and their true errors.
 //!
-//! * [`sites`] — which scenes.
-//! * [`setup`] — on which mesh, by which formulation.
+//! * `sites` — which scenes.
+//! * `setup` — on which mesh, by which formulation.
 //! * `plan` — what is run.
-//! * [`run`] — one scene solved, its errors and bars.
-//! * [`group`] — what some errors and bars say together.
-//! * [`judge`](mod@judge) — what the record must hold.
+//! * `run` — one scene solved, its errors and bars.
+//! * `group` — what some errors and bars say together.
+//! * `judge` — what the record must hold.
 //! * `section`, `picture` — what it shows.
 
 pub mod group;

@@ -7,10 +7,10 @@
 
 mod judge;
 mod plan;
-mod run;
+pub mod run;
 mod section;
 
 pub use judge::{is_caught, judge};
 pub use plan::plan;
-pub use run::{Fault, Numbers};
+pub use run::{Fault, Numbers, Planted};
 pub use section::{pictures, section};

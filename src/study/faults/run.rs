@@ -2,22 +2,41 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use crate::checkout::root;
 use crate::error::Error;
-use crate::checkout::{root, sha256};
 
 /// What renews the record.
 const REPLANT: &str = "run `python3 tests/faults/plant.py`";
+/// The faults to plant.
+const LIST: &str = "tests/faults/faults.toml";
+/// What planting them showed.
+const RECORD: &str = "snapshots/faults.json";
+
+/// A fault as the list has it: in `file`, the only `was` becomes `is`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Planted {
+    /// What is planted.
+    pub name: String,
+    /// Where.
+    pub file: String,
+    /// The sound code.
+    pub was: String,
+    /// The fault.
+    pub is: String,
+}
+
 /// One planted fault and what it did.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Fault {
     /// What was planted.
-    pub name: String,
-    /// Where.
-    pub file: String,
+    #[serde(flatten)]
+    pub planted: Planted,
+    /// Digest of the sources that it was planted on; none where that was not recorded.
+    pub sources: Option<String>,
     /// Checks that turned red, by the kind of their reference; trials that broke off with an error.
     pub red: BTreeMap<String, usize>,
     /// One of each kind.
@@ -29,15 +48,10 @@ pub struct Fault {
 /// Every planted fault with what it did.
 #[derive(Clone, Debug, Serialize)]
 pub struct Numbers {
+    /// Files and folders whose digest a fault carries: all that the verdicts are computed from.
+    pub sources: Vec<String>,
     /// In the order of the list.
     pub faults: Vec<Fault>,
-}
-
-/// One entry of the list.
-#[derive(Deserialize)]
-struct Planted {
-    name: String,
-    file: String,
 }
 
 #[derive(Deserialize)]
@@ -47,28 +61,32 @@ struct List {
 
 #[derive(Deserialize)]
 struct Record {
-    faults_toml: String,
+    sources: Vec<String>,
     record: Vec<Fault>,
 }
 
-/// The recorded faults; refused where the list has changed since.
+/// The recorded faults; refused where one of them is no longer the one that the list has.
 pub fn record() -> Result<Numbers, Error> {
-    let (list, file) = (root().join("tests/faults/faults.toml"), root().join("snapshots/faults.json"));
+    let [list, record] = [LIST, RECORD].map(|name| root().join(name));
     let read = |file: &PathBuf| fs::read_to_string(file).map_err(|_| Error::missing_file(file, REPLANT));
-    let text = read(&list)?;
-    let listed = sha256(text.as_bytes());
-    let record: Record =
-        serde_json::from_str(&read(&file)?).map_err(|error| Error::unreadable(&file, error, REPLANT))?;
-    if record.faults_toml != listed {
-        let found = format!("`{}`, but the list now hashes to `{listed}`", record.faults_toml);
-        return Err(Error::refused(&file, "faults_toml", found, REPLANT));
+    parse((&list, &read(&list)?), (&record, &read(&record)?))
+}
+
+/// The same from the texts of both files.
+pub fn parse((list, faults): (&Path, &str), (file, text): (&Path, &str)) -> Result<Numbers, Error> {
+    let planted: List = toml::from_str(faults).map_err(|error| Error::unreadable(list, error, "restore it"))?;
+    let Record { sources, record } =
+        serde_json::from_str(text).map_err(|error| Error::unreadable(file, error, REPLANT))?;
+    let refused = |key: &str, found: String| Err(Error::refused(file, key, found, REPLANT));
+    if !sources.iter().any(|name| name == "src") {
+        return refused("sources", format!("{sources:?}, without `src`"));
     }
-    let planted: List = toml::from_str(&text).map_err(|error| Error::unreadable(&list, error, "restore it"))?;
-    let same = |(fault, planted): (&Fault, &Planted)| fault.name == planted.name && fault.file == planted.file;
-    let complete = record.record.len() == planted.fault.len() && record.record.iter().zip(&planted.fault).all(same);
-    if !complete || planted.fault.is_empty() {
-        let found = format!("{} faults recorded, {} listed", record.record.len(), planted.fault.len());
-        return Err(Error::refused(&file, "record", found, REPLANT));
+    if record.len() != planted.fault.len() || record.is_empty() {
+        return refused("record", format!("{} faults long, but {} are listed", record.len(), planted.fault.len()));
     }
-    Ok(Numbers { faults: record.record })
+    let mut pairs = record.iter().zip(&planted.fault);
+    if let Some((fault, listed)) = pairs.find(|(fault, listed)| fault.planted != **listed) {
+        return refused("record", format!("of `{}`, but the list has another `{}`", fault.planted.name, listed.name));
+    }
+    Ok(Numbers { sources, faults: record })
 }

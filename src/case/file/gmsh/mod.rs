@@ -48,7 +48,10 @@ pub fn shape(source: Source, units: &Units, table: &GmshTable) -> Result<Shape, 
     let mut boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>> = BTreeMap::new();
     let mut inner = BTreeSet::new();
     for (name, pieces) in &gmsh.curves {
-        let own = pieces.iter().filter_map(|piece| sides.get(&key(piece.nodes[0], piece.nodes[1])));
+        let own = pieces
+            .iter()
+            .flat_map(|block| block.iter())
+            .filter_map(|piece| sides.get(&key(piece.nodes[0], piece.nodes[1])));
         let own: Vec<&(Vec<u64>, usize)> = own.collect();
         if own.iter().any(|(_, cells)| *cells > 1) {
             inner.insert(name.clone().into());
@@ -106,25 +109,26 @@ fn text(source: Source, path: &Path, name: &Spanned<String>) -> Result<String, E
 /// Cells of the physical surface, counter-clockwise; Gmsh lists them clockwise where its surface is turned over.
 fn cells(source: Source, table: &GmshTable, gmsh: &Gmsh) -> Result<Vec<Vec<u64>>, Error> {
     let name = &table.group;
-    let Some(pieces) = gmsh.surfaces.get(name.get_ref()) else {
+    let Some(blocks) = gmsh.surfaces.get(name.get_ref()) else {
         let known: Vec<&str> = gmsh.surfaces.keys().map(String::as_str).collect();
         let message = format!("there is no physical surface `{}`", name.get_ref());
         return Err(source.refused(name.span(), message, known_names(&known)));
     };
+    let pieces = || blocks.iter().flat_map(|block| block.iter());
     let refused = |message: String, remedy: &str| Err(source.refused(name.span(), message, remedy));
     let other = |piece: &&Piece| ![4, 8].contains(&piece.nodes.len());
-    if let Some(piece) = pieces.iter().find(|piece| piece.is_triangular) {
+    if let Some(piece) = pieces().find(|piece| piece.is_triangular) {
         let message = format!("cell {} of `{}` is a triangle, no quadrilateral", piece.tag, name.get_ref());
         return refused(message, SUBDIVISION);
     }
-    if let Some(piece) = pieces.iter().find(other) {
+    if let Some(piece) = pieces().find(other) {
         let message = format!("cell {} of `{}` is no quadrilateral of 4 or 8 nodes", piece.tag, name.get_ref());
         return refused(message, OPTIONS);
     }
-    let Some(first) = pieces.first() else {
+    let Some(first) = pieces().next() else {
         return refused(format!("the physical surface `{}` has no cells", name.get_ref()), OPTIONS);
     };
-    if let Some(piece) = pieces.iter().find(|piece| piece.nodes.len() != first.nodes.len()) {
+    if let Some(piece) = pieces().find(|piece| piece.nodes.len() != first.nodes.len()) {
         let message =
             format!("cells {} and {} have {} and {} nodes", first.tag, piece.tag, first.nodes.len(), piece.nodes.len());
         return refused(message, "mesh the whole body with one order");
@@ -134,7 +138,7 @@ fn cells(source: Source, table: &GmshTable, gmsh: &Gmsh) -> Result<Vec<Vec<u64>>
         (0..4).map(|k| at(k)[0] * at(k + 1)[1] - at(k + 1)[0] * at(k)[1]).sum::<f64>()
     };
     let clockwise = area(first) < 0.0;
-    if let Some(piece) = pieces.iter().find(|piece| area(piece) == 0.0 || (area(piece) < 0.0) != clockwise) {
+    if let Some(piece) = pieces().find(|piece| area(piece) == 0.0 || (area(piece) < 0.0) != clockwise) {
         let message = format!(
             "cell {} of `{}` is degenerate, or turned over against cell {}",
             piece.tag,
@@ -148,7 +152,7 @@ fn cells(source: Source, table: &GmshTable, gmsh: &Gmsh) -> Result<Vec<Vec<u64>>
         (true, 4) => [0, 3, 2, 1].map(|k: usize| piece.nodes[k]).to_vec(),
         (true, _) => [0, 3, 2, 1, 7, 6, 5, 4].map(|k: usize| piece.nodes[k]).to_vec(),
     };
-    Ok(pieces.iter().map(turned).collect())
+    Ok(pieces().map(turned).collect())
 }
 
 /// Every side of a cell: first, last and middle node, a cell to its left; and of how many cells it is one.

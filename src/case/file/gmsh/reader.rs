@@ -3,6 +3,7 @@
 //! Nothing is reserved by the counts that the file states: memory stays within a few times the size of the text.
 
 use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
 
 use crate::case::file::Source;
 use crate::error::Error;
@@ -11,6 +12,10 @@ use super::words::{Words, shown};
 
 /// What Gmsh needs to be told for meshes of quadrilaterals.
 pub const OPTIONS: &str = "mesh with Mesh.RecombineAll = 1, or transfinite surfaces and Recombine; 8-node cells come from Mesh.ElementOrder = 2 and Mesh.SecondOrderIncomplete = 1";
+/// Most physical groups that a point, curve, surface or volume belongs to.
+const MOST_GROUPS: usize = 16;
+/// Most characters of a name (the manual, "$PhysicalNames").
+const LONGEST_NAME: usize = 127;
 /// What to do with a mesh of solids.
 const PLANE: &str = "scenes are plane: mesh the surfaces only (gmsh -2), in the plane z = 0, of quadrilaterals";
 
@@ -20,10 +25,13 @@ pub struct Gmsh {
     /// Position of each node by its tag, in the file's unit.
     pub nodes: HashMap<u64, [f64; 2]>,
     /// Elements of the physical curves.
-    pub curves: BTreeMap<String, Vec<Piece>>,
+    pub curves: BTreeMap<String, Pieces>,
     /// Elements of the physical surfaces.
-    pub surfaces: BTreeMap<String, Vec<Piece>>,
+    pub surfaces: BTreeMap<String, Pieces>,
 }
+
+/// Elements of a physical group, block by block of the file; groups of one entity share its blocks.
+pub type Pieces = Vec<Rc<[Piece]>>;
 
 /// An element of Gmsh.
 #[derive(Clone, Debug)]
@@ -36,22 +44,22 @@ pub struct Piece {
     pub is_triangular: bool,
 }
 
-/// Elements known here: type, nodes, whether it is a triangle. The others are of three dimensions or higher order.
-const TYPES: [(u64, usize, bool); 10] = [
-    (1, 2, false),
-    (8, 3, false),
-    (26, 4, false),
-    (2, 3, true),
-    (9, 6, true),
-    (21, 10, true),
-    (3, 4, false),
-    (16, 8, false),
-    (10, 9, false),
-    (15, 1, false),
+/// Elements known here: type, nodes, corners. The others are of three dimensions or higher order.
+const TYPES: [(u64, usize, usize); 10] = [
+    (15, 1, 1),
+    (1, 2, 2),
+    (8, 3, 2),
+    (26, 4, 2),
+    (2, 3, 3),
+    (9, 6, 3),
+    (21, 10, 3),
+    (3, 4, 4),
+    (16, 8, 4),
+    (10, 9, 4),
 ];
 
 /// Physical groups by dimension and entity.
-type Groups = HashMap<(usize, i64), Vec<i64>>;
+type Groups = HashMap<(usize, i64), Vec<u64>>;
 
 impl Gmsh {
     /// Reads a file's text; what is wrong is told with its line.
@@ -89,7 +97,7 @@ impl Gmsh {
     fn read_elements(
         &mut self,
         words: &mut Words,
-        names: &HashMap<(usize, i64), String>,
+        names: &HashMap<(usize, u64), String>,
         groups: &Groups,
     ) -> Result<(), Error> {
         let blocks: u64 = words.number("a number of blocks")?;
@@ -105,10 +113,14 @@ impl Gmsh {
                 let message = format!("elements of Gmsh's type {kind} are solids");
                 return Err(words.source.refused(begin..words.at, message, PLANE));
             }
-            let Some((_, count, is_triangular)) = TYPES.iter().find(|(known, ..)| *known == kind).copied() else {
+            let Some((_, count, corners)) = TYPES.iter().find(|(known, ..)| *known == kind).copied() else {
                 let message = format!("elements of Gmsh's type {kind} are not read");
                 return Err(words.source.refused(begin..words.at, message, OPTIONS));
             };
+            if dimension != (corners - 1).min(2) {
+                let message = format!("elements of Gmsh's type {kind} stand in an entity of dimension {dimension}");
+                return Err(words.source.refused(begin..words.at, message, "save the mesh again"));
+            }
             let elements: u64 = words.number("a number of elements")?;
             let mut pieces = Vec::new();
             for _ in 0..elements {
@@ -123,7 +135,7 @@ impl Gmsh {
                         "save the mesh again, with its nodes first",
                     ));
                 }
-                pieces.push(Piece { tag, nodes, is_triangular });
+                pieces.push(Piece { tag, nodes, is_triangular: corners == 3 });
             }
             let Some(named) = (match dimension {
                 1 => Some(&mut self.curves),
@@ -132,10 +144,10 @@ impl Gmsh {
             }) else {
                 continue;
             };
+            let pieces: Rc<[Piece]> = pieces.into();
             for group in groups.get(&(dimension, entity)).into_iter().flatten() {
-                // The sign of a group tells the orientation of the entity in it.
-                let name = names.get(&(dimension, group.abs())).cloned().unwrap_or_else(|| group.abs().to_string());
-                named.entry(name).or_default().extend(pieces.iter().cloned());
+                let name = names.get(&(dimension, *group)).cloned().unwrap_or_else(|| group.to_string());
+                named.entry(name).or_default().push(Rc::clone(&pieces));
             }
         }
         Ok(())
@@ -155,7 +167,7 @@ fn refuse_format(words: &mut Words) -> Result<(), Error> {
 }
 
 /// `dimension tag "name"`, one a line.
-fn physical_names(words: &mut Words) -> Result<HashMap<(usize, i64), String>, Error> {
+fn physical_names(words: &mut Words) -> Result<HashMap<(usize, u64), String>, Error> {
     let count: u64 = words.number("a number of names")?;
     let mut names = HashMap::new();
     for _ in 0..count {
@@ -165,6 +177,11 @@ fn physical_names(words: &mut Words) -> Result<HashMap<(usize, i64), String>, Er
         let Some(name) = quoted else {
             return Err(words.source.refused(place, "this is no name in quotes", "save the mesh again"));
         };
+        let length = name.chars().count();
+        if length > LONGEST_NAME {
+            let remedy = format!("give the group a name of at most {LONGEST_NAME} characters");
+            return Err(words.source.refused(place, format!("this name has {length} characters"), remedy));
+        }
         names.insert((dimension, tag), name.to_owned());
     }
     Ok(names)
@@ -185,8 +202,16 @@ fn entities(words: &mut Words) -> Result<Groups, Error> {
                 words.number::<f64>("a coordinate")?;
             }
             let physical: u64 = words.number("a number of groups")?;
+            let own = groups.entry((dimension, tag)).or_default();
             for _ in 0..physical {
-                groups.entry((dimension, tag)).or_default().push(words.number("a group")?);
+                let begin = words.begin();
+                // Its sign tells the orientation of the entity in it.
+                own.push(words.number::<i64>("a group")?.unsigned_abs());
+                if own.len() > MOST_GROUPS {
+                    let message = format!("entity {tag} belongs to more than {MOST_GROUPS} physical groups");
+                    let remedy = format!("give every curve and surface at most {MOST_GROUPS}, and list it once");
+                    return Err(words.source.refused(begin..words.at, message, remedy));
+                }
             }
             if dimension > 0 {
                 let bounds: u64 = words.number("a number of bounding entities")?;
