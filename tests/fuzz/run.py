@@ -32,7 +32,7 @@ TARGETS = {
     "answers": ([], 3000),
     "curve": (["tests/data/digitised-synthetic/semi-ellipse.csv"], 2000),
 }
-# What `cargo fuzz` gives rustc for libFuzzer, but for the sanitizers, which need another toolchain.
+# What `cargo fuzz` gives rustc for libFuzzer, but for what needs another toolchain.
 COVERAGE = ["--cfg", "fuzzing", "-Cpasses=sancov-module", "-Ccodegen-units=1"] + [
     f"-Cllvm-args=-sanitizer-coverage-{what}"
     for what in ("level=4", "inline-8bit-counters", "pc-table", "trace-compares")
