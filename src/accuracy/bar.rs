@@ -246,7 +246,7 @@ impl Family {
         factor * known.into_iter().fold(0.0, f64::max) + (hidden + ROUND_OFF) * scale.abs() + read
     }
 
-    /// Whether the peak lies in the last element before the end of the candidates, where no parabola has its top.
+    /// Whether the peak lies in the last element before the end of the candidates: a corner, and no flat top.
     fn is_at_end(&self, run: &Run, contact: usize) -> bool {
         let Measures { peak, stretches, .. } = &run.contacts[contact].measures;
         let near = |end: f64| (peak.position - end).abs() < self.sizes[contact];

@@ -86,7 +86,8 @@ pub fn print(found: &Found) {
         let Bar { mesh, iteration, penalty } = one.bar;
         let part = |part: f64| if part.is_nan() { "unknown".into() } else { markdown::significant(factor * part, 2) };
         let value = match one.value {
-            value if value.is_nan() => "without limit".into(),
+            _ if is_unbounded(found, one.subject) => "without limit".into(),
+            value if value.is_nan() => "unknown".into(),
             value => format!("{} ± {}", markdown::value(factor * value), part(one.bar.total())),
         };
         table.add_row([of, quantity, value, unit.into(), part(mesh), part(iteration), part(penalty)]);
@@ -97,4 +98,9 @@ pub fn print(found: &Found) {
             "the mesh's part is unknown: no coarser mesh of this scene holds the contact, or a body is one element deep; give more elements, or for a mesh made elsewhere `--accuracy`, which halves it",
         );
     }
+}
+
+/// Whether it is a peak that has no limit.
+fn is_unbounded(found: &Found, subject: Subject) -> bool {
+    matches!(subject, Subject::Contact(contact, Quantity::PeakPressure) if found.run.contacts[contact].unbounded.is_some())
 }

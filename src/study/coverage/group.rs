@@ -26,10 +26,14 @@ impl<'a> Group<'a> {
         inside as f64 / self.records.len() as f64
     }
 
+    /// Those whose error is more than round-off.
+    pub fn above_round_off(&self) -> impl Iterator<Item = &'a Record> {
+        self.records.iter().copied().filter(|record| record.error > ROUND_OFF)
+    }
+
     /// Median of bar over error, of errors above round-off; NaN where there is none.
     pub fn median(&self) -> f64 {
-        let above = self.records.iter().filter(|record| record.error > ROUND_OFF);
-        let mut ratios: Vec<f64> = above.map(|record| record.bar / record.error).collect();
+        let mut ratios: Vec<f64> = self.above_round_off().map(|record| record.bar / record.error).collect();
         ratios.sort_by(f64::total_cmp);
         ratios.get(ratios.len() / 2).copied().unwrap_or(f64::NAN)
     }

@@ -46,12 +46,12 @@ fn curve(group: &Group, share: f64) -> Vec<(f64, f64)> {
     let [low, high] = RANGE.map(|end| (PER_DECADE * end.log10()).round() as i32);
     let edge = |k: i32| 10f64.powf(f64::from(k) / PER_DECADE);
     let point = |k: i32| {
-        let own = group.records.iter().filter(|record| edge(k) <= record.bar && record.bar < edge(k + 1));
+        let own = group.above_round_off().filter(|record| edge(k) <= record.bar && record.bar < edge(k + 1));
         let mut errors: Vec<f64> = own.map(|record| record.error).collect();
         errors.sort_by(f64::total_cmp);
         let rank = (share * errors.len() as f64).ceil() as usize;
         let error = errors.get(rank.max(1) - 1).copied().filter(|_| errors.len() >= FEWEST);
-        error.map(|error| (edge(k) * edge(1).sqrt(), error.max(RANGE[0])))
+        error.filter(|error| *error >= RANGE[0]).map(|error| (edge(k) * edge(1).sqrt(), error))
     };
     (low..high).filter_map(point).collect()
 }

@@ -42,7 +42,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
          families. `cargo run --release -- coverage` renews the record; the report recomputes a part of it.\n\n{}{}\n\
          Errors of the peak are relative to it, of places and widths to the half-width, of forces to the force; *bar over error* leaves \
          out errors that are round-off.\n",
-        picture("coverage.svg", "True error against the bar claimed: in each range of bars the median, the 95th of 100 and the largest error; below the diagonal a bar holds"),
+        picture("coverage.svg", "True error against the bar claimed: in each range of bars the median, the 95th of 100 and the largest error; below the diagonal a bar holds; errors that are round-off are left out"),
         markdown::table(&HEAD.map(String::from), &rows)
     ))
 }
