@@ -1,24 +1,12 @@
 //! What is asked, and what is answered.
 
-use crate::accuracy::reading::Quantity;
+use crate::accuracy::bar::{Bar, Barred, Bars};
+use crate::accuracy::reading::{Quantity, Subject};
 use crate::measure::larger;
 use crate::mesh::size::MOST;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
-use crate::solve::run::{Contact, Errors, Run};
-
-impl Quantity {
-    /// Relative error that the iteration leaves in it, with what springs of the rule `penalty` cost; NaN where it is not known.
-    pub(super) fn iterated(self, contact: &Contact) -> f64 {
-        let of = |errors: Errors| match self {
-            Self::PeakPressure => errors.peak.abs(),
-            Self::HalfWidth => errors.half_width.abs(),
-            // Nothing is recorded of the others, and no accuracy may be asked for them.
-            _ => f64::NAN,
-        };
-        contact.iteration.map_or(f64::NAN, of) + contact.penalty.map_or(0.0, of)
-    }
-}
+use crate::solve::run::Run;
 
 /// What is asked.
 #[derive(Clone, Debug)]
@@ -56,33 +44,47 @@ pub struct Answer {
 }
 
 impl Answer {
+    /// Degrees of freedom of all meshes solved, with those of the bars.
+    pub fn dofs_in_all(&self) -> usize {
+        self.tried.iter().map(|tried| tried.dofs + tried.coarser).sum()
+    }
+
     /// Largest estimated relative error of the quantities asked for; NaN where nothing is known.
     pub fn estimate(&self) -> f64 {
-        if self.estimates.is_empty() { f64::NAN } else { largest(&self.estimates) }
+        largest(&self.estimates)
     }
 }
 
-/// The estimate of one quantity of a contact.
+/// One quantity of a contact, with its bar.
 #[derive(Clone, Copy, Debug)]
 pub struct Quoted {
     /// Index of the contact in the scene.
     pub contact: usize,
     /// The quantity.
     pub quantity: Quantity,
-    /// Estimated relative error of the mesh answered; NaN where nothing is known.
-    pub relative: f64,
-    /// Part of it that comes from the elements along the contact; NaN where it is not known.
-    pub elements: f64,
-    /// Part of it that comes from the growth away from the contact; NaN where it is not known, or was refined with them.
-    pub growth: f64,
-    /// What the distance to a mesh finer in both directions says of it; NaN where none was solved.
-    pub check: f64,
-    /// Part of it that the iteration leaves, and springs of the rule `penalty`.
-    pub iteration: f64,
-    /// Observed order in the element size along the contact; NaN where there is none.
-    pub order: f64,
-    /// Observed order in the logarithm of the growth; NaN where there is none.
-    pub growth_order: f64,
+    /// Its value.
+    pub value: f64,
+    /// How far it may be off.
+    pub bar: Bar,
+}
+
+impl Quoted {
+    /// The bar over the value; NaN where it is not known.
+    pub fn relative(&self) -> f64 {
+        (self.bar.total() / self.value).abs()
+    }
+}
+
+/// The quantities asked for of every contact that touches, with their bars.
+pub(super) fn quoted(bars: &Bars, run: &Run, asked: &Asked) -> Vec<Quoted> {
+    let touches = |contact: usize| run.contacts[contact].open != Some(true);
+    let of = |one: &Barred| match one.subject {
+        Subject::Contact(contact, quantity) if touches(contact) && asked.quantities.contains(&quantity) => {
+            Some(Quoted { contact, quantity, value: one.value, bar: one.bar })
+        }
+        _ => None,
+    };
+    bars.all.iter().filter_map(of).collect()
 }
 
 /// One mesh that was solved.
@@ -98,6 +100,8 @@ pub struct Tried {
     pub growth: f64,
     /// Dofs; 0 where contact went on beyond the candidates.
     pub dofs: usize,
+    /// Those of the coarser meshes of its bars.
+    pub coarser: usize,
     /// Contact iterations.
     pub iterations: usize,
     /// What was found, contact by contact.
@@ -117,7 +121,10 @@ pub struct TriedContact {
     pub half_width: f64,
 }
 
-/// Largest relative error; NaN where one is.
+/// Largest relative bar; NaN where one is, or none is known.
 pub(super) fn largest(quoted: &[Quoted]) -> f64 {
-    quoted.iter().map(|one| one.relative).fold(0.0, larger)
+    if quoted.is_empty() {
+        return f64::NAN;
+    }
+    quoted.iter().map(Quoted::relative).fold(0.0, larger)
 }

@@ -14,10 +14,9 @@
 
 use rayon::prelude::*;
 
-use crate::accuracy::Answer;
 use crate::accuracy::coarser::coarser;
 use crate::accuracy::counted::Counted;
-use crate::accuracy::reading::{Quantity, Reading, Subject, of_contacts, of_supports};
+use crate::accuracy::reading::{self, Quantity, Reading, Subject, of_supports};
 use crate::algorithm::StiffnessRule;
 use crate::error::Error;
 use crate::measure::{Measures, larger};
@@ -73,6 +72,8 @@ pub struct Bars {
     pub all: Vec<Barred>,
     /// Coarser meshes that tell something.
     pub meshes: usize,
+    /// Degrees of freedom of all of them.
+    pub dofs: usize,
 }
 
 impl Bars {
@@ -87,27 +88,25 @@ impl Bars {
     }
 }
 
-/// The bars of a run on its mesh; `None` for the answer where no accuracy chose that.
-///
-/// Of what an accuracy was asked for, the mesh's part is what its search says, from finer meshes.
-pub fn bars(discretisation: &Discretisation, run: &Run, answer: Option<&Answer>) -> Result<Bars, Error> {
+/// The bars of a run on its mesh.
+pub fn bars(discretisation: &Discretisation, run: &Run) -> Result<Bars, Error> {
     let family = Family::of(discretisation, run);
     let mut all = of_pressures(discretisation, run, &family);
     all.extend(of_reactions(discretisation, run, &family)?);
-    for quoted in answer.into_iter().flat_map(|answer| &answer.estimates) {
-        let subject = Subject::Contact(quoted.contact, quoted.quantity);
-        for one in all.iter_mut().filter(|one| one.subject == subject) {
-            one.bar.mesh = (quoted.relative - quoted.iteration) * one.value.abs();
-        }
-    }
-    Ok(Bars { all, meshes: if family.shallow { 0 } else { family.coarse.len() } })
+    Ok(family.bars(all))
+}
+
+/// The bars of what pressures alone tell.
+pub(super) fn of_contacts(discretisation: &Discretisation, run: &Run) -> Bars {
+    let family = Family::of(discretisation, run);
+    family.bars(of_pressures(discretisation, run, &family))
 }
 
 /// Numbers of the contacts.
 fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> Vec<Barred> {
     let measured: Vec<&Measures> = run.contacts.iter().map(|contact| &contact.measures).collect();
     let [target, rigid] = [0, 1].map(|k| of_discrete(discretisation, run, k));
-    let readings = of_contacts(discretisation, &measured);
+    let readings = reading::of_contacts(discretisation, &measured);
     let flat = |contact: usize| {
         let peak = readings.iter().find(|one| one.subject == Subject::Contact(contact, Quantity::PeakPressure));
         peak.map_or(f64::NAN, |peak| farthest(run, contact, family.mesh(run, peak, value_of(&rigid, peak.subject))))
@@ -179,13 +178,14 @@ struct Coarse {
     /// Mean candidate element of each contact.
     sizes: Vec<f64>,
     cells: usize,
+    dofs: usize,
     readings: Vec<Reading>,
 }
 
 impl Family {
     fn of(discretisation: &Discretisation, run: &Run) -> Self {
         let Formulation { element, layer_thickness, settings, .. } = run.formulation;
-        let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), increments: 1, ..settings };
+        let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), ..Settings::default() };
         let formulation = Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) };
         let coarse = coarser(&discretisation.scene, discretisation.resolution).into_par_iter();
         // A mesh too coarse to hold the contact says nothing.
@@ -198,6 +198,12 @@ impl Family {
         let (sizes, cells) = (sizes(discretisation), discretisation.mesh.cells());
         let order = discretisation.resolution.order;
         Self { formulation, order, sizes, cells, shallow: is_shallow(discretisation), coarse }
+    }
+
+    /// Bars beside what the coarser meshes cost.
+    fn bars(&self, all: Vec<Barred>) -> Bars {
+        let meshes = if self.shallow { 0 } else { self.coarse.len() };
+        Bars { all, meshes, dofs: self.coarse.iter().map(|one| one.dofs).sum() }
     }
 
     /// The mesh's part of a number whose value in the discrete solution is given; NaN where no mesh tells.
@@ -257,7 +263,9 @@ impl Family {
 /// Numbers of what the iteration shall end in, or of the discrete solution.
 fn of_discrete(discretisation: &Discretisation, run: &Run, which: usize) -> Vec<Reading> {
     let measures = run.contacts.iter().map(|contact| contact.exact.as_ref().map(|exact| &exact[which]));
-    measures.collect::<Option<Vec<_>>>().map_or_else(Vec::new, |measures| of_contacts(discretisation, &measures))
+    measures
+        .collect::<Option<Vec<_>>>()
+        .map_or_else(Vec::new, |measures| reading::of_contacts(discretisation, &measures))
 }
 
 fn value_of(readings: &[Reading], subject: Subject) -> f64 {
@@ -268,7 +276,12 @@ fn value_of(readings: &[Reading], subject: Subject) -> f64 {
 fn said(coarse: &Discretisation, run: &Run) -> Option<Coarse> {
     let mut readings = of_discrete(coarse, run, 1);
     readings.extend(of_supports(coarse, run).ok()?);
-    run.solution.converged().then(|| Coarse { sizes: sizes(coarse), cells: coarse.mesh.cells(), readings })
+    run.solution.converged().then(|| Coarse {
+        sizes: sizes(coarse),
+        cells: coarse.mesh.cells(),
+        dofs: run.dofs,
+        readings,
+    })
 }
 
 /// Whether a body has no more cells than candidate edges of one of its contacts.

@@ -4,8 +4,8 @@ use crate::mesh::Resolution;
 use crate::scene::{BlockShape, Scene, Shape};
 
 /// Element sizes over those of the mesh: whole numbers of candidates make them uneven, which is welcome: an end of the contact
-/// lies at another place of its element on each.
-pub const RATIOS: [f64; 4] = [1.6, 2.0, 2.5, 3.2];
+/// lies at another place of its element on each. With rounder ratios those numbers would hang on round-off.
+pub const RATIOS: [f64; 4] = [1.59, 1.99, 2.51, 3.17];
 
 /// The coarser meshes, from the finest on; none where a mesh made elsewhere was not halved.
 ///

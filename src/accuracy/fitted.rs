@@ -7,8 +7,11 @@
 //! A contact across x = 0 need not lie in its middle, and the candidates are the same on both sides of it. In geometric
 //! progression from x = 0 on they have both ends at that place.
 
+use crate::accuracy::ends;
+use crate::accuracy::laid::Laid;
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Grading, Scene};
+use crate::solve::run::Run;
 
 /// Where the contact ends, in elements beyond the end of its last whole one.
 ///
@@ -18,17 +21,64 @@ use crate::scene::{Grading, Scene};
 const INTO: f64 = -0.125;
 /// Last element within the contact over the first one, or the first over the last, that is not exceeded for its inner end.
 const GRADED: f64 = 3.0;
-/// Gentlest growth of an answer: 4^(1/16).
-pub const LEVELS: u32 = 8;
 /// Growth along the surface and into the depth at level 0, and the coarsest element over the body.
 const STEEPEST: [f64; 3] = [4.0, 3.5, 1.0];
+/// Elements in the contact up to which growth is the steepest, and fewest of an answer.
+pub(super) const FEWEST: usize = 3;
+/// Elements of the first mesh with bars over the reciprocal root of the error asked for.
+const BEGIN: f64 = 0.2;
+/// Part of the contact's length by which one that was too short is lengthened on each side.
+const WIDER: f64 = 0.05;
+/// Order of the cells.
+pub(super) const ORDER: Order = Order::Quadratic;
 
-/// Level of growth with which to begin: on Hertz scenes it takes about a quarter of the relative error asked for.
+/// Level of growth of a mesh with so many elements in the contact: halving those, the logarithm of the growth falls by √2, as it does
+/// from mesh to mesh of a refinement.
 ///
-/// Level 0 leaves about 0.3 % in peak and half-width of truncated Hertz, and the error falls with the fourth power of the
-/// logarithm. Whatever the scene, the growth is judged afterwards.
-pub fn level(asked: f64) -> u32 {
-    (0.5 * (0.012 / asked).log2()).round().max(0.0) as u32
+/// What growth leaves falls with the fourth power of its logarithm, what the elements leave with their square.
+pub fn level(elements: usize) -> f64 {
+    (elements as f64 / FEWEST as f64).log2().max(0.0)
+}
+
+/// Elements in the contact with which to begin.
+pub(super) fn elements(asked: f64) -> usize {
+    ((BEGIN / asked.sqrt()).ceil() as usize).max(FEWEST)
+}
+
+/// Meshes fitted to the contact of a scene as it is known so far.
+pub(super) struct Fitted {
+    pub(super) scene: Scene,
+    /// Longest candidate stretch that the bodies allow.
+    pub(super) longest: f64,
+    /// Where the contact begins and ends.
+    pub(super) ends: [f64; 2],
+}
+
+impl Fitted {
+    /// A mesh with so many elements within the contact.
+    pub(super) fn plan(&self, elements: usize) -> Plan {
+        Plan::around(self.ends, self.longest, elements, ORDER, level(elements))
+    }
+
+    /// Takes the ends of the contact from a run, unless an outermost candidate is pressed although the bodies allow more: the
+    /// penetration beyond it is seen at nodes only, and the next one may lie where the surfaces have parted again.
+    pub(super) fn looks(&mut self, scene: &Scene, run: &Run) -> bool {
+        let (part, pair) = (run.solution.part(0), scene.contact());
+        let is_short = pair.stretch < self.longest * (1.0 - 1e-9) && ends::filled(part, pair).contains(&true);
+        if is_short {
+            return self.widens();
+        }
+        self.ends = ends::ends(part, pair);
+        false
+    }
+
+    /// Makes the contact known longer; whether the bodies allow it.
+    pub(super) fn widens(&mut self) -> bool {
+        let [begin, edge] = self.ends;
+        let more = WIDER * (edge - begin);
+        self.ends = [(begin - more).max(-self.longest), (edge + more).min(self.longest)];
+        self.ends[0] < begin || self.ends[1] > edge
+    }
 }
 
 /// A mesh by what it costs.
@@ -45,18 +95,18 @@ pub struct Plan {
     /// Last candidate element of a side over the first one.
     pub end: f64,
     /// Level of growth: every two levels the logarithm of the growth is halved.
-    pub level: u32,
+    pub level: f64,
 }
 
 impl Plan {
     /// So many equal elements over a stretch.
-    pub fn even(order: Order, elements: usize, stretch: f64, level: u32) -> Self {
+    pub fn even(order: Order, elements: usize, stretch: f64, level: f64) -> Self {
         Self { order, elements, candidates: elements, stretch, end: 1.0, level }
     }
 
     /// So many elements within half of a contact between its ends, and a quarter as many beyond the outer one, within the
     /// longest stretch; where the contact begins on a symmetry line, that is the middle between its ends.
-    pub fn around([begin, edge]: [f64; 2], longest: f64, elements: usize, order: Order, level: u32) -> Self {
+    pub fn around([begin, edge]: [f64; 2], longest: f64, elements: usize, order: Order, level: f64) -> Self {
         let [inner, outer] = [edge.min(-begin), edge.max(-begin)];
         // Where the outer end is that of the longest stretch, elements end there too.
         let (into, beyond) = if outer < longest { (INTO, elements.div_ceil(4)) } else { (0.0, 0) };
@@ -76,7 +126,7 @@ impl Plan {
 
     /// Growth along the surface, into the depth, and the coarsest element over the body: `q₀^(2^(−level/2))`.
     pub fn growth(&self) -> [f64; 3] {
-        let slower = 0.5_f64.powf(0.5 * f64::from(self.level));
+        let slower = 0.5_f64.powf(0.5 * self.level);
         let [along, depth, coarsest] = STEEPEST;
         [along.powf(slower), depth.powf(slower), coarsest * slower]
     }
@@ -89,6 +139,11 @@ impl Plan {
         fitted.grading = Grading { unit, along, depth, first: 1.0, coarsest, end: self.end };
         fitted.contacts[0].stretch = self.stretch;
         fitted
+    }
+
+    /// The same with how fine it is.
+    pub(super) fn laid(&self, scene: &Scene) -> Laid {
+        Laid { scene: self.scene(scene), resolution: self.resolution(), growth: self.growth()[0] }
     }
 
     /// How fine it is.

@@ -1,161 +1,95 @@
-//! The meshes of a search: how they are laid out, solved and remembered.
+//! The meshes of a search, solved and remembered.
 
-use crate::accuracy::ends;
-use crate::accuracy::fitted::Plan;
-use crate::accuracy::longest::longest;
-use crate::accuracy::{Answer, Asked, Quantity, Quoted, Tried, TriedContact};
-use crate::error::{Error, Kind};
-use crate::mesh::Order;
-use crate::mesh::size::{MOST, expected};
+use crate::accuracy::answer::{Quoted, largest, quoted};
+use crate::accuracy::bar::of_contacts;
+use crate::accuracy::laid::Laid;
+use crate::accuracy::{Answer, Asked, Quantity, Tried, TriedContact, ends};
+use crate::error::Error;
+use crate::mesh::Resolution;
 use crate::scene::{ContactPair, Scene};
+use crate::solution::Solution;
 use crate::solve::run::{Contact, Run};
 use crate::solve::{Change, Discretisation, Formulation, Origin};
 
-/// Order of the cells of every answer.
-pub(super) const ORDER: Order = Order::Quadratic;
-
 /// A mesh solved.
 pub(super) struct Rung {
-    pub(super) plan: Plan,
+    pub(super) scene: Scene,
+    pub(super) resolution: Resolution,
     pub(super) run: Run,
+    /// What its bars say of the quantities asked for; empty where they were not looked at.
+    pub(super) estimates: Vec<Quoted>,
 }
 
-/// What became of a mesh that was to be solved.
-pub(super) enum Attempt {
-    /// It stands among the rungs here.
-    Solved(usize),
-    /// Contact reaches the end of its candidates.
-    Short,
-    /// It was not solved, for this reason.
-    Stopped(String),
-}
-
-/// A search under way: what is asked, what is known of the contact, and every mesh solved.
-pub(super) struct Search<'a> {
-    pub(super) scene: &'a Scene,
+/// A search under way: what is asked, and every mesh solved.
+pub(super) struct Rungs<'a> {
     pub(super) formulation: Formulation,
     pub(super) asked: &'a Asked,
-    /// Longest candidate stretch that the bodies allow.
-    pub(super) longest: f64,
-    /// Where the contact begins and ends.
-    pub(super) ends: [f64; 2],
-    /// Fewest elements of an answer: fewer did not agree with a finer mesh.
-    pub(super) least: usize,
-    pub(super) rungs: Vec<Rung>,
     pub(super) tried: Vec<Tried>,
+    /// The mesh on which the contact was found.
+    pub(super) first: Option<Rung>,
+    /// State of the last mesh, from which the next one starts.
+    last: Option<Solution>,
 }
 
-impl<'a> Search<'a> {
+impl Rung {
+    /// Whether no contact touches.
+    pub(super) fn is_open(&self) -> bool {
+        self.run.contacts.iter().all(|contact| contact.open == Some(true))
+    }
+}
+
+impl<'a> Rungs<'a> {
     /// Nothing is known yet.
-    pub(super) fn new(scene: &'a Scene, formulation: Formulation, asked: &'a Asked) -> Self {
-        let longest = longest(scene, scene.contact());
-        let (rungs, tried) = (Vec::new(), Vec::new());
-        Self { scene, formulation, asked, longest, ends: [-longest, longest], least: 1, rungs, tried }
+    pub(super) fn new(formulation: Formulation, asked: &'a Asked) -> Self {
+        Self { formulation, asked, tried: Vec::new(), first: None, last: None }
     }
 
-    pub(super) fn quantities(&self) -> impl Iterator<Item = Quantity> {
-        self.asked.quantities.iter().copied()
-    }
-
-    /// A mesh with so many elements within the contact as it is known so far.
-    pub(super) fn plan(&self, elements: usize, level: u32) -> Plan {
-        Plan::around(self.ends, self.longest, elements, ORDER, level)
-    }
-
-    /// Takes the ends of the contact from a rung.
-    pub(super) fn look(&mut self, at: usize) {
-        let Rung { plan, run } = &self.rungs[at];
-        self.ends = ends::ends(run.solution.part(0), plan.scene(self.scene).contact());
-    }
-
-    /// Makes the contact known a tenth longer.
-    pub(super) fn widen(&mut self) {
-        let [begin, edge] = self.ends;
-        let more = 0.05 * (edge - begin);
-        self.ends = [(begin - more).max(-self.longest), (edge + more).min(self.longest)];
-    }
-
-    /// Whether an outermost candidate is pressed although the bodies allow more: the penetration beyond it is seen at nodes
-    /// only, and the next one may lie where the surfaces have parted again.
-    pub(super) fn cut_off(&self, at: usize) -> bool {
-        let Rung { plan, run } = &self.rungs[at];
-        let shorter = plan.stretch < self.longest * (1.0 - 1e-9);
-        run.solution.converged() && shorter && ends::filled(run.solution.part(0), self.scene.contact()).contains(&true)
-    }
-
-    /// Solves on a mesh within the limits.
-    pub(super) fn attempt(&mut self, plan: Plan, purpose: &'static str) -> Result<Attempt, Error> {
-        let [cells, candidates] = expected(&plan.scene(self.scene), plan.resolution());
-        let most = self.asked.most_cells;
-        if !(cells <= most && candidates <= MOST[1]) {
-            return Ok(Attempt::Stopped(format!(
-                "the next mesh would have about {cells:.1e} cells, more than {most:.0e}"
-            )));
-        }
-        match self.solve(plan, purpose) {
-            Ok(at) if self.cut_off(at) => Ok(Attempt::Short),
-            Ok(at) if self.rungs[at].run.solution.converged() => Ok(Attempt::Solved(at)),
-            Ok(_) => Ok(Attempt::Stopped("the iteration does not converge on the last mesh".into())),
-            Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => Ok(Attempt::Short),
-            Err(error @ Error { kind: Kind::DegenerateCell, .. }) => Ok(Attempt::Stopped(error.to_string())),
-            Err(error) => Err(error),
+    /// Looks at the bars of the mesh solved last.
+    pub(super) fn look(&mut self, discretisation: &Discretisation, rung: &mut Rung) {
+        let bars = of_contacts(discretisation, &rung.run);
+        rung.estimates = quoted(&bars, &rung.run, self.asked);
+        if let Some(tried) = self.tried.last_mut() {
+            tried.coarser = bars.dofs;
+            tried.estimate = largest(&rung.estimates);
         }
     }
 
-    /// Solves on a mesh from the active set of the one before; where it stands among the rungs.
-    pub(super) fn solve(&mut self, plan: Plan, purpose: &'static str) -> Result<usize, Error> {
-        let discretisation = Discretisation::of(plan.scene(self.scene), plan.resolution())?;
-        let run = match self.rungs.last() {
-            Some(before) => {
-                Run::from_origin(Origin::From(&before.run.solution), &discretisation, &self.formulation, Change::NONE)?
-            }
+    /// Solves on a mesh from the active set of the one before.
+    pub(super) fn solve(&mut self, laid: Laid, purpose: &'static str) -> Result<(Discretisation, Rung), Error> {
+        let Laid { scene, resolution, growth } = laid;
+        let discretisation = Discretisation::of(scene, resolution)?;
+        let run = match &self.last {
+            Some(before) => Run::from_origin(Origin::From(before), &discretisation, &self.formulation, Change::NONE)?,
             None => Run::of(&discretisation, &self.formulation)?,
         };
+        self.last = Some(run.solution.clone());
+        let scene = discretisation.scene.clone();
+        let pressed = |(contact, pair)| ends::pressed(run.solution.part(contact), pair)[1];
         self.tried.push(Tried {
             purpose,
-            order: plan.order,
-            elements: plan.elements,
-            growth: plan.growth()[0],
+            order: resolution.order,
+            elements: scene.contacts.iter().enumerate().map(pressed).min().unwrap_or(0),
+            growth,
             dofs: run.dofs,
+            coarser: 0,
             iterations: run.solution.work.iterations,
-            contacts: Tried::contacts(&plan.scene(self.scene), &run),
+            contacts: Tried::contacts(&scene, &run),
             estimate: f64::NAN,
         });
-        self.rungs.push(Rung { plan, run });
-        Ok(self.rungs.len() - 1)
+        Ok((discretisation, Rung { scene, resolution, run, estimates: vec![] }))
     }
 
-    /// Writes an estimate beside the mesh it is of.
-    pub(super) fn note(&mut self, at: usize, estimate: f64) {
-        let solved = self.tried.iter_mut().filter(|tried| tried.dofs > 0);
-        if let Some(tried) = solved.into_iter().nth(at) {
-            tried.estimate = estimate;
+    /// Answers with a mesh; a peak whose bar was not looked at, or did not fall, may have no limit.
+    pub(super) fn answer(self, rung: Rung, unmet: Option<String>) -> Result<Answer, Error> {
+        let Rung { scene, resolution, mut run, estimates } = rung;
+        if unmet.is_some() || !self.asked.quantities.contains(&Quantity::PeakPressure) {
+            run = run.with_limits(&Discretisation::of(scene.clone(), resolution)?)?;
         }
-    }
-
-    pub(super) fn answer(mut self, at: usize, estimates: Vec<Quoted>, unmet: Option<String>) -> Answer {
-        let Rung { plan, run } = self.rungs.swap_remove(at);
-        Answer {
-            scene: plan.scene(self.scene),
-            resolution: plan.resolution(),
-            run,
-            estimates,
-            unmet,
-            tried: self.tried,
-        }
+        Ok(Answer { scene, resolution, run, estimates, unmet, tried: self.tried })
     }
 }
 
 impl Tried {
-    /// A stretch beyond which contact went on.
-    pub(super) fn beyond(order: Order, elements: usize, stretch: f64) -> Self {
-        let [dofs, iterations] = [0; 2];
-        let growth = Plan::even(order, elements, stretch, 0).growth()[0];
-        let contacts = vec![TriedContact { stretch, peak: f64::NAN, half_width: f64::NAN }];
-        let purpose = "contact length";
-        Self { purpose, order, elements, growth, dofs, iterations, contacts, estimate: f64::NAN }
-    }
-
     /// What a run says of each contact of its scene.
     pub(super) fn contacts(scene: &Scene, run: &Run) -> Vec<TriedContact> {
         let one = |(pair, contact): (&ContactPair, &Contact)| {

@@ -5,7 +5,9 @@
 //! iterations; one to what the mesh leaves of the accuracy they often do. The error of that iteration is known
 //! (`src/algorithm/target.rs`) and is part of the estimate.
 
-use crate::accuracy::{Answer, Asked, Quoted, Tried, search};
+use crate::accuracy::answer::quoted;
+use crate::accuracy::bar::of_contacts;
+use crate::accuracy::{Answer, Asked, Tried, search};
 use crate::error::Error;
 use crate::scene::Scene;
 use crate::solve::run::Run;
@@ -31,12 +33,9 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> 
     let room = ITERATION * (asked.relative - answer.estimate());
     let room = if room > 0.0 { room } else { LEAST * asked.relative };
     formulation.settings.tolerance = room;
-    let run = Run::of(&Discretisation::of(answer.scene.clone(), answer.resolution)?, &formulation)?;
-    let with_iteration = |one: &Quoted| {
-        let iteration = one.quantity.iterated(&run.contacts[one.contact]);
-        Quoted { relative: one.relative - one.iteration + iteration, iteration, ..*one }
-    };
-    answer.estimates = answer.estimates.iter().map(with_iteration).collect();
+    let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution)?;
+    let run = Run::of(&discretisation, &formulation)?;
+    answer.estimates = quoted(&of_contacts(&discretisation, &run), &run, asked);
     let same = answer.tried.iter().find(|tried| tried.dofs == run.dofs).cloned();
     let (iterations, contacts) = (run.solution.work.iterations, Tried::contacts(&answer.scene, &run));
     let last = same.map(|same| Tried { purpose: "answer", iterations, contacts, estimate: answer.estimate(), ..same });

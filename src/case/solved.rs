@@ -41,7 +41,7 @@ impl Case {
         let Meshed { discretisation, answer } = meshed;
         let formulation = answer.as_ref().map_or(formulation, |answer| &answer.run.formulation);
         let run = Run::of(discretisation, formulation);
-        // An accuracy has seen from its own meshes which peaks have no limit.
+        // An accuracy has told which peaks have no limit.
         let asks_for_limits = answer.is_none() && self.places.is_some();
         let run = if asks_for_limits { run.and_then(|run| run.with_limits(discretisation)) } else { run };
         run.map_err(|error| self.located(error))
@@ -134,7 +134,7 @@ pub fn met(asked: &Asked, answer: &Answer) -> Judged {
 
 /// The same of an estimated error; NaN where the search says that it is not met.
 pub fn estimated(error: f64, asked: f64) -> Judged {
-    let because = "two ladders of meshes and one finer in both directions, with factors of safety";
+    let because = "the bars of the mesh, which coarser ones tell";
     let quantity = Quantity::at("estimated error of the mesh that an accuracy chose", "");
-    Check::error(quantity, Reference::own("finer meshes", 0.0), asked, because).judge(error)
+    Check::error(quantity, Reference::own("its error bars", 0.0), asked, because).judge(error)
 }

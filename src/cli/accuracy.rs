@@ -31,12 +31,9 @@ struct OneQuantity {
     contact: String,
     quantity: &'static str,
     estimate: f64,
-    from_elements: f64,
-    from_growth: f64,
-    from_finer_mesh: f64,
+    from_mesh: f64,
     from_iteration: f64,
-    observed_order: f64,
-    observed_order_of_growth: f64,
+    from_penalty: f64,
 }
 
 #[derive(Serialize)]
@@ -66,13 +63,10 @@ impl Document {
         let quantity = |quoted: &Quoted| OneQuantity {
             contact: answer.scene.contacts[quoted.contact].name.clone(),
             quantity: quoted.quantity.name(),
-            estimate: quoted.relative,
-            from_elements: quoted.elements,
-            from_growth: quoted.growth,
-            from_finer_mesh: quoted.check,
-            from_iteration: quoted.iteration,
-            observed_order: quoted.order,
-            observed_order_of_growth: quoted.growth_order,
+            estimate: quoted.relative(),
+            from_mesh: parts(quoted)[0],
+            from_iteration: parts(quoted)[1],
+            from_penalty: parts(quoted)[2],
         };
         let contact = |found: &TriedContact| OneContact {
             stretch: found.stretch,
@@ -95,17 +89,13 @@ impl Document {
             unmet: answer.unmet.clone(),
             estimate: answer.estimate(),
             dofs: answer.run.dofs,
-            dofs_in_all: in_all(answer),
+            dofs_in_all: answer.dofs_in_all(),
             stretches: answer.scene.contacts.iter().map(|pair| pair.stretch).collect(),
             growth: [answer.scene.grading.along, answer.scene.grading.depth],
             quantities: answer.estimates.iter().map(quantity).collect(),
             tried: answer.tried.iter().map(mesh).collect(),
         }
     }
-}
-
-fn in_all(answer: &Answer) -> usize {
-    answer.tried.iter().map(|tried| tried.dofs).sum()
 }
 
 /// Prints what was asked, what is estimated, and what was tried.
@@ -118,34 +108,26 @@ pub fn print((asked, answer): &(Asked, Answer)) {
     }
     match &answer.unmet {
         None => say(format!(
-            "met with {} dofs; {} meshes were solved, with {} dofs in all, the finer ones for the estimate",
+            "met with {} dofs; {} meshes were tried, with {} dofs in all, those of the coarser ones of their bars among them",
             answer.run.dofs,
             answer.tried.len(),
-            in_all(answer)
+            answer.dofs_in_all()
         )),
         Some(why) => say(format!("NOT met: {why}; the result is the best that was found")),
     }
     say(meshes(answer));
 }
 
+/// Mesh, iteration and penalty over the value.
+fn parts(Quoted { value, bar, .. }: &Quoted) -> [f64; 3] {
+    [bar.mesh, bar.iteration, bar.penalty].map(|part| (part / value).abs())
+}
+
 /// What is estimated of a quantity, and from what.
 fn sentence(quoted: &Quoted) -> String {
-    let order = |order: f64| known(order, |order| format!("{order:.1}"));
-    let elements = known(quoted.elements, markdown::error);
-    let (parts, orders) = match quoted.growth.is_finite() {
-        true => (
-            format!("{elements} from the elements, {} from growth", markdown::error(quoted.growth)),
-            format!("{} along the contact, {} of growth", order(quoted.order), order(quoted.growth_order)),
-        ),
-        false => (format!("{elements} from the mesh"), order(quoted.order)),
-    };
-    format!(
-        "{}: estimated error {}: {parts}, {} from the iteration, and at least {} by a finer mesh; observed order {orders}",
-        quoted.quantity.name(),
-        known(quoted.relative, markdown::error),
-        known(quoted.iteration, markdown::error),
-        known(quoted.check, markdown::error),
-    )
+    let [mesh, iteration, penalty] = parts(quoted).map(|part| known(part, markdown::error));
+    let (name, bar) = (quoted.quantity.name(), known(quoted.relative(), markdown::error));
+    format!("{name}: error bar {bar}: {mesh} from the mesh, {iteration} from the iteration, {penalty} from the penalty")
 }
 
 /// A row for each mesh that was solved, in it a line for each contact.

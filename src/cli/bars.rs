@@ -77,7 +77,7 @@ impl Line {
 
 /// Prints every number with its bar.
 pub fn print(found: &Found) {
-    let Some(Bars { all, meshes }) = &found.bars else { return };
+    let Some(Bars { all, meshes, .. }) = &found.bars else { return };
     let mut table = Table::new();
     table.load_style(presets::NOTHING);
     table.set_header(["of", "quantity", "value ± bound", "unit", "mesh", "iteration", "penalty"]);

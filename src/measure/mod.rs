@@ -90,7 +90,7 @@ impl Measures {
             pressed_edges: edges.iter().filter(|edge| edge.pressure > floor).count(),
             stretches: stretch::closed(pair, part, floor),
             peak: if across { peak } else { Peak { position: peak.position.abs(), ..peak } },
-            peak_by_parabola: peak::by_parabola(edges),
+            peak_by_parabola: peak::by_parabola(edges, peak.pressure),
             pressure_at_origin: peak::pressure_at(edges, 0.0),
             largest: Peak { position: at, pressure: largest },
             resultant: whole(pair) * profile::resultant(points, &pair.path),

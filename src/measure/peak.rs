@@ -59,15 +59,30 @@ pub fn of(edges: &[EdgeState], centre: f64) -> Peak {
     if moved { top } else { Peak { position: centre, pressure: top.pressure } }
 }
 
-/// The largest pressure read in another way: by a parabola through the highest pair and its neighbours \[MPa\]. How far both are
-/// apart tells whether the mesh resolves the top. NaN without an edge.
-pub fn by_parabola(edges: &[EdgeState]) -> f64 {
+/// The largest pressure read in another way: by a parabola through the highest pair and its neighbours, or, where that is farther from
+/// the peak that is given, through another pair that stands out and whose top is higher \[MPa\]. How far both are apart tells whether
+/// the mesh resolves the top, and whether it is another one. NaN without an edge.
+pub fn by_parabola(edges: &[EdgeState], peak: f64) -> f64 {
     let pairs = pairs(edges);
-    let Some([first, last]) = highest(&pairs) else { return f64::NAN };
+    let Some(highest) = highest(&pairs) else { return f64::NAN };
+    let own = parabola(&pairs, highest);
+    let [first, last] = highest;
+    let near = |k: usize| pairs[k].pressure >= (1.0 - FAR) * pairs[first].pressure;
+    let stands_out = |k: &usize| {
+        let around = [k.checked_sub(1), Some(k + 1).filter(|&l| l < pairs.len())];
+        let is_lower = |l: usize| pairs[l].pressure <= pairs[*k].pressure;
+        near(*k) && around.into_iter().flatten().all(is_lower)
+    };
+    let others = (0..first).chain(last + 1..pairs.len()).filter(stands_out);
+    let other = others.map(|k| parabola(&pairs, [k, k])).fold(f64::NEG_INFINITY, f64::max);
+    if other - peak > (own - peak).abs() { other } else { own }
+}
+
+/// Top of the parabola through some pairs and their neighbours; at the end of the contact through the two before it \[MPa\].
+fn parabola(pairs: &[EdgeState], [first, last]: [usize; 2]) -> f64 {
     let end = (last + 1).min(pairs.len() - 1);
-    // At the end of the contact the two before it.
     let start = first.saturating_sub(1).min(end.saturating_sub(PARABOLA - 1));
-    Fit::over(&pairs, start..=end.max(start + PARABOLA - 1).min(pairs.len() - 1)).top().pressure
+    Fit::over(pairs, start..=end.max(start + PARABOLA - 1).min(pairs.len() - 1)).top().pressure
 }
 
 /// Pressure at a place, by the same fit around the pairs that hold it; 0 where no pressed one does.

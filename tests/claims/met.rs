@@ -12,7 +12,7 @@ use contact_vv::solution::EdgeState;
 use contact_vv::solve::{Element, Formulation, Iteration};
 use contact_vv::study::met::judge::{consistent, is_as_recorded, right};
 use contact_vv::study::met::run::record;
-use contact_vv::study::met::{ASKED, FAMILIES, Record, sites};
+use contact_vv::study::met::{ASKED, Record, families, sites};
 use contact_vv::study::random::{Family, Sample, Site};
 
 /// What the closed forms of cylinders and pins leave out, relative.
@@ -118,8 +118,8 @@ fn peak_of_a_hollow_profile_converges_with_the_mesh() {
 
 #[test]
 fn scenes_are_the_same_each_time_and_as_many_as_promised() {
-    assert!(sites().len() >= 400);
-    for (family, _) in FAMILIES {
+    assert!(sites().len() >= 1200);
+    for family in families() {
         let [first, again, other] = [3, 3, 4].map(|number| site(family, number).sample().expect("a scene"));
         let numbers = |sample: &Sample| sample.truths.iter().map(|truth| truth.value.to_bits()).collect::<Vec<_>>();
         assert_eq!(numbers(&first), numbers(&again));
@@ -129,17 +129,21 @@ fn scenes_are_the_same_each_time_and_as_many_as_promised() {
 
 #[test]
 fn scenes_of_each_family_meet_each_accuracy() {
-    for (family, _) in FAMILIES {
+    let (mut answers, mut outside) = (0, 0);
+    for family in families() {
         for number in [0, 1, 2] {
             let sample = site(family, number).sample().expect("a scene");
             for asked in ASKED {
                 let found = record(&site(family, number), asked, &sample).expect("solved");
                 let place = format!("{}, {number}, {asked}: {found:?}", family.name());
                 assert!(found.met && !found.is_falsely_met() && !found.is_contradictory(), "{place}");
-                assert!(found.error() <= found.estimate + LEFT_OUT, "{place}");
+                answers += 1;
+                outside += usize::from(found.error() > found.estimate + LEFT_OUT);
             }
         }
     }
+    // What bars promise: nineteen of twenty.
+    assert!(20 * outside <= answers, "{outside} of {answers} beyond their bars");
 }
 
 #[test]
@@ -204,6 +208,7 @@ fn sound() -> Vec<Record> {
 
 #[test]
 fn judge_fails_on_one_answer_falsely_met_and_on_what_is_not_a_number() {
+    // One of three is more than one of a hundred.
     let verdicts = |records: &[Record]| [right(records), consistent(records)].map(|check| check.verdict);
     let spoiled = |spoil: fn(&mut Record)| {
         let mut records = sound();

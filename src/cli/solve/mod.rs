@@ -73,12 +73,12 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
     stages.write();
     let mut checks = problem.own(&discretisation, &run)?;
     checks.extend(accurate.iter().map(|(asked, answer)| met(asked, answer)));
-    let (wanted, answer) = (!arguments.no_error_bar, accurate.as_ref().map(|(_, answer)| answer));
+    let wanted = !arguments.no_error_bar;
     let found = Found {
         problem: &problem,
         resolution,
         reactions: reactions::readings(&discretisation, &run)?,
-        bars: wanted.then(|| accuracy::bars(&discretisation, &run, answer)).transpose()?,
+        bars: wanted.then(|| accuracy::bars(&discretisation, &run)).transpose()?,
         run: &run,
         checks,
     };

@@ -47,7 +47,7 @@ impl Numbers {
             closed_form: error(&answer.run, exact),
             finer: error(&answer.run, finer),
             dofs: answer.run.dofs,
-            dofs_in_all: answer.tried.iter().map(|tried| tried.dofs).sum(),
+            dofs_in_all: answer.dofs_in_all(),
             by_hand,
         }
     }

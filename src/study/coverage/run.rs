@@ -111,7 +111,7 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
     let Setup { scene, resolution, formulation, per } = Setup::of(site, &sample);
     let discretisation = Discretisation::of(scene, resolution)?;
     let run = Run::of(&discretisation, &formulation)?;
-    let bars = bars(&discretisation, &run, None)?;
+    let bars = bars(&discretisation, &run)?;
     let record = |truth: &Truth| {
         let size = size(&sample, truth.subject, truth.value);
         let found = bars.all.iter().find(|one| one.subject == truth.subject && run.solution.converged());

@@ -1,9 +1,11 @@
-//! What the record must hold: a fixed part solved again is what was recorded, and nothing is called met that is not.
+//! What the record must hold: a fixed part solved again is what was recorded, and hardly anything is called met that is not.
 
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::study::met::run::{Numbers, Record};
 
+/// Share of what is called met that may not be so.
+const WRONG: f64 = 0.01;
 /// A recomputed error may differ by this share: the record holds four digits.
 const DIGITS: f64 = 2e-3;
 /// Errors below this part of the one asked for may differ: they hang on the iteration.
@@ -37,16 +39,16 @@ pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
         && alike(kept.half_width, fresh.half_width)
 }
 
-/// Nothing is called met that is not.
+/// What is called met is so, but for a small share.
 pub fn right(recorded: &[Record]) -> Judged {
     let met = recorded.iter().filter(|record| record.met).count();
     let wrong = recorded.iter().filter(|record| record.is_falsely_met()).count();
     let quantity = Quantity::at(
-        "accuracy called met with a peak or a half-width off the closed form by more than was asked",
-        format!("of {met} called met, {} answers in all", recorded.len()),
+        "share of the accuracies called met with a peak or a half-width off by more than was asked",
+        format!("{wrong} of {met} called met, {} answers in all", recorded.len()),
     );
-    Check::at_most(quantity, Reference::analytic("closed forms", 0.0), "what the closed forms leave out is below 1.5e-5")
-        .judge(if met == 0 { f64::NAN } else { wrong as f64 })
+    let because = "bars are held by nineteen of twenty and more, and an answer seldom uses all of its own";
+    Check::error(quantity, Reference::analytic("closed forms", 0.0), WRONG, because).judge(wrong as f64 / met as f64)
 }
 
 /// Nothing is called not met whose estimates are all within what was asked.

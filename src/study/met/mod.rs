@@ -1,4 +1,4 @@
-//! Whether an accuracy called met is met: random scenes of closed form, solved to four accuracies, from guesses of the
+//! Whether an accuracy called met is met: random scenes of closed form, solved to three accuracies, from guesses of the
 //! candidate stretch up to ten times too long or three times too short.
 //!
 //! * `sites` — which scenes, and which accuracies.
@@ -20,4 +20,4 @@ pub use judge::judge;
 pub use plan::plan;
 pub use run::{Numbers, Record};
 pub use section::{pictures, section};
-pub use sites::{ASKED, FAMILIES, sites};
+pub use sites::{ASKED, families, sites};

@@ -17,7 +17,7 @@ const OF: usize = 20;
 /// The first of them.
 const FIRST: usize = 8;
 /// Accuracies to which they are solved again.
-const AGAIN: usize = 3;
+const AGAIN: usize = 2;
 
 /// The record, and a part of it solved again.
 #[derive(Clone, Debug, Serialize)]
@@ -70,7 +70,7 @@ impl Record {
             peak,
             half_width,
             dofs: answer.run.dofs,
-            dofs_in_all: answer.tried.iter().map(|tried| tried.dofs).sum(),
+            dofs_in_all: answer.dofs_in_all(),
         }
     }
 

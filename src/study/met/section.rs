@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::markdown;
 use crate::measure::larger;
 use crate::study::Found;
-use crate::study::met::sites::{ASKED, FAMILIES};
+use crate::study::met::sites::{ASKED, families};
 use crate::study::met::run::{Numbers, Record};
 use crate::study::random::{Family, GUESS};
 
@@ -25,10 +25,8 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let rows: Vec<Vec<String>> = findings.iter().flat_map(|found| by_family(&found.numbers.recorded)).collect();
     Ok(format!(
         "### Whether an accuracy called met is met\n\n\
-         Random scenes of closed form: even polynomials and wedges with a round tip on blocks that carry the stresses of the \
-         half-plane on their sides (`src/oracle/analytic/even_gap.rs`), waves (Westergaard), cylinders (Hertz) and pins in a wide plate \
-         (Persson); such scenes with a coarse mesh given for the body, its inner nodes shaken, and two of them in one, whatever their \
-         sizes. Size, material, load and the guess of the candidate stretch, {shortest} to {longest} times the contact, are drawn. The error is \
+         The random scenes of *Whether error bars hold*, but for flat punches, whose peak has no limit; such scenes with a coarse mesh \
+         given for the body, its inner nodes shaken, and two of them in one, whatever their sizes. Size, material, load and the guess of the candidate stretch, {shortest} to {longest} times the contact, are drawn. The error is \
          the larger one of peak pressure and half-width against the closed form, over both contacts. `cargo run --release -- met` renews the record; the \
          report recomputes a part of it.\n\n{}\n",
         markdown::table(&HEAD.map(String::from), &rows)
@@ -37,7 +35,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
 
 fn by_family(recorded: &[Record]) -> Vec<Vec<String>> {
     let mut rows = Vec::new();
-    for (family, _) in FAMILIES {
+    for family in families() {
         for asked in ASKED {
             let is_own = |record: &&Record| record.family == family && record.asked.to_bits() == asked.to_bits();
             rows.push(row(family, asked, &recorded.iter().filter(is_own).collect::<Vec<_>>()));

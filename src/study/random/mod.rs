@@ -5,6 +5,7 @@
 //! * [`sample`] — a scene and the truths about it.
 //! * `blocks` — blocks pressed by profiles.
 //! * `round` — cylinders, pins and rings.
+//! * [`unseen`] — scenes that bars and accuracies are tested with.
 //! * `scenes` — a scene of each family; such scenes with a coarse mesh given, and two of them in one.
 //!
 //! Sizes, materials, loads and guesses of the candidate stretch are drawn. What the scene is and the closed form is not must stay
@@ -18,6 +19,7 @@ pub mod family;
 mod round;
 pub mod sample;
 mod scenes;
+pub mod unseen;
 
 pub use draw::Draw;
 pub use family::{Family, Site};

@@ -1,0 +1,168 @@
+//! Several contacts, and bodies whose mesh is given.
+//!
+//! Cells that are given are cut both ways, and so is all of the mesh beside them. Where all bodies are meshed here, the elements on the
+//! contacts are made smaller by any ratio and the growth follows them, which needs far fewer cells.
+
+use crate::accuracy::laid::Laid;
+use crate::accuracy::longest::longest;
+use crate::accuracy::rungs::Rungs;
+use crate::accuracy::{ends, fitted, sizes};
+use crate::error::{Error, Kind, Place};
+use crate::mesh::size::expected;
+use crate::mesh::{Order, Resolution};
+use crate::scene::{ContactPair, Grading, Scene, Shape};
+use crate::solve::run::Run;
+
+/// Elements of the first mesh on the shortest candidate stretch, then on the shortest half-contact.
+const FIRST: usize = 4;
+/// Growth of the first mesh along the surface and into the depth, and the coarsest element over the body.
+const GROWTH: [f64; 3] = [1.7, 1.6, 0.3];
+/// Candidates over a half-contact that has been found.
+const MARGIN: f64 = 1.25;
+/// By how much candidates are lengthened where the contact reaches their end.
+const LONGER: f64 = 1.5;
+/// Cells of a mesh that only looks where the contacts end.
+const CHEAP: f64 = 5e4;
+/// Elements in a contact from which on a mesh tells where it ends.
+const TOLD: usize = 3;
+/// First meshes.
+const TRIES: usize = 16;
+
+/// Whether the mesh of a scene is chosen in this way.
+pub(super) fn applies(scene: &Scene) -> bool {
+    scene.contacts.len() > 1 || scene.bodies.iter().any(|body| body.shape.has_given_mesh())
+}
+
+/// The scene on its first mesh: candidates as they are guessed, growth as usual, cells of the order that is given.
+pub(super) fn first(scene: &Scene) -> (Scene, Resolution) {
+    let mut first = scene.clone();
+    let [along, depth, coarsest] = GROWTH;
+    first.grading = Grading { unit: 1.0, along, depth, first: 1.0, coarsest, end: 1.0 };
+    sizes::fit(&mut first, 1.0);
+    let given = scene.bodies.iter().find_map(|body| match &body.shape {
+        Shape::Given(mesh) => Some(mesh.order()),
+        _ => None,
+    });
+    (first, Resolution { elements: FIRST, refinement: 0, order: given.unwrap_or(Order::Quadratic) })
+}
+
+/// A family of such meshes.
+pub(super) struct Evenly {
+    /// With the candidates and the growth of the first mesh.
+    scene: Scene,
+    resolution: Resolution,
+    /// Longest candidates of each contact.
+    longest: Vec<f64>,
+}
+
+impl Evenly {
+    /// Finds where the contacts end on cheap meshes, and lays out candidates for them.
+    pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Self, Error> {
+        let longest = scene.contacts.iter().map(|pair| longest(scene, pair)).collect();
+        let (scene, resolution) = first(scene);
+        let mut found = Self { scene, resolution, longest };
+        if found.given().all(|given| given) {
+            return Ok(found);
+        }
+        for attempt in 0..TRIES {
+            found.look_from_afar();
+            let laid = found.laid(FIRST);
+            if let Some(what) = laid.too_large(rungs.asked.most_cells) {
+                let remedy =
+                    "guess the candidate stretches better, or give `elements` and `per` instead of the accuracy";
+                return Err(Error::at(Place::Solve(found.scene.name.clone()), what, remedy));
+            }
+            match rungs.solve(laid, "contact length") {
+                Err(error) if attempt + 1 == TRIES || !found.lengthens(&error) => return Err(error),
+                Err(_) => {}
+                Ok((_, rung)) => {
+                    let stretches = |scene: &Scene| scene.contacts.iter().map(|pair| pair.stretch).collect::<Vec<_>>();
+                    let before = stretches(&found.scene);
+                    if found.fits(&rung.run) || stretches(&found.scene) == before {
+                        break;
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// Elements with which to begin: those of a given mesh, though nothing is coarser.
+    pub(super) fn begins(&self, asked: f64) -> usize {
+        if self.is_halved() { FIRST } else { fitted::elements(asked).max(FIRST) }
+    }
+
+    /// Whether its meshes are halved from a given one.
+    pub(super) fn is_halved(&self) -> bool {
+        self.given().any(|given| given)
+    }
+
+    /// Whether the mesh of each body is given.
+    fn given(&self) -> impl Iterator<Item = bool> {
+        self.scene.bodies.iter().map(|body| body.shape.has_given_mesh())
+    }
+
+    /// The scene with so many elements on the shortest half-contact; a given mesh is halved for as many.
+    pub(super) fn laid(&self, elements: usize) -> Laid {
+        let (mut scene, Self { resolution, .. }) = (self.scene.clone(), self);
+        let ratio = elements as f64 / resolution.elements as f64;
+        if self.is_halved() {
+            let refinement = ratio.log2().round().max(0.0) as u32;
+            let growth = if self.given().all(|given| given) { f64::NAN } else { scene.grading.along };
+            let growth = growth.powf(0.5_f64.powf(f64::from(refinement)));
+            return Laid { scene, resolution: Resolution { refinement, ..*resolution }, growth };
+        }
+        scene.grading = resolution.order.refined(&scene.grading, ratio);
+        let growth = scene.grading.along;
+        Laid { scene, resolution: Resolution { elements, ..*resolution }, growth }
+    }
+
+    /// Lengthens the candidates guessed shortest, by which elements are sized, until a first mesh is a cheap one.
+    fn look_from_afar(&mut self) {
+        let length = |pair: &ContactPair| pair.stretch * pair.path.metric();
+        while expected(&self.scene, self.resolution)[0] > CHEAP {
+            let pairs = self.scene.contacts.iter_mut().zip(&self.longest);
+            let may = pairs.filter(|(pair, longest)| pair.stretch < **longest * (1.0 - 1e-9));
+            let Some((pair, longest)) = may.min_by(|(a, _), (b, _)| length(a).total_cmp(&length(b))) else { return };
+            pair.stretch = (2.0 * pair.stretch).min(*longest);
+            sizes::fit(&mut self.scene, 1.0);
+        }
+    }
+
+    /// Fits the candidates of bodies that are meshed here to the contacts found; whether they are known well enough.
+    fn fits(&mut self, run: &Run) -> bool {
+        let mut known = true;
+        for contact in 0..self.scene.contacts.len() {
+            let part = run.solution.part(contact);
+            let pair = &mut self.scene.contacts[contact];
+            let [begin, end] = ends::ends(part, pair);
+            let [pressed, _] = ends::pressed(part, pair);
+            let given = |body: usize| self.scene.bodies[body].shape.has_given_mesh();
+            if pressed == 0 || pair.bodies().all(given) {
+                continue;
+            }
+            let filled = ends::filled(part, pair).contains(&true);
+            let wanted = if filled { LONGER * pair.stretch } else { MARGIN * end.max(-begin) };
+            known &= pressed >= TOLD || filled && pair.stretch >= self.longest[contact];
+            pair.stretch = wanted.min(self.longest[contact]);
+        }
+        sizes::fit(&mut self.scene, MARGIN);
+        let elements = self.resolution.elements as f64;
+        for (pair, longest) in self.scene.contacts.iter_mut().zip(&self.longest) {
+            let size = self.scene.grading.unit / (self.scene.bodies[pair.first].density * elements);
+            let whole = (pair.stretch * pair.path.metric() / size - 1e-9).ceil() * size / pair.path.metric();
+            pair.stretch = whole.min(*longest);
+        }
+        known
+    }
+
+    /// Lengthens the candidates of a contact that reaches their end; whether that is why a mesh was not solved.
+    pub(super) fn lengthens(&mut self, error: &Error) -> bool {
+        let (Kind::ContactBeyondCandidates { .. } | Kind::EmptyStretch) = error.kind else { return false };
+        let Place::Contact { contact, .. } = error.place else { return false };
+        let (pair, longest) = (&mut self.scene.contacts[contact], self.longest[contact]);
+        let longer = pair.stretch < longest * (1.0 - 1e-9);
+        pair.stretch = (LONGER * pair.stretch).min(longest);
+        longer
+    }
+}

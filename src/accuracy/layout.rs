@@ -1,0 +1,61 @@
+//! How the meshes of a search are laid out.
+
+use crate::accuracy::evenly::Evenly;
+use crate::accuracy::fitted::{self, Fitted};
+use crate::accuracy::laid::Laid;
+use crate::error::{Error, Kind};
+use crate::scene::Scene;
+use crate::solve::run::Run;
+
+/// Family of meshes.
+pub(super) enum Layout {
+    /// Fitted to one contact.
+    Fitted(Fitted),
+    /// Of equal candidates on several contacts, or halved from one that is given.
+    Evenly(Evenly),
+}
+
+impl Layout {
+    /// The scene with so many elements within the contact.
+    pub(super) fn laid(&self, elements: usize) -> Laid {
+        match self {
+            Self::Fitted(fitted) => fitted.plan(elements).laid(&fitted.scene),
+            Self::Evenly(evenly) => evenly.laid(elements),
+        }
+    }
+
+    /// Elements of the first mesh whose bars are looked at.
+    pub(super) fn begins(&self, asked: f64) -> usize {
+        match self {
+            Self::Fitted(_) => fitted::elements(asked),
+            Self::Evenly(evenly) => evenly.begins(asked),
+        }
+    }
+
+    /// Elements of the next mesh.
+    pub(super) fn finer(&self, elements: usize, ratio: f64) -> usize {
+        match self {
+            Self::Evenly(evenly) if evenly.is_halved() => 2 * elements,
+            _ => ((elements as f64 * ratio).ceil() as usize).max(elements + 1),
+        }
+    }
+
+    /// Lengthens candidates that an error tells are too short; whether it does.
+    pub(super) fn lengthens(&mut self, error: &Error) -> bool {
+        match self {
+            Self::Fitted(fitted) => {
+                let is_short = matches!(error.kind, Kind::ContactBeyondCandidates { .. });
+                is_short && fitted.widens()
+            }
+            Self::Evenly(evenly) => evenly.lengthens(error),
+        }
+    }
+
+    /// Takes what a run tells of the contact; whether its candidates were too short, and are longer now.
+    pub(super) fn looks(&mut self, scene: &Scene, run: &Run) -> bool {
+        match self {
+            Self::Fitted(fitted) => fitted.looks(scene, run),
+            Self::Evenly(_) => false,
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! Where one contact begins and ends, found on cheap meshes from a guess of the candidate stretch.
+
+use crate::accuracy::ends;
+use crate::accuracy::fitted::{Fitted, ORDER, Plan};
+use crate::accuracy::longest::longest;
+use crate::accuracy::rungs::{Rung, Rungs};
+use crate::accuracy::{Tried, TriedContact};
+use crate::error::{Error, Kind, Part};
+use crate::mesh::Resolution;
+use crate::scene::Scene;
+
+/// Elements of the first mesh, over the candidate stretch that the scene guesses.
+const FIRST: usize = 8;
+/// Pressed elements on a side from which on a first mesh tells where the contact ends.
+const TOLD: usize = 3;
+/// Most elements of a first mesh on a side.
+const FINEST: usize = 128;
+/// Guesses of the stretch: each is twice as long, or as short as what was pressed.
+const GUESSES: usize = 16;
+/// Gentlest growth of a first mesh, where a steeper one degenerates.
+const GENTLEST: f64 = 8.0;
+/// What such meshes are solved for.
+const PURPOSE: &str = "contact length";
+
+/// The scene on the first mesh of the search.
+pub(super) fn first(scene: &Scene) -> (Scene, Resolution) {
+    let plan = Plan::even(ORDER, FIRST, scene.contact().stretch, 0.0);
+    (plan.scene(scene), plan.resolution())
+}
+
+/// What is next after a first mesh.
+enum Guess {
+    /// The contact is known well enough.
+    Known,
+    /// So many elements on a stretch of this length.
+    Again(usize, f64),
+    /// Nothing, for this reason.
+    Stopped(String),
+}
+
+/// Meshes fitted to the contact found; where it is not found, the last mesh with the reason.
+pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Result<Fitted, (Rung, String)>, Error> {
+    let longest = longest(scene, scene.contact());
+    let mut stretch = scene.contact().stretch.min(longest);
+    let (mut elements, mut level) = (FIRST, 0.0);
+    let mut last = None;
+    for _ in 0..GUESSES {
+        let plan = Plan::even(ORDER, elements, stretch, level);
+        let solved = rungs.solve(plan.laid(scene), PURPOSE);
+        let rung = match solved {
+            Err(Error { kind: Kind::DegenerateCell, .. }) if level < GENTLEST => {
+                level += 2.0;
+                continue;
+            }
+            Err(error) if stretch < longest && is_short(scene, &error) => {
+                rungs.tried.push(beyond(&plan));
+                stretch = (2.0 * stretch).min(longest);
+                continue;
+            }
+            // A contact shorter than two elements.
+            Err(Error { kind: Kind::NoSpringLeft { .. }, .. }) if elements < FINEST && turns(scene) => {
+                elements *= 2;
+                continue;
+            }
+            Err(error) => return Err(error),
+            Ok((_, rung)) => rung,
+        };
+        match guess(&plan, &rung, longest) {
+            Guess::Known => {
+                let ends = ends::ends(rung.run.solution.part(0), rung.scene.contact());
+                rungs.first = Some(rung);
+                return Ok(Ok(Fitted { scene: scene.clone(), longest, ends }));
+            }
+            Guess::Stopped(reason) => return Ok(Err((rung, reason))),
+            Guess::Again(finer, other) => (elements, stretch) = (finer, other),
+        }
+        last = Some(rung);
+    }
+    match last {
+        Some(rung) => Ok(Err((rung, format!("no contact length was found in {GUESSES} guesses")))),
+        None => Err(Error::value(
+            scene.place_of(0, Part::Stretch),
+            "candidate stretch",
+            scene.contact().stretch,
+            format!("no contact length was found in {GUESSES} guesses"),
+            "give a stretch a little longer than the contact",
+        )),
+    }
+}
+
+/// Whether longer candidates may be solved: contact reaches their end, or all of it lies there and across x = 0
+/// nothing holds a body against turning.
+fn is_short(scene: &Scene, error: &Error) -> bool {
+    match error.kind {
+        Kind::ContactBeyondCandidates { .. } => true,
+        Kind::NoSpringLeft { .. } => turns(scene),
+        _ => false,
+    }
+}
+
+/// Whether nothing but contact fixes a body against turning, as across x = 0.
+fn turns(scene: &Scene) -> bool {
+    scene.contact().path.has_both_sides()
+}
+
+/// What a first mesh tells of the contact.
+fn guess(plan: &Plan, rung: &Rung, longest: f64) -> Guess {
+    let Plan { elements, stretch, .. } = *plan;
+    let (solution, pair) = (&rung.run.solution, rung.scene.contact());
+    let [pressed, outermost] = ends::pressed(solution.part(0), pair);
+    let filled = ends::filled(solution.part(0), pair).contains(&true);
+    let across = pair.path.has_both_sides();
+    let told = pressed >= if across { 2 * TOLD } else { TOLD };
+    // Across x = 0 one or two points hold no body against turning.
+    if !solution.converged() && (told || !across) {
+        return Guess::Stopped(format!("the first iteration ended so: {}", solution.outcome));
+    }
+    if pressed == 0 {
+        return Guess::Stopped("no candidate is pressed".into());
+    }
+    if filled && stretch < longest * (1.0 - 1e-9) {
+        return Guess::Again(elements, (2.0 * stretch).min(longest));
+    }
+    if solution.converged() && (told || filled) {
+        return Guess::Known;
+    }
+    match outermost + 1 {
+        enough if enough < elements => Guess::Again(elements, stretch * enough as f64 / elements as f64),
+        // A shorter stretch would end within the contact.
+        _ if elements < FINEST => Guess::Again(2 * elements, stretch),
+        _ => Guess::Stopped(format!(
+            "the contact takes {pressed} of {} candidate elements, far from x = 0: put x = 0 nearer to it",
+            2 * elements
+        )),
+    }
+}
+
+/// A stretch beyond which contact went on.
+fn beyond(plan: &Plan) -> Tried {
+    let [dofs, coarser, iterations] = [0; 3];
+    let contacts = vec![TriedContact { stretch: plan.stretch, peak: f64::NAN, half_width: f64::NAN }];
+    let Plan { order, elements, .. } = *plan;
+    let growth = plan.growth()[0];
+    Tried { purpose: PURPOSE, order, elements, growth, dofs, coarser, iterations, contacts, estimate: f64::NAN }
+}

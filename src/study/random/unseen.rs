@@ -1,0 +1,26 @@
+//! Scenes whose numbers were not used to choose how far anything is counted on.
+
+use crate::study::random::{Family, Site};
+
+/// Scenes of a family.
+pub const EACH: usize = 200;
+/// Number of the first one: from scenes of lower numbers the constants of the bars were chosen.
+pub const FIRST: usize = 70_000;
+/// Families with one contact and a mesh made here.
+pub const FAMILIES: [Family; 10] = [
+    Family::Hertz,
+    Family::Polynomial,
+    Family::Wedge,
+    Family::Cosine,
+    Family::Cylinder,
+    Family::Cylinders,
+    Family::Pin,
+    Family::PressFit,
+    Family::Eccentric,
+    Family::Punch,
+];
+
+/// Those of a family.
+pub fn of(family: Family) -> impl Iterator<Item = Site> {
+    (FIRST..FIRST + EACH).map(move |number| Site { family, number })
+}
