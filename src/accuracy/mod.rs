@@ -1,7 +1,8 @@
 //! The error bar of an answer; and the cheapest mesh that meets an accuracy asked, found from coarse to fine.
 //!
-//! * [`reading`] — the numbers that are quoted of a run.
+//! * [`reading`] — the numbers that are quoted of a run; `recovered` — those that take the displacement of every node.
 //! * [`mod@bar`] — how far each may be from the truth.
+//! * `family` — what coarser meshes say of it.
 //! * [`mod@coarser`] — the same scene on coarser meshes.
 //! * `counted` — how far differences between meshes tell the error.
 //! * [`answer`] — what is asked, and what is answered.
@@ -36,10 +37,12 @@ mod counted;
 mod depth;
 pub mod ends;
 pub mod estimate;
+mod family;
 pub mod fitted;
 mod halved;
 pub mod longest;
 pub mod reading;
+mod recovered;
 mod rungs;
 mod search;
 mod sizes;

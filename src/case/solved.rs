@@ -91,7 +91,8 @@ impl Case {
         let needed = self.checks.iter().any(|check| check.against == Against::Verification);
         let verification = needed.then(|| Run::of(discretisation, &Formulation::verification())).transpose()?;
         let solved = Solved { case: self, discretisation, run, verification: verification.as_ref() };
-        self.checks.iter().map(|check| judged(check, &solved)).collect()
+        let judged = self.checks.iter().map(|check| judged(check, &solved)).collect::<Result<_, Error>>();
+        judged.map_err(|error| self.located(error))
     }
 
     fn located(&self, error: Error) -> Error {

@@ -78,7 +78,7 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
         problem: &problem,
         resolution,
         reactions: reactions::readings(&discretisation, &run)?,
-        bars: wanted.then(|| accuracy::bars(&discretisation, &run, answer)).transpose()?,
+        bars: wanted.then(|| accuracy::bars(&discretisation, &run, answer, &problem.displaced())).transpose()?,
         run: &run,
         checks,
     };
