@@ -93,16 +93,30 @@ pub fn bars(
     answer: Option<&Answer>,
     wanted: &[Displaced],
 ) -> Result<Bars, Error> {
-    let family = Family::of(discretisation, run, wanted);
-    let mut all = of_pressures(discretisation, run, &family);
-    all.extend(of_displacements(discretisation, run, &family, wanted)?);
+    let family = Family::of(discretisation, &run.formulation, wanted);
+    let all = of_family(discretisation, run, answer, &family, Some(wanted))?;
+    Ok(Bars { all, meshes: family.meshes() })
+}
+
+/// The same given what coarser meshes say; of the contacts alone where no displacements are wanted, which need another solution.
+pub fn of_family(
+    discretisation: &Discretisation,
+    run: &Run,
+    answer: Option<&Answer>,
+    family: &Family,
+    wanted: Option<&[Displaced]>,
+) -> Result<Vec<Barred>, Error> {
+    let mut all = of_pressures(discretisation, run, family);
+    if let Some(wanted) = wanted {
+        all.extend(of_displacements(discretisation, run, family, wanted)?);
+    }
     for quoted in answer.into_iter().flat_map(|answer| &answer.estimates) {
         let subject = Subject::Contact(quoted.contact, quoted.quantity);
         for one in all.iter_mut().filter(|one| one.subject == subject) {
             one.bar.mesh = (quoted.relative - quoted.iteration) * one.value.abs();
         }
     }
-    Ok(Bars { all, meshes: family.meshes() })
+    Ok(all)
 }
 
 /// Numbers of the contacts.

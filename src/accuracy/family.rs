@@ -22,7 +22,7 @@ const READINGS: f64 = 1.8;
 const LARGER: f64 = 1.1;
 
 /// The coarser meshes of a run.
-pub(super) struct Family {
+pub struct Family {
     /// What finds the discrete solution of the run's own contact element, without a penalty.
     pub(super) formulation: Formulation,
     order: Order,
@@ -43,8 +43,10 @@ struct Coarse {
 }
 
 impl Family {
-    pub(super) fn of(discretisation: &Discretisation, run: &Run, wanted: &[Displaced]) -> Self {
-        let Formulation { element, layer_thickness, settings, .. } = run.formulation;
+    /// What coarser meshes say of the numbers that a contact element finds on a mesh, with the settings of a formulation, and of the
+    /// displacements that are wanted.
+    pub fn of(discretisation: &Discretisation, formulation: &Formulation, wanted: &[Displaced]) -> Self {
+        let Formulation { element, layer_thickness, settings, .. } = *formulation;
         let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), increments: 1, ..settings };
         let formulation = Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) };
         let coarse = coarser(&discretisation.scene, discretisation.resolution).into_par_iter();

@@ -2,7 +2,7 @@
 //!
 //! * [`reading`] — the numbers that are quoted of a run; `recovered` — those that take the displacement of every node.
 //! * [`mod@bar`] — how far each may be from the truth.
-//! * `family` — what coarser meshes say of it.
+//! * [`mod@family`] — what coarser meshes say of it.
 //! * [`mod@coarser`] — the same scene on coarser meshes.
 //! * `counted` — how far differences between meshes tell the error.
 //! * [`answer`] — what is asked, and what is answered.
@@ -37,7 +37,7 @@ mod counted;
 mod depth;
 pub mod ends;
 pub mod estimate;
-mod family;
+pub mod family;
 pub mod fitted;
 mod halved;
 pub mod longest;
@@ -54,7 +54,8 @@ use crate::scene::Scene;
 use crate::solve::{Formulation, Iteration};
 
 pub use answer::{Answer, Asked, Quoted, Tried, TriedContact};
-pub use bar::{Bar, Barred, Bars, bars};
+pub use bar::{Bar, Barred, Bars, bars, of_family};
+pub use family::Family;
 pub use reading::{Quantity, Subject};
 
 /// Smallest and largest relative error that may be asked for.

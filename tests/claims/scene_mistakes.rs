@@ -284,6 +284,12 @@ const MISTAKES: &[Mistake] = &[
         ["support = { body", "only a `reaction` has a support", "leave `support` out"],
     ),
     (
+        "two-cylinders",
+        "model-error = 0.0028",
+        "model-error = -1",
+        ["model-error = -1", "`model-error` is -1", "give a number above 0"],
+    ),
+    (
         "eccentric-load",
         "of = { body = \"block\", at = \"far\", component = \"y\" }\n",
         "",

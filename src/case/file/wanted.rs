@@ -6,7 +6,7 @@ use toml::Spanned;
 use crate::case::file::Source;
 use crate::case::file::tables::{BodyTable, Keyed, Name, Number};
 use crate::case::file::units::Units;
-use crate::case::{Check, Quantity, Reference};
+use crate::case::{Check, Quantity, Reference, Relation};
 use crate::error::Error;
 use crate::measure::display_factor;
 use crate::oracle::{self, ReferenceKind, SharedOracle};
@@ -27,6 +27,8 @@ pub(super) struct CheckTable {
     body: Option<Name>,
     value: Option<Number>,
     tolerance: Number,
+    #[serde(rename = "model-error")]
+    model_error: Option<Number>,
     kind: Option<Name>,
     source: Option<String>,
     because: Option<String>,
@@ -142,7 +144,10 @@ impl CheckTable {
             // Nothing is relative to 0.
             false => Check::absolute(quantity, reference, unit * tolerance, because),
         };
-        Ok(Check { contact, ..check })
+        // As the tolerance: relative, or in the unit of the file.
+        let scale = if check.relation == Relation::Near { 1.0 } else { unit };
+        let model = self.model_error.as_ref().map(|model| source.positive("model-error", model)).transpose()?;
+        Ok(Check { contact, model: scale * model.unwrap_or(0.0), ..check })
     }
 
     /// Where a pressure is asked for \[mm, or rad on an arc\]; NaN for what has no place.
