@@ -10,7 +10,7 @@ use contact_vv::oracle::ReferenceKind;
 use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Formulation};
 use contact_vv::study::atlas::{Chart, Plane, record};
-use contact_vv::study::{self, Numbers};
+use contact_vv::study::{self, Finding, Numbers};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 
 /// Scenes whose runs are frozen.
@@ -23,6 +23,8 @@ const NOT_LIVE: &str = " (scikit-fem and dolfinx are asked with `bash oracles/se
 
 /// Checks that passed, failed and were not run.
 type Counts = Arc<Mutex<[usize; 3]>>;
+/// What the trials found.
+type Findings = Arc<Mutex<Vec<Finding>>>;
 /// Checks against frozen and against live answers of other codes.
 type Origins = Arc<Mutex<[usize; 2]>>;
 
@@ -30,10 +32,12 @@ fn main() {
     let arguments = Arguments::from_args();
     let counts = Counts::default();
     let origins = Origins::default();
+    let findings = Findings::default();
     let trials = study::trials();
     #[cfg(feature = "python")]
     let trials: Vec<study::Trial> = trials.into_iter().chain(study::live()).collect();
-    let mut tests: Vec<Trial> = trials.into_iter().map(|trial| truth(trial, counts.clone(), origins.clone())).collect();
+    let mut tests: Vec<Trial> =
+        trials.into_iter().map(|trial| truth(trial, counts.clone(), origins.clone(), findings.clone())).collect();
     tests.extend(FROZEN.into_iter().flat_map(frozen));
     tests.extend(
         Plane::ALL.map(|plane| Trial::test(format!("snapshot, atlas × {}", plane.name()), move || charted(plane))),
@@ -47,11 +51,20 @@ fn main() {
     println!("checks: {pass} passed, {fail} failed, {not_run} not run");
     let [frozen, live] = *origins.lock().expect("no test panics while counting");
     println!("of these against other codes: {frozen} frozen, {live} live{}", if live == 0 { NOT_LIVE } else { "" });
+    let bars = study::on_bars(&findings.lock().expect("no test panics while keeping")).expect("judged");
+    let all = matches!(&bars.numbers, Numbers::Barred(numbers) if numbers.all > 0);
+    // Of some trials only there may be none to judge.
+    let beyond = bars.judged.iter().filter(|one| all && one.verdict != Verdict::Pass);
+    let beyond: Vec<String> = beyond.map(|one| format!("{}: {}", one.requirement(), one.value)).collect();
+    if !beyond.is_empty() {
+        println!("{}", beyond.join("\n"));
+        std::process::exit(1);
+    }
     conclusion.exit();
 }
 
 /// Truth lock: all checks of a trial hold.
-fn truth(trial: study::Trial, counts: Counts, origins: Origins) -> Trial {
+fn truth(trial: study::Trial, counts: Counts, origins: Origins, findings: Findings) -> Trial {
     Trial::ignorable_test(trial.title(), move || {
         let finding = trial.run().map_err(|error| Failed::from(error.to_string()))?;
         let mut message = String::new();
@@ -77,7 +90,9 @@ fn truth(trial: study::Trial, counts: Counts, origins: Origins) -> Trial {
                 );
             }
         }
-        match finding.verdict() {
+        let verdict = finding.verdict();
+        findings.lock().expect("no test panics while keeping").push(finding);
+        match verdict {
             Verdict::Pass => Ok(Completion::Completed),
             Verdict::Fail => Err(message.into()),
             Verdict::NotRun(why) => Ok(Completion::ignored_with(why)),

@@ -12,29 +12,16 @@
 //!
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
-use rayon::prelude::*;
-
-use crate::accuracy::coarser::coarser;
-use crate::accuracy::counted::Counted;
-use crate::accuracy::reading::{self, Quantity, Reading, Subject, of_supports};
+use crate::accuracy::family::Family;
+use crate::accuracy::reading::{self, Quantity, Reading, Subject, of_discrete, value_of};
+use crate::accuracy::recovered::{Recovered, recovered};
 use crate::algorithm::StiffnessRule;
 use crate::error::Error;
 use crate::measure::{Measures, larger};
-use crate::mesh::Order;
-use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin, Run, Settings};
+use crate::solve::{Change, Discretisation, Displaced, Formulation, Origin, Run};
 
-/// Part of a number's scale that round-off may leave.
-const ROUND_OFF: f64 = 1e-9;
-/// Fewest coarser meshes that say something, and the factor where there is one only (Roache's 3 for two meshes over 1.25).
-const FEWEST: (usize, f64) = (2, 2.4);
-/// Tolerance of the runs on coarser meshes.
-const TOLERANCE: f64 = 1e-9;
-/// Part of the peak's bar within which the pressures elsewhere may be the true peak: their errors are alike.
+/// Part of the bar of a largest value within which those elsewhere may be the true one: their errors are alike.
 const FLAT: f64 = 0.5;
-/// Factor on the distance between two readings of a peak.
-const READINGS: f64 = 1.8;
-/// Elements are larger on a coarser mesh than by this factor, or it is none.
-const LARGER: f64 = 1.1;
 
 /// How far a number may be from the truth of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +42,7 @@ impl Bar {
 }
 
 /// A number with its bar.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Barred {
     /// What was measured.
     pub subject: Subject,
@@ -68,12 +55,21 @@ pub struct Barred {
 /// The bars of all numbers of a run.
 #[derive(Clone, Debug)]
 pub struct Bars {
-    /// Contact by contact, then support by support.
+    /// Contact by contact, then support by support, displacements, and shear stresses.
     pub all: Vec<Barred>,
     /// Coarser meshes that tell something.
     pub meshes: usize,
     /// Degrees of freedom of all of them.
     pub dofs: usize,
+}
+
+impl Barred {
+    /// A number as the iteration left it, the mesh's part of its bar, and its value where the iteration should end, and in the
+    /// discrete solution.
+    fn of(reading: &Reading, mesh: f64, [ended, discrete]: [f64; 2]) -> Self {
+        let bar = Bar { mesh, iteration: (reading.value - ended).abs(), penalty: (ended - discrete).abs() };
+        Self { subject: reading.subject.clone(), value: reading.value, bar }
+    }
 }
 
 impl Bars {
@@ -88,18 +84,32 @@ impl Bars {
     }
 }
 
-/// The bars of a run on its mesh.
-pub fn bars(discretisation: &Discretisation, run: &Run) -> Result<Bars, Error> {
-    let family = Family::of(discretisation, run);
-    let mut all = of_pressures(discretisation, run, &family);
-    all.extend(of_reactions(discretisation, run, &family)?);
-    Ok(family.bars(all))
+/// The bars of a run on its mesh; displacements are those of loaded sides, and what is wanted besides.
+pub fn bars(discretisation: &Discretisation, run: &Run, wanted: &[Displaced]) -> Result<Bars, Error> {
+    let family = Family::of(discretisation, &run.formulation, Some(wanted));
+    let all = of_family(discretisation, run, &family, Some(wanted))?;
+    Ok(Bars { all, meshes: family.meshes(), dofs: family.dofs() })
 }
 
 /// The bars of what pressures alone tell.
 pub(super) fn of_contacts(discretisation: &Discretisation, run: &Run) -> Bars {
-    let family = Family::of(discretisation, run);
-    family.bars(of_pressures(discretisation, run, &family))
+    let family = Family::of(discretisation, &run.formulation, None);
+    let all = of_pressures(discretisation, run, &family);
+    Bars { all, meshes: family.meshes(), dofs: family.dofs() }
+}
+
+/// The same given what coarser meshes say; of the contacts alone where no displacements are wanted, which need another solution.
+pub fn of_family(
+    discretisation: &Discretisation,
+    run: &Run,
+    family: &Family,
+    wanted: Option<&[Displaced]>,
+) -> Result<Vec<Barred>, Error> {
+    let mut all = of_pressures(discretisation, run, family);
+    if let Some(wanted) = wanted {
+        all.extend(of_displacements(discretisation, run, family, wanted)?);
+    }
+    Ok(all)
 }
 
 /// Numbers of the contacts.
@@ -109,19 +119,19 @@ fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> 
     let readings = reading::of_contacts(discretisation, &measured);
     let flat = |contact: usize| {
         let peak = readings.iter().find(|one| one.subject == Subject::Contact(contact, Quantity::PeakPressure));
-        peak.map_or(f64::NAN, |peak| farthest(run, contact, family.mesh(run, peak, value_of(&rigid, peak.subject))))
+        peak.map_or(f64::NAN, |peak| farthest(run, contact, family.mesh(run, peak, value_of(&rigid, &peak.subject))))
     };
     let one = |reading: &Reading| {
-        let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, reading.subject));
+        let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, &reading.subject));
         let mesh = match reading.subject {
             Subject::Contact(contact, Quantity::PeakPlace) if !family.is_at_end(run, contact) => {
                 family.mesh(run, reading, discrete) + flat(contact)
             }
-            _ => larger(family.mesh(run, reading, discrete), beyond(run, reading.subject, &family.sizes)),
+            _ => larger(family.mesh(run, reading, discrete), beyond(run, &reading.subject, &family.sizes)),
         };
-        let bar = Bar { mesh, iteration: (reading.value - ended).abs(), penalty: (ended - discrete).abs() };
-        let value = if is_unbounded(run, reading.subject) { f64::NAN } else { reading.value };
-        Barred { subject: reading.subject, value, bar }
+        let barred = Barred::of(reading, mesh, [ended, discrete]);
+        let value = if is_unbounded(run, &reading.subject) { f64::NAN } else { reading.value };
+        Barred { value, ..barred }
     };
     readings.iter().map(one).collect()
 }
@@ -135,11 +145,16 @@ fn farthest(run: &Run, contact: usize, bar: f64) -> f64 {
     if bar.is_nan() { f64::NAN } else { farthest }
 }
 
-/// Forces of the supports, whose discrete solutions are solved for: what is recorded of those has no displacements.
-fn of_reactions(discretisation: &Discretisation, run: &Run, family: &Family) -> Result<Vec<Barred>, Error> {
+/// Numbers of the displacements, whose discrete solutions are solved for: what is recorded of those has none.
+fn of_displacements(
+    discretisation: &Discretisation,
+    run: &Run,
+    family: &Family,
+    wanted: &[Displaced],
+) -> Result<Vec<Barred>, Error> {
     let of = |formulation: &Formulation| -> Result<Vec<Reading>, Error> {
         match Run::from_origin(Origin::From(&run.solution), discretisation, formulation, Change::NONE) {
-            Ok(run) if run.solution.converged() => of_supports(discretisation, &run),
+            Ok(run) if run.solution.converged() => Ok(recovered(discretisation, &run, wanted)?.readings),
             // Not found: its numbers are unknown.
             _ => Ok(Vec::new()),
         }
@@ -151,169 +166,35 @@ fn of_reactions(discretisation: &Discretisation, run: &Run, family: &Family) -> 
         }
         _ => rigid.clone(),
     };
-    let one = |reading: Reading| {
-        let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, reading.subject));
-        let mesh = family.mesh(run, &reading, discrete);
-        let bar = Bar { mesh, iteration: (reading.value - ended).abs(), penalty: (ended - discrete).abs() };
-        Barred { subject: reading.subject, value: reading.value, bar }
+    let Recovered { readings, shears } = recovered(discretisation, run, wanted)?;
+    let flat = |contact: usize, body: usize| {
+        let stress = readings.iter().find(|one| one.subject == Subject::Shear(contact, body));
+        let bar = stress.map_or(f64::NAN, |one| family.mesh(run, one, value_of(&rigid, &one.subject)));
+        let shear = shears.iter().find(|(of, _)| *of == [contact, body]);
+        shear.map_or(f64::NAN, |(_, shear)| shear.farthest(FLAT * bar))
     };
-    Ok(of_supports(discretisation, run)?.into_iter().map(one).collect())
-}
-
-/// The coarser meshes of a run.
-struct Family {
-    /// What finds the discrete solution of the run's own contact element, without a penalty.
-    formulation: Formulation,
-    order: Order,
-    /// Mean candidate element of each contact.
-    sizes: Vec<f64>,
-    cells: usize,
-    /// Whether a body is one element deep below a contact, which no coarser mesh tells from a finer one.
-    shallow: bool,
-    coarse: Vec<Coarse>,
-}
-
-/// What a coarser mesh says.
-struct Coarse {
-    /// Mean candidate element of each contact.
-    sizes: Vec<f64>,
-    cells: usize,
-    dofs: usize,
-    readings: Vec<Reading>,
-}
-
-impl Family {
-    fn of(discretisation: &Discretisation, run: &Run) -> Self {
-        let Formulation { element, layer_thickness, settings, .. } = run.formulation;
-        let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), ..Settings::default() };
-        let formulation = Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) };
-        let coarse = coarser(&discretisation.scene, discretisation.resolution).into_par_iter();
-        // A mesh too coarse to hold the contact says nothing.
-        let said = |(scene, resolution)| {
-            let coarse = Discretisation::of(scene, resolution).ok()?;
-            let run = Run::of(&coarse, &formulation).ok()?;
-            said(&coarse, &run)
+    let one = |reading: &Reading| {
+        let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, &reading.subject));
+        let mesh = match reading.subject {
+            Subject::ShearDepth(contact, body) => family.mesh(run, reading, discrete) + flat(contact, body),
+            _ => family.mesh(run, reading, discrete),
         };
-        let coarse = coarse.filter_map(said).collect();
-        let (sizes, cells) = (sizes(discretisation), discretisation.mesh.cells());
-        let order = discretisation.resolution.order;
-        Self { formulation, order, sizes, cells, shallow: is_shallow(discretisation), coarse }
-    }
-
-    /// Bars beside what the coarser meshes cost.
-    fn bars(&self, all: Vec<Barred>) -> Bars {
-        let meshes = if self.shallow { 0 } else { self.coarse.len() };
-        Bars { all, meshes, dofs: self.coarse.iter().map(|one| one.dofs).sum() }
-    }
-
-    /// The mesh's part of a number whose value in the discrete solution is given; NaN where no mesh tells.
-    fn mesh(&self, run: &Run, reading: &Reading, discrete: f64) -> f64 {
-        let subject = reading.subject;
-        let contact = match subject {
-            Subject::Contact(contact, _) => contact,
-            Subject::Reaction(..) => 0,
-        };
-        // Wherever the iteration ended.
-        let measures = match &run.contacts[contact].exact {
-            Some([_, discrete]) => discrete,
-            None => &run.contacts[contact].measures,
-        };
-        let ends_at_candidates = measures.stretches.iter().any(|stretch| stretch.reaches.contains(&true));
-        let counted = Counted::of(subject, self.formulation.element, self.order, ends_at_candidates);
-        let along = |other: &Coarse| other.sizes[contact] / self.sizes[contact];
-        // Where all of the mesh counts alike, and not the elements at the end of a contact, cells tell how much coarser it is:
-        // one that has one element across a ring has no coarser neighbours in that direction.
-        let of_cells = |other: &Coarse| (self.cells as f64 / other.cells as f64).sqrt();
-        let ratio = |other: &Coarse| match counted.hidden > 0.0 && !ends_at_candidates {
-            true => along(other),
-            false => along(other).min(of_cells(other)),
-        };
-        let apart = |other: &Coarse| {
-            (discrete - value_of(&other.readings, subject)).abs() / (ratio(other).powf(counted.exponent) - 1.0)
-        };
-        let coarser = self.coarse.iter().filter(|other| ratio(other) > LARGER);
-        // Where a coarser contact has other stretches, there is nothing to compare.
-        let known: Vec<f64> = coarser.map(apart).filter(|apart| apart.is_finite()).collect();
-        let (fewest, alone) = FEWEST;
-        let factor = match known.len() {
-            _ if self.shallow => f64::NAN,
-            0 => f64::NAN,
-            few if few < fewest => alone * counted.factor,
-            _ => counted.factor,
-        };
-        let hidden = counted.hidden * (self.sizes[contact] / measures.half_width).powf(counted.power);
-        let [scale, read] = match subject {
-            Subject::Contact(_, Quantity::PeakPressure) => {
-                [measures.peak.pressure, READINGS * (measures.peak_by_parabola - measures.peak.pressure).abs()]
-            }
-            Subject::Contact(_, quantity) => [quantity.scale(measures), 0.0],
-            Subject::Reaction(..) => [reading.scale, 0.0],
-        };
-        factor * known.into_iter().fold(0.0, f64::max) + (hidden + ROUND_OFF) * scale.abs() + read
-    }
-
-    /// Whether the peak lies in the last element before the end of the candidates: a corner, and no flat top.
-    fn is_at_end(&self, run: &Run, contact: usize) -> bool {
-        let Measures { peak, stretches, .. } = &run.contacts[contact].measures;
-        let near = |end: f64| (peak.position - end).abs() < self.sizes[contact];
-        stretches.iter().any(|one| (one.reaches[0] && near(one.begin)) || (one.reaches[1] && near(one.end)))
-    }
-}
-
-/// Numbers of what the iteration shall end in, or of the discrete solution.
-fn of_discrete(discretisation: &Discretisation, run: &Run, which: usize) -> Vec<Reading> {
-    let measures = run.contacts.iter().map(|contact| contact.exact.as_ref().map(|exact| &exact[which]));
-    measures
-        .collect::<Option<Vec<_>>>()
-        .map_or_else(Vec::new, |measures| reading::of_contacts(discretisation, &measures))
-}
-
-fn value_of(readings: &[Reading], subject: Subject) -> f64 {
-    readings.iter().find(|reading| reading.subject == subject).map_or(f64::NAN, |reading| reading.value)
-}
-
-/// What a converged run on a coarser mesh says.
-fn said(coarse: &Discretisation, run: &Run) -> Option<Coarse> {
-    let mut readings = of_discrete(coarse, run, 1);
-    readings.extend(of_supports(coarse, run).ok()?);
-    run.solution.converged().then(|| Coarse {
-        sizes: sizes(coarse),
-        cells: coarse.mesh.cells(),
-        dofs: run.dofs,
-        readings,
-    })
-}
-
-/// Whether a body has no more cells than candidate edges of one of its contacts.
-fn is_shallow(discretisation: &Discretisation) -> bool {
-    let pairs = discretisation.scene.contacts.iter().zip(&discretisation.interfaces);
-    let bodies = &discretisation.mesh.bodies;
-    pairs
-        .into_iter()
-        .any(|(pair, interface)| pair.bodies().any(|body| bodies[body].cells.len() <= interface.edges.len()))
-}
-
-/// Mean candidate element of each contact, in its coordinate.
-fn sizes(discretisation: &Discretisation) -> Vec<f64> {
-    let each = discretisation.interfaces.iter().map(|interface| {
-        let nodes = &interface.nodes;
-        let [begin, end] = [nodes.first(), nodes.last()].map(|node| node.map_or(f64::NAN, |node| node.coordinate));
-        (end - begin) / interface.edges.len() as f64
-    });
-    each.collect()
+        Barred::of(reading, mesh, [ended, discrete])
+    };
+    Ok(readings.iter().map(one).collect())
 }
 
 /// Whether it is a peak without a limit, which is no number.
-fn is_unbounded(run: &Run, subject: Subject) -> bool {
+fn is_unbounded(run: &Run, subject: &Subject) -> bool {
     match subject {
-        Subject::Contact(contact, Quantity::PeakPressure) => run.contacts[contact].unbounded.is_some(),
+        Subject::Contact(contact, Quantity::PeakPressure) => run.contacts[*contact].unbounded.is_some(),
         _ => false,
     }
 }
 
 /// Where a contact goes on to its outermost candidate, the mesh does not tell where it ends within that.
-fn beyond(run: &Run, subject: Subject, size: &[f64]) -> f64 {
-    let Subject::Contact(contact, quantity) = subject else { return 0.0 };
+fn beyond(run: &Run, subject: &Subject, size: &[f64]) -> f64 {
+    let &Subject::Contact(contact, quantity) = subject else { return 0.0 };
     let reaches =
         |k: usize, side: usize| run.contacts[contact].measures.stretches.get(k).is_some_and(|s| s.reaches[side]);
     let cut = match quantity {

@@ -27,11 +27,12 @@ pub struct Counted {
 
 impl Counted {
     /// Those of a number of a contact that ends within an element, or where its candidates end.
-    pub fn of(subject: Subject, element: Element, order: Order, ends_at_candidates: bool) -> Self {
+    pub fn of(subject: &Subject, element: Element, order: Order, ends_at_candidates: bool) -> Self {
         let is_node = element == Element::Node;
-        let quantity = match subject {
+        let quantity = match *subject {
             Subject::Contact(_, quantity) => quantity,
             Subject::Reaction(..) => Quantity::Resultant,
+            _ => return Self::below_the_surface(subject, order),
         };
         // Forces, and means over a contact that hides no end.
         let means = if order == Order::Linear { [1.5, 2.4, 0.0, 0.0] } else { [1.5, 4.0, 0.0, 0.0] };
@@ -54,5 +55,17 @@ impl Counted {
             (Quantity::Resultant, _) => means,
         };
         Self { exponent, factor, hidden, power }
+    }
+
+    /// Those of displacements and shear stresses, which the end of a contact hides nothing of.
+    fn below_the_surface(subject: &Subject, order: Order) -> Self {
+        let [exponent, factor] = match (subject, order) {
+            (Subject::Shear(..), Order::Linear) => [1.5, 2.0],
+            (Subject::Shear(..), Order::Quadratic) => [1.5, 2.4],
+            (Subject::ShearDepth(..), _) => [1.5, 0.4],
+            (_, Order::Linear) => [1.5, 1.5],
+            (_, Order::Quadratic) => [2.0, 2.4],
+        };
+        Self { exponent, factor, hidden: 0.0, power: 0.0 }
     }
 }

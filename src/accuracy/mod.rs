@@ -1,7 +1,8 @@
 //! The error bar of an answer; and the cheapest mesh that meets an accuracy asked, found from coarse to fine.
 //!
-//! * [`reading`] — the numbers that are quoted of a run.
+//! * [`reading`] — the numbers that are quoted of a run; `recovered` — those that take the displacement of every node.
 //! * [`mod@bar`] — how far each may be from the truth.
+//! * [`mod@family`] — what coarser meshes say of it.
 //! * [`mod@coarser`] — the same scene on coarser meshes.
 //! * `counted` — how far differences between meshes tell the error.
 //! * [`answer`] — what is asked, and what is answered.
@@ -31,12 +32,14 @@ pub mod coarser;
 mod counted;
 pub mod ends;
 mod evenly;
+pub mod family;
 pub mod fitted;
 mod laid;
 mod layout;
 mod length;
 pub mod longest;
 pub mod reading;
+mod recovered;
 mod rungs;
 mod search;
 mod sizes;
@@ -48,7 +51,8 @@ use crate::scene::Scene;
 use crate::solve::{Formulation, Iteration};
 
 pub use answer::{Answer, Asked, Quoted, Tried, TriedContact};
-pub use bar::{Bar, Barred, Bars, bars};
+pub use bar::{Bar, Barred, Bars, bars, of_family};
+pub use family::Family;
 pub use reading::{Quantity, Subject};
 
 /// Smallest and largest relative error that may be asked for.

@@ -1,9 +1,8 @@
 //! The numbers that are quoted of a run, each with the scale of its round-off.
 
-use crate::error::Error;
 use crate::measure::Measures;
 use crate::scene::ContactPair;
-use crate::solve::{Discretisation, Reaction, Run};
+use crate::solve::{Discretisation, Displaced, Run};
 
 /// A number of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,16 +26,24 @@ pub enum Quantity {
 }
 
 /// What is measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Subject {
     /// A number of a contact.
     Contact(usize, Quantity),
     /// Force of a support of a body \[N\].
     Reaction(usize, usize),
+    /// Displacement of a side or of a point \[mm\].
+    Displacement(Displaced),
+    /// Approach of the bodies of a contact, positive where they have come nearer \[mm\].
+    Approach(usize),
+    /// Largest in-plane shear stress below a contact, in one of its bodies \[MPa\].
+    Shear(usize, usize),
+    /// Its depth below the surface \[mm\].
+    ShearDepth(usize, usize),
 }
 
 /// A number, and the size that round-off of it is judged by.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Reading {
     /// What is measured.
     pub subject: Subject,
@@ -44,6 +51,17 @@ pub struct Reading {
     pub value: f64,
     /// What its round-off is relative to.
     pub scale: f64,
+}
+
+impl Subject {
+    /// The contact by whose elements the mesh is measured: its own, else the first.
+    pub(super) fn contact(&self) -> usize {
+        match *self {
+            Self::Contact(contact, _) | Self::Approach(contact) => contact,
+            Self::Shear(contact, _) | Self::ShearDepth(contact, _) => contact,
+            Self::Reaction(..) | Self::Displacement(_) => 0,
+        }
+    }
 }
 
 impl Quantity {
@@ -123,15 +141,13 @@ pub fn of_contacts(discretisation: &Discretisation, measures: &[&Measures]) -> V
     pairs.flat_map(of).collect()
 }
 
-/// The forces of the supports.
-pub fn of_supports(discretisation: &Discretisation, run: &Run) -> Result<Vec<Reading>, Error> {
-    let reactions = discretisation.reactions_under(run.share(), &run.solution)?;
-    let pressed = run.contacts.iter().map(|contact| contact.transmitted.abs());
-    let scale = reactions.iter().map(|reaction| reaction.force.abs()).chain(pressed).fold(0.0, f64::max);
-    let one = |reaction: Reaction| Reading {
-        subject: Subject::Reaction(reaction.body, reaction.support),
-        value: reaction.force,
-        scale,
-    };
-    Ok(reactions.into_iter().map(one).collect())
+/// Numbers of what the iteration shall end in, or of the discrete solution.
+pub(super) fn of_discrete(discretisation: &Discretisation, run: &Run, which: usize) -> Vec<Reading> {
+    let measures = run.contacts.iter().map(|contact| contact.exact.as_ref().map(|exact| &exact[which]));
+    measures.collect::<Option<Vec<_>>>().map_or_else(Vec::new, |measures| of_contacts(discretisation, &measures))
+}
+
+/// The value of a number among some; NaN where it is none of them.
+pub(super) fn value_of(readings: &[Reading], subject: &Subject) -> f64 {
+    readings.iter().find(|reading| reading.subject == *subject).map_or(f64::NAN, |reading| reading.value)
 }

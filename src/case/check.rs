@@ -65,6 +65,9 @@ pub struct Check {
     pub against: Against,
     /// The largest error accepted.
     pub tolerance: f64,
+    /// What a closed form itself may be off for this scene, as the case states it: relative to the reference, absolute where that
+    /// is 0.
+    pub model: f64,
     /// Why this tolerance.
     pub because: Cow<'static, str>,
     /// Of what it is asked.
@@ -158,7 +161,12 @@ impl Check {
         tolerance: f64,
         because: Cow<'static, str>,
     ) -> Self {
-        Self { quantity, relation, against, tolerance, because, scope: Scope::Own, contact: 0 }
+        Self { quantity, relation, against, tolerance, model: 0.0, because, scope: Scope::Own, contact: 0 }
+    }
+
+    /// The same, whose closed form may itself be off by so much.
+    pub fn leaving(self, model: f64) -> Self {
+        Self { model, ..self }
     }
 
     /// The same, asked of every run.

@@ -3,10 +3,11 @@
 use crate::accuracy::Asked;
 use crate::case::check::{Check, Reference};
 use crate::case::file::Places;
+use crate::case::quantity::Quantity;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::{self, SharedOracle};
 use crate::scene::Scene;
-use crate::solve::Formulation;
+use crate::solve::{Displaced, Formulation};
 
 /// A claim, whether it was built in or read from a scene file.
 #[derive(Clone)]
@@ -53,6 +54,15 @@ impl Case {
     /// The same under another name.
     pub fn named(self, name: impl Into<String>) -> Self {
         Self { name: name.into(), ..self }
+    }
+
+    /// The displacements that its checks ask for.
+    pub fn displaced(&self) -> Vec<Displaced> {
+        let displaced = |check: &Check| match &check.quantity {
+            Quantity::Displacement(displaced) => Some(displaced.clone()),
+            _ => None,
+        };
+        self.checks.iter().filter_map(displaced).collect()
     }
 
     /// The oracle's pressure at a contact coordinate \[MPa\]; NaN where there is no oracle or it cannot say.

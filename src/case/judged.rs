@@ -25,6 +25,8 @@ pub struct Judged {
     pub value: f64,
     /// Its standard uncertainty, in its unit; none where it is not known.
     pub uncertainty: Option<f64>,
+    /// How far the value may be from the truth of the scene, in its unit; none where it has no error bar, or was asked for none.
+    pub bar: Option<f64>,
     /// What it was held against.
     pub reference: Reference,
     /// The error, relative to the reference or to the scale the quantity names.
@@ -55,14 +57,14 @@ impl Check {
             Relation::AtMost => value - reference.value,
         };
         let verdict = if error <= self.tolerance { Verdict::Pass } else { Verdict::Fail };
-        Judged { check: self, value, uncertainty: None, reference, error, verdict }
+        Judged { check: self, value, uncertainty: None, bar: None, reference, error, verdict }
     }
 
     /// A check whose reference is absent, and why.
     pub fn not_run(self, kind: ReferenceKind, name: &str, why: String) -> Judged {
         let reference = Reference { name: name.into(), kind, value: f64::NAN, uncertainty: None };
         let [value, error] = [f64::NAN; 2];
-        Judged { check: self, value, uncertainty: None, reference, error, verdict: Verdict::NotRun(why) }
+        Judged { check: self, value, uncertainty: None, bar: None, reference, error, verdict: Verdict::NotRun(why) }
     }
 }
 

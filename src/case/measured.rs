@@ -8,7 +8,7 @@ use crate::measure::{larger, profile};
 use crate::oracle;
 use crate::scene::contact_pair::CONTACT;
 use crate::solve::run::Contact;
-use crate::solve::{Discretisation, Run};
+use crate::solve::{Discretisation, Run, Shear};
 
 /// Half-widths over which profiles are compared.
 const COMPARED: f64 = 1.5;
@@ -43,6 +43,10 @@ impl Solved<'_> {
             }
             Quantity::HoopStress { at } => self.hoop_stress(contact, *at)?,
             Quantity::Reaction { body, support } => self.reaction([*body, *support])?,
+            Quantity::Displacement(of) => self.discretisation.displaced(&self.displacement(), of)?,
+            Quantity::Approach => self.discretisation.approach(&self.displacement(), contact)?.unwrap_or(f64::NAN),
+            Quantity::Shear { body } => self.shear([contact, *body])?.map_or(f64::NAN, |shear| shear.stress),
+            Quantity::ShearDepth { body } => self.shear([contact, *body])?.map_or(f64::NAN, |shear| shear.depth),
             Quantity::Profile => {
                 profile::relative_l2(points, |s| self.case.reference_pressure(s), COMPARED * self.edge(contact))
             }
@@ -97,6 +101,21 @@ impl Solved<'_> {
         let reactions = self.discretisation.reactions_under(self.run.share(), &self.run.solution)?;
         let wanted = reactions.iter().find(|reaction| [reaction.body, reaction.support] == support);
         Ok(wanted.map_or(f64::NAN, |reaction| reaction.force))
+    }
+
+    /// Displacement of every node \[mm\].
+    fn displacement(&self) -> Vec<[f64; 2]> {
+        self.discretisation.displacement_under(self.run.share(), &self.run.solution)
+    }
+
+    /// The largest shear stress below a contact in a body; none where it has no limit, or there is none inside.
+    fn shear(&self, [contact, body]: [usize; 2]) -> Result<Option<Shear>, Error> {
+        let found = &self.run.contacts[contact];
+        if found.unbounded.is_some() {
+            return Ok(None);
+        }
+        let fields = self.discretisation.recover_under(self.run.share(), &self.run.solution)?;
+        self.discretisation.shear_below(&fields.stress, &found.measures, [contact, body])
     }
 
     /// Hoop stress at the node of the secondary body's contact side at an angle \[MPa\]; NaN where no node is there.

@@ -5,12 +5,15 @@
 //! * [`quantity`] — what a check asks for; `measured` — its value in a run.
 //! * [`mod@covered`] — a comparison that its uncertainties must cover.
 //! * [`judged`] — a check with what was found, and the verdict.
+//! * [`meshed`] — a case on its mesh.
+//! * [`barred`] — checks beside the error bars of what they judge.
 //! * [`hertz`] — errors against Hertz.
-//! * [`solved`] — a case meshed, run and judged.
+//! * [`solved`] — a case run and judged.
 //! * [`universal`] — what every run must satisfy, whatever the case.
 //! * [`library`] — the cases of the suite.
 //! * [`mod@file`] — cases that users write.
 
+pub mod barred;
 pub mod check;
 pub mod covered;
 pub mod definition;
@@ -19,6 +22,7 @@ pub mod hertz;
 pub mod judged;
 pub mod library;
 mod measured;
+pub mod meshed;
 pub mod quantity;
 pub mod solved;
 pub mod universal;
@@ -27,5 +31,5 @@ pub use check::{Against, Check, Reference, Relation, Scope};
 pub use covered::covered;
 pub use definition::Case;
 pub use judged::{Judged, Verdict};
+pub use meshed::Meshed;
 pub use quantity::Quantity;
-pub use solved::Meshed;

@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use crate::solve::Displaced;
+
 /// A quantity that can be held against something.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Quantity {
@@ -30,6 +32,20 @@ pub enum Quantity {
         body: usize,
         /// Index of the support among those of the body.
         support: usize,
+    },
+    /// Displacement of a side, as its mean, or of a point \[mm\].
+    Displacement(Displaced),
+    /// Approach of the bodies of the contact, positive where they have come nearer \[mm\].
+    Approach,
+    /// Largest in-plane shear stress below the contact \[MPa\].
+    Shear {
+        /// Index of the body.
+        body: usize,
+    },
+    /// Its depth below the surface \[mm\].
+    ShearDepth {
+        /// Index of the body.
+        body: usize,
     },
     /// Error of the pressure profile, relative in L2 over one and a half half-widths.
     Profile,
@@ -64,6 +80,10 @@ impl Quantity {
             Self::Pressure { .. } => "contact pressure",
             Self::HoopStress { .. } => "hoop stress",
             Self::Reaction { .. } => "reaction",
+            Self::Displacement(_) => "displacement",
+            Self::Approach => "approach",
+            Self::Shear { .. } => "largest shear stress below the contact",
+            Self::ShearDepth { .. } => "depth of the largest shear stress",
             Self::Profile => "error of the pressure profile in L2",
             Self::EdgeMeans => "share of the force elsewhere by edge means",
             Self::Departure => "largest departure of the pressure at any point, over the largest pressure",
@@ -75,9 +95,9 @@ impl Quantity {
     /// The unit of a number of a run; none of a pure number.
     pub fn unit(&self) -> Option<&'static str> {
         match self {
-            Self::PeakPressure | Self::Pressure { .. } | Self::HoopStress { .. } => Some("MPa"),
+            Self::PeakPressure | Self::Pressure { .. } | Self::HoopStress { .. } | Self::Shear { .. } => Some("MPa"),
             Self::HalfWidth => Some("mm or rad"),
-            Self::Centre => Some("mm"),
+            Self::Centre | Self::Displacement(_) | Self::Approach | Self::ShearDepth { .. } => Some("mm"),
             Self::Resultant | Self::Reaction { .. } => Some("N"),
             _ => None,
         }

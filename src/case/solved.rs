@@ -5,40 +5,31 @@ use crate::case::check::{Against, Check, Reference};
 use crate::case::definition::Case;
 use crate::case::judged::Judged;
 use crate::case::measured::Solved;
+use crate::case::meshed::{Families, Meshed};
 use crate::case::quantity::Quantity;
 use crate::case::universal;
 use crate::error::Error;
 use crate::oracle::ReferenceKind;
 use crate::solve::{Discretisation, Formulation, Run};
 
-/// A case on its mesh, which all its formulations share.
-pub struct Meshed {
-    /// Mesh, system and condensation.
-    pub discretisation: Discretisation,
-    /// How the mesh was found, where an accuracy chose it.
-    pub answer: Option<Answer>,
-}
-
 impl Case {
     /// The mesh that is given, or that the accuracy asked for chooses for the first formulation.
     pub fn meshed(&self) -> Result<Meshed, Error> {
         let found = || {
             let Some(asked) = &self.accuracy else {
-                return Ok(Meshed {
-                    discretisation: Discretisation::of(self.scene.clone(), self.resolution)?,
-                    answer: None,
-                });
+                let discretisation = Discretisation::of(self.scene.clone(), self.resolution)?;
+                return Ok(Meshed { discretisation, answer: None, families: Families::default() });
             };
             let answer = accuracy::solve(&self.scene, self.formulation(), asked)?;
             let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution)?;
-            Ok(Meshed { discretisation, answer: Some(answer) })
+            Ok(Meshed { discretisation, answer: Some(answer), families: Families::default() })
         };
         found().map_err(|error| self.located(error))
     }
 
     /// Runs a formulation on the mesh; where an accuracy chose that, as the answer was run, but from its own start.
     pub fn run(&self, meshed: &Meshed, formulation: &Formulation) -> Result<Run, Error> {
-        let Meshed { discretisation, answer } = meshed;
+        let Meshed { discretisation, answer, .. } = meshed;
         let formulation = answer.as_ref().map_or(formulation, |answer| &answer.run.formulation);
         let run = Run::of(discretisation, formulation);
         // An accuracy has told which peaks have no limit.
@@ -73,7 +64,7 @@ impl Case {
         if self.is_reported() {
             return Ok(judged);
         }
-        judged.extend(self.own(discretisation, run)?);
+        judged.extend(self.with_bars(meshed, run, self.own(discretisation, run)?)?);
         judged.extend(self.accuracy.iter().zip(&meshed.answer).map(|(asked, answer)| met(asked, answer)));
         if run.solution.converged() {
             judged.extend(universal::checks(discretisation, run)?);
@@ -91,7 +82,8 @@ impl Case {
         let needed = self.checks.iter().any(|check| check.against == Against::Verification);
         let verification = needed.then(|| Run::of(discretisation, &Formulation::verification())).transpose()?;
         let solved = Solved { case: self, discretisation, run, verification: verification.as_ref() };
-        self.checks.iter().map(|check| judged(check, &solved)).collect()
+        let judged = self.checks.iter().map(|check| judged(check, &solved)).collect::<Result<_, Error>>();
+        judged.map_err(|error| self.located(error))
     }
 
     fn located(&self, error: Error) -> Error {

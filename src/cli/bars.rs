@@ -9,6 +9,8 @@ use crate::cli::reactions;
 use crate::cli::terminal::say;
 use crate::markdown;
 use crate::measure::display_factor;
+use crate::scene::Scene;
+use crate::solve::Displaced;
 
 /// The same as JSON; what is not known is null, and angles are in radians.
 #[derive(Serialize)]
@@ -47,7 +49,7 @@ struct Line {
 impl Line {
     fn of(found: &Found, one: &Barred) -> Self {
         let scene = &found.problem.scene;
-        match one.subject {
+        match one.subject.clone() {
             Subject::Contact(contact, quantity) => {
                 let pair = &scene.contacts[contact];
                 let factor = display_factor(&pair.path);
@@ -68,10 +70,33 @@ impl Line {
             Subject::Reaction(body, support) => {
                 let body = &scene.bodies[body];
                 let support = &body.supports[support];
-                let quantity = format!("reaction at {}, {}", reactions::at(support), reactions::component(support));
+                let component = reactions::component(support.component);
+                let quantity = format!("reaction at {}, {component}", reactions::at(&support.at));
                 Self { of: body.name.clone(), quantity, unit: "N", factor: 1.0 }
             }
+            Subject::Displacement(Displaced { body, at, component }) => {
+                let component = reactions::component(component);
+                let quantity = format!("displacement at {}, {component}", reactions::at(&at));
+                Self { of: scene.bodies[body].name.clone(), quantity, unit: "mm", factor: 1.0 }
+            }
+            Subject::Approach(contact) => {
+                let of = scene.contacts[contact].name.clone();
+                Self { of, quantity: "approach".into(), unit: "mm", factor: 1.0 }
+            }
+            Subject::Shear(contact, body) => Self::below(scene, "largest shear", [contact, body], "MPa"),
+            Subject::ShearDepth(contact, body) => Self::below(scene, "depth of largest shear", [contact, body], "mm"),
         }
+    }
+}
+
+impl Line {
+    /// A number of a body below one of its contacts, which is named where there are several.
+    fn below(scene: &Scene, name: &str, [contact, body]: [usize; 2], unit: &'static str) -> Self {
+        let below = match scene.contacts.len() {
+            1 => String::new(),
+            _ => format!(" below {}", scene.contacts[contact].name),
+        };
+        Self { of: scene.bodies[body].name.clone(), quantity: format!("{name}{below}"), unit, factor: 1.0 }
     }
 }
 
@@ -86,7 +111,7 @@ pub fn print(found: &Found) {
         let Bar { mesh, iteration, penalty } = one.bar;
         let part = |part: f64| if part.is_nan() { "unknown".into() } else { markdown::significant(factor * part, 2) };
         let value = match one.value {
-            _ if is_unbounded(found, one.subject) => "without limit".into(),
+            _ if is_unbounded(found, &one.subject) => "without limit".into(),
             value if value.is_nan() => "unknown".into(),
             value => format!("{} ± {}", markdown::value(factor * value), part(one.bar.total())),
         };
@@ -101,6 +126,6 @@ pub fn print(found: &Found) {
 }
 
 /// Whether it is a peak that has no limit.
-fn is_unbounded(found: &Found, subject: Subject) -> bool {
-    matches!(subject, Subject::Contact(contact, Quantity::PeakPressure) if found.run.contacts[contact].unbounded.is_some())
+fn is_unbounded(found: &Found, subject: &Subject) -> bool {
+    matches!(subject, Subject::Contact(contact, Quantity::PeakPressure) if found.run.contacts[*contact].unbounded.is_some())
 }

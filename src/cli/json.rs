@@ -128,6 +128,9 @@ struct Point {
 struct JudgedCheck<'a> {
     quantity: String,
     value: f64,
+    /// How far the value may be from the truth of the scene; null where it is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bar: Option<f64>,
     reference: f64,
     source: &'a str,
     error: f64,
@@ -140,6 +143,7 @@ impl<'a> JudgedCheck<'a> {
         Self {
             quantity: check.check.quantity.to_string(),
             value: check.value,
+            bar: check.bar,
             reference: check.reference.value,
             source: &check.reference.name,
             error: check.error,

@@ -86,6 +86,9 @@ enum Command {
         /// Solve one mesh, elements per half-width and refinement, and print the largest memory of the process in bytes.
         #[arg(long, hide = true, num_args = 2)]
         memory: Option<Vec<u32>>,
+        /// Measure only what error bars cost, on one thread and on all.
+        #[arg(long)]
+        bars: bool,
     },
     /// Name the cases of the library.
     List,
@@ -104,10 +107,11 @@ pub fn main() -> ExitCode {
         Command::Converged => survey::converged().map(|()| Ended::Well),
         Command::Met => survey::met().map(|()| Ended::Well),
         Command::Coverage => survey::coverage().map(|()| Ended::Well),
-        Command::Timings { memory: Some(mesh) } => {
+        Command::Timings { memory: Some(mesh), .. } => {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Ended::Well)
         }
-        Command::Timings { memory: None } => timings::run().map(|()| Ended::Well),
+        Command::Timings { memory: None, bars: true } => timings::bars().map(|()| Ended::Well),
+        Command::Timings { memory: None, bars: false } => timings::run().map(|()| Ended::Well),
         Command::Verify { paths, json } => verify::run(&paths, json),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::List => {

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::error::Error;
-use crate::scene::{BoundaryName, Component, Place, Support};
+use crate::scene::{BoundaryName, Component, Place};
 use crate::solve::Run;
 use crate::solve::{Discretisation, Reaction};
 
@@ -39,17 +39,17 @@ impl std::fmt::Display for At {
     }
 }
 
-/// Where a support is.
-pub fn at(support: &Support) -> At {
-    match &support.at {
+/// A place as it is told.
+pub fn at(place: &Place) -> At {
+    match place {
         Place::Boundary(name) => At::Boundary(name.clone()),
         Place::Point(point) => At::Point(*point),
     }
 }
 
-/// Which component it holds.
-pub fn component(support: &Support) -> &'static str {
-    match support.component {
+/// Name of a component.
+pub fn component(component: Component) -> &'static str {
+    match component {
         Component::X => "x",
         Component::Y => "y",
     }
@@ -62,8 +62,8 @@ pub fn readings(discretisation: &Discretisation, run: &Run) -> Result<Vec<Reacti
         let support = &body.supports[reaction.support];
         ReactionReading {
             body: body.name.clone(),
-            at: at(support),
-            component: component(support),
+            at: at(&support.at),
+            component: component(support.component),
             force: reaction.force,
         }
     };

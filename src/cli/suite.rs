@@ -14,7 +14,9 @@ use crate::study::{self, Finding};
 
 /// Runs every trial, two or more at a time, in the order of the page; the first that breaks off ends it.
 pub fn run() -> Result<Vec<Finding>, Error> {
-    run_all().into_iter().map(|(_, finding)| finding).collect()
+    let mut findings = run_all().into_iter().map(|(_, finding)| finding).collect::<Result<Vec<_>, Error>>()?;
+    findings.push(study::on_bars(&findings)?);
+    Ok(findings)
 }
 
 /// Every trial's title with what it found.
@@ -75,12 +77,19 @@ fn print_unless_passed(title: &str, check: &Judged) {
 
 /// Prints every check of every trial as a line of JSON, and tells whether none failed.
 pub fn verdicts() -> bool {
-    let mut lines = Vec::new();
+    let (mut lines, mut sound) = (Vec::new(), Vec::new());
     for (title, finding) in run_all() {
         match finding {
-            Ok(finding) => lines.extend(self::lines(&title, &finding.judged)),
+            Ok(finding) => {
+                lines.extend(self::lines(&title, &finding.judged));
+                sound.push(finding);
+            }
             Err(error) => lines.push(broken(&title, &error)),
         }
+    }
+    match study::on_bars(&sound) {
+        Ok(finding) => lines.extend(self::lines(&finding.case, &finding.judged)),
+        Err(error) => lines.push(broken("error bars of checks", &error)),
     }
     for made in MADE {
         lines
@@ -113,6 +122,7 @@ fn line(title: &str, check: &Judged) -> Value {
         "kind": check.reference.kind,
         "value": check.value,
         "uncertainty": check.uncertainty,
+        "bar": check.bar,
         "reference": check.reference.value,
         "reference_uncertainty": check.reference.uncertainty,
         "error": check.error,

@@ -8,6 +8,7 @@ use indicatif::ProgressBar;
 use crate::cli::terminal::{progress, say};
 use crate::error::Error;
 use crate::oracle::cross_code::Code;
+use crate::study::timings::bar_cost::{self, BarCosts};
 use crate::study::timings::machine::Machine;
 use crate::study::timings::others::{self, Peer};
 use crate::study::timings::record::{Beside, FOLDER, Measured, Record};
@@ -16,13 +17,31 @@ use crate::study::timings::{growth, precision, targets};
 /// Repeats of the comparison of nine formulations with one.
 const REPEATS: usize = 5;
 
+/// Measures what error bars cost, and writes its record.
+pub fn bars() -> Result<(), Error> {
+    let pools = [pool(1)?, pool(0)?];
+    let bar = progress(bar_cost::MESHES.len());
+    let measured = bar_cost::MESHES.into_iter().map(|mesh| {
+        bar.inc(1);
+        bar_cost::measure(mesh, [&pools[0], &pools[1]])
+    });
+    let costs = measured.collect::<Result<_, _>>()?;
+    bar.finish_and_clear();
+    BarCosts { machine: Machine::here(), costs }.write()?;
+    say(format!("written: {FOLDER}; `cargo run --release` draws it"));
+    Ok(())
+}
+
+/// So many threads; 0 for as many as the processor offers.
+fn pool(threads: usize) -> Result<rayon::ThreadPool, Error> {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| {
+        Error::at("timings", format!("no thread can be started: {error}"), "free memory, or raise the limit of threads")
+    })
+}
+
 /// Measures everything on one thread and writes the record.
 pub fn run() -> Result<(), Error> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-    let pool = pool.map_err(|error| {
-        Error::at("timings", format!("no thread can be started: {error}"), "free memory, or raise the limit of threads")
-    })?;
-    let record = pool.install(measure)?;
+    let record = pool(1)?.install(measure)?;
     record.write()?;
     for target in targets::targets(&record) {
         let met = target.met.map_or("—", |met| if met { "✓" } else { "✗" });

@@ -119,8 +119,9 @@ pub fn told(name: &str, check: &Judged) -> String {
     } else {
         String::new()
     };
+    let bar = check.bar_as_error().map_or_else(String::new, |bar| format!(", bar {}", markdown::error(bar)));
     format!(
-        "{name}: {} — {}: {} is {}, reference {}, error {}{limit}",
+        "{name}: {} — {}: {} is {}, reference {}, error {}{bar}{limit}",
         check.verdict,
         check.requirement(),
         check.check.quantity,

@@ -8,7 +8,7 @@
 //! * [`dofs`] — which displacement components are unknown, numbered in that order.
 //! * [`assembly`] — the stiffness matrix.
 //! * [`loads`] — consistent nodal forces.
-//! * `point` — where in the cells a point lies.
+//! * [`mod@point`] — where in the cells a point lies.
 //! * [`rigid_motion`] — refuses bodies that are free to move.
 //! * [`stress`] — nodal stresses.
 //! * [`reactions`] — what supports exert.
@@ -35,7 +35,7 @@ pub mod dofs;
 pub mod element;
 pub mod graph;
 pub mod loads;
-mod point;
+pub mod point;
 pub mod quadrature;
 pub mod reactions;
 pub mod rigid_motion;

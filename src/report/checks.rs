@@ -5,6 +5,9 @@ use std::collections::BTreeMap;
 use crate::case::{Judged, Relation, Scope, Verdict, judged};
 use crate::markdown;
 
+/// Column of the error bar, which only tables with one have.
+const BAR: usize = 6;
+
 /// Name of a trial with its checks.
 pub type Named<'a> = (&'a str, &'a [Judged]);
 
@@ -30,7 +33,10 @@ pub fn of(members: &[Named]) -> String {
 }
 
 fn rows(own: &[(&str, &Judged)]) -> String {
-    let head = ["trial", "quantity", "found", "reference", "kind", "error", "tolerance", "because", "verdict"];
+    let has_bars = own.iter().any(|(_, one)| one.bar.is_some());
+    let head = ["trial", "quantity", "found", "reference", "kind", "error", "bar", "tolerance", "because", "verdict"];
+    let shown = |row: Vec<String>| row.into_iter().enumerate().filter(|(k, _)| has_bars || *k != BAR);
+    let cells = |row: Vec<String>| shown(row).map(|(_, cell)| cell).collect::<Vec<_>>();
     let count = |wanted: fn(&Verdict) -> bool| own.iter().filter(|(_, one)| wanted(&one.verdict)).count();
     let passed = count(|verdict| *verdict == Verdict::Pass);
     let summary = match (count(|verdict| *verdict == Verdict::Fail), own.len() - passed) {
@@ -38,8 +44,9 @@ fn rows(own: &[(&str, &Judged)]) -> String {
         (0, absent) => format!("○ {passed} checks passed, {absent} not run"),
         (failed, _) => format!("✗ {failed} of {} checks failed", own.len()),
     };
-    let rows: Vec<Vec<String>> = own.iter().map(|(name, one)| row(name, one)).collect();
-    markdown::folded(&summary, &markdown::table(&head.map(String::from), &rows), passed < own.len())
+    let rows: Vec<Vec<String>> = own.iter().map(|(name, one)| cells(row(name, one))).collect();
+    let head = cells(head.map(String::from).into());
+    markdown::folded(&summary, &markdown::table(&head, &rows), passed < own.len())
 }
 
 fn row(name: &str, judged: &Judged) -> Vec<String> {
@@ -64,6 +71,7 @@ fn row(name: &str, judged: &Judged) -> Vec<String> {
         reference.name.clone() + &held,
         reference.kind.to_string(),
         error,
+        judged.bar_as_error().map_or_else(|| "–".into(), markdown::error),
         tolerance,
         check.because.to_string(),
         judged.verdict.to_string(),

@@ -11,6 +11,8 @@
 //! * [`candidate_end`] — contact that reaches the end of the candidate surface.
 //! * [`fields`] — displacements and stresses of a solution.
 //! * [`mod@reactions`] — what the supports exert.
+//! * [`mod@displaced`] — displacements of sides and points, the approach of bodies.
+//! * [`mod@shear`] — the largest shear stress below a contact.
 //! * `uncondensed` — its pressures once more without condensation.
 //! * [`run`] — one scene solved by one formulation, measured.
 //! * [`unbounded`] — peaks without a limit.
@@ -32,6 +34,7 @@ mod active_set;
 pub mod candidate_end;
 pub mod change;
 pub mod discretisation;
+pub mod displaced;
 pub mod fields;
 pub mod formulation;
 pub mod origin;
@@ -39,6 +42,7 @@ pub mod reactions;
 mod refusals;
 mod road;
 pub mod run;
+pub mod shear;
 mod start;
 pub mod unbounded;
 mod uncondensed;
@@ -49,8 +53,10 @@ pub use crate::algorithm::{Iteration, Settings};
 pub use crate::contact::Element;
 pub use change::Change;
 pub use discretisation::Discretisation;
+pub use displaced::Displaced;
 pub use fields::Fields;
 pub use formulation::Formulation;
 pub use origin::{Origin, Start};
 pub use reactions::Reaction;
 pub use run::Run;
+pub use shear::Shear;

@@ -27,10 +27,14 @@ impl Discretisation {
 
     /// The same under a share of loads and prescribed displacements, as where an iteration ended before the last increment.
     pub fn reactions_under(&self, share: f64, solution: &Solution) -> Result<Vec<Reaction>, Error> {
-        let displacement = self.displacement_under(share, solution);
+        self.reactions_of(share, &self.displacement_under(share, solution))
+    }
+
+    /// The same of the displacement of every node \[mm\].
+    pub fn reactions_of(&self, share: f64, displacement: &[[f64; 2]]) -> Result<Vec<Reaction>, Error> {
         let mut all = Vec::new();
         for body in 0..self.scene.bodies.len() {
-            let mut missing = reactions::internal_forces(&self.scene, &self.mesh, body, &displacement)?;
+            let mut missing = reactions::internal_forces(&self.scene, &self.mesh, body, displacement)?;
             for (missing, applied) in missing.iter_mut().zip(loads::at_nodes(&self.scene, &self.mesh, body)?) {
                 (0..2).for_each(|k| missing[k] -= share * applied[k]);
             }

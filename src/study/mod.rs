@@ -48,6 +48,8 @@ rooms! {
     Converged in converged,
     /// Whether error bars hold.
     Coverage in coverage,
+    /// Whether the error bars of the checks hold.
+    Barred in barred,
     /// An accuracy asked for instead of a mesh.
     Accuracy in accuracy,
     /// What is called met.
@@ -92,6 +94,17 @@ impl Finding {
 /// The trials of all rooms, in the order of the page.
 pub fn trials() -> Vec<Trial> {
     Room::ALL.iter().flat_map(|room| room.plan()).collect()
+}
+
+/// The finding on the error bars of all checks, made of the findings of the others.
+pub fn on_bars(findings: &[Finding]) -> Result<Finding, Error> {
+    let checks = findings
+        .iter()
+        .flat_map(|Finding { case, name, judged, .. }| judged.iter().map(move |one| (format!("{case} × {name}"), one)));
+    let numbers = Numbers::Barred(barred::Numbers::of(checks));
+    let (case, name) = ("error bars of checks".to_string(), "all trials".to_string());
+    let judged = trial::complete(&case, numbers.judge()?)?;
+    Ok(Finding { room: Room::Barred, case, name, numbers, judged })
 }
 
 /// Trials that ask the other codes themselves.

@@ -7,6 +7,7 @@ use contact_vv::algorithm::StiffnessRule;
 use contact_vv::case::library::{self, Cylinder};
 use contact_vv::case::{Case, Verdict};
 use contact_vv::mesh::{Order, Resolution};
+use contact_vv::scene::{Component, Place, Scene, Support};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use contact_vv::study::coverage::group::Group;
 use contact_vv::study::coverage::judge::{as_recorded, beyond, narrow, within};
@@ -59,14 +60,16 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
     assert_eq!(verdicts(&unknown)[..2], [fail.clone(), fail.clone()]);
     let none = [within(&[]), beyond(&[]), narrow(&[]), as_recorded(&all, &[])].map(|judged| judged.verdict);
     assert_eq!(none, [fail.clone(), fail.clone(), fail.clone(), fail.clone()]);
-    let first: Vec<Record> = all.iter().take(5).cloned().collect();
+    // The numbers of one scene.
+    let site = |record: &Record| (record.family, record.number);
+    let first: Vec<Record> = all.iter().take_while(|record| site(record) == site(&all[0])).cloned().collect();
     assert_eq!(as_recorded(&all, &first).verdict, pass);
     for spoil in [|one: &mut Record| one.bar *= 1.01, |one: &mut Record| one.error = f64::NAN] {
         let mut moved = first.clone();
         spoil(&mut moved[2]);
         assert_eq!(as_recorded(&all, &moved).verdict, fail);
     }
-    assert_eq!(as_recorded(&all, &first[..4]).verdict, fail, "a number less");
+    assert_eq!(as_recorded(&all, &first[1..]).verdict, fail, "a number less");
 }
 
 #[test]
@@ -76,7 +79,7 @@ fn ring_one_element_across_has_no_bar() {
         let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
         let discretisation = Discretisation::of(case.scene, resolution).expect("a mesh");
         let run = Run::of(&discretisation, case.formulations.first().expect("one")).expect("a run");
-        bars(&discretisation, &run).expect("bars").of_contact(0, Quantity::PeakPressure).expect("a bar").mesh
+        bars(&discretisation, &run, &[]).expect("bars").of_contact(0, Quantity::PeakPressure).expect("a bar").mesh
     };
     assert!(bars_of(3).is_nan() && bars_of(12).is_finite(), "{} {}", bars_of(3), bars_of(12));
 }
@@ -85,7 +88,7 @@ fn cylinder(formulation: &Formulation, elements: usize) -> (Run, Bars) {
     let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
     let discretisation = Discretisation::of(Cylinder::default().scene(), resolution).expect("a mesh");
     let run = Run::of(&discretisation, formulation).expect("a run");
-    let bars = bars(&discretisation, &run).expect("bars");
+    let bars = bars(&discretisation, &run, &[]).expect("bars");
     (run, bars)
 }
 
@@ -136,7 +139,7 @@ fn exact_numbers_of_an_eccentric_load_lie_within_their_bars() {
     let file = crate::outputs::scene("eccentric-load");
     let case = Case::read(Path::new(&file)).expect("a case");
     let (meshed, run) = case.solve().expect("a run");
-    let bars = bars(&meshed.discretisation, &run).expect("bars");
+    let bars = bars(&meshed.discretisation, &run, &[]).expect("bars");
     let exact = [
         (Quantity::PeakPressure, 140.0),
         (Quantity::PeakPlace, 10.0),
@@ -152,6 +155,47 @@ fn exact_numbers_of_an_eccentric_load_lie_within_their_bars() {
     }
     let support = bars.all.iter().find(|one| one.subject == Subject::Reaction(0, 0)).expect("a bar");
     assert!(support.value.abs() <= support.bar.total(), "{support:?}");
+    // Under a stress that is the same at every height nothing but round-off tells where the shear stress is largest.
+    let approach = bars.all.iter().find(|one| one.subject == Subject::Approach(0)).expect("a bar");
+    let shortening = 100.0 * 8.0 * (1.0 - 0.09) / 210e3;
+    assert!((approach.value - shortening).abs() <= approach.bar.total(), "{approach:?}, {shortening}");
+}
+
+#[test]
+fn numbers_without_a_limit_or_a_meaning_are_not_quoted() {
+    let subjects = |file: &str| {
+        let case = Case::read(Path::new(&crate::outputs::scene(file))).expect("a case");
+        let (meshed, run) = case.solve().expect("a run");
+        let bars = bars(&meshed.discretisation, &run, &[]).expect("bars");
+        bars.all.into_iter().map(|one| one.subject).collect::<Vec<_>>()
+    };
+    let has = |file: &str, is: fn(&Subject) -> bool| subjects(file).iter().any(is);
+    let shear = |subject: &Subject| matches!(subject, Subject::Shear(..));
+    let approach = |subject: &Subject| matches!(subject, Subject::Approach(_));
+    let moved = |subject: &Subject| matches!(subject, Subject::Displacement(_));
+    assert!(has("two-cylinders", shear) && has("two-cylinders", approach) && has("two-cylinders", moved));
+    // A corner of the punch, where the stress is infinite.
+    assert!(!has("flat-punch", shear));
+    // No load and no side along y but those of symmetry, where nothing moves.
+    assert!(!has("press-fit", approach) && !has("press-fit", moved));
+}
+
+#[test]
+fn displacements_of_a_body_that_a_point_carries_have_no_limit() {
+    let mut scene = Cylinder::default().scene();
+    let moved = |scene: Scene| {
+        let resolution = Resolution { elements: 6, refinement: 0, order: Order::Quadratic };
+        let discretisation = Discretisation::of(scene, resolution).expect("a mesh");
+        let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+        let run = Run::of(&discretisation, &formulation).expect("a run");
+        let bars = bars(&discretisation, &run, &[]).expect("bars");
+        bars.all.iter().any(|one| matches!(one.subject, Subject::Displacement(_) | Subject::Approach(_)))
+    };
+    assert!(moved(scene.clone()));
+    let radius = Cylinder::default().radius;
+    let at = Place::Point([0.0, radius]);
+    scene.bodies[0].supports.push(Support { at, component: Component::Y, value: -1e-3 * radius });
+    assert!(!moved(scene));
 }
 
 #[test]
@@ -162,7 +206,7 @@ fn springs_of_a_penalty_are_told_apart_in_reactions_too() {
     let rigid = Formulation::new(Element::Node, Iteration::Kinematic).tolerance(1e-9);
     let soft = Formulation { rule: StiffnessRule::Penalty, stiffness: 100.0, ..rigid.clone() };
     let [rigid, soft] = [rigid, soft].map(|formulation| Run::of(&discretisation, &formulation).expect("a run"));
-    let bars = bars(&discretisation, &soft).expect("bars");
+    let bars = bars(&discretisation, &soft, &[]).expect("bars");
     let [wanted, found] =
         [&rigid, &soft].map(|run| discretisation.reactions(&run.solution).expect("reactions")[0].force);
     let bar = bars.of(Subject::Reaction(0, 0)).expect("a bar");
@@ -176,7 +220,7 @@ fn accuracy_that_is_met_and_the_bar_are_one_number() {
     let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
     let answer = accuracy::solve(&Cylinder::default().scene(), &formulation, &Asked::new(1e-2)).expect("an answer");
     let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution).expect("a mesh");
-    let bars = bars(&discretisation, &answer.run).expect("bars");
+    let bars = bars(&discretisation, &answer.run, &[]).expect("bars");
     for quoted in &answer.estimates {
         let bar = bars.of_contact(0, quoted.quantity).expect("a bar");
         let value = quoted.quantity.of(answer.run.measures());

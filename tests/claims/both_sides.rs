@@ -358,6 +358,7 @@ fn check_of_zero_is_judged_by_an_absolute_tolerance_in_the_unit_of_the_file() {
             ("per = 10", "per = 0.01"),
             ("at = -10\n", "at = -0.01\n"),
             ("at = 10\n", "at = 0.01\n"),
+            ("-0.00346666666667", "-3.46666666667e-6"),
         ];
         scaled.iter().fold(format!("units = {{ length = \"m\" }}\n{text}"), |text, (was, is)| text.replace(was, is))
     };

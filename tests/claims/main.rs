@@ -14,6 +14,7 @@ mod algorithm;
 #[path = "../architecture.rs"]
 mod architecture;
 mod atlas;
+mod barred;
 mod bars;
 mod both_sides;
 mod condensation;

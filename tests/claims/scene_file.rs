@@ -82,6 +82,62 @@ fn reaction_is_judged_with_its_sign_and_at_its_own_support() {
 }
 
 #[test]
+fn displacement_and_shear_are_judged_with_their_sign_and_at_their_own_place() {
+    let far = "at = \"far\", component = \"y\" }\nvalue = -0.00346666666667";
+    let shear = |value: &str| format!("body = \"aluminium\"\nvalue = {value}");
+    let depth = "value = 0.786151";
+    let failing = [
+        ("eccentric-load", far.to_string(), far.replace("-0.0", "0.0")),
+        ("eccentric-load", far.to_string(), far.replace("\"far\"", "[0, 4]")),
+        ("eccentric-load", far.to_string(), far.replace("\"y\"", "\"x\"")),
+        ("two-cylinders", shear("469.284"), shear("300")),
+        ("two-cylinders", depth.to_string(), "value = 1.2".into()),
+    ];
+    for (name, was, is) in &failing {
+        let text = text_of(&format!("{name}.toml"));
+        assert_eq!(text.matches(was.as_str()).count(), 1, "{name}: {was}");
+        assert_eq!([failures(&text), failures(&text.replace(was.as_str(), is))], [0, 1], "{name}: {is}");
+    }
+    // Inside a cell: the pressure there, 112, times the height over E / (1 − ν²).
+    let text = text_of("eccentric-load.toml");
+    let inside = |value: &str| far.replace("\"far\"", "[3, 5]").replace("-0.00346666666667", value);
+    assert_eq!(failures(&text.replace(far, &inside("-0.00242666666667"))), 0);
+    assert_eq!(failures(&text.replace(far, &inside("-0.00252666666667"))), 1);
+}
+
+/// Checks of a file that fail.
+fn failures(text: &str) -> usize {
+    let file = Case::parse(Path::new("x.toml"), text).expect("sound");
+    let (meshed, run) = solved(&file);
+    let judged = file.own(&meshed.discretisation, &run).expect("judged");
+    judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
+}
+
+#[test]
+fn approach_is_how_far_the_surface_sinks_and_the_block_shortens() {
+    let check = |value: &str| {
+        format!(
+            "{}\n[[check]]\nquantity = \"approach\"\nvalue = {value}\ntolerance = 0.002\n",
+            text_of("rigid-cosine.toml")
+        )
+    };
+    // Westergaard: Δ S (1 − ln S) with S = sin² πa/λ, and p̄ H (1 − ν'²) / E'.
+    assert_eq!(failures(&check("0.015987110")), 0);
+    assert_eq!(failures(&check("-0.015987110")), 1);
+    assert_eq!(failures(&check("0.0161")), 1);
+}
+
+#[test]
+fn displacement_of_a_point_outside_its_body_is_refused_at_its_line() {
+    let spoiled = text_of("eccentric-load.toml")
+        .replace("of = { body = \"block\", at = \"far\"", "of = { body = \"block\", at = [3, 9]");
+    let file = Case::parse(Path::new("x.toml"), &spoiled).expect("sound");
+    let (meshed, run) = solved(&file);
+    let error = file.own(&meshed.discretisation, &run).map(|_| ()).expect_err("outside").to_string();
+    assert!(error.starts_with("x.toml:9: ") && error.contains("no cell around `(3, 9)`"), "{error}");
+}
+
+#[test]
 fn scene_in_metres_is_the_cylinder_of_the_library() {
     let file = Case::parse(Path::new("m.toml"), &text_of("cylinder-in-metres.toml")).expect("sound");
     let formulation = Formulation::verification();

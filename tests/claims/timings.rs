@@ -5,11 +5,12 @@ use contact_vv::case::library;
 use contact_vv::case::{Case, Verdict};
 use contact_vv::checkout::root;
 use contact_vv::mesh::Order;
+use contact_vv::study::timings::bar_cost::BarCosts;
 use contact_vv::study::timings::growth::Counts;
 use contact_vv::study::timings::judge::moved;
 use contact_vv::study::timings::precision::{self, Family, LOADS, Point, half_widths};
 use contact_vv::study::timings::record::{FOLDER, Measured, Record};
-use contact_vv::study::timings::run::{Precision, Recounted};
+use contact_vv::study::timings::run::{Precision, Recosted, Recounted};
 use contact_vv::study::timings::statistics::{Spread, exponent};
 use contact_vv::study::timings::targets::targets;
 use contact_vv::study::timings::{Numbers, default_mesh, growth, judge};
@@ -142,4 +143,20 @@ fn record_is_written_as_it_was_read() {
     points.iter().for_each(|point| csv.serialize(point).expect("written"));
     let csv = csv.into_inner().expect("written");
     assert_eq!(csv, std::fs::read(folder.join("precision.csv")).expect("committed"));
+}
+
+#[test]
+fn cost_of_bars_is_believed_only_with_the_meshes_it_was_measured_on() {
+    let recorded = BarCosts::read().expect("recorded");
+    let dofs: Vec<usize> = recorded.costs.iter().map(|one| one.dofs).collect();
+    let verdict = |recorded: &BarCosts, fresh: &[usize]| {
+        let numbers = Numbers::BarCost(Recosted { recorded: recorded.clone(), fresh: fresh.into() });
+        judge(&numbers).expect("judged")[0].verdict.clone()
+    };
+    assert_eq!(verdict(&recorded, &dofs), Verdict::Pass);
+    let other: Vec<usize> = dofs.iter().map(|dofs| dofs + 1).collect();
+    assert_eq!(verdict(&recorded, &other), Verdict::Fail);
+    assert_eq!(verdict(&recorded, &dofs[1..]), Verdict::Fail, "a mesh less");
+    let fewer = BarCosts { costs: recorded.costs[1..].to_vec(), ..recorded };
+    assert_eq!(verdict(&fewer, &dofs[1..]), Verdict::Fail, "a mesh less in the record");
 }

@@ -123,8 +123,22 @@ fn ring(source: Source, units: &Units, table: &RingTable) -> Result<Shape, Error
     })
 }
 
-fn component(source: Source, name: &Spanned<String>) -> Result<Component, Error> {
+pub(super) fn component(source: Source, name: &Spanned<String>) -> Result<Component, Error> {
     source.choice("component", name, &[("x", Component::X), ("y", Component::Y)])
+}
+
+/// A boundary that the shape has, or a point.
+pub(super) fn place(source: Source, units: &Units, shape: &Shape, at: &Spanned<PlaceTable>) -> Result<Place, Error> {
+    let span = at.span();
+    Ok(match at.get_ref() {
+        PlaceTable::Boundary(name) => {
+            Place::Boundary(boundary(source, units, shape, &Spanned::new(span, name.clone()))?)
+        }
+        PlaceTable::Point(point) => {
+            let list = point.iter().map(|x| Spanned::new(span.clone(), *x)).collect();
+            Place::Point(source.pair("at", &Spanned::new(span, list))?.map(|x| units.length * x))
+        }
+    })
 }
 
 /// A boundary that the shape has.
@@ -150,16 +164,7 @@ fn refuse_inside(source: Source, shape: &Shape, name: &Spanned<String>) -> Resul
 }
 
 fn support(source: Source, units: &Units, shape: &Shape, table: &SupportTable) -> Result<Support, Error> {
-    let span = table.at.span();
-    let at = match table.at.get_ref() {
-        PlaceTable::Boundary(name) => {
-            Place::Boundary(boundary(source, units, shape, &Spanned::new(span, name.clone()))?)
-        }
-        PlaceTable::Point(point) => {
-            let list = point.iter().map(|x| Spanned::new(span.clone(), *x)).collect();
-            Place::Point(source.pair("at", &Spanned::new(span, list))?.map(|x| units.length * x))
-        }
-    };
+    let at = place(source, units, shape, &table.at)?;
     let value = table.value.as_ref().map_or(Ok(0.0), |value| source.finite("value", value))?;
     Ok(Support { at, component: component(source, &table.component)?, value: units.length * value })
 }

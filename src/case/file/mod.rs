@@ -8,6 +8,7 @@
 //! * `blocks` — bodies from blocks.
 //! * `compared` — the gap given against the drawn one.
 //! * `curves` — the sides of shapes.
+//! * `displaced` — the side or point whose displacement a check asks for.
 //! * `disc` — how much of a disc is modelled.
 //! * `gmsh` — bodies from meshes.
 //! * `hertz_load` — Hertz's stresses as a load.
@@ -32,6 +33,7 @@ mod compared;
 pub mod contact;
 mod curves;
 mod disc;
+mod displaced;
 pub mod document;
 mod folder;
 mod gap;

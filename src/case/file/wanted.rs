@@ -6,12 +6,13 @@ use toml::Spanned;
 use crate::case::file::Source;
 use crate::case::file::tables::{BodyTable, Keyed, Name, Number};
 use crate::case::file::units::Units;
-use crate::case::{Check, Quantity, Reference};
+use crate::case::{Check, Quantity, Reference, Relation};
 use crate::error::Error;
 use crate::measure::display_factor;
 use crate::oracle::{self, ReferenceKind, SharedOracle};
 use crate::scene::{ContactPair, Scene};
 
+use super::displaced::DisplacedName;
 use super::support::SupportName;
 
 /// `[[check]]`.
@@ -22,8 +23,12 @@ pub(super) struct CheckTable {
     contact: Option<Name>,
     at: Option<Number>,
     support: Option<Spanned<SupportName>>,
+    of: Option<Spanned<DisplacedName>>,
+    body: Option<Name>,
     value: Option<Number>,
     tolerance: Number,
+    #[serde(rename = "model-error")]
+    model_error: Option<Number>,
     kind: Option<Name>,
     source: Option<String>,
     because: Option<String>,
@@ -38,38 +43,59 @@ enum Asked {
     Resultant,
     Pressure,
     Reaction,
+    Displacement,
+    Approach,
+    Shear,
+    ShearDepth,
 }
 
-const QUANTITIES: [(&str, Asked); 6] = [
+const QUANTITIES: [(&str, Asked); 10] = [
     ("peak-pressure", Asked::PeakPressure),
     ("half-width", Asked::HalfWidth),
     ("centre", Asked::Centre),
     ("resultant", Asked::Resultant),
     ("pressure", Asked::Pressure),
     ("reaction", Asked::Reaction),
+    ("displacement", Asked::Displacement),
+    ("approach", Asked::Approach),
+    ("shear", Asked::Shear),
+    ("shear-depth", Asked::ShearDepth),
 ];
+/// What is said of keys that belong to other quantities.
+const SUPPORT: [&str; 2] = ["only a `reaction` has a support", "leave `support` out"];
+const OF: [&str; 2] = ["only a `displacement` is that of a place", "leave `of` out"];
+const BODY: [&str; 2] = ["only `shear` and `shear-depth` are taken in one body", "leave `body` out"];
 const KINDS: [(&str, ReferenceKind); 4] = [
     ("analytic", ReferenceKind::Analytic),
     ("cross-code", ReferenceKind::CrossCode),
     ("measured", ReferenceKind::Measured),
     ("self-consistency", ReferenceKind::SelfConsistency),
 ];
+impl Asked {
+    /// Of what it is a number, where that is no contact.
+    fn belongs_to(self) -> Option<&'static str> {
+        match self {
+            Self::Reaction => Some("a reaction belongs to a support"),
+            Self::Displacement => Some("a displacement belongs to a body"),
+            _ => None,
+        }
+    }
+}
+
 impl CheckTable {
     /// The contact that is named; one that is not named must be the only one.
     fn contact(&self, source: Source, quantity: Asked, scene: &Scene) -> Result<usize, Error> {
         let known: Vec<_> = scene.contacts.iter().enumerate().map(|(k, pair)| (pair.name.as_str(), k)).collect();
-        match &self.contact {
-            Some(name) if quantity == Asked::Reaction => {
-                Err(source.refused(name.span(), "a reaction belongs to a support", "leave `contact` out"))
-            }
-            Some(name) => source.choice("contact", name, &known),
-            None if known.len() > 1 && quantity != Asked::Reaction => {
+        match (&self.contact, quantity.belongs_to()) {
+            (Some(name), Some(belongs)) => Err(source.refused(name.span(), belongs, "leave `contact` out")),
+            (Some(name), None) => source.choice("contact", name, &known),
+            (None, None) if known.len() > 1 => {
                 let names: Vec<String> = known.iter().map(|(name, _)| format!("`{name}`")).collect();
                 let message = "the scene has several contacts, and the check does not say which it means";
                 let remedy = format!("add `contact = \"…\"`, one of {}", names.join(", "));
                 Err(source.refused(self.quantity.span(), message, remedy))
             }
-            None => Ok(0),
+            (None, _) => Ok(0),
         }
     }
 
@@ -88,14 +114,18 @@ impl CheckTable {
         // What turns a contact coordinate of the file into mm or rad.
         let along = if pair.path.is_straight() { units.length } else { 1.0 / display_factor(&pair.path) };
         let at = self.place(source, asked, pair, along)?;
-        let support = self.support(source, asked, bodies)?;
-        let (quantity, unit) = match (asked, support) {
-            (Asked::PeakPressure, _) => (Quantity::PeakPressure, units.stress),
-            (Asked::HalfWidth, _) => (Quantity::HalfWidth, along),
-            (Asked::Centre, _) => (Quantity::Centre, along),
-            (Asked::Resultant, _) => (Quantity::Resultant, units.force),
-            (Asked::Reaction, Some([body, support])) => (Quantity::Reaction { body, support }, units.force),
-            (Asked::Pressure, _) | (Asked::Reaction, None) => (Quantity::Pressure { at }, units.stress),
+        self.refuse_unused(source, asked)?;
+        let (quantity, unit) = match asked {
+            Asked::PeakPressure => (Quantity::PeakPressure, units.stress),
+            Asked::HalfWidth => (Quantity::HalfWidth, along),
+            Asked::Centre => (Quantity::Centre, along),
+            Asked::Resultant => (Quantity::Resultant, units.force),
+            Asked::Pressure => (Quantity::Pressure { at }, units.stress),
+            Asked::Reaction => (self.reaction(source, bodies)?, units.force),
+            Asked::Displacement => (self.displacement(source, units, scene)?, units.length),
+            Asked::Approach => (self.approach(source, scene, contact)?, units.length),
+            Asked::Shear => (Quantity::Shear { body: self.body(source, scene, pair)? }, units.stress),
+            Asked::ShearDepth => (Quantity::ShearDepth { body: self.body(source, scene, pair)? }, units.length),
         };
         let kind = self.kind.as_ref().map(|kind| source.choice("kind of reference", kind, &KINDS)).transpose()?;
         let tolerance = source.positive("tolerance", &self.tolerance)?;
@@ -114,7 +144,10 @@ impl CheckTable {
             // Nothing is relative to 0.
             false => Check::absolute(quantity, reference, unit * tolerance, because),
         };
-        Ok(Check { contact, ..check })
+        // As the tolerance: relative, or in the unit of the file.
+        let scale = if check.relation == Relation::Near { 1.0 } else { unit };
+        let model = self.model_error.as_ref().map(|model| source.positive("model-error", model)).transpose()?;
+        Ok(Check { contact, model: scale * model.unwrap_or(0.0), ..check })
     }
 
     /// Where a pressure is asked for \[mm, or rad on an arc\]; NaN for what has no place.
@@ -139,18 +172,59 @@ impl CheckTable {
         }
     }
 
-    /// Indices of the body and of its support whose reaction is asked for.
-    fn support(&self, source: Source, asked: Asked, bodies: &[Keyed<BodyTable>]) -> Result<Option<[usize; 2]>, Error> {
-        match (&self.support, asked) {
-            (Some(support), Asked::Reaction) => Ok(Some(support.get_ref().find(source, bodies)?)),
-            (None, Asked::Reaction) => {
-                let remedy = "add `support = { body = \"…\", at = \"…\", component = \"…\" }`, as the body lists it";
-                Err(source.refused(self.quantity.span(), "a reaction without its support", remedy))
+    /// Refuses keys that belong to other quantities.
+    fn refuse_unused(&self, source: Source, asked: Asked) -> Result<(), Error> {
+        let below = matches!(asked, Asked::Shear | Asked::ShearDepth);
+        let unused = [
+            (self.support.as_ref().map(Spanned::span), asked == Asked::Reaction, SUPPORT),
+            (self.of.as_ref().map(Spanned::span), asked == Asked::Displacement, OF),
+            (self.body.as_ref().map(Spanned::span), below, BODY),
+        ];
+        let unused = unused.into_iter().find_map(|(span, used, told)| span.filter(|_| !used).map(|span| (span, told)));
+        unused.map_or(Ok(()), |(span, [message, remedy])| Err(source.refused(span, message, remedy)))
+    }
+
+    /// Force of the support that is named.
+    fn reaction(&self, source: Source, bodies: &[Keyed<BodyTable>]) -> Result<Quantity, Error> {
+        let Some(support) = &self.support else {
+            let remedy = "add `support = { body = \"…\", at = \"…\", component = \"…\" }`, as the body lists it";
+            return Err(source.refused(self.quantity.span(), "a reaction without its support", remedy));
+        };
+        let [body, support] = support.get_ref().find(source, bodies)?;
+        Ok(Quantity::Reaction { body, support })
+    }
+
+    /// Displacement of the side or the point that is named.
+    fn displacement(&self, source: Source, units: &Units, scene: &Scene) -> Result<Quantity, Error> {
+        let Some(of) = &self.of else {
+            let remedy = "add `of = { body = \"…\", at = \"…\", component = \"…\" }`; `at` may be a point";
+            return Err(source.refused(self.quantity.span(), "a displacement without its place", remedy));
+        };
+        Ok(Quantity::Displacement(of.get_ref().find(source, units, scene)?))
+    }
+
+    /// Approach of the bodies of a contact that has one.
+    fn approach(&self, source: Source, scene: &Scene, contact: usize) -> Result<Quantity, Error> {
+        if scene.pressed_sides(contact).is_some() {
+            return Ok(Quantity::Approach);
+        }
+        let message = "the contact has no `approach`: not every body of it is pressed along y at one side only, or all is prescribed";
+        let remedy = "ask for the `displacement` of the sides that are meant";
+        Err(source.refused(self.quantity.span(), message, remedy))
+    }
+
+    /// The body below whose surface the shear stress is meant; one that is not named must be the only one.
+    fn body(&self, source: Source, scene: &Scene, pair: &ContactPair) -> Result<usize, Error> {
+        let names: Vec<_> = pair.bodies().map(|body| (scene.bodies[body].name.as_str(), body)).collect();
+        match (&self.body, names.as_slice()) {
+            (Some(name), _) => source.choice("body of the contact", name, &names),
+            (None, [(_, only)]) => Ok(*only),
+            (None, _) => {
+                let names: Vec<String> = names.iter().map(|(name, _)| format!("`{name}`")).collect();
+                let message = "the contact has two elastic bodies, and the check does not say which it means";
+                let remedy = format!("add `body = \"…\"`, one of {}", names.join(", "));
+                Err(source.refused(self.quantity.span(), message, remedy))
             }
-            (Some(support), _) => {
-                Err(source.refused(support.span(), "only a `reaction` has a support", "leave `support` out"))
-            }
-            (None, _) => Ok(None),
         }
     }
 

@@ -74,11 +74,15 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
     let mut checks = problem.own(&discretisation, &run)?;
     checks.extend(accurate.iter().map(|(asked, answer)| met(asked, answer)));
     let wanted = !arguments.no_error_bar;
+    let bars = wanted.then(|| accuracy::bars(&discretisation, &run, &problem.displaced())).transpose()?;
+    if let Some(bars) = bars.as_ref().filter(|_| run.solution.converged()) {
+        checks = checks.into_iter().map(|check| check.with_bar(&bars.all)).collect();
+    }
     let found = Found {
         problem: &problem,
         resolution,
         reactions: reactions::readings(&discretisation, &run)?,
-        bars: wanted.then(|| accuracy::bars(&discretisation, &run)).transpose()?,
+        bars,
         run: &run,
         checks,
     };

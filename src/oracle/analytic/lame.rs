@@ -55,6 +55,22 @@ impl PressFit {
         self.interference / (self.interface * (widening + narrowing))
     }
 
+    /// Radial displacement of the inner ring at a radius \[mm\]: `−p b² ((1 − ν) r + (1 + ν) a²/r) / E (b² − a²)`.
+    pub fn inner_displacement(&self, radius: f64) -> f64 {
+        let RingMaterial { young, poisson } = self.inner.in_plane(self.plane);
+        let [a, b] = [self.bore, self.interface].map(|radius| radius.powi(2));
+        let shape = (1.0 - poisson) * radius + (1.0 + poisson) * a / radius;
+        -self.pressure() * b * shape / (young * (b - a))
+    }
+
+    /// Radial displacement of the outer ring at a radius \[mm\]: `p b² ((1 − ν) r + (1 + ν) c²/r) / E (c² − b²)`.
+    pub fn outer_displacement(&self, radius: f64) -> f64 {
+        let RingMaterial { young, poisson } = self.outer.in_plane(self.plane);
+        let [b, c] = [self.interface, self.outside].map(|radius| radius.powi(2));
+        let shape = (1.0 - poisson) * radius + (1.0 + poisson) * c / radius;
+        self.pressure() * b * shape / (young * (c - b))
+    }
+
     fn parameters(&self) -> Vec<Parameter> {
         vec![
             non_negative("bore", self.bore),

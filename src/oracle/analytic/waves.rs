@@ -41,6 +41,13 @@ impl Waves {
         self.wavelength / PI * self.sine().asin()
     }
 
+    /// How far the surface has sunk on the mean over a wave, `Δ S (1 − ln S)` with `S = p̄/p*` \[mm\]: the mean gap that is left is
+    /// `Δ (1 − S + S ln S)`, of which the slope by S is `Δ ln S`.
+    pub fn sunk(&self) -> f64 {
+        let share = self.mean / self.complete();
+        self.amplitude * share * (1.0 - share.ln())
+    }
+
     /// Pressure at `x` \[MPa\], zero outside the contact.
     pub fn pressure(&self, x: f64) -> f64 {
         let (sin, cos) = (PI * x / self.wavelength).sin_cos();

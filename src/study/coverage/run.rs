@@ -43,6 +43,12 @@ pub enum Kind {
     Edge,
     /// Contact resultant, its moment, or a reaction.
     Force,
+    /// Displacement or approach.
+    Displacement,
+    /// Largest shear stress below the contact.
+    Shear,
+    /// Its depth.
+    Depth,
 }
 
 /// A number of a scene: its error and its bar, over the size of such a number.
@@ -68,7 +74,17 @@ pub struct Record {
 
 impl Kind {
     /// All.
-    pub const ALL: [Self; 6] = [Self::Peak, Self::Place, Self::HalfWidth, Self::Centre, Self::Edge, Self::Force];
+    pub const ALL: [Self; 9] = [
+        Self::Peak,
+        Self::Place,
+        Self::HalfWidth,
+        Self::Centre,
+        Self::Edge,
+        Self::Force,
+        Self::Displacement,
+        Self::Shear,
+        Self::Depth,
+    ];
 
     /// Name in results.
     pub fn title(self) -> &'static str {
@@ -79,10 +95,13 @@ impl Kind {
             Self::Centre => "centre",
             Self::Edge => "ends of the contact",
             Self::Force => "forces and moment",
+            Self::Displacement => "displacement and approach",
+            Self::Shear => "largest shear stress",
+            Self::Depth => "its depth",
         }
     }
 
-    fn of(subject: Subject) -> Self {
+    fn of(subject: &Subject) -> Self {
         match subject {
             Subject::Contact(_, Quantity::PeakPressure) => Self::Peak,
             Subject::Contact(_, Quantity::PeakPlace) => Self::Place,
@@ -90,18 +109,25 @@ impl Kind {
             Subject::Contact(_, Quantity::Centre) => Self::Centre,
             Subject::Contact(_, Quantity::Begin(_) | Quantity::End(_)) => Self::Edge,
             Subject::Contact(_, Quantity::Resultant | Quantity::Moment) | Subject::Reaction(..) => Self::Force,
+            Subject::Displacement(_) | Subject::Approach(_) => Self::Displacement,
+            Subject::Shear(..) => Self::Shear,
+            Subject::ShearDepth(..) => Self::Depth,
         }
     }
 }
 
-/// What errors of a number are relative to: the true peak, half-width or force.
-fn size(sample: &Sample, subject: Subject, value: f64) -> f64 {
+/// What errors of a number are relative to: the true peak, half-width, force or shear stress, the largest true displacement.
+fn size(sample: &Sample, subject: &Subject, value: f64) -> f64 {
     let true_one = |quantity| sample.truth(0, quantity);
     match subject {
-        Subject::Contact(_, Quantity::PeakPressure) | Subject::Reaction(..) => value.abs(),
+        Subject::Contact(_, Quantity::PeakPressure) | Subject::Reaction(..) | Subject::Shear(..) => value.abs(),
         Subject::Contact(_, Quantity::Resultant) => value,
         Subject::Contact(_, Quantity::Moment) => true_one(Quantity::Resultant) * true_one(Quantity::HalfWidth),
-        Subject::Contact(..) => true_one(Quantity::HalfWidth),
+        Subject::Contact(..) | Subject::ShearDepth(..) => true_one(Quantity::HalfWidth),
+        Subject::Displacement(_) | Subject::Approach(_) => {
+            let own = sample.truths.iter().filter(|truth| Kind::of(&truth.subject) == Kind::Displacement);
+            own.map(|truth| truth.value.abs()).fold(0.0, f64::max)
+        }
     }
 }
 
@@ -111,9 +137,9 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
     let Setup { scene, resolution, formulation, per } = Setup::of(site, &sample);
     let discretisation = Discretisation::of(scene, resolution)?;
     let run = Run::of(&discretisation, &formulation)?;
-    let bars = bars(&discretisation, &run)?;
+    let bars = bars(&discretisation, &run, &sample.displaced())?;
     let record = |truth: &Truth| {
-        let size = size(&sample, truth.subject, truth.value);
+        let size = size(&sample, &truth.subject, truth.value);
         let found = bars.all.iter().find(|one| one.subject == truth.subject && run.solution.converged());
         let [error, bar] = found.map_or([f64::NAN; 2], |one| [(one.value - truth.value).abs(), one.bar.total()]);
         Record {
@@ -125,7 +151,7 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
             },
             element: formulation.element,
             per: rounded(per),
-            kind: Kind::of(truth.subject),
+            kind: Kind::of(&truth.subject),
             error: rounded(error / size),
             bar: rounded(bar / size),
         }

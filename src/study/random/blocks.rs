@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use crate::accuracy::Quantity;
+use crate::accuracy::{Quantity, Subject};
 use crate::case::library::{FlatPunch, TruncatedHertz};
 use crate::oracle::analytic::even_gap::EvenGap;
 use crate::oracle::analytic::hertz::Hertz;
@@ -14,6 +14,7 @@ use crate::scene::{
     Profile, ReferenceValues, Scene, Shape, StressField, Support,
 };
 use crate::study::random::draw::Draw;
+use crate::study::random::half_plane::{largest_shear, sunk};
 use crate::study::random::sample::Sample;
 
 /// Terms of the series of a wedge: what is left out is 1e-8 of the peak.
@@ -22,6 +23,8 @@ const TERMS: usize = 4000;
 const ON_TIP: f64 = 4.0;
 /// Points on half of a contact at which a drawn polynomial is looked at.
 const LOOKED_AT: usize = 200;
+/// Part of the height of a block at which a point on its axis is looked at.
+const LOOKED_INTO: f64 = 0.3;
 /// Length over which a cubic rounds the corner of a wedge's curvature, over the length of its tip.
 const CORNER: f64 = 1e-4;
 
@@ -38,9 +41,19 @@ fn block(solution: EvenGap, material: Material, profile: Profile, [size, guess]:
         (Quantity::End(0), a),
         (Quantity::Resultant, solution.load()),
     ];
-    let mut scene = numbers.scene_under(StressField(Arc::new(move |[x, depth]: [f64; 2]| solution.stress(x, depth))));
+    let solution = Arc::new(solution);
+    let field = solution.clone();
+    let mut scene = numbers.scene_under(StressField(Arc::new(move |[x, depth]: [f64; 2]| field.stress(x, depth))));
     scene.contacts[0].profile = profile;
-    Sample::of(scene, truths)
+    let stress = |[x, depth]: [f64; 2]| solution.stress(x, depth);
+    on_axis(Sample::of(scene, truths), material, stress, size * a).sheared(largest_shear(stress, a))
+}
+
+/// The sample with how far a point on the axis sinks, given the stresses and the height of the block; the point on the surface
+/// above touches and does not move.
+fn on_axis(sample: Sample, material: Material, stress: impl Fn([f64; 2]) -> [f64; 3], height: f64) -> Sample {
+    let depth = LOOKED_INTO * height;
+    sample.moved(0, Place::Point([0.0, depth]), Component::Y, sunk(stress, material, depth))
 }
 
 /// `g = c₂ s² + c₄ s⁴ + c₆ s⁶`, drawn until it is pressed all over the contact, and open all over the block beyond it.
@@ -117,16 +130,24 @@ pub fn cosine(draw: &mut Draw, material: Material, guess: f64) -> Sample {
         (Quantity::End(0), half_width),
         (Quantity::Resultant, 2.0 * side * waves.mean),
     ];
-    Sample::of(scene, truths)
+    // On the mean over x the sides take σ_x = ν' σ_y: ε_y = (1 − ν'²) σ_y / E'.
+    let ratio = material.poisson / (1.0 - material.poisson);
+    let shortening = waves.mean * height * (1.0 - ratio * ratio) / modulus;
+    let approach = waves.sunk() + shortening;
+    let sample = Sample::of(scene, truths).moved(0, Place::Boundary("far".into()), Component::Y, -approach);
+    sample.with(Subject::Approach(0), approach)
 }
 
 /// A parabola on a block with Hertz's stresses on its sides.
-pub fn hertz(draw: &mut Draw, Material { young, poisson }: Material, guess: f64) -> Sample {
+pub fn hertz(draw: &mut Draw, material: Material, guess: f64) -> Sample {
+    let Material { young, poisson } = material;
     let (radius, a_over_r, size) = (draw.decades(0.1, 1000.0), draw.decades(1e-4, 0.1), draw.between(3.0, 14.0));
     let numbers = TruncatedHertz { radius, young, poisson, a_over_r, size, stretch: guess.min(size) };
     let scene = numbers.scene();
     let hertz = Hertz { load: numbers.load(), radius, modulus: scene.contact_modulus() };
-    Sample::of(scene, of_hertz(&hertz))
+    let stress = |[x, depth]: [f64; 2]| hertz.stress(x, depth);
+    let sample = on_axis(Sample::of(scene, of_hertz(&hertz)), material, stress, size * numbers.half_width());
+    sample.sheared(largest_shear(stress, numbers.half_width()))
 }
 
 /// What Hertz says of a contact.
@@ -149,6 +170,10 @@ pub fn eccentric(draw: &mut Draw, material: Material) -> Sample {
     let centre = slope * half * half / (3.0 * mean);
     let half_width = 2.0 * (half * half / 3.0 - centre * centre).sqrt();
     let field = StressField(Arc::new(move |[x, _]: [f64; 2]| [0.0, -pressure(x), 0.0]));
+    // ε_y = σ_y/E', ε_x = −ν' ε_y and no shear: u_y = −p y/E', u_x = (ν' (p̄ x + p' x²/2) + p' (y² − H²)/2)/E'.
+    let (modulus, ratio) =
+        (material.plane_modulus(PlaneHypothesis::Strain), material.poisson / (1.0 - material.poisson));
+    let far = || Place::Boundary("far".into());
     let path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: true });
     let scene = Scene {
         name: "block under an eccentric load".into(),
@@ -179,6 +204,9 @@ pub fn eccentric(draw: &mut Draw, material: Material) -> Sample {
             (Quantity::Moment, 2.0 * mean * half * centre),
         ],
     )
+    .moved(0, far(), Component::X, ratio * slope * half * half / (6.0 * modulus))
+    .moved(0, far(), Component::Y, -mean * height / modulus)
+    .with(Subject::Approach(0), mean * height / modulus)
 }
 
 /// A flat punch on a block with the half-plane's stresses on its sides; its peak has no limit.
@@ -191,8 +219,8 @@ pub fn flat_punch(draw: &mut Draw, material: Material) -> Sample {
     let field = StressField(Arc::new(move |[x, depth]: [f64; 2]| solution.stress(x, depth)));
     let sides = ["right", "far"].map(|side| Load::Stress { boundary: side.into(), field: field.clone() });
     scene.bodies[0].loads = sides.into();
-    Sample::of(
-        scene,
-        [(Quantity::HalfWidth, solution.second_moment()), (Quantity::End(0), half_width), (Quantity::Resultant, load)],
-    )
+    let truths =
+        [(Quantity::HalfWidth, solution.second_moment()), (Quantity::End(0), half_width), (Quantity::Resultant, load)];
+    let stress = |[x, depth]: [f64; 2]| solution.stress(x, depth);
+    on_axis(Sample::of(scene, truths), material, stress, size * half_width)
 }

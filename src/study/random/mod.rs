@@ -4,6 +4,7 @@
 //! * [`family`] — kinds of scenes.
 //! * [`sample`] — a scene and the truths about it.
 //! * `blocks` — blocks pressed by profiles.
+//! * `half_plane` — what the stresses below them say.
 //! * `round` — cylinders, pins and rings.
 //! * [`unseen`] — scenes that bars and accuracies are tested with.
 //! * `scenes` — a scene of each family; such scenes with a coarse mesh given, and two of them in one.
@@ -16,6 +17,7 @@
 mod blocks;
 pub mod draw;
 pub mod family;
+mod half_plane;
 mod round;
 pub mod sample;
 mod scenes;

@@ -1,6 +1,6 @@
 //! Cylinders, pins and rings.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
 use crate::accuracy::Quantity;
 use crate::case::library::{Cylinder, CylinderModel, PinPlate, PressFit};
@@ -133,6 +133,9 @@ pub fn press_fit(draw: &mut Draw, inside: Material) -> Sample {
     };
     let thinner = (interface - numbers.inner).min(numbers.outer - interface);
     let pressure = lame.pressure();
+    let middle = 0.5 * (interface + numbers.outer);
+    // At 45° of the outer ring; ∫ sin θ over a quarter of a circle is 2/π of it.
+    let within = FRAC_1_SQRT_2 * middle;
     // p b on each cut, by equilibrium of a quarter; one support tells it for all four.
     let on_cut = pressure * interface;
     // Uniform: ∫p = pε, ∫p θ² = pε³/3 over the quarter; along the load line 2 ∫p b cos θ dθ = 2 p b.
@@ -146,5 +149,8 @@ pub fn press_fit(draw: &mut Draw, inside: Material) -> Sample {
         ],
     )
     .held((0, 0), on_cut)
+    .moved(0, Place::Boundary("inner".into()), Component::X, lame.inner_displacement(numbers.inner) / FRAC_PI_2)
+    .moved(1, Place::Boundary("outer".into()), Component::Y, -lame.outer_displacement(numbers.outer) / FRAC_PI_2)
+    .moved(1, Place::Point([within, -within]), Component::X, FRAC_1_SQRT_2 * lame.outer_displacement(middle))
     .seen_by(ACROSS * FRAC_PI_2 * interface / thinner)
 }

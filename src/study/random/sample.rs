@@ -1,7 +1,8 @@
 //! A scene and the truths about it.
 
 use crate::accuracy::{Quantity, Subject};
-use crate::scene::Scene;
+use crate::scene::{Component, Place, Scene};
+use crate::solve::Displaced;
 
 /// Guess of the candidate stretch over the length of the contact, where the bodies allow it.
 pub const GUESS: [f64; 2] = [0.3, 10.0];
@@ -18,7 +19,7 @@ pub struct Sample {
 }
 
 /// The true value of a number.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Truth {
     /// What is measured.
     pub subject: Subject,
@@ -34,9 +35,33 @@ impl Sample {
     }
 
     /// The same with the force of a support of a body \[N\].
-    pub fn held(mut self, (body, support): (usize, usize), value: f64) -> Self {
-        self.truths.push(Truth { subject: Subject::Reaction(body, support), value });
+    pub fn held(self, (body, support): (usize, usize), value: f64) -> Self {
+        self.with(Subject::Reaction(body, support), value)
+    }
+
+    /// The same with another number.
+    pub fn with(mut self, subject: Subject, value: f64) -> Self {
+        self.truths.push(Truth { subject, value });
         self
+    }
+
+    /// The same with a displacement component of a side or a point \[mm\].
+    pub fn moved(self, body: usize, at: Place, component: Component, value: f64) -> Self {
+        self.with(Subject::Displacement(Displaced { body, at, component }), value)
+    }
+
+    /// The same with the largest shear stress below the contact in the first body, and its depth \[MPa, mm\].
+    pub fn sheared(self, [stress, depth]: [f64; 2]) -> Self {
+        self.with(Subject::Shear(0, 0), stress).with(Subject::ShearDepth(0, 0), depth)
+    }
+
+    /// The displacements that its truths are of.
+    pub fn displaced(&self) -> Vec<Displaced> {
+        let displaced = |truth: &Truth| match &truth.subject {
+            Subject::Displacement(displaced) => Some(displaced.clone()),
+            _ => None,
+        };
+        self.truths.iter().filter_map(displaced).collect()
     }
 
     /// The same where it takes some elements on half of the contact to see all there is.

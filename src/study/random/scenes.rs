@@ -7,6 +7,7 @@ use crate::accuracy::longest::longest;
 use crate::error::Error;
 use crate::mesh::{Mesh, Order, Resolution};
 use crate::scene::{ContactPair, Material, Shape};
+use crate::solve::Displaced;
 use crate::study::random::draw::Draw;
 use crate::study::random::family::{Family, Site};
 use crate::study::random::sample::{GUESS, Sample, Truth};
@@ -75,9 +76,16 @@ fn pair(draw: &mut Draw, number: usize) -> Result<Sample, Error> {
         second: pair.second.map(|second| second + bodies),
         ..pair
     }));
-    let second = |truth: Truth| match truth.subject {
-        Subject::Contact(_, quantity) => Truth { subject: Subject::Contact(1, quantity), ..truth },
-        Subject::Reaction(body, support) => Truth { subject: Subject::Reaction(body + bodies, support), ..truth },
+    let second = |truth: Truth| {
+        let subject = match truth.subject {
+            Subject::Contact(_, quantity) => Subject::Contact(1, quantity),
+            Subject::Reaction(body, support) => Subject::Reaction(body + bodies, support),
+            Subject::Displacement(one) => Subject::Displacement(Displaced { body: one.body + bodies, ..one }),
+            Subject::Approach(_) => Subject::Approach(1),
+            Subject::Shear(_, body) => Subject::Shear(1, body + bodies),
+            Subject::ShearDepth(_, body) => Subject::ShearDepth(1, body + bodies),
+        };
+        Truth { subject, ..truth }
     };
     truths.extend(other.truths.into_iter().map(second));
     Ok(Sample { scene, truths, fewest: fewest.max(other.fewest) })

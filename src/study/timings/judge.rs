@@ -3,10 +3,11 @@
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::measure::larger;
+use crate::study::timings::bar_cost;
 use crate::study::timings::default_mesh::DefaultMesh;
 use crate::study::timings::growth;
 use crate::study::timings::precision::Point;
-use crate::study::timings::run::{Numbers, Precision, Recounted};
+use crate::study::timings::run::{Numbers, Precision, Recosted, Recounted};
 
 /// Recorded errors may differ from recomputed ones by this share: other machines round otherwise, and runs stop at 1e-5.
 const DIGITS: f64 = 1e-3;
@@ -18,6 +19,7 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
     Ok(vec![match numbers {
         Numbers::Precision(precision) => points_as_recorded(precision),
         Numbers::Growth(growth) => counts_as_recorded(growth),
+        Numbers::BarCost(cost) => meshes_as_recorded(cost),
         Numbers::DefaultMesh(mesh) => fine_enough(mesh),
     }])
 }
@@ -57,6 +59,15 @@ fn is_same(kept: &Point, fresh: &Point) -> bool {
         (kept.l2_worst, fresh.l2_worst),
     ];
     kept.dofs == fresh.dofs && kept.converged == fresh.converged && pairs.into_iter().all(|(a, b)| near(a, b))
+}
+
+fn meshes_as_recorded(Recosted { recorded, fresh }: &Recosted) -> Judged {
+    let complete = recorded.costs.len() == bar_cost::MESHES.len() && fresh.len() == recorded.costs.len();
+    let moved = recorded.costs.iter().zip(fresh).filter(|(kept, fresh)| kept.dofs != **fresh).count();
+    let quantity = Quantity::at("mesh whose degrees of freedom are not those recorded with the cost of error bars", format!("of {}", fresh.len()));
+    let because = "every mesh is counted again; `timings --bars` renews the record";
+    Check::at_most(quantity, Reference::own("snapshots/timings", 0.0), because)
+        .judge(if complete { moved as f64 } else { f64::NAN })
 }
 
 fn counts_as_recorded(Recounted { recorded, fresh }: &Recounted) -> Judged {

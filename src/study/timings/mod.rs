@@ -12,6 +12,7 @@
 //! * `default_mesh` — the default meshes, and what coarser ones would change.
 //! * `precision` — error against seconds and work, over loads the mesh does not know.
 //! * `others` — the same by scikit-fem and dolfinx; the cylinder by GetFEM and CalculiX.
+//! * `bar_cost` — what error bars cost, `bar_cost_section` — its part of the page.
 //! * `targets` — what was asked for, and what was measured.
 //! * `judge` — whether errors and counts are still the recorded ones.
 //! * `section` — what each accuracy costs.
@@ -19,6 +20,8 @@
 //! * `picture` — error against seconds and work.
 //! * `growth_picture` — seconds by stage and memory against the degrees of freedom.
 
+pub mod bar_cost;
+mod bar_cost_section;
 pub mod default_mesh;
 pub mod growth;
 mod growth_picture;

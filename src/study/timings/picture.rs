@@ -7,11 +7,12 @@ use crate::oracle::cross_code::Code;
 use crate::study::Found;
 use crate::study::drawn::{label, style};
 use crate::study::pairing::Pairing;
+use crate::study::timings::bar_cost_section;
 use crate::study::timings::growth_picture::growth;
 use crate::study::timings::others::{OtherPoint, Peer};
 use crate::study::timings::precision::{Family, LOADS, Point};
 use crate::study::timings::record::Record;
-use crate::study::timings::run::{Numbers, record};
+use crate::study::timings::run::{Numbers, recosted, record};
 use crate::study::timings::targets::FASTEST;
 
 /// What a run costs.
@@ -40,6 +41,7 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Er
     }
     charts.push(("what-pays.svg".into(), what_pays(&record)?));
     charts.push(("growth.svg".into(), growth(&record.measured.growth)?));
+    charts.push(("bars-cost.svg".into(), bar_cost_section::chart(recosted(findings)?)?));
     Ok(charts)
 }
 

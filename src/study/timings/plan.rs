@@ -14,8 +14,9 @@ const SCENES: [&str; 4] = ["cylinder", "truncated-hertz", "pin-rod", "pin-plate"
 
 /// One trial a family and order, one for the growth, and one a default mesh.
 pub fn plan() -> Vec<Planned<Numbers>> {
+    let cost = Planned::new(CASE, "error bars", run::bar_cost);
     let growth = Planned::new(CASE, "growth", run::growth);
-    precision::series().map(precision).chain([growth]).chain(SCENES.map(default_mesh)).collect()
+    precision::series().map(precision).chain([growth, cost]).chain(SCENES.map(default_mesh)).collect()
 }
 
 fn precision((family, order): (Family, Order)) -> Planned<Numbers> {

@@ -7,10 +7,11 @@ use crate::study::Found;
 use crate::study::drawn::picture;
 use crate::study::pairing::Pairing;
 use crate::study::timings::default_mesh::{DefaultMesh, FINER, Tried};
+use crate::study::timings::bar_cost_section;
 use crate::study::timings::growth_section;
 use crate::study::timings::precision::{ASKED, Family, LOADS, Point, TOLERANCE};
 use crate::study::timings::record::Record;
-use crate::study::timings::run::{Numbers, record};
+use crate::study::timings::run::{Numbers, recosted, record};
 use crate::study::timings::targets::targets;
 
 /// Families whose meshes are compared, and how they are graded.
@@ -31,6 +32,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
         what_pays(&record),
         default_meshes(meshes),
         growth_section::section(&record),
+        bar_cost_section::section(recosted(findings)?),
     ];
     Ok(format!("## Speed against accuracy\n\n{}", parts.concat()))
 }

@@ -1,0 +1,154 @@
+//! The same scene on coarser meshes, and what they say of the mesh's part of a bar.
+
+use rayon::prelude::*;
+
+use crate::accuracy::coarser::coarser;
+use crate::accuracy::counted::Counted;
+use crate::accuracy::reading::{Quantity, Reading, Subject, of_discrete, value_of};
+use crate::accuracy::recovered::recovered;
+use crate::measure::Measures;
+use crate::mesh::Order;
+use crate::solve::{Discretisation, Displaced, Formulation, Iteration, Run, Settings};
+
+/// Part of a number's scale that round-off may leave.
+const ROUND_OFF: f64 = 1e-9;
+/// Fewest coarser meshes that say something, and the factor where there is one only (Roache's 3 for two meshes over 1.25).
+const FEWEST: (usize, f64) = (2, 2.4);
+/// Tolerance of the runs on coarser meshes.
+const TOLERANCE: f64 = 1e-9;
+/// Factor on the distance between two readings of a peak.
+const READINGS: f64 = 1.8;
+/// Elements are larger on a coarser mesh than by this factor, or it is none.
+const LARGER: f64 = 1.1;
+
+/// The coarser meshes of a run.
+pub struct Family {
+    /// What finds the discrete solution of the run's own contact element, without a penalty.
+    pub(super) formulation: Formulation,
+    order: Order,
+    /// Mean candidate element of each contact.
+    pub(super) sizes: Vec<f64>,
+    cells: usize,
+    /// Whether a body is one element deep below a contact, which no coarser mesh tells from a finer one.
+    shallow: bool,
+    coarse: Vec<Coarse>,
+}
+
+/// What a coarser mesh says.
+struct Coarse {
+    /// Mean candidate element of each contact.
+    sizes: Vec<f64>,
+    cells: usize,
+    dofs: usize,
+    readings: Vec<Reading>,
+}
+
+impl Family {
+    /// What coarser meshes say of the numbers that a contact element finds on a mesh, with the settings of a formulation, and of the
+    /// displacements that are wanted; without those of the contacts alone.
+    pub fn of(discretisation: &Discretisation, formulation: &Formulation, wanted: Option<&[Displaced]>) -> Self {
+        let Formulation { element, layer_thickness, settings, .. } = *formulation;
+        let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), ..Settings::default() };
+        let formulation = Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) };
+        let coarse = coarser(&discretisation.scene, discretisation.resolution).into_par_iter();
+        // A mesh too coarse to hold the contact says nothing.
+        let said = |(scene, resolution)| {
+            let coarse = Discretisation::of(scene, resolution).ok()?;
+            let run = Run::of(&coarse, &formulation).ok()?;
+            said(&coarse, &run, wanted)
+        };
+        let coarse = coarse.filter_map(said).collect();
+        let (sizes, cells) = (sizes(discretisation), discretisation.mesh.cells());
+        let order = discretisation.resolution.order;
+        Self { formulation, order, sizes, cells, shallow: is_shallow(discretisation), coarse }
+    }
+
+    /// How many of them tell something.
+    pub(super) fn meshes(&self) -> usize {
+        if self.shallow { 0 } else { self.coarse.len() }
+    }
+
+    /// Degrees of freedom of all of them.
+    pub(super) fn dofs(&self) -> usize {
+        self.coarse.iter().map(|one| one.dofs).sum()
+    }
+
+    /// The mesh's part of a number whose value in the discrete solution is given; NaN where no mesh tells.
+    pub(super) fn mesh(&self, run: &Run, reading: &Reading, discrete: f64) -> f64 {
+        let subject = &reading.subject;
+        let contact = subject.contact();
+        // Wherever the iteration ended.
+        let measures = match &run.contacts[contact].exact {
+            Some([_, discrete]) => discrete,
+            None => &run.contacts[contact].measures,
+        };
+        let ends_at_candidates = measures.stretches.iter().any(|stretch| stretch.reaches.contains(&true));
+        let counted = Counted::of(subject, self.formulation.element, self.order, ends_at_candidates);
+        let along = |other: &Coarse| other.sizes[contact] / self.sizes[contact];
+        // Where all of the mesh counts alike, and not the elements at the end of a contact, cells tell how much coarser it is:
+        // one that has one element across a ring has no coarser neighbours in that direction.
+        let of_cells = |other: &Coarse| (self.cells as f64 / other.cells as f64).sqrt();
+        let ratio = |other: &Coarse| match counted.hidden > 0.0 && !ends_at_candidates {
+            true => along(other),
+            false => along(other).min(of_cells(other)),
+        };
+        let apart = |other: &Coarse| {
+            (discrete - value_of(&other.readings, subject)).abs() / (ratio(other).powf(counted.exponent) - 1.0)
+        };
+        let coarser = self.coarse.iter().filter(|other| ratio(other) > LARGER);
+        // Where a coarser contact has other stretches, there is nothing to compare.
+        let known: Vec<f64> = coarser.map(apart).filter(|apart| apart.is_finite()).collect();
+        let (fewest, alone) = FEWEST;
+        let factor = match known.len() {
+            _ if self.shallow => f64::NAN,
+            0 => f64::NAN,
+            few if few < fewest => alone * counted.factor,
+            _ => counted.factor,
+        };
+        let hidden = counted.hidden * (self.sizes[contact] / measures.half_width).powf(counted.power);
+        let [scale, read] = match subject {
+            Subject::Contact(_, Quantity::PeakPressure) => {
+                [measures.peak.pressure, READINGS * (measures.peak_by_parabola - measures.peak.pressure).abs()]
+            }
+            Subject::Contact(_, quantity) => [quantity.scale(measures), 0.0],
+            _ => [reading.scale, 0.0],
+        };
+        factor * known.into_iter().fold(0.0, f64::max) + (hidden + ROUND_OFF) * scale.abs() + read
+    }
+
+    /// Whether the peak lies in the last element before the end of the candidates: a corner, and no flat top.
+    pub(super) fn is_at_end(&self, run: &Run, contact: usize) -> bool {
+        let Measures { peak, stretches, .. } = &run.contacts[contact].measures;
+        let near = |end: f64| (peak.position - end).abs() < self.sizes[contact];
+        stretches.iter().any(|one| (one.reaches[0] && near(one.begin)) || (one.reaches[1] && near(one.end)))
+    }
+}
+
+/// What a converged run on a coarser mesh says.
+fn said(coarse: &Discretisation, run: &Run, wanted: Option<&[Displaced]>) -> Option<Coarse> {
+    let mut readings = of_discrete(coarse, run, 1);
+    if let Some(wanted) = wanted {
+        readings.extend(recovered(coarse, run, wanted).ok()?.readings);
+    }
+    let (cells, dofs) = (coarse.mesh.cells(), run.dofs);
+    run.solution.converged().then(|| Coarse { sizes: sizes(coarse), cells, dofs, readings })
+}
+
+/// Whether a body has no more cells than candidate edges of one of its contacts.
+fn is_shallow(discretisation: &Discretisation) -> bool {
+    let pairs = discretisation.scene.contacts.iter().zip(&discretisation.interfaces);
+    let bodies = &discretisation.mesh.bodies;
+    pairs
+        .into_iter()
+        .any(|(pair, interface)| pair.bodies().any(|body| bodies[body].cells.len() <= interface.edges.len()))
+}
+
+/// Mean candidate element of each contact, in its coordinate.
+fn sizes(discretisation: &Discretisation) -> Vec<f64> {
+    let each = discretisation.interfaces.iter().map(|interface| {
+        let nodes = &interface.nodes;
+        let [begin, end] = [nodes.first(), nodes.last()].map(|node| node.map_or(f64::NAN, |node| node.coordinate));
+        (end - begin) / interface.edges.len() as f64
+    });
+    each.collect()
+}

@@ -1,0 +1,168 @@
+//! The largest shear stress below a contact.
+
+use crate::elasticity::shape_functions;
+use crate::error::Error;
+use crate::measure::Measures;
+use crate::solve::Discretisation;
+
+/// Half-widths below the surface down to which the largest shear stress is looked for: under Hertz it lies at 0.79 of one, under
+/// a uniform pressure at one.
+const DEPTH: f64 = 2.0;
+/// A largest value found beyond that is none of this contact; so far it is looked for.
+const BEYOND: f64 = 1.2;
+/// Parts of a cell's side at whose ends stresses are looked at, and halvings of them around the largest.
+const PARTS: usize = 8;
+const HALVINGS: usize = 8;
+/// Part of the half-width that rounding explains.
+const ROUNDING: f64 = 1e-6;
+
+/// The largest in-plane shear stress below a contact, and how it is distributed.
+#[derive(Clone, Debug)]
+pub struct Shear {
+    /// Its value `τ = ½ (σ₁ − σ₂) = √(¼ (σ_x − σ_y)² + τ_xy²)` \[MPa\].
+    pub stress: f64,
+    /// Its depth below the surface, along the direction of the gap \[mm\].
+    pub depth: f64,
+    /// Depth and shear stress at every place looked at \[mm, MPa\].
+    pub samples: Vec<[f64; 2]>,
+}
+
+impl Shear {
+    /// How far above or below the largest the shear stress is nearly as large, by no more than a difference \[mm\].
+    pub fn farthest(&self, difference: f64) -> f64 {
+        let near = self.samples.iter().filter(|sample| sample[1] >= self.stress - difference);
+        let farthest = near.map(|sample| (sample[0] - self.depth).abs()).fold(0.0, f64::max);
+        if difference.is_nan() { f64::NAN } else { farthest }
+    }
+}
+
+impl Discretisation {
+    /// The largest in-plane shear stress of a body below a contact with some measures, of the stresses of every node: between the
+    /// ends of the closed stretches, down to two half-widths.
+    ///
+    /// None where it lies on the surface or at the lower end of that: at a corner, or under a pressure that varies too little
+    /// for a largest value inside.
+    pub fn shear_below(
+        &self,
+        stress: &[[f64; 3]],
+        measures: &Measures,
+        [contact, body]: [usize; 2],
+    ) -> Result<Option<Shear>, Error> {
+        let below = Below::of(self, measures, [contact, body])?;
+        let nodes = shape_functions::NODES.len().min(self.mesh.order.nodes_per_cell());
+        let grid = grid(nodes);
+        let (mut samples, mut best) = (Vec::new(), None);
+        let mut most = f64::NEG_INFINITY;
+        for cell in self.mesh.bodies[body].cells.clone().filter(|&cell| below.holds_some_of(cell)) {
+            for (at, shapes) in &grid {
+                let Some((depth, shear)) = below.sample(cell, shapes, stress) else { continue };
+                samples.push([depth, shear]);
+                if shear > most {
+                    (most, best) = (shear, Some((cell, *at)));
+                }
+            }
+        }
+        let Some((cell, at)) = best else { return Ok(None) };
+        let (depth, shear) = below.largest_around(cell, at, stress);
+        let inside = depth > ROUNDING * below.deepest && depth < below.deepest;
+        samples.retain(|sample| sample[0] <= below.deepest);
+        Ok(inside.then_some(Shear { stress: shear, depth, samples }))
+    }
+}
+
+/// What lies below a contact.
+struct Below<'a> {
+    discretisation: &'a Discretisation,
+    contact: usize,
+    /// Contact coordinates and [depth](crate::scene::Path::depth) of the nodes of the surface, in that order.
+    surface: Vec<[f64; 2]>,
+    /// From the path's depth to one into the body.
+    inwards: f64,
+    /// Ends of the closed stretches, in the contact coordinate.
+    ends: [f64; 2],
+    /// Depth down to which a largest value counts \[mm\].
+    deepest: f64,
+}
+
+impl<'a> Below<'a> {
+    fn of(discretisation: &'a Discretisation, measures: &Measures, [contact, body]: [usize; 2]) -> Result<Self, Error> {
+        let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
+        let pair = &scene.contacts[contact];
+        let nodes = mesh.boundary(scene, body, pair.side(body))?.iter().flatten();
+        let place = |&node: &usize| [pair.path.coordinate(mesh.points[node]), pair.path.depth(mesh.points[node])];
+        let mut surface: Vec<[f64; 2]> = nodes.map(place).collect();
+        surface.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        surface.dedup_by(|a, b| a[0] - b[0] <= 0.0);
+        let inwards = if (body == pair.first) == pair.above { -1.0 } else { 1.0 };
+        let [begin, end] = [measures.stretches.first().map(|s| s.begin), measures.stretches.last().map(|s| s.end)];
+        Ok(Self {
+            discretisation,
+            contact,
+            surface,
+            inwards,
+            ends: [begin, end].map(|end| end.unwrap_or(f64::NAN)),
+            deepest: DEPTH * measures.half_width * pair.path.metric(),
+        })
+    }
+
+    /// Depth of a point below the surface \[mm\]; none beside the closed stretches, and too deep.
+    fn depth(&self, point: [f64; 2]) -> Option<f64> {
+        let path = &self.discretisation.scene.contacts[self.contact].path;
+        let s = path.coordinate(point);
+        let margin = ROUNDING * (self.ends[1] - self.ends[0]);
+        if !(self.ends[0] - margin <= s && s <= self.ends[1] + margin) {
+            return None;
+        }
+        let after = self.surface.partition_point(|node| node[0] < s).clamp(1, self.surface.len() - 1);
+        let ([s0, d0], [s1, d1]) = (self.surface[after - 1], self.surface[after]);
+        let surface = d0 + (d1 - d0) * ((s - s0) / (s1 - s0)).clamp(0.0, 1.0);
+        let depth = self.inwards * (path.depth(point) - surface);
+        (depth <= BEYOND * self.deepest).then_some(depth)
+    }
+
+    fn holds_some_of(&self, cell: usize) -> bool {
+        let mesh = &self.discretisation.mesh;
+        mesh.cell(cell).iter().any(|&node| self.depth(mesh.points[node]).is_some())
+    }
+
+    /// Depth and shear stress at a place of a cell, given its shape functions; none where it is not below the contact.
+    fn sample(&self, cell: usize, shapes: &[f64], stress: &[[f64; 3]]) -> Option<(f64, f64)> {
+        let mesh = &self.discretisation.mesh;
+        let (mut point, mut tensor) = ([0.0; 2], [0.0; 3]);
+        for (&node, shape) in mesh.cell(cell).iter().zip(shapes) {
+            (0..2).for_each(|k| point[k] += shape * mesh.points[node][k]);
+            (0..3).for_each(|k| tensor[k] += shape * stress[node][k]);
+        }
+        let [x, y, xy] = tensor;
+        Some((self.depth(point)?, (0.5 * (x - y)).hypot(xy)))
+    }
+
+    /// Depth and value of the largest shear stress around a place of a cell, by smaller and smaller steps.
+    fn largest_around(&self, cell: usize, mut at: [f64; 2], stress: &[[f64; 3]]) -> (f64, f64) {
+        let nodes = self.discretisation.mesh.order.nodes_per_cell();
+        let value = |at: [f64; 2]| self.sample(cell, &shapes(nodes, at), stress);
+        let mut best = value(at).unwrap_or((f64::NAN, f64::NAN));
+        let mut step = 2.0 / PARTS as f64;
+        for _ in 0..HALVINGS {
+            step *= 0.5;
+            for (dx, dy) in [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)] {
+                let next = [at[0] + dx * step, at[1] + dy * step].map(|x: f64| x.clamp(-1.0, 1.0));
+                if let Some(found) = value(next).filter(|found| found.1 > best.1) {
+                    (at, best) = (next, found);
+                }
+            }
+        }
+        best
+    }
+}
+
+/// Natural coordinates of the places of a cell that are looked at, with the shape functions there.
+fn grid(nodes: usize) -> Vec<([f64; 2], Vec<f64>)> {
+    let natural = |k: usize| 2.0 * k as f64 / PARTS as f64 - 1.0;
+    let all = (0..=PARTS).flat_map(|i| (0..=PARTS).map(move |j| [natural(i), natural(j)]));
+    all.map(|at| (at, shapes(nodes, at))).collect()
+}
+
+fn shapes(nodes: usize, at: [f64; 2]) -> Vec<f64> {
+    shape_functions::cell(nodes, at).into_iter().map(|(value, _)| value).collect()
+}
