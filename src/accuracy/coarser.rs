@@ -1,11 +1,16 @@
 //! The same scene on coarser meshes of the same family.
 
 use crate::mesh::Resolution;
+use crate::mesh::size::expected;
 use crate::scene::{BlockShape, Scene, Shape};
 
 /// Element sizes over those of the mesh: whole numbers of candidates make them uneven, which is welcome: an end of the contact
 /// lies at another place of its element on each. With rounder ratios those numbers would hang on round-off.
-pub const RATIOS: [f64; 4] = [1.59, 1.99, 2.51, 3.17];
+pub const RATIOS: [f64; 4] = [1.99, 2.51, 3.17, 3.97];
+/// Those of small meshes: they cost nothing there, and on half as many elements little is left of a contact.
+pub const CLOSE: [f64; 4] = [1.59, 1.99, 2.51, 3.17];
+/// Cells of a small mesh.
+const SMALL: f64 = 2e3;
 
 /// The coarser meshes, from the finest on; none where a mesh made elsewhere was not halved.
 ///
@@ -16,7 +21,9 @@ pub fn coarser(scene: &Scene, resolution: Resolution) -> Vec<(Scene, Resolution)
         let halved = (0..resolution.refinement).rev().take(RATIOS.len());
         return halved.map(|refinement| (scene.clone(), Resolution { refinement, ..resolution })).collect();
     }
-    RATIOS.into_iter().map(|ratio| (by(scene, resolution, ratio), resolution)).collect()
+    let [cells, _] = expected(scene, resolution);
+    let ratios = if cells < SMALL { CLOSE } else { RATIOS };
+    ratios.into_iter().map(|ratio| (by(scene, resolution, ratio), resolution)).collect()
 }
 
 /// The scene with elements larger by a ratio.

@@ -44,13 +44,16 @@ impl Setup {
         let mut scene = sample.scene.clone();
         let pair = &scene.contacts[0];
         let ends_there = matches!(pair.profile, Profile::Uniform(_) | Profile::Punch { .. });
+        // A symmetric contact begins as far before s = 0 as it ends after it.
         let end = sample.truth(0, Quantity::End(0));
+        let begin = Some(sample.truth(0, Quantity::Begin(0))).filter(|begin| begin.is_finite()).unwrap_or(-end);
+        let (half, outer) = (0.5 * (end - begin), end.max(-begin));
         let [fewest, most] = ELEMENTS;
         let per = draw.decades(fewest.max(sample.fewest.min(most)), most);
         let (per, elements) = if ends_there { (per.ceil(), per.ceil()) } else { (per, per.ceil()) };
         if !ends_there {
-            let stretch = (draw.between(STRETCH[0], STRETCH[1]) * end).min(longest(&scene, pair));
-            scene.grading.unit = end * pair.path.metric() * elements / per;
+            let stretch = (draw.between(STRETCH[0], STRETCH[1]) * outer).min(longest(&scene, pair));
+            scene.grading.unit = half * pair.path.metric() * elements / per;
             scene.contacts[0].stretch = stretch;
         }
         // Scenes whose elements are all alike stay so.

@@ -150,6 +150,50 @@ pub fn hertz(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     sample.sheared(largest_shear(stress, numbers.half_width()))
 }
 
+/// A whole block under Hertz's stresses for a contact beside the vertex of the parabola, whose tangent it takes there: a small rotation
+/// `c/R` makes `s²/2R` the gap `(s − c)²/2R`.
+pub fn rolling(draw: &mut Draw, material: Material, guess: f64) -> Sample {
+    let (radius, a_over_r) = (draw.decades(0.1, 1000.0), draw.decades(1e-4, 0.1));
+    let (a, modulus) = (radius * a_over_r, material.plane_modulus(PlaneHypothesis::Strain));
+    let centre = a * draw.between(-1.5, 1.5);
+    let [left, right, height] = [-1.0, 1.0, 1.0].map(|side| side * a * draw.between(6.0, 14.0));
+    let hertz = Hertz { load: Hertz::load_for(a, radius, modulus), radius, modulus };
+    let field = StressField(Arc::new(move |[x, depth]: [f64; 2]| hertz.stress(x - centre, depth)));
+    let loads = ["left", "right", "far"].map(|side| Load::Stress { boundary: side.into(), field: field.clone() });
+    let reach = (centre - left).min(right - centre);
+    let path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: true });
+    let pair = ContactPair::new(None, path, Profile::Parabola { radius }, (guess * a).min(reach));
+    let scene = Scene {
+        name: "block that rolls".into(),
+        plane: PlaneHypothesis::Strain,
+        thickness: 1.0,
+        bodies: vec![Body {
+            density: 1.0,
+            name: "block".into(),
+            shape: Shape::Rectangle { x: [centre + left, centre + right], y: [0.0, height], contact: Face::Bottom },
+            material,
+            supports: vec![Support { at: Place::Point([centre + right, height]), component: Component::X, value: 0.0 }],
+            loads: loads.into(),
+        }],
+        contacts: vec![ContactPair { symmetric: false, ..pair }],
+        reference: ReferenceValues { length: a, pressure: hertz.peak_pressure(), gap: a * a / (2.0 * radius) },
+        grading: Grading { unit: a, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
+    };
+    Sample::of(
+        scene,
+        [
+            (Quantity::PeakPressure, hertz.peak_pressure()),
+            (Quantity::PeakPlace, centre),
+            (Quantity::HalfWidth, a),
+            (Quantity::Centre, centre),
+            (Quantity::Begin(0), centre - a),
+            (Quantity::End(0), centre + a),
+            (Quantity::Resultant, hertz.load),
+            (Quantity::Moment, hertz.load * centre),
+        ],
+    )
+}
+
 /// What Hertz says of a contact.
 pub fn of_hertz(hertz: &Hertz) -> [(Quantity, f64); 5] {
     [

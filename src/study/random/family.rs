@@ -30,6 +30,8 @@ pub enum Family {
     Eccentric,
     /// Flat punches with sharp corners.
     Punch,
+    /// Whole blocks that roll on a parabola until the contact lies beside its vertex.
+    Rolling,
 }
 
 /// A scene of a family.
@@ -64,6 +66,7 @@ impl Family {
             Self::PressFit => "press-fit",
             Self::Eccentric => "eccentric",
             Self::Punch => "punch",
+            Self::Rolling => "rolling",
         }
     }
 
@@ -82,6 +85,7 @@ impl Family {
             Self::PressFit => "press fit of two rings",
             Self::Eccentric => "block under an eccentric load",
             Self::Punch => "flat punch on a block",
+            Self::Rolling => "block that rolls on a parabola, contact beside its vertex",
         }
     }
 }

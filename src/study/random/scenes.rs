@@ -40,6 +40,7 @@ impl Family {
             Self::PressFit => round::press_fit(draw, material),
             Self::Eccentric => blocks::eccentric(draw, material),
             Self::Punch => blocks::flat_punch(draw, material),
+            Self::Rolling => blocks::rolling(draw, material, guess),
         })
     }
 }

@@ -7,7 +7,7 @@ pub const EACH: usize = 200;
 /// Number of the first one: from scenes of lower numbers the constants of the bars were chosen.
 pub const FIRST: usize = 70_000;
 /// Families with one contact and a mesh made here.
-pub const FAMILIES: [Family; 10] = [
+pub const FAMILIES: [Family; 11] = [
     Family::Hertz,
     Family::Polynomial,
     Family::Wedge,
@@ -18,6 +18,7 @@ pub const FAMILIES: [Family; 10] = [
     Family::PressFit,
     Family::Eccentric,
     Family::Punch,
+    Family::Rolling,
 ];
 
 /// Those of a family.
