@@ -10,6 +10,8 @@ use crate::solve::Discretisation;
 const DEPTH: f64 = 2.0;
 /// A largest value found beyond that is none of this contact; so far it is looked for.
 const BEYOND: f64 = 1.2;
+/// Part of the largest stress at a node that a cell must have at one of its own for places between them to be looked at.
+const NEAR: f64 = 0.8;
 /// Parts of a cell's side at whose ends stresses are looked at, and halvings of them around the largest.
 const PARTS: usize = 8;
 const HALVINGS: usize = 8;
@@ -53,7 +55,15 @@ impl Discretisation {
         let grid = grid(nodes);
         let (mut samples, mut best) = (Vec::new(), None);
         let mut most = f64::NEG_INFINITY;
-        for cell in self.mesh.bodies[body].cells.clone().filter(|&cell| below.holds_some_of(cell)) {
+        let cells = self.mesh.bodies[body].cells.clone();
+        let at_nodes: Vec<Vec<[f64; 2]>> = cells.clone().map(|cell| below.at_nodes(cell, stress)).collect();
+        let largest = |own: &[[f64; 2]]| own.iter().map(|sample| sample[1]).fold(f64::NEG_INFINITY, f64::max);
+        let enough = NEAR * at_nodes.iter().map(|own| largest(own)).fold(f64::NEG_INFINITY, f64::max);
+        for (cell, own) in cells.zip(at_nodes) {
+            if own.is_empty() || largest(&own) < enough {
+                samples.extend(own);
+                continue;
+            }
             for (at, shapes) in &grid {
                 let Some((depth, shear)) = below.sample(cell, shapes, stress) else { continue };
                 samples.push([depth, shear]);
@@ -120,9 +130,11 @@ impl<'a> Below<'a> {
         (depth <= BEYOND * self.deepest).then_some(depth)
     }
 
-    fn holds_some_of(&self, cell: usize) -> bool {
+    /// Depth and shear stress at the nodes of a cell that lie below the contact.
+    fn at_nodes(&self, cell: usize, stress: &[[f64; 3]]) -> Vec<[f64; 2]> {
         let mesh = &self.discretisation.mesh;
-        mesh.cell(cell).iter().any(|&node| self.depth(mesh.points[node]).is_some())
+        let at = |&node: &usize| Some([self.depth(mesh.points[node])?, largest_shear(stress[node])]);
+        mesh.cell(cell).iter().filter_map(at).collect()
     }
 
     /// Depth and shear stress at a place of a cell, given its shape functions; none where it is not below the contact.
@@ -133,8 +145,7 @@ impl<'a> Below<'a> {
             (0..2).for_each(|k| point[k] += shape * mesh.points[node][k]);
             (0..3).for_each(|k| tensor[k] += shape * stress[node][k]);
         }
-        let [x, y, xy] = tensor;
-        Some((self.depth(point)?, (0.5 * (x - y)).hypot(xy)))
+        Some((self.depth(point)?, largest_shear(tensor)))
     }
 
     /// Depth and value of the largest shear stress around a place of a cell, by smaller and smaller steps.
@@ -154,6 +165,11 @@ impl<'a> Below<'a> {
         }
         best
     }
+}
+
+/// `½ (σ₁ − σ₂)` of `[σ_x, σ_y, τ_xy]` \[MPa\].
+fn largest_shear([x, y, xy]: [f64; 3]) -> f64 {
+    (0.5 * (x - y)).hypot(xy)
 }
 
 /// Natural coordinates of the places of a cell that are looked at, with the shape functions there.
