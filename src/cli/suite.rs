@@ -14,24 +14,19 @@ use crate::study::{self, Finding};
 
 /// Runs every trial, two or more at a time, in the order of the page; the first that breaks off ends it.
 pub fn run() -> Result<Vec<Finding>, Error> {
-    run_all().into_iter().map(|(_, finding)| finding).collect()
-}
-
-/// Every trial's title with what it found.
-fn run_all() -> Vec<(String, Result<Finding, Error>)> {
     let trials = study::trials();
     let bar = progress(trials.len());
-    let findings = trials
+    let findings: Vec<Result<Finding, Error>> = trials
         .par_iter()
         .map(|trial| {
             bar.set_message(trial.title());
             let finding = trial.run();
             bar.inc(1);
-            (trial.title(), finding)
+            finding
         })
         .collect();
     bar.finish_and_clear();
-    findings
+    findings.into_iter().collect()
 }
 
 /// Prints one row per trial and the counts of verdicts.
@@ -73,21 +68,25 @@ fn print_unless_passed(title: &str, check: &Judged) {
     say(format!("{title}: {} — {}{error}", check.verdict, check.requirement()));
 }
 
-/// Prints every check of every trial as a line of JSON, and tells whether none failed.
+/// Prints every check of every trial as a line of JSON, a trial's as soon as it ends, and tells whether none failed.
+///
+/// A trial that panics takes none of the others along: each is a piece of work of its own.
 pub fn verdicts() -> bool {
-    let mut lines = Vec::new();
-    for (title, finding) in run_all() {
-        match finding {
-            Ok(finding) => lines.extend(self::lines(&title, &finding.judged)),
-            Err(error) => lines.push(broken(&title, &error)),
-        }
-    }
-    for made in MADE {
-        lines
-            .push(made.check().map_or_else(|error| broken(&title(&made), &error), |check| line(&title(&made), &check)));
-    }
-    lines.iter().for_each(say);
-    lines.iter().all(|line| line["verdict"] != "fail")
+    let told = |lines: Vec<Value>| {
+        lines.iter().for_each(say);
+        lines.iter().all(|line| line["verdict"] != "fail")
+    };
+    let trials = study::trials();
+    let all = trials.par_iter().with_max_len(1).map(|trial| {
+        let title = trial.title();
+        told(trial.run().map_or_else(|error| vec![broken(&title, &error)], |found| lines(&title, &found.judged)))
+    });
+    let sound = all.reduce(|| true, |one, other| one && other);
+    let made = MADE.map(|made| {
+        let title = title(&made);
+        told(vec![made.check().map_or_else(|error| broken(&title, &error), |check| line(&title, &check))])
+    });
+    sound && made.iter().all(|sound| *sound)
 }
 
 /// The checks of a trial, a line of JSON each.
