@@ -156,6 +156,23 @@ fn peak_of_few_edges_is_a_parabola_or_their_mean_and_that_of_nan_none() {
 }
 
 #[test]
+fn parabola_through_the_highest_means_is_exact_for_one_and_ends_where_the_contact_does() {
+    for (top, n) in [(0.0, 8), (0.3, 16), (-0.8, 40)] {
+        let force = |s: f64| 9.0 * s - 2.0 / 3.0 * (s - top).powi(3);
+        assert_relative_eq!(peak::by_parabola(&edges(-2.0, 2.0, n, force)), 9.0, max_relative = 1e-11);
+    }
+    // p = s² on 1 … 2, and its mirror image: the highest place is an end.
+    for force in [|s: f64| s.powi(3) / 3.0, |s: f64| (s - 3.0).powi(3) / 3.0] {
+        let profile = edges(1.0, 2.0, 10, force);
+        assert_relative_eq!(peak::by_parabola(&profile), 4.0, max_relative = 1e-11);
+        assert_relative_eq!(peak::of(&profile, 1.5).pressure, 4.0, max_relative = 1e-11);
+    }
+    // Two edges make one pair: its mean.
+    assert_relative_eq!(peak::by_parabola(&edges(1.0, 2.0, 2, |s| 7.0 * s)), 7.0, max_relative = 1e-14);
+    assert!(peak::by_parabola(&[]).is_nan());
+}
+
+#[test]
 fn share_of_force_elsewhere_is_what_moved() {
     let wanted = edges(0.0, 4.0, 4, |s| 2.0 * s);
     let mut found = wanted.clone();
