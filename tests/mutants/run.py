@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 """Spoils the solver by a random sample of mutants and records what catches each.
 
-Run as `python3 tests/mutants/run.py --sample 40 --seed 1`; it takes cargo-mutants, which lists the mutants of
-.cargo/mutants.toml, and one to four minutes a mutant. Each is tried by the checks of the program first, up to the first that is
-held against a closed form, another code or a measurement; where no check turns red, by the tests, up to the first that does.
-Writes snapshots/mutants.json. With `--in-diff FILE` it tries all mutants of the lines that a diff changes, records nothing and
-fails where one is missed.
+Run as `python3 tests/mutants/run.py --sample 40 --seed 1`; it takes cargo-mutants, which lists the mutants of .cargo/mutants.toml.
+Each is tried by the tests, up to the first that fails (some ten seconds), then by the checks of the program, up to the first that
+turns red against a closed form, another code or a measurement (up to some minutes; `--truths 0` tries those only that passed the
+tests). Writes snapshots/mutants.json. With `--in-diff FILE` it tries all mutants of the lines that a diff changes, records nothing
+and fails where one is missed.
 """
 import argparse
 import collections
 import hashlib
+import itertools
 import json
 import math
 import pathlib
@@ -29,12 +30,12 @@ SOURCES = ["Cargo.lock", "Cargo.toml", "oracles", "src", "tests/architecture", "
            "tests/data", "tests/fuzz/corpus", "tests/suite.rs"]
 # Kinds of references that are not the code's own.
 TRUTHS = ["analytic", "cross-code", "measured"]
-# What tries a mutant that no check has caught: of the suite, whose checks have been run, the snapshots.
+# Of the suite, whose checks the program makes too, the snapshots.
 TESTS = [("claims", []), ("suite", ["snapshot"])]
 # Seconds of silence after which tests are called endless.
-PATIENCE = 600
-# Outcome of a mutant that no check has caught and no test has tried yet.
-OPEN = "open"
+PATIENCE = 240
+# Outcomes that are no catch.
+PASSED, UNVIABLE = "passed", "unviable"
 # Of the normal distribution, for an interval of 95 %.
 SPREAD = 1.96
 
@@ -95,37 +96,50 @@ def test(copy, target, words):
     return run.broken() or ("it broke off" if run.process.returncode else None)
 
 
-def by_checks(copy):
-    """What the checks of the program say of the copy as it is: an outcome and what showed it, none where they hold."""
-    if not copy.program():
-        return "unviable", None
-    checks, ended = copy.failures(enough=is_truth)
-    if checks:
-        return "truth" if is_truth(checks[0]) else "check", copy.here(f"{checks[0]['trial']}: {checks[0]['requirement']}")
-    return ("ended", ended) if ended else (OPEN, None)
-
-
 def by_tests(copy):
-    """The same of the tests."""
+    """What the tests say of the copy as it is: an outcome, and what showed it."""
+    if not copy.program():
+        return UNVIABLE, None
     for target, words in TESTS:
         if red := test(copy, target, words):
             return target, red
-    return "missed", None
+    return PASSED, None
 
 
-def run(copy, mutants, judge, keep):
-    """Tries some mutants in one way, which must find nothing on the sound copy."""
-    if mutants:
-        outcome, red = judge(copy)
-        if outcome not in ["missed", OPEN]:
-            sys.exit(f"the tree without a mutant is not green: {outcome}, {red}")
+def by_checks(copy):
+    """The same of the checks of the program."""
+    if not copy.program():
+        return UNVIABLE, None
+    checks, ended = copy.failures(enough=is_truth)
+    if checks:
+        return "truth" if is_truth(checks[0]) else "check", copy.here(f"{checks[0]['trial']}: {checks[0]['requirement']}")
+    return ("ended", ended) if ended else (PASSED, None)
+
+
+def each(copy, mutants, judge):
+    """Tries some mutants in one way, which must find nothing on the sound copy; yields name, outcome and what showed it."""
+    if mutants and (found := judge(copy))[0] != PASSED:
+        sys.exit(f"the tree without a mutant is not green: {found}")
     for name, mutant in mutants.items():
         path, sound = spoil(copy, mutant)
         try:
-            outcome, red = judge(copy)
+            found = judge(copy)
         finally:
             path.write_text(sound)
-        keep(name, outcome, red)
+        print(f"{name}: {', '.join(filter(None, found))}", flush=True)
+        yield name, *found
+
+
+def is_viable(one):
+    return UNVIABLE not in (one.get("tests"), one.get("checks"))
+
+
+def is_caught(one):
+    """Whether anything has caught it; none where that is not decided."""
+    found = [one.get("tests"), one.get("checks")]
+    if any(outcome not in (None, PASSED) for outcome in found):
+        return True
+    return None if None in found else False
 
 
 def wilson(caught, of):
@@ -139,26 +153,30 @@ def wilson(caught, of):
 
 
 def scores(record, listed):
-    """Parts of the viable mutants that are caught, without those that the list has as beyond any test; open ones are not."""
-    tried = [one for one in record if one["outcome"] != "unviable" and one["mutant"] not in listed]
-    part = lambda holds: wilson(sum(map(holds, tried)), len(tried))
+    """Parts of the viable mutants that are caught, without those that the list has as beyond any test."""
+    counted = [one for one in record if is_viable(one) and one["mutant"] not in listed]
+    tested = [one for one in counted if "tests" in one]
+    # In the order in which they are drawn: what the checks were asked about for passing the tests would be no fair sample.
+    checked = list(itertools.takewhile(lambda one: "checks" in one, counted))
     return {
-        "by_anything": part(lambda one: one["outcome"] not in ["missed", OPEN]),
-        "by_anything_at_first": part(lambda one: one["at_first"] not in ["missed", OPEN]),
-        "by_truths": part(lambda one: one["outcome"] == "truth"),
+        "by_anything": wilson(sum(is_caught(one) is True for one in tested), len(tested)),
+        "by_anything_at_first": wilson(sum(one.get("at_first") is True for one in tested), len(tested)),
+        "by_truths": wilson(sum(one["checks"] == "truth" for one in checked), len(checked)),
     }
 
 
 def write(about, record, listed):
-    counts = collections.Counter(one["outcome"] for one in record)
+    missed = [one["mutant"] for one in record if is_caught(one) is False and one["mutant"] not in listed]
     shown = [listed[one["mutant"]] for one in record if one["mutant"] in listed]
-    told = about | {"outcomes": dict(sorted(counts.items())), "scores": scores(record, listed), "survivors": shown, "record": record}
+    unviable = sum(not is_viable(one) for one in record)
+    told = about | {"unviable": unviable, "scores": scores(record, listed), "missed": missed, "survivors": shown, "record": record}
     RECORD.write_text(json.dumps(told, indent=1, ensure_ascii=False) + "\n")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--sample", type=int, default=40, help="mutants drawn among all")
+    parser.add_argument("--truths", type=int, help="so many of them are tried by the checks in any case; by default all")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--shard", default="0/1", help="every so many-th of them only")
     parser.add_argument("--again", choices=["missed", "old"], help="try those again that were missed, or all of other sources")
@@ -166,13 +184,14 @@ def main():
     asked = parser.parse_args()
     every = mutants()
     listed = survivors(every)
-    drawn = list(every)
+    # A larger sample of the same seed begins with the smaller one, and an edit elsewhere draws no others.
+    order = lambda name: hashlib.sha256(f"{asked.seed} {name}".encode()).digest()
+    drawn = sorted(every, key=order)
     if asked.in_diff:
         changed = {one["name"] for one in listing("--in-diff", asked.in_diff)}
-        drawn = [name for name in drawn if every[name]["name"] in changed]
+        drawn, asked.truths = [name for name in drawn if every[name]["name"] in changed], 0
     else:
-        # A larger sample of the same seed begins with the smaller one, and an edit elsewhere draws no others.
-        drawn = sorted(drawn, key=lambda name: hashlib.sha256(f"{asked.seed} {name}".encode()).digest())[:asked.sample]
+        drawn = drawn[:asked.sample]
     shard, shards = map(int, asked.shard.split("/"))
     drawn = drawn[shard::shards]
     copy = Copy("mutants")
@@ -180,27 +199,31 @@ def main():
     # What was found of a line that has changed since is dropped.
     kept = json.loads(RECORD.read_text())["record"] if RECORD.exists() and not asked.in_diff else []
     known = {one["mutant"]: one for one in kept if one["mutant"] in every}
-    again = {"missed": lambda one: one["outcome"] == "missed", "old": lambda one: one["sources"] != sources}.get(asked.again)
-    tried = [name for name in drawn if name not in known or again and again(known[name]) and name not in listed]
+    again = {"missed": lambda one: is_caught(one) is False, "old": lambda one: one["sources"] != sources}.get(asked.again)
+    for name in filter(lambda name: again and name in known and again(known[name]), drawn):
+        known[name] = {key: known[name][key] for key in ["mutant", "at_first"] if key in known[name]}
     program = subprocess.run(["cargo", "mutants", "--version"], check=True, capture_output=True, text=True).stdout.strip()
     about = {"sources": SOURCES, "program": program, "mutants": len(every), "seed": asked.seed}
 
-    def keep(name, outcome, by):
-        first = known.get(name, {}).get("at_first", OPEN)
-        known[name] = {"mutant": name, "sources": sources, "outcome": outcome, "by": by, "at_first": outcome if first == OPEN else first}
-        print(f"{name}: {outcome}, {by}", flush=True)
-        if not asked.in_diff:  # after each: what is interrupted keeps what it found
-            write(about, [known[name] for name in sorted(known)], listed)
+    def run(way, judge, names):
+        left = {name: every[name] for name in names if way not in known.get(name, {}) and is_viable(known.get(name, {}))}
+        for name, outcome, by in each(copy, left, judge):
+            # An entry is as old as the older of its findings.
+            one = known[name] = {"mutant": name, "sources": sources} | known.get(name, {}) | {way: outcome, f"{way}_by": by}
+            if is_viable(one) and is_caught(one) is not None:
+                one.setdefault("at_first", is_caught(one))
+            if not asked.in_diff:  # after each: what is interrupted keeps what it found
+                write(about, [known[name] for name in sorted(known, key=order)], listed)
 
-    # The checks need no tests compiled: first all mutants by these, then what is left by the tests.
-    run(copy, {name: every[name] for name in tried}, by_checks, keep)
-    left = [name for name in drawn if name in known and known[name]["outcome"] == OPEN and name not in listed]
-    run(copy, {name: every[name] for name in left}, by_tests, keep)
-    if not asked.in_diff:
-        write(about, [known[name] for name in sorted(known)], listed)
-    print(json.dumps(scores(list(known.values()), listed), indent=1))
-    missed = [one["mutant"] for one in known.values() if one["outcome"] == "missed" and one["mutant"] not in listed]
-    sys.exit("\n".join(["missed:", *missed]) if missed and asked.in_diff else None)
+    run("tests", by_tests, drawn)
+    run("checks", by_checks, [name for name in drawn if is_caught(known[name]) is None])
+    run("checks", by_checks, drawn[:asked.truths])
+    record = [known[name] for name in sorted(known, key=order)]
+    if asked.in_diff:
+        missed = [one["mutant"] for one in record if is_caught(one) is False and one["mutant"] not in listed]
+        sys.exit("\n".join(["missed:", *missed]) if missed else None)
+    write(about, record, listed)
+    print(json.dumps(scores(record, listed), indent=1))
 
 
 if __name__ == "__main__":
