@@ -1,5 +1,7 @@
 //! Runs all trials with a progress bar and prints what they found.
 
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+
 use comfy_table::{ContentArrangement, Table, presets};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -10,28 +12,30 @@ use crate::error::Error;
 use crate::markdown;
 use crate::report::matrix;
 use crate::study::present::{MADE, Made};
-use crate::study::{self, Finding};
+use crate::study::{self, Finding, Trial};
 
 /// Runs every trial, two or more at a time, in the order of the page; the first that breaks off ends it.
 pub fn run() -> Result<Vec<Finding>, Error> {
-    let mut findings = run_all().into_iter().map(|(_, finding)| finding).collect::<Result<Vec<_>, Error>>()?;
+    let mut findings = run_all(|_, _| ()).into_iter().collect::<Result<Vec<_>, Error>>()?;
     findings.push(study::on_bars(&findings)?);
     Ok(findings)
 }
 
-/// Every trial's title with what it found.
-fn run_all() -> Vec<(String, Result<Finding, Error>)> {
+/// What every trial found, in the order of the page; each is told as soon as it ends.
+///
+/// A trial that panics takes none of the others along: each is a piece of work of its own.
+fn run_all(told: impl Fn(&str, &Result<Finding, Error>) + Sync) -> Vec<Result<Finding, Error>> {
     let trials = study::trials();
     let bar = progress(trials.len());
-    let findings = trials
-        .par_iter()
-        .map(|trial| {
-            bar.set_message(trial.title());
-            let finding = trial.run();
-            bar.inc(1);
-            (trial.title(), finding)
-        })
-        .collect();
+    let one = |trial: &Trial| {
+        let title = trial.title();
+        bar.set_message(title.clone());
+        let found = trial.run();
+        bar.inc(1);
+        told(&title, &found);
+        found
+    };
+    let findings = trials.par_iter().with_max_len(1).map(one).collect();
     bar.finish_and_clear();
     findings
 }
@@ -75,28 +79,25 @@ fn print_unless_passed(title: &str, check: &Judged) {
     say(format!("{title}: {} — {}{error}", check.verdict, check.requirement()));
 }
 
-/// Prints every check of every trial as a line of JSON, and tells whether none failed.
+/// Prints every check of every trial as a line of JSON, a trial's as soon as it ends, and tells whether none failed.
 pub fn verdicts() -> bool {
-    let (mut lines, mut sound) = (Vec::new(), Vec::new());
-    for (title, finding) in run_all() {
-        match finding {
-            Ok(finding) => {
-                lines.extend(self::lines(&title, &finding.judged));
-                sound.push(finding);
-            }
-            Err(error) => lines.push(broken(&title, &error)),
-        }
-    }
-    match study::on_bars(&sound) {
-        Ok(finding) => lines.extend(self::lines(&finding.case, &finding.judged)),
-        Err(error) => lines.push(broken("error bars of checks", &error)),
-    }
+    let sound = AtomicBool::new(true);
+    let told = |lines: Vec<Value>| {
+        lines.iter().for_each(say);
+        sound.fetch_and(lines.iter().all(|line| line["verdict"] != "fail"), Relaxed);
+    };
+    let of_trial = |title: &str, found: &Result<Finding, Error>| match found {
+        Ok(found) => lines(title, &found.judged),
+        Err(error) => vec![broken(title, error)],
+    };
+    let findings: Vec<Finding> =
+        run_all(|title, found| told(of_trial(title, found))).into_iter().filter_map(Result::ok).collect();
+    told(of_trial("error bars of checks", &study::on_bars(&findings)));
     for made in MADE {
-        lines
-            .push(made.check().map_or_else(|error| broken(&title(&made), &error), |check| line(&title(&made), &check)));
+        let title = title(&made);
+        told(vec![made.check().map_or_else(|error| broken(&title, &error), |check| line(&title, &check))]);
     }
-    lines.iter().for_each(say);
-    lines.iter().all(|line| line["verdict"] != "fail")
+    sound.into_inner()
 }
 
 /// The checks of a trial, a line of JSON each.

@@ -283,6 +283,26 @@ fn contact_on_few_points_is_noted_by_those_on_each_side() {
 }
 
 #[test]
+fn pressures_that_oscillate_are_noted_within_the_contact_wherever_it_lies() {
+    // The load lifts one side of the block off.
+    for slope in [15.0, -15.0] {
+        let text = eccentric(slope).replace("elements = 4\n", "elements = 16\n");
+        let (_, run) = parsed(&text).solve().expect("solved");
+        let [begin, end] = [run.measures().begin(), run.measures().edge()];
+        let [middle, reach] = [0.5 * (begin + end), 0.5 * (end - begin)];
+        assert!(middle.abs() > 1.0 && run.note(0).is_none(), "{middle}: {:?}", run.note(0));
+        for (part, noted) in [(-0.95, false), (-0.7, true), (0.0, true), (0.7, true), (0.95, false)] {
+            let mut bent = run.clone();
+            let away = |point: &PointState| (point.position - middle - part * reach).abs();
+            let at = bent.solution.points.iter_mut().min_by(|a, b| away(a).total_cmp(&away(b))).expect("points");
+            at.pressure += 0.2 * run.measures().peak.pressure;
+            let note = bent.note(0);
+            assert_eq!(note.is_some_and(|note| note.contains("quote means over edges")), noted, "{slope}, {part}");
+        }
+    }
+}
+
+#[test]
 fn size_of_the_mesh_is_estimated_for_both_sides() {
     for Twin { half, whole, .. } in twins() {
         let [half, whole] = [half, whole].map(|text| {

@@ -192,6 +192,34 @@ fn stiff_springs_cost_one_solve_the_digits_that_refinement_wins_back() {
 }
 
 #[test]
+fn influence_of_gaps_is_reciprocal_and_does_not_depend_on_the_unit_of_length() {
+    let of = |scene: Scene| {
+        let discretisation = Discretisation::of(scene, resolution(6, 0, Order::Quadratic)).expect("a solvable scene");
+        let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+        let points = discretisation.points(&formulation);
+        let pressures: Vec<f64> =
+            discretisation.solve(&formulation).expect("solved").points.iter().map(|point| point.pressure).collect();
+        let found = conditioning::influence(&discretisation.problem(&formulation, &points), &pressures);
+        let weights: Vec<f64> = points.iter().map(|point| point.weight).collect();
+        (found.expect("contact holds the bodies"), weights)
+    };
+    let (millimetres, weights) = of(cylinder(2.0));
+    let (metres, _) = of(cylinder(2.0).in_metres());
+    assert!(millimetres.len() >= 4 && millimetres.len() == metres.len());
+    for (k, (own, same)) in millimetres.iter().zip(&metres).enumerate() {
+        let (i, itself) = own.of_gaps[k];
+        assert!(itself < 0.0, "point {i} loses pressure where its gap widens: {itself}");
+        for (l, ((j, m), (_, in_metres))) in own.of_gaps.iter().zip(&same.of_gaps).enumerate() {
+            // Springs of 1e5 times the diagonal cost as many digits.
+            let near = |a: f64, b: f64| (a - b).abs() <= 1e-7 * itself.abs();
+            assert!(near(*m, in_metres * 1e-9), "{i}, {j}: {m} MPa/mm and {in_metres} Pa/m");
+            let back = millimetres[l].of_gaps[k].1 * weights[*j] / weights[i];
+            assert!(near(*m, back), "{i}, {j}: {m} and {back}");
+        }
+    }
+}
+
+#[test]
 fn shaken_mesh_moves_inner_nodes_only_and_keeps_edges_straight() {
     for order in [Order::Linear, Order::Quadratic] {
         let scene = Patch::default().scene();

@@ -156,6 +156,45 @@ fn peak_of_few_edges_is_a_parabola_or_their_mean_and_that_of_nan_none() {
 }
 
 #[test]
+fn parabola_through_the_highest_means_is_exact_for_one_and_ends_where_the_contact_does() {
+    for (top, n) in [(0.0, 8), (0.3, 16), (-0.8, 40)] {
+        let force = |s: f64| 9.0 * s - 2.0 / 3.0 * (s - top).powi(3);
+        assert_relative_eq!(peak::by_parabola(&edges(-2.0, 2.0, n, force), 9.0), 9.0, max_relative = 1e-11);
+    }
+    // p = s² on 1 … 2, and its mirror image: the highest place is an end.
+    for force in [|s: f64| s.powi(3) / 3.0, |s: f64| (s - 3.0).powi(3) / 3.0] {
+        let profile = edges(1.0, 2.0, 10, force);
+        assert_relative_eq!(peak::by_parabola(&profile, 4.0), 4.0, max_relative = 1e-11);
+        assert_relative_eq!(peak::of(&profile, 1.5).pressure, 4.0, max_relative = 1e-11);
+    }
+    // Three pairs hold four edges: the others are not seen where they make no second hump, whether the highest place is an end or not.
+    for (centre, seen) in [(1.95, 6..10), (1.05, 0..4), (1.5, 3..7)] {
+        let profile = edges(1.0, 2.0, 10, |s| 9.0 * s - (s - centre).powi(3) / 3.0);
+        for k in (0..10).filter(|k| !seen.contains(k)) {
+            let mut bent = profile.clone();
+            let outer = |j: &usize| if k < seen.start { *j <= k } else { *j >= k };
+            (0..10).filter(outer).for_each(|j| bent[j].pressure -= 0.1 * (1 + j.abs_diff(k)) as f64);
+            assert_relative_eq!(peak::by_parabola(&bent, 9.0), peak::by_parabola(&profile, 9.0), max_relative = 1e-12);
+        }
+    }
+    // Two edges make one pair: its mean.
+    assert_relative_eq!(peak::by_parabola(&edges(1.0, 2.0, 2, |s| 7.0 * s), 7.0), 7.0, max_relative = 1e-14);
+    assert!(peak::by_parabola(&[], 1.0).is_nan());
+}
+
+#[test]
+fn parabola_of_a_second_hump_is_taken_where_it_is_farther_above_the_peak() {
+    // 8 − 0.1 (s − 5)² up to s = 10, then 8.1 − 0.9 (s − 15)²: the second top is the higher, of the lower mean.
+    let hump = |top: f64, curvature: f64, centre: f64| move |s: f64| top * s - curvature / 3.0 * (s - centre).powi(3);
+    let (first, second) = (hump(8.0, 0.1, 5.0), hump(8.1, 0.9, 15.0));
+    let force = |s: f64| if s <= 10.0 { first(s) } else { first(10.0) + second(s) - second(10.0) };
+    let profile = edges(1.0, 19.0, 18, force);
+    for (peak, taken) in [(7.9, 8.1), (8.0, 8.1), (8.06, 8.0), (8.2, 8.0)] {
+        assert_relative_eq!(peak::by_parabola(&profile, peak), taken, max_relative = 1e-11);
+    }
+}
+
+#[test]
 fn share_of_force_elsewhere_is_what_moved() {
     let wanted = edges(0.0, 4.0, 4, |s| 2.0 * s);
     let mut found = wanted.clone();

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use approx::assert_relative_eq;
+use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::accuracy::{self, Asked};
 use contact_vv::case::Verdict;
 use contact_vv::measure::peak;
@@ -78,6 +78,22 @@ fn closed_forms_are_those_of_their_own_pressure_integrated() {
             }
         }
     }
+}
+
+#[test]
+fn largest_pressure_of_an_even_gap_lies_where_it_neither_rises_nor_falls() {
+    let polynomial = |parts| EvenGap::polynomial(2e5, 2.0, parts);
+    let hollow = [[1e-3, 2e-3, 1e-4], [0.0, 1e-3, 0.0], [0.0, 0.0, 1e-4], [-1e-3, 2e-3, 1e-4]].map(polynomial);
+    for solution in profiles().iter().chain(&hollow) {
+        let phi = solution.peak_place();
+        let term = |(k, b): (usize, &f64)| (2 * k + 1) as f64 * b * ((2 * k + 1) as f64 * phi).cos();
+        let slope: f64 = solution.slopes.iter().enumerate().map(term).sum();
+        // A maximum is known to the root of what rounding leaves of it.
+        assert_abs_diff_eq!(slope / solution.slopes[0], 0.0, epsilon = 1e-6);
+        let highest = (0..=1000).map(|k| solution.pressure(0.0005 * PI * f64::from(k))).fold(0.0, f64::max);
+        assert!(solution.peak_pressure() >= highest * (1.0 - 1e-12), "{highest}");
+    }
+    assert!(hollow.iter().all(|solution| solution.peak_place() < 1.3));
 }
 
 #[test]

@@ -191,6 +191,31 @@ fn spacing_does_not_depend_on_the_unit_of_length() {
 }
 
 #[test]
+fn spacing_does_not_depend_on_where_it_begins() {
+    let laws = |from: f64| {
+        let place = |x: f64| from + x;
+        let fine = [[2.0, 3.0, 0.5], [3.0 + 1e-10, 4.0, 0.1]].map(|[a, b, size]| [place(a), place(b), size]);
+        [
+            spacing::broken(from, place(10.0), 6, 2.0, &[3.0, 3.0 + 5e-6, 7.0, 7.0 + 5e-5, 10.0 - 5e-6].map(place)),
+            spacing::fine_within([from, place(10.0)], &fine, 1.5, 4.0),
+            spacing::stretched(from, place(10.0), 6, 2.0),
+            spacing::growing(from, place(10.0), 0.1, 1.3, 2.0),
+            spacing::growing_from_both(from, place(10.0), [0.1, 0.3], 1.3, 2.0),
+            spacing::fitted(from, place(10.0), 6, 0.1),
+        ]
+    };
+    let at_zero = laws(0.0);
+    for from in [-20.0, -10.0, -3.5, 64.0] {
+        for (law, (one, other)) in at_zero.iter().zip(laws(from)).enumerate() {
+            assert_eq!(one.len(), other.len(), "law {law} from {from}");
+            for (a, b) in one.iter().zip(other) {
+                assert_abs_diff_eq!(*a, b - from, epsilon = 1e-10);
+            }
+        }
+    }
+}
+
+#[test]
 fn intervals_that_fill_the_length_exactly_are_not_followed_by_another() {
     let even = [0.0, 0.25, 0.5, 0.75, 1.0];
     assert_eq!(spacing::growing(0.0, 1.0, 0.25, 1.0, 1.0), even);

@@ -102,6 +102,13 @@ fn series_without_a_limit_grows_and_one_with_a_limit_does_not() {
     let at = |of: &dyn Fn(f64) -> f64| unbounded::grows([4.0, 2.0, 1.0].map(of));
     assert!(at(&|h| 100.0 - 10.0 * h.ln()).is_some(), "a logarithm");
     assert!(at(&|h| 100.0 * h.powf(-0.3)).is_some(), "a corner");
+    // What it has grown by with the last halving, over the peak: h^−α by 1 − 2^−α.
+    let growth = at(&|h| 100.0 * h.powf(-0.3)).expect("it grows");
+    assert!((growth - (1.0 - 0.5_f64.powf(0.3))).abs() < 1e-12, "{growth}");
+    // As good as at its limit, below one part in a hundred, though it has none.
+    for (part, grows) in [(0.0095, false), (0.0105, true)] {
+        assert_eq!(at(&|h| 100.0 * (1.0 - part * h.log2())).is_some(), grows, "{part} of the peak");
+    }
     assert!(at(&|h| 100.0 - h * h).is_none() && at(&|h| 100.0 - 3.0 * h).is_none(), "first and second order");
     for lost in 0..3 {
         let nan = Cell::new(0);

@@ -30,6 +30,8 @@ def plant(copy, fault, sources):
         sys.exit(f"{fault['file']} holds `{fault['was']}` {sound.count(fault['was'])} times, not once: update {LIST.name}")
     path.write_text(sound.replace(fault["was"], fault["is"]))
     try:
+        if not copy.program():
+            sys.exit(f"{fault['name']} cannot be compiled: update {LIST.name}")
         red, ended = copy.failures()
     finally:
         path.write_text(sound)
@@ -53,7 +55,7 @@ def main(wanted):
         chosen = [fault for fault in faults if known.get(fault["name"], {}).get("sources") != sources]
     if not chosen:
         sys.exit("no such fault")
-    sound, ended = copy.failures()
+    sound, ended = copy.failures() if copy.program() else ([], "it cannot be compiled")
     if sound or ended:
         sys.exit(f"the tree without a fault is not green: {ended or sound[0]}")
     for number, fault in enumerate(chosen, 1):
