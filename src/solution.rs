@@ -29,6 +29,8 @@ pub enum Outcome {
     },
     /// The iteration error grows without end, or a number is none.
     Diverged,
+    /// Another criterion than the iteration error was met, and that error is above the tolerance, or unknown.
+    Stopped,
     /// The state no longer changes, and the iteration error is above the tolerance: round-off, or springs at their limit.
     Stalled,
     /// The largest number of iterations was made.
@@ -41,6 +43,7 @@ impl std::fmt::Display for Outcome {
             Self::Converged => f.write_str("converged"),
             Self::Cycling { period } => write!(f, "cycling (period {period})"),
             Self::Diverged => f.write_str("diverged"),
+            Self::Stopped => f.write_str("stopped by its criterion, above the tolerance"),
             Self::Stalled => f.write_str("stalled"),
             Self::Capped => f.write_str("not converged"),
         }
@@ -214,10 +217,31 @@ pub struct Iterated {
     pub increment: usize,
     /// How far the iteration is from the discrete solution; unknown where that was not found.
     pub error: IterationError,
+    /// What it shows without that solution.
+    pub seen: Seen,
     /// Points with pressure above the tolerance times the largest pressure of their contact.
     pub active: usize,
     /// Approach \[mm\], spring force per area \[MPa\] and spring stiffness [MPa/mm] of the first contact point.
     pub first_point: [f64; 3],
+}
+
+/// What an iteration shows of itself, without the discrete solution.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Seen {
+    /// The largest of `max(w − g, 0)/max |w|`, of `max(−p, 0)/max p` and of `p max(g − w, 0)/(max p max |w|)`.
+    pub conditions: f64,
+    /// `‖u_j − u_{j−1}‖ / ‖u_j‖` of the retained dofs; NaN of a first iteration, like what follows.
+    pub displacement: f64,
+    /// The largest of that, of penetration and of tension, each as above.
+    pub residuals: f64,
+    /// 0 where the same points carry pressure as before, 1 where others do.
+    pub state: f64,
+}
+
+impl Seen {
+    /// Nothing is known.
+    pub const NOTHING: Self =
+        Self { conditions: f64::NAN, displacement: f64::NAN, residuals: f64::NAN, state: f64::NAN };
 }
 
 /// Result of a contact iteration.

@@ -5,14 +5,16 @@ use std::ops::Range;
 
 use crate::algorithm::exact::Law;
 use crate::algorithm::target::{self, Target};
-use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
-use crate::algorithm::{bound, parts};
+use crate::algorithm::{Algorithm, ContactProblem, Criterion, Iterate, Springs};
+use crate::algorithm::{bound, criterion, parts};
 use crate::error::{Error, Kind, Place};
 use crate::solution::{Iterated, IterationError, Outcome, Share, Solution, States, Work};
 
 /// When to stop.
 #[derive(Clone, Copy, Debug, serde::Serialize)]
 pub struct Settings {
+    /// What shall fall below the tolerance.
+    pub criterion: Criterion,
     /// Largest iteration error accepted: of peak, force, width and approach of every contact, over the discrete solution's own.
     pub tolerance: f64,
     /// Load increments.
@@ -23,7 +25,7 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { tolerance: 1e-3, increments: 1, max_iterations: 2000 }
+        Self { criterion: Criterion::Error, tolerance: 1e-3, increments: 1, max_iterations: 2000 }
     }
 }
 
@@ -135,12 +137,13 @@ impl Run<'_> {
             };
             self.work.iterations += 1;
             self.record(increment, &iterate, stiffness);
+            let is_met = self.is_met();
             if !is_finite(&iterate) {
                 self.last = Some(iterate);
                 outcome = Outcome::Diverged;
                 break;
             }
-            self.judge(&mut course.known, &load, law, &iterate);
+            self.judge(&mut course.known, &load, law, &iterate, is_met);
             let state = State::of(&iterate);
             self.last = Some(iterate);
             if let Some(ended) = self.ended(&mut course, state) {
@@ -155,11 +158,20 @@ impl Run<'_> {
         Ok(outcome)
     }
 
+    /// Whether the newest iteration meets a criterion that it shows itself.
+    fn is_met(&self) -> bool {
+        let seen = self.history.last().and_then(|iteration| self.settings.criterion.of(&iteration.seen));
+        seen.is_some_and(|seen| seen <= self.settings.tolerance)
+    }
+
     /// How the increment ends with its newest state; none where it goes on.
     fn ended(&self, course: &mut Course, state: State) -> Option<Outcome> {
         let error = self.history.last().map_or(f64::NAN, |iteration| iteration.error.largest());
-        if error <= self.settings.tolerance {
-            return Some(Outcome::Converged);
+        let within = error <= self.settings.tolerance;
+        match self.settings.criterion {
+            Criterion::Error if within => return Some(Outcome::Converged),
+            _ if self.is_met() => return Some(if within { Outcome::Converged } else { Outcome::Stopped }),
+            _ => {}
         }
         if let Some(period) = returned(&course.earlier, &state) {
             return Some(Outcome::Cycling { period });
@@ -180,14 +192,14 @@ impl Run<'_> {
     }
 
     /// Looks for the discrete solution once it is near, and tells the error of every iteration since.
-    fn judge(&mut self, known: &mut Known, load: &[f64], law: Law, iterate: &Iterate) {
+    fn judge(&mut self, known: &mut Known, load: &[f64], law: Law, iterate: &Iterate, is_last: bool) {
         if known.target.is_none() && known.looked {
             return;
         }
         known.waiting.push(iterate.clone());
         if !known.looked {
             let pressed = target::pressed(self.problem, iterate);
-            let is_last = self.work.iterations >= self.settings.max_iterations;
+            let is_last = is_last || self.work.iterations >= self.settings.max_iterations;
             known.looked = known.waiting.len() >= LOOK || pressed == known.pressed || is_last;
             known.pressed = pressed;
             if known.looked {
@@ -229,9 +241,12 @@ impl Run<'_> {
             let floor = self.settings.tolerance * pressures().fold(0.0, f64::max);
             active += pressures().filter(|p| *p > floor).count();
         }
+        // The load of another increment moves what no iteration does.
+        let again = self.history.last().is_some_and(|earlier| earlier.increment == increment);
         self.history.push(Iterated {
             increment,
             error: IterationError::UNKNOWN,
+            seen: criterion::seen(self.problem, self.last.as_ref().filter(|_| again), iterate),
             active,
             first_point: [iterate.approach[0], iterate.pressure[0], stiffness],
         });

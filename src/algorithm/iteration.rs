@@ -1,5 +1,6 @@
 //! The choice of the algorithm.
 
+use crate::algorithm::rule::Leeway;
 use crate::algorithm::{Acceleration, Algorithm, Constant, Kinematic, StiffnessRule, Varying};
 use crate::named::named_enum;
 
@@ -16,12 +17,20 @@ named_enum! {
 }
 
 impl Iteration {
-    /// Rules the algorithm offers, the default first.
+    /// Rules of the algorithm, the default first, whose convergence is predicted.
     pub fn rules(self) -> &'static [StiffnessRule] {
         match self {
             Self::Varying => &[StiffnessRule::Secant, StiffnessRule::Correction],
             Self::Constant => &[StiffnessRule::Correction, StiffnessRule::Secant, StiffnessRule::Literal],
             Self::Kinematic => &[StiffnessRule::Switching, StiffnessRule::Penalty],
+        }
+    }
+
+    /// Further rules by which the paper can have changed its stiffnesses: offered, and compared as readings of it alone.
+    pub fn further_rules(self) -> &'static [StiffnessRule] {
+        match self {
+            Self::Varying => &[StiffnessRule::Squared, StiffnessRule::Step, StiffnessRule::Doubling],
+            Self::Constant | Self::Kinematic => &[],
         }
     }
 
@@ -34,9 +43,15 @@ impl Iteration {
     }
 
     /// The algorithm before its first iteration.
-    pub fn with(self, rule: StiffnessRule, acceleration: Acceleration, tolerance: f64) -> Box<dyn Algorithm> {
+    pub fn with(
+        self,
+        rule: StiffnessRule,
+        leeway: Leeway,
+        acceleration: Acceleration,
+        tolerance: f64,
+    ) -> Box<dyn Algorithm> {
         match self {
-            Self::Varying => Box::new(Varying::new(rule)),
+            Self::Varying => Box::new(Varying::changing(rule, leeway)),
             Self::Constant => Box::new(Constant::accelerated(rule, acceleration)),
             Self::Kinematic => Box::new(Kinematic::new(rule, tolerance)),
         }

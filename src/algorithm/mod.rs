@@ -10,6 +10,7 @@
 //! * [`target`] — how far an iterate is from it.
 //! * [`bound`] — a bound on that, in the energy norm.
 //! * [`parts`] — points and edges contact by contact, and the means over edges.
+//! * [`criterion`] — what else an iteration can be stopped by.
 //! * [`mod@iterate`] — the loop; [`iteration`] — the choice of the algorithm.
 //!
 //! ```
@@ -31,6 +32,7 @@
 pub mod acceleration;
 pub mod bound;
 pub mod constant;
+pub mod criterion;
 pub mod exact;
 pub mod iterate;
 pub mod iteration;
@@ -48,12 +50,13 @@ use crate::solution::Work;
 
 pub use acceleration::Acceleration;
 pub use constant::Constant;
+pub use criterion::Criterion;
 pub use exact::{Exact, Law};
 pub use iterate::{Settings, iterate, iterate_from};
 pub use iteration::Iteration;
 pub use kinematic::Kinematic;
 pub use problem::{ContactProblem, Scale};
-pub use rule::StiffnessRule;
+pub use rule::{Leeway, Spring, StiffnessRule};
 pub use springs::{Iterate, Springs};
 pub use target::Target;
 pub use varying::Varying;

@@ -1,5 +1,7 @@
 //! The rule: how the strain of a spring drives its stiffness or its force. The paper points to its ref. 12 for it.
 
+use serde::Serialize;
+
 use crate::algorithm::Scale;
 use crate::named::named_enum;
 
@@ -8,6 +10,12 @@ named_enum! {
     pub enum StiffnessRule {
         /// `k ← k max(w, 0) / g`: the spring's own strain drives it until w = g (gap element; Stadter & Weiss 1979).
         Secant = "secant",
+        /// `k ← k (max(w, 0) / g)²`: the same, twice as fast and half as stable.
+        Squared = "squared",
+        /// `k ← k max(0, 1 + 5 (w − g)/g_ref)`: in proportion to what is left of the gap.
+        Step = "step",
+        /// `k ← 2 k` where w > g, `k ← k/2` elsewhere.
+        Doubling = "doubling",
         /// `p ← max(0, p + κ (w − g))`: projected correction (Uzawa, augmented Lagrangian).
         Correction = "correction",
         /// Equation (3.10) taken literally, with the secant rule on stored stiffnesses.
@@ -19,9 +27,51 @@ named_enum! {
     }
 }
 
+named_enum! {
+    /// What has a stiffness of its own, and changes it by its own approach and gap.
+    pub enum Spring {
+        /// Every contact point.
+        Point = "point",
+        /// Every contact element: its points change alike, by their mean approach over their mean gap.
+        Element = "element",
+    }
+}
+
+/// How far varying stiffness lets its rule go.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Leeway {
+    /// Factor B: an iteration changes a stiffness by no less than 1/B and no more than B; infinite is no bound.
+    pub bound: f64,
+    /// What has a stiffness of its own.
+    pub spring: Spring,
+}
+
+impl Default for Leeway {
+    /// Unbounded, the first factor of a stiff start raises every other Gauss point without end, which no node feels.
+    fn default() -> Self {
+        Self { bound: 100.0, spring: Spring::Point }
+    }
+}
+
+/// Step: part of the reference gap by which a penetration doubles a stiffness.
+const STEP: f64 = 0.2;
+
+/// Factor by which a rule changes the stiffness of a spring of some approach and gap \[mm\].
+pub fn factor(rule: StiffnessRule, scale: &Scale, approach: f64, gap: f64) -> f64 {
+    let ratio = positive_part(approach) / scale.above_zero(gap);
+    match rule {
+        StiffnessRule::Squared => ratio * ratio,
+        StiffnessRule::Step => positive_part(1.0 + (approach - gap) / (STEP * scale.gap)),
+        StiffnessRule::Doubling if approach.is_nan() => f64::NAN,
+        StiffnessRule::Doubling if approach > gap => 2.0,
+        StiffnessRule::Doubling => 0.5,
+        _ => ratio,
+    }
+}
+
 /// Secant: `k max(w, 0) / max(g, 1e-9 g_ref)`, within the limits [MPa/mm].
 pub fn secant(scale: &Scale, stiffness: f64, approach: f64, gap: f64) -> f64 {
-    scale.clip(stiffness * positive_part(approach) / scale.above_zero(gap))
+    scale.clip(stiffness * factor(StiffnessRule::Secant, scale, approach, gap))
 }
 
 /// Correction: `max(0, p + κ (w − g))` \[MPa\].

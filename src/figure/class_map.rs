@@ -6,7 +6,7 @@ use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::frame::{Frame, Point};
 use super::legend::Legend;
 use super::palette::{Colour, GREY, INK};
-use super::pen::{Lettering, Pen};
+use super::pen::{Lettering, Pen, text_width};
 use crate::error::Error;
 
 /// One cell: how it ended, and which side of the predicted boundary it is on, if there is one.
@@ -45,7 +45,11 @@ pub struct ClassMap {
 }
 
 const ROW: f64 = 13.0;
+/// Least room for the labels of rows.
 const LABELS: f64 = 30.0;
+const SIZE: f64 = 10.0;
+/// Between a label and its row.
+const GAP: f64 = 5.0;
 const HEAD: f64 = 20.0;
 const FOOT: f64 = 28.0;
 
@@ -54,13 +58,15 @@ impl ClassMap {
     pub fn svg(&self) -> Result<String, Error> {
         let columns = self.columns.max(1);
         let pitch = (WIDTH - 2.0 * EDGE) / columns as f64;
+        let names = self.panels.iter().flat_map(|panel| &panel.rows).map(|(name, _)| text_width(name, SIZE));
+        let labels = names.fold(LABELS - GAP, f64::max) + GAP;
         let (mut canvas, mut top) = (Canvas::new(), TITLE);
         for panels in self.panels.chunks(columns) {
             let tallest = panels.iter().map(|panel| panel.rows.len()).max().unwrap_or(0);
             for (place, panel) in panels.iter().enumerate() {
-                let left = EDGE + pitch * place as f64 + LABELS;
+                let left = EDGE + pitch * place as f64 + labels;
                 let bottom = top + HEAD + ROW * panel.rows.len() as f64;
-                let frame = Frame { left, top: top + HEAD, right: left + pitch - LABELS - 12.0, bottom };
+                let frame = Frame { left, top: top + HEAD, right: left + pitch - labels - 12.0, bottom };
                 self.panel(&mut canvas, panel, frame);
             }
             top += HEAD + ROW * tallest as f64 + FOOT;
@@ -80,7 +86,7 @@ impl ClassMap {
                 let square = Frame { left: x(column), right: x(column + 1), top: y(row + 1), bottom: y(row) };
                 squares.entry(cell.colour).or_default().push(square.corners().to_vec());
             }
-            canvas.label((frame.left - 5.0, y(row) - 0.5 * ROW), label, Lettering::end(10.0));
+            canvas.label((frame.left - GAP, y(row) - 0.5 * ROW), label, Lettering::end(SIZE));
         }
         squares.iter().for_each(|(colour, squares)| canvas.tiles(squares, *colour));
         canvas.line(&frame.outline(), Pen::solid(GREY, 0.8));

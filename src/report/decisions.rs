@@ -5,16 +5,21 @@ use crate::markdown;
 use crate::solve::{Element, Formulation, Iteration, LIMITS, Settings};
 
 /// Misprints and gaps of the paper, and what is read instead.
-const MISPRINTS: [[&str; 3]; 6] = [
+const MISPRINTS: [[&str; 3]; 11] = [
+    ["§1", "V^A ∩ V^B = 0", "the empty set"],
+    ["(1.1a)", "dV under the integral over A_t", "dA"],
+    ["(1.1b)", "dV under the integral over A_c", "dA, as in its last integral"],
     ["(3.4)", "K_C2 + K_C3", "K_c0 + K_c1"],
-    ["(3.10)", "q_(j+1) in the last term", "q_(j−1)"],
+    ["(3.9)", "Δq_i and Δf_i", "Δq_j and Δf_j"],
+    ["(3.10)", "Δq_(j+1) in the last term", "Δq_(j−1)"],
+    ["(3.11)", "Δf_0 on the right", "Δf: the load increment does not change within it"],
     ["§2, layer element", "refers to (1.1b)", "(2.2)"],
     ["§1", "A^A = A_c ∪ A_u", "A_c ∪ A_u ∪ A_t, as for body B"],
-    ["(2.2), layer", "k_t and G are left open", "zero: frictionless"],
+    ["(2.2)", "no (2.1) before it; k_t and G are left open", "as it stands; zero: frictionless"],
     [
         "(3.3), (3.5)",
         "the choice of K_cj is left to ref. [12], not at hand",
-        "named rules: secant, correction, literal, switching, penalty",
+        "named rules: secant, correction, squared, step, doubling, literal, switching, penalty",
     ],
 ];
 
@@ -32,6 +37,7 @@ pub fn open_points() -> String {
     let hard = of(Element::Node, Iteration::Kinematic).stiffness;
     let gauss = of(Element::Line, Iteration::Kinematic).stiffness;
     let soft = of(Element::Node, Iteration::Varying).stiffness;
+    let bound = of(Element::Node, Iteration::Varying).leeway.bound;
     let layer = of(Element::Layer, Iteration::Varying).layer_thickness;
     let rows = [
         ["Dimensions of the cylinder".to_string(),
@@ -43,8 +49,11 @@ pub fn open_points() -> String {
          "every curve of the pin–rod; the dimensionless family shows how".into()],
         ["The rigid end face of the shank".into(), "u_y common to all its nodes, u_x free".into(), "nothing at the eye (Saint-Venant)".into()],
         ["The rule that changes the stiffness".into(),
-         "(a) secant, (b) correction, (c) its own switching; others selectable".into(),
-         "whether and how fast (a) and (b) converge".into()],
+         format!("(a) secant, by no more than {bound} times an iteration, (b) correction, (c) its own switching; others selectable"),
+         "whether and how fast (a) and (b) converge: *The paper under every reading*; unbounded, a stiff start raises every other Gauss point, which no node feels".into()],
+        ["What has a stiffness".into(), "every contact point; `spring = \"element\"` gives one to every element".into(), "with one an element, the pressures of its points cannot differ as they shall".into()],
+        ["Tangential dofs of external nodes".into(), "condensed with the interior ones: without friction they carry no force".into(), "nothing in the result; half the retained dofs".into()],
+        ["Factorisations of constant stiffness".into(), "one a run; the paper says one an increment, whose K_c0 here stays".into(), "operations of runs in several increments".into()],
         ["Constant stiffness keeps forces".into(),
          "K_cj q in (3.10) is read as the change of the spring force p⁺ − p; the literal sum is the rule `literal`".into(),
          "the literal sum is shown in the table of rules".into()],
@@ -65,8 +74,8 @@ pub fn open_points() -> String {
          "without n·n_a corner and mid-side pressures differ by 0.3 Δ², Δ half the angle of an edge".into()],
         ["Load increments".into(), "increment n of N applies (n/N) f̂; the gap enters whole, once".into(), "nothing in the result; iterations".into()],
         ["When to stop".into(),
-         format!("penetration, tension, complementarity and load balance of the reported pressures ≤ {}; at most {} iterations", settings.tolerance, settings.max_iterations),
-         "all iteration counts".into()],
+         format!("errors of peak, profile, width and approach against the discrete solution ≤ {}; at most {} iterations; contact conditions, residuals, change of displacements and contact state selectable", settings.tolerance, settings.max_iterations),
+         "all iteration counts; stopped by another criterion, an answer is called converged only where its error is within the tolerance too".into()],
         ["Comparing profiles of different elements".into(),
          "means over the candidate edges".into(),
          "free of the alternating mode and of interpolation between different points".into()],

@@ -1,6 +1,8 @@
 //! One way of solving a contact problem: contact element × algorithm × rule × stiffness.
 
-use crate::algorithm::{Acceleration, ContactProblem, Iteration, Settings, Springs, StiffnessRule, iterate_from};
+use crate::algorithm::{
+    Acceleration, ContactProblem, Iteration, Leeway, Settings, Spring, Springs, StiffnessRule, iterate_from,
+};
 use crate::contact::{ContactPoint, Element, Interface, Quadrature};
 use crate::error::Error;
 use crate::solution::Solution;
@@ -19,6 +21,8 @@ pub struct Formulation {
     pub stiffness: f64,
     /// Factors on the initial stiffness, used cyclically from point to point; empty means 1.
     pub stiffness_pattern: Vec<f64>,
+    /// How far varying stiffness lets its rule go in an iteration.
+    pub leeway: Leeway,
     /// Quadrature of the line and layer elements.
     pub quadrature: Quadrature,
     /// Thickness `t₀` of the layer element over the length of its edge.
@@ -40,6 +44,7 @@ impl Formulation {
             rule: algorithm.rules()[0],
             stiffness: algorithm.default_stiffness(),
             stiffness_pattern: Vec::new(),
+            leeway: Leeway::default(),
             quadrature: Quadrature::Gauss,
             layer_thickness: 0.05,
             acceleration: Acceleration::None,
@@ -71,11 +76,20 @@ impl Formulation {
         self
     }
 
-    /// `element.algorithm`, and the rule, the acceleration and the start where they are not the default.
+    /// `element.algorithm`, and the rule, its bound, what has a stiffness, the acceleration and the start where they are not the default.
     pub fn name(&self) -> String {
         let mut name = format!("{}.{}", self.element.name(), self.algorithm.name());
         if self.rule != self.algorithm.rules()[0] {
             name += &format!(".{}", self.rule.name());
+        }
+        let Leeway { bound, spring } = self.leeway;
+        if bound.is_infinite() {
+            name += ".unbounded";
+        } else if bound != Leeway::default().bound {
+            name += &format!(".bound-{bound}");
+        }
+        if spring != Spring::Point {
+            name += &format!(".per-{}", spring.name());
         }
         if self.acceleration != Acceleration::None {
             name += &format!("+{}", self.acceleration.name());
@@ -100,7 +114,7 @@ impl Formulation {
 
     /// Iterates a problem from given springs, which are left as they stand after the last iteration.
     pub(super) fn iterate(&self, springs: &mut Springs, problem: &ContactProblem) -> Result<Solution, Error> {
-        let mut algorithm = self.algorithm.with(self.rule, self.acceleration, self.settings.tolerance);
+        let mut algorithm = self.algorithm.with(self.rule, self.leeway, self.acceleration, self.settings.tolerance);
         iterate_from(springs, problem, algorithm.as_mut(), self.settings)
     }
 }

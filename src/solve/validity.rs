@@ -1,7 +1,7 @@
 //! What a formulation is not defined for: refused before anything is solved.
 
 use crate::algorithm::problem::LIMITS;
-use crate::algorithm::{Acceleration, Iteration, StiffnessRule};
+use crate::algorithm::{Acceleration, Iteration, Leeway, StiffnessRule};
 use crate::error::{Error, Place};
 use crate::scene::Scene;
 use crate::solve::{Formulation, Start};
@@ -41,11 +41,20 @@ impl Formulation {
             let remedy = "use 1 for the whole load at once";
             return Err(Error::value(place, "increments", 0, "at least 1 is needed", remedy));
         }
-        let offered = self.algorithm.rules();
+        let offered = [self.algorithm.rules(), self.algorithm.further_rules()].concat();
         if !offered.contains(&self.rule) {
             let names: Vec<&str> = offered.iter().map(|rule| rule.name()).collect();
             let message = format!("the {} algorithm has no rule `{}`", self.algorithm.name(), self.rule.name());
             return Err(Error::at(place, message, format!("choose one of {}", names.join(", "))));
+        }
+        if self.leeway.bound.is_nan() || self.leeway.bound <= 1.0 {
+            let expected = "a factor above 1 is needed, or `inf` for none";
+            return Err(Error::value(place, "bound", self.leeway.bound, expected, "use 2 to 100"));
+        }
+        if self.leeway != Leeway::default() && self.algorithm != Iteration::Varying {
+            let message =
+                format!("the {} algorithm has no stiffness that a rule changes step by step", self.algorithm.name());
+            return Err(Error::at(place, message, "leave `bound` and `spring` out, or use the varying algorithm"));
         }
         self.validate_options(place)?;
         let tightest = scene.contacts.iter().map(|pair| pair.profile.gap(0.0)).fold(f64::INFINITY, f64::min);

@@ -10,6 +10,8 @@ use crate::solution::Outcome;
 pub enum Class {
     /// Within the limit of iterations.
     Converged,
+    /// Stopped by its criterion, above the tolerance.
+    Stopped,
     /// Not converged when the cap of iterations was reached.
     Capped,
     /// Returned to an earlier state.
@@ -26,13 +28,22 @@ pub enum Class {
 
 impl Class {
     /// All, from good to bad.
-    pub const ALL: [Self; 7] =
-        [Self::Converged, Self::Capped, Self::Stalled, Self::Cycling, Self::Diverged, Self::Unsupported, Self::Beyond];
+    pub const ALL: [Self; 8] = [
+        Self::Converged,
+        Self::Stopped,
+        Self::Capped,
+        Self::Stalled,
+        Self::Cycling,
+        Self::Diverged,
+        Self::Unsupported,
+        Self::Beyond,
+    ];
 
     /// The class of an outcome.
     pub fn of(outcome: Outcome) -> Self {
         match outcome {
             Outcome::Converged => Self::Converged,
+            Outcome::Stopped => Self::Stopped,
             Outcome::Capped => Self::Capped,
             Outcome::Cycling { .. } => Self::Cycling,
             Outcome::Diverged => Self::Diverged,
@@ -44,6 +55,7 @@ impl Class {
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",
+            Self::Stopped => "stopped",
             Self::Capped => "capped",
             Self::Cycling => "cycling",
             Self::Diverged => "diverged",

@@ -42,6 +42,8 @@ rooms! {
     CrossCode in cross_code,
     /// Initial stiffness and rules.
     Sweep in sweep,
+    /// What the paper leaves open: its sentences under every reading.
+    Readings in readings,
     /// Speed against accuracy.
     Timings in timings,
     /// What is called converged.

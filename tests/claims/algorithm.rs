@@ -2,8 +2,8 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::algorithm::{
-    Algorithm, Constant, ContactProblem, Iterate, Kinematic, Scale, Settings, Springs, StiffnessRule, Varying, iterate,
-    rule,
+    Algorithm, Constant, ContactProblem, Iterate, Kinematic, Leeway, Scale, Settings, Spring, Springs, StiffnessRule,
+    Varying, iterate, rule,
 };
 use contact_vv::contact::{ContactEdge, ContactPoint};
 use contact_vv::solution::{Outcome, Solution, Work};
@@ -108,7 +108,7 @@ pub fn exact(sample: &Sample) -> Vec<f64> {
 }
 
 pub fn tight(max_iterations: usize) -> Settings {
-    Settings { tolerance: 1e-9, increments: 1, max_iterations }
+    Settings { tolerance: 1e-9, increments: 1, max_iterations, ..Settings::default() }
 }
 
 /// Every algorithm and rule that iterates to the contact conditions.
@@ -258,6 +258,50 @@ fn first_step_of_varying_stiffness_is_equation_three_two() {
 }
 
 #[test]
+fn bound_limits_the_change_of_a_stiffness_both_ways() {
+    // At k = 100: w = 0.18 of a gap of 0.1, factor 1.8; and w = 0.03, factor 0.3.
+    for (load, bound, factor) in
+        [(90.0, 1.5, 1.5), (90.0, 2.0, 1.8), (15.0, 2.0, 0.5), (15.0, 4.0, 0.3), (15.0, f64::INFINITY, 0.3)]
+    {
+        let sample = one(load);
+        let mut springs = sample.problem().initial_springs();
+        let leeway = Leeway { bound, ..Leeway::default() };
+        next(&mut Varying::changing(StiffnessRule::Secant, leeway), &sample, &mut springs);
+        assert_relative_eq!(springs.stiffness[0], 100.0 * factor, max_relative = 1e-13);
+    }
+}
+
+#[test]
+fn points_of_an_element_change_by_their_mean_approach_over_their_mean_gap() {
+    let mut sample = two([90.0, 60.0], [0.1, 0.3]);
+    let per = |spring| Varying::changing(StiffnessRule::Secant, Leeway { spring, ..Leeway::default() });
+    let factors = |sample: &Sample, spring| -> [f64; 2] {
+        let mut springs = sample.problem().initial_springs();
+        next(&mut per(spring), sample, &mut springs);
+        [0, 1].map(|i| springs.stiffness[i] / sample.initial[i])
+    };
+    let mut springs = sample.problem().initial_springs();
+    let w = next(&mut per(Spring::Point), &sample, &mut springs).approach;
+    let own = [w[0] / 0.1, w[1] / 0.3];
+    for (found, wanted) in factors(&sample, Spring::Point).into_iter().zip(own) {
+        assert_relative_eq!(found, wanted, max_relative = 1e-13);
+    }
+    let mean = (2.0 * w[0] + 3.0 * w[1]) / (2.0 * 0.1 + 3.0 * 0.3);
+    for found in factors(&sample, Spring::Element) {
+        assert_relative_eq!(found, mean, max_relative = 1e-13);
+    }
+    // Of another edge, of another contact, or shared by two edges, each is an element of its own.
+    for (contact, shares) in [(0, vec![(1, 3.0)]), (1, vec![(0, 3.0)]), (0, vec![(0, 1.0), (1, 2.0)])] {
+        (sample.points[1].contact, sample.points[1].shares) = (contact, shares);
+        sample.edges = vec![edge(0), edge(1)];
+        let problem = ContactProblem { compliance: vec![COMPLIANCE; 2], ..sample.problem() };
+        let mut springs = problem.initial_springs();
+        per(Spring::Element).next(&problem, &sample.load, &mut springs, &mut Work::default()).expect("definite");
+        assert_relative_eq!(springs.stiffness[0] / sample.initial[0], own[0], max_relative = 1e-13);
+    }
+}
+
+#[test]
 fn correction_of_varying_stiffness_uses_the_larger_of_present_and_initial_stiffness() {
     let sample = one(90.0);
     for (present, kappa) in [(400.0, 400.0), (10.0, 100.0)] {
@@ -370,6 +414,25 @@ fn secant_rule_multiplies_by_the_strain_within_its_limits() {
     assert_relative_eq!(rule::secant(&SCALE, 7.0, 1e-9, 0.0), 7.0 * 1e-9 / 1e-10, max_relative = 1e-12);
     assert!(rule::secant(&SCALE, 7.0, f64::NAN, 0.1).is_nan());
     assert_relative_eq!(SCALE.hard(), hard);
+}
+
+#[test]
+fn factors_of_the_rules_are_what_they_are_named_for() {
+    use StiffnessRule::{Doubling, Secant, Squared, Step};
+    // g_ref = 0.1: a fifth of it is 0.02.
+    for (rule, approach, gap, factor) in [
+        (Secant, 0.3, 0.1, 3.0),
+        (Squared, 0.3, 0.1, 9.0),
+        (Squared, -0.3, 0.1, 0.0),
+        (Step, 0.13, 0.1, 2.5),
+        (Step, 0.09, 0.1, 0.5),
+        (Step, 0.07, 0.1, 0.0),
+        (Doubling, 0.1001, 0.1, 2.0),
+        (Doubling, 0.1, 0.1, 0.5),
+    ] {
+        assert_abs_diff_eq!(rule::factor(rule, &SCALE, approach, gap), factor, epsilon = 1e-12);
+        assert!(rule::factor(rule, &SCALE, f64::NAN, gap).is_nan(), "{rule:?}");
+    }
 }
 
 #[test]

@@ -2,8 +2,8 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::algorithm::{
-    Algorithm, Constant, ContactProblem, Iterate, Kinematic, Law, Settings, Springs, StiffnessRule, Target, Varying,
-    bound, iterate,
+    Algorithm, Constant, ContactProblem, Criterion, Iterate, Kinematic, Law, Settings, Springs, StiffnessRule, Target,
+    Varying, bound, iterate,
 };
 use contact_vv::contact::ContactEdge;
 use contact_vv::error::Kind;
@@ -64,6 +64,49 @@ fn state_that_stands_still_off_the_solution_is_stalled_and_no_cycle() {
 }
 
 #[test]
+fn another_criterion_stops_and_what_is_off_then_is_not_converged() {
+    let played = |criterion, tolerance, pressures: Vec<f64>, approach| {
+        let settings = Settings { criterion, tolerance, max_iterations: 20, ..Settings::default() };
+        let solution = one(90.0).solve(&mut Playback { approach, ..Playback::of(pressures) }, settings);
+        (solution.outcome, solution.work.iterations)
+    };
+    // At the gap and without tension the contact conditions hold, whatever the pressure: p* = 30.
+    assert_eq!(played(Criterion::Conditions, 1e-9, vec![10.0], 0.1), (Outcome::Stopped, 1));
+    assert_eq!(played(Criterion::Conditions, 1e-9, vec![30.0], 0.1), (Outcome::Converged, 1));
+    // Of 0.125 a fifth is penetration; of 0.08 a quarter is a gap, across which all of the pressure acts.
+    assert_eq!(played(Criterion::Conditions, 0.21, vec![10.0], 0.125).1, 1);
+    assert_ne!(played(Criterion::Conditions, 0.19, vec![10.0, 11.0, 12.0], 0.125).0, Outcome::Stopped);
+    assert_eq!(played(Criterion::Conditions, 0.26, vec![10.0], 0.08).1, 1);
+    assert_ne!(played(Criterion::Conditions, 0.24, vec![10.0, 11.0, 12.0], 0.08).0, Outcome::Stopped);
+    // Tension of any size is infinitely more than no pressure.
+    assert_ne!(played(Criterion::Conditions, 0.1, vec![-1.0, -2.0, -3.0], 0.1).0, Outcome::Stopped);
+    // A change takes two iterations to be seen; the gap is no residual, penetration is.
+    assert_eq!(played(Criterion::Displacement, 1e-9, vec![10.0, 20.0], 0.125), (Outcome::Stopped, 2));
+    assert_eq!(played(Criterion::Residuals, 1e-9, vec![10.0, 20.0], 0.08), (Outcome::Stopped, 2));
+    assert_ne!(played(Criterion::Residuals, 0.19, vec![10.0, 20.0, 15.0, 12.0], 0.125).0, Outcome::Stopped);
+    assert_eq!(played(Criterion::State, 1e-9, vec![0.0, 20.0, 15.0], 0.1), (Outcome::Stopped, 3));
+    // The iteration error alone does not stop what another criterion shall.
+    assert_eq!(played(Criterion::Displacement, 1e-9, vec![30.0, 10.0], 0.1), (Outcome::Stopped, 2));
+}
+
+#[test]
+fn changes_are_measured_against_the_iterate_before_and_not_across_loads() {
+    let settings = Settings { criterion: Criterion::Residuals, tolerance: 1e-12, max_iterations: 40, increments: 2 };
+    let solution = two([90.0, 60.0], [0.1, 0.2]).solve(&mut Varying::new(StiffnessRule::Secant), settings);
+    for pair in solution.history.windows(2) {
+        assert_eq!(pair[1].seen.displacement.is_nan(), pair[0].increment != pair[1].increment);
+        assert!(!pair[1].seen.conditions.is_nan());
+    }
+    assert!(solution.history[0].seen.displacement.is_nan());
+    // One spring: u = 90/(300 + 2k) from k = 100, then from k = 180.
+    let one = one(90.0).solve(&mut Varying::new(StiffnessRule::Secant), tight(2));
+    let [first, second] = [90.0 / 500.0, 90.0 / 660.0];
+    assert_relative_eq!(one.history[1].seen.displacement, (first - second) / second, max_relative = 1e-12);
+    assert_relative_eq!(one.history[1].seen.residuals, (first - second) / second, max_relative = 1e-12);
+    assert_relative_eq!(one.history[0].seen.conditions, (first - 0.1) / first, max_relative = 1e-12);
+}
+
+#[test]
 fn drifting_states_are_no_cycle() {
     let drift: Vec<f64> = (0..100).map(|i| if i % 2 == 0 { 10.0 } else { 20.0 } + 1e-6 * i as f64).collect();
     assert_eq!(one(90.0).solve(&mut Playback::of(drift), tight(100)).outcome, Outcome::Capped);
@@ -117,7 +160,7 @@ fn running_out_of_steps_is_exhaustion_with_the_last_state_kept() {
 fn convergence_is_the_error_against_the_discrete_solution_within_the_tolerance() {
     // p* = 30.
     for (tolerance, outcome) in [(0.0301, Outcome::Converged), (0.0299, Outcome::Capped)] {
-        let settings = Settings { tolerance, increments: 1, max_iterations: 2 };
+        let settings = Settings { tolerance, increments: 1, max_iterations: 2, ..Settings::default() };
         let solution = one(90.0).solve(&mut Playback::of(vec![20.0, 29.1]), settings);
         assert_eq!(solution.outcome, outcome);
         assert_relative_eq!(solution.error().peak, 0.03, max_relative = 1e-9);
@@ -138,7 +181,7 @@ fn convergence_does_not_depend_on_what_stiffnesses_are_scaled_by() {
     let counts = [1e-3, 1.0, 1e3].map(|times| {
         let mut problem = sample.problem();
         problem.scale.gap *= times;
-        let settings = Settings { tolerance: 1e-3, increments: 1, max_iterations: 2000 };
+        let settings = Settings { tolerance: 1e-3, increments: 1, max_iterations: 2000, ..Settings::default() };
         let solution = iterate(&problem, &mut Constant::new(StiffnessRule::Correction), settings).expect("no error");
         assert!(solution.converged());
         solution.work.iterations
@@ -238,7 +281,7 @@ fn no_spring_left_is_an_error_that_says_what_to_do() {
 
 #[test]
 fn constant_stiffness_factorises_once_over_all_increments() {
-    let settings = Settings { tolerance: 1e-9, increments: 4, max_iterations: 2000 };
+    let settings = Settings { tolerance: 1e-9, increments: 4, max_iterations: 2000, ..Settings::default() };
     let solution = one(90.0).solve(&mut Constant::new(StiffnessRule::Correction), settings);
     assert_eq!(solution.outcome, Outcome::Converged);
     assert!(solution.work.iterations > 4);
@@ -250,7 +293,7 @@ fn constant_stiffness_factorises_once_over_all_increments() {
 
 #[test]
 fn varying_stiffness_and_kinematic_load_factorise_at_every_step() {
-    let settings = Settings { tolerance: 1e-9, increments: 4, max_iterations: 2000 };
+    let settings = Settings { tolerance: 1e-9, increments: 4, max_iterations: 2000, ..Settings::default() };
     let algorithms: [Box<dyn Algorithm>; 2] =
         [Box::new(Varying::new(StiffnessRule::Secant)), Box::new(Kinematic::new(StiffnessRule::Switching, 1e-9))];
     for mut algorithm in algorithms {
@@ -267,7 +310,7 @@ fn varying_stiffness_and_kinematic_load_factorise_at_every_step() {
 fn increments_apply_the_load_in_equal_parts_and_stop_where_one_fails() {
     // Under a quarter of the load the point is open, w* = 0.075; then p* = 7.5, 18.75, 30: hardly any force is off by
     // all of it.
-    let settings = Settings { tolerance: 1.0, increments: 4, max_iterations: 100 };
+    let settings = Settings { tolerance: 1.0, increments: 4, max_iterations: 100, ..Settings::default() };
     let mut playback = Playback::of(vec![1e-3]);
     let solution = one(90.0).solve(&mut playback, settings);
     assert_eq!(solution.outcome, Outcome::Converged);
@@ -276,7 +319,7 @@ fn increments_apply_the_load_in_equal_parts_and_stop_where_one_fails() {
     assert!(distance(&playback.loads, &twice([22.5, 45.0, 67.5, 90.0])) <= 1e-13);
     assert_eq!(solution.history.iter().map(|s| s.increment).collect::<Vec<_>>(), vec![1, 1, 2, 2, 3, 3, 4, 4]);
 
-    let failing = Settings { tolerance: 1e-9, increments: 4, max_iterations: 5 };
+    let failing = Settings { tolerance: 1e-9, increments: 4, max_iterations: 5, ..Settings::default() };
     // A quarter of the load is not what the point carries.
     let mut playback = Playback::of((0..9).map(|k| 1.0 + f64::from(k)).collect());
     let solution = one(90.0).solve(&mut playback, failing);
@@ -289,7 +332,7 @@ fn increments_lead_to_the_solution_of_the_whole_load() {
     let sample = two([200.0, 300.0], [0.02, 0.3]);
     let wanted = exact(&sample);
     for (name, mut algorithm) in solvers() {
-        let settings = Settings { tolerance: 1e-9, increments: 5, max_iterations: 100_000 };
+        let settings = Settings { tolerance: 1e-9, increments: 5, max_iterations: 100_000, ..Settings::default() };
         let solution = started(&sample, name).solve(algorithm.as_mut(), settings);
         let found: Vec<f64> = solution.points.iter().map(|p| p.pressure).collect();
         assert!(solution.converged() && distance(&found, &wanted) <= 1e-6, "{name}: {found:?}");
@@ -309,7 +352,8 @@ fn solution_reports_pressures_gaps_forces_and_edge_means() {
     sample.points[0].shares = vec![(0, 0.5), (1, 1.5)];
     sample.points[1].shares = vec![(1, 3.0)];
     sample.edges = vec![edge(0), edge(1)];
-    let solution = sample.solve(&mut Fixed, Settings { tolerance: 1e-3, increments: 1, max_iterations: 1 });
+    let solution =
+        sample.solve(&mut Fixed, Settings { tolerance: 1e-3, increments: 1, max_iterations: 1, ..Settings::default() });
 
     assert!(distance(&solution.spring_pressures, &[4.0, -3.0]) <= 0.0);
     assert!(distance(&[solution.points[0].pressure, solution.points[1].pressure], &[4.0, 0.0]) <= 0.0);

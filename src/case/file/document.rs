@@ -7,7 +7,7 @@ use std::path::Path;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::algorithm::{Acceleration, StiffnessRule};
+use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule};
 use crate::case::definition::Case;
 use crate::case::file::Source;
 use crate::case::file::scene::Tables;
@@ -49,22 +49,18 @@ struct SolveTable {
     element: Option<Name>,
     algorithm: Option<Name>,
     rule: Option<Name>,
+    bound: Option<Number>,
+    spring: Option<Name>,
     stiffness: Option<Number>,
+    layer_thickness: Option<Number>,
     acceleration: Option<Name>,
     start: Option<Name>,
     increments: Option<Spanned<usize>>,
+    criterion: Option<Name>,
     tolerance: Option<Number>,
     #[serde(alias = "max-steps")]
     max_iterations: Option<Spanned<usize>>,
 }
-
-const RULES: [StiffnessRule; 5] = [
-    StiffnessRule::Secant,
-    StiffnessRule::Correction,
-    StiffnessRule::Literal,
-    StiffnessRule::Switching,
-    StiffnessRule::Penalty,
-];
 
 impl Case {
     /// Reads a scene file; what is wrong in it is reported with its line.
@@ -174,16 +170,27 @@ impl SolveTable {
         let element = named(source, "contact element", &self.element, &elements)?.unwrap_or(Element::Node);
         let algorithm = named(source, "algorithm", &self.algorithm, &algorithms)?.unwrap_or(Iteration::Kinematic);
         let mut formulation = Formulation::new(element, algorithm);
-        let rules = RULES.map(|rule| (rule.name(), rule));
+        let rules = StiffnessRule::ALL.map(|rule| (rule.name(), rule));
         formulation.rule = named(source, "rule", &self.rule, &rules)?.unwrap_or(formulation.rule);
         let accelerations = Acceleration::ALL.map(|acceleration| (acceleration.name(), acceleration));
         formulation.acceleration =
             named(source, "acceleration", &self.acceleration, &accelerations)?.unwrap_or(Acceleration::None);
         let starts = [Start::Closed, Start::Nested].map(|start| (start.name(), start));
         formulation.start = named(source, "start", &self.start, &starts)?.unwrap_or(Start::Closed);
+        let springs = Spring::ALL.map(|spring| (spring.name(), spring));
+        formulation.leeway.spring = named(source, "spring", &self.spring, &springs)?.unwrap_or(Spring::Point);
+        if let Some(bound) = &self.bound {
+            formulation.leeway.bound = source.factor("bound", bound)?;
+        }
+        if let Some(thickness) = &self.layer_thickness {
+            formulation.layer_thickness = source.positive("layer-thickness", thickness)?;
+        }
         if let Some(stiffness) = &self.stiffness {
             formulation.stiffness = source.positive("stiffness", stiffness)?;
         }
+        let criteria = Criterion::ALL.map(|criterion| (criterion.name(), criterion));
+        formulation.settings.criterion =
+            named(source, "criterion", &self.criterion, &criteria)?.unwrap_or(Criterion::Error);
         if let Some(tolerance) = &self.tolerance {
             formulation.settings.tolerance = source.positive("tolerance", tolerance)?;
         }

@@ -50,6 +50,19 @@ impl Source<'_> {
         self.number(key, value, &format!("a number above 0, from {least:e} to {most:e}"), |x| x >= least && x <= most)
     }
 
+    /// A factor above 1, which may be infinite.
+    pub fn factor(&self, key: &str, value: &Spanned<f64>) -> Result<f64, Error> {
+        let found = *value.get_ref();
+        if found > 1.0 {
+            return Ok(found);
+        }
+        Err(self.refused(
+            value.span(),
+            format!("`{key}` is {found}"),
+            "give a number above 1, or inf for none".to_string(),
+        ))
+    }
+
     /// A number of a magnitude that squares and products survive.
     pub fn finite(&self, key: &str, value: &Spanned<f64>) -> Result<f64, Error> {
         self.number(key, value, &format!("a finite number below {LARGEST:e}"), |x| x.abs() <= LARGEST)

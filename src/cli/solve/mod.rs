@@ -135,6 +135,7 @@ fn remedy(run: &Run) -> Option<&'static str> {
         Outcome::Cycling { .. } => {
             Some("more iterations would repeat: choose another --stiffness, or --algorithm kinematic")
         }
+        Outcome::Stopped => Some("stop by --criterion error, or ask this one for a smaller --tolerance"),
         Outcome::Diverged => Some("choose another --stiffness, or --algorithm kinematic"),
         Outcome::Capped => {
             Some("allow more with --max-iterations, choose another --stiffness, or --algorithm kinematic")

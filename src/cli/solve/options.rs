@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::accuracy::{self, Asked};
-use crate::algorithm::{Acceleration, StiffnessRule};
+use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule};
 use crate::case::{Case, library};
 use crate::error::Error;
 use crate::mesh::size::solvable;
@@ -27,6 +27,15 @@ pub struct Arguments {
     /// Rule; the algorithm's own by default.
     #[arg(long, value_enum)]
     rule: Option<StiffnessRule>,
+    /// Largest factor by which an iteration of the varying algorithm changes a stiffness; `inf` is none.
+    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
+    bound: Option<f64>,
+    /// What has a stiffness of its own under the varying algorithm; point by default.
+    #[arg(long, value_enum)]
+    spring: Option<Spring>,
+    /// Thickness of the layer element over the length of its edge.
+    #[arg(long, value_name = "PART", allow_negative_numbers = true)]
+    layer_thickness: Option<f64>,
     /// Acceleration of the constant algorithm; none by default.
     #[arg(long, value_enum)]
     acceleration: Option<Acceleration>,
@@ -50,6 +59,9 @@ pub struct Arguments {
     /// 8-node cells.
     #[arg(long, value_name = "PERCENT")]
     accuracy: Option<String>,
+    /// What shall fall below the tolerance; error by default, which alone says something of the answer.
+    #[arg(long, value_enum)]
+    criterion: Option<Criterion>,
     /// Load increments.
     #[arg(long, value_name = "N")]
     increments: Option<usize>,
@@ -121,9 +133,13 @@ impl Arguments {
             Formulation { settings: base.settings, ..Formulation::new(element, algorithm) }
         };
         let settings = &mut formulation.settings;
+        settings.criterion = self.criterion.unwrap_or(settings.criterion);
         settings.tolerance = self.tolerance.unwrap_or(settings.tolerance);
         settings.increments = self.increments.unwrap_or(settings.increments);
         settings.max_iterations = self.max_iterations.unwrap_or(settings.max_iterations);
+        formulation.leeway.bound = self.bound.unwrap_or(formulation.leeway.bound);
+        formulation.leeway.spring = self.spring.unwrap_or(formulation.leeway.spring);
+        formulation.layer_thickness = self.layer_thickness.unwrap_or(formulation.layer_thickness);
         formulation.acceleration = self.acceleration.unwrap_or(formulation.acceleration);
         formulation.start = self.start.unwrap_or(formulation.start);
         formulation.rule = self.rule.unwrap_or(formulation.rule);

@@ -66,7 +66,7 @@ pub fn top_quarter(f: &Findings) -> Statement {
         judgement: if all {
             Judgement::Reproduced
         } else if small > 0.0 {
-            Judgement::UnderCondition
+            Judgement::OnlyIf(format!("a/R is at most {small}"))
         } else {
             Judgement::NotReproduced
         },

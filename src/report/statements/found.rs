@@ -4,8 +4,7 @@ use crate::case::judged::worst;
 use crate::case::{Quantity, Verdict};
 use crate::measure::larger;
 use crate::solve::{Element, Iteration, Run};
-use crate::study::sweep::run::{Numbers as Sweeps, Sweep};
-use crate::study::sweep::scene::Scene;
+use crate::study::readings::courses::Courses;
 use crate::study::{Finding, Numbers};
 
 /// The findings of all studies.
@@ -43,31 +42,13 @@ impl<'a> Findings<'a> {
         errors.reduce(larger).unwrap_or(f64::NAN)
     }
 
-    /// Sweeps of a scene.
-    pub fn sweeps_of(&self, scene: Scene) -> Vec<&'a Sweep> {
-        let sweep = |finding: &'a Finding| match &finding.numbers {
-            Numbers::Sweep(Sweeps::Sweep(sweep)) if sweep.scene == scene => Some(sweep),
+    /// The recorded courses of the readings of the paper; none where they were not asked.
+    pub fn readings(&self) -> Option<Courses> {
+        self.0.iter().find_map(|finding| match &finding.numbers {
+            Numbers::Readings(numbers) => Some(Courses::of(&numbers.recorded)),
             _ => None,
-        };
-        self.0.iter().filter_map(sweep).collect()
+        })
     }
-
-    /// Sweeps of an algorithm over both scenes and all elements.
-    pub fn sweeps(&self, algorithm: Iteration) -> Vec<&'a Sweep> {
-        let all = Scene::PAPER.into_iter().flat_map(|scene| self.sweeps_of(scene));
-        all.filter(|sweep| sweep.formulation.algorithm == algorithm).collect()
-    }
-}
-
-/// `n of m` converged runs of some sweeps.
-pub fn share(sweeps: &[&Sweep]) -> (usize, usize) {
-    let converged: usize = sweeps.iter().map(|sweep| sweep.iterations.points.len()).sum();
-    (converged, converged + sweeps.iter().map(|sweep| sweep.iterations.failed.len()).sum::<usize>())
-}
-
-/// Fewest and most iterations of some sweeps.
-pub fn iterations(sweeps: &[&Sweep]) -> [f64; 2] {
-    extremes(sweeps.iter().flat_map(|sweep| sweep.iterations.points.iter().map(|point| point[1])))
 }
 
 /// The smallest and the largest of some numbers; NaN where one is.

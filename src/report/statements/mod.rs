@@ -3,13 +3,13 @@
 //! * [`found`] — look-ups in what was found.
 //! * `statement` — what is said of each.
 //! * `agreement` — what is found is right, whatever the formulation.
-//! * `stiffness` — how far it depends on the initial stiffness.
+//! * `readings` — what is said of iterations, over all readings of the paper.
 //! * `work` — what it costs.
 
 mod agreement;
 pub mod found;
+pub mod readings;
 mod statement;
-mod stiffness;
 mod work;
 
 use crate::study::Finding;
@@ -21,17 +21,13 @@ pub use statement::{Judgement, Statement};
 /// All statements, judged.
 pub fn judge(findings: &[Finding]) -> Vec<Statement> {
     let f = Findings(findings);
-    vec![
-        agreement::of_all(&f),
-        stiffness::dependence(&f),
-        stiffness::stability(&f),
-        stiffness::two_iterations(&f),
+    let mut all = vec![agreement::of_all(&f)];
+    all.extend(readings::of_all(&f));
+    all.extend([
         agreement::no_difference(&f),
         agreement::top_quarter(&f),
-        work::constant_saves(&f),
-        work::least(&f),
-        stiffness::alike(&f),
         work::condensation_pays(&f),
         agreement::gaertner(&f),
-    ]
+    ]);
+    all
 }

@@ -5,8 +5,10 @@
 pub enum Judgement {
     /// It holds as stated.
     Reproduced,
-    /// It holds under the condition given with it.
-    UnderCondition,
+    /// It holds under this condition, which the paper does not state.
+    OnlyIf(String),
+    /// It hangs on the rule by which stiffnesses change, which the paper's reference 12 would tell: it holds so.
+    Undecidable(String),
     /// It does not hold here.
     NotReproduced,
     /// Nothing to judge it by.
@@ -15,12 +17,13 @@ pub enum Judgement {
 
 impl std::fmt::Display for Judgement {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Reproduced => "reproduced",
-            Self::UnderCondition => "reproduced under a stated condition",
-            Self::NotReproduced => "not reproduced",
-            Self::NotJudged => "not judged",
-        })
+        match self {
+            Self::Reproduced => f.write_str("reproduced"),
+            Self::OnlyIf(condition) => write!(f, "reproduced only if: {condition}"),
+            Self::Undecidable(condition) => write!(f, "not decidable without [12]: it holds with {condition}"),
+            Self::NotReproduced => f.write_str("not reproduced"),
+            Self::NotJudged => f.write_str("not judged"),
+        }
     }
 }
 

@@ -56,7 +56,7 @@ fn iterations(stretch: &Recorded) -> Result<String, Error> {
 /// One colour a rule, whatever the algorithm.
 fn colour(rule: StiffnessRule) -> Colour {
     match rule {
-        StiffnessRule::Secant => palette::LINE,
+        StiffnessRule::Secant | StiffnessRule::Squared | StiffnessRule::Step | StiffnessRule::Doubling => palette::LINE,
         StiffnessRule::Correction => palette::LAYER,
         StiffnessRule::Literal => palette::PURPLE,
         StiffnessRule::Switching => palette::NODE,
@@ -160,7 +160,7 @@ fn cell(record: &Record) -> Cell {
         Class::Converged if record.iterations <= quick => 0,
         Class::Converged if record.iterations <= ordinary => 1,
         Class::Converged => 2,
-        Class::Capped | Class::Stalled => 6,
+        Class::Stopped | Class::Capped | Class::Stalled => 6,
         Class::Cycling => 7,
         Class::Diverged => 8,
         Class::Unsupported => 9,
