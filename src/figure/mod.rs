@@ -9,6 +9,7 @@
 //! * [`multiples`]: charts side by side over one legend.
 //! * [`field`]: a scalar on the deformed mesh, in bands.
 //! * [`sheet`]: a field above charts.
+//! * [`mod@contact_problem`]: two bodies in contact, and contact elements between their external nodes.
 //! * [`mod@contact_elements`]: what the three contact elements are.
 //! * [`scene_cylinder`], [`scene_pin_rod`]: the cylinder and the pin–rod with their loads and supports.
 //! * [`iteration_path`]: how each algorithm walks to the solution at one contact point.
@@ -26,6 +27,7 @@ mod cell_grid;
 pub mod chart;
 pub mod class_map;
 pub mod contact_elements;
+pub mod contact_problem;
 mod curves;
 mod drawn;
 pub mod field;
@@ -49,6 +51,7 @@ mod sketch;
 pub use chart::{Axis, Band, Chart, Direction, Guide, Scale, Series, Slope};
 pub use class_map::{Cell, ClassMap, MapPanel};
 pub use contact_elements::contact_elements;
+pub use contact_problem::contact_problem;
 pub use field::{Detail, Field, Window};
 pub use iteration_path::{IterationPaths, Path, State};
 pub use multiples::panels;

@@ -19,7 +19,10 @@ pub struct Page {
 /// Makes the page from the findings of the whole suite.
 pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
     let mut text = [head(findings), paper(findings), verdicts(findings)].concat();
-    let mut charts = vec![("contact-elements.svg".to_string(), figure::contact_elements()?)];
+    let mut charts = vec![
+        ("contact-problem.svg".to_string(), figure::contact_problem()?),
+        ("contact-elements.svg".to_string(), figure::contact_elements()?),
+    ];
     for room in Room::ALL {
         text += &room.section(findings)?;
         text += &judged(*room, findings);

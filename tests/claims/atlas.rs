@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use contact_vv::case::Verdict;
 use contact_vv::error::Kind;
 use contact_vv::solve::{Element, Iteration};
+use contact_vv::stability::halving::SOFT;
 use contact_vv::study::atlas::run::is_as_recorded;
 use contact_vv::study::atlas::{Chart, Class, Numbers, Plane, Record, judge, record, summary, survey};
 use contact_vv::study::method::Method;
@@ -102,16 +103,17 @@ fn atlas_turns_red_where_a_point_moved_a_prediction_failed_or_an_answer_is_wrong
         judge(&numbers).expect("judged").iter().map(|one| one.verdict == Verdict::Pass).collect::<Vec<_>>()
     };
     // Nothing is predicted to fail: a prediction that is compared with nothing is red.
-    assert_eq!(verdicts(&records, 0), [true, false, true, true, false, true]);
+    assert_eq!(verdicts(&records, 0), [true, false, true, true, false, true, true]);
+    let of_node = |r: &Record, algorithm| r.method == Method::usual(Element::Node, algorithm);
     let node =
-        |algorithm| records.iter().position(|r| r.method == Method::usual(Element::Node, algorithm)).expect("a row");
+        |algorithm| records.iter().position(|r| of_node(r, algorithm) && r.stiffness >= SOFT).expect("a hard start");
     let [constant, kinematic] = [Iteration::Constant, Iteration::Kinematic].map(node);
     for record in records.iter_mut().filter(|record| record.method.algorithm == Iteration::Kinematic) {
         record.predicted_iterations = record.iterations as f64;
     }
-    (records[constant].predicted_iterations, records[constant].class) = (f64::INFINITY, Class::Diverged);
-    assert_eq!(verdicts(&records, 0), [true; 6]);
-    assert_eq!(verdicts(&records, 1), [false, true, true, true, true, true]);
+    (records[constant].predicted_iterations, records[constant].class) = (f64::INFINITY, Class::Capped);
+    assert_eq!(verdicts(&records, 0), [true; 7]);
+    assert_eq!(verdicts(&records, 1), [false, true, true, true, true, true, true]);
     let spoiled = |place: usize, change: &dyn Fn(&mut Record)| {
         let mut spoiled = records.clone();
         change(&mut spoiled[place]);
@@ -121,7 +123,12 @@ fn atlas_turns_red_where_a_point_moved_a_prediction_failed_or_an_answer_is_wrong
     assert_eq!(spoiled(constant + 1, &|r| r.class = Class::Capped), Some(2));
     assert_eq!(spoiled(constant + 1, &|r| r.iterations *= 3), Some(3));
     assert_eq!(spoiled(kinematic, &|r| r.iterations += 2), Some(4));
-    assert_eq!(spoiled(kinematic, &|r| r.error = f64::NAN), Some(5));
+    for class in [Class::Diverged, Class::Cycling] {
+        assert_eq!(spoiled(constant, &|r| r.class = class), Some(5));
+    }
+    assert_eq!(spoiled(kinematic, &|r| r.error = f64::NAN), Some(6));
+    // The start next below is soft, and this plane is the one that the threshold was taken from.
+    assert_eq!(spoiled(kinematic - 1, &|r| r.iterations += 2), None);
 }
 
 #[test]

@@ -12,7 +12,8 @@ use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::stability::{Limit, halving, linear, rate, release};
 use contact_vv::study::stability::halving::{Iterations, Law, Mesh, Scene};
 use contact_vv::study::stability::judge::rate_check;
-use contact_vv::study::stability::{Numbers, judge};
+use contact_vv::study::stability::rates::Start;
+use contact_vv::study::stability::{Numbers, before, judge};
 
 fn discretisation() -> Discretisation {
     let scene = library::find("truncated-hertz", None).expect("a scene of the library").scene;
@@ -84,14 +85,97 @@ fn rates_of_a_problem_without_springs_are_none() {
 }
 
 #[test]
-fn halving_takes_one_step_where_the_candidates_end_at_the_edge_and_one_more_by_each_doubling() {
-    assert_eq!(halving::iterations(1.0, 1.0, 0.1, 1e6), 1);
-    assert_eq!(halving::iterations(1.0, 1.0, 0.1, 0.1), 2);
-    assert_eq!(halving::iterations(1.0, 1.0, 0.1, 2e3), 1);
-    assert_eq!(halving::iterations(1.0, 1.0, 0.1, 1.0), 1);
-    // (4 − 1)/(2 · 1/16) = 24, between 2⁴ and 2⁵; halving the spacing adds one.
+fn halving_takes_two_steps_where_the_candidates_end_at_the_edge_and_one_more_by_each_doubling() {
+    for stiffness in [1e6, 2e3, 1.0, 0.1] {
+        assert_eq!(halving::iterations(1.0, 1.0, 0.1, stiffness), 2);
+    }
+    // (4 − 1)/(2 · 1/16) = 24, between 2⁴ and 2⁵; halving the spacing adds one, and a soft start another.
     assert_eq!(halving::iterations(2.0, 1.0, 1.0 / 16.0, 1e6), 6);
     assert_eq!(halving::iterations(2.0, 1.0, 1.0 / 32.0, 1e6), 7);
+    assert_eq!(halving::iterations(2.0, 1.0, 1.0 / 16.0, halving::SOFT), 6);
+    assert_eq!(halving::iterations(2.0, 1.0, 1.0 / 16.0, 0.99 * halving::SOFT), 7);
+}
+
+#[test]
+fn hertz_rate_outside_the_contact_is_one_at_its_edge_and_falls_by_the_three_halves_of_the_distance() {
+    assert_eq!(rate::outside_hertz(1.0), 1.0);
+    // (ξ √(ξ² − 1) − arcosh ξ)/ξ² at ξ = 2: (2 √3 − ln(2 + √3))/4.
+    let left = (2.0 * 3f64.sqrt() - (2.0 + 3f64.sqrt()).ln()) / 4.0;
+    assert_relative_eq!(rate::outside_hertz(2.0), 1.0 - left, max_relative = 1e-14);
+    // Next to the edge the gap opens by 4 √2/3 δ^{3/2}.
+    let d: f64 = 1e-4;
+    assert_relative_eq!(1.0 - rate::outside_hertz(1.0 + d), 4.0 * 2f64.sqrt() / 3.0 * d.powf(1.5), max_relative = 1e-3);
+}
+
+#[test]
+fn no_active_set_lets_constant_stiffness_with_correction_leave_its_limit() {
+    let discretisation = discretisation();
+    for element in Element::ALL {
+        for stiffness in [1e-2, 1.0, 1e3] {
+            let formulation = Formulation { stiffness, ..Formulation::new(element, Iteration::Constant) };
+            let points: Vec<ContactPoint> = discretisation.points(&formulation);
+            let problem = discretisation.problem(&formulation, &points);
+            for pattern in 0..8_usize {
+                let closed: Vec<bool> = (0..points.len()).map(|i| (i * (pattern + 1)) % 8 < pattern).collect();
+                let rate = rate::correction(&problem, &closed).expect("springs hold the cylinder");
+                assert!(rate <= 1.0 + 1e-9, "{element:?} {stiffness}: {rate}");
+            }
+        }
+    }
+}
+
+/// What is judged of a trial, spoiled.
+fn fails(numbers: Numbers) -> bool {
+    judge(&numbers).expect("judged").iter().any(|judged| judged.verdict == Verdict::Fail)
+}
+
+#[test]
+fn no_prediction_of_a_rate_takes_the_place_of_another() {
+    let start = |linearised: f64, measured: f64| Start {
+        stiffness: 1.0,
+        predicted: 0.96,
+        linearised: Some(linearised),
+        measured: Some(measured),
+    };
+    let judged = |start: Start| judge(&Numbers::Rates(vec![start; 3])).expect("judged").len();
+    // The slowest mode alone: both predictions are judged. Not alone: the linear iteration is.
+    assert_eq!(judged(start(0.96, 0.96)), 7);
+    assert_eq!(judged(start(0.95, 0.95)), 4);
+    assert!(!fails(Numbers::Rates(vec![start(0.96, 0.96); 3])));
+    assert!(!fails(Numbers::Rates(vec![start(0.95, 0.95); 3])));
+    assert!(fails(Numbers::Rates(vec![start(0.95, 0.96); 3])));
+    assert!(fails(Numbers::Rates(vec![start(0.96, 0.95); 3])));
+    assert!(fails(Numbers::Rates(vec![start(0.96, f64::NAN); 3])));
+    assert!(fails(Numbers::Rates(vec![start(0.96, 0.96); 2])), "too few");
+}
+
+#[test]
+fn hertz_rate_turns_red_where_the_measured_one_is_not_within_its_factor_or_not_there() {
+    let start = |measured| before::Start { stretch: 1.9, elements: 8, place: 1.01, predicted: 0.99, measured };
+    let right = [0.985, 0.993, 0.99].map(Some).map(start);
+    assert!(!fails(Numbers::Before(right.to_vec())));
+    assert!(!fails(Numbers::Before([&right[..], &[start(None)]].concat())));
+    for measured in [Some(0.979), Some(0.996), Some(f64::NAN)] {
+        assert!(fails(Numbers::Before([&right[..], &[start(measured)]].concat())), "{measured:?}");
+    }
+    assert!(fails(Numbers::Before([&right[..2], &[start(None)]].concat())), "too few");
+    assert!(fails(Numbers::Before(Vec::new())));
+}
+
+#[test]
+fn halving_law_judges_soft_starts_only_off_the_scene_of_their_threshold() {
+    let law = |scene, soft: usize, hard: usize, from: f64| {
+        let one = |stiffness, measured| Iterations { stiffness, predicted: 5, measured: Some(measured) };
+        let mesh = Mesh { stretch: 1.5, elements: 8, iterations: [one(0.1, soft), one(1.0, 5), one(1e6, hard)] };
+        Numbers::Halving(Law { scene, meshes: vec![mesh], hard_from: vec![from] })
+    };
+    let threshold = halving::SOFT;
+    assert!(!fails(law(Scene::TruncatedHertz, 8, 6, threshold)));
+    assert!(fails(law(Scene::TruncatedHertz, 5, 7, threshold)));
+    assert!(fails(law(Scene::TruncatedHertz, 5, 5, 1.5 * threshold)));
+    assert!(fails(law(Scene::TruncatedHertz, 5, 5, f64::NAN)));
+    assert!(fails(law(Scene::Cylinder, 8, 6, threshold)));
+    assert!(!fails(law(Scene::Cylinder, 6, 4, threshold)));
 }
 
 #[test]
@@ -108,18 +192,24 @@ fn a_rate_that_is_not_the_predicted_one_turns_red() {
 
 #[test]
 fn pin_rod_turns_red_where_twice_the_elements_cost_more_than_a_halving() {
-    let mesh = |elements, measured: [Option<usize>; 2]| {
+    let mesh = |elements, measured: [Option<usize>; 3]| {
         let iterations = measured.map(|measured| Iterations { stiffness: 1.0, predicted: 5, measured });
         Mesh { stretch: 1.5, elements, iterations }
     };
-    let verdict = |fine: [Option<usize>; 2]| {
-        let law = Law { scene: Scene::PinRod, meshes: vec![mesh(12, [Some(6), Some(5)]), mesh(24, fine)] };
+    let verdict = |fine: [Option<usize>; 3]| {
+        let meshes = vec![mesh(12, [Some(6), Some(5), Some(5)]), mesh(24, fine)];
+        let law = Law { scene: Scene::PinRod, meshes, hard_from: Vec::new() };
         let judged = judge(&Numbers::Halving(law)).expect("judged");
         assert_eq!(judged.len(), 1);
         judged[0].verdict.clone()
     };
-    assert_eq!(verdict([Some(7), Some(5)]), Verdict::Pass);
-    for fine in [[Some(8), Some(5)], [Some(6), Some(7)], [None, Some(5)]] {
+    assert_eq!(verdict([Some(7), Some(5), Some(6)]), Verdict::Pass);
+    for fine in [
+        [Some(8), Some(5), Some(5)],
+        [Some(6), Some(7), Some(5)],
+        [Some(6), Some(5), Some(7)],
+        [None, Some(5), Some(5)],
+    ] {
         assert_eq!(verdict(fine), Verdict::Fail, "{fine:?}");
     }
 }

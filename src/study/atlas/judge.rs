@@ -3,7 +3,9 @@
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::measure::larger;
+use crate::algorithm::StiffnessRule;
 use crate::solve::{Element, Iteration, Settings};
+use crate::stability::halving::SOFT;
 use crate::study::atlas::agreement::{FACTOR, HALVINGS, has_rate, is_attracted, is_long, is_seen, ratio, iterations_off};
 use crate::study::atlas::chart::Chart;
 use crate::study::atlas::plane::Plane;
@@ -17,6 +19,7 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
     let mut judged = vec![recomputed(numbers)];
     judged.extend(predicted(&numbers.chart));
     judged.extend(halved(&numbers.chart));
+    judged.extend(averaged(&numbers.chart));
     judged.push(honest(&numbers.chart));
     Ok(judged)
 }
@@ -92,17 +95,34 @@ fn in_iterations(ratios: &[f64]) -> Judged {
     .judge(worst(ratios))
 }
 
-/// Kinematic load on nodes against the halving law, on the Hertz scenes.
+/// Kinematic load on nodes against the halving law, on the Hertz scenes; soft starts not where their threshold was taken.
 fn halved(chart: &Chart) -> Option<Judged> {
-    let hertz = [Plane::Stretch, Plane::Mesh, Plane::Cylinder].contains(&chart.plane);
-    let switching = chart.of_method(Method::usual(Element::Node, Iteration::Kinematic));
-    let off: Vec<f64> = switching.flatten().map(iterations_off).collect();
+    let (which, least) = match chart.plane {
+        Plane::Cylinder => ("any start", 0.0),
+        Plane::Stretch | Plane::Mesh => ("starts that are not soft", SOFT),
+        _ => return None,
+    };
+    let switching = chart.of_method(Method::usual(Element::Node, Iteration::Kinematic)).flatten();
+    let off: Vec<f64> = switching.filter(|r| r.stiffness >= least).map(iterations_off).collect();
     let check = Check::at_most(
-        "largest number of iterations off the halving law on nodes under kinematic load, from any start",
+        Quantity::at("largest number of iterations off the halving law on nodes under kinematic load", which),
         Reference::own("halving of L² − a²", HALVINGS),
         "the law counts halvings; the last one may end anywhere within a node spacing",
     );
-    hertz.then(|| check.judge(worst(&off)))
+    Some(check.judge(worst(&off)))
+}
+
+/// Constant stiffness with correction: whatever the scene and the start, it neither diverges nor cycles.
+fn averaged(chart: &Chart) -> Option<Judged> {
+    let correction = |r: &&Record| (r.method.algorithm, r.method.rule) == (Iteration::Constant, StiffnessRule::Correction);
+    let own: Vec<&Record> = chart.rows.iter().flatten().filter(correction).collect();
+    let wrong = own.iter().filter(|r| [Class::Diverged, Class::Cycling].contains(&r.class)).count();
+    let quantity = Quantity::at(
+        "run of constant stiffness with correction that diverges or cycles",
+        format!("of {}", own.len()),
+    );
+    let because = "predicted before any contact is solved: an averaged map comes no farther from its limit at any iteration";
+    (!own.is_empty()).then(|| Check::none(quantity, because).judge(wrong as f64))
 }
 
 /// No run shall be called converged with a peak or a width that is not that of its discrete problem.

@@ -23,7 +23,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     text += &picture(
         "iterations-predicted.svg",
         &format!(
-            "Fig. 11 once more: measured points on curves predicted from the condensed matrices; truncated Hertz, candidates to \
+            "As Fig. 11, predicted: measured points on curves predicted from the condensed matrices; truncated Hertz, candidates to \
              {STRETCH} half-widths; colours tell the rules apart. Hollow markers above the frame: how the others ended"
         ),
     );
@@ -53,10 +53,12 @@ fn predictions(agreements: &[Agreement]) -> String {
 }
 
 const LAWS: &str = "\
-The curves, from the condensed matrices and the final active set alone: *constant stiffness with correction* is followed as a \
+The curves, *a posteriori* but for kinematic load: from the condensed matrices and the final active set, which needs the solved contact. \
+*Constant stiffness with correction* is followed as a \
 linear iteration from its start to the tolerance, and takes no fewer iterations than hard springs need to work off their gaps, \
 k₀ g/p̄; *varying stiffness* is as slow as the slowest point near the contact edge, whose force falls by w/g, or by κ (w − g), an iteration; \
-*kinematic load* halves L² − a². Derivations are given beside the formulas in `src/stability`.\n\n";
+*kinematic load* halves L² − a². *A priori*, for any scene: constant stiffness with correction is an averaged map, which comes no farther from its limit at any \
+iteration, so that from no κ₀ > 0 it diverges or cycles. Derivations are given beside the formulas in `src/stability`.\n\n";
 
 const EXPLAINED: &str = "\
 What the predictions leave out: *line and layer elements* have an alternating pressure mode, which hard springs raise and soft ones \

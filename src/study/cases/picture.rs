@@ -1,4 +1,4 @@
-//! Contact pressure of all nine formulations against the reference (the paper's Figs 10 and 14).
+//! Contact pressure against the reference: the paper's Figs 10 and 14 with its five formulations, then all nine.
 
 use super::scene;
 use crate::case::library::{Cylinder, PinRod, cylinder, pin_rod};
@@ -20,13 +20,20 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Er
     Ok(vec![
         ("scene-cylinder.svg".into(), scene::cylinder()?),
         ("scene-pin-rod.svg".into(), scene::pin_rod()?),
+        ("figure-10.svg".into(), on_cylinder("Fig. 10: exact and approximate solutions on the cylinder", shown(findings, cylinder::NINE)).svg()?),
         ("pressure-cylinder.svg".into(), cylinder(findings)?),
-        ("pressure-pin-rod.svg".into(), pin_rod(findings)?),
+        ("figure-14.svg".into(), on_pin("Fig. 14: pressure on the pin", shown(findings, pin_rod::NINE)).svg()?),
+        ("pressure-pin-rod.svg".into(), on_pin("Pressure of all nine formulations, edge means", runs(findings, pin_rod::NINE)).svg()?),
     ])
 }
 
 fn runs<'a>(findings: &'a [Found<'a, Numbers>], case: &'a str) -> impl Iterator<Item = &'a Run> {
     findings.iter().filter(move |found| found.case == case).map(|found| &found.numbers.run)
+}
+
+/// Those that the paper shows.
+fn shown<'a>(findings: &'a [Found<'a, Numbers>], case: &'a str) -> impl Iterator<Item = &'a Run> {
+    runs(findings, case).filter(|run| run.formulation.is_in_the_paper())
 }
 
 /// Edge means of the pressure of every run; runs that did not converge stand hollow at the frame.
@@ -44,22 +51,29 @@ fn curves<'a>(runs: impl Iterator<Item = &'a Run>, scale: f64, [x, y]: [f64; 2])
     .collect()
 }
 
-/// Pressure on the cylinder against Hertz, and the difference to Hertz where it can be seen.
-fn cylinder(findings: &[Found<Numbers>]) -> Result<String, Error> {
+/// Pressure on the cylinder against Hertz.
+fn on_cylinder<'a>(title: &str, runs: impl Iterator<Item = &'a Run>) -> Chart {
     let problem = Cylinder::default().case();
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
-    let exact = |x: f64| problem.reference_pressure(x * a) / p0;
-    let mut pressure =
-        Chart::new("Pressure, edge means", Axis::linear("x / a").over(0.0, 1.5), Axis::linear("p / p₀").over(0.0, 1.1));
-    pressure.series = curves(runs(findings, cylinder::NINE), p0, [1.0 / a, 1.0]);
-    let hertz = (0..=INTERVALS).map(|k| 1.5 * k as f64 / INTERVALS as f64).map(|x| (x, exact(x)));
+    let mut pressure = Chart::new(title, Axis::linear("x / a").over(0.0, 1.5), Axis::linear("p / p₀").over(0.0, 1.1));
+    pressure.series = curves(runs, p0, [1.0 / a, 1.0]);
+    let hertz = (0..=INTERVALS).map(|k| 1.5 * k as f64 / INTERVALS as f64);
+    let hertz = hertz.map(|x| (x, problem.reference_pressure(x * a) / p0));
     pressure.series.push(Series {
         label: "Hertz".into(),
         points: hertz.collect(),
         style: Style::reference(),
         hollow: vec![],
     });
+    pressure
+}
 
+/// All nine on the cylinder, and the difference to Hertz where it can be seen.
+fn cylinder(findings: &[Found<Numbers>]) -> Result<String, Error> {
+    let problem = Cylinder::default().case();
+    let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
+    let exact = |x: f64| problem.reference_pressure(x * a) / p0;
+    let pressure = on_cylinder("Pressure, edge means", runs(findings, cylinder::NINE));
     let mut difference =
         Chart::new("Difference to Hertz", Axis::linear("x / a").over(0.0, 1.5), Axis::linear("(p − p_Hertz) / p₀ [%]"));
     difference.series = runs(findings, cylinder::NINE)
@@ -80,18 +94,18 @@ fn cylinder(findings: &[Found<Numbers>]) -> Result<String, Error> {
 }
 
 /// Pressure against angle on the pin, and the place of the measured curves.
-fn pin_rod(findings: &[Found<Numbers>]) -> Result<String, Error> {
+fn on_pin<'a>(title: &str, runs: impl Iterator<Item = &'a Run>) -> Chart {
     let problem = PinRod::default().case();
     let degrees = display_factor(&problem.scene.contact().path);
     let scale = problem.scene.reference.pressure;
     let mut chart = Chart::new(
-        "Pin in a connecting-rod eye: pressure of all nine formulations, edge means",
+        title,
         Axis::linear("θ from the load line [°]").over(0.0, 90.0),
         Axis::linear("R t p / F").over(0.0, 0.9),
     );
-    chart.series = curves(runs(findings, pin_rod::NINE), scale, [degrees, 1.0]);
+    chart.series = curves(runs, scale, [degrees, 1.0]);
     let label = "Gaertner 1977: not at hand".into();
     chart.bands.push(Band { direction: Direction::Vertical, from: 76.0, to: 89.0, label });
     chart.notes.push("Nothing here has yet been compared with an experiment.".into());
-    chart.svg()
+    chart
 }

@@ -27,22 +27,30 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let mut text = String::from("## Elastic cylinder on a rigid plane\n\n");
     text += &picture(
         "scene-cylinder.svg",
-        "The scene: lower quarter, half by symmetry, uniform load on the horizontal cut",
+        "As Fig. 8. The scene: lower quarter, half by symmetry, uniform load on the horizontal cut",
     );
     text += "Reference: Hertz line contact. The quarter cylinder under uniform load is not quite Hertz's problem; the model error is shown by a/R.\n\n";
     text += &measures(findings, cylinder::NINE);
     text += &picture(
+        "figure-10.svg",
+        "Fig. 10: Hertz's exact solution and the five combinations of elements and algorithms that the paper shows",
+    );
+    text += &picture(
         "pressure-cylinder.svg",
-        "Contact pressure of all nine formulations against Hertz, and the difference",
+        "As Fig. 10 with all nine formulations, and their difference to Hertz",
     );
     text += "### Truncated Hertz: the same contact without model error\n\nA block between the closed-form tractions of Hertz's half-space and a rigid parabola: all errors are discretisation errors.\n\n";
     text += &measures(findings, truncated_hertz::NINE);
     text += "## Pin in a connecting-rod eye\n\n";
-    text += &picture("scene-pin-rod.svg", "The scene: pin fixed on its horizontal diameter, rod pulled by a rigid end face");
+    text += &picture("scene-pin-rod.svg", "As Fig. 12. The scene: pin fixed on its horizontal diameter, rod pulled by a rigid end face");
     text += "No closed form: the nine formulations are held against one another, the refinement series gives its own uncertainty, and \
          other codes solve the same problem. A pin in a wide plate is the same contact with a closed form.\n\n";
     text += &measures(findings, pin_rod::NINE);
-    text += &picture("pressure-pin-rod.svg", "Pressure against angle; the place of the measured curves is empty");
+    text += &picture(
+        "figure-14.svg",
+        "Fig. 14: pressure against angle of the five combinations that the paper shows; the place of Gaertner's curves is empty",
+    );
+    text += &picture("pressure-pin-rod.svg", "As Fig. 14 with all nine formulations");
     text += "### All cases\n\n";
     Ok(text + &references(findings))
 }

@@ -2,44 +2,43 @@
 //! path of the iterations (Figs 6, 7).
 
 use crate::error::Error;
-use crate::figure::palette::{self, ColourMap, Dash, Marker, Style};
+use crate::figure::palette::{self, ColourMap, Marker, Style};
 use crate::figure::{
     self, Axis, Band, Chart, Detail, Direction, IterationPaths, Path, State, Window, panels,
 };
 use crate::solve::Run;
 use crate::study::Found;
-use crate::study::drawn::{Curve, style};
-use crate::study::fields::run::{Arc, Field, Numbers, Shown, bars};
+use crate::study::drawn::{Curve, label, style};
+use crate::study::fields::run::{Along, Arc, Field, Numbers, Shown, bars};
 
 /// All charts of what was found.
 pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
-    let (mut runs, mut charts) = (Vec::new(), Vec::new());
+    let (mut runs, mut alongs, mut charts) = (Vec::new(), Vec::new(), Vec::new());
     for found in findings {
         match found.numbers {
             Numbers::Path(run) => runs.push(&**run),
-            Numbers::Field(field) => charts.extend(of_field(field)?),
+            Numbers::Field(field) => charts.push(of_field(field)?),
+            Numbers::Along(along) => alongs.push(along),
         }
     }
+    charts.push(("figure-15.svg".into(), along(&alongs)?));
     charts.push(("iteration-paths.svg".into(), paths(&runs)?));
     Ok(charts)
 }
 
-fn of_field(field: &Field) -> Result<Vec<(String, String)>, Error> {
+fn of_field(field: &Field) -> Result<(String, String), Error> {
     let [length, pressure] = field.reference;
-    let mut charts = Vec::new();
     let stress = match field.scene {
         Shown::Cylinder => {
             let window = Window { x: (0.0, 4.0 * length), y: (-0.1 * length, 3.9 * length) };
             stress(field, 1.0, pressure, window)?
         }
         Shown::PinRod => {
-            charts.push(("along-the-pin.svg".into(), along(&field.arcs)?));
             let window = Window { x: (0.0, 1.3 * length), y: (-1.3 * length, 0.0) };
             stress(field, 20.0, 1.5 * pressure, window)?
         }
     };
-    charts.push((format!("field-{}.svg", field.scene.name()), stress));
-    Ok(charts)
+    Ok((format!("field-{}.svg", field.scene.name()), stress))
 }
 
 /// Values are rounded to this fraction of the range, so that round-off cannot move one across the edge of a band.
@@ -65,25 +64,29 @@ fn stress(field: &Field, magnification: f64, largest: f64, zoom: Window) -> Resu
     .svg()
 }
 
-/// Hoop stress and normal displacement along the arcs of pin and rod.
-fn along(arcs: &[Arc]) -> Result<String, Error> {
-    let styles = [(palette::NODE, Dash::Solid), (palette::PURPLE, Dash::Dashed)];
-    let styles = styles.map(|(colour, dash)| Style::run(colour, dash, Marker::Absent));
-    let chart = |title: &str, axis: &str, of: fn(&Arc) -> &Vec<[f64; 2]>| {
+/// Hoop stress and normal displacement along the arcs of pin and rod, by every formulation.
+fn along(alongs: &[&Along]) -> Result<String, Error> {
+    let chart = |body: usize, quantity: &str, axis: &str, of: fn(&Arc) -> &Vec<[f64; 2]>| {
+        let name = alongs.first().map_or("", |along| &along.arcs[body].body);
         let angle = Axis::linear("θ from the load line [°]").over(0.0, 90.0);
-        let mut chart = Chart::new(title, angle, Axis::linear(axis));
-        chart.series.extend(arcs.iter().zip(styles).map(|(arc, style)| {
-            Curve { points: of(arc).clone(), failed: Vec::new() }.drawn(arc.body.clone(), style)
+        let mut chart = Chart::new(&format!("{name}: {quantity}"), angle, Axis::linear(axis));
+        chart.series.extend(alongs.iter().filter(|along| along.converged).map(|along| {
+            let style = Style { marker: Marker::Absent, ..style(&along.formulation) };
+            Curve { points: of(&along.arcs[body]).clone(), failed: Vec::new() }.drawn(label(&along.formulation), style)
         }));
         let label = "Gaertner 1977: not at hand".into();
         chart.bands.push(Band { direction: Direction::Vertical, from: 76.0, to: 89.0, label });
         chart
     };
-    let charts = [
-        chart("hoop stress", "σ_θθ [MPa]", |arc| &arc.hoop),
-        chart("normal displacement", "u_n, outward [mm]", |arc| &arc.displacement),
-    ];
-    panels("Pin and rod along their contact arcs, node element with kinematic load", &charts, 2)
+    let of_body = |body: usize| {
+        [
+            chart(body, "hoop stress", "σ_θθ [MPa]", |arc| &arc.hoop),
+            chart(body, "normal displacement", "u_n, outward [mm]", |arc| &arc.displacement),
+        ]
+    };
+    let bodies = alongs.iter().map(|along| along.arcs.len()).min().unwrap_or(0);
+    let charts: Vec<Chart> = (0..bodies).flat_map(of_body).collect();
+    panels("Fig. 15: pin and rod along their contact arcs", &charts, 2)
 }
 
 /// The way of each iteration to the solution of two bars closing a gap.

@@ -1,4 +1,4 @@
-//! What is run: two bars by each iteration, and the two scenes of the paper.
+//! What is run: two bars by each iteration, the two scenes of the paper, and the pin-rod by each of its formulations.
 
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::Planned;
@@ -18,5 +18,8 @@ pub fn plan() -> Vec<Planned<Numbers>> {
             run::field(scene).map(Numbers::Field)
         })
     });
-    paths.into_iter().chain(fields).collect()
+    let along = Formulation::compared().into_iter().filter(Formulation::is_in_the_paper).map(|formulation| {
+        Planned::new("along pin and rod", formulation.name(), move || run::along(&formulation).map(Numbers::Along))
+    });
+    paths.into_iter().chain(fields).chain(along).collect()
 }

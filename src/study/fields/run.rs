@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::case::Case;
 use crate::case::library::{Bars, Cylinder, PinRod};
 use crate::error::Error;
+use crate::measure;
 use crate::mesh::BodyMesh;
 use crate::solve::{Discretisation, Fields, Formulation, Run};
 
@@ -15,6 +16,21 @@ pub enum Numbers {
     Path(Box<Run>),
     /// The fields of a scene.
     Field(Field),
+    /// Pin and rod along their contact arcs.
+    Along(Along),
+}
+
+/// Pin and rod along their contact arcs, by a formulation.
+#[derive(Clone, Debug, Serialize)]
+pub struct Along {
+    /// Contact element and algorithm.
+    pub formulation: Formulation,
+    /// Whether the run converged.
+    pub converged: bool,
+    /// Along the candidates of each body.
+    pub arcs: Vec<Arc>,
+    /// Largest difference of the hoop stress to that of node elements with kinematic load, over the largest hoop stress.
+    pub off: f64,
 }
 
 /// A scene whose fields are shown.
@@ -41,8 +57,6 @@ pub struct Field {
     pub stress: Vec<f64>,
     /// Displacements of the nodes \[mm\].
     pub displacement: Vec<[f64; 2]>,
-    /// Along the candidates of each body.
-    pub arcs: Vec<Arc>,
     /// Load of the scene on the modelled part \[N\].
     pub load: f64,
     /// Vertical force of the recovered stresses on some lines.
@@ -135,10 +149,28 @@ pub fn field(scene: Shown) -> Result<Field, Error> {
         cells: (0..mesh.cells()).map(|cell| mesh.cell(cell).to_vec()).collect(),
         stress: fields.stress.iter().map(|stress| stress[1]).collect(),
         displacement: fields.displacement.clone(),
-        arcs: bodies().map(|(body, part)| arc(&body.name, part, &fields)).collect(),
         load: system.bodies.iter().map(|body| body.applied_vertical().abs()).sum(),
         resultants: contact.chain([cut]).collect(),
     })
+}
+
+/// Pin and rod along their contact arcs.
+pub fn along(formulation: &Formulation) -> Result<Along, Error> {
+    let case = Shown::PinRod.case();
+    let discretisation = Discretisation::of(case.scene, case.resolution)?;
+    let by = |formulation: &Formulation| -> Result<_, Error> {
+        let run = Run::of(&discretisation, formulation)?;
+        let fields = discretisation.recover(&run.solution)?;
+        let bodies = discretisation.scene.bodies.iter().zip(&discretisation.mesh.bodies);
+        let arcs: Vec<Arc> = bodies.map(|(body, part)| arc(&body.name, part, &fields)).collect();
+        Ok((run.solution.converged(), arcs))
+    };
+    let ((converged, arcs), (_, other)) = (by(formulation)?, by(&Formulation::verification())?);
+    let hoop = |arcs: &[Arc]| arcs.iter().flat_map(|arc| &arc.hoop).map(|[_, stress]| *stress).collect::<Vec<f64>>();
+    let [own, other] = [hoop(&arcs), hoop(&other)];
+    let difference = measure::largest(own.iter().zip(&other).map(|(own, other)| (own - other).abs()));
+    let off = if converged { difference / measure::largest(other.iter().map(|stress| stress.abs())) } else { f64::NAN };
+    Ok(Along { formulation: formulation.clone(), converged, arcs, off })
 }
 
 fn arc(body: &str, part: &BodyMesh, fields: &Fields) -> Arc {

@@ -53,6 +53,22 @@ pub fn all(courses: &Courses) -> Vec<Judged> {
     Reading::all().into_par_iter().map(|reading| Judged::of(courses, reading)).collect()
 }
 
+/// The readings under which most sentences hold: of each rule of varying stiffness the nearest to the text, the nearest first.
+pub fn best(all: &[Judged]) -> Vec<&Judged> {
+    let (nearest, most) = (Reading::nearest(), all.iter().map(Judged::count).max().unwrap_or(0));
+    let far = |judged: &Judged| nearest.differences(&judged.reading).len();
+    let mut chosen: Vec<&Judged> = Vec::new();
+    for judged in all.iter().filter(|judged| judged.count() == most) {
+        match chosen.iter_mut().find(|kept| kept.reading.varying == judged.reading.varying) {
+            Some(kept) if far(judged) < far(kept) => *kept = judged,
+            Some(_) => {}
+            None => chosen.push(judged),
+        }
+    }
+    chosen.sort_by_key(|judged| far(judged));
+    chosen
+}
+
 /// The smallest sets of sentences that no reading fulfils together, though it does any part of them: a set of one holds under
 /// none.
 pub fn contradictions(all: &[Judged]) -> Vec<Vec<Sentence>> {

@@ -1,13 +1,17 @@
-//! How many sentences hold under the readings: rules of varying stiffness against tolerances and caps.
+//! How many sentences hold under the readings, rules of varying stiffness against tolerances and caps; and the paper's Fig. 11 under
+//! some of them.
 
 use crate::algorithm::Criterion;
 use crate::error::Error;
 use crate::figure::palette;
-use crate::figure::{Cell, ClassMap, MapPanel};
+use crate::figure::{Axis, Cell, Chart, ClassMap, MapPanel, panels};
+use crate::solve::{Element, Formulation, Iteration};
 use crate::study::Found;
-use crate::study::readings::axes::{CAPS, Candidates, Rule, Stop, TOLERANCES};
+use crate::study::drawn::{Curve, label, style};
+use crate::study::readings::axes::{CAPS, Candidates, Example, Rule, Stop, TOLERANCES};
 use crate::study::readings::courses::Courses;
 use crate::study::readings::map::{self, Judged};
+use crate::study::readings::reading::{End, Reading};
 use crate::study::readings::run::Numbers;
 use crate::study::readings::sentence::Sentence;
 
@@ -16,16 +20,58 @@ const CLASSES: usize = 6;
 
 /// The map.
 pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
-    let picture = |found: &Found<Numbers>| Ok(("readings.svg".to_string(), chart(found.numbers)?));
-    findings.iter().map(picture).collect()
+    let mut charts = Vec::new();
+    for found in findings {
+        let courses = Courses::of(&found.numbers.recorded);
+        let all = map::all(&courses);
+        charts.push(("readings.svg".to_string(), chart(&all)?));
+        charts.push(("figure-11.svg".to_string(), iterations(&courses, &all)?));
+    }
+    Ok(charts)
 }
 
-fn chart(numbers: &Numbers) -> Result<String, Error> {
-    let all = map::all(&Courses::of(&numbers.recorded));
+/// Readings of the most sentences that are shown beside the nearest one.
+const BESIDE: usize = 2;
+
+/// Iterations against initial stiffness with line and layer elements under varying and constant stiffness, the four curves of the
+/// paper: a row an example, a column a reading.
+fn iterations(courses: &Courses, all: &[Judged]) -> Result<String, Error> {
+    let best = map::best(all).into_iter().take(BESIDE).map(|judged| judged.reading);
+    let readings: Vec<Reading> = std::iter::once(Reading::nearest()).chain(best).collect();
+    let panel = |example: Example, (number, reading): (usize, &Reading)| {
+        let title = format!("{}, reading {}", example.name(), number + 1);
+        let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-3, 1e6), Axis::log("iterations").over(1.0, 3000.0));
+        let curves = [Iteration::Varying, Iteration::Constant].into_iter().flat_map(|algorithm| {
+            [Element::Line, Element::Layer].map(|element| {
+                let formulation = Formulation::new(element, algorithm);
+                curve(&courses.ends(reading, example, element, algorithm)).drawn(label(&formulation), style(&formulation))
+            })
+        });
+        chart.series = curves.collect();
+        chart.notes = readings.iter().enumerate().map(|(k, reading)| format!("{}: {}.", k + 1, reading.name())).collect();
+        chart
+    };
+    let panels_of = |example| readings.iter().enumerate().map(move |numbered| panel(example, numbered));
+    let charts: Vec<Chart> = Example::ALL.into_iter().flat_map(panels_of).collect();
+    panels("Fig. 11: iterations against initial stiffness, by reading", &charts, readings.len())
+}
+
+fn curve(ends: &[End]) -> Curve {
+    let mut curve = Curve::default();
+    for end in ends {
+        match end.iterations {
+            Some(iterations) => curve.points.push([end.stiffness, iterations as f64]),
+            None => curve.failed.push(end.stiffness),
+        }
+    }
+    curve
+}
+
+fn chart(all: &[Judged]) -> Result<String, Error> {
     let most = all.iter().map(Judged::count).max().unwrap_or(0);
     let criteria = [Criterion::Conditions, Criterion::Residuals, Criterion::Displacement];
     let pairs = criteria.into_iter().flat_map(|criterion| Candidates::ALL.map(|candidates| (candidates, criterion)));
-    let panels = pairs.map(|(candidates, criterion)| panel(&all, most, candidates, criterion)).collect();
+    let panels = pairs.map(|(candidates, criterion)| panel(all, most, candidates, criterion)).collect();
     let class = |k: usize| match most.checked_sub(k as u32) {
         Some(number) if k + 1 < CLASSES => format!("{number} of {}", Sentence::ALL.len()),
         _ => "fewer".into(),

@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::markdown::{significant, table};
 use crate::study::Found;
+use crate::study::drawn::picture;
 use crate::study::readings::axes::{Example, Rule, Stop};
 use crate::study::readings::courses::Courses;
 use crate::study::readings::map::{self, Judged, bit};
@@ -36,7 +37,7 @@ fn of(numbers: &Numbers) -> String {
          Together under none of the readings, though each part of them is under some:\n\n{}\n\
          Readings that fit the cylinder on the searched mesh best, the nearest of each rule, on other meshes of both examples: {} times the \
          elements, 4- and 8-node cells, {} starts. On how many of them each sentence holds:\n\n{}\n\
-         ![Sentences that hold by readings](snapshots/charts/readings.svg)\n\n",
+         {}{}",
         Rule::varying().len(),
         Rule::constant().len(),
         Stop::all().len(),
@@ -47,11 +48,17 @@ fn of(numbers: &Numbers) -> String {
         Reading::nearest().name(),
         nearest.count(),
         Sentence::ALL.len(),
-        best(&all, most),
+        best(&all),
         contradictions(&all),
         ELEMENTS.map(|times| times.to_string()).join(", "),
         starts().len(),
         trials(&numbers.trials),
+        picture("readings.svg", "Sentences that hold by readings"),
+        picture(
+            "figure-11.svg",
+            "Fig. 11 with its four curves: the reading nearest to the text, and those of the most sentences that are next to it; hollow: \
+             given up",
+        ),
     )
 }
 
@@ -82,19 +89,9 @@ fn by_sentence(all: &[Judged], nearest: &Judged) -> String {
 }
 
 /// The readings under which most hold: of each rule of varying stiffness the nearest to the text.
-fn best(all: &[Judged], most: u32) -> String {
-    let nearest = Reading::nearest();
-    let far = |judged: &Judged| nearest.differences(&judged.reading).len();
-    let mut chosen: Vec<&Judged> = Vec::new();
-    for judged in all.iter().filter(|judged| judged.count() == most) {
-        match chosen.iter_mut().find(|kept| kept.reading.varying == judged.reading.varying) {
-            Some(kept) if far(judged) < far(kept) => *kept = judged,
-            Some(_) => {}
-            None => chosen.push(judged),
-        }
-    }
+fn best(all: &[Judged]) -> String {
     let row = |judged: &&Judged| vec![judged.reading.name(), missing(judged.both)];
-    table(&["reading", "what does not hold"].map(String::from), &chosen.iter().map(row).collect::<Vec<_>>())
+    table(&["reading", "what does not hold"].map(String::from), &map::best(all).iter().map(row).collect::<Vec<_>>())
 }
 
 /// Sentences that are not among some bits.

@@ -12,7 +12,9 @@ use crate::stability::halving;
 /// Candidate stretch over the half-width, elements per half-width and initial stiffnesses of the halving law.
 const STRETCHES: [f64; 4] = [1.0, 1.5, 2.0, 3.0];
 const ELEMENTS: [usize; 3] = [5, 8, 16];
-const SOFT_AND_HARD: [f64; 2] = [1.0, 1e6];
+pub(super) const STARTS: [f64; 3] = [0.1, 1.0, 1e6];
+/// Tenths of a decade of κ₀ among which soft springs are told from hard ones on truncated Hertz.
+const TENTHS: std::ops::RangeInclusive<i32> = -15..=5;
 /// Candidates of the pin-rod beyond its contact \[degrees\], and elements per 10 mm of arc, each twice the one before.
 const PIN_STRETCHES: [f64; 4] = [65.0, 70.0, 75.0, 85.0];
 pub(super) const PIN_ELEMENTS: [usize; 2] = [12, 24];
@@ -35,6 +37,8 @@ pub struct Law {
     pub scene: Scene,
     /// The meshes.
     pub meshes: Vec<Mesh>,
+    /// Least κ₀ of each mesh from which on no start takes more iterations than a hard one; empty but on truncated Hertz.
+    pub hard_from: Vec<f64>,
 }
 
 /// A candidate stretch on a mesh.
@@ -44,8 +48,8 @@ pub struct Mesh {
     pub stretch: f64,
     /// Elements per half-width, on the pin-rod per 10 mm.
     pub elements: usize,
-    /// From a soft and a hard start.
-    pub iterations: [Iterations; 2],
+    /// From a soft start and from harder ones.
+    pub iterations: [Iterations; 3],
 }
 
 /// Iterations from a start.
@@ -88,7 +92,35 @@ pub fn law(scene: Scene) -> Result<Law, Error> {
         }),
         Scene::PinRod => on_grid(&PIN_STRETCHES, &PIN_ELEMENTS, &pin_rod),
     };
-    Ok(Law { scene, meshes: meshes? })
+    let hard_from = match scene {
+        Scene::TruncatedHertz => STRETCHES[1..].iter().flat_map(|&s| ELEMENTS.map(|e| (s, e))).map(hard_from).collect(),
+        Scene::Cylinder | Scene::PinRod => Ok(Vec::new()),
+    };
+    Ok(Law { scene, meshes: meshes?, hard_from: hard_from? })
+}
+
+/// Where the starts of truncated Hertz cease to be soft, with candidates beyond the contact.
+fn hard_from((stretch, elements): (f64, usize)) -> Result<f64, Error> {
+    let scene = TruncatedHertz { stretch, ..Default::default() }.scene();
+    let discretisation = Discretisation::of(scene, Resolution { elements, refinement: 0, order: Order::Quadratic })?;
+    let [.., hard] = STARTS;
+    let hard = measured(&discretisation, hard)?;
+    let mut from = f64::NAN;
+    for tenth in TENTHS.rev() {
+        let stiffness = 10f64.powf(0.1 * f64::from(tenth));
+        match (measured(&discretisation, stiffness)?, hard) {
+            (Some(iterations), Some(hard)) if iterations <= hard => from = stiffness,
+            _ => break,
+        }
+    }
+    Ok(from)
+}
+
+/// Iterations of kinematic load on nodes; none where it does not converge.
+fn measured(discretisation: &Discretisation, stiffness: f64) -> Result<Option<usize>, Error> {
+    let formulation = Formulation { stiffness, ..Formulation::new(Element::Node, Iteration::Kinematic) };
+    let solution = discretisation.solve(&formulation)?;
+    Ok(solution.converged().then_some(solution.work.iterations))
 }
 
 /// A Hertz contact: its half-width is known beforehand.
@@ -97,7 +129,7 @@ fn hertz(scene: crate::scene::Scene, stretch: f64, elements: usize) -> Result<Me
     let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
     let discretisation = Discretisation::of(scene, resolution)?;
     let spacing = half_width / (2.0 * elements as f64);
-    let iterations = both(&discretisation, [stretch * half_width, half_width, spacing])?;
+    let iterations = from_all(&discretisation, [stretch * half_width, half_width, spacing])?;
     Ok(Mesh { stretch, elements, iterations })
 }
 
@@ -108,17 +140,15 @@ fn pin_rod(degrees: f64, elements: usize) -> Result<Mesh, Error> {
     let edge = Run::of(&discretisation, &Formulation::verification())?.measures().edge();
     let stretch = discretisation.scene.contact().stretch;
     let spacing = stretch / (discretisation.interfaces[0].nodes.len() - 1) as f64;
-    Ok(Mesh { stretch: stretch / edge, elements, iterations: both(&discretisation, [stretch, edge, spacing])? })
+    Ok(Mesh { stretch: stretch / edge, elements, iterations: from_all(&discretisation, [stretch, edge, spacing])? })
 }
 
-/// Iterations from both starts: candidates to `stretch`, contact to `edge`, nodes `spacing` apart.
-fn both(discretisation: &Discretisation, [stretch, edge, spacing]: [f64; 3]) -> Result<[Iterations; 2], Error> {
+/// Iterations from every start: candidates to `stretch`, contact to `edge`, nodes `spacing` apart.
+fn from_all(discretisation: &Discretisation, [stretch, edge, spacing]: [f64; 3]) -> Result<[Iterations; 3], Error> {
     let iterations = |stiffness: f64| -> Result<Iterations, Error> {
-        let formulation = Formulation { stiffness, ..Formulation::new(Element::Node, Iteration::Kinematic) };
-        let solution = discretisation.solve(&formulation)?;
-        let measured = solution.converged().then_some(solution.work.iterations);
-        Ok(Iterations { stiffness, predicted: halving::iterations(stretch, edge, spacing, stiffness), measured })
+        let predicted = halving::iterations(stretch, edge, spacing, stiffness);
+        Ok(Iterations { stiffness, predicted, measured: measured(discretisation, stiffness)? })
     };
-    let [soft, hard] = SOFT_AND_HARD;
-    Ok([iterations(soft)?, iterations(hard)?])
+    let [soft, middle, hard] = STARTS;
+    Ok([iterations(soft)?, iterations(middle)?, iterations(hard)?])
 }

@@ -2,6 +2,7 @@
 //!
 //! * `ground` — the scene and the contact that an iteration ends in.
 //! * `rates` — asymptotic rates of constant and varying stiffness.
+//! * `before` — the rate of varying stiffness, by Hertz's closed form alone.
 //! * `fixed_target` — constant stiffness towards given springs: whether and how fast.
 //! * `basin` — varying stiffness with `correction`: what attracts nearby, and what happens from afar.
 //! * `failing` — why `secant` and `literal` fail with constant stiffness.
@@ -11,6 +12,7 @@
 //! * `section`, `tables` — predictions beside measurements.
 
 pub mod basin;
+pub mod before;
 pub mod failing;
 pub mod fixed_target;
 mod ground;

@@ -5,7 +5,7 @@ use crate::solve::{Element, Iteration};
 use crate::study::Planned;
 use crate::study::method::Method;
 use crate::study::stability::halving::Scene;
-use crate::study::stability::{Numbers, basin, failing, fixed_target, halving, rates};
+use crate::study::stability::{Numbers, basin, before, failing, fixed_target, halving, rates};
 
 /// All trials of the predictions.
 pub fn plan() -> Vec<Planned<Numbers>> {
@@ -17,6 +17,10 @@ pub fn plan() -> Vec<Planned<Numbers>> {
             trials.push(Planned::new("predicted rate of convergence", method.to_string(), run));
         }
     }
+    trials.extend(before::Scene::ALL.map(|scene| {
+        let run = move || before::starts(scene).map(Numbers::Before);
+        Planned::new("rate of varying stiffness before the contact is solved", scene.name(), run)
+    }));
     trials.extend(by_element("constant stiffness, fixed target springs", |e| {
         fixed_target::grid(e).map(Numbers::FixedTarget)
     }));

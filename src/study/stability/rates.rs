@@ -47,8 +47,7 @@ pub fn rates(method: Method) -> Result<Vec<Start>, Error> {
 }
 
 fn start(discretisation: &Discretisation, method: Method, stiffness: f64) -> Result<Start, Error> {
-    let mut formulation = method.formulation(stiffness).tolerance(TOLERANCE);
-    formulation.settings.max_iterations = LIMIT;
+    let formulation = to_the_end(method, stiffness);
     let measured = measured(&discretisation.solve(&formulation)?);
     Ok(Start {
         stiffness,
@@ -56,6 +55,13 @@ fn start(discretisation: &Discretisation, method: Method, stiffness: f64) -> Res
         linearised: linearised(discretisation, &formulation, measured)?,
         measured: measured.map(|measured| measured.rate),
     })
+}
+
+/// A run that goes on until its rate can be measured.
+pub(super) fn to_the_end(method: Method, stiffness: f64) -> Formulation {
+    let mut formulation = method.formulation(stiffness).tolerance(TOLERANCE);
+    formulation.settings.max_iterations = LIMIT;
+    formulation
 }
 
 /// The predicted rate on the limit.
@@ -72,14 +78,14 @@ fn predicted(discretisation: &Discretisation, formulation: &Formulation) -> Resu
 
 /// A slope of the errors, and between which of them.
 #[derive(Clone, Copy, Debug)]
-struct Measured {
-    rate: f64,
+pub(super) struct Measured {
+    pub(super) rate: f64,
     from: f64,
     to: f64,
 }
 
 /// Slope of the errors in the latter half of the window; none where that holds too few iterations.
-fn measured(solution: &Solution) -> Option<Measured> {
+pub(super) fn measured(solution: &Solution) -> Option<Measured> {
     let errors: Vec<f64> = solution.history.iter().map(|iteration| iteration.error.force).collect();
     let least = errors.iter().copied().fold(f64::INFINITY, f64::min);
     let [from, to] = [WINDOW[0], WINDOW[1].max(ABOVE_LEAST * least)];

@@ -7,7 +7,7 @@ use crate::study::stability::basin::Far;
 use crate::study::stability::fixed_target::{End, Target, end};
 use crate::study::stability::halving::{Law, Mesh, Scene};
 use crate::study::stability::judge::{asymptotic, followed, is_measurable, off};
-use crate::study::stability::{Numbers, basin, failing, rates};
+use crate::study::stability::{Numbers, basin, before, failing, rates};
 
 /// A table of all trials: the rows that each of them has there.
 fn table(head: &[&str], findings: &[Found<Numbers>], rows: impl Fn(&Found<Numbers>) -> Vec<Vec<String>>) -> String {
@@ -34,8 +34,7 @@ pub fn fixed_target(findings: &[Found<Numbers>]) -> String {
 
 /// Every start, predicted and measured.
 pub fn rates(findings: &[Found<Numbers>]) -> String {
-    let head =
-        ["method", "κ₀", "predicted ρ", "linearised, same errors", "measured", "ln ρ off", "linearised off", "verdict"];
+    let head = ["method", "κ₀", "measured", "predicted ρ", "ln ρ off", "verdict", "linearised, same errors", "ln ρ off", "verdict"];
     table(&head, findings, |found| match found.numbers {
         Numbers::Rates(starts) => starts.iter().map(|start| rate(found.name, start)).collect(),
         _ => Vec::new(),
@@ -48,23 +47,43 @@ fn rate(method: &str, start: &rates::Start) -> Vec<String> {
         let off = predicted.zip(start.measured).map(|(predicted, measured)| off(predicted, measured));
         off.map_or("–".into(), |off| format!("{:.1} %", 100.0 * off))
     };
-    let passed = |judged: &Judged| judged.verdict == Verdict::Pass;
-    let judgement = match &followed(start) {
-        _ if !is_measurable(start) => "not measurable",
-        _ if passed(&asymptotic(start)) => "✓",
-        Some(judged) if passed(judged) => "✗ ρ, ✓ linearised",
-        _ => "✗",
+    let verdict = |judged: Option<Judged>, without: &str| match judged {
+        _ if !is_measurable(start) => "not measurable".to_string(),
+        Some(judged) if judged.verdict == Verdict::Pass => "✓".into(),
+        Some(_) => "✗".into(),
+        None => without.into(),
     };
     vec![
         method.into(),
         start.stiffness.to_string(),
-        format!("{:.6}", start.predicted),
-        optional(start.linearised),
         optional(start.measured),
+        format!("{:.6}", start.predicted),
         off(Some(start.predicted)),
+        verdict(asymptotic(start), "not alone above round-off"),
+        optional(start.linearised),
         off(start.linearised),
-        judgement.into(),
+        verdict(followed(start), "–"),
     ]
+}
+
+/// Every mesh, predicted by the closed form and measured.
+pub fn before(findings: &[Found<Numbers>]) -> String {
+    let head = ["scene", "L/a", "elements per a", "first node outside, x/a", "ρ by Hertz", "measured ρ", "ln ρ: measured / Hertz"];
+    let row = |scene: &str, start: &before::Start| {
+        vec![
+            scene.into(),
+            start.stretch.to_string(),
+            start.elements.to_string(),
+            format!("{:.4}", start.place),
+            format!("{:.5}", start.predicted),
+            start.measured.map_or("–".into(), |measured| format!("{measured:.5}")),
+            start.ratio().map_or("–".into(), |ratio| format!("{ratio:.2}")),
+        ]
+    };
+    table(&head, findings, |found| match found.numbers {
+        Numbers::Before(starts) => starts.iter().map(|start| row(found.name, start)).collect(),
+        _ => Vec::new(),
+    })
 }
 
 /// Both rules from every start.

@@ -9,10 +9,11 @@ use crate::study::sweep::run::{End, Numbers, Rule, STARTS};
 /// Elements, chart, and the table of the rules.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let mut text = String::from("## Elements and iterations\n\n");
-    text += &picture("contact-elements.svg", "The three contact elements");
+    text += &picture("contact-problem.svg", "As Figs 1 and 2: bodies in contact, and contact elements on the potential contact area");
+    text += &picture("contact-elements.svg", "As Figs 3, 4 and 5: line, layer and node contact element");
     text += &picture(
         "iterations-against-stiffness.svg",
-        "Iterations against initial stiffness; runs that did not converge are drawn as hollow markers above the chart",
+        "As Fig. 11 with all nine formulations, by the iteration error: iterations against initial stiffness; runs that did not converge are drawn as hollow markers above the chart",
     );
     let rules = findings.iter().filter_map(|found| match found.numbers {
         Numbers::Rules(rules) => Some(rules),
