@@ -2,12 +2,14 @@
 
 use approx::assert_relative_eq;
 use contact_vv::algorithm::StiffnessRule;
-use contact_vv::case::library::{Bars, Cylinder, CylinderModel, OwnWeight, Patch, PinPlate, PinRod, PressFit};
+use contact_vv::case::library::{
+    Bars, Cylinder, CylinderModel, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
+};
 use contact_vv::elasticity::ElasticSystem;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Scene;
 use contact_vv::solution::Solution;
-use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
 use crate::workbench::{ORDERS, distance, resolution};
 
@@ -250,4 +252,37 @@ fn paper_shows_springs_with_both_stiffness_iterations_and_nodes_with_kinematic_l
     let mut sorted = shown;
     sorted.sort();
     assert_eq!(sorted, ["layer.constant", "layer.varying", "line.constant", "line.varying", "node.kinematic"]);
+}
+
+#[test]
+fn shear_stress_is_looked_for_below_the_contact_and_found_where_hertz_has_it() {
+    let case = TruncatedHertz::default().case();
+    let [a, p0] = [case.scene.reference.length, case.scene.reference.pressure];
+    for order in ORDERS {
+        let discretisation = discretised(case.scene.clone(), 12, order);
+        let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+        let fields = discretisation.recover(&run.solution).expect("fields");
+        let shear = discretisation.shear_below(&fields.stress, run.measures(), [0, 0]).expect("below").expect("inside");
+        // Johnson 1985, §4.2: 0.300 p₀ at 0.786 a; stresses recovered at nodes bend the curve that is flat there.
+        assert_relative_eq!(shear.stress, 0.300 * p0, max_relative = 0.03);
+        assert_relative_eq!(shear.depth, 0.786 * a, max_relative = 0.2);
+        // Looked for at many places of the cells around it, none of them above the surface.
+        assert!(shear.samples.iter().all(|[depth, _]| *depth >= -1e-6 * a && *depth <= 2.0 * a));
+        let around = shear.samples.iter().filter(|[depth, _]| (depth / shear.depth - 1.0).abs() < 0.02).count();
+        assert!(around >= 8, "{around} of {}", shear.samples.len());
+    }
+}
+
+#[test]
+fn work_and_answer_do_not_depend_on_the_unit_of_force() {
+    let run = |unit: f64| {
+        let cylinder = Cylinder::default();
+        let scene = Cylinder { young: unit * cylinder.young, ..cylinder }.scene();
+        let discretisation = discretised(scene, 6, Order::Quadratic);
+        Run::of(&discretisation, &Formulation::verification()).expect("solved")
+    };
+    let (newton, tiny) = (run(1.0), run(1e-12));
+    assert_eq!(tiny.solution.work.iterations, newton.solution.work.iterations);
+    assert_eq!(tiny.solution.work.back_substitutions, newton.solution.work.back_substitutions);
+    assert_relative_eq!(1e12 * tiny.measures().peak.pressure, newton.measures().peak.pressure, max_relative = 1e-9);
 }

@@ -468,3 +468,17 @@ fn elements_grow_away_from_the_contact_and_no_faster_than_asked() {
     let sizes: Vec<f64> = heights.windows(2).map(|two| two[1] - two[0]).collect();
     assert!(sizes.iter().all(|s| *s >= 0.99 * first));
 }
+
+#[test]
+fn eye_has_no_element_longer_than_its_coarsest() {
+    let mut scene = PinRod::default().scene();
+    // Elements that would soon outgrow it.
+    (scene.grading.along, scene.grading.coarsest) = (3.0, 0.05);
+    let rod = scene.bodies.len() - 1;
+    let mesh = Mesh::of(&scene, resolution(24, 0, Order::Linear)).expect("mesh");
+    let edges = mesh.boundary(&scene, rod, "contact").expect("a side");
+    let Shape::Eye { hole, .. } = scene.bodies[rod].shape else { panic!("the rod has an eye") };
+    let angle = |node: usize| (mesh.points[node][0] - hole.centre[0]).atan2(mesh.points[node][1] - hole.centre[1]);
+    let longest = edges.iter().map(|edge| (angle(edge[1]) - angle(edge[0])).abs()).fold(0.0, f64::max);
+    assert!(longest <= 1.01 * 1.6 * scene.grading.coarsest, "{longest}");
+}

@@ -536,3 +536,9 @@ fn stresses_below_a_flat_punch_carry_its_load_and_are_its_pressure_on_the_surfac
     }
     assert_relative_eq!(punch.stress(0.0, 2000.0)[1], -1000.0 / PI / 1000.0, max_relative = 1e-5);
 }
+
+#[test]
+fn closed_forms_have_names_to_be_cited_by() {
+    assert_eq!(PIN.name(), "Persson");
+    assert_eq!(HERTZ.name(), "Hertz");
+}

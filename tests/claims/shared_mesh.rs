@@ -93,3 +93,35 @@ fn mesh_of_a_short_stretch_without_growth_is_refused_before_it_is_built() {
     let error = Case::parse(Path::new("large.toml"), &text).map(|_| ()).expect_err("too large").to_string();
     assert!(error.contains("the mesh would have about"), "{error}");
 }
+
+/// Sizes of the elements along the left side of the first body, from below.
+fn heights(scene: &Scene, mesh: &Mesh) -> Vec<f64> {
+    let left = mesh.boundary(scene, 0, "left").expect("a side");
+    let mut ends: Vec<f64> = left.iter().flat_map(|edge| [edge[0], edge[1]]).map(|node| mesh.points[node][1]).collect();
+    ends.sort_by(f64::total_cmp);
+    ends.windows(2).map(|pair| pair[1] - pair[0]).filter(|size| *size > 1e-9).collect()
+}
+
+#[test]
+fn plate_between_two_contacts_is_fine_at_both_and_within_its_coarsest_between() {
+    // Elements that would soon outgrow it.
+    let plate = between_punches([0.0, 0.0], [2.0, 2.0], "1.3").replace("growth = {", "growth = { depth = 3.0,");
+    let file = read("plate.toml", &plate);
+    let mesh = Mesh::of(&file.scene, file.resolution).expect("mesh");
+    let sizes = heights(&file.scene, &mesh);
+    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    assert!(largest <= 1.01 * 30.0 * file.scene.grading.coarsest, "{largest}");
+    assert_relative_eq!(sizes[0], sizes[sizes.len() - 1], max_relative = 1e-6);
+    assert!(sizes[0] < 0.2 * largest, "{sizes:?}");
+}
+
+#[test]
+fn cells_are_foretold_within_a_margin_where_a_body_is_deep_between_its_contacts() {
+    let tall = between_punches([-20.0, 20.0], [2.0, 2.0], "1.3")
+        .replace("y = [0, 30]", "y = [0, 3000]")
+        .replace("30]", "3000]");
+    let file = read("tall.toml", &tall.replace("growth = {", "growth = { depth = 1.01,"));
+    let [cells, _] = expected(&file.scene, file.resolution);
+    let made = Mesh::of(&file.scene, file.resolution).expect("mesh").cells() as f64;
+    assert!((2.0..4.0).contains(&(cells / made)), "{cells} for {made}");
+}

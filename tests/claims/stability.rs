@@ -97,6 +97,21 @@ fn halving_takes_two_steps_where_the_candidates_end_at_the_edge_and_one_more_by_
 }
 
 #[test]
+fn slowest_open_point_sets_the_rate_of_secant_until_what_is_left_of_its_gap_is_nothing() {
+    let discretisation = between_nodes();
+    let formulation = Formulation::new(Element::Node, Iteration::Varying);
+    let points: Vec<ContactPoint> = discretisation.points(&formulation);
+    let problem = discretisation.problem(&formulation, &points);
+    let limit = Limit::of(&problem).expect("a contact");
+    let rate = |slack| rate::secant(&problem, &limit.target(&problem), &limit.approach, slack).expect("springs hold");
+    let open = || (0..points.len()).filter(|&i| !limit.closed[i]);
+    let slowest = open().map(|i| limit.approach[i] / points[i].gap).fold(0.0, f64::max);
+    assert_relative_eq!(rate(0.0), slowest, max_relative = 1e-9);
+    let widest = open().map(|i| points[i].gap - limit.approach[i]).fold(0.0, f64::max);
+    assert!(rate(widest) < 0.99 * slowest, "{} of {slowest}", rate(widest));
+}
+
+#[test]
 fn hertz_rate_outside_the_contact_is_one_at_its_edge_and_falls_by_the_three_halves_of_the_distance() {
     assert_eq!(rate::outside_hertz(1.0), 1.0);
     // (ξ √(ξ² − 1) − arcosh ξ)/ξ² at ξ = 2: (2 √3 − ln(2 + √3))/4.
