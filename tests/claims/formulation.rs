@@ -162,7 +162,7 @@ fn telling_the_problem_differently_leaves_steps_and_pressures_unchanged() {
     let scenes = [
         Cylinder::default().scene(),
         Cylinder { model: CylinderModel::HalfLoadedAbove, ..Cylinder::default() }.scene(),
-        contact_vv::case::library::TruncatedHertz::default().scene_under(field),
+        TruncatedHertz::default().scene_under(field),
         PinRod::default().scene(),
         PinPlate::default().scene(),
         PressFit::default().scene(),
