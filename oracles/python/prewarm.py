@@ -1,5 +1,8 @@
 """Compiles every form of the dolfinx oracles once and says what is installed; run by the set-up script."""
+import pathlib
 import sys
+
+sys.path.append(str(pathlib.Path(__file__).parents[1] / "dolfinx"))
 
 import environment
 
@@ -12,6 +15,7 @@ def main(installed):
     import discrete_dolfinx
     import physical_dolfinx
     import shapes
+    import ufl_penalty
 
     square = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.5, 0], [1, 0.5], [0.5, 1], [0, 0.5]])
     one_cell = {
@@ -31,6 +35,9 @@ def main(installed):
             discrete_dolfinx.assembled(one_cell | mesh)
     matrix = closed_forms.plane_matrix(1.0, 0.3, "strain")
     physical_dolfinx.stiffness(shapes.rectangle(1.0, 0.5, 1, 0), matrix)
+    hertz = {"radius": 1.0, "young": 1.0, "poisson": 0.3, "a_over_r": 0.05, "stretch": 1.6, "size": 8.0, "stations": [0.01, 0.03]}
+    for case in ufl_penalty.fan.MESHES:
+        ufl_penalty.solve(hertz | {"case": case}, 0)
     print("oracles:", ", ".join(f"{name} {version}" for name, version in environment.versions().items()))
 
 

@@ -1,7 +1,7 @@
 """A scene as a discrete problem, solved with the stiffness, edge functions and linear solver of one code.
 
 Own meshes, own loads, own contact; the code under test is a module with
-    stiffness(mesh, plane_matrix)  freedoms 2 node + component of the mesh's own numbering, thickness 1
+    stiffness(mesh, plane_matrix)  dofs 2 node + component of the mesh's own numbering, thickness 1
     edge_functions(xi)             (N, dN/dxi), each (n, 3): first, last, middle
     linear_solution(matrix, load)  one load, or one a column
 """
@@ -45,7 +45,7 @@ def solve(scene, level, method, code):
     for finer in range(level + 1):
         model = build(scene, finer)
         start = model.start if start is None else start
-        points, pressure, freedoms, steps = closed(model, method, start, code)
+        points, pressure, dofs, steps = closed(model, method, start, code)
         start = contact_edge(points, pressure)
     if pressure[-1] > 0.0:
         raise RuntimeError(f"{scene['case']}: the contact reaches its last candidate; lengthen the stretch")
@@ -55,13 +55,12 @@ def solve(scene, level, method, code):
         "peak": float(measures.peak(points, pressure, width)),
         "resultant": float(measures.resultant(points, pressure)),
         "pressure": measures.profile(points, pressure, np.asarray(scene["stations"]), model.pair.metric()),
-        "freedoms": int(freedoms),
-        "contact_edges": len(points.middles),
+        "dofs": int(dofs),
     }
 
 
 def closed(model, method, start, code):
-    """Contact points, their pressures, the number of free freedoms, and the steps of the iteration."""
+    """Contact points, their pressures, the number of free dofs, and the steps of the iteration."""
     meshes = [body.mesh for body in model.bodies]
     thickness = model.pair.thickness
     each = [thickness * code.stiffness(body.mesh, body.plane_matrix) for body in model.bodies]
@@ -82,7 +81,7 @@ def closed(model, method, start, code):
 
 
 def free_motions(size, fixed, tied):
-    """Matrix T of u = T q: fixed freedoms have no column, tied ones share one."""
+    """Matrix T of u = T q: fixed dofs have no column, tied ones share one."""
     kept = np.ones(size, bool)
     kept[fixed] = False
     column = np.cumsum(kept) - 1

@@ -6,7 +6,6 @@ use crate::case::quantity::Quantity;
 use crate::error::Error;
 use crate::measure::{larger, profile};
 use crate::oracle;
-use crate::scene::contact_pair::CONTACT;
 use crate::solve::run::Contact;
 use crate::solve::{Discretisation, Run, Shear};
 
@@ -121,14 +120,8 @@ impl Solved<'_> {
     /// Hoop stress at the node of the secondary body's contact side at an angle \[MPa\]; NaN where no node is there.
     fn hoop_stress(&self, contact: usize, at: f64) -> Result<f64, Error> {
         let fields = self.discretisation.recover(&self.run.solution)?;
-        let (scene, mesh) = (&self.discretisation.scene, &self.discretisation.mesh);
-        let pair = &scene.contacts[contact];
-        let nodes = mesh.boundary(scene, pair.second.unwrap_or(pair.first), CONTACT)?.iter().flatten();
-        let distance = |node: &usize| (pair.path.coordinate(mesh.points[*node]) - at).abs();
-        let nearest = nodes.copied().min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        let Some(node) = nearest.filter(|node| distance(node) < NEAR) else { return Ok(f64::NAN) };
-        let [x, y, xy] = fields.stress[node];
-        let (sin, cos) = at.sin_cos();
-        Ok(x * cos * cos + y * sin * sin + 2.0 * xy * sin * cos)
+        let along = self.discretisation.hoop_stresses(&fields, contact)?;
+        let nearest = along.into_iter().min_by(|a, b| (a[0] - at).abs().total_cmp(&(b[0] - at).abs()));
+        Ok(nearest.filter(|[place, _]| (place - at).abs() < NEAR).map_or(f64::NAN, |[_, stress]| stress))
     }
 }

@@ -166,5 +166,6 @@ fn root() -> Result<PathBuf, Error> {
 #[cfg(feature = "python")]
 fn freeze() -> Result<(), Error> {
     crate::study::cross_code::renewal::freeze()?.into_iter().for_each(say);
+    crate::study::independent::renewal::freeze()?.into_iter().for_each(say);
     Ok(())
 }

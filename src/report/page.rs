@@ -1,8 +1,10 @@
 //! The page: a loop over the studies.
 
+use crate::case::Verdict;
 use crate::error::Error;
 use crate::figure;
 use crate::markdown;
+use crate::oracle::ReferenceKind;
 use crate::report::{checks, decisions, matrix, statements};
 use crate::solve::Formulation;
 use crate::study::{Finding, Room};
@@ -50,13 +52,34 @@ fn head(findings: &[Finding]) -> String {
     format!(
         "# Validation report\n\n\
          Three contact elements × three iterations for frictionless elastic contact in 2D (Égert 1999), held against closed forms and other codes.\n\
-         **Nothing here has yet been compared with an experiment**: Gaertner's figures are not at hand.\n\n\
+         **{}**\n\n\
          {runs} runs, {} checks: {pass} passed, {fail} failed, {not_run} not run. Generated; do not edit.\n\n\
          *Verification* holds the code against closed forms and orders of accuracy (kind *analytic*); *benchmarking* \
-         holds it against other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* would \
-         compare with measurement.\n\n",
+         holds it against other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* \
+         compares with measurement.\n\n",
+        experiments(findings),
         pass + fail + not_run
     )
+}
+
+/// How many comparisons with measurements were judged, and of what kind.
+fn experiments(findings: &[Finding]) -> String {
+    let judged = |room: Room| {
+        findings.iter().any(|finding| finding.room == room && !matches!(finding.verdict(), Verdict::NotRun(_)))
+    };
+    let shape = if judged(Room::Photoelastic) {
+        "One shape-only comparison with a photograph"
+    } else {
+        "No photograph compared"
+    };
+    let judgements =
+        findings.iter().filter(|finding| finding.room == Room::Digitised).flat_map(|finding| &finding.judged);
+    let measured = judgements.filter(|judged| judged.reference.kind == ReferenceKind::Measured);
+    let calibrated = measured.filter(|judged| !matches!(judged.verdict, Verdict::NotRun(_))).count();
+    match calibrated {
+        0 => format!("{shape}; no calibrated experiment yet."),
+        n => format!("{shape}; calibrated curves compared: {n}."),
+    }
 }
 
 fn paper(findings: &[Finding]) -> String {

@@ -2,6 +2,7 @@
 
 use crate::elasticity::stress;
 use crate::error::Error;
+use crate::scene::contact_pair::CONTACT;
 use crate::solution::Solution;
 use crate::solve::Discretisation;
 
@@ -35,6 +36,22 @@ impl Discretisation {
         let displacement = self.system.nodal_displacements_under(share, &unknowns);
         let stress = stress::at_nodes(&self.scene, &self.mesh, &displacement)?;
         Ok(Fields { displacement, stress, unknowns })
+    }
+
+    /// Hoop stress along the arc of a contact, on the second body if there is one: contact coordinate of a node \[rad\] and
+    /// `σ_x cos² s + σ_y sin² s + 2 τ_xy sin s cos s` \[MPa\], by rising coordinate.
+    pub fn hoop_stresses(&self, fields: &Fields, contact: usize) -> Result<Vec<[f64; 2]>, Error> {
+        let pair = &self.scene.contacts[contact];
+        let edges = self.mesh.boundary(&self.scene, pair.second.unwrap_or(pair.first), CONTACT)?;
+        let stress = |&node: &usize| {
+            let (at, [x, y, xy]) = (pair.path.coordinate(self.mesh.points[node]), fields.stress[node]);
+            let (sin, cos) = at.sin_cos();
+            [at, x * cos * cos + y * sin * sin + 2.0 * xy * sin * cos]
+        };
+        let mut along: Vec<[f64; 2]> = edges.iter().flatten().map(stress).collect();
+        along.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        along.dedup_by(|a, b| a[0] <= b[0]);
+        Ok(along)
     }
 
     /// Von Mises stress at every node of recovered fields \[MPa\].

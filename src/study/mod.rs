@@ -34,12 +34,16 @@ rooms! {
     Quarter in quarter,
     /// The dimensionless family of the pin–rod.
     Family in family,
-    /// Gaertner's curves.
-    Gaertner in gaertner,
+    /// Digitised curves of pins: Gaertner, Ghosh.
+    Digitised in digitised,
+    /// The photoelastic disc between two plates.
+    Photoelastic in photoelastic,
     /// Fields and iteration paths.
     Fields in fields,
     /// Other codes.
     CrossCode in cross_code,
+    /// Independent codes.
+    Independent in independent,
     /// Initial stiffness and rules.
     Sweep in sweep,
     /// What the paper leaves open: its sentences under every reading.
@@ -112,8 +116,9 @@ pub fn on_bars(findings: &[Finding]) -> Result<Finding, Error> {
 /// Trials that ask the other codes themselves.
 #[cfg(feature = "python")]
 pub fn live() -> Vec<Trial> {
-    let judged = |planned| judged(planned, Room::CrossCode, Numbers::CrossCode);
-    cross_code::live().into_iter().map(judged).collect()
+    let twins = cross_code::live().into_iter().map(|planned| judged(planned, Room::CrossCode, Numbers::CrossCode));
+    let others = independent::live().into_iter();
+    twins.chain(others.map(|planned| judged(planned, Room::Independent, Numbers::Independent))).collect()
 }
 
 /// A trial of a room among those of all, judged.

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use approx::assert_relative_eq;
 use contact_vv::error::{Error, Kind};
 use contact_vv::oracle::digitised::{
-    Abscissa, Comparison, Digitised, DigitisedCurve, NOT_AT_HAND, Ordinate, OurPoint, compare,
+    Abscissa, Comparison, Digitised, DigitisedCurve, DigitisedScene, NOT_AT_HAND, Ordinate, OurPoint, RodScene, compare,
 };
 use contact_vv::oracle::{Oracle, Quantity, Reading, ReferenceKind};
 use tempfile::TempDir;
@@ -90,15 +90,31 @@ fn semi_ellipse(shift: f64) -> impl Fn(f64) -> OurPoint {
     move |phi| OurPoint { value: shift + 100.0 * (1.0 - (phi / (PI / 3.0)).powi(2)).max(0.0).sqrt(), uncertainty: 0.1 }
 }
 
+fn rod(curve: &DigitisedCurve) -> RodScene {
+    match curve.scene {
+        DigitisedScene::Rod(rod) => rod,
+        DigitisedScene::Sheet(sheet) => panic!("a rod, not {sheet:?}"),
+    }
+}
+
 #[test]
-fn gaertners_figures_are_absent_and_say_so() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles/digitised/gaertner-1977");
+fn figures_that_are_not_at_hand_say_so() {
+    for source in ["gaertner-1977", "ghosh-1982"] {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles/digitised").join(source);
 
-    let digitised = Digitised::load(&folder).expect("a README alone is no error");
+        let digitised = Digitised::load(&folder).expect("a README alone is no error");
 
-    assert_eq!(digitised, Digitised::Absent(NOT_AT_HAND.to_owned()));
-    let reading = digitised.read("any.csv", Quantity::PeakPressure);
-    assert_eq!(reading, Reading::Unavailable(NOT_AT_HAND.to_owned()));
+        assert_eq!(digitised, Digitised::Absent(NOT_AT_HAND.to_owned()));
+        let reading = digitised.read("any.csv", Quantity::PeakPressure);
+        assert_eq!(reading, Reading::Unavailable(NOT_AT_HAND.to_owned()));
+    }
+}
+
+#[test]
+fn a_curve_of_another_scene_is_refused() {
+    let csv = "force_n,force_error_n,half_angle_deg,half_angle_error_deg\n1,0.1,30,1\n";
+    let error = refusal("semi-ellipse.csv", Some(csv));
+    assert!(error.to_string().contains("HalfAngle over Force"), "{error}");
 }
 
 #[test]
@@ -116,8 +132,9 @@ fn complete_folder_is_admitted_with_its_scene_and_provenance() {
     assert_eq!(curve.kind(), ReferenceKind::Measured);
     assert_eq!((curve.abscissa, curve.ordinate), (Abscissa::Angle, Ordinate::Pressure));
     assert_eq!(curve.points.len(), 6);
-    assert_relative_eq!(curve.scene.pin_radius, 10.0);
-    assert_relative_eq!(curve.scene.rod.young, 70_000.0);
+    let rod = rod(&curve);
+    assert_relative_eq!(rod.pin_radius, 10.0);
+    assert_relative_eq!(rod.rod.young, 70_000.0);
     assert_relative_eq!(curve.points[5].abscissa, 50.0_f64.to_radians(), max_relative = 1e-14);
     assert_relative_eq!(curve.points[5].abscissa_error, 0.5_f64.to_radians(), max_relative = 1e-14);
 }
@@ -336,7 +353,7 @@ fn friction_of_the_source_is_stated_as_a_difference_of_model() {
     let mut curve = admitted();
 
     let with = compare(&curve, &semi_ellipse(0.0));
-    curve.scene.friction = 0.0;
+    curve.scene = DigitisedScene::Rod(RodScene { friction: 0.0, ..rod(&curve) });
     let without = compare(&curve, &semi_ellipse(0.0));
 
     assert!(with.model_form.is_some_and(|statement| statement.contains("0.15")));

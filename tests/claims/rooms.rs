@@ -4,7 +4,7 @@ use contact_vv::case::{Judged, Verdict};
 use contact_vv::measure::order::{Richardson, richardson};
 use contact_vv::mesh::Order;
 use contact_vv::oracle::ReferenceKind;
-use contact_vv::study::{family, fields, gaertner, quarter, refinement};
+use contact_vv::study::{digitised, family, fields, quarter, refinement};
 
 fn fails(judged: &[Judged]) -> usize {
     judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
@@ -174,14 +174,14 @@ fn stresses_that_do_not_carry_the_load_turn_red() {
 
 #[test]
 fn a_curve_beyond_its_uncertainty_turns_red_and_one_that_is_absent_is_not_run() {
-    let judge = |deviates| {
+    let judge = |worst| {
         let (file, source, kind) = ("curve.csv".into(), "Gaertner 1977".into(), ReferenceKind::Measured);
-        let numbers = gaertner::Numbers::Present(vec![gaertner::Curve { file, source, kind, deviates }]);
-        gaertner::judge(&numbers).expect("judged")[0].verdict.clone()
+        let numbers =
+            digitised::Numbers::Present(vec![digitised::Curve { file, source, kind, worst, model_form: None }]);
+        digitised::judge(&numbers).expect("judged")[0].verdict.clone()
     };
-    let deviates = |worst| judge(Some(gaertner::Deviates { worst, model_form: None }));
-    assert_eq!([deviates(1.9), deviates(2.1), deviates(f64::NAN)], [Verdict::Pass, Verdict::Fail, Verdict::Fail]);
-    assert!(matches!(judge(None), Verdict::NotRun(_)));
-    let absent = gaertner::judge(&gaertner::Numbers::Absent("why".into())).expect("judged");
+    assert_eq!([judge(1.9), judge(2.1), judge(f64::NAN)], [Verdict::Pass, Verdict::Fail, Verdict::Fail]);
+    let absent = digitised::Numbers::Absent { source: "Gaertner 1977".into(), why: "why".into() };
+    let absent = digitised::judge(&absent).expect("judged");
     assert_eq!(absent[0].verdict, Verdict::NotRun("why".into()));
 }

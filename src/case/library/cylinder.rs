@@ -10,7 +10,8 @@ use crate::case::quantity::Quantity;
 use crate::mesh::Resolution;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::scene::{
-    Body, ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, Scene, Sector, Shape, StressField,
+    Body, Component, ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, Scene, Sector, Shape,
+    StressField,
 };
 use crate::solve::Formulation;
 
@@ -40,6 +41,8 @@ pub enum CylinderModel {
     Half,
     /// The half cylinder, loaded per horizontal length on its upper arc.
     HalfLoadedAbove,
+    /// The lower quarter of a cylinder between two plates: its horizontal cut stays flat.
+    BetweenPlates,
 }
 
 impl Default for Cylinder {
@@ -67,11 +70,17 @@ impl Cylinder {
     /// The scene: `q = P/2R` on the horizontal cut, symmetry on x = 0, rigid plane below.
     pub fn scene(&self) -> Scene {
         let q = self.load() / (2.0 * self.radius);
-        let sector = if self.model == CylinderModel::Quarter { Sector::Quarter } else { Sector::RightHalf };
+        let sector = match self.model {
+            CylinderModel::Quarter | CylinderModel::BetweenPlates => Sector::Quarter,
+            CylinderModel::Half | CylinderModel::HalfLoadedAbove => Sector::RightHalf,
+        };
         let across = [0.0, -q];
         let load = match self.model {
             CylinderModel::Quarter => Load::Traction { boundary: "cut".into(), traction: across },
             CylinderModel::Half => Load::Traction { boundary: "middle".into(), traction: across },
+            CylinderModel::BetweenPlates => {
+                Load::RigidFace { boundary: "cut".into(), component: Component::Y, force: -0.5 * self.load() }
+            }
             CylinderModel::HalfLoadedAbove => {
                 Load::Stress { boundary: "top".into(), field: StressField(Arc::new(move |_| [0.0, -q, 0.0])) }
             }

@@ -19,12 +19,19 @@ enum Made {
 /// Default a/R of the scenes whose load can be set.
 const RATIO: f64 = 0.05;
 
-const ENTRIES: [Entry; 11] = [
+const ENTRIES: [Entry; 12] = [
     ("cylinder", cylinder::TITLE, Made::Loaded(|a_over_r| Cylinder { a_over_r, ..Default::default() }.case())),
     (
         "cylinder-half",
         "the same with the half cylinder modelled",
         Made::Loaded(|a_over_r| Cylinder { a_over_r, model: CylinderModel::Half, ..Default::default() }.case()),
+    ),
+    (
+        "cylinder-between-plates",
+        "the same between two rigid plates, the lower quarter",
+        Made::Loaded(|a_over_r| {
+            Cylinder { a_over_r, model: CylinderModel::BetweenPlates, ..Default::default() }.case()
+        }),
     ),
     (
         "truncated-hertz",

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::checkout::{root, sha256};
@@ -85,17 +86,20 @@ impl Digest {
 impl Series {
     /// All numbers in groups of one unit and scale.
     pub fn numbers(&self) -> Vec<(String, Vec<f64>)> {
-        let answers = self.penalty.iter().chain(&self.active_set);
-        let groups = answers.flat_map(|answer| {
-            [
-                ("half-width".to_owned(), vec![answer.half_width]),
-                ("peak".to_owned(), vec![answer.peak]),
-                ("resultant".to_owned(), vec![answer.resultant]),
-                ("profile".to_owned(), answer.pressure.clone()),
-                ("freedoms".to_owned(), vec![answer.dofs as f64, answer.contact_edges as f64]),
-            ]
-        });
-        groups.collect()
+        self.penalty.iter().chain(&self.active_set).flat_map(PhysicalAnswer::numbers).collect()
+    }
+}
+
+impl PhysicalAnswer {
+    /// All numbers in groups of one unit and scale.
+    pub fn numbers(&self) -> [(String, Vec<f64>); 5] {
+        [
+            ("half-width".into(), vec![self.half_width]),
+            ("peak".into(), vec![self.peak]),
+            ("resultant".into(), vec![self.resultant]),
+            ("profile".into(), self.pressure.clone()),
+            ("dofs".into(), vec![self.dofs as f64]),
+        ]
     }
 }
 
@@ -116,9 +120,7 @@ impl Frozen {
 
     /// The same, whatever the scripts are now.
     pub fn load(code: Code) -> Result<Self, Error> {
-        let file = file(code);
-        let text = fs::read_to_string(&file).map_err(|_| Error::missing_file(&file, REFREEZE))?;
-        Self::parse(&file, &text)
+        read_json(&file(code))
     }
 
     /// The same from a text; the file is only named.
@@ -141,20 +143,22 @@ impl Frozen {
 
     /// Writes the results of a code.
     pub fn write(&self, code: Code) -> Result<(), Error> {
-        let file = file(code);
-        let text = serde_json::to_string_pretty(self).map_err(|error| Error::unwritable(&file, error))?;
-        fs::create_dir_all(file.parent().unwrap_or(&file)).map_err(|error| Error::unwritable(&file, error))?;
-        fs::write(&file, text + "\n").map_err(|error| Error::unwritable(&file, error))
+        write_json(&file(code), self)
     }
 
     /// The versions that differ from those of a live run, as `numpy 1.24.2, now 1.26.0`.
     pub fn changed_versions(&self, now: &BTreeMap<String, String>) -> String {
-        let changed = self.versions.iter().filter(|(name, version)| now.get(*name) != Some(version));
-        let told = changed
-            .map(|(name, version)| format!("{name} {version}, now {}", now.get(name).map_or("absent", String::as_str)));
-        let told: Vec<String> = told.collect();
-        if told.is_empty() { "no version changed".into() } else { told.join("; ") }
+        changed_versions(&self.versions, now)
     }
+}
+
+/// The versions that differ from those of a live run, as `numpy 1.24.2, now 1.26.0`.
+pub fn changed_versions(frozen: &BTreeMap<String, String>, now: &BTreeMap<String, String>) -> String {
+    let changed = frozen.iter().filter(|(name, version)| now.get(*name) != Some(version));
+    let told = changed
+        .map(|(name, version)| format!("{name} {version}, now {}", now.get(name).map_or("absent", String::as_str)));
+    let told: Vec<String> = told.collect();
+    if told.is_empty() { "no version changed".into() } else { told.join("; ") }
 }
 
 /// The frozen file of a code.
@@ -164,10 +168,27 @@ pub fn file(code: Code) -> PathBuf {
 
 /// SHA-256 of all Python files of the oracles with their names, in the order of these.
 pub fn script_hash() -> Result<String, Error> {
-    let folder = scripts();
-    let unreadable = |file: &Path, error| Error::unreadable(file, error, "restore oracles/python");
-    let entries = fs::read_dir(&folder).map_err(|error| unreadable(&folder, error))?;
-    let entries: Vec<fs::DirEntry> = entries.collect::<Result<_, _>>().map_err(|error| unreadable(&folder, error))?;
+    hash_of(&scripts())
+}
+
+/// What a file holds.
+pub(super) fn read_json<T: DeserializeOwned>(file: &Path) -> Result<T, Error> {
+    let text = fs::read_to_string(file).map_err(|_| Error::missing_file(file, REFREEZE))?;
+    serde_json::from_str(&text).map_err(|error| Error::unreadable(file, error, REFREEZE))
+}
+
+/// Writes a file, and its folder where there is none.
+pub(super) fn write_json(file: &Path, content: &impl Serialize) -> Result<(), Error> {
+    let text = serde_json::to_string_pretty(content).map_err(|error| Error::unwritable(file, error))?;
+    fs::create_dir_all(file.parent().unwrap_or(file)).map_err(|error| Error::unwritable(file, error))?;
+    fs::write(file, text + "\n").map_err(|error| Error::unwritable(file, error))
+}
+
+/// The same of one folder.
+pub(super) fn hash_of(folder: &Path) -> Result<String, Error> {
+    let unreadable = |file: &Path, error| Error::unreadable(file, error, "restore the folder `oracles`");
+    let entries = fs::read_dir(folder).map_err(|error| unreadable(folder, error))?;
+    let entries: Vec<fs::DirEntry> = entries.collect::<Result<_, _>>().map_err(|error| unreadable(folder, error))?;
     let mut files: Vec<PathBuf> = entries.iter().map(|entry| entry.path()).collect();
     files.retain(|file| file.extension().is_some_and(|extension| extension == "py"));
     files.sort();

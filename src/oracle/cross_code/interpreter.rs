@@ -16,7 +16,8 @@ use pyo3::{ffi, types::PyTracebackMethods};
 
 use crate::checkout::root;
 use crate::error::Error;
-use crate::oracle::cross_code::{SET_UP, scripts};
+use crate::oracle::cross_code::independent::folder;
+use crate::oracle::cross_code::{Code, SET_UP, scripts};
 
 /// The interpreter the oracles were installed for.
 const INTERPRETER: &CStr = c"/usr/bin/python3";
@@ -24,7 +25,7 @@ const INTERPRETER: &CStr = c"/usr/bin/python3";
 const INSTALLED: &str = "oracles/.python";
 
 /// The remedy where Python runs and a script complains.
-const SCRIPTS: &str = "see the traceback: the scene or a file under oracles/python is at fault";
+const SCRIPTS: &str = "see the traceback: the scene or a file under oracles is at fault";
 
 /// What Python said, and the remedy.
 type Told = (String, &'static str);
@@ -88,7 +89,9 @@ fn boot() -> Result<(), Told> {
 /// Environment and paths, then every module the oracles import.
 fn prepare(py: Python<'_>) -> PyResult<()> {
     let path = py.import("sys")?.getattr("path")?;
-    path.call_method1("insert", (0, scripts().display().to_string()))?;
+    for folder in [scripts()].into_iter().chain(Code::ALL.map(folder)) {
+        path.call_method1("insert", (0, folder.display().to_string()))?;
+    }
     py.import("environment")?.call_method1("prepare", (root().join(INSTALLED).display().to_string(),))?;
     Ok(())
 }

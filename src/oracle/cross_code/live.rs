@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::Error;
+use crate::oracle::cross_code::independent::Script;
 use crate::oracle::cross_code::interpreter::with_python;
 use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem, Method, PhysicalAnswer, PhysicalScene};
 
@@ -39,8 +40,17 @@ pub fn discrete(code: Code, problem: &DiscreteProblem) -> Result<DiscreteAnswer,
     })
 }
 
-/// Solves a scene by another code on its own mesh of a refinement level.
+/// Solves a scene by another code on the twins' mesh of a refinement level.
 pub fn physical(code: Code, scene: &PhysicalScene, level: usize, method: Method) -> Result<PhysicalAnswer, Error> {
+    ask(module("physical", code), scene, level, method.name())
+}
+
+/// Solves a scene by a script that shares nothing.
+pub fn independent(script: Script, scene: &PhysicalScene, level: usize) -> Result<PhysicalAnswer, Error> {
+    ask(script.module().into(), scene, level, script.method())
+}
+
+fn ask(module: String, scene: &PhysicalScene, level: usize, method: &'static str) -> Result<PhysicalAnswer, Error> {
     let scene = scene.clone();
     with_python(move |py| {
         let given = PyDict::new(py);
@@ -49,14 +59,13 @@ pub fn physical(code: Code, scene: &PhysicalScene, level: usize, method: Method)
             given.set_item(name, number)?;
         }
         given.set_item("stations", PyArray1::from_slice(py, &scene.stations))?;
-        let answer = py.import(module("physical", code))?.call_method1("solve", (given, level, method.name()))?;
+        let answer = py.import(module)?.call_method1("solve", (given, level, method))?;
         Ok(PhysicalAnswer {
             half_width: answer.get_item("half_width")?.extract()?,
             peak: answer.get_item("peak")?.extract()?,
             resultant: answer.get_item("resultant")?.extract()?,
             pressure: answer.get_item("pressure")?.extract::<PyReadonlyArray1<'_, f64>>()?.as_array().to_vec(),
-            dofs: answer.get_item("freedoms")?.extract()?,
-            contact_edges: answer.get_item("contact_edges")?.extract()?,
+            dofs: answer.get_item("dofs")?.extract()?,
         })
     })
 }

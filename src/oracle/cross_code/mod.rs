@@ -5,10 +5,13 @@
 //! * *The same physical problem* ([`PhysicalScene`]): the other code's own mesh and elements; agreement within the
 //!   discretisation errors of both.
 //!
-//! The codes are called from Python files under `oracles/python`, live in `live` (feature `python`), or read from what
-//! a live run left under `oracles/frozen` ([`frozen`]).
+//! In the first sense and, on shared meshes and contact rows, in the second, the codes are called from Python files under
+//! `oracles/python`: *assembly twins*, one oracle with two assemblers. Scripts in `oracles/dolfinx` and `oracles/scikit_fem` share
+//! nothing ([`independent`]). All are run live in `live` (feature `python`), or read from what a live run left under `oracles/frozen`
+//! ([`frozen`]).
 
 pub mod frozen;
+pub mod independent;
 #[cfg(feature = "python")]
 pub mod interpreter;
 #[cfg(feature = "python")]
@@ -156,10 +159,7 @@ pub struct PhysicalAnswer {
     /// Pressure at the stations \[MPa\].
     pub pressure: Vec<f64>,
     /// Displacement components of the mesh.
-    #[serde(rename = "freedoms")]
     pub dofs: usize,
-    /// Candidate edges.
-    pub contact_edges: usize,
 }
 
 /// How a code treats the contact conditions.

@@ -6,22 +6,22 @@ use crate::uncertainty::{COVERAGE, Comparison as Compared, combined};
 /// Our value at an abscissa.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OurPoint {
-    /// The value \[MPa\].
+    /// The value.
     pub value: f64,
-    /// Its own standard uncertainty, such as the discretisation error \[MPa\].
+    /// Its own standard uncertainty, such as the discretisation error.
     pub uncertainty: f64,
 }
 
-/// Our value beside theirs at one digitised point.
+/// Our value beside theirs at one digitised point, in the units of the curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
-    /// Angle \[rad\] or distance \[mm\] of the point.
+    /// Where the point lies.
     pub abscissa: f64,
-    /// The digitised ordinate \[MPa\].
+    /// The digitised ordinate.
     pub theirs: f64,
-    /// Our value \[MPa\].
+    /// Our value.
     pub ours: f64,
-    /// Combined standard uncertainty `√(u_dig² + u_ours²)` \[MPa\].
+    /// Combined standard uncertainty `√(u_dig² + u_ours²)`.
     pub uncertainty: f64,
     /// `|ours − theirs| / √(u_dig² + u_ours²)`; NaN where either is not finite.
     pub ratio: f64,
@@ -53,12 +53,12 @@ impl Comparison {
 
 /// Holds our curve against a digitised one, point by point.
 ///
-/// `ours` takes the abscissa of the curve, radians or millimetres, and is asked one abscissa error to both sides
+/// `ours` takes the abscissa of the curve (rad, mm or N) and is asked one abscissa error to both sides
 /// of each point too, so a symmetric curve must take negative arguments.
 pub fn compare(curve: &DigitisedCurve, ours: &dyn Fn(f64) -> OurPoint) -> Comparison {
     Comparison {
         deviations: curve.points.iter().map(|point| deviation(point, ours)).collect(),
-        model_form: model_form(curve.scene.friction),
+        model_form: model_form(curve.scene.friction()),
     }
 }
 

@@ -17,14 +17,19 @@ struct Column<T> {
     meaning: T,
 }
 
-const ABSCISSAE: [Column<Abscissa>; 3] = [
+const ABSCISSAE: [Column<Abscissa>; 4] = [
     column("angle", "deg", PI / 180.0, Abscissa::Angle),
     column("angle", "rad", 1.0, Abscissa::Angle),
     column("x", "mm", 1.0, Abscissa::Distance),
+    column("force", "n", 1.0, Abscissa::Force),
 ];
 
-const ORDINATES: [Column<Ordinate>; 2] =
-    [column("pressure", "mpa", 1.0, Ordinate::Pressure), column("hoop_stress", "mpa", 1.0, Ordinate::HoopStress)];
+const ORDINATES: [Column<Ordinate>; 4] = [
+    column("pressure", "mpa", 1.0, Ordinate::Pressure),
+    column("hoop_stress", "mpa", 1.0, Ordinate::HoopStress),
+    column("half_angle", "deg", PI / 180.0, Ordinate::HalfAngle),
+    column("half_angle", "rad", 1.0, Ordinate::HalfAngle),
+];
 
 const fn column<T: Copy>(quantity: &'static str, unit: &'static str, factor: f64, meaning: T) -> Column<T> {
     Column { quantity, unit, factor, meaning }

@@ -40,6 +40,11 @@ impl DigitisedCurve {
         let file = folder.join(&entry.file);
         let text = text_of(&file, "add the file, or take its entry out of provenance.toml")?;
         let (abscissa, ordinate, points) = columns::read(&file, &text)?;
+        if !scene.has_curve(abscissa, ordinate) {
+            let message = format!("{ordinate:?} over {abscissa:?} is no curve of the scene in scene.toml");
+            let remedy = "give a stress over an angle or a distance with a rod, a half-angle over a force with a sheet";
+            return Err(Error::file(&file, message, remedy));
+        }
 
         Ok(Self {
             file: entry.file.clone(),

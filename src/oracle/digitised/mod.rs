@@ -5,6 +5,7 @@
 //! * [`curve`]: the points with all that is needed to compute their twins.
 //! * [`point`]: a point, with the errors of both coordinates.
 //! * [`acceptance`]: how far our curve may lie from theirs.
+//! * [`fringes`]: dark fringes of a photoelastic disc.
 //! * `columns`: the CSV file, refused by column, or by line and column.
 //! * `text`: the text of a file that must be there.
 //! * `keys`: required TOML keys, refused by name where missing or out of range.
@@ -18,6 +19,7 @@ use crate::error::Error;
 pub mod acceptance;
 mod columns;
 pub mod curve;
+pub mod fringes;
 mod keys;
 pub mod point;
 pub mod provenance;
@@ -28,7 +30,7 @@ pub use acceptance::{Comparison, Deviation, OurPoint, compare};
 pub use curve::DigitisedCurve;
 pub use point::{Abscissa, CurvePoint, Ordinate};
 pub use provenance::{CurveProvenance, Hand, Kind, Provenance};
-pub use scene::{DigitisedScene, SceneMaterial};
+pub use scene::{DigitisedScene, RodScene, SceneMaterial, SheetScene};
 
 /// Why a folder that holds only its README gives no reading.
 pub const NOT_AT_HAND: &str = "not run: the figures are not at hand";

@@ -5,6 +5,7 @@ use super::statement::{Judgement, Statement, judged};
 use crate::case::library::{cylinder, pin_rod};
 use crate::case::{Quantity, Verdict};
 use crate::solve::Run;
+use crate::study::digitised::GAERTNER;
 use crate::study::quarter::LEFT_OUT;
 use crate::study::{Numbers, Room};
 use crate::uncertainty::COVERAGE;
@@ -75,7 +76,10 @@ pub fn top_quarter(f: &Findings) -> Statement {
 
 /// Gaertner's curves.
 pub fn gaertner(f: &Findings) -> Statement {
-    let verdict = f.0.iter().find(|finding| finding.room == Room::Gaertner).map(|finding| finding.verdict());
+    let verdict =
+        f.0.iter()
+            .find(|finding| finding.room == Room::Digitised && finding.case == GAERTNER)
+            .map(|finding| finding.verdict());
     let (measured, judgement) = match verdict {
         Some(Verdict::Pass) => (format!("every point within {COVERAGE} u_val"), Judgement::Reproduced),
         Some(Verdict::Fail) => (format!("a point beyond {COVERAGE} u_val"), Judgement::NotReproduced),

@@ -106,6 +106,6 @@ fn on_pin<'a>(title: &str, runs: impl Iterator<Item = &'a Run>) -> Chart {
     chart.series = curves(runs, scale, [degrees, 1.0]);
     let label = "Gaertner 1977: not at hand".into();
     chart.bands.push(Band { direction: Direction::Vertical, from: 76.0, to: 89.0, label });
-    chart.notes.push("Nothing here has yet been compared with an experiment.".into());
+    chart.notes.push("No calibrated experiment has yet been compared.".into());
     chart
 }

@@ -117,7 +117,7 @@ fn absent(code: Code, name: &str) -> Error {
 }
 
 /// The first number in which two scenes differ; NaN where one has none.
-fn other_scene(ours: &PhysicalScene, theirs: &PhysicalScene) -> Option<(String, f64, f64)> {
+pub fn other_scene(ours: &PhysicalScene, theirs: &PhysicalScene) -> Option<(String, f64, f64)> {
     let pairs = |(key, &value): (&String, &f64)| (key.clone(), value, theirs.numbers.get(key).copied());
     let mut all: Vec<(String, f64, Option<f64>)> = ours.numbers.iter().map(pairs).collect();
     let surplus = theirs.numbers.iter().filter(|(key, _)| !ours.numbers.contains_key(*key));

@@ -62,13 +62,11 @@ fn theirs(name: impl ToString, value: f64) -> Reference {
 }
 
 fn physical(compared: &physical::Compared) -> Vec<Judged> {
-    let of_code = compared.others.iter().flat_map(|other| {
-        let live = other.reproduced.iter().map(|live| reproduced(other.code, live));
-        live.chain(other.found.iter().flat_map(|found| agreement(compared, found)))
-    });
+    let live = compared.others.iter().flat_map(|other| other.reproduced.iter().map(|live| reproduced(other.code, live)));
+    let agreed = compared.counted().flat_map(|found| agreement(compared, found));
     let exact = compared.closed_form.iter().filter(|_| compared.scene.closed_form_is_exact());
     let exact = exact.flat_map(|closed| covered_closed_form(compared, closed));
-    of_code.chain([one_mesh(compared)]).chain(exact).chain(tight(compared)).collect()
+    live.chain(agreed).chain([one_mesh(compared)]).chain(exact).chain(tight(compared)).collect()
 }
 
 /// Where the closed form is that of the scene, our uncertainty alone covers the difference.
@@ -81,12 +79,12 @@ fn covered_closed_form(compared: &physical::Compared, closed: &ClosedForm) -> [J
 }
 
 /// The most a tolerance may exceed what is found.
-const TIGHT: f64 = 3.0;
+pub const TIGHT: f64 = 3.0;
 
 /// Tolerances of a scene are at most three times the largest difference that is found.
 pub fn tight(compared: &physical::Compared) -> [Judged; 3] {
     let demanded = demanded(compared.scene);
-    let worst = |of: &dyn Fn(&Found) -> f64| compared.theirs().map(of).fold(0.0, larger);
+    let worst = |of: &dyn Fn(&Found) -> f64| compared.counted().map(of).fold(0.0, larger);
     let numbers = Number::ALL.map(|number| {
         worst(&|found| (number.of(&compared.ours).value / number.of(found).value - 1.0).abs())
     });
@@ -97,7 +95,7 @@ pub fn tight(compared: &physical::Compared) -> [Judged; 3] {
         ("profile in L2".into(), demanded.profile, profile),
     ];
     all.map(|(name, tolerance, found)| {
-        let quantity = Quantity::at("tolerance over the largest difference of any code", name);
+        let quantity = Quantity::at("tolerance over the largest difference of either method", name);
         let because = "a tolerance far above what is found sees nothing";
         Check::error(quantity, Reference::own("what is found", 0.0), TIGHT, because).judge(tolerance / found)
     })
@@ -172,7 +170,7 @@ pub fn agreement(compared: &physical::Compared, found: &Found) -> [Judged; 6] {
 }
 
 /// `√( Σ (p − q)² / Σ q² )`; NaN where the lengths differ.
-fn l2(p: &[f64], q: &[f64]) -> f64 {
+pub fn l2(p: &[f64], q: &[f64]) -> f64 {
     if p.len() != q.len() {
         return f64::NAN;
     }

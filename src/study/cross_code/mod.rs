@@ -3,7 +3,7 @@
 //! * `plan` — one trial per discrete problem and code, one per physical problem.
 //! * `twin` — our discrete problem as it is handed over.
 //! * `discrete` — the same discrete problem: agreement to round-off, a code check.
-//! * `physical` — the same physical problem on another mesh: a benchmark; `benchmark` — its scenes.
+//! * `physical` — the same physical problem on another mesh, by an assembly twin; `benchmark` — its scenes.
 //! * `answers` — where the other codes' answers come from: frozen files, or the codes themselves.
 //! * `differences` — how far two answers are apart.
 //! * `renewal` — asking the codes now, and freezing what they answer (feature `python`).
@@ -17,11 +17,11 @@ pub mod differences;
 pub mod discrete;
 pub mod judge;
 pub mod physical;
-mod picture;
+pub mod picture;
 mod plan;
 #[cfg(feature = "python")]
 pub mod renewal;
-mod section;
+pub mod section;
 pub mod twin;
 pub mod validation;
 

@@ -9,6 +9,7 @@ use crate::measure::order::richardson;
 use crate::measure::{parabola, profile};
 use crate::mesh::{Order, Resolution};
 use crate::oracle::cross_code::frozen::REFREEZE;
+use crate::oracle::cross_code::independent::Script;
 use crate::oracle::cross_code::{Code, Method, PhysicalAnswer};
 use crate::oracle::{Quantity, Reading};
 use crate::solve::{Discretisation, Formulation, Run};
@@ -66,6 +67,8 @@ pub enum Finder {
     Ours,
     /// Another code by one of its methods.
     Theirs(Code, Method),
+    /// A script that shares nothing.
+    Independent(Script),
 }
 
 /// What was found on the finest mesh, with its uncertainty.
@@ -102,6 +105,7 @@ impl fmt::Display for Finder {
             Self::Ours => f.pad("ours"),
             Self::Theirs(code, Method::Penalty) => f.pad(code.name()),
             Self::Theirs(code, Method::ActiveSet) => f.pad(&format!("{code}, no penalty")),
+            Self::Independent(script) => f.pad(script.name()),
         }
     }
 }
@@ -139,6 +143,12 @@ impl Compared {
         self.others.iter().flat_map(|other| &other.found)
     }
 
+    /// What the first code found, by every method: with shared meshes, contact and measures the codes are one oracle, and the others
+    /// are held to the first on one mesh.
+    pub fn counted(&self) -> impl Iterator<Item = &Found> {
+        self.others.iter().take(1).flat_map(|other| &other.found)
+    }
+
     /// Ours, then theirs.
     pub fn all(&self) -> impl Iterator<Item = &Found> {
         std::iter::once(&self.ours).chain(self.theirs())
@@ -171,7 +181,7 @@ fn other(benchmark: &Benchmark, code: Code, answers: Answers) -> Result<Other, E
 }
 
 /// Our own series, in the same form, and the peak on the finest mesh as the others measure it.
-fn ours(benchmark: &Benchmark) -> Result<(Vec<PhysicalAnswer>, f64), Error> {
+pub fn ours(benchmark: &Benchmark) -> Result<(Vec<PhysicalAnswer>, f64), Error> {
     let mut peak_as_theirs = f64::NAN;
     let mut level = |refinement: usize| {
         let resolution =
@@ -187,7 +197,6 @@ fn ours(benchmark: &Benchmark) -> Result<(Vec<PhysicalAnswer>, f64), Error> {
             resultant: converged(run.transmitted()),
             pressure: means.into_iter().map(converged).collect(),
             dofs: run.dofs,
-            contact_edges: run.solution.edges.len(),
         })
     };
     let levels = (0..LEVELS).map(&mut level).collect::<Result<_, Error>>()?;
@@ -197,7 +206,8 @@ fn ours(benchmark: &Benchmark) -> Result<(Vec<PhysicalAnswer>, f64), Error> {
 /// Samples of the closed form in a stretch.
 const SAMPLES: usize = 100;
 
-fn closed_form(benchmark: &Benchmark) -> Option<ClosedForm> {
+/// What the closed form says of a scene, if there is one.
+pub fn closed_form(benchmark: &Benchmark) -> Option<ClosedForm> {
     let oracle = benchmark.case.oracle.as_deref()?;
     let value = |quantity| match oracle.read(quantity) {
         Reading::Value { value, .. } => value,

@@ -23,7 +23,7 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Er
         drawn.iter().filter_map(|one| one.closed_form.as_ref()).map(|exact| exact.name.as_str()).collect();
     let against = format!("Difference of each code to the closed form ({})", closed.join(", "));
     Ok(vec![
-        ("pressure-cross-code.svg".into(), panels("The same physical problem in three codes", &pressures, 2)?),
+        ("pressure-cross-code.svg".into(), panels("The same physical problem: ours and the assembly twin", &pressures, 2)?),
         ("difference-cross-code.svg".into(), panels(&against, &differences, 3)?),
     ])
 }
@@ -33,7 +33,7 @@ fn pressure(compared: &Compared) -> Chart {
     chart.series.extend(compared.all().map(|found| curve(compared, &found.profile, 1.0, found.by)));
     let exact = compared.closed_form.iter();
     chart.series.extend(exact.map(|exact| {
-        let points = points(compared, &exact.profile, 1.0);
+        let points = points(compared.scene, compared.reference, &compared.stations, &exact.profile, 1.0);
         Curve { points, failed: Vec::new() }.drawn("closed form", Style::reference())
     }));
     chart
@@ -50,32 +50,43 @@ fn difference(compared: &Compared) -> Option<Chart> {
 }
 
 fn chart(compared: &Compared, y: &str) -> Chart {
-    let x = match compared.scene {
+    Chart::new(compared.scene.name(), Axis::linear(abscissa(compared.scene)), Axis::linear(y))
+}
+
+/// What profiles are drawn against.
+pub fn abscissa(scene: Scene) -> &'static str {
+    match scene {
         Scene::Cylinder | Scene::WiderCylinder | Scene::TruncatedHertz => "x / a",
         Scene::PinRod => "θ from the load line [°]",
         Scene::PinPlate => "φ from the load line [°]",
-    };
-    Chart::new(compared.scene.name(), Axis::linear(x), Axis::linear(y))
+    }
 }
 
 /// What pressures are drawn over.
-fn unit(scene: Scene) -> &'static str {
+pub fn unit(scene: Scene) -> &'static str {
     if scene.is_arc() { "F/(R t)" } else { "p₀" }
 }
 
 fn curve(compared: &Compared, profile: &[f64], factor: f64, by: Finder) -> Series {
-    Curve { points: points(compared, profile, factor), failed: Vec::new() }.drawn(by.to_string(), style(by))
+    let points = points(compared.scene, compared.reference, &compared.stations, profile, factor);
+    Curve { points, failed: Vec::new() }.drawn(by.to_string(), style(by))
 }
 
-fn points(compared: &Compared, profile: &[f64], factor: f64) -> Vec<[f64; 2]> {
-    let [length, pressure] = compared.reference;
-    let scale = if compared.scene.is_arc() { 180.0 / std::f64::consts::PI } else { 1.0 / length };
-    compared.stations.iter().zip(profile).map(|(s, p)| [scale * s, factor * p / pressure]).collect()
+/// A profile over what its scene is measured by, times a factor.
+pub fn points(
+    scene: Scene,
+    [length, pressure]: [f64; 2],
+    stations: &[f64],
+    profile: &[f64],
+    factor: f64,
+) -> Vec<[f64; 2]> {
+    let scale = if scene.is_arc() { 180.0 / std::f64::consts::PI } else { 1.0 / length };
+    stations.iter().zip(profile).map(|(s, p)| [scale * s, factor * p / pressure]).collect()
 }
 
 fn style(by: Finder) -> Style {
     match by {
-        Finder::Ours => Style::run(palette::NODE, Dash::Solid, Marker::Absent),
+        Finder::Ours | Finder::Independent(_) => Style::run(palette::NODE, Dash::Solid, Marker::Absent),
         Finder::Theirs(Code::ScikitFem, Method::Penalty) => Style::run(palette::LINE, Dash::Dashed, Marker::Circle),
         Finder::Theirs(Code::Dolfinx, _) => Style::run(palette::LAYER, Dash::Dotted, Marker::Square),
         Finder::Theirs(_, Method::ActiveSet) => Style::run(palette::PURPLE, Dash::DashDot, Marker::Diamond),

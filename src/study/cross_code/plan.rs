@@ -26,7 +26,7 @@ fn against(answers: Answers) -> Vec<Planned<Numbers>> {
         })
     });
     let physical = Scene::ALL.into_iter().map(|scene| {
-        Planned::new("same physical problem", format!("{}{}", scene.name(), answers.suffix()), move || {
+        Planned::new("assembly twin", format!("{}{}", scene.name(), answers.suffix()), move || {
             physical::compare(&scene.benchmark(), answers).map(Numbers::Physical)
         })
     });

@@ -8,6 +8,7 @@ use crate::markdown;
 use crate::oracle::cross_code::frozen::Frozen;
 use crate::oracle::cross_code::{Code, SET_UP};
 use crate::study::cross_code::Numbers;
+use crate::study::cross_code::benchmark::Scene;
 use crate::study::cross_code::discrete::Part;
 use crate::study::cross_code::judge::assembled_alike;
 use crate::study::cross_code::physical::{Compared, Found as Answer, Measured};
@@ -29,9 +30,10 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
          ### The same discrete problem (code check)\n\n\
          Each code takes our mesh and assembles stiffness, loads and edge functions for itself; supports and penalty line elements \
          (two Gauss points an edge) are put together from these in Python, condensed nowhere.\n\n{}\n\
-         ### The same physical problem (benchmark)\n\n\
+         ### The same physical problem: assembly twin\n\n\
          Meshes of curved 6-node triangles, loads, contact and measures are Python's own and shared by both codes; stiffness, edge \
-         functions and linear solver are each code's. Bodies in contact have non-matching meshes. ± is the standard uncertainty from \
+         functions and linear solver are each code's: one oracle with two assemblers, held to each other on one mesh and counted once, as \
+         scikit-fem. Bodies in contact have non-matching meshes. ± is the standard uncertainty from \
          three nested meshes; closed forms of *another model*, the half-space or the infinite plate, differ by that.\n\n{}\n\
          Comparison errors after ASME V&V 20: |E| shall be at most {COVERAGE} u_val, u_val² the sum of the squares of all sources. Beside the \
          meshes these are known differences that are not corrected for: what the penalty (springs, and two pressures an edge instead of one a \
@@ -104,21 +106,21 @@ fn each_number<'a>(physical: &'a [&'a Compared]) -> impl Iterator<Item = (&'a Co
 }
 
 /// What a number is shown as, and by which factor: angles in degrees.
-fn shown(compared: &Compared, number: Number) -> (&'static str, f64) {
+pub fn shown(scene: Scene, number: Number) -> (&'static str, f64) {
     match number {
         Number::Peak => ("peak [MPa]", 1.0),
-        Number::Width if compared.scene.is_arc() => ("2 √(∫pθ²/∫p) [°]", 180.0 / std::f64::consts::PI),
+        Number::Width if scene.is_arc() => ("2 √(∫pθ²/∫p) [°]", 180.0 / std::f64::consts::PI),
         Number::Width => ("a [mm]", 1.0),
     }
 }
 
 /// A share in per cent with two significant digits.
-fn percent(share: f64) -> String {
+pub fn percent(share: f64) -> String {
     format!("{} %", markdown::significant(100.0 * share, 2))
 }
 
 fn quoted(compared: &Compared, number: Number, found: &Answer) -> Vec<String> {
-    let (quantity, factor) = shown(compared, number);
+    let (quantity, factor) = shown(compared.scene, number);
     let Measured { value, uncertainty, .. } = number.of(found);
     let exact = compared.closed_form.as_ref().map(|exact| number.of_closed_form(exact));
     vec![
@@ -150,7 +152,7 @@ fn comparisons(physical: &[&Compared]) -> String {
         "",
     ];
     let rows: Vec<Vec<String>> = each_number(physical)
-        .flat_map(|(compared, number)| compared.theirs().map(move |found| comparison(compared, number, found)))
+        .flat_map(|(compared, number)| compared.counted().map(move |found| comparison(compared, number, found)))
         .collect();
     markdown::table(&head.map(String::from), &rows)
 }
@@ -162,7 +164,7 @@ fn comparison(compared: &Compared, number: Number, found: &Answer) -> Vec<String
     let covered = comparison.ratio() <= COVERAGE;
     vec![
         compared.scene.name().into(),
-        shown(compared, number).0.into(),
+        shown(compared.scene, number).0.into(),
         found.by.to_string(),
         format!("{} %", markdown::signed(100.0 * comparison.error / scale, 2)),
         source(sources.ours),
@@ -179,7 +181,7 @@ fn comparison(compared: &Compared, number: Number, found: &Answer) -> Vec<String
 fn penalty(physical: &[&Compared]) -> String {
     let head = ["case", "quantity", "by penalty, limit", "without penalty, limit", "penalty error"];
     let rows = each_number(physical).filter_map(|(compared, number)| {
-        let (quantity, factor) = shown(compared, number);
+        let (quantity, factor) = shown(compared.scene, number);
         let [soft, exact] = compared.both_methods()?.map(|found| number.of(found).limit);
         Some(vec![
             compared.scene.name().into(),

@@ -93,7 +93,7 @@ pub fn against(compared: &Compared, found: &Found, number: Number) -> (Compariso
         theirs: theirs.uncertainty,
         penalty: match found.by {
             Finder::Theirs(_, Method::Penalty) => compared.cost_of_penalty(number),
-            Finder::Theirs(_, Method::ActiveSet) | Finder::Ours => 0.0,
+            Finder::Theirs(_, Method::ActiveSet) | Finder::Independent(_) | Finder::Ours => 0.0,
         },
         measure: match number {
             Number::Peak => (compared.peak_as_theirs - ours.value).abs(),

@@ -1,16 +1,18 @@
-//! Gaertner's digitised curves against the pin–rod of their own dimensions; not run while the figures are not at hand.
+//! Digitised curves of pins against the same pins of ours; not run while the figures are not at hand.
 //!
-//! * `plan` — one trial, the folder of the curves.
+//! * `plan` — one trial a source.
 //! * `run` — the worst deviation of each curve.
+//! * `ours` — our own curve of the source's scene.
 //! * `judge` — within the combined uncertainty.
 //! * `section` — the title; its checks say the rest.
 
 mod judge;
+mod ours;
 mod plan;
 pub mod run;
 mod section;
 
 pub use judge::judge;
-pub use plan::plan;
-pub use run::{Curve, Deviates, Numbers};
+pub use plan::{GAERTNER, plan};
+pub use run::{Curve, Numbers};
 pub use section::{pictures, section};

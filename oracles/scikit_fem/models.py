@@ -1,0 +1,18 @@
+"""The scenes that are solved, by name."""
+
+import hertz_models
+import pin_models
+
+CASES = {
+    "cylinder": hertz_models.cylinder,
+    "truncated-hertz": hertz_models.truncated_hertz,
+    "pin-rod": pin_models.pin_rod,
+    "pin-plate": pin_models.pin_plate,
+}
+
+
+def model(scene, level):
+    """The model of a scene on the mesh of a level."""
+    if scene["case"] not in CASES:
+        raise ValueError(f"case {scene['case']!r}: use one of {', '.join(CASES)}")
+    return CASES[scene["case"]](scene, level)

@@ -1,0 +1,24 @@
+//! The same physical problem in other codes that share nothing with one another but the scene: mesh, forms of the contact, iteration and
+//! measures are each script's own.
+//!
+//! * `plan` — one trial a scene.
+//! * `run` — what every script found, beside ours.
+//! * `renewal` — asking the scripts now, and freezing what they answer (feature `python`).
+//! * `judge` — differences within their uncertainty, and within what was found.
+//! * `section`, `picture` — the numbers, the profiles.
+
+pub mod judge;
+mod picture;
+mod plan;
+#[cfg(feature = "python")]
+pub mod renewal;
+pub mod run;
+mod section;
+
+pub use judge::judge;
+pub use picture::pictures;
+#[cfg(feature = "python")]
+pub use plan::live;
+pub use plan::plan;
+pub use run::Compared as Numbers;
+pub use section::section;

@@ -1,0 +1,130 @@
+//! What every script found of a scene, beside ours.
+
+use serde::Serialize;
+
+use crate::algorithm::StiffnessRule;
+use crate::error::Error;
+use crate::measure::whole;
+use crate::mesh::{Order, Resolution};
+use crate::oracle::cross_code::PhysicalAnswer;
+use crate::oracle::cross_code::frozen::REFREEZE;
+#[cfg(feature = "python")]
+use crate::oracle::cross_code::frozen::changed_versions;
+#[cfg(feature = "python")]
+use crate::oracle::cross_code::independent::Asked;
+use crate::oracle::cross_code::independent::{Independent, Script, file};
+#[cfg(feature = "python")]
+use crate::oracle::cross_code::live;
+use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use crate::study::cross_code::Answers;
+use crate::study::cross_code::answers::{Reproduced, other_scene};
+use crate::study::cross_code::benchmark::{Benchmark, Scene};
+use crate::study::cross_code::physical::{ClosedForm, Finder, Found, closed_form, ours};
+#[cfg(feature = "python")]
+use crate::study::independent::renewal;
+
+/// Springs of the scripts with a penalty, `k_n = κ E*/ℓ`.
+const KAPPA: f64 = 1e4;
+
+/// A scene by every script that serves it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Compared {
+    /// The scene.
+    pub scene: Scene,
+    /// Middles of the stretches over which profiles are compared \[mm, or rad\].
+    pub stations: Vec<f64>,
+    /// Length \[mm\] and pressure \[MPa\] that the scene is measured by.
+    pub reference: [f64; 2],
+    /// The closed form, if there is one.
+    pub closed_form: Option<ClosedForm>,
+    /// What we found.
+    pub ours: Found,
+    /// What the scripts found.
+    pub others: Vec<Other>,
+    /// Force along the load line that a pressure of 1 MPa on each stretch carries, both halves \[N\].
+    pub carries: Vec<f64>,
+    /// What springs of their stiffness change of peak \[MPa\] and width \[mm, or rad\] on our mesh.
+    pub penalty: [f64; 2],
+}
+
+/// What a script found.
+#[derive(Clone, Debug, Serialize)]
+pub struct Other {
+    /// The script.
+    pub script: Script,
+    /// Whether it finds what was frozen; none where it was not asked.
+    pub reproduced: Option<Reproduced>,
+    /// Its numbers.
+    pub found: Found,
+}
+
+/// A scene by every script.
+pub fn compare(benchmark: &Benchmark, answers: Answers) -> Result<Compared, Error> {
+    let reference = &benchmark.case.scene.reference;
+    let (levels, _) = ours(benchmark)?;
+    let mut others = Vec::new();
+    for (script, series, reproduced) in asked(benchmark, answers)? {
+        others.push(Other { script, reproduced, found: Found::of(Finder::Independent(script), &series)? });
+    }
+    Ok(Compared {
+        scene: benchmark.scene,
+        stations: benchmark.physical.stations.clone(),
+        reference: [reference.length, reference.pressure],
+        closed_form: closed_form(benchmark),
+        ours: Found::of(Finder::Ours, &levels)?,
+        others,
+        carries: carries(benchmark),
+        penalty: penalty(benchmark)?,
+    })
+}
+
+/// `2 t Δx` on a plane, `2 t R · 2 sin(Δθ/2) cos θ` on an arc.
+fn carries(benchmark: &Benchmark) -> Vec<f64> {
+    let (scene, stations) = (&benchmark.case.scene, &benchmark.physical.stations);
+    let (step, pair) = (stations[1] - stations[0], scene.contact());
+    let scale = whole(pair) * scene.thickness * pair.path.metric();
+    let along = |at: f64| if benchmark.scene.is_arc() { 2.0 * (0.5 * step).sin() * at.cos() } else { step };
+    stations.iter().map(|&at| scale * along(at)).collect()
+}
+
+type Series = (Script, Vec<PhysicalAnswer>, Option<Reproduced>);
+
+/// The series of every script that serves a scene.
+fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Error> {
+    let (name, scene) = (benchmark.scene.name(), &benchmark.physical);
+    let frozen = Independent::read()?;
+    let kept = frozen.scenes.get(name).ok_or_else(|| Error::missing_key(&file(), name, "the frozen results", REFREEZE))?;
+    if let Some((key, ours, theirs)) = other_scene(scene, &kept.scene) {
+        let found = format!("{theirs} in the frozen scene, but {ours} in ours");
+        return Err(Error::refused(&file(), &format!("{name}: {key}"), found, REFREEZE));
+    }
+    let series = kept.series.iter().map(|(script, series)| match answers {
+        Answers::Frozen => Ok((*script, series.clone(), None)),
+        #[cfg(feature = "python")]
+        Answers::Live => {
+            let now = renewal::ask(*script, scene)?;
+            let versions = changed_versions(&frozen.versions, &live::versions()?);
+            let reproduced = Reproduced::of(&Asked::numbers(&now), &Asked::numbers(series), versions);
+            Ok((*script, now, Some(reproduced)))
+        }
+    });
+    series.collect()
+}
+
+/// What springs change of peak and width on our coarsest mesh.
+fn penalty(benchmark: &Benchmark) -> Result<[f64; 2], Error> {
+    let resolution = Resolution { elements: benchmark.elements, refinement: 0, order: Order::Quadratic };
+    let discretisation = Discretisation::of(benchmark.case.scene.clone(), resolution)?;
+    let springs = Formulation {
+        rule: StiffnessRule::Penalty,
+        stiffness: KAPPA,
+        ..Formulation::new(Element::Node, Iteration::Kinematic).tolerance(1e-8)
+    };
+    let numbers = |formulation: &Formulation| -> Result<[f64; 2], Error> {
+        let run = Run::of(&discretisation, formulation)?;
+        let measures = run.measures();
+        Ok([measures.peak.pressure, measures.half_width].map(|x| if run.solution.converged() { x } else { f64::NAN }))
+    };
+    let [soft, exact] = [numbers(&springs)?, numbers(&Formulation::verification())?];
+    Ok([0, 1].map(|k| (soft[k] - exact[k]).abs()))
+}

@@ -1,0 +1,22 @@
+//! The disc between two plates against a photograph of its isochromatics: measured, shape only, uncalibrated.
+//!
+//! * `plan` — one trial.
+//! * `field` — the principal stress difference at any point of our disc.
+//! * `fit` — five constants from the fringes at the bottom.
+//! * `run` — both ends in fringe orders, by width and by mesh.
+//! * `judge` — within what is asked at both ends, and sharp enough to fail.
+//! * `section`, `picture` — what it shows, fringes measured and computed.
+
+mod field;
+mod fit;
+mod judge;
+mod picture;
+mod plan;
+pub mod run;
+mod section;
+
+pub use judge::judge;
+pub use picture::pictures;
+pub use plan::plan;
+pub use run::Numbers;
+pub use section::section;

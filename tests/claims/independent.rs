@@ -1,0 +1,203 @@
+//! Independent codes bite: spoiled answers turn red, other scenes are refused, and the scripts share nothing.
+
+use std::fs;
+use std::path::PathBuf;
+
+use contact_vv::case::{Judged, Verdict};
+use contact_vv::oracle::cross_code::independent::{Independent, Script, folder};
+use contact_vv::oracle::cross_code::{Code, PhysicalAnswer};
+use contact_vv::study::cross_code::Answers;
+use contact_vv::study::cross_code::benchmark::Scene;
+use contact_vv::study::cross_code::physical::{Finder, Found};
+use contact_vv::study::independent::judge;
+use contact_vv::study::independent::run::{Compared, compare};
+
+/// Whether there is a check, and all pass.
+fn all_pass(checks: &[Judged]) -> bool {
+    !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)
+}
+
+fn judged(compared: &Compared) -> Vec<Judged> {
+    judge(compared).expect("judged")
+}
+
+/// The same with the refinement series of a script replaced.
+fn with(compared: &Compared, script: Script, series: &[PhysicalAnswer]) -> Compared {
+    let mut other = compared.clone();
+    for one in &mut other.others {
+        if one.script == script {
+            one.found = Found::of(Finder::Independent(script), series).expect("three meshes");
+        }
+    }
+    other
+}
+
+#[test]
+fn an_answer_that_is_spoiled_anywhere_turns_red() {
+    type Spoil = (&'static str, fn(&mut PhysicalAnswer));
+    let spoils: [Spoil; 9] = [
+        ("peak", |a| a.peak *= 1.002),
+        ("width", |a| a.half_width *= 0.999),
+        ("resultant", |a| a.resultant *= 1.0 + 2e-5),
+        ("profile", |a| a.pressure.iter_mut().for_each(|p| *p *= 1.03)),
+        ("a shifted profile", |a| a.pressure.rotate_right(1)),
+        ("NaN peak", |a| a.peak = f64::NAN),
+        ("NaN width", |a| a.half_width = f64::NAN),
+        ("NaN in the profile", |a| a.pressure[3] = f64::NAN),
+        ("a missing station", |a| a.pressure.truncate(39)),
+    ];
+    let frozen = Independent::read().expect("frozen answers");
+    for scene in Scene::ALL {
+        let sound = compare(&scene.benchmark(), Answers::Frozen).expect("compared");
+        assert!(all_pass(&judged(&sound)), "{}", scene.name());
+        for (script, series) in &frozen.scenes[scene.name()].series {
+            for (what, spoil) in spoils {
+                let mut spoiled = series.clone();
+                spoil(&mut spoiled[2]);
+                assert!(!all_pass(&judged(&with(&sound, *script, &spoiled))), "{}, {script}: {what}", scene.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_scene_that_nobody_answers_turns_red() {
+    let mut alone = compare(&Scene::PinRod.benchmark(), Answers::Frozen).expect("compared");
+    alone.others.clear();
+    assert!(!all_pass(&judged(&alone)));
+}
+
+fn scripts(code: Code) -> Vec<(PathBuf, String)> {
+    let files = fs::read_dir(folder(code)).expect("a folder").map(|entry| entry.expect("readable").path());
+    let python = files.filter(|file| file.extension().is_some_and(|extension| extension == "py"));
+    python.map(|file| (file.clone(), fs::read_to_string(file).expect("readable"))).collect()
+}
+
+fn modules(code: Code) -> Vec<String> {
+    let name = |(file, _): (PathBuf, String)| file.file_stem().expect("named").to_string_lossy().into_owned();
+    scripts(code).into_iter().map(name).collect()
+}
+
+/// Modules that a script imports, wherever the statement stands.
+fn imported(text: &str) -> Vec<&str> {
+    let words = text.lines().map(str::split_whitespace);
+    let first = words.filter_map(|mut words| match words.next() {
+        Some("import" | "from") => words.next(),
+        _ => None,
+    });
+    first.map(|module| module.split('.').next().unwrap_or(module).trim_end_matches(',')).collect()
+}
+
+#[test]
+fn scripts_of_one_code_import_nothing_of_another_and_are_short() {
+    let own = |code| modules(code);
+    let twin: Vec<String> = fs::read_dir(contact_vv::oracle::cross_code::scripts())
+        .expect("a folder")
+        .map(|entry| entry.expect("readable").path().file_stem().expect("named").to_string_lossy().into_owned())
+        .collect();
+    for (code, other) in [(Code::ScikitFem, Code::Dolfinx), (Code::Dolfinx, Code::ScikitFem)] {
+        let foreign: Vec<String> = own(other).into_iter().chain(twin.clone()).collect();
+        assert!(
+            own(code).iter().all(|module| !foreign.contains(module)),
+            "{code}: a module of the same name elsewhere"
+        );
+        for (file, text) in scripts(code) {
+            assert!(text.lines().count() <= 200, "{} is longer than 200 lines", file.display());
+            let strange: Vec<&str> =
+                imported(&text).into_iter().filter(|module| foreign.iter().any(|other| other == module)).collect();
+            assert!(strange.is_empty(), "{} imports {strange:?}", file.display());
+            for reflected in ["importlib", "__import__", "sys.path", "exec(", "eval("] {
+                assert!(!text.contains(reflected), "{} uses {reflected}", file.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn imports_are_seen_wherever_they_stand() {
+    let text = "import numpy as np\n    from fan import x\nimport models, fan\nfrom skfem.helpers import dot\n";
+    assert_eq!(imported(text), ["numpy", "fan", "models", "skfem"]);
+}
+
+#[cfg(feature = "python")]
+mod planted {
+    //! Faults of the contact part of a script, planted one at a time and answered anew.
+
+    use std::path::Path;
+    use std::process::Command;
+
+    use serde::Deserialize;
+
+    use super::*;
+
+    #[derive(Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Fault {
+        name: String,
+        script: Script,
+        scene: String,
+        file: String,
+        was: String,
+        is: String,
+    }
+
+    #[derive(Deserialize)]
+    struct Faults {
+        fault: Vec<Fault>,
+    }
+
+    /// Answers a scene on three meshes with the modules of a folder, as JSON.
+    const ASK: &str = "import json, sys\n\
+        root, folder, module, method, scene = sys.argv[1:]\n\
+        sys.path[:0] = [folder, root + '/oracles/python']\n\
+        import environment\n\
+        environment.prepare(root + '/oracles/.python')\n\
+        import importlib, numpy\n\
+        scene = json.loads(scene)\n\
+        scene = {'case': scene['case'], **scene['numbers'], 'stations': numpy.array(scene['stations'])}\n\
+        solve = importlib.import_module(module).solve\n\
+        answers = [solve(scene, level, method) for level in range(3)]\n\
+        print('\\n' + json.dumps([{**a, 'pressure': list(a['pressure'])} for a in answers]))\n";
+
+    /// The series of a script whose folder is a copy; what Python said where it raises.
+    fn asked(folder: &Path, script: Script, scene: &str) -> Result<Vec<PhysicalAnswer>, String> {
+        let root = env!("CARGO_MANIFEST_DIR");
+        let arguments = [root, &folder.display().to_string(), script.module(), script.method(), scene];
+        let told = Command::new("/usr/bin/python3").args(["-EsBc", ASK]).args(arguments).output().expect("python3");
+        match String::from_utf8_lossy(&told.stdout).lines().last().map(serde_json::from_str) {
+            Some(Ok(series)) if told.status.success() => Ok(series),
+            _ => Err(String::from_utf8_lossy(&told.stderr).into_owned()),
+        }
+    }
+
+    #[test]
+    fn every_planted_fault_of_a_contact_part_turns_a_check_red() {
+        let list = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/faults/oracles.toml");
+        let faults: Faults = toml::from_str(&fs::read_to_string(list).expect("readable")).expect("a list of faults");
+        let frozen = Independent::read().expect("frozen answers");
+        let mut sound = Vec::new();
+        for Fault { name, script, scene, file, was, is } in &faults.fault {
+            let scene = Scene::ALL.into_iter().find(|known| known.name() == scene).expect("a scene of the benchmark");
+            let compared = compare(&scene.benchmark(), Answers::Frozen).expect("compared");
+            let given = serde_json::to_string(&frozen.scenes[scene.name()].scene).expect("JSON");
+            let copy = tempfile::tempdir().expect("a folder");
+            for (path, text) in scripts(script.code()) {
+                fs::write(copy.path().join(path.file_name().expect("named")), text).expect("written");
+            }
+            if !sound.contains(&(*script, scene)) {
+                let series = asked(copy.path(), *script, &given).expect("an answer without a fault");
+                assert!(all_pass(&judged(&with(&compared, *script, &series))), "{script}, {}: not green", scene.name());
+                sound.push((*script, scene));
+            }
+            let path = copy.path().join(file);
+            let text = fs::read_to_string(&path).expect("a file of the script");
+            assert_eq!(text.matches(was.as_str()).count(), 1, "{name}: `{was}` in {file}");
+            fs::write(&path, text.replace(was.as_str(), is)).expect("written");
+            match asked(copy.path(), *script, &given) {
+                Ok(series) => assert!(!all_pass(&judged(&with(&compared, *script, &series))), "NOT CAUGHT: {name}"),
+                // What raises is no answer, and the trial breaks off: but for its own words, nothing but a mistake of the list.
+                Err(said) => assert!(said.contains("RuntimeError"), "{name}: {said}"),
+            }
+        }
+    }
+}
