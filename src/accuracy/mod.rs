@@ -16,6 +16,7 @@
 //! * `layout` — which of the two families, and the next of its meshes.
 //! * `rungs` — the meshes of a search, each solved from the active set of the one before.
 //! * `search` — finer and finer meshes, until the bars of one are within what is asked.
+//! * [`told`] — of what a number is, its name, and its unit.
 //! * `slow` — the mesh chosen by kinematic load, and run by another algorithm.
 //!
 //! An accuracy is met by the bars that every solve has (`bar`). Elements along the contact and growth away from it are refined together: refining
@@ -44,6 +45,7 @@ mod rungs;
 mod search;
 mod sizes;
 mod slow;
+pub mod told;
 
 use crate::error::{Error, Place};
 use crate::mesh::Resolution;
@@ -54,6 +56,7 @@ pub use answer::{Answer, Asked, Quoted, Tried, TriedContact};
 pub use bar::{Bar, Barred, Bars, bars, of_family};
 pub use family::Family;
 pub use reading::{Quantity, Subject};
+pub use told::Told;
 
 /// Smallest and largest relative error that may be asked for.
 pub const RANGE: [f64; 2] = [1e-5, 0.2];

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::error::Error;
-use crate::scene::{BoundaryName, Component, Place};
+use crate::scene::Place;
 use crate::solve::Run;
 use crate::solve::{Discretisation, Reaction};
 
@@ -13,46 +13,11 @@ pub struct ReactionReading {
     /// Name of the body.
     pub body: String,
     /// Where the support is.
-    pub at: At,
+    pub at: Place,
     /// Which component it holds: `x` or `y`.
     pub component: &'static str,
     /// Force on the body along that component, positive along x or y \[N\].
     pub force: f64,
-}
-
-/// Boundary by name, or a point \[mm\].
-#[derive(Clone, Debug, Serialize)]
-#[serde(untagged)]
-pub enum At {
-    /// Boundary.
-    Boundary(BoundaryName),
-    /// Point.
-    Point([f64; 2]),
-}
-
-impl std::fmt::Display for At {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Boundary(name) => f.write_str(name),
-            Self::Point([x, y]) => write!(f, "({x}, {y})"),
-        }
-    }
-}
-
-/// A place as it is told.
-pub fn at(place: &Place) -> At {
-    match place {
-        Place::Boundary(name) => At::Boundary(name.clone()),
-        Place::Point(point) => At::Point(*point),
-    }
-}
-
-/// Name of a component.
-pub fn component(component: Component) -> &'static str {
-    match component {
-        Component::X => "x",
-        Component::Y => "y",
-    }
 }
 
 /// The reaction of every support, body by body in the order of the scene.
@@ -62,8 +27,8 @@ pub fn readings(discretisation: &Discretisation, run: &Run) -> Result<Vec<Reacti
         let support = &body.supports[reaction.support];
         ReactionReading {
             body: body.name.clone(),
-            at: at(&support.at),
-            component: component(support.component),
+            at: support.at.clone(),
+            component: support.component.name(),
             force: reaction.force,
         }
     };

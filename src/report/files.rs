@@ -1,23 +1,48 @@
-//! Writing the page and its charts, and comparing them with what is committed.
+//! Writing the page, its charts and sheets, and comparing them with what is committed.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::error::Error;
 use crate::report::Page;
+use crate::study::sheets::SHEETS;
 
 /// The page's file.
 pub const PAGE: &str = "VALIDATION.md";
 /// The charts' folder.
 pub const CHARTS: &str = "snapshots/charts";
 
-/// Writes the page and its charts under a root; charts that the page no longer has are removed.
+/// A folder of files that the page has.
+struct Folder<'a> {
+    path: PathBuf,
+    extension: &'static str,
+    files: &'a [(String, String)],
+}
+
+fn folders<'a>(page: &'a Page, root: &Path) -> [Folder<'a>; 2] {
+    [
+        Folder { path: root.join(CHARTS), extension: "svg", files: &page.charts },
+        Folder { path: root.join(SHEETS), extension: "md", files: &page.sheets },
+    ]
+}
+
+impl Folder<'_> {
+    /// Committed files that the page no longer has.
+    fn stale(&self) -> Vec<PathBuf> {
+        let Ok(entries) = fs::read_dir(&self.path) else { return Vec::new() };
+        let paths = entries.flatten().map(|entry| entry.path());
+        let own = paths.filter(|path| path.extension().is_some_and(|extension| extension == self.extension));
+        own.filter(|path| !self.files.iter().any(|(name, _)| path.ends_with(name))).collect()
+    }
+}
+
+/// Writes the page, its charts and its sheets under a root; those that the page no longer has are removed.
 pub fn write(page: &Page, root: &Path) -> Result<(), Error> {
-    let charts = root.join(CHARTS);
-    fs::create_dir_all(&charts).map_err(|error| unwritable(&charts, &error))?;
-    for stale in committed_charts(&charts).into_iter().filter(|name| !page.charts.iter().any(|(n, _)| n == name)) {
-        let path = charts.join(stale);
-        fs::remove_file(&path).map_err(|error| unwritable(&path, &error))?;
+    for folder in folders(page, root) {
+        fs::create_dir_all(&folder.path).map_err(|error| unwritable(&folder.path, &error))?;
+        for path in folder.stale() {
+            fs::remove_file(&path).map_err(|error| unwritable(&path, &error))?;
+        }
     }
     for (path, text) in files(page, root) {
         fs::write(&path, text).map_err(|error| unwritable(&path, &error))?;
@@ -29,15 +54,20 @@ pub fn write(page: &Page, root: &Path) -> Result<(), Error> {
 pub fn differences(page: &Page, root: &Path) -> Vec<String> {
     let mut differences: Vec<String> =
         files(page, root).iter().filter_map(|(path, text)| difference(path, text)).collect();
-    let stale =
-        committed_charts(&root.join(CHARTS)).into_iter().filter(|name| !page.charts.iter().any(|(n, _)| n == name));
-    differences.extend(stale.map(|name| format!("{CHARTS}/{name}: the page no longer has this chart")));
+    let stale = folders(page, root).into_iter().flat_map(|folder| folder.stale());
+    let told = |path: PathBuf| {
+        format!("{}: the page no longer has this file", path.strip_prefix(root).unwrap_or(&path).display())
+    };
+    differences.extend(stale.map(told));
     differences
 }
 
 fn files<'a>(page: &'a Page, root: &Path) -> Vec<(PathBuf, &'a str)> {
-    let charts = page.charts.iter().map(|(name, svg)| (root.join(CHARTS).join(name), svg.as_str()));
-    std::iter::once((root.join(PAGE), page.markdown.as_str())).chain(charts).collect()
+    let mut all = vec![(root.join(PAGE), page.markdown.as_str())];
+    for folder in folders(page, root) {
+        all.extend(folder.files.iter().map(|(name, text)| (folder.path.join(name), text.as_str())));
+    }
+    all
 }
 
 fn difference(path: &Path, expected: &str) -> Option<String> {
@@ -55,12 +85,6 @@ fn difference(path: &Path, expected: &str) -> Option<String> {
 
 fn shortened(line: &str) -> String {
     line.chars().take(240).collect()
-}
-
-fn committed_charts(folder: &Path) -> Vec<String> {
-    let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
-    let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
-    names.filter(|name| Path::new(name).extension().is_some_and(|extension| extension == "svg")).collect()
 }
 
 fn unwritable(path: &Path, error: &std::io::Error) -> Error {

@@ -7,7 +7,8 @@ use crate::markdown;
 use crate::oracle::ReferenceKind;
 use crate::report::{checks, decisions, matrix, statements};
 use crate::solve::Formulation;
-use crate::study::{Finding, Room};
+use crate::study::sheets::sheet;
+use crate::study::{Finding, Numbers, Room};
 
 /// The page and its charts.
 #[derive(Clone, Debug)]
@@ -16,6 +17,8 @@ pub struct Page {
     pub markdown: String,
     /// File names and SVG texts of the charts.
     pub charts: Vec<(String, String)>,
+    /// File names and texts of the benchmark sheets.
+    pub sheets: Vec<(String, String)>,
 }
 
 /// Makes the page from the findings of the whole suite.
@@ -32,7 +35,11 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
     }
     text += &silent();
     text += &closing();
-    Ok(Page { markdown: text, charts })
+    let sheets = findings.iter().filter_map(|finding| match &finding.numbers {
+        Numbers::Sheets(numbers) => Some(sheet(numbers)),
+        _ => None,
+    });
+    Ok(Page { markdown: text, charts, sheets: sheets.collect() })
 }
 
 /// The checks of a room, one table a case: none can be forgotten.

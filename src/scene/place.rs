@@ -1,12 +1,14 @@
 //! Where on a body, and in which direction.
 
 use std::borrow::Cow;
+use std::fmt;
 
 /// Name of a boundary: the shape's own, or one that a user gave.
 pub type BoundaryName = Cow<'static, str>;
 
 /// A named boundary of a shape, or the node at a point.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[serde(untagged)]
 pub enum Place {
     /// Named boundary of the shape.
     Boundary(BoundaryName),
@@ -23,7 +25,30 @@ pub enum Component {
     Y,
 }
 
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Boundary(name) => f.write_str(name),
+            Self::Point([x, y]) => write!(f, "({x}, {y})"),
+        }
+    }
+}
+
+impl fmt::Display for Component {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
 impl Component {
+    /// `x` or `y`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+        }
+    }
+
     /// Index into a Cartesian vector.
     pub fn index(self) -> usize {
         match self {

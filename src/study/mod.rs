@@ -44,6 +44,8 @@ rooms! {
     CrossCode in cross_code,
     /// Independent codes.
     Independent in independent,
+    /// Benchmark sheets.
+    Sheets in sheets,
     /// Initial stiffness and rules.
     Sweep in sweep,
     /// What the paper leaves open: its sentences under every reading.

@@ -56,6 +56,7 @@ mod scene_table;
 mod scene_unsupported;
 mod several_contacts;
 mod shared_mesh;
+mod sheets;
 mod soft_springs;
 mod stability;
 mod statements;

@@ -1,0 +1,150 @@
+//! A scene in words and numbers.
+
+use crate::scene::{Body, ContactPair, Face, Load, Path, PlaneHypothesis, Profile, Scene, Sector, Shape, Support};
+
+/// Geometry, materials, supports, loads, contacts and equations.
+pub fn scene(scene: &Scene) -> Vec<String> {
+    let mut text = vec![format!("## Scene\n\nPlane {}, thickness {}.", plane(scene.plane), scene.thickness)];
+    text.extend(scene.bodies.iter().map(body));
+    text.extend(scene.contacts.iter().map(|pair| contact(scene, pair)));
+    text.push(equations(scene.plane));
+    text
+}
+
+fn plane(plane: PlaneHypothesis) -> &'static str {
+    match plane {
+        PlaneHypothesis::Strain => "strain",
+        PlaneHypothesis::Stress => "stress",
+    }
+}
+
+fn body(body: &Body) -> String {
+    let supports = body.supports.iter().map(|Support { at, component, value }| format!("u_{component} = {value} at `{at}`"));
+    let loads = body.loads.iter().map(load);
+    let listed = |name: &str, all: Vec<String>| match &all[..] {
+        [] => format!("* {name}: none"),
+        some => format!("* {name}: {}", some.join("; ")),
+    };
+    format!(
+        "**Body `{}`**\n\n* shape: {}\n* material: E = {}, ν = {}\n{}\n{}",
+        body.name,
+        shape(&body.shape),
+        body.material.young,
+        body.material.poisson,
+        listed("supports", supports.collect()),
+        listed("loads", loads.collect()),
+    )
+}
+
+fn shape(shape: &Shape) -> String {
+    match shape {
+        Shape::Rectangle { x, y, contact } => format!(
+            "rectangle {} ≤ x ≤ {}, {} ≤ y ≤ {}; `contact` is its {} side, `far` the opposite one, `left` and `right` the others",
+            x[0],
+            x[1],
+            y[0],
+            y[1],
+            match contact {
+                Face::Bottom => "lower",
+                Face::Top => "upper",
+            }
+        ),
+        Shape::Disc { centre, radius, sector, contact } => format!(
+            "{} of a disc of radius {radius} about {centre:?}; `contact` is its {} arc, `axis` x = {}, `cut` or `middle` the horizontal diameter",
+            match sector {
+                Sector::Quarter => "lower right quarter",
+                Sector::RightHalf => "right half",
+                Sector::LowerHalf => "lower half",
+                Sector::Whole => "all",
+            },
+            match contact {
+                Face::Bottom => "lower",
+                Face::Top => "upper",
+            },
+            centre[0]
+        ),
+        Shape::Ring { inner, outer, sweep, contact, .. } => format!(
+            "ring from the downward vertical counter-clockwise through {} °, inner circle of radius {} about {:?}, outer circle of radius {} about {:?}; \
+             `contact` is its {} arc, `start` and `end` the straight sides",
+            sweep.to_degrees(),
+            inner.radius,
+            inner.centre,
+            outer.radius,
+            outer.centre,
+            match contact {
+                Face::Bottom => "inner",
+                Face::Top => "outer",
+            }
+        ),
+        Shape::Eye { hole, outer_radius, shank_half_width, shank_end, .. } => format!(
+            "right half (x ≥ 0) of a rod's eye: hole of radius {} about {:?} (`contact`), outer radius {outer_radius} about the same point, shank of half-width \
+             {shank_half_width} upwards with a flat `end` {shank_end} above that point, joined without a fillet; `axis` is x = 0",
+            hole.radius, hole.centre
+        ),
+        Shape::Blocks(blocks) => format!("{} quadrilateral blocks", blocks.len()),
+        Shape::Given(_) => "a mesh made elsewhere".into(),
+    }
+}
+
+fn load(load: &Load) -> String {
+    match load {
+        Load::Traction { boundary, traction } => format!("traction {traction:?} MPa on `{boundary}`"),
+        Load::TractionField { boundary, .. } => format!("the traction of the closed form on `{boundary}`"),
+        Load::Stress { boundary, .. } => format!("traction σ n of the closed form's stresses in the half-plane on `{boundary}`"),
+        Load::BodyForce(force) => format!("force {force:?} N/mm³ in its volume"),
+        Load::Force { at, force } => format!("force {force:?} N at {at:?}"),
+        Load::RigidFace { boundary, component, force } => {
+            format!("`{boundary}` stays flat: u_{component} is common to it, and takes {force} N in all")
+        }
+    }
+}
+
+fn contact(scene: &Scene, pair: &ContactPair) -> String {
+    let first = &scene.bodies[pair.first].name;
+    let other = pair.second.map_or("a rigid profile".into(), |body| format!("`{}`", scene.bodies[body].name));
+    let (along, unit) = match &pair.path {
+        Path::Straight(line) if line.both_sides => (format!("x from {:?}, on both sides", line.origin), "mm"),
+        Path::Straight(line) => (format!("|x| from {:?}", line.origin), "mm"),
+        Path::Arc(circle) => {
+            (format!("the angle from the downward vertical about {:?}, on the circle of radius {}", circle.centre, circle.radius), "rad")
+        }
+    };
+    let half = if pair.symmetric { " The scene is one half of a symmetric one; resultants are of both." } else { "" };
+    format!(
+        "**Contact `{}`** of `{first}` with {other}, without friction. Coordinate s: {along}. Initial normal gap: {}. Contact may occur for |s| ≤ {} \
+         {unit}.{half}",
+        pair.name,
+        gap(&pair.profile),
+        pair.stretch
+    )
+}
+
+fn gap(profile: &Profile) -> String {
+    match profile {
+        Profile::Uniform(gap) => format!("g₀ = {gap}"),
+        Profile::Drawn | Profile::Bodies(_) => "as the bodies are drawn".into(),
+        Profile::Punch { half_width } => format!("g₀ = 0 for |s| ≤ {half_width}, no other side beyond"),
+        Profile::Circle { radius } => format!("g₀ = R − √(R² − s²), R = {radius}"),
+        Profile::Parabola { radius } => format!("g₀ = s²/2R, R = {radius}"),
+        Profile::Even { coefficients } => format!("g₀ = Σ c_k s^(2k+2), c = {coefficients:?}"),
+        Profile::Wedge { slope } => format!("g₀ = {slope} |s|"),
+        Profile::Table(points) => format!("straight lines between [s, g₀] = {points:?}"),
+        Profile::Smooth(cubic) => format!("a monotone cubic through [s, g₀] = {:?}", cubic.points),
+        Profile::Cosine { amplitude, wavelength } => format!("g₀ = {amplitude} (1 − cos 2πs/{wavelength})"),
+        Profile::Hole { radius, clearance } => {
+            format!("g₀ = √((R+c)² − c² sin²s) − c cos s − R, R = {radius}, c = {clearance}")
+        }
+    }
+}
+
+fn equations(plane: PlaneHypothesis) -> String {
+    let lame = match plane {
+        PlaneHypothesis::Strain => "λ = Eν/((1+ν)(1−2ν))",
+        PlaneHypothesis::Stress => "λ = Eν/(1−ν²)",
+    };
+    format!(
+        "## Equations\n\nSmall strain: ε = sym ∇u, σ = λ tr ε I + 2μ ε with {lame} and μ = E/(2(1+ν)), div σ + b = 0. On the contact, with n the outward \
+         normal of the first body on its undeformed path and w = (u₁ − u₂)·n (u₂ = 0 where the other side is rigid): g = g₀ − w ≥ 0, p = −n·σn ≥ 0, p g = 0, \
+         no shear. p is per area of the undeformed path. Half-width means 2 √(∫p s²/∫p) about the centre of pressure; on an arc the same of the angle."
+    )
+}

@@ -1,0 +1,54 @@
+//! Benchmark sheets bite: values that another code does not meet, and values without a bound, turn red.
+
+use contact_vv::case::Verdict;
+use contact_vv::case::library::NAMES;
+use contact_vv::study::sheets::run::solve;
+use contact_vv::study::sheets::{Numbers, judge, sheet};
+
+fn green(numbers: &Numbers) -> bool {
+    judge(numbers).expect("judged").iter().all(|one| one.verdict == Verdict::Pass)
+}
+
+#[test]
+fn a_value_that_another_code_does_not_meet_turns_red() {
+    let sound = solve("pin-rod").expect("solved");
+    assert!(green(&sound));
+    let asked: Vec<usize> = (0..sound.values.len()).filter(|&k| !sound.values[k].others.is_empty()).collect();
+    assert_eq!(asked.len(), 2, "peak and half-width");
+    for k in asked {
+        for times in [0.998, 1.002, f64::NAN] {
+            let mut spoiled = sound.clone();
+            spoiled.values[k].value *= times;
+            assert!(!green(&spoiled), "{} times {times}", sound.values[k].quantity);
+            let mut spoiled = sound.clone();
+            spoiled.values[k].others[0].value *= times;
+            assert!(!green(&spoiled), "theirs of {} times {times}", sound.values[k].quantity);
+        }
+    }
+    let mut unknown = sound.clone();
+    unknown.values.iter_mut().for_each(|value| value.bound = f64::NAN);
+    assert!(!green(&unknown));
+}
+
+#[test]
+fn every_case_has_a_sheet_with_its_bodies_and_numbers() {
+    for (name, _) in NAMES {
+        let numbers = solve(name).expect("solved");
+        let (file, text) = sheet(&numbers);
+        assert_eq!(file, format!("{name}.md"));
+        for part in [
+            "## Scene",
+            "**Body `",
+            "* material: E = ",
+            "* supports: ",
+            "* loads: ",
+            "## Equations",
+            "## Reference values",
+        ] {
+            assert!(text.contains(part), "{name}: no {part}");
+        }
+        assert!(!text.contains("NaN"), "{name}: {text}");
+    }
+    let punch = solve("flat-punch").expect("solved");
+    assert!(sheet(&punch).1.contains("without limit"));
+}
