@@ -303,7 +303,7 @@ fn a_live_answer_that_is_not_what_was_frozen_turns_red_and_names_the_version() {
     let mut versions = old.versions.clone();
     versions.insert("scipy".into(), "9.9".into());
     let judged = |now: &[(String, Vec<f64>)]| {
-        reproduced(Code::ScikitFem, &Reproduced::of(now, &kept, old.changed_versions(&versions)))
+        reproduced("scikit-fem", &Reproduced::of(now, &kept, old.changed_versions(&versions)))
     };
     assert!(all_pass(&[judged(&kept)]));
     for spoiled in [1.0 + 1e-5, f64::NAN] {

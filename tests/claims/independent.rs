@@ -4,8 +4,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use contact_vv::case::{Judged, Verdict};
-use contact_vv::oracle::cross_code::independent::{Independent, Script, folder};
-use contact_vv::oracle::cross_code::{Code, PhysicalAnswer};
+use contact_vv::oracle::cross_code::PhysicalAnswer;
+use contact_vv::oracle::cross_code::independent::{Folder, Independent, Script};
 use contact_vv::study::cross_code::Answers;
 use contact_vv::study::cross_code::benchmark::Scene;
 use contact_vv::study::cross_code::physical::{Finder, Found};
@@ -67,15 +67,15 @@ fn a_scene_that_nobody_answers_turns_red() {
     assert!(!all_pass(&judged(&alone)));
 }
 
-fn scripts(code: Code) -> Vec<(PathBuf, String)> {
-    let files = fs::read_dir(folder(code)).expect("a folder").map(|entry| entry.expect("readable").path());
+fn scripts(folder: Folder) -> Vec<(PathBuf, String)> {
+    let files = fs::read_dir(folder.path()).expect("a folder").map(|entry| entry.expect("readable").path());
     let python = files.filter(|file| file.extension().is_some_and(|extension| extension == "py"));
     python.map(|file| (file.clone(), fs::read_to_string(file).expect("readable"))).collect()
 }
 
-fn modules(code: Code) -> Vec<String> {
+fn modules(folder: Folder) -> Vec<String> {
     let name = |(file, _): (PathBuf, String)| file.file_stem().expect("named").to_string_lossy().into_owned();
-    scripts(code).into_iter().map(name).collect()
+    scripts(folder).into_iter().map(name).collect()
 }
 
 /// Modules that a script imports, wherever the statement stands.
@@ -90,18 +90,17 @@ fn imported(text: &str) -> Vec<&str> {
 
 #[test]
 fn scripts_of_one_code_import_nothing_of_another_and_are_short() {
-    let own = |code| modules(code);
     let twin: Vec<String> = fs::read_dir(contact_vv::oracle::cross_code::scripts())
         .expect("a folder")
         .map(|entry| entry.expect("readable").path().file_stem().expect("named").to_string_lossy().into_owned())
         .collect();
-    for (code, other) in [(Code::ScikitFem, Code::Dolfinx), (Code::Dolfinx, Code::ScikitFem)] {
-        let foreign: Vec<String> = own(other).into_iter().chain(twin.clone()).collect();
-        assert!(
-            own(code).iter().all(|module| !foreign.contains(module)),
-            "{code}: a module of the same name elsewhere"
-        );
-        for (file, text) in scripts(code) {
+    for folder in Folder::ALL {
+        let others = Folder::ALL.into_iter().filter(|other| *other != folder).flat_map(modules);
+        let foreign: Vec<String> = others.chain(twin.clone()).collect();
+        let own = modules(folder);
+        assert!(!own.is_empty(), "{folder:?}: no script");
+        assert!(own.iter().all(|module| !foreign.contains(module)), "{folder:?}: a module of the same name elsewhere");
+        for (file, text) in scripts(folder) {
             assert!(text.lines().count() <= 200, "{} is longer than 200 lines", file.display());
             let strange: Vec<&str> =
                 imported(&text).into_iter().filter(|module| foreign.iter().any(|other| other == module)).collect();
@@ -181,7 +180,7 @@ mod planted {
             let compared = compare(&scene.benchmark(), Answers::Frozen).expect("compared");
             let given = serde_json::to_string(&frozen.scenes[scene.name()].scene).expect("JSON");
             let copy = tempfile::tempdir().expect("a folder");
-            for (path, text) in scripts(script.code()) {
+            for (path, text) in scripts(script.folder()) {
                 fs::write(copy.path().join(path.file_name().expect("named")), text).expect("written");
             }
             if !sound.contains(&(*script, scene)) {

@@ -10,7 +10,56 @@ use serde::{Deserialize, Serialize};
 use crate::checkout::root;
 use crate::error::Error;
 use crate::oracle::cross_code::frozen::{REFREEZE, hash_of, read_json, write_json};
-use crate::oracle::cross_code::{Code, PhysicalAnswer, PhysicalScene};
+use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
+
+/// A folder under `oracles`: one code, and a script that shares nothing with those of the others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Folder {
+    /// scikit-fem.
+    ScikitFem,
+    /// dolfinx, the solver of FEniCSx.
+    Dolfinx,
+    /// The half-plane's influence function, in numpy alone.
+    Boundary,
+    /// GetFEM.
+    Getfem,
+    /// CalculiX.
+    Calculix,
+}
+
+impl Folder {
+    /// All.
+    pub const ALL: [Self; 5] = [Self::ScikitFem, Self::Dolfinx, Self::Boundary, Self::Getfem, Self::Calculix];
+
+    /// The code.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ScikitFem => "scikit-fem",
+            Self::Dolfinx => "dolfinx",
+            Self::Boundary => "numpy",
+            Self::Getfem => "GetFEM",
+            Self::Calculix => "CalculiX",
+        }
+    }
+
+    /// Where it is.
+    pub fn path(self) -> PathBuf {
+        let name = match self {
+            Self::ScikitFem => "scikit_fem",
+            Self::Dolfinx => "dolfinx",
+            Self::Boundary => "boundary",
+            Self::Getfem => "getfem",
+            Self::Calculix => "calculix",
+        };
+        root().join("oracles").join(name)
+    }
+
+    /// Whether the set-up of the tests installs the code; the others answer in a process of their own, when the answers are frozen.
+    pub fn is_set_up(self) -> bool {
+        !matches!(self, Self::Getfem | Self::Calculix)
+    }
+}
 
 /// A script by one of its methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -22,17 +71,26 @@ pub enum Script {
     Facets,
     /// scikit-fem: Nitsche's method, without penalty.
     Nitsche,
+    /// numpy: a boundary method on the elastic half-plane.
+    HalfPlane,
+    /// GetFEM: an augmented Lagrangian in its weak form language.
+    Augmented,
+    /// CalculiX: gap elements between facing nodes.
+    Gaps,
 }
 
 impl Script {
     /// All.
-    pub const ALL: [Self; 3] = [Self::Ufl, Self::Facets, Self::Nitsche];
+    pub const ALL: [Self; 6] = [Self::Ufl, Self::Facets, Self::Nitsche, Self::HalfPlane, Self::Augmented, Self::Gaps];
 
-    /// Its code.
-    pub fn code(self) -> Code {
+    /// Its folder.
+    pub fn folder(self) -> Folder {
         match self {
-            Self::Ufl => Code::Dolfinx,
-            Self::Facets | Self::Nitsche => Code::ScikitFem,
+            Self::Ufl => Folder::Dolfinx,
+            Self::Facets | Self::Nitsche => Folder::ScikitFem,
+            Self::HalfPlane => Folder::Boundary,
+            Self::Augmented => Folder::Getfem,
+            Self::Gaps => Folder::Calculix,
         }
     }
 
@@ -42,6 +100,9 @@ impl Script {
             Self::Ufl => "dolfinx, UFL penalty",
             Self::Facets => "scikit-fem, facet penalty",
             Self::Nitsche => "scikit-fem, Nitsche",
+            Self::HalfPlane => "half-plane, boundary method",
+            Self::Augmented => "GetFEM, augmented Lagrangian",
+            Self::Gaps => "CalculiX, gap elements",
         }
     }
 
@@ -50,27 +111,37 @@ impl Script {
         match self {
             Self::Ufl | Self::Facets => "penalty",
             Self::Nitsche => "nitsche",
+            Self::HalfPlane => "boundary",
+            Self::Augmented => "augmented",
+            Self::Gaps => "gaps",
         }
     }
 
-    /// Whether its springs are of finite stiffness.
+    /// Whether its springs are of a finite stiffness that is felt.
     pub fn has_penalty(self) -> bool {
-        self != Self::Nitsche
+        matches!(self, Self::Ufl | Self::Facets)
     }
 
-    /// Whether it solves a scene: dolfinx 0.5 couples no facets of two bodies.
+    /// Whether it solves a scene: dolfinx 0.5 couples no facets of two bodies, the half-plane has no other surface, and GetFEM and
+    /// CalculiX are asked where no closed form is exact.
     pub fn serves(self, scene: &PhysicalScene) -> bool {
-        match self {
-            Self::Ufl => ["cylinder", "truncated-hertz"].contains(&scene.case.as_str()),
-            Self::Facets | Self::Nitsche => true,
-        }
+        let cases: &[&str] = match self {
+            Self::Ufl => &["cylinder", "truncated-hertz"],
+            Self::Facets | Self::Nitsche => &["cylinder", "truncated-hertz", "pin-rod", "pin-plate"],
+            Self::HalfPlane => &["truncated-hertz"],
+            Self::Augmented | Self::Gaps => &["pin-rod", "pin-plate"],
+        };
+        cases.contains(&scene.case.as_str())
     }
 
     /// Its Python module.
     pub fn module(self) -> &'static str {
-        match self.code() {
-            Code::Dolfinx => "ufl_penalty",
-            Code::ScikitFem => "facet_forms",
+        match self {
+            Self::Ufl => "ufl_penalty",
+            Self::Facets | Self::Nitsche => "facet_forms",
+            Self::HalfPlane => "half_plane",
+            Self::Augmented => "augmented",
+            Self::Gaps => "gap_elements",
         }
     }
 }
@@ -81,22 +152,15 @@ impl fmt::Display for Script {
     }
 }
 
-/// The folder of a code's own script.
-pub fn folder(code: Code) -> PathBuf {
-    let name = match code {
-        Code::ScikitFem => "scikit_fem",
-        Code::Dolfinx => "dolfinx",
-    };
-    root().join("oracles").join(name)
-}
-
 /// What the scripts answered.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Independent {
-    /// SHA-256 of the Python files of each code.
-    pub scripts: BTreeMap<Code, String>,
-    /// Versions by name.
+    /// SHA-256 of the Python files of each folder.
+    pub scripts: BTreeMap<Folder, String>,
+    /// Versions of what the tests set up, by name.
     pub versions: BTreeMap<String, String>,
+    /// Versions of the codes that answered in processes of their own.
+    pub apart: BTreeMap<Folder, String>,
     /// The scenes, by name.
     pub scenes: BTreeMap<String, Asked>,
 }
@@ -122,10 +186,10 @@ impl Independent {
     pub fn read() -> Result<Self, Error> {
         let all = Self::load()?;
         let now = hashes()?;
-        match now.iter().find(|(code, hash)| all.scripts.get(code) != Some(hash)) {
+        match now.iter().find(|(folder, hash)| all.scripts.get(folder) != Some(hash)) {
             None => Ok(all),
-            Some((code, _)) => {
-                let found = format!("not of the present scripts in {}", folder(*code).display());
+            Some((folder, _)) => {
+                let found = format!("not of the present scripts in {}", folder.path().display());
                 Err(Error::refused(&file(), "scripts", found, REFREEZE))
             }
         }
@@ -147,7 +211,7 @@ pub fn file() -> PathBuf {
     root().join("oracles/frozen/independent.json")
 }
 
-/// SHA-256 of the Python files of each code.
-pub fn hashes() -> Result<BTreeMap<Code, String>, Error> {
-    Code::ALL.into_iter().map(|code| Ok((code, hash_of(&folder(code))?))).collect()
+/// SHA-256 of the Python files of each folder.
+pub fn hashes() -> Result<BTreeMap<Folder, String>, Error> {
+    Folder::ALL.into_iter().map(|folder| Ok((folder, hash_of(&folder.path())?))).collect()
 }

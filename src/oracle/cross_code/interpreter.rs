@@ -16,8 +16,8 @@ use pyo3::{ffi, types::PyTracebackMethods};
 
 use crate::checkout::root;
 use crate::error::Error;
-use crate::oracle::cross_code::independent::folder;
-use crate::oracle::cross_code::{Code, SET_UP, scripts};
+use crate::oracle::cross_code::independent::Folder;
+use crate::oracle::cross_code::{SET_UP, scripts};
 
 /// The interpreter the oracles were installed for.
 const INTERPRETER: &CStr = c"/usr/bin/python3";
@@ -89,7 +89,8 @@ fn boot() -> Result<(), Told> {
 /// Environment and paths, then every module the oracles import.
 fn prepare(py: Python<'_>) -> PyResult<()> {
     let path = py.import("sys")?.getattr("path")?;
-    for folder in [scripts()].into_iter().chain(Code::ALL.map(folder)) {
+    let own = Folder::ALL.into_iter().filter(|folder| folder.is_set_up());
+    for folder in [scripts()].into_iter().chain(own.map(Folder::path)) {
         path.call_method1("insert", (0, folder.display().to_string()))?;
     }
     py.import("environment")?.call_method1("prepare", (root().join(INSTALLED).display().to_string(),))?;

@@ -6,8 +6,8 @@
 //!   discretisation errors of both.
 //!
 //! In the first sense and, on shared meshes and contact rows, in the second, the codes are called from Python files under
-//! `oracles/python`: *assembly twins*, one oracle with two assemblers. Scripts in `oracles/dolfinx` and `oracles/scikit_fem` share
-//! nothing ([`independent`]). All are run live in `live` (feature `python`), or read from what a live run left under `oracles/frozen`
+//! `oracles/python`: *assembly twins*, one oracle with two assemblers. Scripts in `oracles/dolfinx`, `scikit_fem`, `boundary`, `getfem`
+//! and `calculix` share nothing ([`independent`]). All are run live in `live` (feature `python`), or read from what a live run left under `oracles/frozen`
 //! ([`frozen`]).
 
 pub mod frozen;
@@ -16,6 +16,7 @@ pub mod independent;
 pub mod interpreter;
 #[cfg(feature = "python")]
 pub mod live;
+pub mod process;
 
 use std::collections::BTreeMap;
 use std::fmt;

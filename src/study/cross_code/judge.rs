@@ -30,15 +30,15 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
 }
 
 fn discrete(compared: &discrete::Compared) -> Vec<Judged> {
-    let live = compared.reproduced.iter().map(|live| reproduced(compared.code, live));
+    let live = compared.reproduced.iter().map(|live| reproduced(compared.code.name(), live));
     live.chain(compared.differences.iter().map(|one| assembled_alike(compared.code, one))).collect()
 }
 
 /// A live answer is what was frozen; the versions that changed since are named.
-pub fn reproduced(code: Code, live: &Reproduced) -> Judged {
+pub fn reproduced(name: &str, live: &Reproduced) -> Judged {
     let frozen = Reference { name: "frozen results".into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
     let because = format!("solvers and libraries differ in round-off; {}", live.versions);
-    let quantity = Quantity::at("largest relative change of a live answer", code.name());
+    let quantity = Quantity::at("largest relative change of a live answer", name);
     Check::error(quantity, frozen, REPRODUCED, because).judge(live.change)
 }
 
@@ -62,7 +62,7 @@ fn theirs(name: impl ToString, value: f64) -> Reference {
 }
 
 fn physical(compared: &physical::Compared) -> Vec<Judged> {
-    let live = compared.others.iter().flat_map(|other| other.reproduced.iter().map(|live| reproduced(other.code, live)));
+    let live = compared.others.iter().flat_map(|other| other.reproduced.iter().map(|live| reproduced(other.code.name(), live)));
     let agreed = compared.counted().flat_map(|found| agreement(compared, found));
     let exact = compared.closed_form.iter().filter(|_| compared.scene.closed_form_is_exact());
     let exact = exact.flat_map(|closed| covered_closed_form(compared, closed));

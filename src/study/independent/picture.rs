@@ -31,5 +31,8 @@ fn style(script: Script) -> Style {
         Script::Ufl => Style::run(palette::LAYER, Dash::Dotted, Marker::Square),
         Script::Facets => Style::run(palette::LINE, Dash::Dashed, Marker::Circle),
         Script::Nitsche => Style::run(palette::PURPLE, Dash::DashDot, Marker::Diamond),
+        Script::HalfPlane => Style::run(palette::NODE, Dash::Solid, Marker::Triangle),
+        Script::Augmented => Style::run(palette::ORANGE, Dash::Solid, Marker::Wedge),
+        Script::Gaps => Style::run(palette::LAYER, Dash::Dashed, Marker::Triangle),
     }
 }

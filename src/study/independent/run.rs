@@ -101,6 +101,8 @@ fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Error> 
     let series = kept.series.iter().map(|(script, series)| match answers {
         Answers::Frozen => Ok((*script, series.clone(), None)),
         #[cfg(feature = "python")]
+        Answers::Live if !script.folder().is_set_up() => Ok((*script, series.clone(), None)),
+        #[cfg(feature = "python")]
         Answers::Live => {
             let now = renewal::ask(*script, scene)?;
             let versions = changed_versions(&frozen.versions, &live::versions()?);

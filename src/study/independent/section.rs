@@ -4,8 +4,7 @@ use std::fmt::Write;
 
 use crate::error::Error;
 use crate::markdown;
-use crate::oracle::cross_code::Code;
-use crate::oracle::cross_code::independent::Independent;
+use crate::oracle::cross_code::independent::{Folder, Independent};
 use crate::study::Found;
 use crate::study::cross_code::physical::Measured;
 use crate::study::cross_code::section::{percent, shown};
@@ -19,10 +18,11 @@ use crate::uncertainty::COVERAGE;
 pub fn section(findings: &[Found<Compared>]) -> Result<String, Error> {
     let frozen = Independent::read()?;
     let mut text = String::from("### Independent codes\n\n");
-    for code in Code::ALL {
-        let hash: String = frozen.scripts.get(&code).map_or("", String::as_str).chars().take(12).collect();
-        let version = frozen.versions.get(code.name()).map_or("", String::as_str);
-        let _ = writeln!(text, "* {code} {version}: script {hash}….");
+    for folder in Folder::ALL {
+        let hash: String = frozen.scripts.get(&folder).map_or("", String::as_str).chars().take(12).collect();
+        let version = frozen.apart.get(&folder).or_else(|| frozen.versions.get(folder.name()));
+        let live = if folder.is_set_up() { "asked again by the tests" } else { "asked when the answers were frozen" };
+        let _ = writeln!(text, "* {} {}: script {hash}…, {live}.", folder.name(), version.map_or("", String::as_str));
     }
     let _ = write!(
         text,

@@ -1,9 +1,7 @@
 //! Other codes in processes of their own, if they are installed: scikit-fem and dolfinx on truncated Hertz with their own
 //! meshes, GetFEM and CalculiX on our mesh of the cylinder.
 
-use std::io::Write;
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -13,16 +11,13 @@ use crate::checkout::root;
 use crate::clock::Stage;
 use crate::error::Error;
 use crate::oracle::cross_code::Code;
+use crate::oracle::cross_code::process::{Told, run};
 use crate::solve::{Discretisation, Formulation};
 use crate::study::handed_over;
 use crate::study::timings::growth;
 use crate::study::timings::precision::{Family, Laps, half_widths};
 use crate::study::timings::statistics::Spread;
 
-/// The interpreter the codes are installed for.
-const PYTHON: &str = "/usr/bin/python3";
-/// What the scripts end with where their code is not installed.
-const MISSING: i32 = 3;
 /// Meshes asked of scikit-fem and dolfinx: cells per candidate stretch, and times cut into four.
 const SIZES: [[usize; 2]; 8] = [[8, 0], [12, 0], [16, 0], [17, 0], [32, 0], [17, 1], [32, 1], [64, 1]];
 /// Elements per half-width across one of which their loads move the edge, as ours do.
@@ -114,41 +109,6 @@ pub struct PeerPoint {
     pub errors: [f64; 2],
     /// Ours.
     pub our_errors: [f64; 2],
-}
-
-/// What a script printed; nothing where its code is not installed, with the reason.
-enum Told {
-    Lines(Vec<Value>),
-    Absent(String),
-}
-
-fn run(script: &str, arguments: &[String], request: &str) -> Result<Told, Error> {
-    let path = root().join("oracles/peers").join(script);
-    let failed = |reason: String| Error::file(&path, reason, "run it by hand, or leave this code uninstalled");
-    let started = Command::new(PYTHON)
-        .arg("-EsB")
-        .arg(&path)
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn();
-    let Ok(mut child) = started else { return Ok(Told::Absent(format!("{PYTHON} is missing"))) };
-    if let Some(mut input) = child.stdin.take() {
-        // A script that has ended already says why itself.
-        let _ = input.write_all(request.as_bytes());
-    }
-    let output = child.wait_with_output().map_err(|error| failed(error.to_string()))?;
-    let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
-    if output.status.code() == Some(MISSING) {
-        return Ok(Told::Absent(said));
-    }
-    if !output.status.success() {
-        return Err(failed(said.lines().last().unwrap_or("it failed without a word").to_owned()));
-    }
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let lines = text.lines().map(serde_json::from_str).collect::<Result<Vec<Value>, _>>();
-    lines.map(Told::Lines).map_err(|error| failed(error.to_string()))
 }
 
 /// Work and precision of a code on truncated Hertz, under the loads of our own meshes with so many elements; the reason
