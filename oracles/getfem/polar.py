@@ -3,7 +3,7 @@
 import getfem as gf
 import numpy as np
 
-ARC = 32  # elements of level 0 on 90 degrees of an arc
+ARC = 24  # elements of level 0 on 90 degrees of an arc
 GROWTH = 1.4
 CONTACT, AXIS, HELD, FACE = 1, 2, 3, 4
 
