@@ -155,7 +155,7 @@ fn summary(run: &Run) -> String {
     let _ = writeln!(text, "half-width by counting: {}", significant(measures.half_width_nodes, 6));
     let _ = writeln!(text, "peak pressure: {}", significant(measures.peak.pressure, 6));
     let _ = writeln!(text, "resultant: {}", significant(run.transmitted(), 6));
-    let _ = writeln!(text, "decades from the tolerance, last two iterations: {before:+.4}, {last:+.4}");
+    let _ = writeln!(text, "decades from the tolerance, last two iterations: {before:+.2}, {last:+.2}");
     text
 }
 

@@ -31,7 +31,8 @@ pub enum Against {
 }
 
 /// How a quantity shall stand to its reference.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Relation {
     /// `|value − reference| / |reference| ≤ tolerance`.
     Near,

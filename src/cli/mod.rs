@@ -6,6 +6,7 @@
 //! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`timings`] — measures speed against accuracy.
 //! * [`suite`] — runs all trials with a progress bar.
+//! * [`review`] — what moved between two commits.
 //! * [`solve`] — one case, with its outputs.
 //! * [`verify`] — scene files with their checks.
 //! * `found` — what it found.
@@ -22,6 +23,7 @@ pub mod ended;
 mod found;
 pub mod json;
 pub mod reactions;
+pub mod review;
 pub mod solve;
 pub mod suite;
 pub mod survey;
@@ -55,10 +57,13 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Solve the suite and write VALIDATION.md and snapshots/charts (the default).
+    #[command(args_conflicts_with_subcommands = true)]
     Report {
-        /// Write nothing; show what differs and fail when the page or a chart is stale.
+        /// Write nothing; show what differs and fail when the page, a chart or the record is stale.
         #[arg(long)]
         check: bool,
+        #[command(subcommand)]
+        part: Option<Part>,
     },
     /// Solve one case of the library, or a scene file of your own.
     Solve(Box<solve::Arguments>),
@@ -99,11 +104,20 @@ enum Command {
     Freeze,
 }
 
+#[derive(Debug, Subcommand)]
+enum Part {
+    /// Tell what moved between two commits: verdicts, tolerances, checks, bars, work, surveys, timings, charts; 1 where a verdict got worse.
+    Diff(review::Arguments),
+}
+
 /// Runs the command line. Exit codes: 0 all is well, 1 a check failed or the page is stale, 2 the input is wrong, 3 a run did
 /// not converge or holds no contact.
 pub fn main() -> ExitCode {
-    let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false }) {
-        Command::Report { check } => report_command(check).map(Ended::checked),
+    let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false, part: None }) {
+        Command::Report { part: Some(Part::Diff(arguments)), .. } => {
+            root().and_then(|root| review::run(&arguments, &root))
+        }
+        Command::Report { check, part: None } => report_command(check).map(Ended::checked),
         Command::Verdicts => Ok(Ended::checked(suite::verdicts())),
         Command::Atlas => atlas::run().map(|()| Ended::Well),
         Command::Converged => survey::converged().map(|()| Ended::Well),
@@ -145,10 +159,15 @@ fn report_command(check: bool) -> Result<bool, Error> {
         say(format!("written: {} and {} charts", report::files::PAGE, page.charts.len()));
         return Ok(sound);
     }
-    let differences = report::differences(&page, &root);
-    differences.iter().for_each(say);
-    say(if differences.is_empty() { "the page is up to date" } else { "the page is stale: run `cargo run --release`" });
-    Ok(sound && differences.is_empty())
+    let difference = report::difference(&page, &root)?;
+    match &difference {
+        None => say("the page is up to date"),
+        Some(difference) => {
+            say(difference.text(report::diff::written::LINES).trim_end());
+            say("the page is stale: run `cargo run --release`");
+        }
+    }
+    Ok(sound && difference.is_none())
 }
 
 /// The project folder: where the page is, upwards from the working directory.

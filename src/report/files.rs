@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::error::Error;
 use crate::report::Page;
+use crate::report::diff::{Difference, tree::Tree};
 use crate::study::sheets::SHEETS;
 
 /// The page's file.
@@ -50,41 +51,23 @@ pub fn write(page: &Page, root: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// What differs between the page and what is committed under a root: one line per file, with the first differing lines.
-pub fn differences(page: &Page, root: &Path) -> Vec<String> {
-    let mut differences: Vec<String> =
-        files(page, root).iter().filter_map(|(path, text)| difference(path, text)).collect();
-    let stale = folders(page, root).into_iter().flat_map(|folder| folder.stale());
-    let told = |path: PathBuf| {
-        format!("{}: the page no longer has this file", path.strip_prefix(root).unwrap_or(&path).display())
-    };
-    differences.extend(stale.map(told));
-    differences
+/// What differs between what is committed under a root and the page, files that it no longer has included; none where nothing does.
+pub fn difference(page: &Page, root: &Path) -> Result<Option<Difference>, Error> {
+    let below = |path: &Path| path.strip_prefix(root).unwrap_or(path).to_string_lossy().replace('\\', "/");
+    let made = files(page, root).into_iter().map(|(path, text)| (below(&path), text.to_owned())).collect();
+    let stale: Vec<String> = folders(page, root).iter().flat_map(Folder::stale).map(|path| below(&path)).collect();
+    let committed = Tree::on_disk(root)?;
+    let written = committed.with("what the code writes now", made, &stale);
+    Ok((committed.files != written.files).then(|| Difference::of(&committed, &written)))
 }
 
 fn files<'a>(page: &'a Page, root: &Path) -> Vec<(PathBuf, &'a str)> {
     let mut all = vec![(root.join(PAGE), page.markdown.as_str())];
+    all.extend(page.record.iter().map(|(path, text)| (root.join(path), text.as_str())));
     for folder in folders(page, root) {
         all.extend(folder.files.iter().map(|(name, text)| (folder.path.join(name), text.as_str())));
     }
     all
-}
-
-fn difference(path: &Path, expected: &str) -> Option<String> {
-    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let Ok(found) = fs::read_to_string(path) else { return Some(format!("{name}: missing")) };
-    if found == expected {
-        return None;
-    }
-    let mut lines = found.lines().zip(expected.lines()).enumerate().filter(|(_, (old, new))| old != new);
-    let first = lines.next().map_or("  the lengths differ".to_string(), |(index, (old, new))| {
-        format!("  line {}\n  - {}\n  + {}", index + 1, shortened(old), shortened(new))
-    });
-    Some(format!("{name}: stale\n{first}"))
-}
-
-fn shortened(line: &str) -> String {
-    line.chars().take(240).collect()
 }
 
 fn unwritable(path: &Path, error: &std::io::Error) -> Error {

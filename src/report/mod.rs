@@ -6,15 +6,18 @@
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
 //! * [`statements`] — the paper's statements, judged.
+//! * [`record`] — what was judged, counted and stated, as tables; [`diff`] — what moved in them between two commits.
 //! * [`files`] — writing, and comparing with what is committed.
 
 pub mod checks;
 pub mod decisions;
+pub mod diff;
 pub mod files;
 pub mod matrix;
 pub mod page;
 pub mod pictures;
+pub mod record;
 pub mod statements;
 
-pub use files::{differences, write};
+pub use files::{difference, write};
 pub use page::{Page, compose};

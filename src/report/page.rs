@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::figure;
 use crate::markdown;
 use crate::oracle::ReferenceKind;
-use crate::report::{checks, decisions, matrix, statements};
+use crate::report::{checks, decisions, matrix, record, statements};
 use crate::solve::Formulation;
 use crate::study::sheets::sheet;
 use crate::study::{Finding, Numbers, Room};
@@ -19,6 +19,8 @@ pub struct Page {
     pub charts: Vec<(String, String)>,
     /// File names and texts of the benchmark sheets.
     pub sheets: Vec<(String, String)>,
+    /// Paths and texts of the record.
+    pub record: Vec<(String, String)>,
 }
 
 /// Makes the page from the findings of the whole suite.
@@ -39,7 +41,7 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
         Numbers::Sheets(numbers) => Some(sheet(numbers)),
         _ => None,
     });
-    Ok(Page { markdown: text, charts, sheets: sheets.collect() })
+    Ok(Page { markdown: text, charts, sheets: sheets.collect(), record: record::files(findings)? })
 }
 
 /// The checks of a room, one table a case: none can be forgotten.

@@ -28,6 +28,13 @@ macro_rules! rooms {
             /// All, in the order of the page.
             pub const ALL: &'static [Self] = &[$(Self::$Room),*];
 
+            /// Its name, as its folder has it.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$Room => stringify!($room)),*
+                }
+            }
+
             /// Its trials.
             pub fn plan(self) -> Vec<Trial> {
                 match self {

@@ -23,6 +23,7 @@ mod converged;
 mod corpus;
 mod cross_code;
 mod cures;
+mod differences;
 mod digitised;
 mod digitised_curves;
 mod elasticity;

@@ -1,0 +1,110 @@
+//! Trees of commits, asked of git as a process: a library that reads its objects would be a hundred crates for three questions.
+
+use std::io::Write as _;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use super::tree::{COMPARED, Tree};
+use crate::error::Error;
+
+/// Branches that the working branch may have left, the first that exists counts.
+const TRUNKS: [&str; 2] = ["main", "origin/main"];
+
+/// Where the working branch left `main`.
+pub fn merge_base(root: &Path) -> Result<String, Error> {
+    let known = |trunk: &&str| commit(root, trunk).is_ok();
+    commit(root, "HEAD")?;
+    let Some(trunk) = TRUNKS.into_iter().find(known) else {
+        let message = format!("there is no branch {}", TRUNKS.join(" nor "));
+        return Err(Error::at("git", message, "name the commit to compare with: `report diff BASE`"));
+    };
+    let base = asked(root, &["merge-base", "HEAD", trunk]).map_err(|_| {
+        let message = format!("HEAD and `{trunk}` have no common commit here");
+        Error::at(
+            "git",
+            message,
+            "fetch the whole history (`git fetch --unshallow`), or name the commit: `report diff BASE`",
+        )
+    })?;
+    Ok(base.trim().into())
+}
+
+/// The full name of a commit.
+pub fn commit(root: &Path, name: &str) -> Result<String, Error> {
+    let full = asked(root, &["rev-parse", "--verify", "--quiet", "--end-of-options", &format!("{name}^{{commit}}")]);
+    full.map(|text| text.trim().into()).map_err(|error| match asked(root, &["rev-parse", "--git-dir"]) {
+        Ok(_) => {
+            Error::at("git", format!("`{name}` is no commit here"), "name a commit, branch or tag, or fetch it first")
+        }
+        Err(_) => error,
+    })
+}
+
+/// What a commit holds of what is compared.
+pub fn tree(root: &Path, name: &str) -> Result<Tree, Error> {
+    let full = commit(root, name)?;
+    let listed = asked(root, &[&["ls-tree", "-r", "-z", &full, "--"], &COMPARED[..]].concat())?;
+    let entries = listed.split('\0').filter_map(|line| line.split_once('\t'));
+    let (objects, paths): (Vec<&str>, Vec<&str>) =
+        entries.filter_map(|(about, path)| Some((about.split(' ').nth(2)?, path))).unzip();
+    let texts = texts(root, &objects)?;
+    let files = paths.into_iter().map(String::from).zip(texts).collect();
+    let short = asked(root, &["rev-parse", "--short", &full])?;
+    let short = short.trim();
+    let name = if full.starts_with(name) { short.into() } else { format!("{name} ({short})") };
+    Ok(Tree { name, files })
+}
+
+/// The texts of objects, asked for at once.
+fn texts(root: &Path, objects: &[&str]) -> Result<Vec<String>, Error> {
+    let mut git = Command::new("git")
+        .arg("-C")
+        .arg(root)
+        .args(["cat-file", "--batch"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .map_err(not_started)?;
+    let wanted = objects.join("\n") + "\n";
+    let mut input = git.stdin.take().ok_or_else(|| broken("it takes no input"))?;
+    // Written beside the reading: either pipe may be full while the other waits.
+    let writing = std::thread::spawn(move || input.write_all(wanted.as_bytes()));
+    let output = git.wait_with_output().map_err(not_started)?;
+    writing.join().map_err(|_| broken("it stopped reading"))?.map_err(not_started)?;
+    let mut rest = output.stdout.as_slice();
+    objects
+        .iter()
+        .map(|object| next(&mut rest).ok_or_else(|| broken(&format!("object {object} cannot be read"))))
+        .collect()
+}
+
+/// The next text of a batch: a line that ends with its length, its bytes, the end of a line.
+fn next(rest: &mut &[u8]) -> Option<String> {
+    let line = rest.iter().position(|byte| *byte == b'\n')?;
+    let length: usize = std::str::from_utf8(&rest[..line]).ok()?.split(' ').nth(2)?.parse().ok()?;
+    let bytes = rest.get(line + 1..line + 1 + length)?;
+    *rest = rest.get(line + length + 2..)?;
+    Some(String::from_utf8_lossy(bytes).into_owned())
+}
+
+/// What git prints to a question.
+fn asked(root: &Path, question: &[&str]) -> Result<String, Error> {
+    let output = Command::new("git").arg("-C").arg(root).args(question).output().map_err(not_started)?;
+    if output.status.success() {
+        return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
+    }
+    Err(broken(String::from_utf8_lossy(&output.stderr).trim()))
+}
+
+fn not_started(error: std::io::Error) -> Error {
+    Error::at(
+        "git",
+        format!("cannot be started: {error}"),
+        "install git: the results of other commits are read through it",
+    )
+}
+
+fn broken(message: &str) -> Error {
+    let message = if message.is_empty() { "refused the question" } else { message };
+    Error::at("git", message, "run inside a git checkout of the project that has the commit")
+}

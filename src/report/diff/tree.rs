@@ -1,0 +1,71 @@
+//! The committed results at one commit, on disk, or as they would be written: texts by path.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+use crate::error::Error;
+
+/// What is compared: the page, and the folder of everything that is recorded.
+pub const COMPARED: [&str; 2] = ["VALIDATION.md", "snapshots"];
+
+/// Texts by path, with `/` between folders.
+#[derive(Clone, Debug, Default)]
+pub struct Tree {
+    /// What it is called.
+    pub name: String,
+    /// The texts.
+    pub files: BTreeMap<String, String>,
+}
+
+impl Tree {
+    /// What is on disk below the project folder.
+    pub fn on_disk(root: &Path) -> Result<Self, Error> {
+        let mut files = BTreeMap::new();
+        for name in COMPARED {
+            collect(root, name, &mut files)?;
+        }
+        Ok(Self { name: "the working tree".into(), files })
+    }
+
+    /// The same with files as they would be written, and without those that would be removed.
+    pub fn with(&self, name: &str, made: Vec<(String, String)>, removed: &[String]) -> Self {
+        let mut files = self.files.clone();
+        files.retain(|path, _| !removed.contains(path));
+        files.extend(made);
+        Self { name: name.into(), files }
+    }
+
+    /// A text by its path.
+    pub fn text(&self, path: &str) -> Option<&str> {
+        self.files.get(path).map(String::as_str)
+    }
+}
+
+/// A file that differs: its path, and the text before and after.
+pub type Moved<'a> = (&'a str, Option<&'a str>, Option<&'a str>);
+
+/// The files that differ between two trees, in the order of their paths.
+pub fn moved<'a>(before: &'a Tree, after: &'a Tree) -> Vec<Moved<'a>> {
+    let paths: BTreeSet<&str> = before.files.keys().chain(after.files.keys()).map(String::as_str).collect();
+    let both = paths.into_iter().map(|path| (path, before.text(path), after.text(path)));
+    both.filter(|(_, old, new)| old != new).collect()
+}
+
+fn collect(root: &Path, path: &str, files: &mut BTreeMap<String, String>) -> Result<(), Error> {
+    let full = root.join(path);
+    let unreadable = |error| Error::unreadable(&full, error, "restore it from git, or make it readable");
+    if !full.exists() {
+        return Ok(());
+    }
+    if full.is_dir() {
+        for entry in fs::read_dir(&full).map_err(unreadable)? {
+            let name = entry.map_err(unreadable)?.file_name().to_string_lossy().into_owned();
+            collect(root, &format!("{path}/{name}"), files)?;
+        }
+        return Ok(());
+    }
+    let text = fs::read(&full).map_err(unreadable)?;
+    files.insert(path.into(), String::from_utf8_lossy(&text).into_owned());
+    Ok(())
+}

@@ -1,0 +1,235 @@
+//! What moved between two commits is told as what it is, in at most 40 lines.
+
+use contact_vv::case::Relation;
+use contact_vv::report::diff::Difference;
+use contact_vv::report::diff::charts::{Change, change};
+use contact_vv::report::diff::tree::Tree;
+use contact_vv::report::record::rounding::floored;
+use contact_vv::report::record::{self, CHECKS, CheckRow, Mark};
+
+/// A check of a case under a formulation, at this share of its tolerance.
+fn check(case: &str, trial: &str, quantity: &str, error: f64) -> CheckRow {
+    let tolerance = 0.01;
+    CheckRow {
+        study: "cases".into(),
+        case: case.into(),
+        trial: trial.into(),
+        quantity: quantity.into(),
+        place: String::new(),
+        against: "Hertz".into(),
+        kind: "analytic".into(),
+        relation: Relation::Near,
+        value: 100.0 * (1.0 + error),
+        reference: 100.0,
+        error,
+        tolerance,
+        share: error / tolerance,
+        bar: Some(2.0 * error),
+        uncertainty: None,
+        verdict: if error <= tolerance { Mark::Pass } else { Mark::Fail },
+        why: String::new(),
+    }
+}
+
+/// Thirty checks of two cases.
+fn checks() -> Vec<CheckRow> {
+    let mut rows = Vec::new();
+    for (c, case) in ["cylinder", "pin"].into_iter().enumerate() {
+        for trial in 0..5 {
+            for (q, quantity) in ["peak pressure", "half-width", "profile"].into_iter().enumerate() {
+                let error = 1e-3 + 1e-4 * (15 * c + 3 * trial + q) as f64;
+                rows.push(check(case, &format!("run {trial}"), quantity, error));
+            }
+        }
+    }
+    record::check::numbered(rows)
+}
+
+const SNAPSHOT: &str = "---\nsource: tests/suite.rs\n---\noutcome: converged\niterations: 20\nback-substitutions: 40\ndofs: 100\n";
+const CHART: &str = "<svg><title>t</title><path d=\"M0 0L1 1\" fill=\"#0072B2\"/><path d=\"M2 2\" fill=\"#FDFDFC\"/><text>a</text></svg>";
+const TIMINGS: &str = r#"{"machine": {"processor": "one"}, "growth": [{"dofs": 9, "whole": {"median": 2.0, "least": 1.0, "most": 3.0}}]}"#;
+
+/// A tree with these checks, three snapshots, a survey, a chart and timings.
+fn tree(rows: &[CheckRow]) -> Tree {
+    let mut tree = Tree { name: "a tree".into(), ..Tree::default() };
+    let mut put = |path: &str, text: &str| tree.files.insert(path.into(), text.into());
+    put(CHECKS, &record::text(CHECKS, rows).expect("written"));
+    put("snapshots/runs.csv", "case,trial,outcome,iterations,factorisations,updates,back_substitutions,dofs,retained\n");
+    put("snapshots/statements.csv", "statement,judgement,measured\nIt holds,reproduced,1 %\n");
+    for run in ["line", "layer", "node"] {
+        put(&format!("snapshots/cylinder@{run}.snap"), SNAPSHOT);
+    }
+    put("snapshots/met.csv", "family,number,met,error\nhertz,1,true,0.1\nhertz,2,true,0.2\n");
+    put("snapshots/charts/one.svg", CHART);
+    put("snapshots/timings/measured.json", TIMINGS);
+    tree
+}
+
+/// What is told when a file is replaced, and whether a verdict got worse.
+fn replaced(path: &str, from: &str, to: &str) -> (String, bool) {
+    let before = tree(&checks());
+    let text = before.text(path).expect("there").replace(from, to);
+    let after = before.with("another", vec![(path.into(), text)], &[]);
+    told(&before, &after)
+}
+
+fn told(before: &Tree, after: &Tree) -> (String, bool) {
+    let difference = Difference::of(before, after);
+    let text = difference.text(40);
+    assert!(text.lines().count() <= 40, "{text}");
+    (text, difference.worse)
+}
+
+fn of_checks(rows: Vec<CheckRow>) -> (String, bool) {
+    told(&tree(&checks()), &tree(&rows))
+}
+
+#[test]
+fn nothing_moved_is_one_line() {
+    let (text, worse) = of_checks(checks());
+    assert_eq!((text.as_str(), worse), ("a tree → a tree: nothing moved.\n", false));
+}
+
+#[test]
+fn wrong_numbers_everywhere_are_told_as_worse_verdicts_by_quantity() {
+    let spoiled = |row: CheckRow| check(&row.case, &row.trial, &row.quantity, 20.0 * row.error);
+    let (text, worse) = of_checks(checks().into_iter().map(spoiled).collect());
+    assert!(worse);
+    assert!(text.contains("Verdicts that got WORSE: 30 checks (30 analytic)"), "{text}");
+    assert!(text.contains("10 checks of 2 cases, half-width against Hertz; most pin × run 4: pass → FAIL"), "{text}");
+    assert!(text.contains("Error bars that moved: 30 checks of 30, 30 wider"), "{text}");
+}
+
+#[test]
+fn loosened_tolerance_is_told_first_even_of_a_renamed_check() {
+    for renamed in [false, true] {
+        let mut rows = checks();
+        rows[3].tolerance = 0.05;
+        rows[3].share = rows[3].error / 0.05;
+        if renamed {
+            rows[3].quantity = "another name".into();
+        }
+        let (text, worse) = of_checks(record::check::numbered(rows));
+        let second = text.lines().nth(1).expect("a heading");
+        assert_eq!(second, "Tolerances LOOSENED: 1 check", "{text}");
+        assert!(text.contains("tolerance 1.0 % → 5.0 %"), "{text}");
+        assert!(!worse && !text.contains("GONE") && !text.contains("Numbers that moved"), "{text}");
+    }
+}
+
+#[test]
+fn lowered_bound_is_loosened_and_raised_one_is_tightened() {
+    for (bound, word) in [(0.8, "LOOSENED"), (0.95, "tightened")] {
+        let of = |bound: f64| CheckRow { relation: Relation::AtLeast, reference: bound, tolerance: 0.0, ..check("a", "b", "order", 0.0) };
+        let (text, _) = told(&tree(&[of(0.9)]), &tree(&[of(bound)]));
+        assert!(text.contains(&format!("Tolerances {word}: 1 check")), "{text}");
+    }
+}
+
+#[test]
+fn removed_case_is_told_as_gone() {
+    let (text, worse) = of_checks(checks().into_iter().filter(|row| row.case != "pin").collect());
+    assert!(text.contains("Checks that are GONE: 15 of 1 case"), "{text}");
+    assert!(text.contains("pin: 15 checks, the whole case is gone"), "{text}");
+    assert!(!worse);
+}
+
+#[test]
+fn renamed_check_is_told_as_renamed() {
+    let mut rows = checks();
+    rows.iter_mut().filter(|row| row.quantity == "profile").for_each(|row| row.quantity = "pressure profile".into());
+    let (text, worse) = of_checks(record::check::numbered(rows));
+    assert!(text.contains("Renamed, with the same numbers: 10 checks"), "{text}");
+    assert!(text.contains("10 checks: quantity `profile` → `pressure profile`"), "{text}");
+    assert!(!worse && !text.contains("GONE") && !text.contains("New checks"), "{text}");
+}
+
+#[test]
+fn new_check_that_fails_is_a_worse_verdict() {
+    let mut rows = checks();
+    rows.push(check("cylinder", "run 9", "centre", f64::NAN));
+    let (text, worse) = of_checks(record::check::numbered(rows));
+    assert!(worse && text.contains("New checks: 1 of 1 case") && text.contains("1 FAIL"), "{text}");
+}
+
+#[test]
+fn work_that_changed_alike_is_one_row() {
+    let before = tree(&checks());
+    let halved = |run: &str| (format!("snapshots/cylinder@{run}.snap"), SNAPSHOT.replace("tions: 40", "tions: 20"));
+    let after = before.with("another", ["line", "layer", "node"].map(halved).into(), &[]);
+    let (text, _) = told(&before, &after);
+    assert!(text.contains("Snapshots of runs that changed: 3 of 3"), "{text}");
+    assert!(text.contains("3 runs: back-substitutions halved"), "{text}");
+}
+
+#[test]
+fn timings_measured_anew_are_apart_and_within_noise_where_spreads_overlap() {
+    let path = "snapshots/timings/measured.json";
+    let (text, worse) = replaced(path, "\"median\": 2.0", "\"median\": 2.5");
+    assert!(text.contains("Timings measured anew: 1 of 1 within noise"), "{text}");
+    assert!(text.contains("no count, error or machine beside the seconds moved") && !worse, "{text}");
+    let slow = "\"median\": 20.0, \"least\": 10.0, \"most\": 30.0";
+    let (text, _) = replaced(path, "\"median\": 2.0, \"least\": 1.0, \"most\": 3.0", slow);
+    assert!(text.contains("0 of 1 within noise") && text.contains("1 slower"), "{text}");
+    let (text, _) = replaced(path, "\"dofs\": 9", "\"dofs\": 10");
+    assert!(text.contains("beside the seconds: 1 value moved") && text.contains("9 → 10"), "{text}");
+}
+
+#[test]
+fn exchanged_palette_moves_no_data_and_a_recoloured_part_does() {
+    let path = "snapshots/charts/one.svg";
+    let (text, _) = replaced(path, "#0072B2", "#D55E00");
+    assert!(text.contains("1 chart: only colours, dashes or fonts were exchanged, no data moved"), "{text}");
+    let (text, _) = replaced(path, "M0 0L1 1", "M0 0L1 2");
+    assert!(text.contains("Charts whose data moved: 1, 0 new or gone"), "{text}");
+    assert_eq!(change(CHART, &CHART.replace("<text>a", "<text>b")), Change::Words);
+    // Of two parts of one colour only one has another: in a map that is data.
+    let map = "<svg><path d=\"M0\" fill=\"#111111\"/><path d=\"M1\" fill=\"#111111\"/></svg>";
+    assert_eq!(change(map, &map.replacen("#111111", "#222222", 1)), Change::Data);
+}
+
+#[test]
+fn surveys_tell_columns_and_rows() {
+    let (text, _) = replaced("snapshots/met.csv", "hertz,2,true,0.2", "hertz,2,false,0.4");
+    assert!(text.contains("snapshots/met.csv: of 2 rows: error in 1 (doubled), met in 1 (1 true → false)"), "{text}");
+}
+
+#[test]
+fn base_without_a_record_is_said_and_the_rest_is_compared() {
+    let after = tree(&checks());
+    let mut before = after.with("an old commit", vec![("snapshots/charts/one.svg".into(), "<svg/>".into())], &[CHECKS.into()]);
+    before.files.remove(CHECKS);
+    let (text, worse) = told(&before, &after);
+    assert!(text.contains("an old commit has no snapshots/checks.csv: checks, verdicts, tolerances and bars are not compared"), "{text}");
+    assert!(!worse && text.contains("Charts whose data moved: 1"), "{text}");
+}
+
+#[test]
+fn changed_judgement_of_a_statement_is_told() {
+    let (text, _) = replaced("snapshots/statements.csv", "reproduced", "not reproduced");
+    assert!(text.contains("“It holds”: reproduced → not reproduced"), "{text}");
+}
+
+#[test]
+fn markdown_shows_charts_before_and_after_side_by_side() {
+    let before = tree(&checks());
+    let moved = CHART.replace("M2 2", "M3 3");
+    let after = before.with("another", vec![("snapshots/charts/one.svg".into(), moved)], &[]);
+    let text = Difference::of(&before, &after).markdown(40, &["old/".into(), String::new()]);
+    let row = "| ![snapshots/charts/one.svg](old/snapshots/charts/one.svg) | ![snapshots/charts/one.svg](snapshots/charts/one.svg) |";
+    assert!(text.contains(row), "{text}");
+}
+
+#[test]
+fn round_off_is_nothing_and_four_digits_are_kept() {
+    assert_eq!([3e-17, -2e-12, 4.9e-10].map(floored).map(f64::to_bits), [0.0f64; 3].map(f64::to_bits));
+    assert_eq!(floored(4.63e-9).to_bits(), 5e-9f64.to_bits());
+    assert_eq!(floored(0.000_559_318_862).to_bits(), 0.000_559_3f64.to_bits());
+    assert!(floored(f64::NAN).is_nan());
+}
+
+#[test]
+fn checks_that_nothing_tells_apart_are_numbered() {
+    let rows = record::check::numbered(vec![check("a", "b", "c", 1e-3), check("a", "b", "c", 2e-3)]);
+    assert_eq!(rows.iter().map(|row| row.place.as_str()).collect::<Vec<_>>(), ["", "#2"]);
+}
