@@ -244,6 +244,23 @@ impl Seen {
         Self { conditions: f64::NAN, displacement: f64::NAN, residuals: f64::NAN, state: f64::NAN };
 }
 
+/// How one load increment of several ended.
+#[derive(Clone, Debug, serde::Serialize)]
+pub struct Increment {
+    /// Which one, from 1.
+    pub number: usize,
+    /// How it ended; none follows one that did not converge.
+    pub outcome: Outcome,
+    /// Iterations made in it.
+    pub iterations: usize,
+    /// Contact points and edge means at its end.
+    pub states: States,
+    /// Displacements of the retained dofs at its end \[mm\].
+    pub displacement: Vec<f64>,
+    /// Force of the contact on the retained dofs at its end \[N\].
+    pub contact_force: Vec<f64>,
+}
+
 /// Result of a contact iteration.
 #[derive(Clone, Debug, serde::Serialize)]
 pub struct Solution {
@@ -268,6 +285,8 @@ pub struct Solution {
     pub displacement: Vec<f64>,
     /// Force of the contact on the retained dofs, `−Σ A p b` \[N\].
     pub contact_force: Vec<f64>,
+    /// Every load increment that was begun; empty where all of the load is applied at once.
+    pub increments: Vec<Increment>,
     /// Every iteration.
     pub history: Vec<Iterated>,
     /// Work done.

@@ -56,6 +56,7 @@ fn of_gap(profile: &Profile) -> f64 {
         Profile::Table(points) => length(points),
         Profile::Smooth(cubic) => length(&cubic.points),
         Profile::Circle { radius } => radius * FRAC_1_SQRT_2,
+        Profile::Circles { radii: [a, b] } => a.abs().min(b.abs()) * FRAC_1_SQRT_2,
         // Beyond the trough the next crest comes near.
         Profile::Cosine { wavelength, .. } => 0.5 * wavelength,
         _ => f64::INFINITY,

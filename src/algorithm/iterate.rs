@@ -8,7 +8,7 @@ use crate::algorithm::target::{self, Target};
 use crate::algorithm::{Algorithm, ContactProblem, Criterion, Iterate, Springs};
 use crate::algorithm::{bound, criterion, parts};
 use crate::error::{Error, Kind, Place};
-use crate::solution::{Iterated, IterationError, Outcome, Share, Solution, States, Work};
+use crate::solution::{Increment, Iterated, IterationError, Outcome, Share, Solution, States, Work};
 
 /// When to stop.
 #[derive(Clone, Copy, Debug, serde::Serialize)]
@@ -66,11 +66,11 @@ pub fn iterate_from(
     algorithm: &mut dyn Algorithm,
     settings: Settings,
 ) -> Result<Solution, Error> {
-    let mut run =
-        Run { problem, settings, work: Work::default(), history: Vec::new(), last: None, target: None, rigid: None };
+    let mut run = Run::of(problem, settings);
     let mut outcome = Outcome::Capped;
     for increment in 1..=settings.increments {
         outcome = run.increment(increment, algorithm, springs)?;
+        run.keep(increment, outcome);
         if outcome != Outcome::Converged {
             break;
         }
@@ -83,6 +83,7 @@ struct Run<'a> {
     settings: Settings,
     work: Work,
     history: Vec<Iterated>,
+    increments: Vec<Increment>,
     last: Option<Iterate>,
     target: Option<Target>,
     rigid: Option<Target>,
@@ -113,7 +114,26 @@ struct Known {
     pressed: Vec<bool>,
 }
 
-impl Run<'_> {
+impl<'a> Run<'a> {
+    fn of(problem: &'a ContactProblem, settings: Settings) -> Self {
+        let (history, increments) = (Vec::new(), Vec::new());
+        Self { problem, settings, work: Work::default(), history, increments, last: None, target: None, rigid: None }
+    }
+
+    /// Keeps the end of a load increment that is one of several.
+    fn keep(&mut self, number: usize, outcome: Outcome) {
+        let Some(last) = self.last.as_ref().filter(|_| self.settings.increments > 1) else { return };
+        let states = target::told(self.problem, last);
+        self.increments.push(Increment {
+            number,
+            outcome,
+            iterations: self.history.iter().filter(|iteration| iteration.increment == number).count(),
+            displacement: last.displacement.clone(),
+            contact_force: contact_force(self.problem, &states),
+            states,
+        });
+    }
+
     fn increment(
         &mut self,
         increment: usize,
@@ -263,7 +283,7 @@ impl Run<'_> {
         };
         let last = self.last.unwrap_or_else(nothing);
         let states = target::told(self.problem, &last);
-        let contact_force = parts::forces(points, &states.points, n).into_iter().map(|force| -force).collect();
+        let contact_force = contact_force(self.problem, &states);
         let ranges = parts::points(points).zip(parts::edges(self.problem.edges));
         let share = |(contact, (own, edges)): (usize, (Range<usize>, Range<usize>))| {
             let force: f64 = states.points[own.clone()].iter().map(|state| state.weight * state.pressure).sum();
@@ -285,11 +305,18 @@ impl Run<'_> {
             spring_pressures: last.pressure,
             displacement: last.displacement,
             contact_force,
+            increments: self.increments,
             history: self.history,
             work: self.work,
             coarser: Work::default(),
         }
     }
+}
+
+/// Force of the contact on the retained dofs, `−Σ A p b` \[N\].
+fn contact_force(problem: &ContactProblem, states: &States) -> Vec<f64> {
+    let forces = parts::forces(problem.points, &states.points, problem.load.len());
+    forces.into_iter().map(|force| -force).collect()
 }
 
 /// Whether every number of an iterate is one.

@@ -2,21 +2,16 @@
 
 use crate::elasticity::degenerate::degenerate;
 use crate::elasticity::dofs::Dofs;
+use crate::elasticity::side_loads::{LoadedSide, Taker};
 use crate::elasticity::{element, point, quadrature, shape_functions};
 use crate::error::Error;
-use crate::mesh::{Edge, Mesh};
-use crate::scene::{Load, Scene};
-
-/// Gauss points per edge for given stress fields: the Hertz field is integrated to 1e-7 and better on the meshes here.
-const EDGE_POINTS: usize = 16;
-
-/// What takes the force on a node, in x and y \[N\].
-type Taker<'a> = &'a mut dyn FnMut(usize, [f64; 2]);
+use crate::mesh::Mesh;
+use crate::scene::{Action, Load, Scene, SidePart};
 
 /// Load vector of a body \[N\].
 pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs) -> Result<Vec<f64>, Error> {
     let mut force = vec![0.0; dofs.equations];
-    for load in &scene.bodies[body].loads {
+    for (index, load) in scene.bodies[body].loads.iter().enumerate() {
         if let Load::RigidFace { boundary, component, force: value } = load {
             // The component that the nodes of the face share; a node of it that a support holds has none.
             let nodes = mesh.boundary(scene, body, boundary)?.iter().flatten();
@@ -24,7 +19,7 @@ pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs) -> Res
             let Some(equation) = shared else { return Err(fixed_face(scene, body, boundary, *value)) };
             force[equation] += value;
         }
-        hand_out(scene, mesh, body, load, &mut |node, value| dofs.add_force(node, value, &mut force))?;
+        hand_out(scene, mesh, body, index, &mut |node, value| dofs.add_force(node, value, &mut force))?;
     }
     Ok(force)
 }
@@ -41,73 +36,35 @@ fn fixed_face(scene: &Scene, body: usize, boundary: &str, force: f64) -> Error {
 pub fn at_nodes(scene: &Scene, mesh: &Mesh, body: usize) -> Result<Vec<[f64; 2]>, Error> {
     let nodes = mesh.bodies[body].nodes.clone();
     let mut forces = vec![[0.0; 2]; nodes.len()];
-    for load in &scene.bodies[body].loads {
+    for index in 0..scene.bodies[body].loads.len() {
         let mut take = |node: usize, value: [f64; 2]| {
             (0..2).for_each(|k| forces[node - nodes.start][k] += value[k]);
         };
-        hand_out(scene, mesh, body, load, &mut take)?;
+        hand_out(scene, mesh, body, index, &mut take)?;
     }
     Ok(forces)
 }
 
-/// Hands the consistent forces of a load to the nodes; those of a rigid face belong to no single node.
-fn hand_out(scene: &Scene, mesh: &Mesh, body: usize, load: &Load, take: Taker) -> Result<(), Error> {
-    let rule = quadrature::gauss(EDGE_POINTS);
-    match load {
-        Load::Traction { boundary, traction } => {
-            let constant = |_: [f64; 2], _: [f64; 2], length: f64| traction.map(|t| t * length);
-            for edge in mesh.boundary(scene, body, boundary)? {
-                integrate_edge(mesh, edge, &rule, scene.thickness, &constant, take);
-            }
-        }
-        Load::TractionField { boundary, field } => {
-            let given = |point: [f64; 2], _: [f64; 2], length: f64| (field.0)(point).map(|t| t * length);
-            for edge in mesh.boundary(scene, body, boundary)? {
-                integrate_edge(mesh, edge, &rule, scene.thickness, &given, take);
-            }
-        }
-        Load::Stress { boundary, field } => {
-            let stress = |point: [f64; 2], normal: [f64; 2], _: f64| {
-                let [x, y, xy] = (field.0)(point);
-                [x * normal[0] + xy * normal[1], xy * normal[0] + y * normal[1]]
-            };
-            for edge in mesh.boundary(scene, body, boundary)? {
-                integrate_edge(mesh, edge, &rule, scene.thickness, &stress, take);
-            }
-        }
-        Load::BodyForce(density) => body_force(scene, mesh, body, *density, take)?,
+/// Hands the consistent forces of a load, one of its body by its index, to the nodes; those of a rigid face belong to no
+/// single node.
+fn hand_out(scene: &Scene, mesh: &Mesh, body: usize, index: usize, take: Taker) -> Result<(), Error> {
+    let mut on_side = |boundary: &str, part: Option<&SidePart>, action: &Action| -> Result<(), Error> {
+        LoadedSide::of(scene, mesh, (body, index), boundary, part)?.hand_out(action, take);
+        Ok(())
+    };
+    match &scene.bodies[body].loads[index] {
+        Load::Traction { boundary, traction } => on_side(boundary, None, &Action::Uniform(*traction)),
+        Load::TractionField { boundary, field } => on_side(boundary, None, &Action::Field(field.clone())),
+        Load::Stress { boundary, field } => on_side(boundary, None, &Action::Stress(field.clone())),
+        Load::OnSide { boundary, part, action } => on_side(boundary, part.as_ref(), action),
+        Load::BodyForce(density) => body_force(scene, mesh, body, *density, take),
         Load::Force { at, force } => {
             for (node, value) in point::shapes_at(scene, mesh, body, *at)? {
                 take(node, force.map(|f| f * value));
             }
+            Ok(())
         }
-        Load::RigidFace { .. } => {}
-    }
-    Ok(())
-}
-
-/// `f_a = ∫ N_a t ds · thickness`; `traction(point, n ds/dξ, ds/dξ)` returns `t ds/dξ`, with `n ds = (dy, −dx)`.
-fn integrate_edge(
-    mesh: &Mesh,
-    edge: &Edge,
-    rule: &[(f64, f64)],
-    thickness: f64,
-    traction: &dyn Fn([f64; 2], [f64; 2], f64) -> [f64; 2],
-    take: Taker,
-) {
-    for &(xi, weight) in rule {
-        let shapes = shape_functions::edge(edge.len(), xi);
-        let (mut point, mut slope) = ([0.0; 2], [0.0; 2]);
-        for (&node, (value, derivative)) in edge.iter().zip(&shapes) {
-            for k in 0..2 {
-                point[k] += value * mesh.points[node][k];
-                slope[k] += derivative * mesh.points[node][k];
-            }
-        }
-        let t = traction(point, [slope[1], -slope[0]], slope[0].hypot(slope[1]));
-        for (&node, (value, _)) in edge.iter().zip(&shapes) {
-            take(node, t.map(|t| t * value * weight * thickness));
-        }
+        Load::RigidFace { .. } => Ok(()),
     }
 }
 

@@ -7,9 +7,10 @@
 //! * [`graph`] — which nodes share a cell, and the order in which they are eliminated.
 //! * [`dofs`] — which displacement components are unknown, numbered in that order.
 //! * [`assembly`] — the stiffness matrix.
-//! * [`loads`] — consistent nodal forces.
+//! * [`loads`] — consistent nodal forces, `side_loads` — those of what acts on a side or a part of it.
 //! * [`mod@point`] — where in the cells a point lies.
 //! * [`rigid_motion`] — refuses bodies that are free to move.
+//! * [`free_motion`] — motions that no support stops.
 //! * [`stress`] — nodal stresses.
 //! * [`reactions`] — what supports exert.
 //!
@@ -33,6 +34,7 @@ mod degenerate;
 pub mod dilatation;
 pub mod dofs;
 pub mod element;
+pub mod free_motion;
 pub mod graph;
 pub mod loads;
 pub mod point;
@@ -40,6 +42,7 @@ pub mod quadrature;
 pub mod reactions;
 pub mod rigid_motion;
 pub mod shape_functions;
+mod side_loads;
 pub mod stress;
 
 use std::ops::Range;
@@ -149,17 +152,25 @@ impl BodySystem {
         Ok(Self { place: scene.place_of_body(body), stiffness, force, dofs, retained })
     }
 
-    /// Applied load along y: the load vector times a unit rigid motion along y, prescribed components at rest \[N\].
+    /// Applied load along y: its work on a unit motion along y \[N\].
     pub fn applied_vertical(&self) -> f64 {
+        self.work_of_load(&|_| [0.0, 1.0])[0]
+    }
+
+    /// Work of the load vector on a displacement of the nodes, prescribed components at rest, and the sum of the sizes of its
+    /// terms [N mm].
+    pub fn work_of_load(&self, displacement: &dyn Fn(usize) -> [f64; 2]) -> [f64; 2] {
         let mut motion = vec![0.0; self.force.len()];
-        for (pair, n) in self.dofs.components.iter().zip(&self.dofs.axes) {
-            for (dof, y) in pair.iter().zip([n[1], n[0]]) {
+        for (k, (pair, n)) in self.dofs.components.iter().zip(&self.dofs.axes).enumerate() {
+            let [u, v] = displacement(self.dofs.first + k);
+            for (dof, along) in pair.iter().zip([n[0] * u + n[1] * v, n[0] * v - n[1] * u]) {
                 if let Freedom::Equation(equation) = dof {
-                    motion[*equation] = y;
+                    motion[*equation] = along;
                 }
             }
         }
-        motion.iter().zip(&self.force).map(|(m, f)| m * f).sum()
+        let terms = || motion.iter().zip(&self.force).map(|(m, f)| m * f);
+        [terms().sum(), terms().map(f64::abs).sum()]
     }
 
     /// `|K| |u|` for a vector of unknowns: the size of the terms in `K u` \[N\].

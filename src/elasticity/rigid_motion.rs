@@ -5,10 +5,19 @@ use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use crate::elasticity::dofs::Dofs;
 use crate::error::Error;
 use crate::mesh::Mesh;
+use crate::scene::contact_pair::CONTACT;
 use crate::scene::{Load, Scene};
 
 /// Below this fraction of the largest eigenvalue a rigid motion counts as free.
-const FREE: f64 = 1e-10;
+pub(super) const FREE: f64 = 1e-10;
+/// Rigid motions of a body.
+pub const MOTIONS: [&str; 3] = ["slide along x", "slide along y", "rotate"];
+/// What stops each of them.
+pub const STOPPED_BY: [&str; 3] = [
+    "a support along x",
+    "a support along y",
+    "a support that stops the rotation, as a whole side or a second node does",
+];
 
 /// The interior stiffness is positive definite ⇔ no rigid motion `(a, b, ω)` leaves every fixed component at rest.
 ///
@@ -45,8 +54,12 @@ pub fn refuse_free(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs) -> Resu
     if eigen.eigenvalues[weakest] > FREE * eigen.eigenvalues.max() {
         return Ok(());
     }
-    let motion = eigen.eigenvectors.column(weakest);
-    let motion = ["slide along x", "slide along y", "rotate"][motion.map(f64::abs).imax()];
-    let message = format!("it is free to {motion} even when every contact node is fixed");
-    Err(Error::at(scene.place_of_body(body), message, "add a support, on a boundary or at one node"))
+    let motion = eigen.eigenvectors.column(weakest).map(f64::abs).imax();
+    let message =
+        format!("it is free to {}: no support holds it that way, and its contacts do not act there", MOTIONS[motion]);
+    let own = scene.bodies[body].shape.boundaries().into_iter().filter(|name| name != CONTACT);
+    let names: Vec<String> = own.map(|name| format!("`{name}`")).collect();
+    let places = if names.is_empty() { String::new() } else { format!(" on a boundary ({}) or", names.join(", ")) };
+    let remedy = format!("add {},{places} at a node `[x, y]`", STOPPED_BY[motion]);
+    Err(Error::at(scene.place_of_body(body), message, remedy))
 }

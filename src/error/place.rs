@@ -20,6 +20,15 @@ pub enum Place {
         /// Its name, with that of the scene; without spare capacity, since every result carries room for an error.
         name: Box<str>,
     },
+    /// A load of a body.
+    Load {
+        /// Index of the body.
+        body: usize,
+        /// Index of the load in the body.
+        load: usize,
+        /// Name of the body, with that of the scene.
+        name: Box<str>,
+    },
     /// A contact of a scene.
     Contact {
         /// Its index.
@@ -55,7 +64,7 @@ impl fmt::Display for Place {
         match self {
             Self::Nowhere => Ok(()),
             Self::Named(name) | Self::Solve(name) | Self::Stiffness(name) => write!(f, "{name}"),
-            Self::Body { name, .. } | Self::Contact { name, .. } => write!(f, "{name}"),
+            Self::Body { name, .. } | Self::Load { name, .. } | Self::Contact { name, .. } => write!(f, "{name}"),
             Self::File(path) => write!(f, "`{}`", path.display()),
             Self::Line(located) => write!(f, "{located}"),
         }

@@ -51,6 +51,11 @@ pub enum Profile {
         /// Radius \[mm\].
         radius: f64,
     },
+    /// Circles of both sides, `g = f(R₁) + f(R₂)` with `f(R) = R − sgn(R) √(R² − x²)`; the radius of a hollow one is negative \[mm\].
+    Circles {
+        /// R₁ and R₂; neither is 0 \[mm\].
+        radii: [f64; 2],
+    },
     /// Parabola on a plane: `g = x²/2R` \[mm\].
     Parabola {
         /// Radius of curvature at the vertex \[mm\].
@@ -84,6 +89,14 @@ pub enum Profile {
         /// Radius of the pin \[mm\].
         radius: f64,
         /// Radial clearance \[mm\].
+        clearance: f64,
+    },
+    /// The same measured on the hole: the distance along the hole's radius,
+    /// `g = R + c − c cos θ − √(R² − c² sin²θ)`, to first order `c (1 − cos θ)` \[mm\].
+    Pin {
+        /// Radius of the pin \[mm\].
+        radius: f64,
+        /// Radial clearance, below that radius \[mm\].
         clearance: f64,
     },
 }
@@ -134,6 +147,7 @@ impl Profile {
         match *self {
             Self::Punch { half_width } => Some(half_width),
             Self::Circle { radius } => Some(radius),
+            Self::Circles { radii: [a, b] } => Some(a.abs().min(b.abs())),
             _ => None,
         }
     }
@@ -151,6 +165,7 @@ impl Profile {
             Self::Punch { half_width } if s.abs() <= half_width * (1.0 + 1e-9) => 0.0,
             Self::Punch { .. } => f64::INFINITY,
             Self::Circle { radius } => s * s / (radius + (radius * radius - s * s).sqrt()),
+            Self::Circles { radii } => gap_of_circles(radii, s),
             Self::Parabola { radius } => s * s / (2.0 * radius),
             Self::Even { ref coefficients } => coefficients.iter().rev().fold(0.0, |sum, c| c + sum * s * s) * s * s,
             Self::Wedge { slope } => slope * s.abs(),
@@ -159,6 +174,7 @@ impl Profile {
                 2.0 * amplitude * (std::f64::consts::PI * s / wavelength).sin().powi(2)
             }
             Self::Hole { radius, clearance } => hole_gap(radius, clearance, s),
+            Self::Pin { radius, clearance } => pin_gap(radius, clearance, s),
         }
     }
 
@@ -202,4 +218,28 @@ fn hole_gap(radius: f64, clearance: f64, angle: f64) -> f64 {
     let root = (hole * hole - (clearance * sin).powi(2)).sqrt();
     let versine = 2.0 * (angle / 2.0).sin().powi(2);
     2.0 * clearance * radius * versine / (root + radius + clearance * cos)
+}
+
+/// `g = R + c − c cos θ − √(R² − c² sin²θ)`, rearranged so that no digits cancel:
+/// `g = 2c sin²(θ/2) + c² sin²θ / (R + √(R² − c² sin²θ))`.
+fn pin_gap(radius: f64, clearance: f64, angle: f64) -> f64 {
+    let offset = clearance * angle.sin();
+    let root = (radius * radius - offset * offset).sqrt();
+    2.0 * clearance * (angle / 2.0).sin().powi(2) + offset * offset / (radius + root)
+}
+
+/// Sum of the depths of two circles at `s`, each `R − sgn(R) √(R² − s²) = s²/(R + sgn(R) q)`, `q = √(R² − s²)`.
+///
+/// With `d = |R| + q` of each, the sum is `s² (1/d₁ + 1/d₂)`; of a hollow circle around the other one it is
+/// `s² (|R₂| − R₁) (1 + (R₁ + |R₂|)/(q₁ + q₂))/(d₁ d₂)`, so that no digits cancel.
+fn gap_of_circles(radii: [f64; 2], s: f64) -> f64 {
+    let [a, b] = radii.map(f64::abs);
+    let [p, q] = [a, b].map(|radius| (radius * radius - s * s).sqrt());
+    let over = s * s / ((a + p) * (b + q));
+    match radii.map(f64::is_sign_negative) {
+        [false, false] => over * (a + p + b + q),
+        [true, true] => 0.0 - over * (a + p + b + q),
+        [false, true] => over * (b - a) * (1.0 + (a + b) / (p + q)),
+        [true, false] => over * (a - b) * (1.0 + (a + b) / (p + q)),
+    }
 }

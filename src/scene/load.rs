@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::scene::place::{BoundaryName, Component, Place};
+use crate::scene::side_part::SidePart;
 
 /// One displacement component prescribed on a boundary or at a point.
 #[derive(Clone, Debug)]
@@ -60,6 +61,15 @@ pub enum Load {
         /// The field.
         field: StressField,
     },
+    /// What acts on a boundary, or on a part of it.
+    OnSide {
+        /// Boundary name.
+        boundary: BoundaryName,
+        /// The part; all of it where there is none.
+        part: Option<SidePart>,
+        /// What acts there.
+        action: Action,
+    },
     /// Force per volume [N/mm³].
     BodyForce([f64; 2]),
     /// Force at a point of the body \[N\].
@@ -78,4 +88,20 @@ pub enum Load {
         /// Total force in that direction on the modelled part \[N\].
         force: f64,
     },
+}
+
+/// What acts on a side.
+#[derive(Clone, Debug)]
+pub enum Action {
+    /// The same traction everywhere \[MPa\].
+    Uniform([f64; 2]),
+    /// A traction that depends on the place.
+    Field(TractionField),
+    /// The traction `t = σ n` of a stress field.
+    Stress(StressField),
+    /// The traction, the same everywhere, of a total force on the modelled part \[N\].
+    Total([f64; 2]),
+    /// A couple on the modelled part, counter-clockwise \[N mm\]: `t = M/(t J) e_z × (r − r̄)` with the centroid r̄ of the side and
+    /// `J = ∫|r − r̄|² ds`, so that its resultant vanishes; on a straight side a pressure linear in the coordinate along it.
+    Moment(f64),
 }

@@ -4,6 +4,7 @@
 //! * [`shape`] — the outlines the mesher knows.
 //! * [`place`] — boundaries, points and directions.
 //! * [`load`] — supports and loads of a body.
+//! * [`side_part`] — a part of a side.
 //! * [`contact_pair`] — who touches whom, along which path, with which initial gap.
 //! * [`path`] — the curve along which contact runs.
 //! * [`circle`] — a circle, and the rays that meet it.
@@ -34,6 +35,7 @@ pub mod path;
 pub mod place;
 mod range;
 pub mod shape;
+pub mod side_part;
 pub mod spline;
 pub mod variant;
 
@@ -43,12 +45,13 @@ pub use circle::Circle;
 pub use contact_pair::{ContactPair, Profile};
 pub use drawn::{Curve, DrawnGap};
 pub use given::GivenMesh;
-pub use load::{Load, StressField, Support, TractionField};
+pub use load::{Action, Load, StressField, Support, TractionField};
 pub use material::{LARGEST_POISSON, Material, PlaneHypothesis};
 pub use path::{Line, Path};
 pub use place::{BoundaryName, Component, Place};
 pub(crate) use range::{ROUNDING, positive};
 pub use shape::{BlockShape, Face, Grading, Sector, Shape};
+pub use side_part::{Along, SidePart};
 pub use spline::MonotoneCubic;
 
 /// A contact problem: everything that is asked, nothing about how it is solved.
@@ -131,6 +134,11 @@ impl Scene {
     /// A body, as errors name it.
     pub fn place_of_body(&self, body: usize) -> error::Place {
         error::Place::Body { body, name: format!("{}, body `{}`", self.name, self.bodies[body].name).into() }
+    }
+
+    /// A load of a body, as errors name it.
+    pub fn place_of_load(&self, body: usize, load: usize) -> error::Place {
+        error::Place::Load { body, load, name: format!("{}, body `{}`", self.name, self.bodies[body].name).into() }
     }
 
     /// A contact, as errors name it: by its bodies, and by its own name where there are several.

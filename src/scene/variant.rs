@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::scene::{
-    BlockShape, Body, Circle, Component, GivenMesh, Line, Load, MonotoneCubic, Path, Place, Profile, Scene, Shape,
-    StressField, TractionField,
+    Action, Along, BlockShape, Body, Circle, Component, GivenMesh, Line, Load, MonotoneCubic, Path, Place, Profile,
+    Scene, Shape, SidePart, StressField, TractionField,
 };
 
 /// Metres per millimetre.
@@ -73,17 +73,38 @@ impl Scene {
 fn scale_load(load: &mut Load, length: f64, pressure: f64) {
     match load {
         Load::Traction { traction, .. } => *traction = traction.map(|t| t * pressure),
-        Load::TractionField { field, .. } => {
-            let inner = field.0.clone();
-            *field = TractionField(Arc::new(move |at: [f64; 2]| inner(at.map(|x| x / length)).map(|t| t * pressure)));
-        }
-        Load::Stress { field, .. } => {
-            let inner = field.0.clone();
-            *field = StressField(Arc::new(move |at: [f64; 2]| inner(at.map(|x| x / length)).map(|s| s * pressure)));
+        Load::TractionField { field, .. } => *field = scaled_tractions(field, length, pressure),
+        Load::Stress { field, .. } => *field = scaled_stresses(field, length, pressure),
+        Load::OnSide { part, action, .. } => {
+            *part = part.map(|part| scaled_part(part, length));
+            match action {
+                Action::Uniform(traction) => *traction = traction.map(|t| t * pressure),
+                Action::Field(field) => *field = scaled_tractions(field, length, pressure),
+                Action::Stress(field) => *field = scaled_stresses(field, length, pressure),
+                Action::Total(_) => {}
+                Action::Moment(moment) => *moment *= length,
+            }
         }
         Load::BodyForce(density) => *density = density.map(|b| b * pressure / length),
         Load::Force { at, .. } => *at = at.map(|x| x * length),
         Load::RigidFace { .. } => {}
+    }
+}
+
+fn scaled_tractions(field: &TractionField, length: f64, pressure: f64) -> TractionField {
+    let inner = field.0.clone();
+    TractionField(Arc::new(move |at: [f64; 2]| inner(at.map(|x| x / length)).map(|t| t * pressure)))
+}
+
+fn scaled_stresses(field: &StressField, length: f64, pressure: f64) -> StressField {
+    let inner = field.0.clone();
+    StressField(Arc::new(move |at: [f64; 2]| inner(at.map(|x| x / length)).map(|s| s * pressure)))
+}
+
+fn scaled_part(part: SidePart, length: f64) -> SidePart {
+    match part.along {
+        Along::Axis(_) => SidePart { from: part.from * length, to: part.to * length, ..part },
+        Along::Angle { centre } => SidePart { along: Along::Angle { centre: centre.map(|x| x * length) }, ..part },
     }
 }
 
@@ -99,19 +120,16 @@ fn mirror_body(body: &mut Body) {
     for load in &mut body.loads {
         match load {
             Load::Traction { traction, .. } => traction[0] = -traction[0],
-            Load::TractionField { field, .. } => {
-                let inner = field.0.clone();
-                *field = TractionField(Arc::new(move |[x, y]: [f64; 2]| {
-                    let [tx, ty] = inner([-x, y]);
-                    [-tx, ty]
-                }));
-            }
-            Load::Stress { field, .. } => {
-                let inner = field.0.clone();
-                *field = StressField(Arc::new(move |[x, y]: [f64; 2]| {
-                    let [sx, sy, sxy] = inner([-x, y]);
-                    [sx, sy, -sxy]
-                }));
+            Load::TractionField { field, .. } => *field = mirrored_tractions(field),
+            Load::Stress { field, .. } => *field = mirrored_stresses(field),
+            Load::OnSide { part, action, .. } => {
+                *part = part.map(mirrored_part);
+                match action {
+                    Action::Uniform(vector) | Action::Total(vector) => vector[0] = -vector[0],
+                    Action::Field(field) => *field = mirrored_tractions(field),
+                    Action::Stress(field) => *field = mirrored_stresses(field),
+                    Action::Moment(moment) => *moment = -*moment,
+                }
             }
             Load::BodyForce(density) => density[0] = -density[0],
             Load::Force { at, force } => (at[0], force[0]) = (-at[0], -force[0]),
@@ -121,6 +139,31 @@ fn mirror_body(body: &mut Body) {
                 }
             }
         }
+    }
+}
+
+fn mirrored_tractions(field: &TractionField) -> TractionField {
+    let inner = field.0.clone();
+    TractionField(Arc::new(move |[x, y]: [f64; 2]| {
+        let [tx, ty] = inner([-x, y]);
+        [-tx, ty]
+    }))
+}
+
+fn mirrored_stresses(field: &StressField) -> StressField {
+    let inner = field.0.clone();
+    StressField(Arc::new(move |[x, y]: [f64; 2]| {
+        let [sx, sy, sxy] = inner([-x, y]);
+        [sx, sy, -sxy]
+    }))
+}
+
+fn mirrored_part(part: SidePart) -> SidePart {
+    let turned = SidePart { from: -part.to, to: -part.from, ..part };
+    match part.along {
+        Along::Axis(Component::X) => turned,
+        Along::Axis(Component::Y) => part,
+        Along::Angle { centre: [x, y] } => SidePart { along: Along::Angle { centre: [-x, y] }, ..turned },
     }
 }
 
@@ -177,6 +220,7 @@ fn scaled_profile(profile: &Profile, length: f64) -> Profile {
         }
         Profile::Punch { half_width } => Profile::Punch { half_width: half_width * length },
         Profile::Circle { radius } => Profile::Circle { radius: radius * length },
+        Profile::Circles { radii } => Profile::Circles { radii: radii.map(|radius| radius * length) },
         Profile::Parabola { radius } => Profile::Parabola { radius: radius * length },
         Profile::Even { ref coefficients } => {
             let scaled = coefficients.iter().zip(0..).map(|(c, k)| c / length.powi(1 + 2 * k));
@@ -187,6 +231,7 @@ fn scaled_profile(profile: &Profile, length: f64) -> Profile {
             Profile::Cosine { amplitude: amplitude * length, wavelength: wavelength * length }
         }
         Profile::Hole { radius, clearance } => Profile::Hole { radius: radius * length, clearance: clearance * length },
+        Profile::Pin { radius, clearance } => Profile::Pin { radius: radius * length, clearance: clearance * length },
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::elasticity::{point, quadrature, shape_functions};
 use crate::error::Error;
 use crate::mesh::Edge;
-use crate::scene::{Body, Component, ContactPair, Load, Place, Scene};
+use crate::scene::{Action, Body, Component, ContactPair, Load, Place, Scene};
 use crate::solve::Discretisation;
 
 /// Gauss points of an edge: the length of an 8-node cell's is no polynomial.
@@ -126,6 +126,12 @@ fn loaded(load: &Load) -> Vec<(Place, Component)> {
         Load::TractionField { boundary, .. } | Load::Stress { boundary, .. } => {
             along(Place::Boundary(boundary.clone()), [1.0; 2])
         }
+        Load::OnSide { boundary, action, .. } => match action {
+            Action::Uniform(vector) | Action::Total(vector) => along(Place::Boundary(boundary.clone()), *vector),
+            Action::Field(_) | Action::Stress(_) => along(Place::Boundary(boundary.clone()), [1.0; 2]),
+            // It turns its side: the mean displacement says nothing of that.
+            Action::Moment(_) => Vec::new(),
+        },
         Load::Force { at, force } => along(Place::Point(*at), *force),
         Load::RigidFace { boundary, component, .. } => vec![(Place::Boundary(boundary.clone()), *component)],
         Load::BodyForce(_) => Vec::new(),

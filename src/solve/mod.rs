@@ -7,6 +7,7 @@
 //! * [`origin`] — where the contact iteration starts, `start` — the springs this makes.
 //! * `road` — from a discretisation to a solution.
 //! * `active_set` — which points were closed on another mesh.
+//! * `unheld` — what no support holds and contact cannot.
 //! * `refusals` — problems that have no solution.
 //! * [`candidate_end`] — contact that reaches the end of the candidate surface.
 //! * [`fields`] — displacements and stresses of a solution.
@@ -14,6 +15,7 @@
 //! * [`mod@displaced`] — displacements of sides and points, the approach of bodies.
 //! * [`mod@shear`] — the largest shear stress below a contact.
 //! * `uncondensed` — its pressures once more without condensation.
+//! * [`curve`] — what every load increment came to.
 //! * [`run`] — one scene solved by one formulation, measured.
 //! * [`unbounded`] — peaks without a limit.
 //!
@@ -33,6 +35,7 @@
 mod active_set;
 pub mod candidate_end;
 pub mod change;
+pub mod curve;
 pub mod discretisation;
 pub mod displaced;
 pub mod fields;
@@ -46,6 +49,7 @@ pub mod shear;
 mod start;
 pub mod unbounded;
 mod uncondensed;
+mod unheld;
 mod validity;
 
 pub use crate::algorithm::problem::LIMITS;

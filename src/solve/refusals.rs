@@ -26,8 +26,10 @@ impl Discretisation {
     pub(super) fn refuse_nothing(&self, problem: &ContactProblem) -> Result<(), Error> {
         let held = || problem.factorise(&vec![0.0; problem.points.len()], &mut Work::default()).is_some();
         if self.is_unloaded(problem.load) && !held() && !problem.interference_presses() {
-            let message = "only contact fixes the bodies, and nothing presses them together: the pressure is zero and the position undetermined";
-            let error = Error::at(self.contacts(), message, "apply a load or add a support");
+            let error = self.unheld(1.0)?.unwrap_or_else(|| {
+                let message = "only contact fixes the bodies, and nothing presses them together: the pressure is zero and the position undetermined";
+                Error::at(self.contacts(), message, "apply a load or add a support")
+            });
             return Err(Error { kind: Kind::NothingPresses, ..error });
         }
         Ok(())
@@ -39,12 +41,21 @@ impl Discretisation {
         sum(condensed) <= UNLOADED * self.system.bodies.iter().map(|body| sum(&body.force)).sum::<f64>()
     }
 
-    /// An error of the iteration, which sees matrices only, with the names of the bodies.
-    pub(super) fn named(&self, error: Error) -> Error {
+    /// An error of the iteration, which sees matrices only, with what is not held, or with the names of the bodies.
+    pub(super) fn named(&self, error: Error, load: f64) -> Error {
         match error.kind {
-            Kind::NoSpringLeft { .. } => Error { place: self.contacts(), ..error },
-            Kind::SpringsTooSoft => Error { place: Place::Stiffness(self.names()), ..error },
-            _ => error,
+            Kind::NoSpringLeft { .. } | Kind::SpringsTooSoft => {}
+            _ => return error,
+        }
+        match (self.unheld(load), error.kind) {
+            (Err(other), _) => other,
+            (Ok(Some(unheld)), Kind::NoSpringLeft { iterations }) => {
+                let message = format!("no contact spring is left after iteration {iterations}: {}", unheld.message);
+                Error { kind: error.kind, message, ..unheld }
+            }
+            (Ok(Some(unheld)), _) => unheld,
+            (Ok(None), Kind::SpringsTooSoft) => Error { place: Place::Stiffness(self.names()), ..error },
+            (Ok(None), _) => Error { place: self.contacts(), ..error },
         }
     }
 

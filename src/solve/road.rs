@@ -17,7 +17,7 @@ impl Discretisation {
         let problem = self.problem_under(formulation, &points, &load);
         self.refuse_nothing(&problem)?;
         let iterated = self.iterated(&problem, formulation, origin, change);
-        let solution = iterated.map_err(|error| self.named(error))?;
+        let solution = iterated.map_err(|error| self.named(error, change.load))?;
         candidate_end::refuse(self, &solution, change, formulation.settings.tolerance)?;
         Ok(solution)
     }

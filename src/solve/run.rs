@@ -228,7 +228,7 @@ fn measured(discretisation: &Discretisation, interface: &Interface, solution: &S
     let (pressing, rigidly) = (target.as_ref().filter(presses), rigid.as_ref().filter(presses));
     let discrete = rigid.as_ref().or(target.as_ref());
     Contact {
-        transmitted: transmitted(interface, solution),
+        transmitted: transmitted(interface, &solution.contact_force),
         iteration: pressing.map(|target| Errors::between(&measures, target)),
         penalty: pressing.zip(rigidly).map(|(target, rigid)| Errors::between(target, rigid)),
         unbounded: None,
@@ -239,8 +239,8 @@ fn measured(discretisation: &Discretisation, interface: &Interface, solution: &S
 }
 
 /// Sum of the nodal contact forces on the upper (inner) body along the load line, both halves \[N\].
-fn transmitted(interface: &Interface, solution: &Solution) -> f64 {
-    let along = interface.nodes.iter().map(|s| solution.contact_force[s.dof] * s.normal[1]);
+pub(super) fn transmitted(interface: &Interface, contact_force: &[f64]) -> f64 {
+    let along = interface.nodes.iter().map(|s| contact_force[s.dof] * s.normal[1]);
     let upwards = if interface.pair.above { 1.0 } else { -1.0 };
     upwards * whole(&interface.pair) * along.sum::<f64>()
 }

@@ -64,6 +64,8 @@ fn profile(scene: &Scene) -> Result<(&'static str, f64, f64), Error> {
         | Profile::Smooth(_)
         | Profile::Even { .. }
         | Profile::Wedge { .. }
+        | Profile::Circles { .. }
+        | Profile::Pin { .. }
         | Profile::Cosine { .. } => Err(not_handed_over(&scene.name, "this rigid profile")),
     }
 }
@@ -95,7 +97,7 @@ fn supports_and_loads(
                 problem.tied.dedup();
                 problem.tied_force = *force;
             }
-            Load::BodyForce(_) | Load::Force { .. } | Load::TractionField { .. } => {
+            Load::OnSide { .. } | Load::BodyForce(_) | Load::Force { .. } | Load::TractionField { .. } => {
                 return Err(not_handed_over(&scene.name, "such a load"));
             }
         }

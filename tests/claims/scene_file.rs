@@ -287,7 +287,7 @@ fn page_on_scene_files_is_true() {
         quoted.filter(|text| text.starts_with('{')).map(String::from).collect()
     };
     let gaps = rows("Gaps");
-    assert_eq!(gaps.len(), 11);
+    assert_eq!(gaps.len(), 13);
     let number = |text: &str| {
         let named = [
             ("R1", "20"),
@@ -300,6 +300,7 @@ fn page_on_scene_files_is_true() {
             ("a", "9"),
         ];
         let coefficient = text.replace("c1, c2, c3", "1e-3, 0, 0").replace("[x, y]", "[0, 50]");
+        let coefficient = coefficient.replace("[R1, R2]", "[50, -60]");
         let spans = coefficient.replace("[left, right]", "[0, 80]").replace("[lower, upper]", "[0, 50]");
         named.iter().fold(spans, |text, (name, value)| {
             text.replace(&format!("= {name} "), &format!("= {value} "))
@@ -311,7 +312,19 @@ fn page_on_scene_files_is_true() {
         // The example draws a disc, which has a gap of its own.
         let said = if gap.contains("bodies") { "" } else { "gap-only = true\n" };
         let path = format!("{said}{}", if gap.contains("hole") { arc } else { "stretch = 5.0" });
-        let file = example.replace("gap = { circle = 50 }", &format!("gap = {}", number(&gap)));
+        // A pin is measured on the hole.
+        let hole = "ring = { centre = [0, 50], inner = 50.01, outer = 90, sweep = 180, contact = \"inner\" }";
+        let (file, path) = match gap.contains("pin") {
+            true => (
+                example
+                    .replace("disc = { centre = [0, 50], radius = 50 }", hole)
+                    .replace("\"axis\"", "\"start\"")
+                    .replace("\"cut\"", "\"outer\""),
+                path.replace("stretch = 5.0", "stretch = 5.0\narc = { centre = [0, 50], radius = 50.01 }"),
+            ),
+            false => (example.to_string(), path),
+        };
+        let file = file.replace("gap = { circle = 50 }", &format!("gap = {}", number(&gap)));
         Case::parse(Path::new("gap.toml"), &file.replace("stretch = 5.0", &path))
             .unwrap_or_else(|error| panic!("{gap}: {error}"));
     }
@@ -319,7 +332,7 @@ fn page_on_scene_files_is_true() {
     let supports = "supports = [{ at = \"left\", component = \"x\" }, { at = \"right\", component = \"x\" }]";
     assert!(block.contains(supports));
     let list = rows("Supports and loads");
-    assert_eq!(list.len(), 11);
+    assert_eq!(list.len(), 14);
     for line in list {
         let key = if line.contains("component") && !line.contains("rigid-face") { "supports" } else { "loads" };
         let start = block.find(&format!("{key} = ")).expect("the key");

@@ -196,3 +196,43 @@ fn keys_of_the_gap_that_do_not_go_together_are_refused() {
         assert!(error.contains(found) && error.contains(remedy), "{is}: {error}");
     }
 }
+
+#[test]
+fn circles_of_both_sides_are_exact_and_lose_no_digits() {
+    for (radii, s, wanted) in [
+        ([50.0, 30.0], 1.1, arc(50.0, 1.1) + arc(30.0, 1.1)),
+        ([50.0, -60.0], 2.5, arc(50.0, 2.5) - arc(60.0, 2.5)),
+        ([-60.0, 50.0], -40.0, arc(50.0, 40.0) - arc(60.0, 40.0)),
+        ([50.0, -60.0], 50.0, arc(50.0, 50.0) - arc(60.0, 50.0)),
+    ] {
+        assert_relative_eq!(Profile::Circles { radii }.gap(s), wanted, max_relative = 1e-12);
+    }
+    // Radii that differ by a billionth: s²/2 (1/R1 − 1/R2) but for (s/R)², where the difference of both arcs has no digit left.
+    let (s, radii) = (0.01_f64, [50.0_f64, -50.000_000_05]);
+    let parabola = 0.5 * s * s * (radii[0] + radii[1]).abs() / (50.0 * 50.000_000_05);
+    assert_relative_eq!(Profile::Circles { radii }.gap(s), parabola, max_relative = 1e-6);
+}
+
+#[test]
+fn circles_given_are_held_against_the_drawn_ones_and_refused_where_they_overlap_or_end() {
+    let with = |gap: &'static str| read("two-cylinders", &[("gap = \"drawn\"", gap)]);
+    let given = with("gap = { circles = [50, 30] }").expect("the drawn ones").scene;
+    let drawn = profile("two-cylinders", &[("gap = \"drawn\"", "gap = { from = \"bodies\" }")], 0);
+    for s in [0.0, 0.4, 1.5] {
+        assert_relative_eq!(given.contact().profile.gap(s), drawn.gap(s), epsilon = 1e-13);
+        let metres = given.in_metres().contact().profile.gap(1e-3 * s);
+        assert_relative_eq!(metres, 1e-3 * drawn.gap(s), epsilon = 1e-16);
+    }
+    for (gap, message, remedy) in [
+        ("gap = { circles = [50, 40] }", "0.050641 as given, and 0.060029", "`gap-only = true`"),
+        ("gap = { circles = [60, -50] }", "radii 60 and -50 overlap beside s = 0", "the larger radius"),
+        ("gap = { circles = [-60, -50] }", "overlap beside s = 0", "the other side a positive one"),
+        ("gap = { circles = [50, -50] }", "lie on one another", "{ uniform = 0 }"),
+        ("gap = { circles = [50, 0] }", "`circles` is 0", "above 0"),
+        ("gap = { circles = [50] }", "`circles` is [50]", "give 2 entries, not 1"),
+        ("gap = { circles = [50, 1] }", "the smaller circle ends before the candidates do", "shorten `stretch`"),
+    ] {
+        let error = with(gap).map(|_| ()).expect_err(gap);
+        assert!(error.contains("two-cylinders.toml:2") && error.contains(message) && error.contains(remedy), "{error}");
+    }
+}

@@ -27,8 +27,8 @@ const LATER: &[(&str, &str, &str, &str, &str)] = &[
         "name = \"upper\"",
         "is free to",
     ),
-    ("blocks", "value = [0, -100]", "value = [0, 100]", "first = \"upper\"", "pulls the bodies apart"),
-    ("blocks", "value = [0, -100]", "value = [0, 0]", "first = \"upper\"", "nothing presses"),
+    ("blocks", "value = [0, -100]", "value = [0, 100]", "name = \"upper\"", "moves `upper` out of its contact"),
+    ("blocks", "value = [0, -100]", "value = [0, 0]", "name = \"upper\"", "nothing presses `upper`"),
     (
         "cylinder-on-block",
         "stretch = 5.0",

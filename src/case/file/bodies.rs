@@ -1,19 +1,14 @@
 //! Bodies from their tables.
 
-use std::sync::Arc;
-
 use toml::Spanned;
 
-use crate::case::file::tables::{
-    BodyTable, Keyed, LawTable, LoadTable, PlaceTable, RingTable, ShapeTable, SupportTable, TractionTable,
-};
+use crate::case::file::load_keys::LoadTable;
+use crate::case::file::named::{component, place};
+use crate::case::file::tables::{BodyTable, Keyed, PlaceTable, RingTable, ShapeTable, SupportTable};
 use crate::case::file::units::Units;
-use crate::case::file::{Source, blocks, disc, gmsh};
+use crate::case::file::{Source, blocks, disc, gmsh, loads};
 use crate::error::Error;
-use crate::scene::{
-    Body, BoundaryName, Circle, Component, Face, Load, Material, Place, PlaneHypothesis, Shape, StressField, Support,
-    TractionField,
-};
+use crate::scene::{Body, Circle, Face, Material, PlaneHypothesis, Shape, Support};
 
 /// A body with its supports and loads, in a contact on one side of x = 0 or across it.
 pub fn body(
@@ -26,7 +21,7 @@ pub fn body(
     let shape = shape(source, units, across, &table.shape)?;
     let supports = table.supports.iter().map(|support| self::support(source, units, &shape, support));
     refuse_fixed_twice(source, table)?;
-    let loads = table.loads.iter().map(|load| self::load(source, units, &shape, load));
+    let loads = table.loads.iter().map(|load| loads::load(source, units, &shape, load));
     Ok(Body {
         name: table.name.get_ref().clone(),
         material: material(source, units, plane, table)?,
@@ -61,7 +56,7 @@ fn refuse_fixed_twice(source: Source, table: &BodyTable) -> Result<(), Error> {
                 "leave one of them out",
             ));
         }
-        let tied = |load: &LoadTable| match load {
+        let tied = |load: &Spanned<LoadTable>| match load.get_ref() {
             LoadTable::RigidFace(face) => {
                 let there = PlaceTable::Boundary(face.at.get_ref().clone());
                 face.component.get_ref() == support.component.get_ref() && *support.at.get_ref() == there
@@ -123,148 +118,8 @@ fn ring(source: Source, units: &Units, table: &RingTable) -> Result<Shape, Error
     })
 }
 
-pub(super) fn component(source: Source, name: &Spanned<String>) -> Result<Component, Error> {
-    source.choice("component", name, &[("x", Component::X), ("y", Component::Y)])
-}
-
-/// A boundary that the shape has, or a point.
-pub(super) fn place(source: Source, units: &Units, shape: &Shape, at: &Spanned<PlaceTable>) -> Result<Place, Error> {
-    let span = at.span();
-    Ok(match at.get_ref() {
-        PlaceTable::Boundary(name) => {
-            Place::Boundary(boundary(source, units, shape, &Spanned::new(span, name.clone()))?)
-        }
-        PlaceTable::Point(point) => {
-            let list = point.iter().map(|x| Spanned::new(span.clone(), *x)).collect();
-            Place::Point(source.pair("at", &Spanned::new(span, list))?.map(|x| units.length * x))
-        }
-    })
-}
-
-/// A boundary that the shape has.
-fn boundary(source: Source, units: &Units, shape: &Shape, name: &Spanned<String>) -> Result<BoundaryName, Error> {
-    disc::refuse_axis(source, units, shape, name)?;
-    let boundaries = shape.boundaries();
-    let known: Vec<_> = boundaries.iter().enumerate().map(|(k, name)| (name.as_ref(), k)).collect();
-    Ok(boundaries[source.choice("boundary", name, &known)?].clone())
-}
-
-/// Refuses a pressure on a line inside the body, which has no outer side.
-fn refuse_inside(source: Source, shape: &Shape, name: &Spanned<String>) -> Result<(), Error> {
-    let inside = match shape {
-        Shape::Given(mesh) => mesh.inner.contains(name.get_ref().as_str()),
-        Shape::Disc { sector, .. } if sector.has_upper_part() => name.get_ref() == "middle",
-        _ => false,
-    };
-    if !inside {
-        return Ok(());
-    }
-    let message = format!("`{}` runs inside the body, where a pressure has no side to act on", name.get_ref());
-    Err(source.refused(name.span(), message, "give a traction there, or a pressure on the outline"))
-}
-
 fn support(source: Source, units: &Units, shape: &Shape, table: &SupportTable) -> Result<Support, Error> {
     let at = place(source, units, shape, &table.at)?;
     let value = table.value.as_ref().map_or(Ok(0.0), |value| source.finite("value", value))?;
     Ok(Support { at, component: component(source, &table.component)?, value: units.length * value })
-}
-
-fn load(source: Source, units: &Units, shape: &Shape, table: &LoadTable) -> Result<Load, Error> {
-    Ok(match table {
-        LoadTable::Traction(table) => traction(source, units, shape, table)?,
-        LoadTable::Pressure(table) => {
-            refuse_inside(source, shape, &table.at)?;
-            Load::Stress {
-                boundary: boundary(source, units, shape, &table.at)?,
-                field: pressure(source, units, &table.law)?,
-            }
-        }
-        LoadTable::Hertz(table) => {
-            refuse_inside(source, shape, &table.at)?;
-            Load::Stress { boundary: boundary(source, units, shape, &table.at)?, field: table.field(source, units)? }
-        }
-        LoadTable::BodyForce(pair) => {
-            let density = units.force / units.length.powi(3);
-            Load::BodyForce(source.pair("body-force", pair)?.map(|f| density * f))
-        }
-        LoadTable::Force(table) => Load::Force {
-            at: source.pair("at", &table.at)?.map(|x| units.length * x),
-            force: source.pair("value", &table.value)?.map(|f| units.force * f),
-        },
-        LoadTable::RigidFace(table) => Load::RigidFace {
-            boundary: boundary(source, units, shape, &table.at)?,
-            component: component(source, &table.component)?,
-            force: units.force * source.finite("force", &table.force)?,
-        },
-    })
-}
-
-/// Most coefficients of a law.
-const MOST_TERMS: usize = 16;
-
-/// A traction: the same everywhere, or each component by its law.
-fn traction(source: Source, units: &Units, shape: &Shape, table: &TractionTable) -> Result<Load, Error> {
-    let boundary = boundary(source, units, shape, &table.at)?;
-    match (&table.value, &table.x, &table.y) {
-        (Some(pair), None, None) => {
-            Ok(Load::Traction { boundary, traction: source.pair("value", pair)?.map(|t| units.stress * t) })
-        }
-        (None, None, None) | (Some(_), ..) => {
-            let remedy = "give `value = [tx, ty]`, or a law for `x`, `y` or both";
-            Err(source.refused(table.at.span(), "the traction has no value, or two", remedy))
-        }
-        (None, x, y) => {
-            let component = |given: &Option<Spanned<LawTable>>| {
-                given.as_ref().map_or_else(|| Ok(Box::new(|_: [f64; 2]| 0.0) as Law), |given| law(source, units, given))
-            };
-            let (x, y) = (component(x)?, component(y)?);
-            Ok(Load::TractionField { boundary, field: TractionField(Arc::new(move |point| [x(point), y(point)])) })
-        }
-    }
-}
-
-/// The stress `σ = −p I`, whose traction on any side is the pressure.
-fn pressure(source: Source, units: &Units, given: &Spanned<LawTable>) -> Result<StressField, Error> {
-    let at = law(source, units, given)?;
-    Ok(StressField(Arc::new(move |point| {
-        let p = at(point);
-        [-p, -p, 0.0]
-    })))
-}
-
-/// A stress as a function of the place \[MPa\].
-type Law = Box<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
-
-/// Uniform, a polynomial in a coordinate, or a cosine series in the angle.
-fn law(source: Source, units: &Units, law: &Spanned<LawTable>) -> Result<Law, Error> {
-    let list = |given: &[Spanned<f64>], per: f64| -> Result<Vec<f64>, Error> {
-        if given.is_empty() || given.len() > MOST_TERMS {
-            let message = format!("the law has {} coefficients", given.len());
-            return Err(source.refused(law.span(), message, format!("give 1 to {MOST_TERMS}")));
-        }
-        let each = given
-            .iter()
-            .enumerate()
-            .map(|(k, value)| Ok(units.stress * source.finite("coefficients", value)? / per.powi(k as i32)));
-        each.collect()
-    };
-    Ok(match law.get_ref() {
-        LawTable::Uniform(value) => {
-            let value = units.stress * source.finite("uniform", value)?;
-            Box::new(move |_| value)
-        }
-        LawTable::Polynomial(table) => {
-            let k = component(source, &table.along)?.index();
-            let coefficients = list(&table.coefficients, units.length)?;
-            Box::new(move |point| coefficients.iter().rev().fold(0.0, |sum, c| c + sum * point[k]))
-        }
-        LawTable::Cosine(table) => {
-            let [x, y] = source.pair("centre", &table.centre)?.map(|x| units.length * x);
-            let coefficients = list(&table.coefficients, 1.0)?;
-            Box::new(move |point| {
-                let angle = (point[0] - x).atan2(y - point[1]);
-                coefficients.iter().zip(0..).map(|(c, k)| c * (f64::from(k) * angle).cos()).sum()
-            })
-        }
-    })
 }

@@ -92,10 +92,7 @@ fn pair(
     }
     refuse_one_way(source, table, &sides)?;
     gap::refuse_ended(source, &profile, stretch, &table.gap)?;
-    if matches!(profile, Profile::Hole { .. }) && !above {
-        let message = format!("`{}` is the hole, and a gap `hole` is measured on the pin", table.first.get_ref());
-        return Err(source.refused(table.first.span(), message, "name the pin as `first`"));
-    }
+    refuse_other_side_of_hole(source, table, &profile, above)?;
     let symmetric = table.symmetric.as_ref().map_or(!across, |given| *given.get_ref());
     let boundary = |given: &Option<Name>| given.as_ref().map_or(CONTACT.into(), |name| name.get_ref().clone().into());
     let pair = ContactPair {
@@ -112,6 +109,27 @@ fn pair(
     refuse_overlap(source, units, table, &pair, &sides)?;
     compared::refuse_other(source, units, table, &pair, &drawn)?;
     Ok(pair)
+}
+
+/// Refuses a gap that is measured on the pin where the first body has the hole, and the other way round.
+fn refuse_other_side_of_hole(
+    source: Source,
+    table: &ContactTable,
+    profile: &Profile,
+    above: bool,
+) -> Result<(), Error> {
+    let [message, remedy] = match profile {
+        Profile::Hole { .. } if !above => [
+            "is the hole, and a gap `hole` is measured on the pin",
+            "name the pin as `first`, or measure the gap on the hole, as `gap = { pin = … }`",
+        ],
+        Profile::Pin { .. } if above => [
+            "is the pin, and a gap `pin` is measured on the hole",
+            "name the body with the hole as `first`, or measure the gap on the pin, as `gap = { hole = … }`",
+        ],
+        _ => return Ok(()),
+    };
+    Err(source.refused(table.first.span(), format!("`{}` {message}", table.first.get_ref()), remedy))
 }
 
 /// Indices of the secondary body, and of the primary one where it is elastic.

@@ -4,7 +4,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use crate::case::file::Source;
-use crate::case::file::bodies;
+use crate::case::file::named;
 use crate::case::file::tables::{Name, PlaceTable};
 use crate::case::file::units::Units;
 use crate::error::Error;
@@ -24,8 +24,8 @@ impl DisplacedName {
     /// What is meant in a scene; what does not exist is told with its line and what there is.
     pub(super) fn find(&self, source: Source, units: &Units, scene: &Scene) -> Result<Displaced, Error> {
         let body = find_body(source, &self.body, scene)?;
-        let at = bodies::place(source, units, &scene.bodies[body].shape, &self.at)?;
-        Ok(Displaced { body, at, component: bodies::component(source, &self.component)? })
+        let at = named::place(source, units, &scene.bodies[body].shape, &self.at)?;
+        Ok(Displaced { body, at, component: named::component(source, &self.component)? })
     }
 }
 

@@ -106,6 +106,7 @@ impl Document {
             file: source.file.into(),
             text: source.text.into(),
             bodies: self.body.get_ref().iter().map(|body| body.name.span()).collect(),
+            loads: self.body.get_ref().iter().map(|body| body.loads.iter().map(Spanned::span).collect()).collect(),
             stiffness: stiffness.map_or_else(|| solve.clone(), Spanned::span),
             solve,
             contacts,

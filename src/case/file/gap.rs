@@ -23,8 +23,15 @@ pub(super) fn refuse_strange(
         (_, Profile::Drawn | Profile::Bodies(_)) | (Path::Arc(_), Profile::Uniform(_)) => return Ok(()),
         (Path::Arc(arc), Profile::Hole { radius, .. }) if (radius / arc.radius - 1.0).abs() <= 1e-9 => return Ok(()),
         (Path::Arc(_), Profile::Hole { .. }) => "give the hole's `radius` as that of `arc`: it is the pin's",
-        (Path::Arc(_), _) => "on an arc the gap is `uniform`, `drawn`, from the bodies or a `hole`",
+        (Path::Arc(arc), Profile::Pin { radius, clearance })
+            if ((radius + clearance) / arc.radius - 1.0).abs() <= 1e-9 =>
+        {
+            return Ok(());
+        }
+        (Path::Arc(_), Profile::Pin { .. }) => "give `arc` the radius of the hole, that of the pin and the clearance",
+        (Path::Arc(_), _) => "on an arc the gap is `uniform`, `drawn`, from the bodies, a `hole` or a `pin`",
         (Path::Straight(_), Profile::Hole { .. }) => "a hole needs the pin's circle as `arc`",
+        (Path::Straight(_), Profile::Pin { .. }) => "a pin needs the hole's circle as `arc`",
         (Path::Straight(_), _) => return Ok(()),
     };
     Err(source.refused(gap.span(), "this gap cannot be used on the path of the contact", remedy))
@@ -48,6 +55,7 @@ pub(super) fn profile(
         GapTable::Uniform(gap) => Profile::Uniform(units.length * source.finite("uniform", gap)?),
         GapTable::Punch(half_width) => Profile::Punch { half_width: length("punch", half_width)? },
         GapTable::Circle(radius) => Profile::Circle { radius: length("circle", radius)? },
+        GapTable::Circles(pair) => circles(source, units, pair)?,
         GapTable::Parabola(radius) => Profile::Parabola { radius: length("parabola", radius)? },
         GapTable::Even(list) => even(source, units, table.span(), list)?,
         GapTable::Table { points, smooth } => {
@@ -62,7 +70,33 @@ pub(super) fn profile(
         GapTable::Hole(hole) => {
             Profile::Hole { radius: length("radius", &hole.radius)?, clearance: length("clearance", &hole.clearance)? }
         }
+        GapTable::Pin(pin) => {
+            let radius = source.positive("radius", &pin.radius)?;
+            let expected = format!("a number above 0 and below the radius, {radius}");
+            let clearance = source.number("clearance", &pin.clearance, &expected, |c| c > 0.0 && c < radius)?;
+            Profile::Pin { radius: units.length * radius, clearance: units.length * clearance }
+        }
     })
+}
+
+/// Circles of both sides, which touch at s = 0 and part from there.
+fn circles(source: Source, units: &Units, pair: &Pair) -> Result<Profile, Error> {
+    for given in source.entries::<_, 2>("circles", pair)? {
+        source.positive("circles", &Spanned::new(given.span(), given.get_ref().abs()))?;
+    }
+    let [first, second] = source.pair("circles", pair)?;
+    let curvature = 1.0 / first + 1.0 / second;
+    if curvature < 0.0 {
+        let message = format!("circles of the radii {first} and {second} overlap beside s = 0");
+        let remedy =
+            "give a hollow side, whose radius is negative, the larger radius, and the other side a positive one";
+        return Err(source.refused(pair.span(), message, remedy));
+    }
+    if curvature <= 0.0 {
+        let message = format!("circles of the radii {first} and {second} lie on one another");
+        return Err(source.refused(pair.span(), message, "give `gap = { uniform = 0 }`"));
+    }
+    Ok(Profile::Circles { radii: [first, second].map(|radius| units.length * radius) })
 }
 
 /// Most points of a table.
@@ -131,6 +165,7 @@ pub(super) fn refuse_ended(
     if profile.reach().is_some_and(|reach| stretch > reach * (1.0 + ROUNDING)) {
         let what = match profile {
             Profile::Circle { .. } => "circle",
+            Profile::Circles { .. } => "smaller circle",
             _ => "punch",
         };
         let remedy = "shorten `stretch` to there: nothing can touch beyond it";

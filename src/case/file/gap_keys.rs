@@ -21,6 +21,8 @@ pub enum GapTable {
     Punch(Number),
     /// Circle of this radius on a plane.
     Circle(Number),
+    /// Circles of both sides: radius of the first and of the second, negative where it is hollow.
+    Circles(Pair),
     /// Parabola s²/2R of this radius.
     Parabola(Number),
     /// Even polynomial: coefficients of s², s⁴, s⁶, and so on.
@@ -36,8 +38,10 @@ pub enum GapTable {
     },
     /// Waves.
     Cosine(Keyed<CosineTable>),
-    /// Pin in a hole.
+    /// Pin in a hole, measured on the pin.
     Hole(Keyed<HoleTable>),
+    /// The same measured on the hole.
+    Pin(Keyed<HoleTable>),
 }
 
 /// `cosine = { amplitude = Δ, wavelength = λ }`: Δ (1 − cos 2πs/λ).
@@ -50,7 +54,7 @@ pub struct CosineTable {
     pub wavelength: Number,
 }
 
-/// `hole = { radius = R, clearance = c }`.
+/// `hole = { radius = R, clearance = c }`, or `pin = { … }`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HoleTable {
@@ -68,6 +72,7 @@ struct Keys {
     uniform: Option<Number>,
     punch: Option<Number>,
     circle: Option<Number>,
+    circles: Option<Pair>,
     parabola: Option<Number>,
     even: Option<Vec<Number>>,
     wedge: Option<Number>,
@@ -75,6 +80,7 @@ struct Keys {
     smooth: Option<bool>,
     cosine: Option<Keyed<CosineTable>>,
     hole: Option<Keyed<HoleTable>>,
+    pin: Option<Keyed<HoleTable>>,
 }
 
 impl<'de> Deserialize<'de> for GapTable {
@@ -111,12 +117,14 @@ impl Keys {
             self.uniform.map(GapTable::Uniform),
             self.punch.map(GapTable::Punch),
             self.circle.map(GapTable::Circle),
+            self.circles.map(GapTable::Circles),
             self.parabola.map(GapTable::Parabola),
             self.even.map(GapTable::Even),
             self.wedge.map(GapTable::Wedge),
             self.table.map(|points| GapTable::Table { points, smooth }),
             self.cosine.map(GapTable::Cosine),
             self.hole.map(GapTable::Hole),
+            self.pin.map(GapTable::Pin),
         ];
         let mut given = given.into_iter().flatten();
         match (given.next(), given.next()) {

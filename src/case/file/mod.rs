@@ -4,7 +4,8 @@
 //! * `source` — the text, its values checked and its mistakes told with their place.
 //! * [`values`] — values with their places.
 //! * [`units`] — names of units, and numbers in them.
-//! * [`bodies`] — outlines, supports and loads.
+//! * [`bodies`] — outlines and supports, `loads` — loads, [`load_keys`] — their keys.
+//! * `named` — boundaries, points and components by their names.
 //! * `blocks` — bodies from blocks.
 //! * `compared` — the gap given against the drawn one.
 //! * `curves` — the sides of shapes.
@@ -40,7 +41,10 @@ mod gap;
 pub mod gap_keys;
 mod gmsh;
 mod hertz_load;
+pub mod load_keys;
+mod loads;
 mod mesh;
+mod named;
 pub mod oracle;
 pub mod places;
 mod reference;

@@ -17,6 +17,8 @@ pub struct Places {
     pub(super) text: String,
     /// The bodies.
     pub(super) bodies: Vec<Range<usize>>,
+    /// The loads of each body.
+    pub(super) loads: Vec<Vec<Range<usize>>>,
     /// The contacts.
     pub(super) contacts: Vec<PlacesOfContact>,
     /// How it is to be solved; the contacts where the file does not say.
@@ -49,7 +51,7 @@ impl PlacesOfContact {
 }
 
 impl Places {
-    /// The error with its line, where it is one of a body, of a contact or of how the scene is solved.
+    /// The error with its line, where it is one of a body, of a load, of a contact or of how the scene is solved.
     pub fn locate(&self, error: Error) -> Error {
         match self.of(&error.place) {
             Some(place) => Error { place: Located::new((&self.file, &self.text), place).into(), ..error },
@@ -60,6 +62,7 @@ impl Places {
     fn of(&self, place: &Place) -> Option<Range<usize>> {
         match place {
             Place::Body { body, .. } => self.bodies.get(*body).cloned(),
+            Place::Load { body, load, .. } => self.loads.get(*body)?.get(*load).cloned(),
             Place::Contact { contact, part, .. } => self.contacts.get(*contact)?.part(*part),
             Place::Solve(_) => Some(self.solve.clone()),
             Place::Stiffness(_) => Some(self.stiffness.clone()),

@@ -134,7 +134,7 @@ impl Side {
         let [line, level] =
             [("x", 0), ("y", 1)].map(|(axis, k)| format!("{axis} = {}", path.origin()[k] / units.length));
         let clearance = match profile {
-            Profile::Hole { clearance, .. } => *clearance,
+            Profile::Hole { clearance, .. } | Profile::Pin { clearance, .. } => *clearance,
             Profile::Drawn | Profile::Bodies(_) => f64::INFINITY,
             other => other.gap(0.0).abs(),
         };

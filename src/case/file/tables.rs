@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
 use crate::case::file::gap_keys::GapTable;
-use crate::case::file::hertz_load::HertzLoadTable;
+use crate::case::file::load_keys::LoadTable;
 use crate::case::file::oracle::OracleTable;
 
 pub use crate::case::file::values::{Keyed, List, Name, Number, Pair};
@@ -32,7 +32,7 @@ pub struct BodyTable {
     pub supports: Vec<Keyed<SupportTable>>,
     /// Loads.
     #[serde(default)]
-    pub loads: Vec<LoadTable>,
+    pub loads: Vec<Spanned<LoadTable>>,
 }
 
 /// `shape = { rectangle = { … } }`.
@@ -164,102 +164,6 @@ pub enum PlaceTable {
     Boundary(String),
     /// The node at a point.
     Point(Vec<f64>),
-}
-
-/// One load.
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum LoadTable {
-    /// `{ traction = { at = "far", value = [tx, ty] } }`, or `x` and `y` each with a law.
-    Traction(Keyed<TractionTable>),
-    /// `{ pressure = { at = "far", law = { … } } }`, normal to the boundary, positive inwards.
-    Pressure(Keyed<PressureTable>),
-    /// `{ hertz = { at = "far", peak-pressure = p0, half-width = a } }`, the stresses of a half-plane under Hertz's pressure.
-    Hertz(Keyed<HertzLoadTable>),
-    /// `{ body-force = [fx, fy] }`, force per volume.
-    BodyForce(Pair),
-    /// `{ force = { at = [x, y], value = [fx, fy] } }`.
-    Force(Keyed<ForceTable>),
-    /// `{ rigid-face = { at = "far", component = "y", force = -100 } }`: the face stays flat and takes a total force.
-    RigidFace(Keyed<RigidFaceTable>),
-}
-
-/// A traction on a boundary.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct TractionTable {
-    /// Boundary.
-    pub at: Name,
-    /// Components where they are the same everywhere.
-    pub value: Option<Pair>,
-    /// How the first component depends on the place; 0 where it is left out.
-    pub x: Option<Spanned<LawTable>>,
-    /// How the second does.
-    pub y: Option<Spanned<LawTable>>,
-}
-
-/// A pressure on a boundary.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PressureTable {
-    /// Boundary.
-    pub at: Name,
-    /// How it depends on the place.
-    pub law: Spanned<LawTable>,
-}
-
-/// How a pressure or a component of a traction depends on the place.
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum LawTable {
-    /// The same everywhere.
-    Uniform(Number),
-    /// `Σ c_k x^k`, or of y.
-    Polynomial(Keyed<PolynomialTable>),
-    /// `Σ c_k cos kθ`.
-    Cosine(Keyed<SeriesTable>),
-}
-
-/// `polynomial = { along = "x", coefficients = [c0, c1, …] }`.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PolynomialTable {
-    /// x or y.
-    pub along: Name,
-    /// From the constant one on.
-    pub coefficients: Vec<Number>,
-}
-
-/// `cosine = { centre = [x, y], coefficients = [c0, c1, …] }`, θ from the downward vertical about the centre.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct SeriesTable {
-    /// Centre of the angle.
-    pub centre: Pair,
-    /// From the constant one on.
-    pub coefficients: Vec<Number>,
-}
-
-/// A force at a point.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ForceTable {
-    /// The point.
-    pub at: Pair,
-    /// Components.
-    pub value: Pair,
-}
-
-/// A total force on a face that stays flat.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RigidFaceTable {
-    /// Boundary.
-    pub at: Name,
-    /// x or y.
-    pub component: Name,
-    /// Total force on the modelled half.
-    pub force: Number,
 }
 
 /// `[contact]`, or one of several `[[contact]]`.

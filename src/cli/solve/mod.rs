@@ -3,8 +3,10 @@
 //! * [`options`] — what the user asks for.
 //! * `stages` — the stage it is in, on a terminal.
 //! * `table` — the result in lines.
+//! * `curve` — the load–approach curve.
 //! * `profile` — the pressure profile as CSV.
 
+mod curve;
 pub mod options;
 mod profile;
 mod stages;
@@ -47,6 +49,7 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
 fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
     arguments.refuse_endings()?;
     let formulation = arguments.formulation(problem.formulation().clone());
+    curve::refuse(arguments.curve.as_deref(), formulation.settings.increments)?;
     formulation.validate(&problem.scene)?;
     let asked = arguments.asked(problem.accuracy.clone())?;
     let stages = Stages::new();
@@ -96,6 +99,9 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
         accurate.iter().for_each(cli::accuracy::print);
     }
     if let Some(remedy) = remedy(&run) {
+        // The iteration is not to blame where a support is missing.
+        let unheld = discretisation.unheld(1.0)?;
+        let remedy = unheld.map_or_else(|| remedy.into(), |error| format!("{}: {}", error.message, error.remedy));
         eprintln!("not converged: these numbers are those of the last iteration; {remedy}");
     }
     let passed = found.checks.iter().all(|check| check.verdict != Verdict::Fail);
@@ -115,6 +121,9 @@ fn write_files(
     }
     if let Some(path) = &arguments.csv {
         write(path, &profile::csv(&problem.scene, run, path)?)?;
+    }
+    if let Some(path) = &arguments.curve {
+        write(path, &curve::text(discretisation, run, path)?)?;
     }
     if let Some(path) = &arguments.vtu {
         write(path, &vtu::text(discretisation, run)?)?;

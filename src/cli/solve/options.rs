@@ -80,6 +80,9 @@ pub struct Arguments {
     /// Write the profile as CSV: position, pressure, gap, area.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
+    /// Write resultant, approach, half-width and peak at every load increment as .csv or .json.
+    #[arg(long, value_name = "FILE")]
+    pub curve: Option<PathBuf>,
     /// Write displacement, stress, pressure and gap on the mesh as VTK for ParaView.
     #[arg(long, value_name = "FILE.vtu")]
     pub vtu: Option<PathBuf>,

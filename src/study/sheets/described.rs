@@ -1,6 +1,8 @@
 //! A scene in words and numbers.
 
-use crate::scene::{Body, ContactPair, Face, Load, Path, PlaneHypothesis, Profile, Scene, Sector, Shape, Support};
+use crate::scene::{
+    Action, Body, ContactPair, Face, Load, Path, PlaneHypothesis, Profile, Scene, Sector, Shape, SidePart, Support,
+};
 
 /// Geometry, materials, supports, loads, contacts and equations.
 pub fn scene(scene: &Scene) -> Vec<String> {
@@ -91,12 +93,27 @@ fn load(load: &Load) -> String {
         Load::Traction { boundary, traction } => format!("traction {traction:?} MPa on `{boundary}`"),
         Load::TractionField { boundary, .. } => format!("the traction of the closed form on `{boundary}`"),
         Load::Stress { boundary, .. } => format!("traction σ n of the closed form's stresses in the half-plane on `{boundary}`"),
+        Load::OnSide { boundary, part, action } => on_side(boundary, part.as_ref(), action),
         Load::BodyForce(force) => format!("force {force:?} N/mm³ in its volume"),
         Load::Force { at, force } => format!("force {force:?} N at {at:?}"),
         Load::RigidFace { boundary, component, force } => {
             format!("`{boundary}` stays flat: u_{component} is common to it, and takes {force} N in all")
         }
     }
+}
+
+fn on_side(boundary: &str, part: Option<&SidePart>, action: &Action) -> String {
+    let what = match action {
+        Action::Uniform(traction) => format!("traction {traction:?} MPa"),
+        Action::Field(_) => "the traction of the closed form".into(),
+        Action::Stress(_) => "traction σ n of the closed form's stresses".into(),
+        Action::Total(force) => format!("force {force:?} N, spread evenly,"),
+        Action::Moment(moment) => {
+            format!("couple {moment} N mm, counter-clockwise, as a traction linear in the distance from the middle,")
+        }
+    };
+    let between = |part: &SidePart| format!(" from {} to {}", part.shown(part.from), part.shown(part.to));
+    format!("{what} on `{boundary}`{}", part.map_or_else(String::new, between))
 }
 
 fn contact(scene: &Scene, pair: &ContactPair) -> String {
@@ -125,6 +142,7 @@ fn gap(profile: &Profile) -> String {
         Profile::Drawn | Profile::Bodies(_) => "as the bodies are drawn".into(),
         Profile::Punch { half_width } => format!("g₀ = 0 for |s| ≤ {half_width}, no other side beyond"),
         Profile::Circle { radius } => format!("g₀ = R − √(R² − s²), R = {radius}"),
+        Profile::Circles { radii } => format!("g₀ = Σ (R − sgn(R) √(R² − s²)), R = {radii:?}"),
         Profile::Parabola { radius } => format!("g₀ = s²/2R, R = {radius}"),
         Profile::Even { coefficients } => format!("g₀ = Σ c_k s^(2k+2), c = {coefficients:?}"),
         Profile::Wedge { slope } => format!("g₀ = {slope} |s|"),
@@ -133,6 +151,9 @@ fn gap(profile: &Profile) -> String {
         Profile::Cosine { amplitude, wavelength } => format!("g₀ = {amplitude} (1 − cos 2πs/{wavelength})"),
         Profile::Hole { radius, clearance } => {
             format!("g₀ = √((R+c)² − c² sin²s) − c cos s − R, R = {radius}, c = {clearance}")
+        }
+        Profile::Pin { radius, clearance } => {
+            format!("g₀ = R + c − c cos s − √(R² − c² sin²s), R = {radius}, c = {clearance}")
         }
     }
 }

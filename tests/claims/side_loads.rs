@@ -1,0 +1,203 @@
+//! Loads on parts of sides, total forces and couples have their resultant and their moment, wherever their ends lie.
+
+use std::f64::consts::PI;
+use std::path::Path as FilePath;
+use std::sync::Arc;
+
+use contact_vv::case::Case;
+use contact_vv::elasticity::{ElasticSystem, loads, stress};
+use contact_vv::mesh::{Mesh, Order};
+use contact_vv::scene::{Action, Along, Component, Load, Scene, SidePart, StressField};
+
+use crate::scene_file::{folder, text_of};
+use crate::workbench::{ORDERS, block, distance, held_at, resolution, solved};
+
+/// Force along x and y, and moment about the origin, of all nodal forces of a scene's first body.
+fn sums(scene: &Scene, mesh: &Mesh) -> [f64; 3] {
+    let forces = loads::at_nodes(scene, mesh, 0).expect("loads");
+    mesh.points
+        .iter()
+        .zip(&forces)
+        .fold([0.0; 3], |sum, ([x, y], [fx, fy])| [sum[0] + fx, sum[1] + fy, sum[2] + x * fy - y * fx])
+}
+
+fn on(boundary: &'static str, part: Option<SidePart>, action: Action) -> Load {
+    Load::OnSide { boundary: boundary.into(), part, action }
+}
+
+fn along(component: Component, from: f64, to: f64) -> Option<SidePart> {
+    Some(SidePart { along: Along::Axis(component), from, to })
+}
+
+/// Of a block 4 × 3, 2.5 mm thick, with elements of 2 mm along and 1.5 or 3 mm across.
+fn of_block(load: Load, order: Order) -> [f64; 3] {
+    let scene = block([4.0, 3.0], vec![], vec![load]);
+    sums(&scene, &Mesh::of(&scene, resolution(2, 0, order)).expect("mesh"))
+}
+
+#[test]
+fn load_on_a_part_of_a_side_has_its_resultant_and_moment_wherever_its_ends_lie() {
+    // At nodes, within one element, across several, and to the end of the side.
+    for (from, to) in [(0.0, 2.0), (0.3, 0.7), (1.3, 3.9), (0.1, 4.0), (0.0, 4.0)] {
+        for order in ORDERS {
+            let integral = |n: i32| (f64::powi(to, n + 1) - f64::powi(from, n + 1)) / f64::from(n + 1);
+            // p = 5 + 2 x, inwards: downwards on the upper side.
+            let pressure = StressField(Arc::new(|[x, _]: [f64; 2]| [-5.0 - 2.0 * x, -5.0 - 2.0 * x, 0.0]));
+            let part = along(Component::X, from, to);
+            let found = of_block(on("far", part, Action::Stress(pressure)), order);
+            let [force, moment] = [0, 1].map(|n| -2.5 * (5.0 * integral(n) + 2.0 * integral(n + 1)));
+            assert!(distance(&found, &[0.0, force, moment]) <= 1e-12 * 200.0, "{from}, {to}: {found:?}");
+
+            let found = of_block(on("far", part, Action::Total([3.0, -7.0])), order);
+            let wanted = [3.0, -7.0, -7.0 * 0.5 * (from + to) - 3.0 * 3.0];
+            assert!(distance(&found, &wanted) <= 1e-12 * 50.0, "{from}, {to}: {found:?}");
+        }
+    }
+    // On an upright side, whose nodes run the other way.
+    let found = of_block(on("right", along(Component::Y, 0.4, 2.9), Action::Uniform([2.0, 0.0])), Order::Quadratic);
+    assert!(distance(&found, &[12.5, 0.0, -12.5 * 1.65]) <= 1e-12 * 50.0, "{found:?}");
+}
+
+#[test]
+fn moment_is_a_couple_of_no_force_on_any_side_and_any_part() {
+    let linear = |boundary, part, order| of_block(on(boundary, part, Action::Moment(90.0)), order);
+    for order in ORDERS {
+        for found in [
+            linear("far", None, order),
+            linear("right", None, order),
+            linear("far", along(Component::X, 0.3, 1.1), order),
+            linear("left", along(Component::Y, 0.2, 2.7), order),
+        ] {
+            assert!(distance(&found, &[0.0, 0.0, 90.0]) <= 1e-12 * 500.0, "{found:?}");
+        }
+        let scene = disc(vec![on("top", None, Action::Moment(70.0))]);
+        let found = sums(&scene, &Mesh::of(&scene, resolution(4, 0, order)).expect("mesh"));
+        assert!(distance(&found, &[0.0, 0.0, 70.0]) <= 1e-12 * 1e4, "{found:?}");
+    }
+}
+
+/// The whole disc of a scene file, radius 50 about (0, 50), with other loads.
+fn disc(loads: Vec<Load>) -> Scene {
+    let mut scene = Case::parse(&folder().join("whole-disc.toml"), &text_of("whole-disc.toml")).expect("sound").scene;
+    scene.bodies[0].loads = loads;
+    scene
+}
+
+#[test]
+fn part_of_an_arc_lies_between_two_angles_even_across_the_top() {
+    let part = |from: f64, to: f64| {
+        let along = Along::Angle { centre: [0.0, 50.0] };
+        Some(SidePart { along, from: from.to_radians(), to: to.to_radians() })
+    };
+    let pressure = || Action::Stress(StressField(Arc::new(|_| [-3.0, -3.0, 0.0])));
+    for (from, to) in [(170.0, 190.0), (103.7, 131.9), (-121.0, -97.3)] {
+        let scene = disc(vec![on("top", part(from, to), pressure())]);
+        let found = sums(&scene, &Mesh::of(&scene, resolution(8, 0, Order::Quadratic)).expect("mesh"));
+        // A uniform pressure on any curve: p t times the turned chord between its ends, and no moment about the centre.
+        let [a, b] = [from, to].map(|angle: f64| {
+            let (s, c) = angle.to_radians().sin_cos();
+            [50.0 * s, 50.0 - 50.0 * c]
+        });
+        let [fx, fy] = [-3.0 * (b[1] - a[1]), 3.0 * (b[0] - a[0])].map(|f| f * scene.thickness);
+        let size = fx.hypot(fy);
+        assert!(distance(&found, &[fx, fy, -50.0 * fx]) <= 1e-5 * 100.0 * size, "{from}, {to}: {found:?}, {fx}, {fy}");
+    }
+}
+
+#[test]
+fn part_and_couple_are_the_same_in_metres_and_in_a_mirror() {
+    let text = text_of("pressed-patch.toml").replace(
+        "force = [0, -500] } },",
+        "force = [30, -500] } },\n{ moment = { at = \"left\", part = { along = \"y\", from = 3, to = 30 }, value = 70 } },",
+    );
+    let scene = Case::parse(FilePath::new("patch.toml"), &text).expect("sound").scene;
+    let mesh = Mesh::of(&scene, resolution(8, 0, Order::Quadratic)).expect("mesh");
+    let [fx, fy, moment] = sums(&scene, &mesh);
+    assert!(distance(&[fx, fy, moment], &[30.0, -688.0, -1316.0 + 5250.0 - 1200.0 + 70.0]) <= 1e-9, "{moment}");
+    let mirrored = sums(&scene.mirrored(), &mesh.mirrored());
+    assert!(distance(&mirrored, &[-fx, fy, -moment]) <= 1e-9, "{mirrored:?}");
+    let metres = scene.in_metres();
+    let found = sums(&metres, &Mesh::of(&metres, resolution(8, 0, Order::Quadratic)).expect("mesh"));
+    assert!(distance(&found, &[fx, fy, 1e-3 * moment]) <= 1e-9, "{found:?}");
+}
+
+/// Stresses `[σ_x, σ_y, τ_xy]` in the half-plane y < 6 under a pressure of 10 MPa on |x − 6| < 1.3 of its edge (Johnson 1985, §2.5).
+fn strip([x, y]: [f64; 2]) -> [f64; 3] {
+    let (x, z) = (x - 6.0, 6.0 - y);
+    let [first, second] = [z.atan2(x - 1.3), z.atan2(x + 1.3)];
+    let [turn, wave] = [2.0 * (first - second), (2.0 * first).sin() - (2.0 * second).sin()];
+    let shear = (2.0 * first).cos() - (2.0 * second).cos();
+    [-10.0 / (2.0 * PI) * (turn + wave), -10.0 / (2.0 * PI) * (turn - wave), -10.0 / (2.0 * PI) * shear]
+}
+
+#[test]
+fn strip_load_whose_ends_lie_within_elements_gives_the_stresses_of_the_half_plane() {
+    // A block of the half-plane, its other sides under the closed form's tractions, fixed at three components.
+    let field = || StressField(Arc::new(strip));
+    let others = ["left", "right", "contact"].map(|side| Load::Stress { boundary: side.into(), field: field() });
+    let patch = on("far", along(Component::X, 4.7, 7.3), Action::Uniform([0.0, -10.0]));
+    let supports = vec![
+        held_at([0.0, 6.0], Component::X, 0.0),
+        held_at([0.0, 6.0], Component::Y, 0.0),
+        held_at([12.0, 6.0], Component::Y, 0.0),
+    ];
+    let scene = block([12.0, 6.0], supports, others.into_iter().chain([patch]).collect());
+    let mesh = Mesh::of(&scene, resolution(24, 0, Order::Quadratic)).expect("mesh");
+    let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+    let displacement = system.nodal_displacements(&[solved(&system.bodies[0])]);
+    let found = stress::at_nodes(&scene, &mesh, &displacement).expect("stresses");
+    let below = mesh.points.iter().zip(&found).filter(|([_, y], _)| (1.4..=4.2).contains(y));
+    let mut places = 0;
+    for (point, stress) in below {
+        let wanted = strip(*point);
+        assert!(distance(stress, &wanted) <= 0.1, "{point:?}: {stress:?}, not {wanted:?}");
+        places += 1;
+    }
+    assert!(places > 40, "{places}");
+}
+
+#[test]
+fn mistakes_in_parts_and_couples_name_the_line_and_what_to_do() {
+    let text = text_of("pressed-patch.toml");
+    for (was, is, message, remedy) in [
+        ("from = 2.3, to = 11.7", "from = 11.7, to = 2.3", "from 11.7 to 2.3, and has no length", "`from` below `to`"),
+        ("along = \"x\", from = 2.3", "from = 2.3", "no coordinate, or two", "give `along = \"x\"` or \"y\""),
+        (
+            "along = \"x\", from = 2.3",
+            "along = \"x\", centre = [0, 0], from = 2.3",
+            "no coordinate, or two",
+            "`centre = [x, y]`",
+        ),
+        ("along = \"x\", from = 2.3, to = 11.7", "centre = [0, 0], from = 0, to = 400", "more than once around", "360"),
+        ("along = \"x\", from = 2.3", "along = \"z\", from = 2.3", "there is no component `z`", "known: `x`, `y`"),
+        ("from = -18, to = -3 }, force", "from = -18, to = -3 }, value = [0, 1], force", "no value, or two", "`force"),
+        // These show only on the mesh.
+        (
+            "from = 2.3, to = 11.7",
+            "from = 2.3, to = 21",
+            "the part from x = 2.3 mm to x = 21 mm is not all on `far`, which goes from x = -20 mm to x = 20 mm",
+            "choose `from` and `to` within the side",
+        ),
+        ("from = -18, to = -3", "from = -30, to = -3", "is not all on `far`", "within the side"),
+        (
+            "along = \"x\", from = 2.3",
+            "along = \"y\", from = 2.3",
+            "is not all on `far`",
+            "the coordinate that runs along",
+        ),
+    ] {
+        assert_eq!(text.matches(was).count(), 1, "{was}");
+        let spoiled = text.replace(was, is);
+        let case = Case::parse(FilePath::new("patch.toml"), &spoiled);
+        let error = case.and_then(|case| {
+            case.solve().map(|_| ()).map_err(|error| match &case.places {
+                Some(places) => places.locate(error),
+                None => error,
+            })
+        });
+        let error = error.expect_err(is).to_string();
+        let line = 1 + spoiled[..spoiled.find(is).expect("the change")].matches('\n').count();
+        assert!(error.starts_with(&format!("patch.toml:{line}: ")), "line {line}: {error}");
+        assert!(error.contains(message) && error.contains(remedy), "{is}: {error}");
+    }
+}
