@@ -3,7 +3,7 @@
 use crate::accuracy::reading::{Reading, Subject};
 use crate::error::Error;
 use crate::scene::Place;
-use crate::solve::{Discretisation, Displaced, Fields, Reaction, Run, Shear};
+use crate::solve::{Discretisation, Displaced, Reaction, Run, Shear};
 
 /// Part of the largest force that a support at a point may exert: with more, the displacement there has no limit, and with it
 /// those of all that it holds.
@@ -19,8 +19,8 @@ pub(super) struct Recovered {
 
 /// The numbers of a run; displacements of loaded sides, and those that are wanted besides.
 pub(super) fn recovered(discretisation: &Discretisation, run: &Run, wanted: &[Displaced]) -> Result<Recovered, Error> {
-    let fields = discretisation.recover_under(run.share(), &run.solution)?;
-    let reactions = discretisation.reactions_of(run.share(), &fields.displacement)?;
+    let displacement = discretisation.displacement_under(run.share(), &run.solution);
+    let reactions = discretisation.reactions_of(run.share(), &displacement)?;
     let pressed = run.contacts.iter().map(|contact| contact.transmitted.abs());
     let force = reactions.iter().map(|reaction| reaction.force.abs()).chain(pressed).fold(0.0, f64::max);
     let is_at_point = |one: &Reaction| {
@@ -32,9 +32,9 @@ pub(super) fn recovered(discretisation: &Discretisation, run: &Run, wanted: &[Di
         |one: &Reaction| Reading { subject: Subject::Reaction(one.body, one.support), value: one.force, scale: force };
     let mut readings: Vec<Reading> = reactions.iter().map(of_support).collect();
     if has_limit {
-        readings.extend(displacements(discretisation, &fields, wanted)?);
+        readings.extend(displacements(discretisation, &displacement, wanted)?);
     }
-    let shears = shears(discretisation, run, &fields)?;
+    let shears = shears(discretisation, run, &displacement)?;
     for ([contact, body], shear) in &shears {
         let measures = &run.contacts[*contact].measures;
         let width = measures.half_width * discretisation.scene.contacts[*contact].path.metric();
@@ -48,32 +48,36 @@ pub(super) fn recovered(discretisation: &Discretisation, run: &Run, wanted: &[Di
 /// Those of loaded sides, those wanted, and the approach of every contact that has one.
 fn displacements(
     discretisation: &Discretisation,
-    fields: &Fields,
+    displacement: &[[f64; 2]],
     wanted: &[Displaced],
 ) -> Result<Vec<Reading>, Error> {
     let scene = &discretisation.scene;
-    let scale = fields.displacement.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
+    let scale = displacement.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
     let mut sides = scene.loaded_sides();
     sides.extend(wanted.iter().filter(|side| !sides.contains(side)).cloned().collect::<Vec<_>>());
     let mut readings = Vec::new();
     for side in sides {
-        let value = discretisation.displaced(&fields.displacement, &side)?;
+        let value = discretisation.displaced(displacement, &side)?;
         readings.push(Reading { subject: Subject::Displacement(side), value, scale });
     }
     for contact in 0..scene.contacts.len() {
-        let approach = discretisation.approach(&fields.displacement, contact)?;
+        let approach = discretisation.approach(displacement, contact)?;
         readings.extend(approach.map(|value| Reading { subject: Subject::Approach(contact), value, scale }));
     }
     Ok(readings)
 }
 
 /// The largest shear stress below every contact whose peak has a limit, in each of its bodies that has one.
-fn shears(discretisation: &Discretisation, run: &Run, fields: &Fields) -> Result<Vec<([usize; 2], Shear)>, Error> {
+fn shears(
+    discretisation: &Discretisation,
+    run: &Run,
+    displacement: &[[f64; 2]],
+) -> Result<Vec<([usize; 2], Shear)>, Error> {
     let mut all = Vec::new();
     for (contact, pair) in discretisation.scene.contacts.iter().enumerate() {
         let found = &run.contacts[contact];
         for body in pair.bodies().filter(|_| found.unbounded.is_none()) {
-            let shear = discretisation.shear_below(&fields.stress, &found.measures, [contact, body])?;
+            let shear = discretisation.shear_below(displacement, &found.measures, [contact, body])?;
             all.extend(shear.map(|shear| ([contact, body], shear)));
         }
     }

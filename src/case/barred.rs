@@ -1,4 +1,4 @@
-//! Checks against closed forms beside the error bars of the numbers that they judge.
+//! Checks beside the error bars of the numbers that they judge.
 
 use crate::accuracy::{self, Barred, Subject};
 use crate::case::check::Relation;
@@ -11,10 +11,9 @@ use crate::oracle::ReferenceKind;
 use crate::solve::Run;
 
 impl Judged {
-    /// The number that is judged, where it has an error bar and is held against a closed form.
+    /// The number that is judged, where it has an error bar; an error that is judged has none.
     pub fn barred(&self) -> Option<Subject> {
-        let near = matches!(self.check.relation, Relation::Near | Relation::NearAbsolutely);
-        if !near || self.reference.kind != ReferenceKind::Analytic {
+        if self.check.relation == Relation::Error {
             return None;
         }
         let contact = self.check.contact;
@@ -32,6 +31,12 @@ impl Judged {
         })
     }
 
+    /// Whether a number is held against that of a closed form.
+    pub fn is_of_closed_form(&self) -> bool {
+        let near = matches!(self.check.relation, Relation::Near | Relation::NearAbsolutely);
+        near && self.reference.kind == ReferenceKind::Analytic
+    }
+
     /// The check with the bar of the number that it judges; NaN where that is among those that have one, and it is not known.
     pub fn with_bar(self, bars: &[Barred]) -> Self {
         let of = |subject: Subject| {
@@ -47,10 +52,10 @@ impl Judged {
         self.bar.map(|bar| bar / scale)
     }
 
-    /// Whether the error is within the bar and what the closed form itself may be off; none where the number has no bar, false
-    /// where that is not known.
+    /// Whether the error is within the bar and what the closed form itself may be off; none where the number has no bar or is not
+    /// held against a closed form, false where the bar is not known.
     pub fn is_within_bar(&self) -> Option<bool> {
-        self.bar_as_error().map(|bar| self.error <= bar + self.check.model)
+        self.bar_as_error().filter(|_| self.is_of_closed_form()).map(|bar| self.error <= bar + self.check.model)
     }
 }
 

@@ -113,8 +113,7 @@ impl Solved<'_> {
         if found.unbounded.is_some() {
             return Ok(None);
         }
-        let fields = self.discretisation.recover_under(self.run.share(), &self.run.solution)?;
-        self.discretisation.shear_below(&fields.stress, &found.measures, [contact, body])
+        self.discretisation.shear_below(&self.displacement(), &found.measures, [contact, body])
     }
 
     /// Hoop stress at the node of the secondary body's contact side at an angle \[MPa\]; NaN where no node is there.

@@ -67,7 +67,8 @@ fn tell_lines(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     }
 }
 
-/// A row for each file, then what did not pass: its own checks apart from what every run must satisfy.
+/// A row for each file, one for each of its own checks, then what did not pass: its own checks apart from what every run must
+/// satisfy.
 fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     let mut table = Table::new();
     table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
@@ -79,6 +80,7 @@ fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
         table.add_row([vec![name.clone(), formulation.clone(), outcome, iterations], counted.into()].concat());
     }
     say(table);
+    say(checks(verified));
     for Verified { name, judged, .. } in verified.iter().flatten() {
         for one in judged.iter().filter(|one| one.verdict != Verdict::Pass) {
             say(match one.check.scope {
@@ -102,6 +104,44 @@ fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     }
 }
 
+/// The files' own checks: what was found with its error bar, and the error beside that bar, in the terms of the check.
+fn checks(verified: &[Result<Verified, Error>]) -> Table {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
+    table.set_header(["file", "check", "value ± bound", "reference", "error", "bar", "at most", "verdict"]);
+    for Verified { name, judged, .. } in verified.iter().flatten() {
+        for one in judged.iter().filter(|one| one.check.scope == Scope::Own) {
+            let bar = one.bar_as_error().map_or_else(|| "–".into(), error_bar);
+            table.add_row([
+                name.clone(),
+                one.check.quantity.to_string(),
+                bounded(one),
+                markdown::value(one.reference.value),
+                markdown::error(one.error),
+                bar,
+                markdown::error(one.check.tolerance),
+                one.verdict.to_string(),
+            ]);
+        }
+    }
+    table
+}
+
+/// What was found, with its error bar where it has one.
+fn bounded(one: &Judged) -> String {
+    let value = markdown::value(one.value);
+    match one.bar {
+        None => value,
+        Some(bar) if bar.is_nan() => format!("{value} ± unknown"),
+        Some(bar) => format!("{value} ± {}", markdown::significant(bar, 2)),
+    }
+}
+
+/// An error bar in the terms of a check's error.
+fn error_bar(bar: f64) -> String {
+    if bar.is_nan() { "unknown".into() } else { markdown::error(bar) }
+}
+
 fn counted(judged: &[Judged], scope: Scope) -> String {
     let own = || judged.iter().filter(|one| one.check.scope == scope);
     let failed = own().filter(|one| one.verdict == Verdict::Fail).count();
@@ -119,13 +159,13 @@ pub fn told(name: &str, check: &Judged) -> String {
     } else {
         String::new()
     };
-    let bar = check.bar_as_error().map_or_else(String::new, |bar| format!(", bar {}", markdown::error(bar)));
+    let bar = check.bar_as_error().map_or_else(String::new, |bar| format!(", bar {}", error_bar(bar)));
     format!(
         "{name}: {} — {}: {} is {}, reference {}, error {}{bar}{limit}",
         check.verdict,
         check.requirement(),
         check.check.quantity,
-        markdown::value(check.value),
+        bounded(check),
         markdown::value(check.reference.value),
         markdown::error(check.error),
     )

@@ -18,6 +18,17 @@ pub fn internal_forces(
     body: usize,
     displacement: &[[f64; 2]],
 ) -> Result<Vec<[f64; 2]>, Error> {
+    internal_forces_at(scene, mesh, body, displacement, &|_| true)
+}
+
+/// The same from the cells around some nodes of the mesh: what it says of others is incomplete.
+pub fn internal_forces_at(
+    scene: &Scene,
+    mesh: &Mesh,
+    body: usize,
+    displacement: &[[f64; 2]],
+    is_wanted: &dyn Fn(usize) -> bool,
+) -> Result<Vec<[f64; 2]>, Error> {
     let part = &mesh.bodies[body];
     let material = &scene.bodies[body].material;
     let kernel = CellStiffness::of(mesh.order, material, scene.plane, scene.thickness);
@@ -25,6 +36,9 @@ pub fn internal_forces(
     let mut forces = vec![[0.0; 2]; part.nodes.len()];
     for cell in part.cells.clone() {
         let nodes = mesh.cell(cell);
+        if !nodes.iter().any(|&node| is_wanted(node)) {
+            continue;
+        }
         kernel
             .integrate(nodes.iter().map(|&node| mesh.points[node]), &mut k)
             .map_err(|jacobian| degenerate(scene, body, cell, jacobian))?;
@@ -37,21 +51,13 @@ pub fn internal_forces(
     Ok(forces)
 }
 
-/// What each support of a body takes of the forces `missing` at the body's nodes: their sum over its nodes in the
-/// component that it holds \[N\].
-///
-/// A component of a node belongs to the last support that prescribes it, as in the numbering.
-pub fn of_supports(scene: &Scene, mesh: &Mesh, body: usize, missing: &[[f64; 2]]) -> Result<Vec<f64>, Error> {
-    let supports = &scene.bodies[body].supports;
-    let mut holder = BTreeMap::new();
-    for (index, support) in supports.iter().enumerate() {
+/// Which support of a body holds a component of a node: the last one that prescribes it, as in the numbering.
+pub fn holders(scene: &Scene, mesh: &Mesh, body: usize) -> Result<BTreeMap<(usize, usize), usize>, Error> {
+    let mut holders = BTreeMap::new();
+    for (index, support) in scene.bodies[body].supports.iter().enumerate() {
         for node in mesh.nodes_at(scene, body, &support.at)? {
-            holder.insert((node, support.component.index()), index);
+            holders.insert((node, support.component.index()), index);
         }
     }
-    let mut reactions = vec![0.0; supports.len()];
-    for ((node, component), index) in holder {
-        reactions[index] += missing[node - mesh.bodies[body].nodes.start][component];
-    }
-    Ok(reactions)
+    Ok(holders)
 }

@@ -12,12 +12,25 @@ use crate::scene::{PlaneHypothesis, Scene};
 ///
 /// Where the stiffness has a smoothed dilatation, so have the stresses.
 pub fn at_nodes(scene: &Scene, mesh: &Mesh, displacements: &[[f64; 2]]) -> Result<Vec<[f64; 3]>, Error> {
+    at_some_nodes(scene, mesh, displacements, &|_| true)
+}
+
+/// The same at some nodes, from the cells around them; NaN at all others.
+pub fn at_some_nodes(
+    scene: &Scene,
+    mesh: &Mesh,
+    displacements: &[[f64; 2]],
+    is_wanted: &dyn Fn(usize) -> bool,
+) -> Result<Vec<[f64; 3]>, Error> {
     let mut sums = vec![[0.0; 3]; mesh.points.len()];
     let mut counts = vec![0.0; mesh.points.len()];
     for (body, part) in mesh.bodies.iter().enumerate() {
         let kernel = CellStiffness::of(mesh.order, &scene.bodies[body].material, scene.plane, scene.thickness);
         for cell in part.cells.clone() {
             let nodes = mesh.cell(cell);
+            if !nodes.iter().any(|&node| is_wanted(node)) {
+                continue;
+            }
             let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();
             let moved: Vec<[f64; 2]> = nodes.iter().map(|&n| displacements[n]).collect();
             let corners = (kernel.stresses(&points, &moved, gauss_points()))
@@ -31,7 +44,11 @@ pub fn at_nodes(scene: &Scene, mesh: &Mesh, displacements: &[[f64; 2]]) -> Resul
             }
         }
     }
-    Ok(sums.iter().zip(counts).map(|(sum, count)| sum.map(|s| s / count)).collect())
+    let mean = |(node, (sum, count)): (usize, (&[f64; 3], f64))| match is_wanted(node) {
+        true => sum.map(|stress| stress / count),
+        false => [f64::NAN; 3],
+    };
+    Ok(sums.iter().zip(counts).enumerate().map(mean).collect())
 }
 
 /// The four Gauss points `(±1/√3, ±1/√3)`, in the order of the corners.

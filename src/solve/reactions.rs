@@ -34,13 +34,28 @@ impl Discretisation {
     pub fn reactions_of(&self, share: f64, displacement: &[[f64; 2]]) -> Result<Vec<Reaction>, Error> {
         let mut all = Vec::new();
         for body in 0..self.scene.bodies.len() {
-            let mut missing = reactions::internal_forces(&self.scene, &self.mesh, body, displacement)?;
-            for (missing, applied) in missing.iter_mut().zip(loads::at_nodes(&self.scene, &self.mesh, body)?) {
-                (0..2).for_each(|k| missing[k] -= share * applied[k]);
-            }
-            let forces = reactions::of_supports(&self.scene, &self.mesh, body, &missing)?;
+            let forces = self.forces_of_supports(body, share, displacement)?;
             all.extend(forces.into_iter().enumerate().map(|(support, force)| Reaction { body, support, force }));
         }
         Ok(all)
+    }
+
+    /// What each support of a body takes of the forces missing at its nodes, in the component that it holds \[N\].
+    fn forces_of_supports(&self, body: usize, share: f64, displacement: &[[f64; 2]]) -> Result<Vec<f64>, Error> {
+        let (scene, mesh) = (&self.scene, &self.mesh);
+        let holders = reactions::holders(scene, mesh, body)?;
+        let mut forces = vec![0.0; scene.bodies[body].supports.len()];
+        if holders.is_empty() {
+            return Ok(forces);
+        }
+        let first = mesh.bodies[body].nodes.start;
+        let mut is_held = vec![false; mesh.bodies[body].nodes.len()];
+        holders.keys().for_each(|(node, _)| is_held[node - first] = true);
+        let internal = reactions::internal_forces_at(scene, mesh, body, displacement, &|node| is_held[node - first])?;
+        let applied = loads::at_nodes(scene, mesh, body)?;
+        for ((node, component), support) in holders {
+            forces[support] += internal[node - first][component] - share * applied[node - first][component];
+        }
+        Ok(forces)
     }
 }

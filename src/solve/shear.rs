@@ -1,6 +1,6 @@
 //! The largest shear stress below a contact.
 
-use crate::elasticity::shape_functions;
+use crate::elasticity::{shape_functions, stress};
 use crate::error::Error;
 use crate::measure::Measures;
 use crate::solve::Discretisation;
@@ -39,24 +39,26 @@ impl Shear {
 }
 
 impl Discretisation {
-    /// The largest in-plane shear stress of a body below a contact with some measures, of the stresses of every node: between the
-    /// ends of the closed stretches, down to two half-widths.
+    /// The largest in-plane shear stress of a body below a contact with some measures, of the displacement of every node: between
+    /// the ends of the closed stretches, down to two half-widths. Stresses are looked at where that is.
     ///
     /// None where it lies on the surface or at the lower end of that: at a corner, or under a pressure that varies too little
     /// for a largest value inside.
     pub fn shear_below(
         &self,
-        stress: &[[f64; 3]],
+        displacement: &[[f64; 2]],
         measures: &Measures,
         [contact, body]: [usize; 2],
     ) -> Result<Option<Shear>, Error> {
         let below = Below::of(self, measures, [contact, body])?;
+        let is_wanted = below.corners_and_sides();
+        let stress = stress::at_some_nodes(&self.scene, &self.mesh, displacement, &|node| is_wanted[node])?;
         let nodes = shape_functions::NODES.len().min(self.mesh.order.nodes_per_cell());
         let grid = grid(nodes);
         let (mut samples, mut best) = (Vec::new(), None);
         let mut most = f64::NEG_INFINITY;
         let cells = self.mesh.bodies[body].cells.clone();
-        let at_nodes: Vec<Vec<[f64; 2]>> = cells.clone().map(|cell| below.at_nodes(cell, stress)).collect();
+        let at_nodes: Vec<Vec<[f64; 2]>> = cells.clone().map(|cell| below.at_nodes(cell, &stress)).collect();
         let largest = |own: &[[f64; 2]]| own.iter().map(|sample| sample[1]).fold(f64::NEG_INFINITY, f64::max);
         let enough = NEAR * at_nodes.iter().map(|own| largest(own)).fold(f64::NEG_INFINITY, f64::max);
         for (cell, own) in cells.zip(at_nodes) {
@@ -65,7 +67,7 @@ impl Discretisation {
                 continue;
             }
             for (at, shapes) in &grid {
-                let Some((depth, shear)) = below.sample(cell, shapes, stress) else { continue };
+                let Some((depth, shear)) = below.sample(cell, shapes, &stress) else { continue };
                 samples.push([depth, shear]);
                 if shear > most {
                     (most, best) = (shear, Some((cell, *at)));
@@ -73,7 +75,7 @@ impl Discretisation {
             }
         }
         let Some((cell, at)) = best else { return Ok(None) };
-        let (depth, shear) = below.largest_around(cell, at, stress);
+        let (depth, shear) = below.largest_around(cell, at, &stress);
         let inside = depth > ROUNDING * below.deepest && depth < below.deepest;
         samples.retain(|sample| sample[0] <= below.deepest);
         Ok(inside.then_some(Shear { stress: shear, depth, samples }))
@@ -84,6 +86,7 @@ impl Discretisation {
 struct Below<'a> {
     discretisation: &'a Discretisation,
     contact: usize,
+    body: usize,
     /// Contact coordinates and [depth](crate::scene::Path::depth) of the nodes of the surface, in that order.
     surface: Vec<[f64; 2]>,
     /// From the path's depth to one into the body.
@@ -92,6 +95,8 @@ struct Below<'a> {
     ends: [f64; 2],
     /// Depth down to which a largest value counts \[mm\].
     deepest: f64,
+    /// Depths of the nodes of the body; none beside the contact, and too deep.
+    depths: Vec<Option<f64>>,
 }
 
 impl<'a> Below<'a> {
@@ -105,14 +110,28 @@ impl<'a> Below<'a> {
         surface.dedup_by(|a, b| a[0] - b[0] <= 0.0);
         let inwards = if (body == pair.first) == pair.above { -1.0 } else { 1.0 };
         let [begin, end] = [measures.stretches.first().map(|s| s.begin), measures.stretches.last().map(|s| s.end)];
-        Ok(Self {
-            discretisation,
-            contact,
-            surface,
-            inwards,
-            ends: [begin, end].map(|end| end.unwrap_or(f64::NAN)),
-            deepest: DEPTH * measures.half_width * pair.path.metric(),
-        })
+        let ends = [begin, end].map(|end| end.unwrap_or(f64::NAN));
+        let deepest = DEPTH * measures.half_width * pair.path.metric();
+        let below = Self { discretisation, contact, body, surface, inwards, ends, deepest, depths: Vec::new() };
+        let depths = mesh.points[mesh.bodies[body].nodes.clone()].iter().map(|&point| below.depth(point)).collect();
+        Ok(Self { depths, ..below })
+    }
+
+    /// Which nodes of the mesh belong to a cell with a node below the contact.
+    fn corners_and_sides(&self) -> Vec<bool> {
+        let mesh = &self.discretisation.mesh;
+        let mut are = vec![false; mesh.points.len()];
+        for nodes in mesh.bodies[self.body].cells.clone().map(|cell| mesh.cell(cell)) {
+            if nodes.iter().any(|&node| self.depth_of(node).is_some()) {
+                nodes.iter().for_each(|&node| are[node] = true);
+            }
+        }
+        are
+    }
+
+    /// Depth of a node.
+    fn depth_of(&self, node: usize) -> Option<f64> {
+        self.depths[node - self.discretisation.mesh.bodies[self.body].nodes.start]
     }
 
     /// Depth of a point below the surface \[mm\]; none beside the closed stretches, and too deep.
@@ -133,7 +152,7 @@ impl<'a> Below<'a> {
     /// Depth and shear stress at the nodes of a cell that lie below the contact.
     fn at_nodes(&self, cell: usize, stress: &[[f64; 3]]) -> Vec<[f64; 2]> {
         let mesh = &self.discretisation.mesh;
-        let at = |&node: &usize| Some([self.depth(mesh.points[node])?, largest_shear(stress[node])]);
+        let at = |&node: &usize| Some([self.depth_of(node)?, largest_shear(stress[node])]);
         mesh.cell(cell).iter().filter_map(at).collect()
     }
 

@@ -32,6 +32,7 @@ mod errors;
 mod fast_paths;
 mod faults;
 mod formulation;
+mod given_bars;
 mod gmsh;
 mod growth;
 mod halved;

@@ -1,4 +1,4 @@
-//! The checks that have an error bar, and those whose error is beyond it.
+//! The checks against closed forms that have an error bar, and those whose error is beyond it.
 
 use serde::Serialize;
 
@@ -37,9 +37,9 @@ impl Numbers {
     pub fn of<'a>(checks: impl IntoIterator<Item = (String, &'a Judged)>) -> Self {
         let mut numbers = Self { all: 0, outside: Vec::new() };
         for (trial, judged) in checks {
-            let Some(bar) = judged.bar_as_error() else { continue };
+            let (Some(bar), Some(is_within)) = (judged.bar_as_error(), judged.is_within_bar()) else { continue };
             numbers.all += 1;
-            if judged.is_within_bar() != Some(true) {
+            if !is_within {
                 numbers.outside.push(Outside {
                     trial,
                     quantity: judged.check.quantity.to_string(),
