@@ -134,7 +134,7 @@ fn said(coarse: &Discretisation, run: &Run, wanted: Option<&[Displaced]>, order:
     let larger = if coarse.resolution.order == order { 1.0 } else { 2.0 };
     let sizes = sizes(coarse).into_iter().map(|size| larger * size).collect();
     let cells = cells(coarse) / (larger * larger);
-    run.solution.converged().then(|| Coarse { sizes, cells, dofs: run.dofs, readings })
+    run.solution.converged().then_some(Coarse { sizes, cells, dofs: run.dofs, readings })
 }
 
 /// How many cells a mesh has.

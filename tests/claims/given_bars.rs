@@ -33,13 +33,6 @@ fn brought(mut scene: Scene, mesh: &Mesh) -> Scene {
     scene
 }
 
-fn given(scene: &Scene) -> &GivenMesh {
-    match &scene.bodies[0].shape {
-        Shape::Given(mesh) => mesh,
-        other => panic!("{other:?}"),
-    }
-}
-
 /// Points and cells, whatever their numbers: the middle of each cell by its corners, rounded.
 fn middles(mesh: &GivenMesh) -> Vec<[i64; 2]> {
     let size = mesh.points.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
@@ -149,14 +142,6 @@ fn true_errors_on_meshes_made_elsewhere_lie_within_their_bars() {
                 continue;
             }
             kinds += 1;
-            println!(
-                "{way:?} {}: {} {:.3} median {:.2} worst {:.2}",
-                kind.title(),
-                own.records.len(),
-                of(1.0),
-                own.median(),
-                own.worst()
-            );
             assert!(of(1.0) >= 0.95, "{way:?}, {}: {:.3} within", kind.title(), of(1.0));
         }
         assert!(kinds >= 6, "{way:?}: {kinds}");
