@@ -28,6 +28,13 @@ macro_rules! rooms {
             /// All, in the order of the page.
             pub const ALL: &'static [Self] = &[$(Self::$Room),*];
 
+            /// Its name in words.
+            pub fn name(self) -> String {
+                match self {
+                    $(Self::$Room => stringify!($room).replace('_', " ")),*
+                }
+            }
+
             /// Its trials.
             pub fn plan(self) -> Vec<Trial> {
                 match self {
