@@ -47,6 +47,8 @@ mod outputs;
 mod photoelastic;
 mod pictures;
 mod reactions;
+#[cfg(feature = "python")]
+mod readers;
 mod rooms;
 mod scene;
 mod scene_file;
