@@ -29,6 +29,14 @@ macro_rules! named_enum {
                 }
             }
 
+            /// What it is: the first line of its documentation, without the full stop.
+            pub fn title(self) -> &'static str {
+                let help = match self {
+                    $(Self::$member => $help,)+
+                };
+                help.trim().trim_end_matches('.')
+            }
+
             /// The one of a name; none where it is no name of theirs.
             pub fn named(name: &str) -> Option<Self> {
                 Self::ALL.into_iter().find(|member| member.name() == name)
@@ -41,10 +49,7 @@ macro_rules! named_enum {
             }
 
             fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-                let help = match self {
-                    $(Self::$member => $help,)+
-                };
-                Some(clap::builder::PossibleValue::new(self.name()).help(help.trim().trim_end_matches('.')))
+                Some(clap::builder::PossibleValue::new(self.name()).help(self.title()))
             }
         }
     };

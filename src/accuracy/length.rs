@@ -81,7 +81,7 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Result<Fitted, (
         None => Err(Error::value(
             scene.place_of(0, Part::Stretch),
             "candidate stretch",
-            scene.contact().stretch,
+            scene.contact().path.reported(scene.contact().stretch),
             format!("no contact length was found in {GUESSES} guesses"),
             "give a stretch a little longer than the contact",
         )),

@@ -19,7 +19,7 @@ impl Judged {
         let contact = self.check.contact;
         Some(match &self.check.quantity {
             Quantity::PeakPressure => Subject::Contact(contact, accuracy::Quantity::PeakPressure),
-            Quantity::HalfWidth => Subject::Contact(contact, accuracy::Quantity::HalfWidth),
+            Quantity::HalfWidth | Quantity::HalfAngle => Subject::Contact(contact, accuracy::Quantity::HalfWidth),
             Quantity::Centre => Subject::Contact(contact, accuracy::Quantity::Centre),
             Quantity::Resultant => Subject::Contact(contact, accuracy::Quantity::Resultant),
             Quantity::Reaction { body, support } => Subject::Reaction(*body, *support),
@@ -39,9 +39,11 @@ impl Judged {
 
     /// The check with the bar of the number that it judges; NaN where that is among those that have one, and it is not known.
     pub fn with_bar(self, bars: &[Barred]) -> Self {
+        // Bars of angles are in radians, as what the run measures.
+        let unit = if self.check.quantity == Quantity::HalfAngle { 1f64.to_degrees() } else { 1.0 };
         let of = |subject: Subject| {
             let found = bars.iter().find(|one| one.subject == subject);
-            found.map_or(f64::NAN, |one| one.bar.total())
+            found.map_or(f64::NAN, |one| unit * one.bar.total())
         };
         Self { bar: self.barred().map(of), ..self }
     }

@@ -93,6 +93,11 @@ impl Reference {
         Self { value: factor * self.value, uncertainty: self.uncertainty.map(|u| factor.abs() * u), ..self }
     }
 
+    /// An angle, from radians.
+    pub fn in_degrees(self) -> Self {
+        self.times(1f64.to_degrees())
+    }
+
     /// What an oracle reads for a quantity; NaN, which no check passes, where it cannot say.
     pub fn read(oracle: &dyn Oracle, quantity: oracle::Quantity) -> Self {
         let (value, uncertainty) = match oracle.read(quantity) {

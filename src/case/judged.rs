@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::case::check::{Against, Check, Reference, Relation};
+use crate::markdown;
 use crate::oracle::ReferenceKind;
 
 /// Outcome of a check.
@@ -72,6 +73,21 @@ impl Judged {
     /// The sentence of what shall hold.
     pub fn requirement(&self) -> String {
         self.check.requirement(&self.reference)
+    }
+
+    /// Why it did not pass; none where it did.
+    pub fn reason(&self) -> Option<String> {
+        let Self { check, value, reference, error, verdict, .. } = self;
+        Some(match verdict {
+            Verdict::Pass => return None,
+            Verdict::NotRun(why) => why.clone(),
+            Verdict::Fail if value.is_nan() => "the value is not a number".into(),
+            Verdict::Fail if reference.value.is_nan() => "the reference is not a number".into(),
+            Verdict::Fail => {
+                let (error, tolerance) = (markdown::error(*error), markdown::tolerance(check.tolerance));
+                format!("the error {error} is not within the tolerance {tolerance}")
+            }
+        })
     }
 
     /// The error over the tolerance; 0 or infinite where nothing is tolerated, NaN where the error is no number.

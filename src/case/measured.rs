@@ -35,10 +35,11 @@ impl Solved<'_> {
             Quantity::PeakPressure if unbounded.is_some() => f64::NAN,
             Quantity::PeakPressure => measures.peak.pressure,
             Quantity::HalfWidth => measures.half_width,
+            Quantity::HalfAngle => measures.half_width.to_degrees(),
             Quantity::Centre => measures.centre,
             Quantity::Resultant => *transmitted,
             Quantity::Pressure { at } => {
-                profile::interpolate(points, self.discretisation.scene.contacts[contact].stretch, *at)
+                profile::interpolate(points, self.discretisation.scene.contacts[contact].stretch, at.value())
             }
             Quantity::HoopStress { at } => self.hoop_stress(contact, *at)?,
             Quantity::Reaction { body, support } => self.reaction([*body, *support])?,
@@ -68,7 +69,8 @@ impl Solved<'_> {
         match quantity {
             Quantity::PeakPressure => case.reading(oracle::Quantity::PeakPressure),
             Quantity::HalfWidth => case.reading(oracle::Quantity::SecondMoment),
-            Quantity::Pressure { at } => case.reading(oracle::Quantity::Pressure { at: *at }),
+            Quantity::HalfAngle => case.reading(oracle::Quantity::SecondMoment).in_degrees(),
+            Quantity::Pressure { at } => case.reading(oracle::Quantity::Pressure { at: at.value() }),
             Quantity::HoopStress { at } => case.reading(oracle::Quantity::HoopStress { at: *at }),
             Quantity::Resultant => {
                 let per_thickness = case.reading(oracle::Quantity::Resultant);

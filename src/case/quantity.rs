@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use crate::error::Coordinate;
+use crate::markdown;
 use crate::solve::Displaced;
 
 /// A quantity that can be held against something.
@@ -10,16 +12,18 @@ use crate::solve::Displaced;
 pub enum Quantity {
     /// Largest pressure of the profile \[MPa\].
     PeakPressure,
-    /// Half-width by second moment, `2 √(∫p s²/∫p)` \[mm, or rad on arcs\].
+    /// Half-width by second moment, `2 √(∫p s²/∫p)`, on a straight path \[mm\].
     HalfWidth,
+    /// The same functional of the angle on an arc \[°\].
+    HalfAngle,
     /// Centre of pressure \[mm\].
     Centre,
     /// Force on the whole contact along the load line \[N\].
     Resultant,
     /// Contact pressure \[MPa\].
     Pressure {
-        /// Contact coordinate \[mm, or rad on arcs\].
-        at: f64,
+        /// Contact coordinate.
+        at: Coordinate,
     },
     /// Circumferential stress of the secondary body's contact side \[MPa\].
     HoopStress {
@@ -75,6 +79,7 @@ impl Quantity {
         match self {
             Self::PeakPressure => "peak pressure",
             Self::HalfWidth => "half-width by second moment",
+            Self::HalfAngle => "half-angle by second moment",
             Self::Centre => "centre of pressure",
             Self::Resultant => "contact resultant",
             Self::Pressure { .. } => "contact pressure",
@@ -96,8 +101,10 @@ impl Quantity {
     pub fn unit(&self) -> Option<&'static str> {
         match self {
             Self::PeakPressure | Self::Pressure { .. } | Self::HoopStress { .. } | Self::Shear { .. } => Some("MPa"),
-            Self::HalfWidth => Some("mm or rad"),
-            Self::Centre | Self::Displacement(_) | Self::Approach | Self::ShearDepth { .. } => Some("mm"),
+            Self::HalfAngle => Some("°"),
+            Self::HalfWidth | Self::Centre | Self::Displacement(_) | Self::Approach | Self::ShearDepth { .. } => {
+                Some("mm")
+            }
             Self::Resultant | Self::Reaction { .. } => Some("N"),
             _ => None,
         }
@@ -115,7 +122,10 @@ impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = self.name();
         match self {
-            Self::Pressure { at } => write!(f, "{name} at s = {at:.6}"),
+            Self::Pressure { at: Coordinate::Length(at) } => write!(f, "{name} at s = {} mm", markdown::bound(*at)),
+            Self::Pressure { at: Coordinate::Angle(at) } => {
+                write!(f, "{name} at s = {}°", markdown::bound(at.to_degrees()))
+            }
             Self::HoopStress { at } => write!(f, "{name} at {:.0}°", at.to_degrees()),
             Self::Named { at, .. } if !at.is_empty() => write!(f, "{name}, {at}"),
             _ => f.write_str(name),

@@ -1,60 +1,93 @@
 //! What `solve` says of an accuracy that was asked for.
 
-use comfy_table::{Table, presets};
+use comfy_table::Table;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::accuracy::{Answer, Asked, Quoted, Tried, TriedContact};
-use crate::cli::terminal::say;
+use crate::cli::json::Number;
+use crate::cli::terminal::{say, table};
 use crate::markdown;
 use crate::measure::display_factor;
 
-/// The same as JSON; an estimate that is not known is null.
-#[derive(Serialize)]
+/// What came of an accuracy that was asked for; an estimate that is not known is null, and angles are in radians.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Accuracy")]
 pub struct Document {
-    asked: f64,
+    /// The relative error accepted.
+    asked: Number,
+    /// Whether it is met.
     met: bool,
+    /// Why it is not.
     #[serde(skip_serializing_if = "Option::is_none")]
     unmet: Option<String>,
-    estimate: f64,
+    /// The largest estimate of the quantities asked for.
+    estimate: Number,
+    /// Degrees of freedom of the mesh chosen.
     #[serde(rename = "freedoms")]
     dofs: usize,
+    /// Those of all meshes that were solved.
     #[serde(rename = "freedoms_in_all")]
     dofs_in_all: usize,
-    stretches: Vec<f64>,
-    growth: [f64; 2],
+    /// Candidate stretch of every contact.
+    stretches: Vec<Number>,
+    /// Growth along the contact and into the depth.
+    growth: [Number; 2],
+    /// What is estimated of each quantity.
     quantities: Vec<OneQuantity>,
+    /// Every mesh that was solved.
     tried: Vec<OneMesh>,
 }
 
-#[derive(Serialize)]
+/// What is estimated of a quantity, relative to it.
+#[derive(Serialize, JsonSchema)]
 struct OneQuantity {
+    /// Name of the contact.
     contact: String,
+    /// The quantity.
     quantity: &'static str,
-    estimate: f64,
-    from_mesh: f64,
-    from_iteration: f64,
-    from_penalty: f64,
+    /// Its error bar.
+    estimate: Number,
+    /// What the mesh leaves.
+    from_mesh: Number,
+    /// What the iteration leaves.
+    from_iteration: Number,
+    /// What the springs of a penalty leave.
+    from_penalty: Number,
 }
 
-#[derive(Serialize)]
+/// A mesh that was solved.
+#[derive(Serialize, JsonSchema)]
 struct OneMesh {
+    /// What it was solved for.
     purpose: &'static str,
+    /// Order of its elements.
     order: u8,
+    /// Its candidate elements.
     elements: usize,
-    growth: f64,
+    /// Its growth.
+    growth: Number,
+    /// Its degrees of freedom.
     #[serde(rename = "freedoms")]
     dofs: usize,
+    /// Iterations on it.
     #[serde(rename = "steps")]
     iterations: usize,
+    /// What it found of each contact.
     contacts: Vec<OneContact>,
-    estimate: f64,
+    /// Its estimate.
+    estimate: Number,
 }
 
-#[derive(Serialize)]
+/// What a mesh found of a contact.
+#[derive(Serialize, JsonSchema)]
 struct OneContact {
-    stretch: f64,
-    peak_pressure: f64,
-    half_width: f64,
+    /// Candidate stretch.
+    stretch: Number,
+    /// Largest pressure.
+    peak_pressure: Number,
+    /// Half-width by second moment.
+    half_width: Number,
 }
 
 impl Document {
@@ -63,35 +96,35 @@ impl Document {
         let quantity = |quoted: &Quoted| OneQuantity {
             contact: answer.scene.contacts[quoted.contact].name.clone(),
             quantity: quoted.quantity.name(),
-            estimate: quoted.relative(),
-            from_mesh: parts(quoted)[0],
-            from_iteration: parts(quoted)[1],
-            from_penalty: parts(quoted)[2],
+            estimate: quoted.relative().into(),
+            from_mesh: parts(quoted)[0].into(),
+            from_iteration: parts(quoted)[1].into(),
+            from_penalty: parts(quoted)[2].into(),
         };
         let contact = |found: &TriedContact| OneContact {
-            stretch: found.stretch,
-            peak_pressure: found.peak,
-            half_width: found.half_width,
+            stretch: found.stretch.into(),
+            peak_pressure: found.peak.into(),
+            half_width: found.half_width.into(),
         };
         let mesh = |tried: &Tried| OneMesh {
             purpose: tried.purpose,
             order: tried.order.number(),
             elements: tried.elements,
-            growth: tried.growth,
+            growth: tried.growth.into(),
             dofs: tried.dofs,
             iterations: tried.iterations,
             contacts: tried.contacts.iter().map(contact).collect(),
-            estimate: tried.estimate,
+            estimate: tried.estimate.into(),
         };
         Self {
-            asked: asked.relative,
+            asked: asked.relative.into(),
             met: answer.unmet.is_none(),
             unmet: answer.unmet.clone(),
-            estimate: answer.estimate(),
+            estimate: answer.estimate().into(),
             dofs: answer.run.dofs,
             dofs_in_all: answer.dofs_in_all(),
-            stretches: answer.scene.contacts.iter().map(|pair| pair.stretch).collect(),
-            growth: [answer.scene.grading.along, answer.scene.grading.depth],
+            stretches: answer.scene.contacts.iter().map(|pair| pair.stretch.into()).collect(),
+            growth: [answer.scene.grading.along, answer.scene.grading.depth].map(Number::from),
             quantities: answer.estimates.iter().map(quantity).collect(),
             tried: answer.tried.iter().map(mesh).collect(),
         }
@@ -138,11 +171,9 @@ fn meshes(answer: &Answer) -> Table {
         arcs if arcs == factors.len() => "°",
         _ => "mm, °",
     };
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING);
     let [stretch, half_width] = ["stretch", "half-width"].map(|length| format!("{length} [{unit}]"));
     let head = ["tried for", "cells", "elements", "growth", &stretch, "dofs", "iterations", "peak [MPa]", &half_width];
-    table.set_header(head.into_iter().chain(["estimate"]));
+    let mut table = table(head.into_iter().chain(["estimate"]));
     let lines = |tried: &Tried, of: fn(&TriedContact, f64) -> String| -> String {
         let each: Vec<String> = tried.contacts.iter().zip(&factors).map(|(found, factor)| of(found, *factor)).collect();
         each.join("\n")

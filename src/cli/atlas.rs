@@ -1,14 +1,17 @@
 //! Surveys the stability atlas with a progress bar.
 
 use crate::cli::terminal::{progress, say};
+use crate::cli::writable;
 use crate::error::Error;
 use crate::study::atlas::{Plane, record, survey};
 use crate::study::{cures, records};
 
 /// Surveys every point that is not yet recorded by this program, measures the reach of the cures, then writes the records.
 pub fn run() -> Result<(), Error> {
-    let bar = progress(survey::size());
     let unfinished = records::unfinished("atlas")?;
+    writable::folder(&record::folder(), writable::CHECKOUT)?;
+    writable::folder(&unfinished, writable::CHECKOUT)?;
+    let bar = progress(survey::size());
     let surveyed = survey::survey(&Plane::ALL, &unfinished, &record::folder(), |points| bar.inc(points as u64));
     bar.finish_and_clear();
     surveyed?;

@@ -1,23 +1,32 @@
 //! The error bars of a solve, as a table and as JSON.
 
-use comfy_table::{Table, presets};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::accuracy::{Bar, Barred, Bars, Quantity, Subject, Told};
 use crate::cli::found::Found;
-use crate::cli::terminal::say;
+use crate::cli::json::Number;
+use crate::cli::terminal::{say, table};
 use crate::markdown;
 
-/// The same as JSON; what is not known is null, and angles are in radians.
-#[derive(Serialize)]
+/// A number and how far it may be from the truth; what is not known is null, and angles are in radians.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ErrorBar")]
 pub struct Document {
+    /// The contact, or the body.
     of: String,
+    /// What it is.
     quantity: String,
-    value: f64,
-    bound: f64,
-    mesh: f64,
-    iteration: f64,
-    penalty: f64,
+    /// The number.
+    value: Number,
+    /// How far it may be from the truth: the sum of the parts.
+    bound: Number,
+    /// What the mesh leaves.
+    mesh: Number,
+    /// What the iteration leaves.
+    iteration: Number,
+    /// What the springs of a penalty leave.
+    penalty: Number,
 }
 
 impl Document {
@@ -26,7 +35,8 @@ impl Document {
         let one = |one: &Barred| {
             let Told { of, quantity, .. } = Told::of(&found.problem.scene, found.run, one);
             let Bar { mesh, iteration, penalty } = one.bar;
-            Self { of, quantity, value: one.value, bound: one.bar.total(), mesh, iteration, penalty }
+            let [mesh, iteration, penalty] = [mesh, iteration, penalty].map(Number::from);
+            Self { of, quantity, value: one.value.into(), bound: one.bar.total().into(), mesh, iteration, penalty }
         };
         found.bars.iter().flat_map(|bars| bars.all.iter()).map(one).collect()
     }
@@ -35,9 +45,7 @@ impl Document {
 /// Prints every number with its bar.
 pub fn print(found: &Found) {
     let Some(Bars { all, meshes, .. }) = &found.bars else { return };
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING);
-    table.set_header(["of", "quantity", "value ± bound", "unit", "mesh", "iteration", "penalty"]);
+    let mut table = table(["of", "quantity", "value ± bound", "unit", "mesh", "iteration", "penalty"]);
     for one in all {
         let Told { of, quantity, unit, factor } = Told::of(&found.problem.scene, found.run, one);
         let Bar { mesh, iteration, penalty } = one.bar;

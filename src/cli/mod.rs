@@ -5,50 +5,61 @@
 //! * [`ended`] — how a command ended, as its exit code tells.
 //! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`timings`] — measures speed against accuracy.
-//! * [`suite`] — runs all trials with a progress bar.
 //! * [`review`] — what moved between two commits.
+//! * [`suite`] — runs all trials with a progress bar; `summary` — what they found.
 //! * [`solve`] — one case, with its outputs.
 //! * [`verify`] — scene files with their checks.
 //! * `found` — what it found.
 //! * `bars` — how far each number may be from the truth.
 //! * [`reactions`] — what its supports exert.
-//! * [`json`] — the result of a solve as JSON.
-//! * `terminal` — lines, errors and a bar of progress.
+//! * [`json`] — all that is printed as JSON, and its schema.
+//! * `terminal` — lines, tables, errors and a bar of progress.
 //! * [`vtu`] — its fields for ParaView.
+//! * [`new`] — scene files to begin with.
+//! * [`manual`] — shell completions and manual pages; [`examples`] — those in the help.
+//! * [`writable`] — whether results can be written.
 
 pub mod accuracy;
 pub mod atlas;
 mod bars;
 pub mod ended;
+pub mod examples;
 mod found;
 pub mod json;
+pub mod manual;
+pub mod new;
 pub mod reactions;
 pub mod review;
 pub mod solve;
 pub mod suite;
+mod summary;
 pub mod survey;
 mod terminal;
 pub mod timings;
 pub mod verify;
 pub mod vtu;
+pub mod writable;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
+use clap_complete::Shell;
 
 use crate::case::library::NAMES;
 use crate::cli::ended::Ended;
+use crate::cli::json::{Answer, Listed};
 use crate::cli::terminal::{say, show};
 use crate::error::Error;
 use crate::report;
+use crate::study::sheets::SHEETS;
 use crate::study::timings::growth;
 
 /// Contact elements and iterations for frictionless elastic contact in 2D, verified.
 ///
 /// Without a command: solves every case of the suite, prints the verdicts and writes VALIDATION.md with its charts.
 #[derive(Debug, Parser)]
-#[command(name = "contact-vv", version)]
+#[command(name = "contact-vv", version, after_help = examples::ALL)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -57,7 +68,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Solve the suite and write VALIDATION.md and snapshots/charts (the default).
-    #[command(args_conflicts_with_subcommands = true)]
+    #[command(after_help = examples::REPORT, args_conflicts_with_subcommands = true)]
     Report {
         /// Write nothing; show what differs and fail when the page, a chart or the record is stale.
         #[arg(long)]
@@ -66,8 +77,10 @@ enum Command {
         part: Option<Part>,
     },
     /// Solve one case of the library, or a scene file of your own.
+    #[command(after_help = examples::SOLVE)]
     Solve(Box<solve::Arguments>),
     /// Solve scene files and judge them by their own checks; fails where one fails.
+    #[command(after_help = examples::VERIFY)]
     Verify {
         /// Scene files (*.toml), or folders with some.
         #[arg(required = true, value_name = "PATH")]
@@ -77,6 +90,7 @@ enum Command {
         json: bool,
     },
     /// Solve the suite and print every check with its verdict, a line of JSON each; trials that break off fail too.
+    #[command(after_help = examples::VERDICTS)]
     Verdicts,
     /// Survey the stability atlas and write snapshots/atlas; interrupted, it resumes.
     Atlas,
@@ -98,7 +112,35 @@ enum Command {
         bars: bool,
     },
     /// Name the cases of the library.
-    List,
+    #[command(after_help = examples::LIST)]
+    List {
+        /// Print them as JSON.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Print a commented scene file for a shape of problem, to begin with.
+    #[command(after_help = examples::NEW)]
+    New {
+        /// The shape of problem; left out, all are listed.
+        #[arg(value_enum)]
+        shape: Option<new::Template>,
+    },
+    /// Print the JSON Schema of all that is printed as JSON.
+    #[command(after_help = examples::SCHEMA)]
+    Schema,
+    /// Print the completions for a shell.
+    #[command(after_help = examples::COMPLETIONS)]
+    Completions {
+        /// The shell.
+        #[arg(value_enum)]
+        shell: Shell,
+    },
+    /// Print the manual page, or write those of all commands into a folder.
+    #[command(after_help = examples::MAN)]
+    Man {
+        /// Folder to write into; left out, the page of the program is printed.
+        folder: Option<PathBuf>,
+    },
     /// Ask the other codes for everything again, write oracles/frozen and show what changed.
     #[cfg(feature = "python")]
     Freeze,
@@ -131,10 +173,23 @@ pub fn main() -> ExitCode {
         Command::Timings { memory: None, bars: false } => timings::run().map(|()| Ended::Well),
         Command::Verify { paths, json } => verify::run(&paths, json),
         Command::Solve(arguments) => solve::run(&arguments),
-        Command::List => {
-            NAMES.iter().for_each(|(name, title)| say(format!("{name:18} {title}")));
+        Command::List { json } => {
+            list(json);
             Ok(Ended::Well)
         }
+        Command::New { shape } => {
+            new::print(shape);
+            Ok(Ended::Well)
+        }
+        Command::Schema => {
+            say(json::schema());
+            Ok(Ended::Well)
+        }
+        Command::Completions { shell } => {
+            manual::completions(shell, command());
+            Ok(Ended::Well)
+        }
+        Command::Man { folder } => manual::man(folder.as_deref(), command()).map(|()| Ended::Well),
         #[cfg(feature = "python")]
         Command::Freeze => freeze().map(|()| Ended::Well),
     };
@@ -147,11 +202,28 @@ pub fn main() -> ExitCode {
     }
 }
 
+/// The command line as data.
+pub fn command() -> clap::Command {
+    Cli::command()
+}
+
+/// Prints the cases of the library.
+fn list(json: bool) {
+    if json {
+        return say(Answer::Listed(Listed::all()).document());
+    }
+    let widest = NAMES.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    NAMES.iter().for_each(|(name, title)| say(format!("{name:widest$}  {title}")));
+}
+
 /// Whether all checks pass and, with `check`, the committed page is up to date.
 fn report_command(check: bool) -> Result<bool, Error> {
     let root = root()?;
+    if !check {
+        refuse_read_only(&root)?;
+    }
     let findings = suite::run()?;
-    suite::print(&findings);
+    summary::print(&findings);
     let sound = suite::all_pass(&findings);
     let page = report::compose(&findings)?;
     if !check {
@@ -170,6 +242,13 @@ fn report_command(check: bool) -> Result<bool, Error> {
     Ok(sound && difference.is_none())
 }
 
+/// Refuses a checkout that the page cannot be written to.
+fn refuse_read_only(root: &Path) -> Result<(), Error> {
+    let remedy = "give the right to write to it, or use `report --check`, which writes nothing";
+    writable::file(&root.join(report::files::PAGE), remedy)?;
+    [report::files::CHARTS, SHEETS].into_iter().try_for_each(|folder| writable::folder(&root.join(folder), remedy))
+}
+
 /// The project folder: where the page is, upwards from the working directory.
 fn root() -> Result<PathBuf, Error> {
     let here = std::env::current_dir()
@@ -184,6 +263,7 @@ fn root() -> Result<PathBuf, Error> {
 /// Renews the frozen results of both codes.
 #[cfg(feature = "python")]
 fn freeze() -> Result<(), Error> {
+    writable::folder(&crate::checkout::root().join("oracles/frozen"), writable::CHECKOUT)?;
     crate::study::cross_code::renewal::freeze()?.into_iter().for_each(say);
     crate::study::independent::renewal::freeze()?.into_iter().for_each(say);
     Ok(())

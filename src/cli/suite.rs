@@ -1,16 +1,13 @@
-//! Runs all trials with a progress bar and prints what they found.
+//! Runs all trials with a progress bar.
 
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-use comfy_table::{ContentArrangement, Table, presets};
 use rayon::prelude::*;
-use serde_json::{Value, json};
 
 use crate::case::{Judged, Verdict};
-use crate::cli::terminal::{progress, say, show};
+use crate::cli::json::{Answer, Line};
+use crate::cli::terminal::{progress, say};
 use crate::error::Error;
-use crate::markdown;
-use crate::report::matrix;
 use crate::study::present::{MADE, Made};
 use crate::study::{self, Finding, Trial};
 
@@ -40,96 +37,40 @@ fn run_all(told: impl Fn(&str, &Result<Finding, Error>) + Sync) -> Vec<Result<Fi
     findings
 }
 
-/// Prints one row per trial and the counts of verdicts.
-pub fn print(findings: &[Finding]) {
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
-    table.set_header(["case", "formulation", "outcome", "iterations", "errors against closed forms", "verdict"]);
-    for row in matrix::summary_rows(findings) {
-        table.add_row(row);
-    }
-    say(format!("{table}"));
-    let [pass, fail, not_run] = matrix::counts(findings);
-    say(format!("\nchecks: {pass} passed, {fail} failed, {not_run} not run"));
-    for finding in findings {
-        finding
-            .judged
-            .iter()
-            .for_each(|check| print_unless_passed(&format!("{} × {}", finding.case, finding.name), check));
-    }
-    for made in MADE {
-        match made.check() {
-            Ok(check) => print_unless_passed(&title(&made), &check),
-            Err(error) => show(&error),
-        }
-    }
-}
-
 /// What is said here of a record, and not on the page.
-fn title(made: &Made) -> String {
+pub fn title(made: &Made) -> String {
     format!("{}s × the present sources", made.entry)
-}
-
-fn print_unless_passed(title: &str, check: &Judged) {
-    let error = match check.verdict {
-        Verdict::Pass => return,
-        Verdict::NotRun(_) => String::new(),
-        Verdict::Fail => format!(": error {}", markdown::error(check.error)),
-    };
-    say(format!("{title}: {} — {}{error}", check.verdict, check.requirement()));
 }
 
 /// Prints every check of every trial as a line of JSON, a trial's as soon as it ends, and tells whether none failed.
 pub fn verdicts() -> bool {
     let sound = AtomicBool::new(true);
-    let told = |lines: Vec<Value>| {
-        lines.iter().for_each(say);
-        sound.fetch_and(lines.iter().all(|line| line["verdict"] != "fail"), Relaxed);
+    let told = |lines: Vec<Line>| {
+        sound.fetch_and(!lines.iter().any(Line::failed), Relaxed);
+        tell(lines);
     };
     let of_trial = |title: &str, found: &Result<Finding, Error>| match found {
         Ok(found) => lines(title, &found.judged),
-        Err(error) => vec![broken(title, error)],
+        Err(error) => vec![Line::broken(title, error)],
     };
     let findings: Vec<Finding> =
         run_all(|title, found| told(of_trial(title, found))).into_iter().filter_map(Result::ok).collect();
     told(of_trial("error bars of checks", &study::on_bars(&findings)));
     for made in MADE {
         let title = title(&made);
-        told(vec![made.check().map_or_else(|error| broken(&title, &error), |check| line(&title, &check))]);
+        told(vec![made.check().map_or_else(|error| Line::broken(&title, &error), |check| Line::of(&title, &check))]);
     }
     sound.into_inner()
 }
 
-/// The checks of a trial, a line of JSON each.
-pub fn lines<'a>(title: &str, checks: impl IntoIterator<Item = &'a Judged>) -> Vec<Value> {
-    checks.into_iter().map(|check| line(title, check)).collect()
+/// Prints checks, a line of JSON each.
+pub fn tell(lines: Vec<Line>) {
+    lines.into_iter().for_each(|line| say(Answer::Line(line.into()).line()));
 }
 
-/// The line of a trial that broke off.
-pub fn broken(title: &str, error: &Error) -> Value {
-    json!({ "trial": title, "verdict": "fail", "requirement": error.to_string() })
-}
-
-fn line(title: &str, check: &Judged) -> Value {
-    let verdict = match check.verdict {
-        Verdict::Pass => "pass",
-        Verdict::Fail => "fail",
-        Verdict::NotRun(_) => "not run",
-    };
-    json!({
-        "trial": title,
-        "requirement": check.requirement(),
-        "quantity": check.check.quantity.to_string(),
-        "kind": check.reference.kind,
-        "value": check.value,
-        "uncertainty": check.uncertainty,
-        "bar": check.bar,
-        "reference": check.reference.value,
-        "reference_uncertainty": check.reference.uncertainty,
-        "error": check.error,
-        "tolerance": check.check.tolerance,
-        "verdict": verdict,
-    })
+/// The checks of a trial.
+pub fn lines<'a>(title: &str, checks: impl IntoIterator<Item = &'a Judged>) -> Vec<Line> {
+    checks.into_iter().map(|check| Line::of(title, check)).collect()
 }
 
 /// Whether no check failed.

@@ -4,6 +4,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::cli::terminal::{progress, say};
+use crate::cli::writable;
 use crate::error::Error;
 use crate::study::{converged, coverage, met, random, readings, records};
 
@@ -34,8 +35,10 @@ fn run<S: Sync, T: Serialize + DeserializeOwned + Clone + Send>(
     key: fn(&S) -> String,
     run: fn(&S) -> Result<Vec<T>, Error>,
 ) -> Result<(), Error> {
-    let bar = progress(sites.len());
     let unfinished = records::unfinished(name)?;
+    writable::file(&records::file(name), writable::CHECKOUT)?;
+    writable::folder(&unfinished, writable::CHECKOUT)?;
+    let bar = progress(sites.len());
     let surveyed = records::survey([&unfinished, &records::file(name)], sites, key, run, || bar.inc(1));
     bar.finish_and_clear();
     let number = surveyed?;

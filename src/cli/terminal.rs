@@ -2,6 +2,7 @@
 
 use std::io::Write;
 
+use comfy_table::{ContentArrangement, Table, presets};
 use indicatif::{ProgressBar, ProgressStyle};
 use miette::GraphicalReportHandler;
 
@@ -21,6 +22,20 @@ pub fn show(error: &Error) {
 /// Prints a line; a reader who has gone away (a closed pipe) is no error.
 pub fn say(line: impl std::fmt::Display) {
     let _ = writeln!(std::io::stdout(), "{line}");
+}
+
+/// Columns of the terminal; without one those that `COLUMNS` names, or 100, as the help has it.
+fn width() -> u16 {
+    let named = || std::env::var("COLUMNS").ok()?.parse().ok();
+    terminal_size::terminal_size().map(|(width, _)| width.0).or_else(named).unwrap_or(100)
+}
+
+/// A table no wider than the terminal.
+pub fn table<'a>(head: impl IntoIterator<Item = &'a str>) -> Table {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic).set_width(width());
+    table.set_header(head);
+    table
 }
 
 /// A bar over so many pieces of work, on a terminal.

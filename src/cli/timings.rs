@@ -5,7 +5,9 @@ use std::time::Instant;
 
 use indicatif::ProgressBar;
 
+use crate::checkout::root;
 use crate::cli::terminal::{progress, say};
+use crate::cli::writable;
 use crate::error::Error;
 use crate::oracle::cross_code::Code;
 use crate::study::timings::bar_cost::{self, BarCosts};
@@ -19,6 +21,7 @@ const REPEATS: usize = 5;
 
 /// Measures what error bars cost, and writes its record.
 pub fn bars() -> Result<(), Error> {
+    writable::folder(&root().join(FOLDER), writable::CHECKOUT)?;
     let pools = [pool(1)?, pool(0)?];
     let bar = progress(bar_cost::MESHES.len());
     let measured = bar_cost::MESHES.into_iter().map(|mesh| {
@@ -41,6 +44,7 @@ fn pool(threads: usize) -> Result<rayon::ThreadPool, Error> {
 
 /// Measures everything on one thread and writes the record.
 pub fn run() -> Result<(), Error> {
+    writable::folder(&root().join(FOLDER), writable::CHECKOUT)?;
     let record = pool(1)?.install(measure)?;
     record.write()?;
     for target in targets::targets(&record) {

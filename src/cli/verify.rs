@@ -2,13 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use comfy_table::{ContentArrangement, Table, presets};
+use comfy_table::Table;
 use rayon::prelude::*;
 
 use crate::case::{Case, Judged, Scope, Verdict, file, judged};
 use crate::cli::ended::Ended;
+use crate::cli::json::Line;
 use crate::cli::suite;
-use crate::cli::terminal::{progress, say, show};
+use crate::cli::terminal::{progress, say, show, table};
 use crate::error::Error;
 use crate::markdown;
 use crate::solve::Run;
@@ -61,18 +62,16 @@ fn tell_lines(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     for (file, one) in files.iter().zip(verified) {
         let lines = match one {
             Ok(one) => suite::lines(&one.name, &one.judged),
-            Err(error) => vec![suite::broken(&file.display().to_string(), error)],
+            Err(error) => vec![Line::broken(&file.display().to_string(), error)],
         };
-        lines.iter().for_each(say);
+        suite::tell(lines);
     }
 }
 
 /// A row for each file, one for each of its own checks, then what did not pass: its own checks apart from what every run must
 /// satisfy.
 fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
-    table.set_header(["file", "formulation", "outcome", "iterations", "its own checks", "checks of every run"]);
+    let mut table = table(["file", "formulation", "outcome", "iterations", "its own checks", "checks of every run"]);
     for Verified { name, formulation, run, judged } in verified.iter().flatten() {
         let outcome = run.solution.outcome.to_string();
         let counted = [Scope::Own, Scope::Universal].map(|scope| counted(judged, scope));
@@ -106,9 +105,7 @@ fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
 
 /// The files' own checks: what was found with its error bar, and the error beside that bar, in the terms of the check.
 fn checks(verified: &[Result<Verified, Error>]) -> Table {
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
-    table.set_header(["file", "check", "value ± bound", "reference", "error", "bar", "at most", "verdict"]);
+    let mut table = table(["file", "check", "value ± bound", "reference", "error", "bar", "at most", "verdict"]);
     for Verified { name, judged, .. } in verified.iter().flatten() {
         for one in judged.iter().filter(|one| one.check.scope == Scope::Own) {
             let bar = one.bar_as_error().map_or_else(|| "–".into(), error_bar);

@@ -1,49 +1,46 @@
-//! Displacement, stress, pressure and gap as a VTK unstructured grid (`.vtu`), which ParaView opens.
+//! Displacement, stresses, contact pressure and gap as a VTK unstructured grid (`.vtu`), which ParaView opens.
+//!
+//! Names are those that its calculator takes: letters, digits and underscores. Lengths are in mm, stresses in MPa, tension positive.
+//!
+//! | field | at | what |
+//! |---|---|---|
+//! | `displacement` | nodes | a vector |
+//! | `stress_xx`, `stress_yy`, `stress_xy`, `stress_zz` | nodes | components |
+//! | `principal_1`, `principal_2`, `principal_3` | nodes | principal stresses, the largest first |
+//! | `von_mises` | nodes | equivalent stress |
+//! | `contact_pressure` | nodes | 0 away from the candidates |
+//! | `contact_gap` | nodes | not a number away from the candidates |
+//! | `contact` | nodes | number of the contact that a candidate belongs to, from 0; −1 elsewhere |
+//! | `body` | cells | number of the body, from 0 |
+//! | `body_NAME` | cells | 1 in the body of that name, 0 elsewhere; other characters are underscores |
 
 use vtkio::model::{
     Attribute, Attributes, ByteOrder, CellType, Cells, DataSet, UnstructuredGridPiece, Version, VertexNumbers, Vtk,
 };
 
+use crate::elasticity::stress;
 use crate::error::Error;
 use crate::measure::profile;
 use crate::mesh::Order;
 use crate::solution::PointState;
-use crate::solve::Discretisation;
-use crate::solve::Run;
+use crate::solve::fields::Fields;
+use crate::solve::{Discretisation, Run};
 
-/// The text of the file. Lengths in mm, stresses in MPa, tension positive; pressure is 0 and the gap NaN away from the
-/// candidates.
+/// Components of the stress in the plane, by name.
+const IN_PLANE: [&str; 3] = ["stress_xx", "stress_yy", "stress_xy"];
+/// Principal stresses, the largest first.
+const PRINCIPAL: [&str; 3] = ["principal_1", "principal_2", "principal_3"];
+
+/// The text of the file.
 pub fn text(discretisation: &Discretisation, run: &Run) -> Result<String, Error> {
-    let mesh = &discretisation.mesh;
     let fields = discretisation.recover_under(run.share(), &run.solution)?;
-    let in_space = |plane: &[[f64; 2]]| -> Vec<f64> { plane.iter().flat_map(|[x, y]| [*x, *y, 0.0]).collect() };
-    let [pressure, gap] = on_candidates(discretisation, run);
-    let nodes = mesh.order.nodes_per_cell();
-    let count = mesh.cells();
-    let kind = match mesh.order {
-        Order::Linear => CellType::Quad,
-        Order::Quadratic => CellType::QuadraticQuad,
-    };
-    let bodies = mesh.bodies.iter().enumerate().flat_map(|(k, body)| vec![k as u32; body.cells.len()]);
+    let mut point = of_stress(discretisation, &fields);
+    point.insert(0, Attribute::vectors("displacement").with_data(in_space(&fields.displacement)));
+    point.extend(on_candidates(discretisation, run));
     let piece = UnstructuredGridPiece {
-        points: in_space(&mesh.points).into(),
-        cells: Cells {
-            cell_verts: VertexNumbers::XML {
-                connectivity: mesh.connectivity.iter().map(|&node| node as u64).collect(),
-                offsets: (1..=count).map(|k| (k * nodes) as u64).collect(),
-            },
-            types: vec![kind; count],
-        },
-        data: Attributes {
-            point: vec![
-                Attribute::vectors("displacement [mm]").with_data(in_space(&fields.displacement)),
-                Attribute::generic("stress x, y, xy [MPa]", 3).with_data(fields.stress.as_flattened().to_vec()),
-                Attribute::scalars("von Mises [MPa]", 1).with_data(discretisation.von_mises(&fields)),
-                Attribute::scalars("pressure [MPa]", 1).with_data(pressure),
-                Attribute::scalars("gap [mm]", 1).with_data(gap),
-            ],
-            cell: vec![Attribute::scalars("body", 1).with_data(bodies.collect::<Vec<u32>>())],
-        },
+        points: in_space(&discretisation.mesh.points).into(),
+        cells: cells(discretisation),
+        data: Attributes { point, cell: of_bodies(discretisation) },
     };
     let file = Vtk {
         version: Version { major: 1, minor: 0 },
@@ -58,10 +55,67 @@ pub fn text(discretisation: &Discretisation, run: &Run) -> Result<String, Error>
     Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
-/// Pressure and gap at the candidate nodes of all bodies, linear between the contact points.
-fn on_candidates(discretisation: &Discretisation, run: &Run) -> [Vec<f64>; 2] {
+fn in_space(plane: &[[f64; 2]]) -> Vec<f64> {
+    plane.iter().flat_map(|[x, y]| [*x, *y, 0.0]).collect()
+}
+
+fn cells(discretisation: &Discretisation) -> Cells {
+    let mesh = &discretisation.mesh;
+    let (nodes, count) = (mesh.order.nodes_per_cell(), mesh.cells());
+    let kind = match mesh.order {
+        Order::Linear => CellType::Quad,
+        Order::Quadratic => CellType::QuadraticQuad,
+    };
+    Cells {
+        cell_verts: VertexNumbers::XML {
+            connectivity: mesh.connectivity.iter().map(|&node| node as u64).collect(),
+            offsets: (1..=count).map(|k| (k * nodes) as u64).collect(),
+        },
+        types: vec![kind; count],
+    }
+}
+
+/// Stresses at the nodes: components, principal ones, von Mises.
+fn of_stress(discretisation: &Discretisation, fields: &Fields) -> Vec<Attribute> {
+    let across = discretisation.stress_across(fields);
+    let principal: Vec<[f64; 3]> =
+        fields.stress.iter().zip(&across).map(|(plane, across)| stress::principal(*plane, *across)).collect();
+    let column = |name: &str, of: &[[f64; 3]], k: usize| scalar(name, of.iter().map(|row| row[k]).collect());
+    let in_plane = IN_PLANE.iter().enumerate().map(|(k, name)| column(name, &fields.stress, k));
+    let principal = PRINCIPAL.iter().enumerate().map(|(k, name)| column(name, &principal, k));
+    let equivalent = scalar("von_mises", discretisation.von_mises(fields));
+    in_plane.chain([scalar("stress_zz", across.clone())]).chain(principal).chain([equivalent]).collect()
+}
+
+fn scalar(name: &str, data: Vec<f64>) -> Attribute {
+    Attribute::scalars(name, 1).with_data(data)
+}
+
+/// The number of the body of every cell, and for each body by its name which cells are its own.
+fn of_bodies(discretisation: &Discretisation) -> Vec<Attribute> {
+    let mesh = &discretisation.mesh;
+    let numbers: Vec<u32> =
+        mesh.bodies.iter().enumerate().flat_map(|(k, body)| vec![k as u32; body.cells.len()]).collect();
+    let mut names: Vec<String> = Vec::new();
+    for (k, body) in discretisation.scene.bodies.iter().enumerate() {
+        let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };
+        let name = format!("body_{}", body.name.chars().map(plain).collect::<String>());
+        // Names that differ in other characters only.
+        names.push(if names.contains(&name) { format!("{name}_{k}") } else { name });
+    }
+    let own = |(k, name): (usize, &String)| {
+        let inside: Vec<u32> = numbers.iter().map(|&body| u32::from(body == k as u32)).collect();
+        Attribute::scalars(name, 1).with_data(inside)
+    };
+    let all = names.iter().enumerate().map(own).collect::<Vec<_>>();
+    std::iter::once(Attribute::scalars("body", 1).with_data(numbers)).chain(all).collect()
+}
+
+/// Pressure, gap and number of the contact at the candidate nodes of all bodies, linear between the contact points.
+fn on_candidates(discretisation: &Discretisation, run: &Run) -> [Attribute; 3] {
     let mesh = &discretisation.mesh;
     let (mut pressure, mut gap) = (vec![0.0; mesh.points.len()], vec![f64::NAN; mesh.points.len()]);
+    let mut of_contact = vec![-1_i32; mesh.points.len()];
     for (contact, pair) in discretisation.scene.contacts.iter().enumerate() {
         let points = run.solution.points_of(contact);
         let gaps: Vec<PointState> = points.iter().map(|point| PointState { pressure: point.gap, ..*point }).collect();
@@ -72,9 +126,11 @@ fn on_candidates(discretisation: &Discretisation, run: &Run) -> [Vec<f64>; 2] {
                 if candidate.coordinate.abs() <= pair.stretch * (1.0 + 1e-9) {
                     pressure[candidate.node] = profile::interpolate(points, pair.stretch, candidate.coordinate);
                     gap[candidate.node] = profile::interpolate(&gaps, pair.stretch, candidate.coordinate);
+                    of_contact[candidate.node] = contact as i32;
                 }
             }
         }
     }
-    [pressure, gap]
+    let number = Attribute::scalars("contact", 1).with_data(of_contact);
+    [scalar("contact_pressure", pressure), scalar("contact_gap", gap), number]
 }

@@ -56,14 +56,27 @@ fn gauss_points() -> [[f64; 2]; 4] {
     std::array::from_fn(|corner| shape_functions::NODES[corner].map(|x| x / 3f64.sqrt()))
 }
 
+/// Stress across the plane σ_z \[MPa\] of `[σ_x, σ_y, τ]`: 0 in plane stress, `ν (σ_x + σ_y)` in plane strain.
+pub fn across([x, y, _]: [f64; 3], plane: PlaneHypothesis, poisson: f64) -> f64 {
+    match plane {
+        PlaneHypothesis::Stress => 0.0,
+        PlaneHypothesis::Strain => poisson * (x + y),
+    }
+}
+
+/// Principal stresses σ₁ ≥ σ₂ ≥ σ₃ \[MPa\] of `[σ_x, σ_y, τ]` and σ_z: `½ (σ_x + σ_y) ± √(¼ (σ_x − σ_y)² + τ²)`, and σ_z itself.
+pub fn principal([x, y, shear]: [f64; 3], z: f64) -> [f64; 3] {
+    let (mean, radius) = (0.5 * (x + y), (0.5 * (x - y)).hypot(shear));
+    let mut all = [mean + radius, mean - radius, z];
+    all.sort_by(|a, b| b.total_cmp(a));
+    all
+}
+
 /// Von Mises stress `√(½ ((σ_x − σ_y)² + (σ_y − σ_z)² + (σ_z − σ_x)²) + 3 τ²)` \[MPa\] of `[σ_x, σ_y, τ]`, with `σ_z = 0` in
 /// plane stress and `ν (σ_x + σ_y)` in plane strain.
 ///
 /// In a cell of smoothed dilatation this σ_z is off by `2νμ (λ₁/λ)(θ̄ − θ)`, which has no mean over the cell.
-pub fn von_mises([x, y, shear]: [f64; 3], plane: PlaneHypothesis, poisson: f64) -> f64 {
-    let z = match plane {
-        PlaneHypothesis::Stress => 0.0,
-        PlaneHypothesis::Strain => poisson * (x + y),
-    };
+pub fn von_mises(stress: [f64; 3], plane: PlaneHypothesis, poisson: f64) -> f64 {
+    let ([x, y, shear], z) = (stress, across(stress, plane, poisson));
     (0.5 * ((x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2)) + 3.0 * shear * shear).sqrt()
 }

@@ -5,17 +5,20 @@
 //! * [`located`] — a place in a text file; [`excerpt`] — an error there as a terminal shows it.
 //! * [`files`] — what is wrong with a file.
 //! * [`coordinate`] — a contact coordinate as messages give it.
+//! * [`mod@nearest`] — what a mistyped name may have meant.
 
 pub mod coordinate;
 pub mod excerpt;
 pub mod files;
 pub mod kind;
 pub mod located;
+pub mod nearest;
 pub mod place;
 
 pub use coordinate::Coordinate;
 pub use kind::Kind;
 pub use located::Located;
+pub use nearest::meant;
 pub use place::{Part, Place};
 
 /// Wrong input or broken numerics; not converging is an [`Outcome`](crate::solution::Outcome), never an error.

@@ -21,7 +21,7 @@ pub mod cross_code;
 pub mod digitised;
 
 /// What kind of truth a reference is; only `Analytic` verifies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ReferenceKind {
     /// A closed form: verification.

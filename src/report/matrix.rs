@@ -1,7 +1,7 @@
-//! The verdict matrix, the tables of verdicts by kind and by study, and the summary of the terminal.
+//! The verdict matrix, and the tables of verdicts by kind and by study.
 
 use crate::case::judged::worst;
-use crate::case::{Judged, Relation, Verdict};
+use crate::case::{Judged, Verdict};
 use crate::markdown;
 use crate::oracle::ReferenceKind;
 use crate::solution::Outcome;
@@ -112,9 +112,9 @@ fn closest(judged: &[&Judged]) -> String {
 }
 
 /// Numbers of checks that passed, failed and were not run.
-pub fn counts(findings: &[Finding]) -> [usize; 3] {
+pub fn counts<'a>(findings: impl IntoIterator<Item = &'a Finding>) -> [usize; 3] {
     let mut counts = [0; 3];
-    for judged in findings.iter().flat_map(|finding| &finding.judged) {
+    for judged in findings.into_iter().flat_map(|finding| &finding.judged) {
         match judged.verdict {
             Verdict::Pass => counts[0] += 1,
             Verdict::Fail => counts[1] += 1,
@@ -122,26 +122,4 @@ pub fn counts(findings: &[Finding]) -> [usize; 3] {
         }
     }
     counts
-}
-
-/// One row per trial for the terminal: case, formulation, outcome, iterations, errors against closed forms, verdict.
-pub fn summary_rows(findings: &[Finding]) -> Vec<Vec<String>> {
-    let row = |finding: &Finding| {
-        let (outcome, iterations) = run(finding).map_or((String::new(), String::new()), |run| {
-            (run.solution.outcome.to_string(), run.solution.work.iterations.to_string())
-        });
-        let truth = finding.judged.iter().filter(|judged| judged.reference.kind == ReferenceKind::Analytic);
-        let errors: Vec<String> = truth.map(error).collect();
-        let names = [finding.case.clone(), finding.name.clone()];
-        names.into_iter().chain([outcome, iterations, errors.join("; "), finding.verdict().to_string()]).collect()
-    };
-    findings.iter().map(row).collect()
-}
-
-fn error(judged: &Judged) -> String {
-    let found = match judged.check.relation {
-        Relation::Near | Relation::NearAbsolutely | Relation::Error => markdown::error(judged.error),
-        Relation::AtLeast | Relation::AtMost => markdown::significant(judged.value, 3),
-    };
-    format!("{} {found}", judged.check.quantity)
 }

@@ -1,7 +1,7 @@
 //! The page: `VALIDATION.md` and its charts, made from the findings of the suite and from nothing else.
 //!
 //! * [`page`] — the order of the sections.
-//! * [`matrix`] — the verdict matrix and the summary table of the terminal.
+//! * [`matrix`] — the verdict matrix, and verdicts by kind and by study.
 //! * [`checks`] — requirement by requirement.
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.

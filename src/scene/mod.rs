@@ -181,8 +181,9 @@ impl Scene {
         let all = reaches.chain([("the rigid profile".to_string(), pair.profile.reach())]);
         for (name, reach) in all {
             if let Some(reach) = reach.filter(|reach| pair.stretch > reach * (1.0 + ROUNDING)) {
-                let (place, expected) = (self.place_of(contact, Part::Stretch), format!("{name} ends at {reach} mm"));
-                return Err(Error::value(place, "candidate stretch", pair.stretch, expected, "shorten it to there"));
+                let [stretch, reach] = [pair.stretch, reach].map(|s| pair.path.reported(s));
+                let (place, expected) = (self.place_of(contact, Part::Stretch), format!("{name} ends at {reach}"));
+                return Err(Error::value(place, "candidate stretch", stretch, expected, "shorten it to there"));
             }
         }
         Ok(())

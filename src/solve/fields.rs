@@ -54,6 +54,17 @@ impl Discretisation {
         Ok(along)
     }
 
+    /// Stress across the plane at every node of recovered fields \[MPa\].
+    pub fn stress_across(&self, fields: &Fields) -> Vec<f64> {
+        let mut across = vec![0.0; fields.stress.len()];
+        for (body, part) in self.scene.bodies.iter().zip(&self.mesh.bodies) {
+            for node in part.nodes.clone() {
+                across[node] = stress::across(fields.stress[node], self.scene.plane, body.material.poisson);
+            }
+        }
+        across
+    }
+
     /// Von Mises stress at every node of recovered fields \[MPa\].
     pub fn von_mises(&self, fields: &Fields) -> Vec<f64> {
         let mut equivalent = vec![0.0; fields.stress.len()];

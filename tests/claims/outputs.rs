@@ -44,13 +44,28 @@ fn fields_written_for_paraview_are_those_of_the_solution() {
         let kind = if mesh.order.nodes_per_cell() == 4 { CellType::Quad } else { CellType::QuadraticQuad };
         assert!(piece.cells.types.iter().all(|cell| *cell == kind) && piece.cells.types.len() == mesh.cells());
         let fields = discretisation.recover(&run.solution).expect("fields");
-        let (u, p) = (numbers(piece, "displacement [mm]"), numbers(piece, "pressure [MPa]"));
+        let (u, p) = (numbers(piece, "displacement"), numbers(piece, "contact_pressure"));
         let IOBuffer::F64(points) = &piece.points else { panic!("no points") };
         for (node, at) in mesh.points.iter().enumerate() {
             for k in 0..2 {
                 assert_eq!(points[3 * node + k].to_bits(), at[k].to_bits());
                 assert_eq!(u[3 * node + k].to_bits(), fields.displacement[node][k].to_bits());
             }
+        }
+        // By the component, and the invariants that do not depend on axes.
+        let component = |name: &str| numbers(piece, name);
+        let in_plane = ["stress_xx", "stress_yy", "stress_xy"].map(component);
+        let [across, equivalent] = ["stress_zz", "von_mises"].map(component);
+        let principal = ["principal_1", "principal_2", "principal_3"].map(component);
+        for (node, stress) in fields.stress.iter().enumerate() {
+            assert!((0..3).all(|k| in_plane[k][node].to_bits() == stress[k].to_bits()));
+            let [first, second, third] = [0, 1, 2].map(|k| principal[k][node]);
+            assert!(first >= second && second >= third, "{name}: {first}, {second}, {third}");
+            let scale = first.abs().max(third.abs());
+            let trace = stress[0] + stress[1] + across[node];
+            assert_relative_eq!(first + second + third, trace, epsilon = 1e-12 * scale);
+            let sum_of_squares = (first - second).powi(2) + (second - third).powi(2) + (third - first).powi(2);
+            assert_relative_eq!((0.5 * sum_of_squares).sqrt(), equivalent[node], epsilon = 1e-9 * scale);
         }
         // With node elements every candidate is a contact point.
         let nodes = run.formulation.name().starts_with("node");
@@ -61,7 +76,12 @@ fn fields_written_for_paraview_are_those_of_the_solution() {
                 let near = |node: usize| (pair.path.coordinate(mesh.points[node]) - point.position).abs() < 1e-9;
                 let node = candidates.iter().map(|candidate| candidate.node).find(|&node| near(node)).expect("a node");
                 assert_relative_eq!(p[node], point.pressure, max_relative = 1e-6, epsilon = 1e-9);
-                assert_relative_eq!(numbers(piece, "gap [mm]")[node], point.gap, max_relative = 1e-6, epsilon = 1e-9);
+                assert_relative_eq!(
+                    numbers(piece, "contact_gap")[node],
+                    point.gap,
+                    max_relative = 1e-6,
+                    epsilon = 1e-9
+                );
             }
         }
     }
@@ -96,6 +116,7 @@ fn asking_for_outputs_does_not_change_the_run() {
     assert_eq!(document, without_seconds(&all.1));
     let mut rows = csv::Reader::from_path(&csv).expect("a table");
     let profile = document["contacts"][0]["profile"].as_array().expect("a profile");
+    assert_eq!(rows.headers().expect("a head").get(0), Some("position [mm]"));
     for (row, point) in rows.deserialize::<(f64, f64, f64, f64, String)>().zip(profile) {
         let (position, pressure, gap, area, contact) = row.expect("numbers and a name");
         let same = |key: &str, value: f64| point[key].as_f64().is_some_and(|own| own.to_bits() == value.to_bits());

@@ -9,11 +9,11 @@ use toml::Spanned;
 
 use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule};
 use crate::case::definition::Case;
-use crate::case::file::Source;
 use crate::case::file::scene::Tables;
 use crate::case::file::tables::{BodyTable, ContactTable, ContactTables, Keyed, Name, Number, ReferenceTable};
 use crate::case::file::units::{Units, UnitsTable};
 use crate::case::file::unsupported::Unsupported;
+use crate::case::file::{Source, nearest_to};
 use crate::error::Error;
 use crate::mesh::size::solvable;
 use crate::solve::{Element, Formulation, Iteration, Start};
@@ -67,6 +67,13 @@ impl Case {
     pub fn read(file: &Path) -> Result<Self, Error> {
         let remedy = "give a scene file; `solve --help` says where its keys are described";
         let failed = |error: std::io::Error| Error::unreadable(file, error, remedy);
+        let missing = || match nearest_to(file) {
+            Some(meant) => Error::missing_file(file, format!("did you mean `{}`? {remedy}", meant.display())),
+            None => Error::missing_file(file, remedy),
+        };
+        if !file.exists() {
+            return Err(missing());
+        }
         if !std::fs::metadata(file).map_err(failed)?.is_file() {
             return Err(Error::unreadable(file, "this is no file", remedy));
         }

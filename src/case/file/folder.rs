@@ -3,6 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::Error;
+use crate::error::nearest::nearest;
+
+/// The file of a folder whose name is most like that of one that is not there.
+pub fn nearest_to(missing: &Path) -> Option<PathBuf> {
+    let folder = missing.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let files = files_in(folder).ok()?;
+    let names: Vec<String> = files.iter().filter_map(|file| Some(file.file_name()?.to_str()?.to_owned())).collect();
+    let meant = nearest(missing.file_name()?.to_str()?, names.iter().map(String::as_str))?;
+    Some(missing.with_file_name(meant))
+}
 
 /// All of them, in the order of their names; a folder without one is refused.
 pub fn files_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {

@@ -58,6 +58,6 @@ pub mod unsupported;
 pub mod values;
 mod wanted;
 
-pub use folder::files_in;
+pub use folder::{files_in, nearest_to};
 pub use places::Places;
 pub use source::Source;

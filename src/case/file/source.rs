@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use crate::case::file::unsupported::Unsupported;
 use crate::case::file::values::{List, Pair};
-use crate::error::{Error, Located};
+use crate::error::{Error, Located, meant};
 
 /// Characters of a list that a message shows.
 const LONGEST_SHOWN: usize = 60;
@@ -91,7 +91,8 @@ impl Source<'_> {
             let names: Vec<String> = known.iter().map(|(name, _)| format!("`{name}`")).collect();
             let asked = Unsupported::asked_by(name.get_ref());
             let instead = asked.map_or_else(String::new, |asked| format!("; {}: {}", asked.holds, asked.instead));
-            let remedy = format!("known: {}{instead}", names.join(", "));
+            let meant = meant(name.get_ref(), known.iter().map(|(name, _)| *name));
+            let remedy = format!("{meant}known: {}{instead}", names.join(", "));
             self.refused(name.span(), format!("there is no {what} `{}`", name.get_ref()), remedy)
         })
     }

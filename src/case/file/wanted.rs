@@ -7,7 +7,7 @@ use crate::case::file::Source;
 use crate::case::file::tables::{BodyTable, Keyed, Name, Number};
 use crate::case::file::units::Units;
 use crate::case::{Check, Quantity, Reference, Relation};
-use crate::error::Error;
+use crate::error::{Coordinate, Error};
 use crate::measure::display_factor;
 use crate::oracle::{self, ReferenceKind, SharedOracle};
 use crate::scene::{ContactPair, Scene};
@@ -117,10 +117,15 @@ impl CheckTable {
         self.refuse_unused(source, asked)?;
         let (quantity, unit) = match asked {
             Asked::PeakPressure => (Quantity::PeakPressure, units.stress),
-            Asked::HalfWidth => (Quantity::HalfWidth, along),
+            Asked::HalfWidth if pair.path.is_straight() => (Quantity::HalfWidth, units.length),
+            // Given and told in degrees.
+            Asked::HalfWidth => (Quantity::HalfAngle, 1.0),
             Asked::Centre => (Quantity::Centre, along),
             Asked::Resultant => (Quantity::Resultant, units.force),
-            Asked::Pressure => (Quantity::Pressure { at }, units.stress),
+            Asked::Pressure if pair.path.is_straight() => {
+                (Quantity::Pressure { at: Coordinate::Length(at) }, units.stress)
+            }
+            Asked::Pressure => (Quantity::Pressure { at: Coordinate::Angle(at) }, units.stress),
             Asked::Reaction => (self.reaction(source, bodies)?, units.force),
             Asked::Displacement => (self.displacement(source, units, scene)?, units.length),
             Asked::Approach => (self.approach(source, scene, contact)?, units.length),
@@ -248,7 +253,8 @@ impl CheckTable {
         let reference = match quantity {
             Quantity::PeakPressure => read(oracle::Quantity::PeakPressure),
             Quantity::HalfWidth => read(oracle::Quantity::SecondMoment),
-            Quantity::Pressure { at } => read(oracle::Quantity::Pressure { at: *at }),
+            Quantity::HalfAngle => read(oracle::Quantity::SecondMoment).in_degrees(),
+            Quantity::Pressure { at } => read(oracle::Quantity::Pressure { at: at.value() }),
             Quantity::Resultant => {
                 let per_thickness = read(oracle::Quantity::Resultant);
                 per_thickness.times(thickness)

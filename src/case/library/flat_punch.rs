@@ -7,6 +7,7 @@ use crate::case::check::Check;
 use crate::case::definition::Case;
 use crate::case::library::shared::block;
 use crate::case::quantity::Quantity;
+use crate::error::Coordinate;
 use crate::oracle::analytic::punch;
 use crate::scene::{
     ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, ReferenceValues, Scene,
@@ -65,7 +66,7 @@ pub(super) const TITLE: &str = "rigid flat punch on a large block";
 /// Blocks of two sizes.
 pub(super) fn cases() -> Vec<Case> {
     let because = "the block is finite: two sizes are shown; the corner singularity is resolved to a/250";
-    let check = Check::near(Quantity::Pressure { at: 0.0 }, Against::Oracle, 5e-3, because);
+    let check = Check::near(Quantity::Pressure { at: Coordinate::Length(0.0) }, Against::Oracle, 5e-3, because);
     let of = |size| {
         let case = FlatPunch { size, ..Default::default() }.case();
         Case { checks: vec![check.clone()], ..case.named(format!("flat punch, block {size} half-widths")) }

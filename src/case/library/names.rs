@@ -5,7 +5,7 @@ use crate::case::library::{
     Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
 };
 use crate::case::library::{bars, cylinder, flat_punch, own_weight, patch, pin_plate, pin_rod, truncated_hertz};
-use crate::error::Error;
+use crate::error::{Error, meant};
 use crate::scene::PlaneHypothesis;
 
 /// Name, what it is, and the case; where its load can be set, by a/R.
@@ -66,8 +66,9 @@ pub const NAMES: [(&str, &str); ENTRIES.len()] = {
 /// The case of a name; `a_over_r` sets the load of the Hertz scenes.
 pub fn find(name: &str, a_over_r: Option<f64>) -> Result<Case, Error> {
     let Some((name, title, made)) = ENTRIES.iter().find(|(known, ..)| *known == name) else {
-        let known = NAMES.map(|(name, _)| name).join(", ");
-        return Err(Error::at("solve", format!("there is no case `{name}`"), format!("choose one of {known}")));
+        let known = NAMES.map(|(name, _)| name);
+        let remedy = format!("{}choose one of {}", meant(name, known), known.join(", "));
+        return Err(Error::at("solve", format!("there is no case `{name}`"), remedy));
     };
     let case = match (made, a_over_r) {
         (Made::Fixed(case), None) => case(),

@@ -19,8 +19,9 @@ use crate::case::solved::met;
 use crate::case::{Case, Verdict};
 use crate::cli::ended::Ended;
 use crate::cli::found::Found;
+use crate::cli::json::{Answer, Solved};
 use crate::cli::terminal::say;
-use crate::cli::{self, json, reactions, vtu};
+use crate::cli::{self, reactions, vtu};
 use crate::clock::{Clock, Stage};
 use crate::error::Error;
 use crate::report::pictures;
@@ -29,10 +30,8 @@ use crate::solve::Discretisation;
 use crate::solve::Run;
 
 pub use options::Arguments;
+use options::STDOUT;
 use stages::Stages;
-
-/// What stands for standard output in place of a file.
-const STDOUT: &str = "-";
 
 /// Solves, prints a table unless JSON goes to standard output, writes what was asked for, and tells how it ended.
 ///
@@ -48,6 +47,7 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
 
 fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
     arguments.refuse_endings()?;
+    arguments.refuse_unwritable()?;
     let formulation = arguments.formulation(problem.formulation().clone());
     curve::refuse(arguments.curve.as_deref(), formulation.settings.increments)?;
     formulation.validate(&problem.scene)?;
@@ -89,7 +89,8 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
         run: &run,
         checks,
     };
-    let document = json::text(&found, accurate.as_ref().map(cli::accuracy::Document::of));
+    let answer = Solved::of(&found, accurate.as_ref().map(cli::accuracy::Document::of));
+    let document = Answer::Solved(answer.into()).document();
     write_files(arguments, &document, &discretisation, &found)?;
     stages.end();
     if arguments.json.as_deref() == Some(Path::new(STDOUT)) {

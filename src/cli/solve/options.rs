@@ -7,11 +7,15 @@ use clap::Args;
 use crate::accuracy::{self, Asked};
 use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule};
 use crate::case::{Case, library};
+use crate::cli::writable;
 use crate::error::Error;
 use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Body;
 use crate::solve::{Element, Formulation, Iteration, Start};
+
+/// What stands for standard output in place of a file.
+pub const STDOUT: &str = "-";
 
 /// Arguments of `solve`.
 #[derive(Debug, Args)]
@@ -77,13 +81,13 @@ pub struct Arguments {
     /// Write the result as JSON to a file, or to standard output with `-`.
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
-    /// Write the profile as CSV: position, pressure, gap, area.
+    /// Write the profile as CSV: position (mm, on arcs degrees), pressure, gap, area, contact.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
     /// Write resultant, approach, half-width and peak at every load increment as .csv or .json.
     #[arg(long, value_name = "FILE")]
     pub curve: Option<PathBuf>,
-    /// Write displacement, stress, pressure and gap on the mesh as VTK for ParaView.
+    /// Write displacement, stresses, contact pressure and gap on the mesh as VTK for ParaView.
     #[arg(long, value_name = "FILE.vtu")]
     pub vtu: Option<PathBuf>,
     /// Draw the deformed shape with its stresses, the pressure and the iteration error of every iteration as SVG.
@@ -166,13 +170,20 @@ impl Arguments {
             .map_err(|(message, remedy)| Error::value("solve", "--resolution", elements, message, remedy))
     }
 
+    /// Refuses outputs that cannot be written, before anything is solved.
+    pub fn refuse_unwritable(&self) -> Result<(), Error> {
+        let outputs = [&self.json, &self.csv, &self.vtu, &self.plot].into_iter().flatten();
+        let mut files = outputs.filter(|path| path.as_os_str() != STDOUT);
+        files.try_for_each(|path| writable::file(path, "name a file in a folder that exists and may be written"))
+    }
+
     /// Refuses names of outputs that would not tell their format.
     pub fn refuse_endings(&self) -> Result<(), Error> {
         let outputs = [("--csv", &self.csv), ("--vtu", &self.vtu), ("--plot", &self.plot)];
-        let to_stdout = |path: &Option<PathBuf>| path.as_deref() == Some(Path::new("-"));
+        let to_stdout = |path: &Option<PathBuf>| path.as_deref() == Some(Path::new(STDOUT));
         if let Some((option, _)) = outputs.into_iter().find(|(_, path)| to_stdout(path)) {
             let remedy = "name a file; `--json -` writes to standard output";
-            return Err(Error::value("solve", option, "-", "this output goes to a file", remedy));
+            return Err(Error::value("solve", option, STDOUT, "this output goes to a file", remedy));
         }
         if let Some(path) = self.plot.as_ref().filter(|path| path.extension().is_none_or(|end| end != "svg")) {
             return Err(Error::value("solve", "--plot", path.display(), "plots are SVG", "end the file name in .svg"));

@@ -2,9 +2,10 @@
 
 use crate::algorithm::Acceleration;
 use crate::cli::found::Found;
+use crate::cli::json::{OracleReading, Read, oracle};
 use crate::cli::reactions::ReactionReading;
 use crate::cli::terminal::say;
-use crate::cli::{bars, json, verify};
+use crate::cli::{bars, verify};
 use crate::markdown;
 use crate::measure::display_factor;
 use crate::mesh::Order;
@@ -32,16 +33,20 @@ pub fn print(found: &Found) {
     for check in checks {
         say(verify::told("check", check));
     }
-    for oracle in json::oracles(problem, run) {
-        say(format!(
-            "{} ({}) {}: {}, error {}",
-            oracle.name,
-            oracle.kind,
-            oracle.quantity,
-            markdown::value(oracle.reference),
-            markdown::error(oracle.error)
-        ));
-    }
+    oracle::readings(problem, run).iter().for_each(|oracle| say(of_oracle(problem.scene.contact(), oracle)));
+}
+
+/// What an oracle says of a quantity of the first contact, and how far the run is from it.
+fn of_oracle(pair: &ContactPair, oracle: &OracleReading) -> String {
+    let OracleReading { name, kind, quantity, reference, error } = oracle;
+    let (unit, factor) = match quantity {
+        Read::HalfWidth | Read::Edge if pair.path.is_straight() => ("mm", 1.0),
+        Read::HalfWidth | Read::Edge => ("°", display_factor(&pair.path)),
+        Read::PeakPressure | Read::PressureAtZero => ("MPa", 1.0),
+        Read::Resultant => ("N", 1.0),
+    };
+    let (reference, error) = (markdown::value(factor * reference.value()), markdown::error(error.value()));
+    format!("{name} ({kind}) {}: {reference} {unit}, error {error}", quantity.name())
 }
 
 /// By what it was solved, how it ended, and what that took.

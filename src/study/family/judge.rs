@@ -24,11 +24,11 @@ fn of_curves(curves: &Curves) -> Vec<Judged> {
     let at_last = |line: &&Line| line.ended.last().map_or(f64::NAN, |ended| ended.placed().angle);
     let smallest = lines.iter().map(at_last).reduce(smaller).unwrap_or(f64::NAN);
     let embraced = Check::at_least(
-        "smallest contact angle of all eyes at the largest clearance [rad]",
-        Reference::analytic("Persson, a wide plate", curves.wide_plate),
+        "smallest contact angle of all eyes at the largest clearance [°]",
+        Reference::analytic("Persson, a wide plate", curves.wide_plate.to_degrees()),
         "an eye that bends embraces the pin",
     )
-    .judge(smallest);
+    .judge(smallest.to_degrees());
     let [first, other] = &curves.same_place;
     let placed = [("R t p_max / F", (|p| p.pressure) as fn(&Placed) -> f64), ("angle", |p| p.angle)].map(|(name, of)| {
         Check::near(

@@ -120,7 +120,7 @@ fn model_error(model: &ModelError) -> Vec<Judged> {
 
 /// Numbers of the pin–rod.
 const MEASURED: [Named<PinLevel, f64>; 2] =
-    [("peak [MPa]", |level| level.peak), ("second-moment angle [rad]", |level| level.angle)];
+    [("peak [MPa]", |level| level.peak), ("second-moment angle [°]", |level| level.angle.to_degrees())];
 
 /// The pin–rod has no closed form: its refinement series gives its own uncertainty.
 fn pin_rod(pin: &PinRod) -> Vec<Judged> {

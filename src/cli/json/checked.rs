@@ -1,0 +1,158 @@
+//! A check with its numbers and its verdict as JSON.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::case::{Judged, Scope, Verdict};
+use crate::error::Error;
+use crate::oracle::ReferenceKind;
+
+use super::Number;
+
+/// A check of a trial, or of a scene file: a line of `verdicts` and of `verify --json`.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Line {
+    /// The trial, or the name of the scene file; of one that broke off, all else is null but the requirement, the verdict and the
+    /// reason.
+    trial: String,
+    /// The check.
+    #[serde(flatten)]
+    check: Checked,
+}
+
+/// A check; its numbers are in its unit, angles in degrees.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Checked {
+    /// What is measured, with its place and unit.
+    quantity: Option<String>,
+    /// Unit of value, bar, reference and uncertainties; null of a pure number.
+    unit: Option<&'static str>,
+    /// The sentence of what shall hold.
+    requirement: String,
+    /// Of what it is asked.
+    scope: Option<Asked>,
+    /// The value found.
+    value: Number,
+    /// Standard uncertainty of the value; null where it is not known.
+    uncertainty: Number,
+    /// How far the value may be from the truth of the scene; null where it is not known.
+    bar: Number,
+    /// What it is held against; 0 where the value is itself an error.
+    reference: Number,
+    /// Standard uncertainty of the reference; null where it is not known.
+    reference_uncertainty: Number,
+    /// Name of the reference.
+    source: Option<String>,
+    /// What kind of truth the reference is.
+    kind: Option<ReferenceKind>,
+    /// The error, relative to the reference or to the scale that the quantity names; absolute where the reference is 0.
+    error: Number,
+    /// The largest error accepted.
+    tolerance: Number,
+    /// Why this tolerance.
+    because: Option<String>,
+    /// Whether it passed, failed or was not run.
+    verdict: Ended,
+    /// Why it did not pass; null where it did.
+    reason: Option<String>,
+    /// Whether it passed.
+    passed: bool,
+}
+
+/// Of what a check is asked.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum Asked {
+    /// Of the case, the scene file or the study that declares it.
+    Own,
+    /// Of every run.
+    EveryRun,
+}
+
+/// A verdict.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+enum Ended {
+    /// The error is within the tolerance.
+    #[serde(rename = "pass")]
+    Pass,
+    /// It is not, or it is no number.
+    #[serde(rename = "fail")]
+    Fail,
+    /// The reference is absent.
+    #[serde(rename = "not run")]
+    NotRun,
+}
+
+impl Line {
+    /// A check of a trial.
+    pub fn of(trial: &str, check: &Judged) -> Self {
+        Self { trial: trial.into(), check: Checked::of(check) }
+    }
+
+    /// A trial that broke off, which fails.
+    pub fn broken(trial: &str, error: &Error) -> Self {
+        Self { trial: trial.into(), check: Checked::broken(error) }
+    }
+
+    /// Whether it failed.
+    pub fn failed(&self) -> bool {
+        self.check.verdict == Ended::Fail
+    }
+}
+
+impl Checked {
+    /// A check that was judged.
+    pub fn of(judged: &Judged) -> Self {
+        let Judged { check, value, uncertainty, bar, reference, error, verdict } = judged;
+        Self {
+            quantity: Some(check.quantity.to_string()),
+            unit: check.quantity.unit(),
+            requirement: judged.requirement(),
+            scope: Some(match check.scope {
+                Scope::Own => Asked::Own,
+                Scope::Universal => Asked::EveryRun,
+            }),
+            value: (*value).into(),
+            uncertainty: (*uncertainty).into(),
+            bar: (*bar).into(),
+            reference: reference.value.into(),
+            reference_uncertainty: reference.uncertainty.into(),
+            source: Some(reference.name.clone()),
+            kind: Some(reference.kind),
+            error: (*error).into(),
+            tolerance: check.tolerance.into(),
+            because: Some(check.because.to_string()),
+            verdict: match verdict {
+                Verdict::Pass => Ended::Pass,
+                Verdict::Fail => Ended::Fail,
+                Verdict::NotRun(_) => Ended::NotRun,
+            },
+            reason: judged.reason(),
+            passed: *verdict == Verdict::Pass,
+        }
+    }
+
+    /// What stands for the checks of a trial that broke off.
+    fn broken(error: &Error) -> Self {
+        let unknown = Number::from(f64::NAN);
+        Self {
+            quantity: None,
+            unit: None,
+            requirement: error.to_string(),
+            scope: None,
+            value: unknown,
+            uncertainty: unknown,
+            bar: unknown,
+            reference: unknown,
+            reference_uncertainty: unknown,
+            source: None,
+            kind: None,
+            error: unknown,
+            tolerance: unknown,
+            because: None,
+            verdict: Ended::Fail,
+            reason: Some(error.to_string()),
+            passed: false,
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! What one contact came to, as JSON.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::case::Case;
+use crate::solution::PointState;
+use crate::solve::Run;
+use crate::solve::run::Errors;
+
+use super::Number;
+
+/// What one contact came to; half-widths, centre and positions are lengths, or angles on an arc.
+#[derive(Serialize, JsonSchema)]
+pub struct Contact<'a> {
+    /// Its name.
+    name: &'a str,
+    /// What its coordinate is.
+    coordinate: Coordinate,
+    /// Half-width by second moment.
+    half_width: Number,
+    /// Half-width by counting pressed points.
+    half_width_nodes: Number,
+    /// Centre of pressure, of a contact on both sides of s = 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    centre: Option<Number>,
+    /// Pressed points.
+    active_points: usize,
+    /// Where every closed stretch begins and ends.
+    closed: Vec<[Number; 2]>,
+    /// What to know before quoting it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<String>,
+    /// Largest pressure; null where it has no limit.
+    peak_pressure: Number,
+    /// Where it is.
+    peak_position: Number,
+    /// Growth of a peak without a limit at the last halving of the elements.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    peak_growth: Option<Number>,
+    /// Pressure at s = 0.
+    pressure_at_zero: Number,
+    /// Largest pressure of a contact point.
+    largest_point_pressure: Number,
+    /// Where that is.
+    largest_point_position: Number,
+    /// Force on the whole contact, both halves.
+    resultant: Number,
+    /// Against the solution of the same discrete problem; null where that was not found.
+    iteration_error: Option<ContactError>,
+    /// What the springs of a penalty change of the discrete solution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    penalty_error: Option<ContactError>,
+    /// Every contact point.
+    profile: Vec<Point>,
+}
+
+/// What a contact coordinate is.
+#[derive(Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+enum Coordinate {
+    /// Along a straight path, in the unit `length`.
+    Length,
+    /// Along an arc, in the unit `angle`.
+    Angle,
+}
+
+/// Relative errors, with sign.
+#[derive(Serialize, JsonSchema)]
+struct ContactError {
+    /// Of the peak pressure.
+    peak_pressure: Number,
+    /// Of the half-width.
+    half_width: Number,
+}
+
+impl From<Errors> for ContactError {
+    fn from(errors: Errors) -> Self {
+        Self { peak_pressure: errors.peak.into(), half_width: errors.half_width.into() }
+    }
+}
+
+/// A contact point.
+#[derive(Serialize, JsonSchema)]
+struct Point {
+    /// Contact coordinate.
+    position: Number,
+    /// Contact pressure.
+    pressure: Number,
+    /// Remaining gap.
+    gap: Number,
+    /// Area that its pressure acts on.
+    area: Number,
+}
+
+impl From<&PointState> for Point {
+    fn from(p: &PointState) -> Self {
+        Self { position: p.position.into(), pressure: p.pressure.into(), gap: p.gap.into(), area: p.weight.into() }
+    }
+}
+
+impl<'a> Contact<'a> {
+    /// One of a run.
+    pub fn of(problem: &'a Case, run: &Run, contact: usize) -> Self {
+        let (pair, found) = (&problem.scene.contacts[contact], &run.contacts[contact]);
+        let measures = &found.measures;
+        Self {
+            name: &pair.name,
+            coordinate: if pair.path.is_straight() { Coordinate::Length } else { Coordinate::Angle },
+            half_width: measures.half_width.into(),
+            half_width_nodes: measures.half_width_nodes.into(),
+            centre: pair.path.has_both_sides().then_some(measures.centre.into()),
+            active_points: measures.active,
+            closed: measures.stretches.iter().map(|one| [one.begin, one.end].map(Number::from)).collect(),
+            note: run.note(contact),
+            peak_pressure: found.unbounded.is_none().then_some(measures.peak.pressure).into(),
+            peak_position: measures.peak.position.into(),
+            peak_growth: found.unbounded.map(|unbounded| unbounded.growth.into()),
+            pressure_at_zero: measures.pressure_at_origin.into(),
+            largest_point_pressure: measures.largest.pressure.into(),
+            largest_point_position: measures.largest.position.into(),
+            resultant: found.transmitted.into(),
+            iteration_error: found.iteration.map(ContactError::from),
+            penalty_error: found.penalty.map(ContactError::from),
+            profile: run.solution.points_of(contact).iter().map(Point::from).collect(),
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! All that is printed as JSON: one type, and its published schema.
+//!
+//! * [`solved`] — the result of `solve`; [`contact`] — what one contact came to; [`oracle`] — what an oracle reads.
+//! * [`checked`] — a check with its numbers and its verdict, of `solve`, `verify` and `verdicts` alike.
+//! * [`listed`] — a case of the library.
+//! * [`number`] — a number, which may be unknown.
+
+pub mod checked;
+pub mod contact;
+pub mod listed;
+pub mod number;
+pub mod oracle;
+pub mod solved;
+
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+use serde::Serialize;
+
+pub use checked::{Checked, Line};
+pub use listed::Listed;
+pub use number::Number;
+pub use oracle::{OracleReading, Read};
+pub use solved::Solved;
+
+/// What contact-vv prints as JSON.
+#[derive(Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Answer<'a> {
+    /// Of `solve --json`: one document.
+    Solved(Box<Solved<'a>>),
+    /// Of `verdicts` and `verify --json`: a line for each check.
+    Line(Box<Line>),
+    /// Of `list --json`: one document.
+    Listed(Vec<Listed>),
+}
+
+impl Answer<'_> {
+    /// As one document of several lines.
+    pub fn document(&self) -> String {
+        serde_json::to_string_pretty(self).expect("numbers, strings and lists can be written as JSON")
+    }
+
+    /// As one line.
+    pub fn line(&self) -> String {
+        serde_json::to_string(self).expect("numbers, strings and lists can be written as JSON")
+    }
+}
+
+/// The schema of all that is printed as JSON (JSON Schema, draft 7).
+pub fn schema() -> String {
+    let schema = SchemaSettings::draft07().for_serialize().into_generator().into_root_schema_for::<Answer>();
+    serde_json::to_string_pretty(&schema).expect("a schema can be written as JSON")
+}

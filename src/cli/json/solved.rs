@@ -1,0 +1,158 @@
+//! The result of a solve as JSON, which names its units: millimetre, newton, megapascal, radian and second.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::cli::found::Found;
+use crate::cli::reactions::ReactionReading;
+use crate::cli::{accuracy, bars};
+use crate::solution::IterationError;
+
+use super::contact::Contact;
+use super::{Checked, Number, OracleReading, oracle};
+
+/// The result of a solve.
+#[derive(Serialize, JsonSchema)]
+pub struct Solved<'a> {
+    /// Name of the case, or of the scene file.
+    case: &'a str,
+    /// Units of all numbers but those of checks, which name theirs.
+    units: Units,
+    /// Contact element.
+    element: &'a str,
+    /// Iteration algorithm.
+    algorithm: &'a str,
+    /// Its rule.
+    rule: &'a str,
+    /// Largest factor on a stiffness in an iteration; null where changes are not bounded.
+    bound: Number,
+    /// What has a stiffness of its own.
+    spring: &'a str,
+    /// What shall fall below the tolerance.
+    criterion: &'a str,
+    /// Acceleration of the iteration.
+    acceleration: &'a str,
+    /// Start of the iteration.
+    start: &'a str,
+    /// Initial stiffness κ₀ = k_n ℓ/E*.
+    stiffness: Number,
+    /// Order of the elements: 1 or 2.
+    order: u8,
+    /// Elements on the length that the scene names.
+    resolution: usize,
+    /// Degrees of freedom.
+    #[serde(rename = "freedoms")]
+    dofs: usize,
+    /// Normal degrees of freedom that the condensation retains.
+    retained: usize,
+    /// How the iteration ended.
+    outcome: String,
+    /// Iterations.
+    #[serde(rename = "steps")]
+    iterations: usize,
+    /// Factorisations of the condensed stiffness.
+    factorisations: usize,
+    /// Back-substitutions with them.
+    back_substitutions: usize,
+    /// Accelerated iterations that were given up for the plain one.
+    rejected: usize,
+    /// Iterations on coarser meshes that found the start.
+    #[serde(rename = "coarser_steps")]
+    coarser_iterations: usize,
+    /// Seconds by stage.
+    seconds: BTreeMap<&'static str, f64>,
+    /// What the iteration was judged by.
+    iteration_error: IterationParts,
+    /// The contacts, in the order of the scene.
+    contacts: Vec<Contact<'a>>,
+    /// What the supports exert.
+    reactions: &'a [ReactionReading],
+    /// How far each number may be from the truth; left out where that was not asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    error_bars: Vec<bars::Document>,
+    /// Checks of the file, and that of the accuracy asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    checks: Vec<Checked>,
+    /// What the closed form of the case says.
+    oracles: Vec<OracleReading>,
+    /// What came of an accuracy that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    accuracy: Option<accuracy::Document>,
+}
+
+/// Units of all numbers; errors and the spring stiffness κ are pure.
+#[derive(Serialize, JsonSchema)]
+struct Units {
+    /// Of lengths.
+    length: &'static str,
+    /// Of forces.
+    force: &'static str,
+    /// Of stresses and pressures.
+    stress: &'static str,
+    /// Of angles.
+    angle: &'static str,
+    /// Of times.
+    time: &'static str,
+}
+
+const UNITS: Units = Units { length: "mm", force: "N", stress: "MPa", angle: "rad", time: "s" };
+
+/// What the iteration was judged by, at the worst contact; relative.
+#[derive(Serialize, JsonSchema)]
+struct IterationParts {
+    /// Of the peak pressure.
+    peak: Number,
+    /// Of the force.
+    force: Number,
+    /// Of the width.
+    width: Number,
+    /// Of the approach.
+    approach: Number,
+}
+
+impl From<IterationError> for IterationParts {
+    fn from(IterationError { peak, force, width, approach }: IterationError) -> Self {
+        Self { peak: peak.into(), force: force.into(), width: width.into(), approach: approach.into() }
+    }
+}
+
+impl<'a> Solved<'a> {
+    /// The document of a run.
+    pub fn of(found: &'a Found, accuracy: Option<accuracy::Document>) -> Self {
+        let Found { problem, resolution, run, reactions, checks, .. } = found;
+        let (solution, formulation) = (&run.solution, &run.formulation);
+        Self {
+            case: &problem.name,
+            units: UNITS,
+            element: formulation.element.name(),
+            algorithm: formulation.algorithm.name(),
+            rule: formulation.rule.name(),
+            bound: formulation.leeway.bound.into(),
+            spring: formulation.leeway.spring.name(),
+            criterion: formulation.settings.criterion.name(),
+            acceleration: formulation.acceleration.name(),
+            start: formulation.start.name(),
+            stiffness: formulation.stiffness.into(),
+            order: resolution.order.number(),
+            resolution: resolution.elements,
+            dofs: run.dofs,
+            retained: run.retained,
+            outcome: solution.outcome.to_string(),
+            iterations: solution.work.iterations,
+            factorisations: solution.work.factorisations,
+            back_substitutions: solution.work.back_substitutions,
+            rejected: solution.work.rejected,
+            coarser_iterations: solution.coarser.iterations,
+            seconds: run.seconds.iter().map(|&(stage, seconds)| (stage.name(), seconds)).collect(),
+            iteration_error: solution.error().into(),
+            contacts: (0..run.contacts.len()).map(|contact| Contact::of(problem, run, contact)).collect(),
+            reactions,
+            error_bars: bars::Document::all(found),
+            checks: checks.iter().map(Checked::of).collect(),
+            oracles: oracle::readings(problem, run),
+            accuracy,
+        }
+    }
+}

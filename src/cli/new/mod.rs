@@ -1,0 +1,70 @@
+//! `new SHAPE`: commented scene files to begin with, one for each shape of problem.
+
+use crate::cli::terminal::say;
+use crate::named::named_enum;
+
+named_enum! {
+    /// A scene file to begin with.
+    pub enum Template {
+        /// A cylinder on a rigid plane.
+        Cylinder = "cylinder",
+        /// Two cylinders of different radii and materials.
+        TwoCylinders = "two-cylinders",
+        /// A cylinder on an elastic block, to an accuracy instead of a mesh.
+        CylinderOnBlock = "cylinder-on-block",
+        /// A rigid flat punch on a block.
+        Punch = "punch",
+        /// A rigid profile given point by point, pressed into a block.
+        Profile = "profile",
+        /// Two rings pressed into one another.
+        PressFit = "press-fit",
+        /// A pin in the eye of a lug, with clearance.
+        PinInHole = "pin-in-hole",
+        /// A roller between two plates: several contacts.
+        Roller = "roller",
+        /// A block under an eccentric load: contact on both sides of x = 0.
+        Eccentric = "eccentric",
+        /// A wedge-shaped body made of blocks.
+        Blocks = "blocks",
+        /// Bodies from a Gmsh mesh.
+        Gmsh = "gmsh",
+        /// The Gmsh mesh itself that `gmsh` reads, as rings.msh.
+        Mesh = "mesh",
+    }
+}
+
+impl Template {
+    /// The text of the file.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Cylinder => include_str!("cylinder.toml"),
+            Self::TwoCylinders => include_str!("two-cylinders.toml"),
+            Self::CylinderOnBlock => include_str!("cylinder-on-block.toml"),
+            Self::Punch => include_str!("punch.toml"),
+            Self::Profile => include_str!("profile.toml"),
+            Self::PressFit => include_str!("press-fit.toml"),
+            Self::PinInHole => include_str!("pin-in-hole.toml"),
+            Self::Roller => include_str!("roller.toml"),
+            Self::Eccentric => include_str!("eccentric.toml"),
+            Self::Blocks => include_str!("blocks.toml"),
+            Self::Gmsh => include_str!("gmsh.toml"),
+            Self::Mesh => include_str!("../../../tests/cases/meshes/rings-coarse.msh"),
+        }
+    }
+}
+
+/// Prints a file, or the list of all.
+pub fn print(template: Option<Template>) {
+    match template {
+        Some(template) => say(template.text().trim_end()),
+        None => say(list()),
+    }
+}
+
+/// A line for each file: its name and what it is.
+fn list() -> String {
+    let widest = Template::NAMES.map(str::len).into_iter().max().unwrap_or(0);
+    let lines = Template::ALL.map(|template| format!("{:widest$}  {}", template.name(), template.title()));
+    let remedy = "`contact-vv new NAME > mine.toml` writes one, `contact-vv solve mine.toml` solves it";
+    format!("{}\n\n{remedy}", lines.join("\n"))
+}

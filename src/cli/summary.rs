@@ -1,0 +1,66 @@
+//! What the suite found, on a terminal: first what did not pass, then the passes, summed up study by study.
+
+use crate::case::judged::worst;
+use crate::case::{Judged, Verdict};
+use crate::cli::suite;
+use crate::cli::terminal::{say, show, table};
+use crate::report::matrix;
+use crate::study::present::MADE;
+use crate::study::{Finding, Room};
+
+/// A check that did not pass: its verdict, its trial, and what it asked.
+type Row = [String; 3];
+
+/// Prints the checks that failed, then those that were not run, then a row for each study, and the counts of verdicts.
+pub fn print(findings: &[Finding]) {
+    let of_trial = |finding: &Finding| {
+        let title = format!("{} × {}", finding.case, finding.name);
+        finding.judged.iter().filter_map(move |check| row(&title, check)).collect::<Vec<_>>()
+    };
+    let mut rows: Vec<(bool, Row)> = findings.iter().flat_map(of_trial).collect();
+    for made in MADE {
+        match made.check() {
+            Ok(check) => rows.extend(row(&suite::title(&made), &check)),
+            Err(error) => show(&error),
+        }
+    }
+    // Failures first, each kind in the order of the page.
+    rows.sort_by_key(|(failed, _)| !failed);
+    if !rows.is_empty() {
+        let mut told = table(["verdict", "trial", "check"]);
+        told.add_rows(rows.into_iter().map(|(_, row)| row));
+        say(format!("{told}\n"));
+    }
+    say(studies(findings));
+    let [pass, fail, not_run] = matrix::counts(findings);
+    say(format!("\nchecks: {pass} passed, {fail} failed, {not_run} not run"));
+}
+
+/// A row of a check that did not pass, and whether it failed.
+fn row(title: &str, check: &Judged) -> Option<(bool, Row)> {
+    let reason = check.reason()?;
+    let failed = check.verdict == Verdict::Fail;
+    let sign = if failed { "✗ FAIL" } else { "○ not run" };
+    Some((failed, [sign.into(), title.into(), format!("{}: {reason}", check.requirement())]))
+}
+
+/// A row for each study: worst verdict, trials, and its checks by verdict.
+fn studies(findings: &[Finding]) -> String {
+    let mut told = table(["verdict", "study", "trials", "checks", "passed", "failed", "not run"]);
+    for room in Room::ALL {
+        let own: Vec<&Finding> = findings.iter().filter(|finding| finding.room == *room).collect();
+        if own.is_empty() {
+            continue;
+        }
+        let judged = || own.iter().flat_map(|finding| &finding.judged);
+        let sign = match worst(judged()) {
+            Some(Verdict::Pass) => "✓ pass",
+            Some(Verdict::NotRun(_)) => "○ not run",
+            Some(Verdict::Fail) | None => "✗ FAIL",
+        };
+        let [pass, fail, not_run] = matrix::counts(own.iter().copied());
+        let counts = [own.len(), pass + fail + not_run, pass, fail, not_run].map(|count| count.to_string());
+        told.add_row([sign.to_string(), room.name().replace('_', " ")].into_iter().chain(counts));
+    }
+    told.to_string()
+}

@@ -1,0 +1,38 @@
+//! Whether results can be written, asked before what takes long.
+
+use std::fs::{self, File, OpenOptions};
+use std::io;
+use std::path::Path;
+
+use crate::error::Error;
+
+/// What to do where the records of the checkout cannot be written.
+pub const CHECKOUT: &str = "give the right to write to the checkout that the program was built in";
+
+/// Refuses a folder in which no file can be made; of one that is not there yet, the nearest above it that is.
+pub fn folder(path: &Path, remedy: &str) -> Result<(), Error> {
+    let present = path.ancestors().map(or_here).find(|above| above.exists()).unwrap_or(path);
+    let probe = present.join(format!(".contact-vv-{}", std::process::id()));
+    let made = File::create_new(&probe).and_then(|_| fs::remove_file(&probe));
+    made.map_err(|error| refused(path, &error, remedy))
+}
+
+/// Refuses a file that cannot be written, or made.
+pub fn file(path: &Path, remedy: &str) -> Result<(), Error> {
+    if path.exists() {
+        return OpenOptions::new().append(true).open(path).map(drop).map_err(|error| refused(path, &error, remedy));
+    }
+    match path.parent().map(or_here).filter(|above| !above.is_dir()) {
+        Some(above) => Err(Error::missing_file(above, remedy)),
+        None => folder(path, remedy),
+    }
+}
+
+/// The parent of a bare name is the folder that the program runs in.
+fn or_here(path: &Path) -> &Path {
+    if path.as_os_str().is_empty() { Path::new(".") } else { path }
+}
+
+fn refused(path: &Path, error: &io::Error, remedy: &str) -> Error {
+    Error::file(path, format!("cannot be written: {error}"), remedy)
+}

@@ -1,0 +1,100 @@
+//! All that is printed as JSON is of one type, whose schema is published; angles are told in degrees.
+
+use std::path::Path;
+
+use contact_vv::cli::json;
+use serde_json::Value;
+
+use crate::outputs::{contact_vv, scene};
+
+fn lines(arguments: &[&str]) -> Vec<Value> {
+    let (_, text, _) = contact_vv(arguments);
+    text.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect()
+}
+
+#[test]
+fn published_schema_is_that_of_the_program() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots/schema.json");
+    let published = std::fs::read_to_string(&file).expect("published");
+    let (sound, printed, _) = contact_vv(&["schema"]);
+    assert!(sound && printed == format!("{}\n", json::schema()));
+    assert_eq!(published, printed, "`cargo run --release -- schema > snapshots/schema.json`, and read the difference");
+    let schema: Value = serde_json::from_str(&published).expect("JSON");
+    assert_eq!(schema["anyOf"].as_array().map(Vec::len), Some(3));
+}
+
+#[test]
+fn line_of_a_check_carries_its_numbers_its_verdict_and_why_it_failed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("off.toml").display().to_string();
+    let text = std::fs::read_to_string(scene("blocks")).expect("text");
+    std::fs::write(&path, text.replace("value = 4000", "value = 4100")).expect("written");
+    let lines = lines(&["verify", &path, "--json"]);
+    let own: Vec<&Value> = lines.iter().filter(|line| line["scope"] == "own").collect();
+    assert!(own.len() == 2 && lines.iter().any(|line| line["scope"] == "every-run"), "{lines:?}");
+    let [held, off] = [own[0], own[1]];
+    assert!(held["verdict"] == "pass" && held["passed"] == true && held["reason"].is_null(), "{held}");
+    assert!(off["verdict"] == "fail" && off["passed"] == false, "{off}");
+    let number = |key: &str| off[key].as_f64().unwrap_or_else(|| panic!("{key}: {off}"));
+    let error = (number("value") - number("reference")).abs() / number("reference");
+    assert!((number("error") - error).abs() < 1e-12 && number("error") > number("tolerance"), "{off}");
+    let text = |key: &str| off[key].as_str().unwrap_or_else(|| panic!("{key}: {off}"));
+    assert_eq!((text("unit"), text("kind"), text("because")), ("N", "analytic", "equilibrium"));
+    assert!(text("reason").contains("2.4 %") && text("reason").contains("tolerance"), "{off}");
+    // The check of `solve` is the same one, under the keys that it had.
+    let (_, document, _) = contact_vv(&["solve", &path, "--json", "-"]);
+    let solved: Value = serde_json::from_str(&document).expect("JSON");
+    let same = &solved["checks"][1];
+    for key in ["quantity", "value", "reference", "source", "error", "tolerance", "passed", "verdict", "reason"] {
+        assert_eq!(same[key], off[key], "{key}");
+    }
+}
+
+#[test]
+fn angles_are_told_in_degrees_where_they_are_given_in_degrees() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let csv = folder.path().join("p.csv").display().to_string();
+    let (sound, table, _) = contact_vv(&["solve", &scene("press-fit"), "--csv", &csv]);
+    assert!(sound && table.contains("contact pressure at s = 45° [MPa]") && !table.contains("0.785"), "{table}");
+    let mut rows = csv::Reader::from_path(&csv).expect("a table");
+    assert_eq!(rows.headers().expect("a head").get(0), Some("position [deg]"));
+    let last = rows.deserialize::<(f64, f64, f64, f64, String)>().last().expect("a row").expect("numbers");
+    assert!((last.0 - 90.0).abs() < 1e-9, "{}", last.0);
+    let (_, document, _) = contact_vv(&["solve", &scene("press-fit"), "--json", "-"]);
+    let solved: Value = serde_json::from_str(&document).expect("JSON");
+    assert_eq!(solved["units"]["angle"], "rad");
+    let end = solved["contacts"][0]["profile"].as_array().and_then(|all| all.last()).expect("a point");
+    assert!((end["position"].as_f64().expect("a number") - std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+}
+
+#[test]
+fn half_width_of_a_pin_is_judged_in_degrees() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("pin.toml").display().to_string();
+    let (_, text, _) = contact_vv(&["new", "pin-in-hole"]);
+    let asked = "\n[[check]]\nquantity = \"half-width\"\nvalue = 90\ntolerance = 0.9\nbecause = \"any\"\n";
+    std::fs::write(&path, text + asked).expect("written");
+    let (_, document, _) = contact_vv(&["solve", &path, "--json", "-"]);
+    let solved: Value = serde_json::from_str(&document).expect("JSON");
+    let check = solved["checks"].as_array().and_then(|all| all.last()).expect("a check");
+    let angle = solved["contacts"][0]["half_width"].as_f64().expect("an angle");
+    let judged = check["value"].as_f64().expect("a number");
+    assert_eq!(check["unit"], "°");
+    assert!((judged - angle.to_degrees()).abs() < 1e-9 && judged > 10.0, "{judged}");
+    let (_, table, _) = contact_vv(&["solve", &path]);
+    assert!(table.contains("half-angle by second moment [°] is"), "{table}");
+}
+
+#[test]
+fn profile_of_several_contacts_names_the_contact_of_every_point() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let csv = folder.path().join("p.csv").display().to_string();
+    let (sound, _, error) = contact_vv(&["solve", &scene("three-rings"), "--no-error-bar", "--csv", &csv]);
+    assert!(sound, "{error}");
+    let mut rows = csv::Reader::from_path(&csv).expect("a table");
+    let head: Vec<String> = rows.headers().expect("a head").iter().map(String::from).collect();
+    assert_eq!(head, ["position [deg]", "pressure [MPa]", "gap [mm]", "area [mm2]", "contact"]);
+    let contacts: std::collections::BTreeSet<String> =
+        rows.records().map(|row| row.expect("a row").get(4).expect("a name").to_string()).collect();
+    assert_eq!(contacts.len(), 2, "{contacts:?}");
+}

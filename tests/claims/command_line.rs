@@ -1,0 +1,188 @@
+//! What the user types, and what a terminal, a shell and another program are shown.
+
+use std::path::Path;
+use std::process::Command;
+
+use contact_vv::case::library::NAMES;
+use contact_vv::cli::{self, writable};
+use contact_vv::error::nearest::nearest;
+
+use crate::outputs::{contact_vv, scene};
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_contact-vv");
+
+/// What the program prints on a terminal of so many columns.
+fn on_columns(columns: usize, arguments: &[&str]) -> String {
+    let mut command = Command::new(PROGRAM);
+    let output = command.env("COLUMNS", columns.to_string()).args(arguments).output().expect("started");
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+fn widest(text: &str) -> usize {
+    text.lines().map(|line| line.trim_end().chars().count()).max().unwrap_or(0)
+}
+
+#[test]
+fn help_wraps_at_the_width_of_the_terminal_and_ends_with_examples() {
+    for (name, mut command) in commands() {
+        let help = command.render_long_help().to_string();
+        // Surveys take no arguments that an example could show.
+        let survey =
+            ["atlas", "converged", "met", "readings", "coverage", "timings", "freeze"].contains(&name.as_str());
+        assert!(survey || help.contains("Examples:\n  contact-vv"), "{name}: {help}");
+    }
+    for columns in [60, 80] {
+        let help = on_columns(columns, &["verdicts", "--help"]);
+        assert!(widest(&help) <= columns && !help.is_empty(), "{help}");
+        let help = on_columns(columns, &["solve", "--help"]);
+        let text = help.split("Examples:").next().expect("a text");
+        assert!(widest(text) <= columns, "{text}");
+    }
+    assert!(widest(&on_columns(60, &["solve", "--help"])) < widest(&on_columns(100, &["solve", "--help"])));
+}
+
+#[test]
+fn every_example_of_the_help_is_a_command_that_is_understood() {
+    let mut examples = 0;
+    for (name, command) in commands() {
+        let shown = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+        for line in shown.lines().filter_map(|line| line.strip_prefix("  ")) {
+            for one in line.split(" && ") {
+                let typed = one.split(" > ").next().expect("a command");
+                let words = words(typed);
+                let parsed = cli::command().try_get_matches_from(&words);
+                assert!(parsed.is_ok(), "{name}: {line}: {}", parsed.expect_err("a mistake"));
+                let case = words.iter().skip_while(|word| *word != "solve").nth(1);
+                let known = |case: &String| NAMES.iter().any(|(name, _)| name == case) || case == "mine.toml";
+                assert!(case.is_none_or(|case| known(case) || Path::new(case).is_file()), "{line}");
+                examples += 1;
+            }
+        }
+    }
+    assert!(examples > 20, "{examples}");
+}
+
+/// The program and its commands.
+fn commands() -> Vec<(String, clap::Command)> {
+    let all = cli::command();
+    let own = all.get_subcommands().map(|one| (one.get_name().to_string(), one.clone()));
+    own.chain([("contact-vv".to_string(), all.clone())]).collect()
+}
+
+/// Words of a command, of which those in quotes are one.
+fn words(typed: &str) -> Vec<String> {
+    let parts = typed.split('"').enumerate();
+    parts
+        .flat_map(|(k, part)| match k % 2 {
+            0 => part.split_whitespace().map(String::from).collect(),
+            _ => vec![part.to_string()],
+        })
+        .collect()
+}
+
+#[test]
+fn misspelt_names_are_answered_with_the_one_that_was_meant() {
+    let (sound, _, error) = contact_vv(&["solve", "cylnder"]);
+    assert!(!sound && error.contains("there is no case `cylnder`"), "{error}");
+    assert!(error.contains("did you mean `cylinder`?") && error.contains("choose one of"), "{error}");
+    let (sound, _, error) = contact_vv(&["solve", "zzz"]);
+    assert!(!sound && !error.contains("did you mean") && error.contains("choose one of"), "{error}");
+    let (sound, _, error) = contact_vv(&["solve", &scene("pres-fit")]);
+    assert!(!sound && error.contains("did you mean") && error.contains("press-fit.toml`?"), "{error}");
+    for (typed, meant) in [("lst", "list"), ("solv", "solve")] {
+        let (sound, _, error) = contact_vv(&[typed]);
+        assert!(!sound && error.contains(&format!("'{meant}'")), "{error}");
+    }
+    let (_, _, error) = contact_vv(&["new", "cilinder"]);
+    assert!(error.contains("'cylinder'"), "{error}");
+    assert_eq!(nearest("Press-Fitt", ["press-fit", "patch"]), Some("press-fit"));
+    assert_eq!(nearest("", ["press-fit"]), None);
+}
+
+#[test]
+fn cases_are_listed_for_people_and_for_programs_alike() {
+    let (sound, told, _) = contact_vv(&["list"]);
+    let (also, document, _) = contact_vv(&["list", "--json"]);
+    let listed: Vec<serde_json::Value> = serde_json::from_str(&document).expect("JSON");
+    assert!(sound && also && listed.len() == NAMES.len() && told.lines().count() == NAMES.len());
+    for ((name, title), one) in NAMES.iter().zip(listed) {
+        assert_eq!((one["name"].as_str(), one["title"].as_str()), (Some(*name), Some(*title)));
+    }
+}
+
+#[test]
+fn completions_and_manual_pages_name_every_command() {
+    let names: Vec<String> = commands().into_iter().map(|(name, _)| name).collect();
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let (sound, script, _) = contact_vv(&["completions", shell]);
+        assert!(sound && names.iter().all(|name| script.contains(name.as_str())), "{shell}");
+    }
+    let (sound, page, _) = contact_vv(&["man"]);
+    assert!(sound && page.contains(".TH contact") && page.contains("Examples"), "{page}");
+    let folder = tempfile::tempdir().expect("a folder");
+    let pages = folder.path().join("made/man1");
+    let (sound, _, error) = contact_vv(&["man", &pages.display().to_string()]);
+    assert!(sound, "{error}");
+    for (name, _) in commands() {
+        let file = if name == "contact-vv" { "contact-vv.1".into() } else { format!("contact-vv-{name}.1") };
+        let page = std::fs::read_to_string(pages.join(&file));
+        assert!(page.is_ok_and(|page| page.contains(".SH SYNOPSIS")), "{file}");
+    }
+}
+
+#[test]
+fn what_cannot_be_written_is_refused_by_its_name() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    assert!(writable::file(&at("new.txt"), "").is_ok() && !at("new.txt").exists());
+    assert!(writable::folder(&at("not/yet/there"), "").is_ok() && !at("not").exists());
+    std::fs::write(at("old.txt"), "kept").expect("written");
+    assert!(writable::file(&at("old.txt"), "").is_ok());
+    assert_eq!(std::fs::read_to_string(at("old.txt")).expect("read"), "kept");
+    for file in [folder.path().to_path_buf(), at("missing/new.txt"), at("old.txt").join("below")] {
+        let error = writable::file(&file, "do this").expect_err("it cannot be written");
+        assert!(error.to_string().ends_with("; do this"), "{error}");
+    }
+    let error = writable::folder(&at("old.txt"), "do this").expect_err("it is no folder");
+    assert!(
+        error.to_string().contains("old.txt` cannot") || error.to_string().contains("cannot be written"),
+        "{error}"
+    );
+    // A file system that nobody writes to, not even root.
+    #[cfg(target_os = "linux")]
+    assert!(writable::folder(Path::new("/proc"), "").is_err());
+}
+
+/// A checkout whose page cannot be written; root may write to any file, but not to a folder of that name.
+#[test]
+fn read_only_checkout_is_refused_before_the_suite_runs() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::create_dir_all(folder.path().join("snapshots/charts")).expect("made");
+    std::fs::create_dir_all(folder.path().join("VALIDATION.md")).expect("made");
+    std::fs::write(folder.path().join("Cargo.toml"), "").expect("written");
+    let clock = std::time::Instant::now();
+    let output = Command::new(PROGRAM).current_dir(folder.path()).output().expect("started");
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{error}");
+    assert!(error.contains("VALIDATION.md") && error.contains("cannot be written"), "{error}");
+    assert!(error.contains("report --check") && clock.elapsed().as_secs() < 5, "{error}");
+}
+
+#[test]
+fn output_that_cannot_be_written_is_refused_before_anything_is_solved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (option, name) in [("--json", "a.json"), ("--csv", "a.csv"), ("--vtu", "a.vtu"), ("--plot", "a.svg")] {
+        let file = folder.path().join("missing").join(name).display().to_string();
+        let (sound, told, error) = contact_vv(&["solve", "patch", option, &file]);
+        assert!(!sound && told.is_empty() && error.contains("missing"), "{option}: {told}{error}");
+    }
+}
+
+#[test]
+fn tables_are_no_wider_than_the_terminal() {
+    let file = scene("press-fit");
+    for columns in [72, 100] {
+        let table = on_columns(columns, &["verify", &file]);
+        assert!(table.contains("passed") && widest(&table) <= columns, "{table}");
+    }
+}

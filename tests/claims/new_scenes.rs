@@ -1,0 +1,74 @@
+//! A scene file written from nothing: each one printed is understood, explained, and solved.
+
+use std::collections::BTreeSet;
+
+use contact_vv::case::{Case, Verdict};
+use contact_vv::cli::new::Template;
+
+use crate::outputs::contact_vv;
+
+/// Those that are scenes.
+fn scenes() -> impl Iterator<Item = Template> {
+    Template::ALL.into_iter().filter(|template| *template != Template::Mesh)
+}
+
+/// Names of all keys of a file.
+fn keys(value: &toml::Value, found: &mut BTreeSet<String>) {
+    match value {
+        toml::Value::Table(table) => {
+            for (key, value) in table {
+                found.insert(key.clone());
+                keys(value, found);
+            }
+        }
+        toml::Value::Array(all) => all.iter().for_each(|one| keys(one, found)),
+        _ => {}
+    }
+}
+
+/// Words of the comments that stand in backquotes.
+fn explained(text: &str) -> BTreeSet<String> {
+    let comments = text.lines().filter_map(|line| line.split_once('#')).map(|(_, comment)| comment);
+    let words = |comment: &str| comment.split('`').skip(1).step_by(2).map(String::from).collect::<Vec<_>>();
+    comments.flat_map(words).collect()
+}
+
+#[test]
+fn comments_of_a_new_scene_explain_every_key_it_uses() {
+    for template in scenes() {
+        let (mut used, text) = (BTreeSet::new(), template.text());
+        keys(&toml::from_str(text).expect("TOML"), &mut used);
+        let explained = explained(text);
+        // The coordinates of a rectangle are those of the plane.
+        let silent = used.iter().filter(|key| !explained.contains(*key) && !["x", "y"].contains(&key.as_str()));
+        let silent: Vec<_> = silent.collect();
+        assert!(silent.is_empty(), "{}: {silent:?}", template.name());
+    }
+}
+
+#[test]
+fn every_new_scene_is_solved_and_its_checks_hold() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("rings.msh"), Template::Mesh.text()).expect("written");
+    for template in scenes() {
+        let name = template.name();
+        let (_, text, _) = contact_vv(&["new", name]);
+        assert_eq!(text.trim_end(), template.text().trim_end(), "{name}");
+        let file = folder.path().join(name).with_extension("toml");
+        std::fs::write(&file, text).expect("written");
+        let case = Case::read(&file).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let (meshed, run) = case.solve().unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(run.solution.converged(), "{name}: {}", run.solution.outcome);
+        let judged = case.judge(&meshed, &run).expect("judged");
+        assert!(!case.checks.is_empty() && judged.iter().all(|one| one.verdict == Verdict::Pass), "{name}: {judged:?}");
+    }
+}
+
+#[test]
+fn shapes_of_new_scenes_are_listed_where_none_is_named() {
+    let (sound, list, _) = contact_vv(&["new"]);
+    let listed = |template: &Template| {
+        list.lines().any(|line| line.starts_with(template.name()) && line.ends_with(template.title()))
+    };
+    assert!(sound && Template::ALL.iter().all(listed), "{list}");
+}

@@ -1,0 +1,79 @@
+//! What other programs read of our outputs: meshio, pyvista and a validator of JSON Schema, each in a process of its own, since
+//! they bring a numpy that the oracles cannot use.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+
+use crate::outputs::{contact_vv, scene};
+
+/// What a script of `oracles/readers` prints, and whether it ended well.
+fn asked(script: &str, file: &Path, input: &str) -> (bool, String, String) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles");
+    let mut command = Command::new("/usr/bin/python3");
+    command
+        .env("PYTHONPATH", folder.join(".python/readers"))
+        .arg("-sB")
+        .arg(folder.join("readers").join(script))
+        .arg(file);
+    let piped = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = piped.spawn().expect("Python is there");
+    // A script that refuses the first line reads no more of it.
+    let _ = child.stdin.take().expect("piped").write_all(input.as_bytes());
+    let output = child.wait_with_output().expect("it ends");
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (output.status.success(), text(&output.stdout), text(&output.stderr))
+}
+
+fn written(folder: &Path) -> (PathBuf, Value) {
+    let file = folder.join("fields.vtu");
+    let path = file.display().to_string();
+    let arguments = ["solve", &scene("roller-between-plates"), "--no-error-bar", "--json", "-", "--vtu", &path];
+    let (sound, document, error) = contact_vv(&arguments);
+    assert!(sound, "{error}");
+    (file, serde_json::from_str(&document).expect("JSON"))
+}
+
+#[test]
+fn fields_are_read_by_meshio_and_pyvista_under_names_that_a_calculator_takes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (file, solved) = written(folder.path());
+    let (sound, text, error) = asked("fields.py", &file, "");
+    assert!(sound, "{error}: `bash oracles/setup.sh` installs what reads them");
+    let read: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(read["meshio"], read["pyvista"]);
+    let profile = solved["contacts"].as_array().expect("contacts").iter().flat_map(|one| one["profile"].as_array());
+    let largest = profile.flatten().filter_map(|point| point["pressure"].as_f64()).fold(0.0, f64::max);
+    let fields = &read["pyvista"];
+    let reached = fields["point"]["contact_pressure"][1].as_f64().expect("a number");
+    assert!((reached - largest).abs() <= 1e-6 * largest, "{reached} instead of {largest}");
+    // Three bodies, of which each has cells and none has all; two contacts, and nodes of neither.
+    for body in ["body_upper", "body_roller", "body_lower"] {
+        assert_eq!(fields["cell"][body], serde_json::json!([0.0, 1.0]), "{body}");
+    }
+    assert_eq!(fields["point"]["contact"], serde_json::json!([-1.0, 1.0]));
+    let equivalent = fields["point"]["von_mises"][1].as_f64().expect("a number");
+    let off = read["calculated"].as_f64().expect("a number");
+    assert!(off <= 1e-9 * equivalent, "{off}");
+}
+
+#[test]
+fn all_that_is_printed_as_json_is_of_the_published_schema() {
+    let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots/schema.json");
+    let printed = |arguments: &[&str]| contact_vv(arguments).1;
+    let one_line = |text: String| text.lines().collect::<String>() + "\n";
+    let solved = ["cylinder-to-accuracy", "flat-punch", "three-rings", "rings-from-gmsh"];
+    let mut documents: String =
+        solved.iter().map(|name| one_line(printed(&["solve", &scene(name), "--json", "-"]))).collect();
+    let few = ["solve", "cylinder", "--max-iterations", "2", "--json", "-"];
+    documents += &one_line(printed(&few));
+    documents += &one_line(printed(&["list", "--json"]));
+    documents += &printed(&["verify", &scene("press-fit"), &scene("no-such-file"), "--json"]);
+    let (sound, number, error) = asked("valid.py", &schema, &documents);
+    assert!(sound && number.trim() == documents.lines().count().to_string(), "{number}{error}");
+    for wrong in [r#"{"case": "cylinder"}"#, r#"{"trial": 3}"#, "[{}]", &documents.replacen("\"MPa\"", "3", 1)] {
+        assert!(!asked("valid.py", &schema, wrong).0, "{}", &wrong[..20.min(wrong.len())]);
+    }
+}
