@@ -5,7 +5,8 @@ use super::cell_grid::{Grid, Vertex};
 use super::field::Field;
 use super::frame::{Point, between};
 use super::numbers::round_values;
-use super::palette::{Colour, ColourMap};
+use super::colour_map::ColourMap;
+use super::theme::Colour;
 use super::panel::Panel;
 use crate::error::Error;
 

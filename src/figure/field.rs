@@ -3,7 +3,7 @@
 use super::canvas::drawing;
 use super::frame::Point;
 use super::numbers::ends;
-use super::palette::ColourMap;
+use super::colour_map::ColourMap;
 use crate::error::Error;
 
 /// A rectangle of the drawn (deformed) shape, in its length unit.

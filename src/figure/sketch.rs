@@ -2,7 +2,8 @@
 
 use super::canvas::Canvas;
 use super::frame::{Point, distance};
-use super::palette::{Colour, GREY, INK};
+use super::palette::{GREY, INK};
+use super::theme::Colour;
 use super::pen::{Lettering, Pen};
 use super::signs::ring;
 

@@ -29,6 +29,7 @@ mod elasticity;
 mod errors;
 mod fast_paths;
 mod faults;
+mod figures;
 mod formulation;
 mod gmsh;
 mod growth;

@@ -5,7 +5,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::case::hertz;
 use crate::case::library::{Cylinder, TruncatedHertz};
 use crate::clock::Seconds;
 use crate::error::Error;
@@ -14,8 +13,9 @@ use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::hertz::Hertz;
 use crate::scene::{Grading, Scene};
 use crate::solve::run::Run;
-use crate::solve::{Discretisation, Element, Formulation, Iteration};
+use crate::solve::{Discretisation, Formulation, Iteration};
 use crate::study::pairing::Pairing;
+use crate::study::timings::answers::Answers;
 use crate::study::timings::statistics::Spread;
 
 /// Loads of every point.
@@ -69,7 +69,7 @@ pub struct Point {
     pub converged: usize,
     /// Seconds from the scene to the pressures, median.
     pub seconds: f64,
-    /// Error of p₀: median and worst.
+    /// Error of p₀ against the answer of the scene: median and worst.
     pub peak: f64,
     /// Worst.
     pub peak_worst: f64,
@@ -77,7 +77,7 @@ pub struct Point {
     pub half_width: f64,
     /// Worst.
     pub half_width_worst: f64,
-    /// L2(p): median and worst.
+    /// L2(p) against Hertz: median and worst.
     pub l2: f64,
     /// Worst.
     pub l2_worst: f64,
@@ -136,7 +136,7 @@ impl Family {
 
     /// The scene under the load of another half-width, with the outline, candidates and grading of the nominal one, and
     /// the Hertz solution.
-    fn loaded(self, half_width: f64) -> (Scene, Hertz) {
+    pub(super) fn loaded(self, half_width: f64) -> (Scene, Hertz) {
         let ratio = half_width / self.nominal();
         let (mut scene, load, radius) = match self {
             Self::Cylinder => {
@@ -174,8 +174,8 @@ struct Loaded {
     errors: [f64; 3],
 }
 
-/// Points of one mesh, one a formulation.
-pub fn measure(family: Family, order: Order, elements: usize) -> Result<Vec<Point>, Error> {
+/// Points of one mesh, one a formulation, their errors against the answers of the family.
+pub fn measure(family: Family, order: Order, elements: usize, answers: &Answers) -> Result<Vec<Point>, Error> {
     let formulations = family.formulations();
     let mut loaded: Vec<Vec<Loaded>> = formulations.iter().map(|_| Vec::new()).collect();
     for half_width in half_widths(family.nominal(), elements) {
@@ -183,7 +183,7 @@ pub fn measure(family: Family, order: Order, elements: usize) -> Result<Vec<Poin
         let discretisation = Discretisation::of(scene, Resolution { elements, refinement: 0, order })?;
         for (formulation, loaded) in formulations.iter().zip(&mut loaded) {
             let run = Run::of(&discretisation, formulation)?;
-            let errors = hertz::errors(&run, &exact);
+            let errors = answers.errors(&run, &exact, half_width / family.nominal());
             loaded.push(Loaded { run, errors });
         }
     }
@@ -237,14 +237,4 @@ pub fn series() -> impl Iterator<Item = (Family, Order)> {
 pub fn meshes() -> Vec<(Family, Order, usize)> {
     let of = |(family, order): (Family, Order)| family.elements().map(move |elements| (family, order, elements));
     series().flat_map(of).collect()
-}
-
-/// What the cylinder's p₀ and a differ from Hertz by on a mesh fine enough to show it: the floor of its curves.
-pub fn floor() -> Result<[f64; 2], Error> {
-    let (scene, exact) = Family::Cylinder.loaded(Family::Cylinder.nominal());
-    let discretisation =
-        Discretisation::of(scene, Resolution { elements: 48, refinement: 0, order: Order::Quadratic })?;
-    let run = Run::of(&discretisation, &Formulation::new(Element::Node, Iteration::Kinematic).tolerance(TOLERANCE))?;
-    let [peak, half_width, _] = hertz::errors(&run, &exact);
-    Ok([peak, half_width])
 }
