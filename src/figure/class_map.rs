@@ -91,7 +91,9 @@ impl ClassMap {
         let rows: Vec<&[Cell]> = panel.rows.iter().map(|(_, cells)| cells.as_slice()).collect();
         for (class, colour) in CLASSES.into_iter().enumerate() {
             let squares: Vec<Vec<Point>> = stretches(&rows, class)
-                .map(|(row, from, to)| Frame { left: x(from), right: x(to), top: y(row + 1), bottom: y(row) }.corners().to_vec())
+                .map(|(row, from, to)| {
+                    Frame { left: x(from), right: x(to), top: y(row + 1), bottom: y(row) }.corners().to_vec()
+                })
                 .collect();
             if !squares.is_empty() {
                 canvas.tiles(&squares, colour);

@@ -1,13 +1,13 @@
 //! Drawing of the three contact elements side by side.
 
-use super::drawing::Drawing;
 use super::canvas::{Canvas, EDGE, WIDTH};
+use super::drawing::Drawing;
 use super::frame::{Frame, Point, between};
 use super::palette::{Dash, GREY, INK, LAYER, LINE, NODE, tint};
-use super::theme::Colour;
 use super::pen::{Lettering, Pen};
 use super::signs::cross;
 use super::sketch::{TEXT, arrow, beside, dimension, node, spring};
+use super::theme::Colour;
 use crate::error::Error;
 
 const HEIGHT: f64 = 368.0;

@@ -1,7 +1,7 @@
 //! Drawing of two bodies in contact, and of contact elements between the external nodes of their potential contact areas.
 
-use super::drawing::Drawing;
 use super::canvas::{Canvas, EDGE, WIDTH};
+use super::drawing::Drawing;
 use super::frame::{Point, between};
 use super::palette::{GREY, INK, LAYER, NODE, SKY, tint};
 use super::pen::{Lettering, Pen};

@@ -88,7 +88,9 @@ impl Writer {
             Shape::Areas { polygons, fill, tiled } => group.append(self.areas(polygons, *fill, *tiled)),
             Shape::Disc { centre, radius, fill } => {
                 let (x, y) = (tenths(centre.0), tenths(centre.1));
-                group.append(Circle::new().set("cx", x).set("cy", y).set("r", tenths(*radius)).set("fill", self.colour(*fill)));
+                group.append(
+                    Circle::new().set("cx", x).set("cy", y).set("r", tenths(*radius)).set("fill", self.colour(*fill)),
+                );
             }
             Shape::Label { at, text, lettering } => group.append(self.label(*at, text, *lettering)),
             Shape::Within { frame, shapes } => {

@@ -1,9 +1,9 @@
 //! A chart drawn: bands, axes, guides, curves and signs, in this order.
 
-use super::drawing::Drawing;
 use super::canvas::{Canvas, EDGE, TITLE};
 use super::chart::Chart;
 use super::curves::{Curve, curves};
+use super::drawing::Drawing;
 use super::frame::{Frame, Point};
 use super::legend::Legend;
 use super::palette::{Dash, Marker, Style};

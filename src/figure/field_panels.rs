@@ -1,8 +1,8 @@
 //! The panels of a field on a page: the whole, the enlarged detail, and the colour bar beside them.
 
 use super::bands::Bands;
-use super::drawing::Drawing;
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
+use super::drawing::Drawing;
 use super::field::{Detail, Field, Window};
 use super::frame::{Frame, Point};
 use super::mesh_lines::mesh_lines;

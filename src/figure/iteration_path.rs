@@ -3,16 +3,16 @@
 //! Between two states lies first the change of the spring at a fixed approach (upright), then the return to
 //! equilibrium along the new spring (slanted): `p = p_j + k_j (w − w_j)`.
 
-use super::drawing::Drawing;
 use super::canvas::Canvas;
 use super::chart::{Axis, Chart, Series};
+use super::drawing::Drawing;
 use super::frame::{Point, distance};
 use super::multiples::grid;
 use super::palette::{CARD, Dash, GREY, INK, Marker, SKY, Style, tint};
-use super::theme::Colour;
 use super::pen::Lettering;
 use super::plot::Plot;
 use super::signs;
+use super::theme::Colour;
 use crate::error::Error;
 
 /// One state of the iteration at the contact point.

@@ -4,10 +4,10 @@ use super::canvas::Canvas;
 use super::chart::Chart;
 use super::frame::{Frame, Point};
 use super::palette::{Dash, GREY, Marker, Style, tint};
-use super::theme::Colour;
 use super::pen::{LINE_WIDTH, Lettering, Pen, widest};
 use super::ranges::{self, RIBBON};
 use super::signs;
+use super::theme::Colour;
 
 const SIZE: f64 = 11.5;
 const ROW: f64 = 18.0;
@@ -38,12 +38,16 @@ impl Legend {
         for series in charts.iter().flat_map(|chart| &chart.series) {
             failures |= !series.hollow.is_empty();
             let Style { marker, colour, .. } = series.style;
-            let only_failures = series.points.is_empty() && !series.hollow.is_empty();
+            let mut alike = charts.iter().flat_map(|chart| &chart.series).filter(|other| other.label == series.label);
+            let only_failures = !series.hollow.is_empty() && alike.all(|other| other.points.is_empty());
             let sample = if only_failures { Sample::Hollow(marker, colour) } else { Sample::Curve(series.style) };
             legend.add(&series.label, sample);
         }
         for chart in &charts {
-            chart.ribbons.iter().for_each(|ribbon| legend.add(&ribbon.label, Sample::Area(tint(ribbon.colour, RIBBON))));
+            chart
+                .ribbons
+                .iter()
+                .for_each(|ribbon| legend.add(&ribbon.label, Sample::Area(tint(ribbon.colour, RIBBON))));
             chart.bars.iter().for_each(|bars| legend.add(&bars.label, Sample::Bar(bars.colour)));
             chart.remarks.iter().for_each(|remark| legend.add(&remark.label, Sample::Ring));
         }
@@ -93,7 +97,9 @@ impl Sample {
     fn draw(&self, canvas: &mut Canvas, (x, y): Point) {
         let centre = (x + 0.5 * SAMPLE, y);
         match *self {
-            Sample::Bar(colour) => canvas.lines(&ranges::bar([(centre.0 - 9.0, y), (centre.0 + 9.0, y)]), Pen::solid(colour, ranges::BAR)),
+            Sample::Bar(colour) => {
+                canvas.lines(&ranges::bar([(centre.0 - 9.0, y), (centre.0 + 9.0, y)]), Pen::solid(colour, ranges::BAR))
+            }
             Sample::Ring => ranges::ring(canvas, centre, Pen::solid(GREY, 1.6)),
             Sample::Line(pen) => canvas.line(&[(x, y), (x + SAMPLE, y)], pen),
             Sample::Hollow(marker, colour) => signs::hollow(canvas, centre, marker, colour),

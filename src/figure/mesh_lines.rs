@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use super::canvas::Canvas;
 use super::frame::{Point, between, distance};
 use super::palette::INK;
-use super::theme::Colour;
 use super::panel::Panel;
 use super::pen::Pen;
+use super::theme::Colour;
 
 /// Shorter edges inside a body are left out: they would blacken the picture [display pixels].
 const SHORTEST: f64 = 4.0;

@@ -1,8 +1,8 @@
 //! Charts side by side: small multiples over one legend, and rows of a sheet.
 
-use super::drawing::Drawing;
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::chart::Chart;
+use super::drawing::Drawing;
 use super::frame::{Frame, Point};
 use super::legend::Legend;
 use super::pen::Lettering;

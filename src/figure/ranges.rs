@@ -18,7 +18,8 @@ impl Plot<'_> {
     /// Fills the area between two curves.
     pub fn ribbon(&self, canvas: &mut Canvas, Ribbon { points, colour, .. }: &Ribbon) {
         let side = |k: usize| points.iter().map(move |point| self.place((point[0], point[k])));
-        let outline: Vec<Point> = side(1).chain(side(2).rev()).filter(|at| at.0.is_finite() && at.1.is_finite()).collect();
+        let outline: Vec<Point> =
+            side(1).chain(side(2).rev()).filter(|at| at.0.is_finite() && at.1.is_finite()).collect();
         canvas.within(self.frame, |canvas| canvas.area(&outline, tint(*colour, RIBBON)));
     }
 
@@ -35,7 +36,8 @@ impl Plot<'_> {
         let (x, y) = self.place(*at);
         if self.frame.holds((x, y)) {
             ring(canvas, (x, y), Pen::solid(*colour, 1.6));
-            let (side, lettering) = if *right { (1.0, Lettering::start(GUIDE_SIZE)) } else { (-1.0, Lettering::end(GUIDE_SIZE)) };
+            let (side, lettering) =
+                if *right { (1.0, Lettering::start(GUIDE_SIZE)) } else { (-1.0, Lettering::end(GUIDE_SIZE)) };
             canvas.label((x + side * (RING + 2.0), y + RING + 2.0), text, lettering.coloured(*colour).bold());
         }
     }

@@ -48,7 +48,8 @@ fn filled(rows: &[&[Cell]], start: (usize, usize), seen: &mut [Vec<bool>]) -> Ve
     let (mut members, mut next) = (vec![start], 0);
     while let Some(&(row, column)) = members.get(next) {
         next += 1;
-        let beside = [(row, column + 1), (row + 1, column), (row, column.wrapping_sub(1)), (row.wrapping_sub(1), column)];
+        let beside =
+            [(row, column + 1), (row + 1, column), (row, column.wrapping_sub(1)), (row.wrapping_sub(1), column)];
         for place in beside {
             let inside = seen.get(place.0).is_some_and(|row| row.get(place.1) == Some(&false));
             if inside && alike(start, place) {

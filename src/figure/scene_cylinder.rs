@@ -1,7 +1,7 @@
 //! Drawing of the cylinder quarter on the rigid plane.
 
-use super::drawing::Drawing;
 use super::canvas::Canvas;
+use super::drawing::Drawing;
 use super::frame::Point;
 use super::palette::{GREY, INK, SKY, tint};
 use super::pen::{Lettering, Pen};

@@ -1,7 +1,7 @@
 //! Drawing of the pin in the eye of the rod.
 
-use super::drawing::Drawing;
 use super::canvas::Canvas;
+use super::drawing::Drawing;
 use super::frame::{Frame, Point};
 use super::palette::{GREY, INK, ORANGE, PURPLE, SKY, tint};
 use super::pen::{Lettering, Pen};

@@ -1,8 +1,8 @@
 //! A sheet: a field above charts that stand side by side, on one card.
 
-use super::drawing::Drawing;
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::chart::Chart;
+use super::drawing::Drawing;
 use super::field::Field;
 use super::legend::Legend;
 use super::multiples::row;

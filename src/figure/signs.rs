@@ -3,8 +3,8 @@
 use super::canvas::Canvas;
 use super::frame::Point;
 use super::palette::{CARD, Marker};
-use super::theme::Colour;
 use super::pen::Pen;
+use super::theme::Colour;
 
 /// A filled sign with a thin rim of the card, so that it stands off its own line.
 pub(super) fn filled(canvas: &mut Canvas, centre: Point, sign: Marker, radius: f64, colour: Colour) {
@@ -26,7 +26,9 @@ pub(super) fn filled(canvas: &mut Canvas, centre: Point, sign: Marker, radius: f
 /// Small squares, all as one shape.
 pub(super) fn cloud(canvas: &mut Canvas, signs: &[(Point, f64)], colour: Colour) {
     const HALF: f64 = 1.4;
-    let square = |&((x, y), _): &(Point, f64)| vec![(x - HALF, y - HALF), (x + HALF, y - HALF), (x + HALF, y + HALF), (x - HALF, y + HALF)];
+    let square = |&((x, y), _): &(Point, f64)| {
+        vec![(x - HALF, y - HALF), (x + HALF, y - HALF), (x + HALF, y + HALF), (x - HALF, y + HALF)]
+    };
     let squares: Vec<Vec<Point>> = signs.iter().map(square).collect();
     if !squares.is_empty() {
         canvas.tiles(&squares, colour);

@@ -3,9 +3,9 @@
 use super::canvas::Canvas;
 use super::frame::{Point, distance};
 use super::palette::{GREY, INK};
-use super::theme::Colour;
 use super::pen::{Lettering, Pen};
 use super::signs::ring;
+use super::theme::Colour;
 
 /// Text of the schematic drawings.
 pub(super) const TEXT: f64 = 12.0;

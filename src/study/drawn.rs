@@ -1,7 +1,7 @@
 //! How formulations are drawn everywhere: colour = element, dash = algorithm; and what a page's picture is called.
 
-use crate::figure::{Series, Theme};
 use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{Series, Theme};
 use crate::solve::{Formulation, Iteration};
 
 /// Points of a curve, and the abscissae of runs that did not converge.

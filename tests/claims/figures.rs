@@ -24,7 +24,8 @@ fn linear(Rgb(red, green, blue): Rgb) -> [f64; 3] {
 
 /// What deuteranopes see: Machado, Oliveira & Fernandes 2009, severity 1, on linear channels.
 fn deuteranopia(seen: [f64; 3]) -> [f64; 3] {
-    let rows = [[0.367_322, 0.860_646, -0.227_968], [0.280_085, 0.672_501, 0.047_413], [-0.011_820, 0.042_940, 0.968_881]];
+    let rows =
+        [[0.367_322, 0.860_646, -0.227_968], [0.280_085, 0.672_501, 0.047_413], [-0.011_820, 0.042_940, 0.968_881]];
     rows.map(|row: [f64; 3]| row.iter().zip(seen).map(|(a, b)| a * b).sum::<f64>().clamp(0.0, 1.0))
 }
 
@@ -92,10 +93,20 @@ fn full() -> Chart {
     }
     chart.guides.push(Guide { direction: Direction::Horizontal, at: 10.0, label: "a guide".into() });
     chart.bands.push(Band { direction: Direction::Vertical, from: 20.0, to: 90.0, label: "a band".into() });
-    chart.ribbons.push(Ribbon { label: "a ribbon".into(), points: vec![[1.0, 2.0, 3.0], [100.0, 3.0, 9.0]], colour: GREY });
+    chart.ribbons.push(Ribbon {
+        label: "a ribbon".into(),
+        points: vec![[1.0, 2.0, 3.0], [100.0, 3.0, 9.0]],
+        colour: GREY,
+    });
     chart.bars.push(Bars { label: "bars".into(), ends: vec![[(2.0, 1.0), (2.0, 9.0)]], colour: palette::PURPLE });
     let at = (10.0, 100.0);
-    chart.remarks.push(Remark { at, text: "7 ms".into(), right: false, label: "rings".into(), colour: palette::ORANGE });
+    chart.remarks.push(Remark {
+        at,
+        text: "7 ms".into(),
+        right: false,
+        label: "rings".into(),
+        colour: palette::ORANGE,
+    });
     chart.notes.push("A note.".into());
     chart
 }
@@ -140,7 +151,10 @@ fn text_and_lines_of_written_charts_stand_out_on_their_card() {
             let tags = || svg.split('<').filter_map(|part| part.split_once('>')).map(|(tag, _)| tag);
             // The numbers on the cells of the map are held against the cells above.
             let cells: BTreeSet<String> = ON_CLASSES.iter().map(|colour| colour.on(theme).to_string()).collect();
-            let texts: Vec<String> = tags().filter(|tag| tag.starts_with("text")).map(|tag| attribute(tag, "fill").map_or(INK.on(theme).to_string(), String::from)).collect();
+            let texts: Vec<String> = tags()
+                .filter(|tag| tag.starts_with("text"))
+                .map(|tag| attribute(tag, "fill").map_or(INK.on(theme).to_string(), String::from))
+                .collect();
             assert!(!texts.is_empty());
             for fill in texts.iter().filter(|fill| !cells.contains(*fill)) {
                 let ratio = contrast(linear(colour(fill)), linear(card));
@@ -148,9 +162,16 @@ fn text_and_lines_of_written_charts_stand_out_on_their_card() {
                 assert!(ratio >= 4.5 || (coloured && ratio >= 3.0), "{number} {theme:?}: text {fill}: {ratio:.2}");
             }
             let lines = tags().filter(|tag| tag.starts_with("path") && attribute(tag, "fill") == Some("none"));
-            let wide = |tag: &&str| attribute(tag, "stroke-width").and_then(|width| width.parse().ok()).is_some_and(|width: f64| width >= 0.9);
+            let wide = |tag: &&str| {
+                attribute(tag, "stroke-width")
+                    .and_then(|width| width.parse().ok())
+                    .is_some_and(|width: f64| width >= 0.9)
+            };
             // The rim of the card that a line over cells has is no line of its own.
-            let strokes = lines.filter(wide).filter_map(|tag| attribute(tag, "stroke")).filter(|stroke| *stroke != card.to_string());
+            let strokes = lines
+                .filter(wide)
+                .filter_map(|tag| attribute(tag, "stroke"))
+                .filter(|stroke| *stroke != card.to_string());
             for stroke in strokes {
                 let ratio = contrast(linear(colour(stroke)), linear(card));
                 assert!(ratio >= 3.0, "{number} {theme:?}: a line {stroke}: {ratio:.2}");
@@ -177,7 +198,18 @@ fn light_and_dark_files_hold_the_same_shapes_in_other_colours() {
 #[test]
 fn everything_that_is_drawn_is_in_the_legend() {
     let svg = full().drawing().expect("drawn").svg(Theme::Light);
-    for text in ["curve 0", "curve 5", "a guide", "a band", "a ribbon", "bars", "rings", "7 ms", "hollow: not converged", "A note."] {
+    for text in [
+        "curve 0",
+        "curve 5",
+        "a guide",
+        "a band",
+        "a ribbon",
+        "bars",
+        "rings",
+        "7 ms",
+        "hollow: not converged",
+        "A note.",
+    ] {
         assert!(svg.contains(&format!("\n{text}\n")), "no `{text}`");
     }
     let svg = map().drawing().expect("drawn").svg(Theme::Light);
@@ -190,8 +222,12 @@ fn everything_that_is_drawn_is_in_the_legend() {
 fn picture_of_the_page_has_both_files_an_escaped_name_and_a_caption_after_a_blank_line() {
     let text = picture("orders.svg", "Errors < \"bars\" & more");
     let (tag, caption) = text.split_once("\n\n").expect("a blank line");
-    assert!(tag.starts_with("<picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"snapshots/charts/orders-dark.svg\">"));
-    assert!(tag.ends_with("<img alt=\"Errors &lt; &quot;bars&quot; &amp; more\" src=\"snapshots/charts/orders.svg\"></picture>"));
+    assert!(tag.starts_with(
+        "<picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"snapshots/charts/orders-dark.svg\">"
+    ));
+    assert!(tag.ends_with(
+        "<img alt=\"Errors &lt; &quot;bars&quot; &amp; more\" src=\"snapshots/charts/orders.svg\"></picture>"
+    ));
     assert_eq!(caption, "*Errors < \"bars\" & more.*\n\n");
 }
 
@@ -201,13 +237,17 @@ fn no_point_is_both_cheaper_and_as_exact_as_one_of_the_front() {
     for family in [Family::Truncated, Family::Cylinder] {
         let own = sound(&points, &[family]);
         for measure in Measure::ALL {
-            let (cost, worst): (fn(&Point) -> f64, _) = (|point| point.seconds, |point: &Point| measure.errors(point)[1]);
+            let (cost, worst): (fn(&Point) -> f64, _) =
+                (|point| point.seconds, |point: &Point| measure.errors(point)[1]);
             let front = front(&own, cost, &worst);
             assert!(front.len() > 3, "{family:?}");
             let beats = |a: &Point, b: &Point| cost(a) < cost(b) && worst(a) <= worst(b);
             assert!(front.iter().all(|kept| own.iter().all(|other| !beats(other, kept))));
             for other in own.iter().filter(|other| !front.iter().any(|kept| std::ptr::eq(*kept, **other))) {
-                assert!(front.iter().any(|kept| cost(kept) <= cost(other) && worst(kept) <= worst(other)), "left out for nothing");
+                assert!(
+                    front.iter().any(|kept| cost(kept) <= cost(other) && worst(kept) <= worst(other)),
+                    "left out for nothing"
+                );
             }
             let best = within(&front, 1e-3, &worst).expect("within 0.1 %");
             assert!(own.iter().filter(|point| worst(point) <= 1e-3).all(|point| cost(point) >= cost(best)));

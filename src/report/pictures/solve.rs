@@ -4,7 +4,7 @@ use super::deformed;
 use crate::case::Case;
 use crate::error::Error;
 use crate::figure::palette;
-use crate::figure::{Axis, Colour, Chart, Dash, Direction, Guide, Marker, Series, Sheet, Style};
+use crate::figure::{Axis, Chart, Colour, Dash, Direction, Guide, Marker, Series, Sheet, Style};
 use crate::measure::display_factor;
 use crate::scene::ContactPair;
 use crate::solution::{IterationError, PointState};
@@ -126,8 +126,7 @@ const KINDS: [Kind; 4] = [
 /// The iteration error of every iteration with the tolerance; what a logarithm cannot show is left out.
 pub fn iteration_error(run: &Run) -> Chart {
     let history = &run.solution.history;
-    let mut chart =
-        Chart::new("Iteration error", iterations(history.len()), Axis::log("relative error [–]"));
+    let mut chart = Chart::new("Iteration error", iterations(history.len()), Axis::log("relative error [–]"));
     let shown = |value: f64| if value.is_finite() && value > 0.0 { value } else { f64::NAN };
     let mut at_rest = Vec::new();
     for (label, of, colour, marker) in KINDS {
