@@ -9,7 +9,7 @@ use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::hertz::Hertz;
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
-use crate::study::timings::precision::{Family, TOLERANCE};
+use crate::study::timings::family::{Family, TOLERANCE};
 
 /// Half-widths over the nominal one under which the scene is solved; those that are timed lie between.
 const RATIOS: [f64; 3] = [1.0, 1.25, 1.5];

@@ -11,7 +11,7 @@
 //! * `growth` — one solve from 10³ to 10⁶ degrees of freedom, stage by stage, against one plain sparse Cholesky solve.
 //! * `default_mesh` — the default meshes, and what coarser ones would change.
 //! * `precision` — error against seconds and work, over loads the mesh does not know; `answers` — what errors are held against.
-//! * `pareto` — what is cheapest for an error.
+//! * `family` — which scenes, on which meshes; `pareto` — what is cheapest for an error.
 //! * `others` — the same by scikit-fem and dolfinx; the cylinder by GetFEM and CalculiX.
 //! * `bar_cost` — what error bars cost, `bar_cost_section` — its part of the page.
 //! * `targets` — what was asked for, and what was measured.
@@ -25,6 +25,7 @@ pub mod answers;
 pub mod bar_cost;
 mod bar_cost_section;
 pub mod default_mesh;
+pub mod family;
 pub mod growth;
 mod growth_picture;
 mod growth_section;
