@@ -43,10 +43,11 @@ pub fn cylinder(record: &Record) -> Result<Drawing, Error> {
         }
     }
     charts[0].notes.push(
-        "Errors are those against the converged answer of the same scene, known to within the line `answer ±`. GetFEM and CalculiX solve on our \
-         meshes under the nominal load alone: no worst of several; their time begins with the assembled or read mesh."
+        "Errors are those against the converged answer of the same scene, known to within the line `answer ±`. GetFEM and CalculiX solve \
+         on our meshes under the nominal load alone: no worst of several. What their seconds count:"
             .into(),
     );
+    charts[0].notes.extend(counted(record));
     panels(&format!("What accuracy costs: cylinder, worst error under {LOADS} loads"), &charts, 2)
 }
 
@@ -65,12 +66,22 @@ fn ours(points: &[&Point], measure: Measure, (axis, cost, told): Cost) -> Chart 
         let own = points.iter().filter(|point| point.formulation.element == element);
         let points = own.map(|point| (cost(point), worst(point))).collect();
         let style = Style::run(colour, Dash::Absent, Marker::Dot);
-        chart.series.push(Series { label: format!("{} element, any algorithm and mesh", element.name()), points, style, hollow: vec![] });
+        chart.series.push(Series {
+            label: format!("{} element, any algorithm and mesh", element.name()),
+            points,
+            style,
+            hollow: vec![],
+        });
     }
     let front = front(points, cost, &worst);
     let curve = front.iter().map(|point| (cost(point), worst(point))).collect();
     let style = Style::run(palette::INK, Dash::Solid, Marker::Absent);
-    chart.series.push(Series { label: "Pareto front: none is cheaper and as exact".into(), points: curve, style, hollow: vec![] });
+    chart.series.push(Series {
+        label: "Pareto front: none is cheaper and as exact".into(),
+        points: curve,
+        style,
+        hollow: vec![],
+    });
     let bar = |point: &&Point| [median(point), worst(point)].map(|error| (cost(point), error));
     chart.bars.push(spread(front.iter().map(bar).collect(), palette::INK));
     chart.guides.push(Guide { direction: Direction::Horizontal, at: 100.0 * COMPARED, label: percent() });
@@ -117,7 +128,12 @@ fn others(chart: &mut Chart, record: &Record, measure: Measure) {
         let ends = |point: &OtherPoint| errors(measure, point).map(|error| (point.seconds, 100.0 * error));
         let points = own.iter().map(|point| ends(point)[1]).collect();
         let style = Style::run(colour, Dash::DashDot, marker);
-        chart.series.push(Series { label: format!("{}, meshes of its own", code.name()), points, style, hollow: vec![] });
+        chart.series.push(Series {
+            label: format!("{}, meshes of its own", code.name()),
+            points,
+            style,
+            hollow: vec![],
+        });
         chart.bars.push(spread(own.iter().map(|point| ends(point)).collect(), colour));
         if let Some(point) = own.iter().find(|point| errors(measure, point)[1] <= COMPARED) {
             chart.remarks.push(remark(ends(point)[1], milliseconds(point.seconds), code == Code::Dolfinx, colour));
@@ -133,10 +149,32 @@ fn peers(chart: &mut Chart, record: &Record, measure: Measure) {
         let error = |point: &PeerPoint| 100.0 * point.errors[measure as usize];
         let points = own.iter().map(|point| (point.seconds.median, error(point))).collect();
         let style = Style::run(colour, Dash::Absent, marker);
-        chart.series.push(Series { label: format!("{}, one load, our meshes", code.name()), points, style, hollow: vec![] });
-        let ends = own.iter().map(|point| [point.seconds.least, point.seconds.most].map(|seconds| (seconds, error(point))));
-        chart.bars.push(Bars { label: "level bar: least to most of repeated runs".into(), ends: ends.collect(), colour });
+        chart.series.push(Series {
+            label: format!("{}, one load, our meshes", code.name()),
+            points,
+            style,
+            hollow: vec![],
+        });
+        let ends =
+            own.iter().map(|point| [point.seconds.least, point.seconds.most].map(|seconds| (seconds, error(point))));
+        chart.bars.push(Bars {
+            label: "level bar: least to most of repeated runs".into(),
+            ends: ends.collect(),
+            colour,
+        });
     }
+}
+
+/// What the seconds of each code on our meshes count, by its own account.
+fn counted(record: &Record) -> Vec<String> {
+    let mut told: Vec<String> = Vec::new();
+    for peer in &record.measured.peers {
+        let line = format!("{}: {}.", peer.code.name(), peer.counted);
+        if !told.contains(&line) {
+            told.push(line);
+        }
+    }
+    told
 }
 
 /// The cheapest run of each code that keeps the error in both quantities under every load.
@@ -145,10 +183,14 @@ pub fn conclusion(record: &Record) -> String {
     let points = sound(&record.points, &TRUNCATED);
     let own = within(&front(&points, |point| point.seconds, &both), COMPARED, &both).map(|point| {
         let Point { formulation, cell_nodes, elements, dofs, .. } = point;
-        format!("ours {} ({formulation}, {cell_nodes}-node cells, {elements} per half-width, {dofs} dofs)", milliseconds(point.seconds))
+        format!(
+            "ours {} ({formulation}, {cell_nodes}-node cells, {elements} per half-width, {dofs} dofs)",
+            milliseconds(point.seconds)
+        )
     });
     let theirs = Code::ALL.map(|code| {
-        let enough = |point: &&OtherPoint| point.code == code && point.peak_worst.max(point.half_width_worst) <= COMPARED;
+        let enough =
+            |point: &&OtherPoint| point.code == code && point.peak_worst.max(point.half_width_worst) <= COMPARED;
         let best = record.measured.others.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds));
         best.map_or(format!("{code} on none of its meshes"), |best| {
             format!("{code} {} ({} dofs)", milliseconds(best.seconds), best.dofs)
