@@ -10,9 +10,11 @@ use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
 use crate::oracle::cross_code::Code;
+use crate::study::timings::answers::Answers;
 use crate::study::timings::bar_cost::{self, BarCosts};
 use crate::study::timings::machine::Machine;
 use crate::study::timings::others::{self, Peer};
+use crate::study::timings::precision::Family;
 use crate::study::timings::record::{Beside, FOLDER, Measured, Record};
 use crate::study::timings::{growth, precision, targets};
 
@@ -70,10 +72,11 @@ fn measure() -> Result<Record, Error> {
         step(&format!("growth, {} × 2^{}", mesh.0, mesh.1));
         measured.push(growth::measure(mesh, memory(mesh.0, mesh.1)?)?);
     }
-    let mut points = Vec::new();
+    let (mut points, answers) = (Vec::new(), Answers::of(Family::Cylinder)?);
     for (family, order, elements) in meshes {
         step(&format!("{}, {}-node, {elements} elements", family.name(), order.nodes_per_cell()));
-        points.extend(precision::measure(family, order, elements)?);
+        let answers = if family == Family::Cylinder { &answers } else { &Answers::HERTZ };
+        points.extend(precision::measure(family, order, elements, answers)?);
     }
     let (mut others, mut peers, mut absent) = (Vec::new(), Vec::new(), Vec::new());
     let mut beside = Vec::new();
@@ -91,7 +94,7 @@ fn measure() -> Result<Record, Error> {
     step("the report");
     let report = report_seconds(&bar)?;
     bar.finish_and_clear();
-    let floor = precision::floor()?;
+    let floor = Answers::unsettled()?;
     let measured =
         Measured { machine: Machine::here(), growth: measured, nine, report, floor, others, beside, peers, absent };
     Ok(Record { measured, points })

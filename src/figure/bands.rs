@@ -2,11 +2,12 @@
 
 use super::canvas::{Canvas, drawing};
 use super::cell_grid::{Grid, Vertex};
+use super::colour_map::ColourMap;
 use super::field::Field;
 use super::frame::{Point, between};
 use super::numbers::round_values;
-use super::palette::{Colour, ColourMap};
 use super::panel::Panel;
+use super::theme::Colour;
 use crate::error::Error;
 
 /// Levels between the bands, and their colours.

@@ -1,6 +1,7 @@
 //! What a chart shows: curves over two axes.
 
 use super::palette::Style;
+use super::theme::Colour;
 
 /// How an axis is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,6 +69,43 @@ pub struct Band {
     pub label: String,
 }
 
+/// A shaded area between two curves.
+#[derive(Clone, Debug)]
+pub struct Ribbon {
+    /// Text in the legend.
+    pub label: String,
+    /// Abscissa, lower and upper ordinate.
+    pub points: Vec<[f64; 3]>,
+    /// What it is of.
+    pub colour: Colour,
+}
+
+/// Bars from one value to another, as of repeated runs.
+#[derive(Clone, Debug)]
+pub struct Bars {
+    /// Text in the legend; the same label stands there once.
+    pub label: String,
+    /// Both ends of each.
+    pub ends: Vec<[(f64, f64); 2]>,
+    /// Colour of the curve they belong to.
+    pub colour: Colour,
+}
+
+/// A ring around a point, with a few words below it.
+#[derive(Clone, Debug)]
+pub struct Remark {
+    /// The point.
+    pub at: (f64, f64),
+    /// The words beside it.
+    pub text: String,
+    /// Whether the words are on the right of the ring, not on its left.
+    pub right: bool,
+    /// What rings mean, in the legend; the same label stands there once.
+    pub label: String,
+    /// Colour of the curve it belongs to.
+    pub colour: Colour,
+}
+
 /// A triangle on two logarithmic axes whose hypotenuse has the slope of an order of accuracy.
 #[derive(Clone, Copy, Debug)]
 pub struct Slope {
@@ -107,6 +145,12 @@ pub struct Chart {
     pub bands: Vec<Band>,
     /// Triangles of orders.
     pub slopes: Vec<Slope>,
+    /// Areas between curves.
+    pub ribbons: Vec<Ribbon>,
+    /// Bars on points.
+    pub bars: Vec<Bars>,
+    /// Points marked with words.
+    pub remarks: Vec<Remark>,
     /// Small print below.
     pub notes: Vec<String>,
 }
@@ -114,8 +158,19 @@ pub struct Chart {
 impl Chart {
     /// A chart without curves.
     pub fn new(title: &str, x: Axis, y: Axis) -> Chart {
-        let title = title.to_string();
-        Chart { title, x, y, series: vec![], guides: vec![], bands: vec![], slopes: vec![], notes: vec![] }
+        Chart {
+            title: title.to_string(),
+            x,
+            y,
+            series: vec![],
+            guides: vec![],
+            bands: vec![],
+            slopes: vec![],
+            ribbons: vec![],
+            bars: vec![],
+            remarks: vec![],
+            notes: vec![],
+        }
     }
 }
 

@@ -1,22 +1,14 @@
-//! Maps of classes: small panels of coloured cells, with a boundary drawn between cells that were predicted apart.
-
-use std::collections::BTreeMap;
+//! Maps of classes: small panels of coloured cells, regions labelled, with a boundary between cells that were predicted apart.
 
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
+use super::colour_map::{CLASSES, ON_CLASSES};
+use super::drawing::Drawing;
 use super::frame::{Frame, Point};
 use super::legend::Legend;
-use super::palette::{Colour, GREY, INK};
+use super::palette::{CARD, GREY, INK};
 use super::pen::{Lettering, Pen, text_width};
+use super::regions::{Cell, Region, regions};
 use crate::error::Error;
-
-/// One cell: how it ended, and which side of the predicted boundary it is on, if there is one.
-#[derive(Clone, Copy, Debug)]
-pub struct Cell {
-    /// Colour of its class.
-    pub colour: Colour,
-    /// Side of the predicted boundary.
-    pub predicted: Option<bool>,
-}
 
 /// Rows of cells, the first at the bottom.
 #[derive(Clone, Debug)]
@@ -32,34 +24,44 @@ pub struct MapPanel {
 pub struct ClassMap {
     /// What is shown, in a few words.
     pub title: String,
+    /// What columns and rows are, with their units.
+    pub axes: [String; 2],
     /// Panels, row by row.
     pub panels: Vec<MapPanel>,
     /// Panels in a row.
     pub columns: usize,
     /// Column numbers that carry a tick, with its text.
     pub ticks: Vec<(usize, String)>,
-    /// Classes and their colours.
-    pub legend: Vec<(String, Colour)>,
+    /// What each class is, from the first on.
+    pub classes: Vec<String>,
+    /// What the boundary is; none where there is none.
+    pub boundary: Option<String>,
     /// Small print below.
     pub notes: Vec<String>,
 }
 
-const ROW: f64 = 13.0;
+const ROW: f64 = 16.0;
 /// Least room for the labels of rows.
 const LABELS: f64 = 30.0;
 const SIZE: f64 = 10.0;
+const LABEL: f64 = 8.5;
+/// A label may be wider than its cells by this.
+const BEYOND: f64 = 1.5;
 /// Between a label and its row.
 const GAP: f64 = 5.0;
+/// Room of the title of the rows.
+const SIDE: f64 = 15.0;
 const HEAD: f64 = 20.0;
 const FOOT: f64 = 28.0;
+const BOUNDARY: f64 = 2.0;
 
 impl ClassMap {
-    /// The maps as SVG.
-    pub fn svg(&self) -> Result<String, Error> {
+    /// The maps, drawn.
+    pub fn drawing(&self) -> Result<Drawing, Error> {
         let columns = self.columns.max(1);
         let pitch = (WIDTH - 2.0 * EDGE) / columns as f64;
         let names = self.panels.iter().flat_map(|panel| &panel.rows).map(|(name, _)| text_width(name, SIZE));
-        let labels = names.fold(LABELS - GAP, f64::max) + GAP;
+        let labels = SIDE + names.fold(LABELS - GAP, f64::max) + GAP;
         let (mut canvas, mut top) = (Canvas::new(), TITLE);
         for panels in self.panels.chunks(columns) {
             let tallest = panels.iter().map(|panel| panel.rows.len()).max().unwrap_or(0);
@@ -68,11 +70,17 @@ impl ClassMap {
                 let bottom = top + HEAD + ROW * panel.rows.len() as f64;
                 let frame = Frame { left, top: top + HEAD, right: left + pitch - labels - 12.0, bottom };
                 self.panel(&mut canvas, panel, frame);
+                let middle = frame.middle();
+                let beside = (left - labels + 0.5 * SIDE, middle.1);
+                canvas.label(beside, &self.axes[1], Lettering::middle(SIZE).upright());
+                canvas.label((middle.0, bottom + 24.0), &self.axes[0], Lettering::middle(SIZE));
             }
-            top += HEAD + ROW * tallest as f64 + FOOT;
+            top += HEAD + ROW * tallest as f64 + FOOT + 8.0;
         }
-        let (_, bottom) = Legend::of_classes(&self.legend).draw(&mut canvas, (EDGE, top), WIDTH - 2.0 * EDGE);
-        canvas.svg(&self.title, (WIDTH - EDGE, bottom + 10.0), &self.notes)
+        let mut legend = Legend::of_classes(&self.classes.iter().cloned().zip(CLASSES).collect::<Vec<_>>());
+        legend.line(self.boundary.as_deref().unwrap_or_default(), Pen::solid(INK, BOUNDARY));
+        let (_, bottom) = legend.draw(&mut canvas, (EDGE, top), WIDTH - 2.0 * EDGE);
+        canvas.drawing(&self.title, (WIDTH - EDGE, bottom + 10.0), &self.notes)
     }
 
     fn panel(&self, canvas: &mut Canvas, panel: &MapPanel, frame: Frame) {
@@ -80,25 +88,50 @@ impl ClassMap {
         let count = panel.rows.first().map_or(1, |(_, cells)| cells.len().max(1));
         let x = |column: usize| frame.left + frame.width() * column as f64 / count as f64;
         let y = |row: usize| frame.bottom - ROW * row as f64;
-        let mut squares: BTreeMap<Colour, Vec<Vec<Point>>> = BTreeMap::new();
-        for (row, (label, cells)) in panel.rows.iter().enumerate() {
-            for (column, cell) in cells.iter().enumerate() {
-                let square = Frame { left: x(column), right: x(column + 1), top: y(row + 1), bottom: y(row) };
-                squares.entry(cell.colour).or_default().push(square.corners().to_vec());
+        let rows: Vec<&[Cell]> = panel.rows.iter().map(|(_, cells)| cells.as_slice()).collect();
+        for (class, colour) in CLASSES.into_iter().enumerate() {
+            let squares: Vec<Vec<Point>> = stretches(&rows, class)
+                .map(|(row, from, to)| {
+                    Frame { left: x(from), right: x(to), top: y(row + 1), bottom: y(row) }.corners().to_vec()
+                })
+                .collect();
+            if !squares.is_empty() {
+                canvas.tiles(&squares, colour);
             }
+        }
+        for (row, (label, _)) in panel.rows.iter().enumerate() {
             canvas.label((frame.left - GAP, y(row) - 0.5 * ROW), label, Lettering::end(SIZE));
         }
-        squares.iter().for_each(|(colour, squares)| canvas.tiles(squares, *colour));
-        canvas.line(&frame.outline(), Pen::solid(GREY, 0.8));
+        canvas.line(&frame.outline(), Pen::solid(GREY, 1.0));
         for (column, text) in &self.ticks {
             let middle = 0.5 * (x(*column) + x(column + 1));
             canvas.line(&[(middle, frame.bottom), (middle, frame.bottom + 3.5)], Pen::solid(GREY, 0.8));
-            canvas.label((middle, frame.bottom + 11.0), text, Lettering::middle(10.0));
+            canvas.label((middle, frame.bottom + 10.0), text, Lettering::middle(SIZE));
         }
-        let rows: Vec<&[Cell]> = panel.rows.iter().map(|(_, cells)| cells.as_slice()).collect();
         let edges = boundary(&rows).into_iter().map(|ends| ends.map(|(column, row)| (x(column), y(row))).to_vec());
-        canvas.lines(&edges.collect::<Vec<_>>(), Pen::solid(INK, 1.8));
+        let edges: Vec<_> = edges.collect();
+        // On a rim of the card the line is seen on dark classes too.
+        canvas.lines(&edges, Pen::solid(CARD, BOUNDARY + 1.6));
+        canvas.lines(&edges, Pen::solid(INK, BOUNDARY));
+        for Region { class, label, row, from, to } in regions(&rows) {
+            if !label.is_empty() && text_width(label, LABEL) <= x(to) - x(from) + BEYOND {
+                let middle = (0.5 * (x(from) + x(to)), y(row) - 0.5 * ROW);
+                canvas.label(middle, label, Lettering::middle(LABEL).coloured(ON_CLASSES[class]));
+            }
+        }
     }
+}
+
+/// Cells of a class side by side: row, first column, and the one after the last.
+fn stretches<'a>(rows: &'a [&[Cell]], class: usize) -> impl Iterator<Item = (usize, usize, usize)> + 'a {
+    rows.iter().enumerate().flat_map(move |(row, cells)| {
+        let mut end = 0;
+        let pieces = cells.chunk_by(|a, b| a.class == b.class).map(move |cells| {
+            end += cells.len();
+            (cells[0].class, row, end - cells.len(), end)
+        });
+        pieces.filter(move |piece| piece.0 == class).map(|(_, row, from, to)| (row, from, to))
+    })
 }
 
 /// Corner of a cell: column and row.

@@ -1,11 +1,13 @@
 //! Drawing of the three contact elements side by side.
 
 use super::canvas::{Canvas, EDGE, WIDTH};
+use super::drawing::Drawing;
 use super::frame::{Frame, Point, between};
-use super::palette::{Colour, Dash, GREY, INK, LAYER, LINE, NODE, tint};
+use super::palette::{Dash, GREY, INK, LAYER, LINE, NODE, tint};
 use super::pen::{Lettering, Pen};
 use super::signs::cross;
 use super::sketch::{TEXT, arrow, beside, dimension, node, spring};
+use super::theme::Colour;
 use crate::error::Error;
 
 const HEIGHT: f64 = 368.0;
@@ -25,12 +27,12 @@ struct Faces {
 }
 
 /// The line, layer and node elements as SVG.
-pub fn contact_elements() -> Result<String, Error> {
+pub fn contact_elements() -> Result<Drawing, Error> {
     let mut canvas = Canvas::new();
     line_element(&mut canvas, EDGE);
     layer_element(&mut canvas, EDGE + PANEL);
     node_element(&mut canvas, EDGE + 2.0 * PANEL);
-    canvas.svg("The three contact elements", (WIDTH - EDGE, HEIGHT), &[])
+    canvas.drawing("The three contact elements", (WIDTH - EDGE, HEIGHT), &[])
 }
 
 fn line_element(canvas: &mut Canvas, left: f64) {
@@ -41,7 +43,7 @@ fn line_element(canvas: &mut Canvas, left: f64) {
     for n in 0..10 {
         let along = 0.5 + pitch * (f64::from(n) - 4.5);
         let (a, b) = across(&faces, along);
-        spring(canvas, a, b, 3.6, tint(LINE, 0.38));
+        spring(canvas, a, b, 3.6, tint(LINE, 0.8));
     }
     for along in GAUSS {
         let (a, b) = across(&faces, along);

@@ -1,6 +1,7 @@
 //! Drawing of two bodies in contact, and of contact elements between the external nodes of their potential contact areas.
 
 use super::canvas::{Canvas, EDGE, WIDTH};
+use super::drawing::Drawing;
 use super::frame::{Point, between};
 use super::palette::{GREY, INK, LAYER, NODE, SKY, tint};
 use super::pen::{Lettering, Pen};
@@ -25,11 +26,11 @@ const EXTERNAL: usize = 6;
 const LEFT: f64 = 442.0;
 
 /// The contact problem and its contact elements as SVG.
-pub fn contact_problem() -> Result<String, Error> {
+pub fn contact_problem() -> Result<Drawing, Error> {
     let mut canvas = Canvas::new();
     bodies(&mut canvas);
     meshes(&mut canvas);
-    canvas.svg("Two bodies in contact, and contact elements between them", (WIDTH - EDGE, HEIGHT), &[])
+    canvas.drawing("Two bodies in contact, and contact elements between them", (WIDTH - EDGE, HEIGHT), &[])
 }
 
 fn bodies(canvas: &mut Canvas) {

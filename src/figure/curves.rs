@@ -48,7 +48,7 @@ pub(super) fn curves(plot: &Plot<'_>) -> Vec<Curve> {
         Curve { style: series.style, width: LINE_WIDTH, runs, signs }
     };
     let mut curves: Vec<Curve> = plot.chart.series.iter().enumerate().map(curve).collect();
-    for first in 0..curves.len() {
+    for first in (0..curves.len()).filter(|&first| plot.chart.series[first].style.marker != Marker::Dot) {
         let (earlier, later) = curves.split_at_mut(first + 1);
         nest(&mut earlier[first], later);
         let covering = later.iter().filter(|later| covers(later, &earlier[first])).count();

@@ -3,9 +3,10 @@
 use super::canvas::{Canvas, EDGE, TITLE};
 use super::chart::Chart;
 use super::curves::{Curve, curves};
+use super::drawing::Drawing;
 use super::frame::{Frame, Point};
 use super::legend::Legend;
-use super::palette::{Dash, Style};
+use super::palette::{Dash, Marker, Style};
 use super::pen::Pen;
 use super::plot::Plot;
 use super::signs;
@@ -15,15 +16,15 @@ const PLOT_WIDTH: f64 = 560.0;
 const PLOT_HEIGHT: f64 = 372.0;
 
 impl Chart {
-    /// The chart as SVG, its legend on the right.
-    pub fn svg(&self) -> Result<String, Error> {
+    /// The chart, drawn, its legend on the right.
+    pub fn drawing(&self) -> Result<Drawing, Error> {
         let mut canvas = Canvas::new();
         let outer = Frame { left: EDGE, top: TITLE, right: EDGE + PLOT_WIDTH, bottom: TITLE + PLOT_HEIGHT };
         let plot = Plot::new(self, outer, Plot::headroom(self))?;
         plot.draw(&mut canvas);
         let corner = (outer.right + EDGE, plot.frame.top - 4.0);
         let (right, bottom) = Legend::of([self]).draw(&mut canvas, corner, 0.0);
-        canvas.svg(&self.title, (right, bottom.max(outer.bottom)), &self.notes)
+        canvas.drawing(&self.title, (right, bottom.max(outer.bottom)), &self.notes)
     }
 }
 
@@ -31,6 +32,7 @@ impl Plot<'_> {
     /// Draws everything.
     pub fn draw(&self, canvas: &mut Canvas) {
         self.chart.bands.iter().for_each(|band| self.band(canvas, band));
+        self.chart.ribbons.iter().for_each(|ribbon| self.ribbon(canvas, ribbon));
         self.axes(canvas);
         self.chart.guides.iter().for_each(|guide| self.guide(canvas, guide));
         self.chart.bands.iter().for_each(|band| self.band_label(canvas, band));
@@ -40,10 +42,16 @@ impl Plot<'_> {
         curves.iter().for_each(|curve| self.line(canvas, curve));
         self.chart.slopes.iter().for_each(|slope| self.slope(canvas, slope));
         self.outline(canvas);
+        self.chart.bars.iter().for_each(|bars| self.bars(canvas, bars));
         for Curve { style, signs, .. } in &curves {
+            if style.marker == Marker::Dot {
+                signs::cloud(canvas, signs, style.colour);
+                continue;
+            }
             signs.iter().for_each(|&(at, radius)| signs::filled(canvas, at, style.marker, radius, style.colour));
         }
         self.hollows(canvas);
+        self.chart.remarks.iter().for_each(|remark| self.remark(canvas, remark));
     }
 
     fn line(&self, canvas: &mut Canvas, curve: &Curve) {

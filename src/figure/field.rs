@@ -1,9 +1,9 @@
 //! A nodal scalar on the deformed mesh, in discrete bands, with an optional detail.
 
 use super::canvas::drawing;
+use super::colour_map::ColourMap;
 use super::frame::Point;
 use super::numbers::ends;
-use super::palette::ColourMap;
 use crate::error::Error;
 
 /// A rectangle of the drawn (deformed) shape, in its length unit.

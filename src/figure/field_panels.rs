@@ -2,6 +2,7 @@
 
 use super::bands::Bands;
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
+use super::drawing::Drawing;
 use super::field::{Detail, Field, Window};
 use super::frame::{Frame, Point};
 use super::mesh_lines::mesh_lines;
@@ -32,12 +33,12 @@ const BAR: f64 = 96.0;
 const QUANTITY: f64 = 11.5;
 
 impl Field {
-    /// The field as SVG.
-    pub fn svg(&self) -> Result<String, Error> {
+    /// The field, drawn.
+    pub fn drawing(&self) -> Result<Drawing, Error> {
         let mut canvas = Canvas::new();
         let panels = self.panels(TITLE)?;
         panels.draw(&mut canvas);
-        canvas.svg(&self.title, (WIDTH - EDGE, panels.bottom() + 10.0), &[panels.notes()])
+        canvas.drawing(&self.title, (WIDTH - EDGE, panels.bottom() + 10.0), &[panels.notes()])
     }
 
     /// Places the panels in the middle of the width, below a height.

@@ -5,12 +5,14 @@
 
 use super::canvas::Canvas;
 use super::chart::{Axis, Chart, Series};
+use super::drawing::Drawing;
 use super::frame::{Point, distance};
 use super::multiples::grid;
-use super::palette::{CARD, Colour, Dash, GREY, INK, Marker, SKY, Style, tint};
+use super::palette::{CARD, Dash, GREY, INK, Marker, SKY, Style, tint};
 use super::pen::Lettering;
 use super::plot::Plot;
 use super::signs;
+use super::theme::Colour;
 use crate::error::Error;
 
 /// One state of the iteration at the contact point.
@@ -64,8 +66,8 @@ pub struct IterationPaths {
 const CLEAR: f64 = 17.0;
 
 impl IterationPaths {
-    /// The panels as SVG, on the same axes.
-    pub fn svg(&self) -> Result<String, Error> {
+    /// The panels, drawn, on the same axes.
+    pub fn drawing(&self) -> Result<Drawing, Error> {
         let charts: Vec<Chart> = self.paths.iter().map(|path| self.chart(path)).collect();
         let mut canvas = Canvas::new();
         let (plots, corner) = grid(&mut canvas, &charts, charts.len())?;
@@ -74,7 +76,7 @@ impl IterationPaths {
             signs::filled(&mut canvas, plot.place(self.target), Marker::Diamond, 5.4, INK);
             states(&mut canvas, plot, path, self.colour);
         }
-        canvas.svg(&self.title, corner, &self.notes)
+        canvas.drawing(&self.title, corner, &self.notes)
     }
 
     fn chart(&self, path: &Path) -> Chart {
@@ -86,7 +88,7 @@ impl IterationPaths {
         let springs = path.states.iter().flat_map(|state| state.spring(width)).collect();
         let elastic = line_through(self.load_line, width);
         chart.series = vec![
-            series("spring of a step", springs, Style::run(tint(GREY, 0.45), Dash::Solid, Marker::Absent)),
+            series("spring of a step", springs, Style::run(tint(GREY, 0.75), Dash::Solid, Marker::Absent)),
             series("contact: open, or closed at w = g", law, Style::run(SKY, Dash::Solid, Marker::Absent)),
             series("elastic bodies", elastic, Style::reference()),
             series("iterations", path.walk(), Style::run(self.colour, path.dash, Marker::Absent)),

@@ -3,9 +3,11 @@
 use super::canvas::Canvas;
 use super::chart::Chart;
 use super::frame::{Frame, Point};
-use super::palette::{Colour, Dash, GREY, Marker, Style};
+use super::palette::{Dash, GREY, Marker, Style, tint};
 use super::pen::{LINE_WIDTH, Lettering, Pen, widest};
+use super::ranges::{self, RIBBON};
 use super::signs;
+use super::theme::Colour;
 
 const SIZE: f64 = 11.5;
 const ROW: f64 = 18.0;
@@ -17,6 +19,9 @@ enum Sample {
     Curve(Style),
     Hollow(Marker, Colour),
     Area(Colour),
+    Line(Pen),
+    Bar(Colour),
+    Ring,
 }
 
 /// Texts with their samples, each text once.
@@ -29,12 +34,22 @@ impl Legend {
     pub fn of<'a>(charts: impl IntoIterator<Item = &'a Chart>) -> Legend {
         let mut legend = Legend { entries: Vec::new() };
         let mut failures = false;
-        for series in charts.into_iter().flat_map(|chart| &chart.series) {
+        let charts: Vec<&Chart> = charts.into_iter().collect();
+        for series in charts.iter().flat_map(|chart| &chart.series) {
             failures |= !series.hollow.is_empty();
             let Style { marker, colour, .. } = series.style;
-            let only_failures = series.points.is_empty() && !series.hollow.is_empty();
+            let mut alike = charts.iter().flat_map(|chart| &chart.series).filter(|other| other.label == series.label);
+            let only_failures = !series.hollow.is_empty() && alike.all(|other| other.points.is_empty());
             let sample = if only_failures { Sample::Hollow(marker, colour) } else { Sample::Curve(series.style) };
             legend.add(&series.label, sample);
+        }
+        for chart in &charts {
+            chart
+                .ribbons
+                .iter()
+                .for_each(|ribbon| legend.add(&ribbon.label, Sample::Area(tint(ribbon.colour, RIBBON))));
+            chart.bars.iter().for_each(|bars| legend.add(&bars.label, Sample::Bar(bars.colour)));
+            chart.remarks.iter().for_each(|remark| legend.add(&remark.label, Sample::Ring));
         }
         if failures {
             legend.add("hollow: not converged", Sample::Hollow(Marker::Circle, GREY));
@@ -45,6 +60,11 @@ impl Legend {
     /// Classes and their colours.
     pub fn of_classes(classes: &[(String, Colour)]) -> Legend {
         Legend { entries: classes.iter().map(|(text, colour)| (text.clone(), Sample::Area(*colour))).collect() }
+    }
+
+    /// Adds a line of a pen; none without a text.
+    pub fn line(&mut self, label: &str, pen: Pen) {
+        self.add(label, Sample::Line(pen));
     }
 
     fn add(&mut self, label: &str, sample: Sample) {
@@ -77,6 +97,11 @@ impl Sample {
     fn draw(&self, canvas: &mut Canvas, (x, y): Point) {
         let centre = (x + 0.5 * SAMPLE, y);
         match *self {
+            Sample::Bar(colour) => {
+                canvas.lines(&ranges::bar([(centre.0 - 9.0, y), (centre.0 + 9.0, y)]), Pen::solid(colour, ranges::BAR))
+            }
+            Sample::Ring => ranges::ring(canvas, centre, Pen::solid(GREY, 1.6)),
+            Sample::Line(pen) => canvas.line(&[(x, y), (x + SAMPLE, y)], pen),
             Sample::Hollow(marker, colour) => signs::hollow(canvas, centre, marker, colour),
             Sample::Area(colour) => {
                 let frame = Frame { left: x + 14.0, top: y - 6.0, right: x + SAMPLE, bottom: y + 6.0 };

@@ -4,13 +4,14 @@ use std::collections::BTreeMap;
 
 use super::canvas::Canvas;
 use super::frame::{Point, between, distance};
-use super::palette::{Colour, INK};
+use super::palette::INK;
 use super::panel::Panel;
 use super::pen::Pen;
+use super::theme::Colour;
 
 /// Shorter edges inside a body are left out: they would blacken the picture [display pixels].
 const SHORTEST: f64 = 4.0;
-const INNER: Colour = Colour(0x4A, 0x50, 0x56);
+const INNER: Colour = Colour::same(0x4A5056);
 
 /// Draws the edges inside the bodies and their outlines.
 pub(super) fn mesh_lines(canvas: &mut Canvas, panel: &Panel<'_>) {

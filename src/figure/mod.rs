@@ -13,10 +13,11 @@
 //! * [`mod@contact_elements`]: what the three contact elements are.
 //! * [`scene_cylinder`], [`scene_pin_rod`]: the cylinder and the pin–rod with their loads and supports.
 //! * [`iteration_path`]: how each algorithm walks to the solution at one contact point.
-//! * [`palette`]: colours, dashes, markers and the styles made of them.
+//! * [`palette`]: colours, dashes, markers and the styles made of them; [`colour_map`]: those of fields and of classes.
+//! * [`theme`]: light and dark pages; [`Drawing`]: a finished figure, written for both.
 //!
-//! Below these: `canvas` writes the SVG, `pen` sets lines and text, `frame` clips to a rectangle; `axis` and `numbers` place
-//! and write ticks, `plot`, `annotations`, `curves`, `signs`, `legend` and `drawn` draw a chart; `panel`, `field_panels`,
+//! Below these: `canvas` collects shapes, `drawing` and `outline` write them as SVG, `pen` sets lines and text, `frame` clips to a rectangle; `axis` and `numbers` place
+//! and write ticks, `plot`, `annotations`, `ranges`, `curves`, `signs`, `legend` and `drawn` draw a chart; `panel`, `field_panels`,
 //! `bands`, `cell_grid` and `mesh_lines` a field; `sketch` holds springs, arrows, rollers and hatching.
 
 mod annotations;
@@ -26,9 +27,11 @@ mod canvas;
 mod cell_grid;
 pub mod chart;
 pub mod class_map;
+pub mod colour_map;
 pub mod contact_elements;
 pub mod contact_problem;
 mod curves;
+mod drawing;
 mod drawn;
 pub mod field;
 mod field_panels;
@@ -38,24 +41,32 @@ mod legend;
 mod mesh_lines;
 pub mod multiples;
 mod numbers;
+mod outline;
 pub mod palette;
 mod panel;
 mod pen;
 mod plot;
+mod ranges;
+mod regions;
 pub mod scene_cylinder;
 pub mod scene_pin_rod;
 pub mod sheet;
 mod signs;
 mod sketch;
+pub mod theme;
 
-pub use chart::{Axis, Band, Chart, Direction, Guide, Scale, Series, Slope};
-pub use class_map::{Cell, ClassMap, MapPanel};
+pub use chart::{Axis, Band, Bars, Chart, Direction, Guide, Remark, Ribbon, Scale, Series, Slope};
+pub use class_map::{ClassMap, MapPanel};
+pub use colour_map::ColourMap;
 pub use contact_elements::contact_elements;
 pub use contact_problem::contact_problem;
+pub use drawing::Drawing;
 pub use field::{Detail, Field, Window};
 pub use iteration_path::{IterationPaths, Path, State};
 pub use multiples::panels;
-pub use palette::{ColourMap, Dash, Marker, Style};
+pub use palette::{Dash, Marker, Style};
+pub use regions::Cell;
 pub use scene_cylinder::CylinderScene;
 pub use scene_pin_rod::PinRodScene;
 pub use sheet::Sheet;
+pub use theme::{Colour, Theme};

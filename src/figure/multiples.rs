@@ -2,6 +2,7 @@
 
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::chart::Chart;
+use super::drawing::Drawing;
 use super::frame::{Frame, Point};
 use super::legend::Legend;
 use super::pen::Lettering;
@@ -13,7 +14,7 @@ const CAPTION: f64 = 20.0;
 const BETWEEN: f64 = 10.0;
 
 /// Small multiples: the charts side by side, so many to a row, over one legend and all their notes.
-pub fn panels(title: &str, charts: &[Chart], columns: usize) -> Result<String, Error> {
+pub fn panels(title: &str, charts: &[Chart], columns: usize) -> Result<Drawing, Error> {
     let mut canvas = Canvas::new();
     let (_, corner) = grid(&mut canvas, charts, columns)?;
     let mut notes: Vec<String> = Vec::new();
@@ -22,7 +23,7 @@ pub fn panels(title: &str, charts: &[Chart], columns: usize) -> Result<String, E
             notes.push(note.clone());
         }
     }
-    canvas.svg(title, corner, &notes)
+    canvas.drawing(title, corner, &notes)
 }
 
 /// Draws the charts in rows over one legend; returns the plots and the lower right corner.

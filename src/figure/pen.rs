@@ -1,6 +1,7 @@
 //! Pens and lettering: how lines and texts are set.
 
-use super::palette::{Colour, Dash, INK};
+use super::palette::{Dash, INK};
+use super::theme::Colour;
 
 /// Width of an ordinary curve [display pixels].
 pub(super) const LINE_WIDTH: f64 = 1.8;
@@ -26,7 +27,7 @@ impl Pen {
 }
 
 /// How a text is set.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Lettering {
     pub size: f64,
     pub colour: Colour,

@@ -1,6 +1,7 @@
 //! Drawing of the cylinder quarter on the rigid plane.
 
 use super::canvas::Canvas;
+use super::drawing::Drawing;
 use super::frame::Point;
 use super::palette::{GREY, INK, SKY, tint};
 use super::pen::{Lettering, Pen};
@@ -28,12 +29,12 @@ const RADIUS: f64 = 232.0;
 const LEAST_SHARE: f64 = 0.17;
 
 impl CylinderScene {
-    /// The drawing as SVG.
-    pub fn svg(&self) -> Result<String, Error> {
+    /// The drawing, drawn.
+    pub fn drawing(&self) -> Result<Drawing, Error> {
         let mut canvas = Canvas::new();
         draw_cylinder(&mut canvas, self);
         let shown = "Not to scale: a and L are drawn larger.".to_string();
-        canvas.svg("Cylinder on a rigid plane", (452.0, 414.0), &[self.notes.as_slice(), &[shown]].concat())
+        canvas.drawing("Cylinder on a rigid plane", (452.0, 414.0), &[self.notes.as_slice(), &[shown]].concat())
     }
 }
 

@@ -1,6 +1,7 @@
 //! Drawing of the pin in the eye of the rod.
 
 use super::canvas::Canvas;
+use super::drawing::Drawing;
 use super::frame::{Frame, Point};
 use super::palette::{GREY, INK, ORANGE, PURPLE, SKY, tint};
 use super::pen::{Lettering, Pen};
@@ -46,12 +47,12 @@ struct Shape {
 }
 
 impl PinRodScene {
-    /// The drawing as SVG.
-    pub fn svg(&self) -> Result<String, Error> {
+    /// The drawing, drawn.
+    pub fn drawing(&self) -> Result<Drawing, Error> {
         let mut canvas = Canvas::new();
         draw_pin_rod(&mut canvas, self);
         let shown = "Not to scale: the clearance is drawn larger.".to_string();
-        canvas.svg("Pin and connecting rod", (452.0, 606.0), &[self.notes.as_slice(), &[shown]].concat())
+        canvas.drawing("Pin and connecting rod", (452.0, 606.0), &[self.notes.as_slice(), &[shown]].concat())
     }
 }
 

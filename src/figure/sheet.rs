@@ -2,6 +2,7 @@
 
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::chart::Chart;
+use super::drawing::Drawing;
 use super::field::Field;
 use super::legend::Legend;
 use super::multiples::row;
@@ -25,8 +26,8 @@ const CHART_HEIGHT: f64 = 310.0;
 const BETWEEN: f64 = 22.0;
 
 impl Sheet {
-    /// The sheet as SVG.
-    pub fn svg(&self) -> Result<String, Error> {
+    /// The sheet, drawn.
+    pub fn drawing(&self) -> Result<Drawing, Error> {
         let mut canvas = Canvas::new();
         let (mut bottom, mut notes) = (TITLE, Vec::new());
         if let Some(field) = &self.field {
@@ -47,6 +48,6 @@ impl Sheet {
         }
         notes.extend(self.charts.iter().flatten().flat_map(|chart| chart.notes.clone()));
         notes.extend(self.notes.clone());
-        canvas.svg(&self.title, (WIDTH - EDGE, bottom), &notes)
+        canvas.drawing(&self.title, (WIDTH - EDGE, bottom), &notes)
     }
 }

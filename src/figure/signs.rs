@@ -2,13 +2,15 @@
 
 use super::canvas::Canvas;
 use super::frame::Point;
-use super::palette::{CARD, Colour, Marker};
+use super::palette::{CARD, Marker};
 use super::pen::Pen;
+use super::theme::Colour;
 
 /// A filled sign with a thin rim of the card, so that it stands off its own line.
 pub(super) fn filled(canvas: &mut Canvas, centre: Point, sign: Marker, radius: f64, colour: Colour) {
     match sign {
         Marker::Absent => {}
+        Marker::Dot => cloud(canvas, &[(centre, radius)], colour),
         Marker::Circle => {
             canvas.disc(centre, radius + 0.8, CARD);
             canvas.disc(centre, radius, colour);
@@ -18,6 +20,18 @@ pub(super) fn filled(canvas: &mut Canvas, centre: Point, sign: Marker, radius: f
             canvas.area(&corners(sign, centre, radius + 1.1), CARD);
             canvas.area(&corners(sign, centre, radius), colour);
         }
+    }
+}
+
+/// Small squares, all as one shape.
+pub(super) fn cloud(canvas: &mut Canvas, signs: &[(Point, f64)], colour: Colour) {
+    const HALF: f64 = 1.4;
+    let square = |&((x, y), _): &(Point, f64)| {
+        vec![(x - HALF, y - HALF), (x + HALF, y - HALF), (x + HALF, y + HALF), (x - HALF, y + HALF)]
+    };
+    let squares: Vec<Vec<Point>> = signs.iter().map(square).collect();
+    if !squares.is_empty() {
+        canvas.tiles(&squares, colour);
     }
 }
 

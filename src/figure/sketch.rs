@@ -2,9 +2,10 @@
 
 use super::canvas::Canvas;
 use super::frame::{Point, distance};
-use super::palette::{Colour, GREY, INK};
+use super::palette::{GREY, INK};
 use super::pen::{Lettering, Pen};
 use super::signs::ring;
+use super::theme::Colour;
 
 /// Text of the schematic drawings.
 pub(super) const TEXT: f64 = 12.0;

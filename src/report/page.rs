@@ -27,9 +27,10 @@ pub struct Page {
 pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
     let mut text = [head(findings), paper(findings), verdicts(findings)].concat();
     let mut charts = vec![
-        ("contact-problem.svg".to_string(), figure::contact_problem()?),
-        ("contact-elements.svg".to_string(), figure::contact_elements()?),
-    ];
+        figure::contact_problem()?.files("contact-problem.svg"),
+        figure::contact_elements()?.files("contact-elements.svg"),
+    ]
+    .concat();
     for room in Room::ALL {
         text += &room.section(findings)?;
         text += &judged(*room, findings);

@@ -1,7 +1,7 @@
 //! How formulations are drawn everywhere: colour = element, dash = algorithm; and what a page's picture is called.
 
-use crate::figure::Series;
 use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{Series, Theme};
 use crate::solve::{Formulation, Iteration};
 
 /// Points of a curve, and the abscissae of runs that did not converge.
@@ -21,13 +21,9 @@ impl Curve {
     }
 }
 
-/// Colours of the contact elements, in their order; those of further ones are there.
-const ELEMENTS: [palette::Colour; 6] =
-    [palette::LINE, palette::LAYER, palette::NODE, palette::PURPLE, palette::SKY, palette::ORANGE];
-
 /// Colour = element, dash = algorithm.
 pub fn style(formulation: &Formulation) -> Style {
-    let colour = ELEMENTS[formulation.element as usize % ELEMENTS.len()];
+    let colour = palette::CURVES[formulation.element as usize % palette::CURVES.len()];
     let (dash, marker) = match formulation.algorithm {
         Iteration::Varying => (Dash::Solid, Marker::Circle),
         Iteration::Constant => (Dash::Dashed, Marker::Square),
@@ -41,7 +37,17 @@ pub fn label(formulation: &Formulation) -> String {
     format!("{} · {}", formulation.element.name(), formulation.algorithm.name())
 }
 
-/// A picture of the page with its caption.
+/// A picture of the page, for light and for dark ones, with its caption below.
 pub fn picture(file: &str, caption: &str) -> String {
-    format!("![{caption}](snapshots/charts/{file})\n*{caption}.*\n\n")
+    let [light, dark] = Theme::ALL.map(|theme| format!("snapshots/charts/{}", theme.file(file)));
+    let alt = attribute(caption);
+    format!(
+        "<picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"{dark}\"><img alt=\"{alt}\" src=\"{light}\"></picture>\n\n\
+         *{caption}.*\n\n"
+    )
+}
+
+/// A text inside the quotes of an attribute.
+fn attribute(text: &str) -> String {
+    text.replace('&', "&amp;").replace('"', "&quot;").replace('<', "&lt;")
 }

@@ -6,7 +6,7 @@
 /// * `Numbers` — what came out, serialisable,
 /// * `judge(&Numbers) -> Result<Vec<Judged>, Error>` — the checks with their verdicts,
 /// * `section(&[Found<Numbers>]) -> Result<String, Error>` — Markdown,
-/// * `pictures(&[Found<Numbers>]) -> Result<Vec<(String, String)>, Error>` — file names and SVG.
+/// * `pictures(&[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error>` — file names and charts.
 macro_rules! rooms {
     ($($(#[$about:meta])* $Room:ident in $room:ident),* $(,)?) => {
         $($(#[$about])* pub mod $room;)*
@@ -51,10 +51,13 @@ macro_rules! rooms {
                 }
             }
 
-            /// Its charts: file names and SVG.
+            /// Its charts for light and dark pages: file names and SVG.
             pub fn pictures(self, findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
                 match self {
-                    $(Self::$Room => $room::pictures(&rooms!(@found findings, $Room)),)*
+                    $(Self::$Room => {
+                        let drawn = $room::pictures(&rooms!(@found findings, $Room))?;
+                        Ok(drawn.iter().flat_map(|(name, drawing)| drawing.files(name)).collect())
+                    })*
                 }
             }
         }

@@ -33,6 +33,7 @@ mod elasticity;
 mod errors;
 mod fast_paths;
 mod faults;
+mod figures;
 mod formulation;
 mod given_bars;
 mod gmsh;

@@ -5,6 +5,7 @@ use contact_vv::case::library;
 use contact_vv::case::{Case, Verdict};
 use contact_vv::checkout::root;
 use contact_vv::mesh::Order;
+use contact_vv::study::timings::answers::Answers;
 use contact_vv::study::timings::bar_cost::BarCosts;
 use contact_vv::study::timings::growth::Counts;
 use contact_vv::study::timings::judge::moved;
@@ -43,7 +44,7 @@ fn loads_move_the_edge_across_one_element_and_no_further() {
 #[test]
 fn every_recorded_number_but_the_seconds_is_compared() {
     let recorded = Record::read().expect("the committed record").points;
-    let fresh = precision::measure(Family::Steep, Order::Linear, 3).expect("measured");
+    let fresh = precision::measure(Family::Steep, Order::Linear, 3, &Answers::HERTZ).expect("measured");
     assert_eq!((fresh.len(), moved(&recorded, &fresh)), (3, 0));
     let spoiled = |spoil: &dyn Fn(&mut Point)| {
         let mut points = fresh.clone();

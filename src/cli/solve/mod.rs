@@ -130,7 +130,10 @@ fn write_files(
         write(path, &vtu::text(discretisation, run)?)?;
     }
     if let Some(path) = &arguments.plot {
-        write(path, &pictures::solve::sheet(problem, discretisation, run)?.svg()?)?;
+        write(
+            path,
+            &pictures::solve::sheet(problem, discretisation, run)?.drawing()?.svg(crate::figure::Theme::Light),
+        )?;
     }
     Ok(())
 }

@@ -3,8 +3,8 @@
 use super::deformed;
 use crate::case::Case;
 use crate::error::Error;
-use crate::figure::palette::{self, Colour};
-use crate::figure::{Axis, Chart, Dash, Direction, Guide, Marker, Series, Sheet, Style};
+use crate::figure::palette;
+use crate::figure::{Axis, Chart, Colour, Dash, Direction, Guide, Marker, Series, Sheet, Style};
 use crate::measure::display_factor;
 use crate::scene::ContactPair;
 use crate::solution::{IterationError, PointState};
@@ -20,6 +20,8 @@ const HEADROOM: f64 = 1.08;
 const ROUND_OFF: f64 = 1e-9;
 /// Fewest iterations an axis has room for.
 const FEWEST: usize = 5;
+/// More iterations than these are drawn on an axis of ratios.
+const MANY: usize = 100;
 
 /// The sheet of a run, converged or not.
 pub fn sheet(problem: &Case, discretisation: &Discretisation, run: &Run) -> Result<Sheet, Error> {
@@ -124,9 +126,7 @@ const KINDS: [Kind; 4] = [
 /// The iteration error of every iteration with the tolerance; what a logarithm cannot show is left out.
 pub fn iteration_error(run: &Run) -> Chart {
     let history = &run.solution.history;
-    let last = history.len().max(FEWEST) as f64;
-    let mut chart =
-        Chart::new("Iteration error", Axis::linear("iteration").over(0.0, last), Axis::log("relative error"));
+    let mut chart = Chart::new("Iteration error", iterations(history.len()), Axis::log("relative error [–]"));
     let shown = |value: f64| if value.is_finite() && value > 0.0 { value } else { f64::NAN };
     let mut at_rest = Vec::new();
     for (label, of, colour, marker) in KINDS {
@@ -146,6 +146,14 @@ pub fn iteration_error(run: &Run) -> Chart {
         chart.notes.push(format!("Errors that are 0 or no number in every iteration: {}.", at_rest.join(", ")));
     }
     chart
+}
+
+/// The axis of iterations: by ratios where they are many.
+fn iterations(count: usize) -> Axis {
+    if count > MANY {
+        return Axis::log("iteration [–]").over(1.0, count as f64);
+    }
+    Axis::linear("iteration [–]").over(0.0, count.max(FEWEST) as f64)
 }
 
 /// A note as a sentence of its own.

@@ -45,6 +45,6 @@ fn row(name: &str, numbers: &Numbers) -> Vec<String> {
 }
 
 /// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
     Ok(Vec::new())
 }

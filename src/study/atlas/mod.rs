@@ -12,12 +12,13 @@
 //! * `judge` — what the records must hold.
 //! * `summary` — what the records say of each method.
 //! * `section`, `recommended`, `slices` — the chapter.
-//! * `picture` — iterations with their predictions, and the maps.
+//! * `picture` — iterations with their predictions, `picture_map` — the maps.
 
 pub mod agreement;
 pub mod chart;
 mod judge;
 mod picture;
+mod picture_map;
 mod plan;
 pub mod plane;
 pub mod point;

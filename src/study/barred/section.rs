@@ -24,7 +24,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
 }
 
 /// No chart.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
     Ok(Vec::new())
 }
 

@@ -6,6 +6,7 @@
 //! * `picture` — pressure of all nine against the reference.
 
 mod picture;
+mod picture_band;
 mod plan;
 mod run;
 mod scene;

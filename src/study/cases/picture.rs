@@ -1,10 +1,10 @@
-//! Contact pressure against the reference: the paper's Figs 10 and 14 with its five formulations, then all nine.
+//! The schemes of both examples, and contact pressure in the paper's Figs 10 and 14 with its five formulations.
 
-use super::scene;
+use super::{picture_band, scene};
 use crate::case::library::{Cylinder, PinRod, cylinder, pin_rod};
 use crate::error::Error;
 use crate::figure::palette::Style;
-use crate::figure::{Axis, Band, Chart, Direction, Series, panels};
+use crate::figure::{Axis, Band, Chart, Direction, Drawing, Series};
 use crate::measure::display_factor;
 use crate::scene::ReferenceValues;
 use crate::solve::Run;
@@ -16,14 +16,14 @@ use crate::study::drawn::{label, style};
 const INTERVALS: usize = 200;
 
 /// Pressure of the two examples, with the schemes of their scenes.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
     Ok(vec![
         ("scene-cylinder.svg".into(), scene::cylinder()?),
         ("scene-pin-rod.svg".into(), scene::pin_rod()?),
-        ("figure-10.svg".into(), on_cylinder("Fig. 10: exact and approximate solutions on the cylinder", shown(findings, cylinder::NINE)).svg()?),
-        ("pressure-cylinder.svg".into(), cylinder(findings)?),
-        ("figure-14.svg".into(), on_pin("Fig. 14: pressure on the pin", shown(findings, pin_rod::NINE)).svg()?),
-        ("pressure-pin-rod.svg".into(), on_pin("Pressure of all nine formulations, edge means", runs(findings, pin_rod::NINE)).svg()?),
+        ("figure-10.svg".into(), on_cylinder("Fig. 10: exact and approximate solutions on the cylinder", shown(findings, cylinder::NINE)).drawing()?),
+        ("pressure-cylinder.svg".into(), picture_band::cylinder(&runs(findings, cylinder::NINE).collect::<Vec<_>>())?),
+        ("figure-14.svg".into(), on_pin("Fig. 14: pressure on the pin", shown(findings, pin_rod::NINE)).drawing()?),
+        ("pressure-pin-rod.svg".into(), picture_band::pin_rod(&runs(findings, pin_rod::NINE).collect::<Vec<_>>())?),
     ])
 }
 
@@ -55,7 +55,7 @@ fn curves<'a>(runs: impl Iterator<Item = &'a Run>, scale: f64, [x, y]: [f64; 2])
 fn on_cylinder<'a>(title: &str, runs: impl Iterator<Item = &'a Run>) -> Chart {
     let problem = Cylinder::default().case();
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
-    let mut pressure = Chart::new(title, Axis::linear("x / a").over(0.0, 1.5), Axis::linear("p / p₀").over(0.0, 1.1));
+    let mut pressure = Chart::new(title, Axis::linear("place over half-width x / a [–]").over(0.0, 1.5), Axis::linear("pressure p / p₀ [–]").over(0.0, 1.1));
     pressure.series = curves(runs, p0, [1.0 / a, 1.0]);
     let hertz = (0..=INTERVALS).map(|k| 1.5 * k as f64 / INTERVALS as f64);
     let hertz = hertz.map(|x| (x, problem.reference_pressure(x * a) / p0));
@@ -68,31 +68,6 @@ fn on_cylinder<'a>(title: &str, runs: impl Iterator<Item = &'a Run>) -> Chart {
     pressure
 }
 
-/// All nine on the cylinder, and the difference to Hertz where it can be seen.
-fn cylinder(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let problem = Cylinder::default().case();
-    let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
-    let exact = |x: f64| problem.reference_pressure(x * a) / p0;
-    let pressure = on_cylinder("Pressure, edge means", runs(findings, cylinder::NINE));
-    let mut difference =
-        Chart::new("Difference to Hertz", Axis::linear("x / a").over(0.0, 1.5), Axis::linear("(p − p_Hertz) / p₀ [%]"));
-    difference.series = runs(findings, cylinder::NINE)
-        .map(|run| {
-            let mean = |from: f64, to: f64| {
-                (0..20).map(|k| exact(from + (to - from) * (k as f64 + 0.5) / 20.0)).sum::<f64>() / 20.0
-            };
-            let points = run.solution.edges.iter().map(|edge| {
-                let (x, half) = (edge.position() / a, 0.5 * edge.weight / problem.scene.thickness / a);
-                (x, 100.0 * (edge.pressure / p0 - mean(x - half, x + half)))
-            });
-            let converged = run.solution.converged();
-            let points = if converged { points.collect() } else { Vec::new() };
-            Series { label: label(&run.formulation), points, style: style(&run.formulation), hollow: vec![] }
-        })
-        .collect();
-    panels("Cylinder on a rigid plane: all nine formulations", &[pressure, difference], 2)
-}
-
 /// Pressure against angle on the pin, and the place of the measured curves.
 fn on_pin<'a>(title: &str, runs: impl Iterator<Item = &'a Run>) -> Chart {
     let problem = PinRod::default().case();
@@ -101,7 +76,7 @@ fn on_pin<'a>(title: &str, runs: impl Iterator<Item = &'a Run>) -> Chart {
     let mut chart = Chart::new(
         title,
         Axis::linear("θ from the load line [°]").over(0.0, 90.0),
-        Axis::linear("R t p / F").over(0.0, 0.9),
+        Axis::linear("pressure R t p / F [–]").over(0.0, 0.9),
     );
     chart.series = curves(runs, scale, [degrees, 1.0]);
     let label = "Gaertner 1977: not at hand".into();

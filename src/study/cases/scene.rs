@@ -2,10 +2,10 @@
 
 use crate::case::library::{Cylinder, PinRod};
 use crate::error::Error;
-use crate::figure::{CylinderScene, PinRodScene};
+use crate::figure::{CylinderScene, Drawing, PinRodScene};
 
 /// The cylinder on its rigid plane.
-pub fn cylinder() -> Result<String, Error> {
+pub fn cylinder() -> Result<Drawing, Error> {
     let numbers = Cylinder::default();
     CylinderScene {
         radius: numbers.radius,
@@ -14,11 +14,11 @@ pub fn cylinder() -> Result<String, Error> {
         load: (numbers.load() / (2.0 * numbers.radius)).round(),
         notes: vec![],
     }
-    .svg()
+    .drawing()
 }
 
 /// The pin in the connecting-rod eye.
-pub fn pin_rod() -> Result<String, Error> {
+pub fn pin_rod() -> Result<Drawing, Error> {
     let numbers = PinRod::default();
     PinRodScene {
         pin_radius: numbers.pin_radius,
@@ -30,5 +30,5 @@ pub fn pin_rod() -> Result<String, Error> {
         candidates: numbers.stretch.to_degrees(),
         notes: vec![],
     }
-    .svg()
+    .drawing()
 }

@@ -1,7 +1,7 @@
 //! Share of the runs that converge against the candidate stretch, one panel an algorithm.
 
 use crate::error::Error;
-use crate::figure::{Axis, Chart, panels};
+use crate::figure::{Axis, Chart, Drawing, panels};
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::Found;
 use crate::study::converged::sites::{STRETCHES, TOLERANCES};
@@ -11,11 +11,11 @@ use crate::study::drawn::{Curve, label, style};
 use crate::study::pairing::Pairing;
 
 /// The chart.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
     let recorded: Vec<&Record> = findings.iter().flat_map(|found| &found.numbers.recorded).collect();
     let panel = |algorithm: Iteration| {
         let share = Axis::linear("converged [%]").over(0.0, 100.0);
-        let mut chart = Chart::new(algorithm.name(), Axis::log("candidate stretch / a").over(1.0, 150.0), share);
+        let mut chart = Chart::new(algorithm.name(), Axis::log("candidate stretch / a [–]").over(1.0, 150.0), share);
         for element in Element::ALL {
             let formulation = Formulation::new(element, algorithm);
             let curve = curve(&recorded, Pairing::of(&formulation));

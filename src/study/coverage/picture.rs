@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, Series, panels};
+use crate::figure::{Axis, Chart, Drawing, Series, panels};
 use crate::study::Found;
 use crate::study::coverage::group::Group;
 use crate::study::coverage::run::{Kind, Numbers, Record};
@@ -17,7 +17,7 @@ const PER_DECADE: f64 = 4.0;
 const FEWEST: usize = 20;
 
 /// The chart.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
     let recorded: Vec<Record> = findings.iter().flat_map(|found| found.numbers.recorded.clone()).collect();
     let chart = panels("True error against the bar claimed", &SHOWN.map(|kind| panel(&recorded, kind)), 3)?;
     Ok(vec![("coverage.svg".into(), chart)])
@@ -25,7 +25,7 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Er
 
 fn panel(recorded: &[Record], kind: Kind) -> Chart {
     let axis = |label: &str| Axis::log(label).over(RANGE[0], RANGE[1]);
-    let mut chart = Chart::new(kind.title(), axis("bar"), axis("true error"));
+    let mut chart = Chart::new(kind.title(), axis("bar, relative [–]"), axis("true error, relative [–]"));
     let group = Group::of(recorded, |record| record.kind == kind);
     let quantiles = [
         ("largest", 1.0, palette::LINE, Dash::Solid, Marker::Diamond),

@@ -3,7 +3,7 @@
 use crate::algorithm::Acceleration;
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, panels};
+use crate::figure::{Axis, Chart, Drawing, panels};
 use crate::study::Found;
 use crate::study::cures::record::{DRAWN, Runs, stiffnesses};
 use crate::study::cures::run::{Numbers, Reach};
@@ -15,7 +15,7 @@ pub(super) const FILE: &str = "cures.svg";
 pub(super) const TITLE: &str = "Iterations of constant stiffness, plain and accelerated";
 
 /// One panel per element.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
     let charts: Vec<Chart> = reaches(findings).map(|reach| panel(&reach.recorded)).collect();
     Ok(vec![(FILE.into(), panels(TITLE, &charts, 3)?)])
 }
@@ -40,7 +40,7 @@ pub(super) fn called(acceleration: Acceleration) -> &'static str {
 fn panel(recorded: &[Runs]) -> Chart {
     let element = recorded.first().map_or("", |runs| runs.element.name());
     let mut chart =
-        Chart::new(element, Axis::log("κ₀").over(1e-3, 1e3), Axis::log("iterations").over(5.0, 200.0));
+        Chart::new(element, Axis::log("initial stiffness κ₀ [–]").over(1e-3, 1e3), Axis::log("iterations [–]").over(5.0, 200.0));
     chart.series = recorded.iter().map(|runs| curve(runs).drawn(called(runs.acceleration), style(runs))).collect();
     chart
 }

@@ -13,6 +13,6 @@ pub fn section(_: &[Found<Numbers>]) -> Result<String, Error> {
 }
 
 /// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
     Ok(Vec::new())
 }

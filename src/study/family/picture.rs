@@ -2,17 +2,21 @@
 
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, panels};
+use crate::figure::{Axis, Chart, Drawing, panels};
 use crate::study::Found;
 use crate::study::drawn::Curve;
 use crate::study::family::run::{Curves, Ended, Line, Numbers, Placed};
 use crate::study::family::section::named;
 
+/// Ends of the axis of clearances; what has none stands on its left end.
+const LEAST: f64 = 0.25;
+const MOST: f64 = 60.0;
+
 /// The chart.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
     let all: Vec<&Curves> = findings.iter().filter_map(|found| curves(found.numbers)).collect();
     let chart = |title: &str, axis: &str, of: fn(Placed) -> f64| {
-        let mut chart = Chart::new(title, Axis::linear("E t c / F"), Axis::linear(axis));
+        let mut chart = Chart::new(title, Axis::log("clearance E t c / F [–]").over(LEAST, MOST), Axis::linear(axis));
         for curves in &all {
             chart.series.extend(named(curves).zip(styles()).map(|((name, line), style)| {
                 let points = curves.clearances.iter().zip(&line.ended);
@@ -20,11 +24,12 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Er
                 Curve { points, failed: failed(curves, line) }.drawn(name, style)
             }));
         }
+        chart.notes.push("The points on the left rim have no clearance.".into());
         chart
     };
     let charts = [
-        chart("family: pressure", "R t p_max / F", |placed| placed.pressure),
-        chart("family: angle", "2 √(∫pθ²/∫p) [°]", |placed| placed.angle.to_degrees()),
+        chart("family: pressure", "peak pressure R t p_max / F [–]", |placed| placed.pressure),
+        chart("family: angle", "angle 2 √(∫pθ²/∫p) [°]", |placed| placed.angle.to_degrees()),
     ];
     Ok(vec![("family-pin-rod.svg".into(), panels("Pin–rod: the dimensionless family", &charts, 2)?)])
 }

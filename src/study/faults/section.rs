@@ -54,6 +54,6 @@ fn row(fault: &Fault) -> Vec<String> {
 }
 
 /// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
     Ok(Vec::new())
 }

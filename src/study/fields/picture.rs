@@ -2,17 +2,15 @@
 //! path of the iterations (Figs 6, 7).
 
 use crate::error::Error;
-use crate::figure::palette::{self, ColourMap, Marker, Style};
-use crate::figure::{
-    self, Axis, Band, Chart, Detail, Direction, IterationPaths, Path, State, Window, panels,
-};
+use crate::figure::palette::{self, Marker, Style};
+use crate::figure::{self, Axis, Band, Chart, ColourMap, Detail, Direction, Drawing, IterationPaths, Path, State, Window, panels};
 use crate::solve::Run;
 use crate::study::Found;
 use crate::study::drawn::{Curve, label, style};
 use crate::study::fields::run::{Along, Arc, Field, Numbers, Shown, bars};
 
 /// All charts of what was found.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
     let (mut runs, mut alongs, mut charts) = (Vec::new(), Vec::new(), Vec::new());
     for found in findings {
         match found.numbers {
@@ -26,7 +24,7 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Er
     Ok(charts)
 }
 
-fn of_field(field: &Field) -> Result<(String, String), Error> {
+fn of_field(field: &Field) -> Result<(String, Drawing), Error> {
     let [length, pressure] = field.reference;
     let stress = match field.scene {
         Shown::Cylinder => {
@@ -45,7 +43,7 @@ fn of_field(field: &Field) -> Result<(String, String), Error> {
 const GRAIN: f64 = 1e-6;
 
 /// σ_y up to a largest size, with the contact enlarged.
-fn stress(field: &Field, magnification: f64, largest: f64, zoom: Window) -> Result<String, Error> {
+fn stress(field: &Field, magnification: f64, largest: f64, zoom: Window) -> Result<Drawing, Error> {
     let pairs = |list: &[[f64; 2]]| list.iter().map(|&[x, y]| (x, y)).collect();
     let grain = GRAIN * 2.0 * largest;
     figure::Field {
@@ -61,11 +59,11 @@ fn stress(field: &Field, magnification: f64, largest: f64, zoom: Window) -> Resu
         zoom: Some(Detail::of(zoom, magnification)),
         notes: vec![],
     }
-    .svg()
+    .drawing()
 }
 
 /// Hoop stress and normal displacement along the arcs of pin and rod, by every formulation.
-fn along(alongs: &[&Along]) -> Result<String, Error> {
+fn along(alongs: &[&Along]) -> Result<Drawing, Error> {
     let chart = |body: usize, quantity: &str, axis: &str, of: fn(&Arc) -> &Vec<[f64; 2]>| {
         let name = alongs.first().map_or("", |along| &along.arcs[body].body);
         let angle = Axis::linear("θ from the load line [°]").over(0.0, 90.0);
@@ -90,7 +88,7 @@ fn along(alongs: &[&Along]) -> Result<String, Error> {
 }
 
 /// The way of each iteration to the solution of two bars closing a gap.
-fn paths(runs: &[&Run]) -> Result<String, Error> {
+fn paths(runs: &[&Run]) -> Result<Drawing, Error> {
     let bars = bars();
     let (u, stiffness) = (bars.push * bars.gap, bars.young / (2.0 * bars.length));
     IterationPaths {
@@ -104,7 +102,7 @@ fn paths(runs: &[&Run]) -> Result<String, Error> {
         paths: runs.iter().map(|run| path(run)).collect(),
         notes: vec![],
     }
-    .svg()
+    .drawing()
 }
 
 fn path(run: &Run) -> Path {

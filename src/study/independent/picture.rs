@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, panels};
+use crate::figure::{Axis, Chart, Drawing, panels};
 use crate::oracle::cross_code::independent::Script;
 use crate::study::Found;
 use crate::study::cross_code::picture::{abscissa, points, unit};
@@ -10,7 +10,7 @@ use crate::study::drawn::Curve;
 use crate::study::independent::run::Compared;
 
 /// One panel a scene.
-pub fn pictures(findings: &[Found<Compared>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(findings: &[Found<Compared>]) -> Result<Vec<(String, Drawing)>, Error> {
     let charts: Vec<Chart> = findings.iter().map(|found| difference(found.numbers)).collect();
     Ok(vec![("difference-independent.svg".into(), panels("Independent codes: difference of the pressure to ours", &charts, 3)?)])
 }

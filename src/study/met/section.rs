@@ -62,6 +62,6 @@ fn row(family: Family, asked: f64, own: &[&Record]) -> Vec<String> {
 }
 
 /// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
     Ok(Vec::new())
 }

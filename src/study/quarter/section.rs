@@ -25,6 +25,6 @@ fn row(change: &Change) -> Vec<String> {
 }
 
 /// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
     Ok(Vec::new())
 }

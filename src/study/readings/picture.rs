@@ -3,8 +3,7 @@
 
 use crate::algorithm::Criterion;
 use crate::error::Error;
-use crate::figure::palette;
-use crate::figure::{Axis, Cell, Chart, ClassMap, MapPanel, panels};
+use crate::figure::{Axis, Cell, Chart, ClassMap, Drawing, MapPanel, panels};
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::Found;
 use crate::study::drawn::{Curve, label, style};
@@ -19,7 +18,7 @@ use crate::study::readings::sentence::Sentence;
 const CLASSES: usize = 6;
 
 /// The map.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
     let mut charts = Vec::new();
     for found in findings {
         let courses = Courses::of(&found.numbers.recorded);
@@ -35,12 +34,12 @@ const BESIDE: usize = 2;
 
 /// Iterations against initial stiffness with line and layer elements under varying and constant stiffness, the four curves of the
 /// paper: a row an example, a column a reading.
-fn iterations(courses: &Courses, all: &[Judged]) -> Result<String, Error> {
+fn iterations(courses: &Courses, all: &[Judged]) -> Result<Drawing, Error> {
     let best = map::best(all).into_iter().take(BESIDE).map(|judged| judged.reading);
     let readings: Vec<Reading> = std::iter::once(Reading::nearest()).chain(best).collect();
     let panel = |example: Example, (number, reading): (usize, &Reading)| {
         let title = format!("{}, reading {}", example.name(), number + 1);
-        let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-3, 1e6), Axis::log("iterations").over(1.0, 3000.0));
+        let mut chart = Chart::new(&title, Axis::log("initial stiffness κ₀ [–]").over(1e-3, 1e6), Axis::log("iterations [–]").over(1.0, 3000.0));
         let curves = [Iteration::Varying, Iteration::Constant].into_iter().flat_map(|algorithm| {
             [Element::Line, Element::Layer].map(|element| {
                 let formulation = Formulation::new(element, algorithm);
@@ -67,7 +66,7 @@ fn curve(ends: &[End]) -> Curve {
     curve
 }
 
-fn chart(all: &[Judged]) -> Result<String, Error> {
+fn chart(all: &[Judged]) -> Result<Drawing, Error> {
     let most = all.iter().map(Judged::count).max().unwrap_or(0);
     let criteria = [Criterion::Conditions, Criterion::Residuals, Criterion::Displacement];
     let pairs = criteria.into_iter().flat_map(|criterion| Candidates::ALL.map(|candidates| (candidates, criterion)));
@@ -79,17 +78,19 @@ fn chart(all: &[Judged]) -> Result<String, Error> {
     let ticks = TOLERANCES.iter().enumerate().map(|(k, tolerance)| (k * CAPS.len(), format!("{tolerance:.0e}")));
     ClassMap {
         title: "Sentences of the paper that hold in both examples, by rule of varying stiffness and tolerance".into(),
+        axes: ["tolerance [–]".into(), "rule".into()],
         panels,
         columns: Candidates::ALL.len(),
         ticks: ticks.collect(),
-        legend: (0..CLASSES).map(|k| (class(k), palette::ENDS[k])).collect(),
+        classes: (0..CLASSES).map(class).collect(),
+        boundary: None,
         notes: vec![format!(
             "In each tolerance from left to right: given up after {} iterations. The most that hold under any rule of constant stiffness \
              and thickness of layers.",
             CAPS.map(|cap| cap.to_string()).join(", ")
         )],
     }
-    .svg()
+    .drawing()
 }
 
 fn panel(all: &[Judged], most: u32, candidates: Candidates, criterion: Criterion) -> MapPanel {
@@ -101,7 +102,7 @@ fn panel(all: &[Judged], most: u32, candidates: Candidates, criterion: Criterion
         let cell = |(stop, cap): (Stop, usize)| {
             let here = of_rule.iter().filter(|judged| judged.reading.stop == stop && judged.reading.cap == cap);
             let held = here.map(|judged| judged.count()).max().unwrap_or(0);
-            Cell { colour: palette::ENDS[((most - held) as usize).min(CLASSES - 1)], predicted: None }
+            Cell { class: ((most - held) as usize).min(CLASSES - 1), label: held.to_string(), predicted: None }
         };
         (varying.name(), places.map(cell).collect())
     };

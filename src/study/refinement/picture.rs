@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, Series, Slope};
+use crate::figure::{Axis, Chart, Drawing, Series, Slope};
 use crate::mesh::Order;
 use crate::study::Found;
 use crate::study::drawn::Curve;
@@ -12,9 +12,9 @@ use crate::study::refinement::run::{Errors, Numbers, Orders};
 const APART: f64 = 1.6;
 
 /// The chart.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
     let mut chart =
-        Chart::new("Truncated Hertz: errors on nested meshes", Axis::log("h / a"), Axis::log("|relative error|"));
+        Chart::new("Truncated Hertz: errors on nested meshes", Axis::log("mesh size h / a [–]"), Axis::log("|relative error| [–]"));
     let all = findings.iter().filter_map(|found| match found.numbers {
         Numbers::Orders(orders) => Some(orders),
         _ => None,
@@ -22,7 +22,7 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Er
     let all: Vec<&Orders> = all.collect();
     chart.series.extend(all.iter().flat_map(|orders| curves(orders)));
     chart.slopes.extend(slopes(&all));
-    Ok(vec![("orders.svg".into(), chart.svg()?)])
+    Ok(vec![("orders.svg".into(), chart.drawing()?)])
 }
 
 fn curves(orders: &Orders) -> [Series; 3] {

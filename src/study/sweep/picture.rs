@@ -1,7 +1,7 @@
 //! Iterations against initial stiffness, one panel per scene and algorithm.
 
 use crate::error::Error;
-use crate::figure::{Axis, Chart, panels};
+use crate::figure::{Axis, Chart, Drawing, panels};
 use crate::solve::Iteration;
 use crate::study::Found;
 use crate::study::drawn::{label, style};
@@ -9,7 +9,7 @@ use crate::study::sweep::scene::Scene;
 use crate::study::sweep::run::{Numbers, Sweep};
 
 /// The chart.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Error> {
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
     let sweeps = findings.iter().filter_map(|found| match found.numbers {
         Numbers::Sweep(sweep) => Some(sweep),
         Numbers::Rules(_) => None,
@@ -22,7 +22,7 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, String)>, Er
 
 fn panel(sweeps: &[&Sweep], scene: Scene, algorithm: Iteration) -> Chart {
     let title = format!("{}: {}", scene.name(), algorithm.name());
-    let mut chart = Chart::new(&title, Axis::log("κ₀").over(1e-3, 1e6), Axis::log("iterations").over(1.0, 3000.0));
+    let mut chart = Chart::new(&title, Axis::log("initial stiffness κ₀ [–]").over(1e-3, 1e6), Axis::log("iterations [–]").over(1.0, 3000.0));
     let own = sweeps.iter().filter(|sweep| sweep.scene == scene && sweep.formulation.algorithm == algorithm);
     chart.series = own.map(|sweep| sweep.iterations.drawn(label(&sweep.formulation), style(&sweep.formulation))).collect();
     chart

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, Series, panels};
+use crate::figure::{Axis, Bars, Chart, Drawing, Series, panels};
 use crate::markdown;
 use crate::study::drawn::picture;
 use crate::study::timings::bar_cost::{BarCost, BarCosts};
@@ -12,8 +12,6 @@ use crate::study::timings::statistics::Spread;
 const ASKED: (f64, f64) = (1e4, 1.6);
 /// Threads.
 const THREADS: [&str; 2] = ["one thread", "all threads"];
-/// One value of a spread.
-type Value = fn(&Spread) -> f64;
 
 /// Columns.
 const HEAD: [&str; 4] = ["dofs", "seconds without", "with ÷ without, one thread", "with ÷ without, all threads"];
@@ -54,16 +52,16 @@ fn told(spread: Spread) -> String {
 }
 
 /// The chart.
-pub fn chart(record: &BarCosts) -> Result<String, Error> {
-    let mut chart = Chart::new("Cylinder, node + kinematic load", Axis::log("degrees of freedom"), Axis::linear("with bars ÷ without"));
+pub fn chart(record: &BarCosts) -> Result<Drawing, Error> {
+    let mut chart = Chart::new("Cylinder, node + kinematic load", Axis::log("degrees of freedom [–]"), Axis::linear("time with bars ÷ without [–]"));
     let styles = [(palette::NODE, Dash::Solid, Marker::Circle), (palette::LINE, Dash::Dashed, Marker::Square)];
-    let of: [(&str, Value); 3] = [("median", |s| s.median), ("least", |s| s.least), ("most", |s| s.most)];
     for (k, (colour, dash, marker)) in styles.into_iter().enumerate() {
-        for (which, value) in of {
-            let style = Style::run(colour, if which == "median" { dash } else { Dash::Dotted }, marker);
-            let points = record.costs.iter().map(|one| (one.dofs as f64, value(&one.ratio[k]))).collect();
-            chart.series.push(Series { label: format!("{}, {which}", THREADS[k]), points, style, hollow: Vec::new() });
-        }
+        let at = |one: &BarCost, value: fn(&Spread) -> f64| (one.dofs as f64, value(&one.ratio[k]));
+        let points = record.costs.iter().map(|one| at(one, |spread| spread.median)).collect();
+        let style = Style::run(colour, dash, marker);
+        chart.series.push(Series { label: format!("{}, median", THREADS[k]), points, style, hollow: Vec::new() });
+        let ends = record.costs.iter().map(|one| [at(one, |spread| spread.least), at(one, |spread| spread.most)]).collect();
+        chart.bars.push(Bars { label: "bar: least to most of repeated runs".into(), ends, colour });
     }
     let ends = record.costs.iter().map(|one| (one.dofs as f64, ASKED.1));
     chart.series.push(Series { label: "asked for".into(), points: ends.collect(), style: Style::reference(), hollow: Vec::new() });

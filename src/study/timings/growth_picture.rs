@@ -2,33 +2,24 @@
 
 use crate::clock::Stage;
 use crate::error::Error;
-use crate::figure::palette::{self, Colour, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, Series, panels};
+use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{Axis, Chart, Colour, Drawing, Series, panels};
 use crate::study::timings::growth::{Growth, LARGE};
 use crate::study::timings::statistics::exponent;
 
+/// Bytes of a megabyte.
+const BYTES: f64 = 1e6;
+
 /// Seconds by stage, whole solves, and memory against the degrees of freedom.
-pub fn growth(growth: &[Growth]) -> Result<String, Error> {
-    let dofs = || Axis::log("degrees of freedom");
-    let colours = [
-        palette::LINE,
-        palette::ORANGE,
-        palette::LAYER,
-        palette::PURPLE,
-        palette::NODE,
-        palette::SKY,
-        palette::GREY,
-        palette::PALE,
-        palette::INK,
-        palette::LINE,
-    ];
-    let mut stages = Chart::new("Seconds by stage", dofs(), Axis::log("seconds"));
+pub fn growth(growth: &[Growth]) -> Result<Drawing, Error> {
+    let dofs = || Axis::log("degrees of freedom [–]");
+    let mut stages = Chart::new("Seconds by stage", dofs(), Axis::log("time [s]"));
     for (k, stage) in Stage::ALL.into_iter().enumerate().filter(|(_, stage)| *stage != Stage::Interface) {
         let dash = if k % 2 == 0 { Dash::Solid } else { Dash::Dashed };
         let marker = [Marker::Circle, Marker::Square, Marker::Diamond, Marker::Triangle, Marker::Wedge][k % 5];
-        stages.series.push(grown(growth, stage.name(), &|one| one.seconds(&[stage]), Style::run(colours[k], dash, marker)));
+        stages.series.push(grown(growth, stage.name(), &|one| one.seconds(&[stage]), Style::run(palette::CURVES[k % palette::CURVES.len()], dash, marker)));
     }
-    let mut whole = Chart::new("Whole solves", dofs(), Axis::log("seconds"));
+    let mut whole = Chart::new("Whole solves", dofs(), Axis::log("time [s]"));
     let run = |colour: Colour, dash, marker| Style::run(colour, dash, marker);
     let plain_ours =
         [Stage::Ordering, Stage::Analysis, Stage::Factorisation, Stage::ForwardElimination, Stage::Recovery];
@@ -48,8 +39,8 @@ pub fn growth(growth: &[Growth]) -> Result<String, Error> {
         ),
         grown(growth, "from nothing", &|g| g.seconds(&Stage::ALL), run(palette::LAYER, Dash::DashDot, Marker::Triangle)),
     ];
-    let mut memory = Chart::new("Memory", dofs(), Axis::log("bytes"));
-    let factor = |g: &Growth| 8.0 * g.counts.factor_entries as f64;
+    let mut memory = Chart::new("Memory", dofs(), Axis::log("memory [MB]"));
+    let factor = |g: &Growth| 8.0 / BYTES * g.counts.factor_entries as f64;
     let peak = |g: &Growth| g.memory_ratio.map_or(f64::NAN, |ratio| ratio * factor(g));
     memory.series = vec![
         grown(growth, "whole process, at most", &peak, run(palette::LAYER, Dash::Solid, Marker::Circle)),

@@ -118,7 +118,7 @@ fn peers(record: &Record) -> String {
     }
     format!(
         "### The same mesh in codes one would pick instead\n\nThe cylinder on our 8-node mesh, handed over; ours is the contact solve from the \
-         assembled matrix on; errors against Hertz, whose model error is part of them. {}.\n\n{}\n",
+         assembled matrix on; errors against the converged answer of the scene. {}.\n\n{}\n",
         counted.join(". "),
         markdown::table(&head.map(String::from), &rows)
     )

@@ -10,33 +10,39 @@
 //! * `statistics` — medians and worst values.
 //! * `growth` — one solve from 10³ to 10⁶ degrees of freedom, stage by stage, against one plain sparse Cholesky solve.
 //! * `default_mesh` — the default meshes, and what coarser ones would change.
-//! * `precision` — error against seconds and work, over loads the mesh does not know.
+//! * `precision` — error against seconds and work, over loads the mesh does not know; `answers` — what errors are held against.
+//! * `family` — which scenes, on which meshes; `pareto` — what is cheapest for an error.
 //! * `others` — the same by scikit-fem and dolfinx; the cylinder by GetFEM and CalculiX.
 //! * `bar_cost` — what error bars cost, `bar_cost_section` — its part of the page.
 //! * `targets` — what was asked for, and what was measured.
 //! * `judge` — whether errors and counts are still the recorded ones.
 //! * `section` — what each accuracy costs.
 //! * `growth_section` — how the cost grows, and where the time goes.
-//! * `picture` — error against seconds and work.
+//! * `picture` — all charts; `work_precision`, `precision_detail` — error against seconds and work.
 //! * `growth_picture` — seconds by stage and memory against the degrees of freedom.
 
+pub mod answers;
 pub mod bar_cost;
 mod bar_cost_section;
 pub mod default_mesh;
+pub mod family;
 pub mod growth;
 mod growth_picture;
 mod growth_section;
 pub mod judge;
 pub mod machine;
 pub mod others;
+pub mod pareto;
 mod picture;
 pub mod plan;
 pub mod precision;
+mod precision_detail;
 pub mod record;
 pub mod run;
 mod section;
 pub mod statistics;
 pub mod targets;
+mod work_precision;
 
 pub use judge::judge;
 pub use picture::pictures;

@@ -5,47 +5,22 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::case::hertz;
-use crate::case::library::{Cylinder, TruncatedHertz};
 use crate::clock::Seconds;
 use crate::error::Error;
 use crate::measure::larger;
 use crate::mesh::{Order, Resolution};
-use crate::oracle::analytic::hertz::Hertz;
-use crate::scene::{Grading, Scene};
 use crate::solve::run::Run;
-use crate::solve::{Discretisation, Element, Formulation, Iteration};
+use crate::solve::{Discretisation, Formulation};
 use crate::study::pairing::Pairing;
+use crate::study::timings::answers::Answers;
 use crate::study::timings::statistics::Spread;
+
+pub use crate::study::timings::family::{ELEMENTS, Family, TOLERANCE};
 
 /// Loads of every point.
 pub const LOADS: usize = 8;
-/// Tolerance of every run: a thirtieth of the smallest error that is asked for.
-pub const TOLERANCE: f64 = 1e-5;
 /// Errors that are asked for.
 pub const ASKED: [f64; 4] = [1e-2, 3e-3, 1e-3, 3e-4];
-/// Elements per half-width.
-pub const ELEMENTS: [usize; 8] = [2, 3, 4, 5, 7, 10, 14, 20];
-/// Elements per half-width up to which uniform meshes go.
-const UNIFORM: usize = 10;
-
-/// Which scene, and how its mesh grows away from the contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Family {
-    /// Truncated Hertz on its graded mesh.
-    #[serde(rename = "truncated-hertz")]
-    Truncated,
-    /// Truncated Hertz on a mesh that grows twice as fast from cell to cell.
-    #[serde(rename = "truncated-hertz, steep")]
-    Steep,
-    /// Truncated Hertz on squares all of one size.
-    #[serde(rename = "truncated-hertz, uniform")]
-    Uniform,
-    /// The cylinder on its graded mesh.
-    Cylinder,
-}
-
 /// One point of the charts.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Point {
@@ -69,7 +44,7 @@ pub struct Point {
     pub converged: usize,
     /// Seconds from the scene to the pressures, median.
     pub seconds: f64,
-    /// Error of p₀: median and worst.
+    /// Error of p₀ against the answer of the scene: median and worst.
     pub peak: f64,
     /// Worst.
     pub peak_worst: f64,
@@ -77,7 +52,7 @@ pub struct Point {
     pub half_width: f64,
     /// Worst.
     pub half_width_worst: f64,
-    /// L2(p): median and worst.
+    /// L2(p) against Hertz: median and worst.
     pub l2: f64,
     /// Worst.
     pub l2_worst: f64,
@@ -95,74 +70,6 @@ impl Point {
     }
 }
 
-impl Family {
-    /// All.
-    pub const ALL: [Self; 4] = [Self::Truncated, Self::Steep, Self::Uniform, Self::Cylinder];
-
-    /// Name in records.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Truncated => "truncated-hertz",
-            Self::Steep => "truncated-hertz, steep",
-            Self::Uniform => "truncated-hertz, uniform",
-            Self::Cylinder => "cylinder",
-        }
-    }
-
-    /// Formulations: all nine, on steep and uniform meshes the elements with kinematic load.
-    pub fn formulations(self) -> Vec<Formulation> {
-        let nine = Formulation::nine().into_iter();
-        let kept = nine.filter(|f| !self.compares_meshes() || f.algorithm == Iteration::Kinematic);
-        kept.map(|formulation| formulation.tolerance(TOLERANCE)).collect()
-    }
-
-    /// Whether the family is there for its mesh, not for the formulations.
-    fn compares_meshes(self) -> bool {
-        matches!(self, Self::Steep | Self::Uniform)
-    }
-
-    /// Elements per half-width, coarse to fine.
-    pub fn elements(self) -> impl Iterator<Item = usize> {
-        ELEMENTS.into_iter().filter(move |&elements| self != Self::Uniform || elements <= UNIFORM)
-    }
-
-    /// Nominal half-width \[mm\].
-    pub fn nominal(self) -> f64 {
-        match self {
-            Self::Cylinder => Cylinder::default().half_width(),
-            Self::Truncated | Self::Steep | Self::Uniform => TruncatedHertz::default().half_width(),
-        }
-    }
-
-    /// The scene under the load of another half-width, with the outline, candidates and grading of the nominal one, and
-    /// the Hertz solution.
-    fn loaded(self, half_width: f64) -> (Scene, Hertz) {
-        let ratio = half_width / self.nominal();
-        let (mut scene, load, radius) = match self {
-            Self::Cylinder => {
-                let nominal = Cylinder::default();
-                let (a_over_r, stretch) = (nominal.a_over_r * ratio, nominal.stretch / ratio);
-                let numbers = Cylinder { a_over_r, stretch, ..nominal };
-                (numbers.scene(), numbers.load(), numbers.radius)
-            }
-            Self::Truncated | Self::Steep | Self::Uniform => {
-                let nominal = TruncatedHertz::default();
-                let (size, stretch) = (nominal.size / ratio, nominal.stretch / ratio);
-                let numbers = TruncatedHertz { a_over_r: nominal.a_over_r * ratio, size, stretch, ..nominal };
-                (numbers.scene(), numbers.load(), numbers.radius)
-            }
-        };
-        scene.grading.unit = self.nominal();
-        match self {
-            Self::Truncated | Self::Cylinder => {}
-            Self::Steep => scene.grading = Grading { along: 2.0, depth: 1.8, coarsest: 0.5, ..scene.grading },
-            Self::Uniform => scene.grading = Grading { along: 1.0, depth: 1.0, ..scene.grading },
-        }
-        let modulus = scene.contact_modulus();
-        (scene, Hertz { load, radius, modulus })
-    }
-}
-
 /// Half-widths of the loads: from the nominal one on, across one element.
 pub fn half_widths(nominal: f64, elements: usize) -> [f64; LOADS] {
     std::array::from_fn(|k| nominal * (1.0 + k as f64 / (LOADS * elements) as f64))
@@ -174,8 +81,8 @@ struct Loaded {
     errors: [f64; 3],
 }
 
-/// Points of one mesh, one a formulation.
-pub fn measure(family: Family, order: Order, elements: usize) -> Result<Vec<Point>, Error> {
+/// Points of one mesh, one a formulation, their errors against the answers of the family.
+pub fn measure(family: Family, order: Order, elements: usize, answers: &Answers) -> Result<Vec<Point>, Error> {
     let formulations = family.formulations();
     let mut loaded: Vec<Vec<Loaded>> = formulations.iter().map(|_| Vec::new()).collect();
     for half_width in half_widths(family.nominal(), elements) {
@@ -183,7 +90,7 @@ pub fn measure(family: Family, order: Order, elements: usize) -> Result<Vec<Poin
         let discretisation = Discretisation::of(scene, Resolution { elements, refinement: 0, order })?;
         for (formulation, loaded) in formulations.iter().zip(&mut loaded) {
             let run = Run::of(&discretisation, formulation)?;
-            let errors = hertz::errors(&run, &exact);
+            let errors = answers.errors(&run, &exact, half_width / family.nominal());
             loaded.push(Loaded { run, errors });
         }
     }
@@ -237,14 +144,4 @@ pub fn series() -> impl Iterator<Item = (Family, Order)> {
 pub fn meshes() -> Vec<(Family, Order, usize)> {
     let of = |(family, order): (Family, Order)| family.elements().map(move |elements| (family, order, elements));
     series().flat_map(of).collect()
-}
-
-/// What the cylinder's p₀ and a differ from Hertz by on a mesh fine enough to show it: the floor of its curves.
-pub fn floor() -> Result<[f64; 2], Error> {
-    let (scene, exact) = Family::Cylinder.loaded(Family::Cylinder.nominal());
-    let discretisation =
-        Discretisation::of(scene, Resolution { elements: 48, refinement: 0, order: Order::Quadratic })?;
-    let run = Run::of(&discretisation, &Formulation::new(Element::Node, Iteration::Kinematic).tolerance(TOLERANCE))?;
-    let [peak, half_width, _] = hertz::errors(&run, &exact);
-    Ok([peak, half_width])
 }

@@ -30,7 +30,7 @@ pub struct Measured {
     pub nine: Vec<Nine>,
     /// Seconds of the whole report.
     pub report: f64,
-    /// Model error of the cylinder's p₀ and a.
+    /// What the converged p₀ and a of the cylinder are uncertain by.
     pub floor: [f64; 2],
     /// Other codes on truncated Hertz.
     pub others: Vec<OtherPoint>,

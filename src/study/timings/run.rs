@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::error::Error;
 use crate::mesh::Order;
 use crate::study::Found;
+use crate::study::timings::answers::Answers;
 use crate::study::timings::bar_cost::{self, BarCost, BarCosts};
 use crate::study::timings::default_mesh::DefaultMesh;
 use crate::study::timings::growth::{self, Counts, RECOUNTED};
@@ -64,7 +65,8 @@ impl Recounted {
 pub fn precision(family: Family, order: Order) -> Result<Numbers, Error> {
     let is_own = |point: &Point| point.family == family && point.cell_nodes == order.nodes_per_cell();
     let recorded = Record::read()?.points.into_iter().filter(is_own).collect();
-    let fresh = family.elements().map(|elements| precision::measure(family, order, elements));
+    let answers = Answers::of(family)?;
+    let fresh = family.elements().map(|elements| precision::measure(family, order, elements, &answers));
     let fresh = fresh.collect::<Result<Vec<_>, _>>()?.concat();
     let planned = family.elements().count() * family.formulations().len();
     Ok(Numbers::Precision(Precision { recorded, fresh, planned }))

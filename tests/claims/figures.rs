@@ -1,0 +1,257 @@
+//! Charts are read on light and on dark pages, and by those who see no green.
+
+use std::collections::BTreeSet;
+
+use contact_vv::figure::colour_map::{CLASSES, ON_CLASSES};
+use contact_vv::figure::palette::{self, CARD, CURVES, Dash, GREY, INK, Marker};
+use contact_vv::figure::theme::Rgb;
+use contact_vv::figure::{
+    Axis, Band, Bars, Cell, Chart, ClassMap, Direction, Drawing, Guide, MapPanel, Remark, Ribbon, Series, Style, Theme,
+    contact_elements, contact_problem,
+};
+use contact_vv::study::drawn::picture;
+use contact_vv::study::timings::pareto::{Measure, front, sound, within};
+use contact_vv::study::timings::precision::{Family, Point};
+use contact_vv::study::timings::record::Record;
+
+/// Linear red, green and blue (IEC 61966-2-1, as in WCAG 2.1).
+fn linear(Rgb(red, green, blue): Rgb) -> [f64; 3] {
+    [red, green, blue].map(|channel| {
+        let share = f64::from(channel) / 255.0;
+        if share <= 0.04045 { share / 12.92 } else { ((share + 0.055) / 1.055).powf(2.4) }
+    })
+}
+
+/// What deuteranopes see: Machado, Oliveira & Fernandes 2009, severity 1, on linear channels.
+fn deuteranopia(seen: [f64; 3]) -> [f64; 3] {
+    let rows =
+        [[0.367_322, 0.860_646, -0.227_968], [0.280_085, 0.672_501, 0.047_413], [-0.011_820, 0.042_940, 0.968_881]];
+    rows.map(|row: [f64; 3]| row.iter().zip(seen).map(|(a, b)| a * b).sum::<f64>().clamp(0.0, 1.0))
+}
+
+fn luminance([red, green, blue]: [f64; 3]) -> f64 {
+    0.2126 * red + 0.7152 * green + 0.0722 * blue
+}
+
+/// Contrast ratio of WCAG 2.1.
+fn contrast(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let [a, b] = [a, b].map(|colour| luminance(colour) + 0.05);
+    a.max(b) / a.min(b)
+}
+
+#[test]
+fn contrast_is_that_of_the_published_examples() {
+    let of = |a: Rgb, b: Rgb| contrast(linear(a), linear(b));
+    let (black, white, grey) = (Rgb(0, 0, 0), Rgb(255, 255, 255), Rgb(0x76, 0x76, 0x76));
+    assert!((of(black, white) - 21.0).abs() < 1e-9);
+    assert!((of(grey, white) - 4.54).abs() < 5e-3, "{}", of(grey, white));
+    // To deuteranopes, greys are greys, and red and green come nearer to one another.
+    let seen = |colour: Rgb| deuteranopia(linear(colour));
+    assert!(seen(grey).iter().zip(linear(grey)).all(|(seen, own)| (seen - own).abs() < 1e-5));
+    let (red, green) = (Rgb(200, 60, 60), Rgb(60, 140, 60));
+    let apart = |a: [f64; 3], b: [f64; 3]| (a[0] - b[0]).abs() + (a[1] - b[1]).abs();
+    assert!(apart(seen(red), seen(green)) < 0.5 * apart(linear(red), linear(green)));
+}
+
+#[test]
+fn any_two_classes_of_a_map_differ_in_brightness_for_deuteranopes_too() {
+    for theme in Theme::ALL {
+        for (k, first) in CLASSES.iter().enumerate() {
+            for (l, second) in CLASSES.iter().enumerate().skip(k + 1) {
+                let [a, b] = [first, second].map(|colour| linear(colour.on(theme)));
+                let ratios = [contrast(a, b), contrast(deuteranopia(a), deuteranopia(b))];
+                assert!(ratios.iter().all(|ratio| *ratio >= 1.5), "{theme:?}: classes {k} and {l}: {ratios:.2?}");
+            }
+        }
+        for (k, (class, text)) in CLASSES.iter().zip(ON_CLASSES).enumerate() {
+            let ratio = contrast(linear(class.on(theme)), linear(text.on(theme)));
+            assert!(ratio >= 4.5, "{theme:?}: text on class {k}: {ratio:.2}");
+        }
+    }
+}
+
+#[test]
+fn text_and_lines_stand_out_on_light_and_dark_cards() {
+    for theme in Theme::ALL {
+        let on_card = |colour: contact_vv::figure::Colour| contrast(linear(colour.on(theme)), linear(CARD.on(theme)));
+        for colour in CURVES.into_iter().chain([INK, GREY]) {
+            assert!(on_card(colour) >= 3.0, "{theme:?}: a line {}: {:.2}", colour.on(theme), on_card(colour));
+        }
+        for colour in [INK, GREY] {
+            assert!(on_card(colour) >= 4.5, "{theme:?}: text {}: {:.2}", colour.on(theme), on_card(colour));
+        }
+    }
+}
+
+/// A chart with everything that a chart can hold.
+fn full() -> Chart {
+    let mut chart = Chart::new("everything", Axis::log("x [mm]"), Axis::log("y [MPa]"));
+    let points = vec![(1.0, 1.0), (10.0, 100.0), (1000.0, 30.0)];
+    for (k, colour) in CURVES.into_iter().enumerate() {
+        let style = Style::run(colour, Dash::Dashed, if k % 2 == 0 { Marker::Circle } else { Marker::Dot });
+        chart.series.push(Series { label: format!("curve {k}"), points: points.clone(), style, hollow: vec![3.0] });
+    }
+    chart.guides.push(Guide { direction: Direction::Horizontal, at: 10.0, label: "a guide".into() });
+    chart.bands.push(Band { direction: Direction::Vertical, from: 20.0, to: 90.0, label: "a band".into() });
+    chart.ribbons.push(Ribbon {
+        label: "a ribbon".into(),
+        points: vec![[1.0, 2.0, 3.0], [100.0, 3.0, 9.0]],
+        colour: GREY,
+    });
+    chart.bars.push(Bars { label: "bars".into(), ends: vec![[(2.0, 1.0), (2.0, 9.0)]], colour: palette::PURPLE });
+    let at = (10.0, 100.0);
+    chart.remarks.push(Remark {
+        at,
+        text: "7 ms".into(),
+        right: false,
+        label: "rings".into(),
+        colour: palette::ORANGE,
+    });
+    chart.notes.push("A note.".into());
+    chart
+}
+
+/// A map with every class, and a boundary.
+fn map() -> ClassMap {
+    let cell = |class: usize| Cell { class, label: format!("{class}"), predicted: Some(class < 3) };
+    let rows = vec![("1".to_string(), (0..CLASSES.len()).map(cell).collect())];
+    ClassMap {
+        title: "every class".into(),
+        axes: ["across [–]".into(), "up".into()],
+        panels: vec![MapPanel { title: "a panel".into(), rows }],
+        columns: 1,
+        ticks: vec![(0, "10⁻⁶".into())],
+        classes: (0..CLASSES.len()).map(|class| format!("class {class}")).collect(),
+        boundary: Some("the boundary".into()),
+        notes: vec![],
+    }
+}
+
+fn drawings() -> Vec<Drawing> {
+    let all = [contact_problem(), contact_elements(), full().drawing(), map().drawing()];
+    all.map(|drawing| drawing.expect("drawn")).into()
+}
+
+/// The value of an attribute in a tag.
+fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
+    let (_, rest) = tag.split_once(&format!(" {name}=\""))?;
+    rest.split('"').next()
+}
+
+fn colour(text: &str) -> Rgb {
+    let channel = |k: usize| u8::from_str_radix(&text[k..k + 2], 16).expect("a colour");
+    Rgb(channel(1), channel(3), channel(5))
+}
+
+#[test]
+fn text_and_lines_of_written_charts_stand_out_on_their_card() {
+    for (number, drawing) in drawings().iter().enumerate() {
+        for theme in Theme::ALL {
+            let (svg, card) = (drawing.svg(theme), CARD.on(theme));
+            let tags = || svg.split('<').filter_map(|part| part.split_once('>')).map(|(tag, _)| tag);
+            // The numbers on the cells of the map are held against the cells above.
+            let cells: BTreeSet<String> = ON_CLASSES.iter().map(|colour| colour.on(theme).to_string()).collect();
+            let texts: Vec<String> = tags()
+                .filter(|tag| tag.starts_with("text"))
+                .map(|tag| attribute(tag, "fill").map_or(INK.on(theme).to_string(), String::from))
+                .collect();
+            assert!(!texts.is_empty());
+            for fill in texts.iter().filter(|fill| !cells.contains(*fill)) {
+                let ratio = contrast(linear(colour(fill)), linear(card));
+                let coloured = CURVES.iter().any(|curve| curve.on(theme).to_string() == *fill);
+                assert!(ratio >= 4.5 || (coloured && ratio >= 3.0), "{number} {theme:?}: text {fill}: {ratio:.2}");
+            }
+            let lines = tags().filter(|tag| tag.starts_with("path") && attribute(tag, "fill") == Some("none"));
+            let wide = |tag: &&str| {
+                attribute(tag, "stroke-width")
+                    .and_then(|width| width.parse().ok())
+                    .is_some_and(|width: f64| width >= 0.9)
+            };
+            // The rim of the card that a line over cells has is no line of its own.
+            let strokes = lines
+                .filter(wide)
+                .filter_map(|tag| attribute(tag, "stroke"))
+                .filter(|stroke| *stroke != card.to_string());
+            for stroke in strokes {
+                let ratio = contrast(linear(colour(stroke)), linear(card));
+                assert!(ratio >= 3.0, "{number} {theme:?}: a line {stroke}: {ratio:.2}");
+            }
+        }
+    }
+}
+
+/// An SVG with its colours left out.
+fn shapes(svg: &str) -> String {
+    svg.split('#').enumerate().map(|(k, part)| if k == 0 { part } else { part.get(6..).unwrap_or(part) }).collect()
+}
+
+#[test]
+fn light_and_dark_files_hold_the_same_shapes_in_other_colours() {
+    for drawing in drawings() {
+        let [(name, light), (dark_name, dark)] = drawing.files("a-chart.svg");
+        assert_eq!([name.as_str(), dark_name.as_str()], ["a-chart.svg", "a-chart-dark.svg"]);
+        assert_ne!(light, dark);
+        assert_eq!(shapes(&light), shapes(&dark));
+    }
+}
+
+#[test]
+fn everything_that_is_drawn_is_in_the_legend() {
+    let svg = full().drawing().expect("drawn").svg(Theme::Light);
+    for text in [
+        "curve 0",
+        "curve 5",
+        "a guide",
+        "a band",
+        "a ribbon",
+        "bars",
+        "rings",
+        "7 ms",
+        "hollow: not converged",
+        "A note.",
+    ] {
+        assert!(svg.contains(&format!("\n{text}\n")), "no `{text}`");
+    }
+    let svg = map().drawing().expect("drawn").svg(Theme::Light);
+    for text in ["class 0", "class 6", "the boundary", "across [–]", "up", "10⁻⁶"] {
+        assert!(svg.contains(&format!("\n{text}\n")), "no `{text}`");
+    }
+}
+
+#[test]
+fn picture_of_the_page_has_both_files_an_escaped_name_and_a_caption_after_a_blank_line() {
+    let text = picture("orders.svg", "Errors < \"bars\" & more");
+    let (tag, caption) = text.split_once("\n\n").expect("a blank line");
+    assert!(tag.starts_with(
+        "<picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"snapshots/charts/orders-dark.svg\">"
+    ));
+    assert!(tag.ends_with(
+        "<img alt=\"Errors &lt; &quot;bars&quot; &amp; more\" src=\"snapshots/charts/orders.svg\"></picture>"
+    ));
+    assert_eq!(caption, "*Errors < \"bars\" & more.*\n\n");
+}
+
+#[test]
+fn no_point_is_both_cheaper_and_as_exact_as_one_of_the_front() {
+    let points = Record::read().expect("the committed record").points;
+    for family in [Family::Truncated, Family::Cylinder] {
+        let own = sound(&points, &[family]);
+        for measure in Measure::ALL {
+            let (cost, worst): (fn(&Point) -> f64, _) =
+                (|point| point.seconds, |point: &Point| measure.errors(point)[1]);
+            let front = front(&own, cost, &worst);
+            assert!(front.len() > 3, "{family:?}");
+            let beats = |a: &Point, b: &Point| cost(a) < cost(b) && worst(a) <= worst(b);
+            assert!(front.iter().all(|kept| own.iter().all(|other| !beats(other, kept))));
+            for other in own.iter().filter(|other| !front.iter().any(|kept| std::ptr::eq(*kept, **other))) {
+                assert!(
+                    front.iter().any(|kept| cost(kept) <= cost(other) && worst(kept) <= worst(other)),
+                    "left out for nothing"
+                );
+            }
+            let best = within(&front, 1e-3, &worst).expect("within 0.1 %");
+            assert!(own.iter().filter(|point| worst(point) <= 1e-3).all(|point| cost(point) >= cost(best)));
+            assert!(within(&front, 0.0, &worst).is_none() && within(&front, f64::NAN, &worst).is_none());
+        }
+    }
+}
