@@ -45,7 +45,8 @@ fn checks() -> Vec<CheckRow> {
     record::check::numbered(rows)
 }
 
-const SNAPSHOT: &str = "---\nsource: tests/suite.rs\n---\noutcome: converged\niterations: 20\nback-substitutions: 40\ndofs: 100\n";
+const SNAPSHOT: &str =
+    "---\nsource: tests/suite.rs\n---\noutcome: converged\niterations: 20\nback-substitutions: 40\ndofs: 100\n";
 const CHART: &str = "<svg><title>t</title><path d=\"M0 0L1 1\" fill=\"#0072B2\"/><path d=\"M2 2\" fill=\"#FDFDFC\"/><text>a</text></svg>";
 const TIMINGS: &str = r#"{"machine": {"processor": "one"}, "growth": [{"dofs": 9, "whole": {"median": 2.0, "least": 1.0, "most": 3.0}}]}"#;
 
@@ -54,7 +55,10 @@ fn tree(rows: &[CheckRow]) -> Tree {
     let mut tree = Tree { name: "a tree".into(), ..Tree::default() };
     let mut put = |path: &str, text: &str| tree.files.insert(path.into(), text.into());
     put(CHECKS, &record::text(CHECKS, rows).expect("written"));
-    put("snapshots/runs.csv", "case,trial,outcome,iterations,factorisations,updates,back_substitutions,dofs,retained\n");
+    put(
+        "snapshots/runs.csv",
+        "case,trial,outcome,iterations,factorisations,updates,back_substitutions,dofs,retained\n",
+    );
     put("snapshots/statements.csv", "statement,judgement,measured\nIt holds,reproduced,1 %\n");
     for run in ["line", "layer", "node"] {
         put(&format!("snapshots/cylinder@{run}.snap"), SNAPSHOT);
@@ -120,7 +124,12 @@ fn loosened_tolerance_is_told_first_even_of_a_renamed_check() {
 #[test]
 fn lowered_bound_is_loosened_and_raised_one_is_tightened() {
     for (bound, word) in [(0.8, "LOOSENED"), (0.95, "tightened")] {
-        let of = |bound: f64| CheckRow { relation: Relation::AtLeast, reference: bound, tolerance: 0.0, ..check("a", "b", "order", 0.0) };
+        let of = |bound: f64| CheckRow {
+            relation: Relation::AtLeast,
+            reference: bound,
+            tolerance: 0.0,
+            ..check("a", "b", "order", 0.0)
+        };
         let (text, _) = told(&tree(&[of(0.9)]), &tree(&[of(bound)]));
         assert!(text.contains(&format!("Tolerances {word}: 1 check")), "{text}");
     }
@@ -197,10 +206,16 @@ fn surveys_tell_columns_and_rows() {
 #[test]
 fn base_without_a_record_is_said_and_the_rest_is_compared() {
     let after = tree(&checks());
-    let mut before = after.with("an old commit", vec![("snapshots/charts/one.svg".into(), "<svg/>".into())], &[CHECKS.into()]);
+    let mut before =
+        after.with("an old commit", vec![("snapshots/charts/one.svg".into(), "<svg/>".into())], &[CHECKS.into()]);
     before.files.remove(CHECKS);
     let (text, worse) = told(&before, &after);
-    assert!(text.contains("an old commit has no snapshots/checks.csv: checks, verdicts, tolerances and bars are not compared"), "{text}");
+    assert!(
+        text.contains(
+            "an old commit has no snapshots/checks.csv: checks, verdicts, tolerances and bars are not compared"
+        ),
+        "{text}"
+    );
     assert!(!worse && text.contains("Charts whose data moved: 1"), "{text}");
 }
 
