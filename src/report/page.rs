@@ -26,7 +26,7 @@ pub struct Page {
 /// Makes the page from the findings of the whole suite.
 pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
     let mut text = [head(findings), paper(findings), verdicts(findings)].concat();
-    let mut charts = vec![
+    let mut charts = [
         figure::contact_problem()?.files("contact-problem.svg"),
         figure::contact_elements()?.files("contact-elements.svg"),
     ]

@@ -100,17 +100,17 @@ impl Kind {
     }
 }
 
-/// The rows of both trees; none at all, and a note, where one of them has no such file.
+/// The rows of both trees; none at all, and one note, where a tree has no such file or it cannot be read.
 fn both<T: DeserializeOwned>(trees: [&Tree; 2], file: &str, what: &str, notes: &mut Vec<String>) -> [Vec<T>; 2] {
     let read = |tree: &Tree| match tree.text(file) {
-        None => Err(format!("{} has no {file}: {what} are not compared", tree.name)),
-        Some(text) => record::parsed(text)
-            .map_err(|why| format!("{file} of {} cannot be read ({why}): {what} are not compared", tree.name)),
+        None => Err(format!("{} has no {file}", tree.name)),
+        Some(text) => record::parsed(text).map_err(|why| format!("{file} of {} cannot be read: {why}", tree.name)),
     };
     match trees.map(read) {
         [Ok(before), Ok(after)] => [before, after],
         [before, after] => {
-            notes.extend(before.err().into_iter().chain(after.err()));
+            let whys: Vec<String> = before.err().into_iter().chain(after.err()).collect();
+            notes.push(format!("{}: {what} are not compared", whys.join(", ")));
             Default::default()
         }
     }
