@@ -5,7 +5,7 @@
 //! * [`ended`] — how a command ended, as its exit code tells.
 //! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`timings`] — measures speed against accuracy.
-//! * [`suite`] — runs all trials with a progress bar; `summary` — what they found.
+//! * [`suite`] — runs all trials with a progress bar; [`summary`] — what they found.
 //! * [`solve`] — one case, with its outputs.
 //! * [`verify`] — scene files with their checks.
 //! * `found` — what it found.
@@ -30,7 +30,7 @@ pub mod new;
 pub mod reactions;
 pub mod solve;
 pub mod suite;
-mod summary;
+pub mod summary;
 pub mod survey;
 mod terminal;
 pub mod timings;

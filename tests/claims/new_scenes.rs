@@ -40,7 +40,7 @@ fn comments_of_a_new_scene_explain_every_key_it_uses() {
         keys(&toml::from_str(text).expect("TOML"), &mut used);
         let explained = explained(text);
         // The coordinates of a rectangle are those of the plane.
-        let silent: Vec<_> = used.iter().filter(|key| !explained.contains(*key) && !["x", "y"].contains(&key.as_str()));
+        let silent = used.iter().filter(|key| !explained.contains(*key) && !["x", "y"].contains(&key.as_str()));
         let silent: Vec<_> = silent.collect();
         assert!(silent.is_empty(), "{}: {silent:?}", template.name());
     }

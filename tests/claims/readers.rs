@@ -13,7 +13,11 @@ use crate::outputs::{contact_vv, scene};
 fn asked(script: &str, file: &Path, input: &str) -> (bool, String, String) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles");
     let mut command = Command::new("/usr/bin/python3");
-    command.env("PYTHONPATH", folder.join(".python/readers")).arg("-sB").arg(folder.join("readers").join(script)).arg(file);
+    command
+        .env("PYTHONPATH", folder.join(".python/readers"))
+        .arg("-sB")
+        .arg(folder.join("readers").join(script))
+        .arg(file);
     let piped = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = piped.spawn().expect("Python is there");
     // A script that refuses the first line reads no more of it.
