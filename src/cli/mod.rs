@@ -6,7 +6,7 @@
 //! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`timings`] — measures speed against accuracy.
 //! * [`review`] — what moved between two commits.
-//! * [`suite`] — runs all trials with a progress bar; `summary` — what they found.
+//! * [`suite`] — runs all trials with a progress bar; [`summary`] — what they found.
 //! * [`solve`] — one case, with its outputs.
 //! * [`verify`] — scene files with their checks.
 //! * `found` — what it found.
@@ -32,7 +32,7 @@ pub mod reactions;
 pub mod review;
 pub mod solve;
 pub mod suite;
-mod summary;
+pub mod summary;
 pub mod survey;
 mod terminal;
 pub mod timings;

@@ -3,7 +3,7 @@
 use crate::case::judged::worst;
 use crate::case::{Judged, Verdict};
 use crate::cli::suite;
-use crate::cli::terminal::{say, show, table};
+use crate::cli::terminal::{say, show, table_on, width};
 use crate::report::matrix;
 use crate::study::present::MADE;
 use crate::study::{Finding, Room};
@@ -13,27 +13,35 @@ type Row = [String; 3];
 
 /// Prints the checks that failed, then those that were not run, then a row for each study, and the counts of verdicts.
 pub fn print(findings: &[Finding]) {
+    let mut records: Vec<(String, Judged)> = Vec::new();
+    for made in MADE {
+        match made.check() {
+            Ok(check) => records.push((suite::title(&made), check)),
+            Err(error) => show(&error),
+        }
+    }
+    say(text(findings, &records, width()));
+}
+
+/// The same on so many columns, with the checks of records that scripts made.
+pub fn text(findings: &[Finding], records: &[(String, Judged)], columns: u16) -> String {
     let of_trial = |finding: &Finding| {
         let title = format!("{} × {}", finding.case, finding.name);
         finding.judged.iter().filter_map(move |check| row(&title, check)).collect::<Vec<_>>()
     };
     let mut rows: Vec<(bool, Row)> = findings.iter().flat_map(of_trial).collect();
-    for made in MADE {
-        match made.check() {
-            Ok(check) => rows.extend(row(&suite::title(&made), &check)),
-            Err(error) => show(&error),
-        }
-    }
+    rows.extend(records.iter().filter_map(|(title, check)| row(title, check)));
     // Failures first, each kind in the order of the page.
     rows.sort_by_key(|(failed, _)| !failed);
+    let mut told = String::new();
     if !rows.is_empty() {
-        let mut told = table(["verdict", "trial", "check"]);
-        told.add_rows(rows.into_iter().map(|(_, row)| row));
-        say(format!("{told}\n"));
+        let mut open = table_on(columns, ["verdict", "trial", "check"]);
+        open.add_rows(rows.into_iter().map(|(_, row)| row));
+        told = format!("{open}\n\n");
     }
-    say(studies(findings));
     let [pass, fail, not_run] = matrix::counts(findings);
-    say(format!("\nchecks: {pass} passed, {fail} failed, {not_run} not run"));
+    let studies = studies(findings, columns);
+    format!("{told}{studies}\n\nchecks: {pass} passed, {fail} failed, {not_run} not run")
 }
 
 /// A row of a check that did not pass, and whether it failed.
@@ -45,8 +53,8 @@ fn row(title: &str, check: &Judged) -> Option<(bool, Row)> {
 }
 
 /// A row for each study: worst verdict, trials, and its checks by verdict.
-fn studies(findings: &[Finding]) -> String {
-    let mut told = table(["verdict", "study", "trials", "checks", "passed", "failed", "not run"]);
+fn studies(findings: &[Finding], columns: u16) -> String {
+    let mut told = table_on(columns, ["verdict", "study", "trials", "checks", "passed", "failed", "not run"]);
     for room in Room::ALL {
         let own: Vec<&Finding> = findings.iter().filter(|finding| finding.room == *room).collect();
         if own.is_empty() {

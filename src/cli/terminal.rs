@@ -25,15 +25,20 @@ pub fn say(line: impl std::fmt::Display) {
 }
 
 /// Columns of the terminal; without one those that `COLUMNS` names, or 100, as the help has it.
-fn width() -> u16 {
+pub fn width() -> u16 {
     let named = || std::env::var("COLUMNS").ok()?.parse().ok();
     terminal_size::terminal_size().map(|(width, _)| width.0).or_else(named).unwrap_or(100)
 }
 
 /// A table no wider than the terminal.
 pub fn table<'a>(head: impl IntoIterator<Item = &'a str>) -> Table {
+    table_on(width(), head)
+}
+
+/// A table no wider than so many columns.
+pub fn table_on<'a>(columns: u16, head: impl IntoIterator<Item = &'a str>) -> Table {
     let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic).set_width(width());
+    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic).set_width(columns);
     table.set_header(head);
     table
 }

@@ -4,8 +4,11 @@ use std::path::Path;
 use std::process::Command;
 
 use contact_vv::case::library::NAMES;
-use contact_vv::cli::{self, writable};
+use contact_vv::case::{Check, Reference};
+use contact_vv::cli::{self, summary, writable};
 use contact_vv::error::nearest::nearest;
+use contact_vv::oracle::ReferenceKind;
+use contact_vv::study::Room;
 
 use crate::outputs::{contact_vv, scene};
 
@@ -175,6 +178,32 @@ fn output_that_cannot_be_written_is_refused_before_anything_is_solved() {
         let file = folder.path().join("missing").join(name).display().to_string();
         let (sound, told, error) = contact_vv(&["solve", "patch", option, &file]);
         assert!(!sound && told.is_empty() && error.contains("missing"), "{option}: {told}{error}");
+    }
+}
+
+#[test]
+fn what_did_not_pass_is_told_first_and_passes_are_summed_up() {
+    let found = || Room::Faults.plan()[0].run().expect("the record of planted faults is read");
+    let judged = |name: &'static str, value: f64| {
+        Check::error(name, Reference::own("none", 0.0), 1e-3, "for this test").judge(value)
+    };
+    let why = "nothing to hold it against, which takes many words to say, so that a line of it would be longer than any terminal";
+    let absent = Check::error("a third number", Reference::own("none", 0.0), 1e-3, "for this test");
+    let absent = absent.not_run(ReferenceKind::Measured, "none", why.into());
+    let mut findings = vec![found(), found()];
+    findings[0].judged = vec![judged("a first number", 1e-4), absent];
+    findings[1].judged = vec![judged("a second number", 2e-3), judged("a fourth number", f64::NAN)];
+    for columns in [72, 120] {
+        let text = summary::text(&findings, &[], columns);
+        assert!(widest(&text) <= usize::from(columns), "{text}");
+        let verdicts: Vec<&str> =
+            text.lines().map(str::trim).filter(|line| line.starts_with(['✗', '○', '✓'])).collect();
+        let signs: String = verdicts.iter().filter_map(|line| line.chars().next()).collect();
+        // Two failures, what was not run, and the one study they all belong to.
+        assert_eq!(signs, "✗✗○✗", "{text}");
+        assert!(text.ends_with("checks: 1 passed, 2 failed, 1 not run"), "{text}");
+        let whole = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(!whole.contains("first number"), "{text}");
     }
 }
 
