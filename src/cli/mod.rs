@@ -44,7 +44,7 @@ use crate::study::timings::growth;
 
 /// Contact elements and iterations for frictionless elastic contact in 2D, verified.
 ///
-/// Without a command: solves every case of the suite, prints the verdicts and writes VALIDATION.md with its charts.
+/// Without a command: solves every case of the suite, prints the verdicts and writes VALIDATION.md with its pages and charts.
 #[derive(Debug, Parser)]
 #[command(name = "contact-vv", version)]
 struct Cli {
@@ -54,7 +54,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Solve the suite and write VALIDATION.md and snapshots/charts (the default).
+    /// Solve the suite and write VALIDATION.md, snapshots/pages and snapshots/charts (the default).
     Report {
         /// Write nothing; show what differs and fail when the page or a chart is stale.
         #[arg(long)]
@@ -142,7 +142,8 @@ fn report_command(check: bool) -> Result<bool, Error> {
     let page = report::compose(&findings)?;
     if !check {
         report::write(&page, &root)?;
-        say(format!("written: {} and {} charts", report::files::PAGE, page.charts.len()));
+        let [pages, charts] = [page.pages.len(), page.charts.len()];
+        say(format!("written: {}, {pages} pages and {charts} charts", report::files::PAGE));
         return Ok(sound);
     }
     let differences = report::differences(&page, &root);

@@ -41,6 +41,7 @@ mod mesh;
 mod met;
 mod oracles;
 mod outputs;
+mod pages;
 mod photoelastic;
 mod pictures;
 mod reactions;
