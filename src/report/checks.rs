@@ -4,25 +4,71 @@ use std::collections::BTreeMap;
 
 use crate::case::{Judged, Quantity, Relation, Scope, Verdict, judged};
 use crate::markdown;
-use crate::oracle::ReferenceKind;
 use crate::report::told;
 
 /// Columns of what was found.
-const COLUMNS: [&str; 7] = ["trial", "at", "found", "reference", "error", "bar", "verdict"];
+const COLUMNS: [&str; 9] = ["trial", "at", "found", "reference", "error", "tolerance", "bar", "because", "verdict"];
+/// What a row has.
+type Cells = [String; COLUMNS.len()];
 /// Tables of more rows than this are folded.
 const FOLDED: usize = 12;
 
 /// Name of a trial with its checks.
 pub type Named<'a> = (&'a str, &'a [Judged]);
 
-/// A requirement with all that was held against it.
+/// Checks that ask the same of one quantity, perhaps against several references.
 struct Requirement<'a> {
-    sentence: String,
-    kind: ReferenceKind,
-    because: &'a str,
-    rows: Vec<(Vec<&'a str>, [String; COLUMNS.len()])>,
-    checks: usize,
-    failed: bool,
+    checks: Vec<(&'a str, &'a Judged)>,
+}
+
+impl Requirement<'_> {
+    fn is_of(&self, one: &Judged) -> bool {
+        let key = |one: &Judged| (one.check.quantity.name().to_string(), one.check.relation, one.reference.kind);
+        key(self.checks[0].1) == key(one)
+    }
+
+    fn first(&self) -> &Judged {
+        self.checks[0].1
+    }
+
+    /// Whether every check of it asks for the same number.
+    fn is_one(&self) -> bool {
+        self.checks.iter().all(|(_, one)| one.requirement() == self.first().requirement())
+    }
+
+    fn has_failed(&self) -> bool {
+        self.checks.iter().any(|(_, one)| one.verdict == Verdict::Fail)
+    }
+
+    /// The sentence, without numbers that only some of the checks have.
+    fn sentence(&self) -> String {
+        if self.is_one() {
+            return self.first().requirement();
+        }
+        let shall = match self.first().check.relation {
+            Relation::Near | Relation::NearAbsolutely => "shall agree with its reference within its tolerance",
+            Relation::Error => "shall be at most its tolerance against its reference",
+            Relation::AtLeast => "shall be at least its reference",
+            Relation::AtMost => "shall be at most its reference",
+        };
+        let name = self.first().check.quantity.name();
+        let start: String = name.chars().take(1).flat_map(char::to_uppercase).collect();
+        format!("{start}{} {shall}", name.chars().skip(1).collect::<String>())
+    }
+
+    /// A row for each trial; what is alike in several of them is one row.
+    fn rows(&self) -> Vec<(Vec<&str>, Cells)> {
+        let is_one = self.is_one();
+        let mut rows: Vec<(Vec<&str>, Cells)> = Vec::new();
+        for (name, one) in &self.checks {
+            let cells = cells(one, is_one);
+            match rows.iter_mut().find(|(names, other)| !names.contains(name) && *other == cells) {
+                Some((names, _)) => names.push(name),
+                None => rows.push((vec![name], cells)),
+            }
+        }
+        rows
+    }
 }
 
 /// The requirements of some trials with their checks; those that every run must meet are left to [`of_every_run`].
@@ -32,7 +78,7 @@ pub fn of(members: &[Named]) -> String {
     if own.is_empty() {
         return String::new();
     }
-    let (single, several): (Vec<_>, Vec<_>) = requirements(&own).into_iter().partition(|one| one.rows.len() == 1);
+    let (single, several): (Vec<_>, Vec<_>) = requirements(&own).into_iter().partition(|one| one.rows().len() == 1);
     let several: String = several.iter().map(|one| spread(one, members.len())).collect();
     format!("{}\n\n{}{several}", summary(&own), together(&single, members.len()))
 }
@@ -45,23 +91,13 @@ fn summary(own: &[(&str, &Judged)]) -> String {
     }
 }
 
-/// Each requirement once, in the order in which they come, with its rows; what is alike in several trials is one row.
+/// Each requirement once, in the order in which they come.
 fn requirements<'a>(own: &[(&'a str, &'a Judged)]) -> Vec<Requirement<'a>> {
     let mut all: Vec<Requirement> = Vec::new();
     for (name, one) in own {
-        let (sentence, kind, because) = (one.requirement(), one.reference.kind, one.check.because.as_ref());
-        let is_same = |other: &Requirement| (&other.sentence, other.kind, other.because) == (&sentence, kind, because);
-        let index = all.iter().position(is_same).unwrap_or_else(|| {
-            all.push(Requirement { sentence: sentence.clone(), kind, because, rows: Vec::new(), checks: 0, failed: false });
-            all.len() - 1
-        });
-        let cells = cells(one);
-        let requirement = &mut all[index];
-        requirement.checks += 1;
-        requirement.failed |= one.verdict == Verdict::Fail;
-        match requirement.rows.iter_mut().find(|(names, other)| !names.contains(name) && *other == cells) {
-            Some((names, _)) => names.push(name),
-            None => requirement.rows.push((vec![name], cells)),
+        match all.iter_mut().find(|requirement| requirement.is_of(one)) {
+            Some(requirement) => requirement.checks.push((name, one)),
+            None => all.push(Requirement { checks: vec![(name, one)] }),
         }
     }
     all
@@ -72,31 +108,38 @@ fn together(single: &[Requirement], trials: usize) -> String {
     if single.is_empty() {
         return String::new();
     }
-    let rows = single.iter().flat_map(|one| one.rows.iter().map(move |(names, cells)| {
-        let shall = format!("{} ({}; {})", one.sentence, one.kind, one.because);
-        std::iter::once(shall).chain(with_trials(names, cells, trials)).collect()
-    }));
+    let row = |one: &Requirement| {
+        let (names, mut cells) = one.rows().remove(0);
+        let shall = format!("{} ({}; {})", one.sentence(), one.first().reference.kind, std::mem::take(&mut cells[BECAUSE]));
+        std::iter::once(shall).chain(with_trials(&names, &cells, trials)).collect()
+    };
     let head = std::iter::once("what shall hold (kind; because)").chain(COLUMNS).map(String::from).collect();
-    let (head, rows, told) = without_repeats(head, rows.collect(), single.len() > 1);
-    let table = markdown::table(&head, &rows);
-    let folded = rows.len() > FOLDED;
-    let failed = single.iter().any(|one| one.failed);
-    let table = if folded { markdown::folded(&format!("{} requirements", rows.len()), &table, failed) } else { table + "\n" };
-    format!("{}{table}", if told.is_empty() { told } else { format!("In all rows: {told}.\n\n") })
+    let (head, rows, told) = without_repeats(head, single.iter().map(row).collect(), single.len() > 1);
+    let failed = single.iter().any(Requirement::has_failed);
+    let told = if told.is_empty() { told } else { format!("In all rows: {told}.\n\n") };
+    told + &shown(&head, &rows, failed)
 }
 
 /// A requirement of several rows: what is alike in all of them is told once.
 fn spread(one: &Requirement, trials: usize) -> String {
-    let rows = one.rows.iter().map(|(names, cells)| with_trials(names, cells, trials)).collect();
+    let rows = one.rows().iter().map(|(names, cells)| with_trials(names, cells, trials)).collect();
     let (head, rows, told) = without_repeats(COLUMNS.map(String::from).into(), rows, true);
-    let table = markdown::table(&head, &rows);
-    let table = if rows.len() > FOLDED { markdown::folded(&format!("{} rows", rows.len()), &table, one.failed) } else { table + "\n" };
     let told = if told.is_empty() { told } else { format!(" In all rows: {told}.") };
-    format!("**{}** ({}; {}), {} checks.{told}\n\n{table}", one.sentence, one.kind, one.because, one.checks)
+    let (kind, number) = (one.first().reference.kind, one.checks.len());
+    format!("**{}** ({kind}), {number} checks.{told}\n\n{}", one.sentence(), shown(&head, &rows, one.has_failed()))
+}
+
+/// A table, folded where it is long; open where something failed.
+fn shown(head: &[String], rows: &[Vec<String>], failed: bool) -> String {
+    let table = markdown::table(head, rows);
+    match rows.len() {
+        few if few <= FOLDED => table + "\n",
+        many => markdown::folded(&format!("{many} rows"), &table, failed),
+    }
 }
 
 /// Cells with the names of the trials in front.
-fn with_trials(names: &[&str], cells: &[String; COLUMNS.len()], trials: usize) -> Vec<String> {
+fn with_trials(names: &[&str], cells: &Cells, trials: usize) -> Vec<String> {
     let told = match names {
         [_, _, ..] if names.len() == trials => format!("all {trials} trials"),
         _ => names.join(", "),
@@ -116,8 +159,12 @@ fn without_repeats(head: Vec<String>, rows: Vec<Vec<String>>, lift: bool) -> (Ve
     (keep(&head), rows.iter().map(|row| keep(row)).collect(), told.join(", "))
 }
 
-/// What was found by a check; the first cell is the trial's.
-fn cells(one: &Judged) -> [String; COLUMNS.len()] {
+/// Column of the reason.
+const BECAUSE: usize = 7;
+
+/// What was found by a check; the first cell is the trial's. Where the sentence has the name of the reference and the tolerance, the
+/// cells have not.
+fn cells(one: &Judged, in_sentence: bool) -> Cells {
     let found = match one.check.relation {
         Relation::Error => String::new(),
         _ => with_uncertainty(one.value, one.uncertainty),
@@ -126,12 +173,18 @@ fn cells(one: &Judged) -> [String; COLUMNS.len()] {
         true => with_uncertainty(one.reference.value, one.reference.uncertainty),
         false => String::new(),
     };
+    let held = if in_sentence { held } else { format!("{} {held}", one.reference.name).trim_end().to_string() };
     let error = match one.verdict {
         Verdict::NotRun(_) => "–".into(),
         _ => told::error(one),
     };
+    let tolerance = match one.check.tolerance > 0.0 && !in_sentence {
+        true => markdown::tolerance(one.check.tolerance),
+        false => String::new(),
+    };
     let bar = one.bar_as_error().map_or_else(String::new, |bar| told::in_unit(one, bar));
-    [String::new(), place(&one.check.quantity), found, held, error, bar, one.verdict.to_string()]
+    let (at, because) = (place(&one.check.quantity), one.check.because.to_string());
+    [String::new(), at, found, held, error, tolerance, bar, because, one.verdict.to_string()]
 }
 
 /// Where, or of how many, a number was found, and its unit.
@@ -153,36 +206,41 @@ fn place(quantity: &Quantity) -> String {
 fn with_uncertainty(value: f64, uncertainty: Option<f64>) -> String {
     match uncertainty.filter(|uncertainty| *uncertainty > 0.0) {
         Some(uncertainty) => format!("{} ± {}", markdown::value(value), markdown::significant(uncertainty, 2)),
-        None => markdown::value(value),
+        None if value.fract().abs() > 0.0 || !value.is_finite() => markdown::value(value),
+        None => markdown::bound(value),
     }
 }
 
 /// The universal requirements with their reasons: number of runs, worst error over its tolerance, verdict.
 pub fn universal<'a>(judged: impl Iterator<Item = &'a Judged>) -> String {
-    let head = ["every run", "runs", "worst error", "its tolerance", "verdict", "because"];
+    let head = ["every run", "checks", "worst error", "its tolerance", "verdict", "because"];
     worst_of_each(judged, &head)
 }
 
 /// The same without their reasons, which the page of all checks has.
 pub fn of_every_run<'a>(judged: impl Iterator<Item = &'a Judged>) -> String {
-    worst_of_each(judged, &["every run", "runs", "worst error", "its tolerance", "verdict"])
+    worst_of_each(judged, &["every run", "checks", "worst error", "its tolerance", "verdict"])
 }
 
 fn worst_of_each<'a>(judged: impl Iterator<Item = &'a Judged>, head: &[&str]) -> String {
-    let mut rows: BTreeMap<String, Vec<&Judged>> = BTreeMap::new();
+    let mut rows: BTreeMap<&str, Vec<&Judged>> = BTreeMap::new();
     for one in judged.filter(|one| one.check.scope == Scope::Universal) {
-        rows.entry(one.check.quantity.to_string()).or_default().push(one);
+        rows.entry(one.check.quantity.name()).or_default().push(one);
     }
     if rows.is_empty() {
         return String::new();
     }
-    let cells = |(quantity, all): (&String, &Vec<&Judged>)| universal_row(quantity, all).into_iter().take(head.len()).collect();
+    let cells = |(name, all): (&&str, &Vec<&Judged>)| universal_row(name, all).into_iter().take(head.len()).collect();
     let rows: Vec<Vec<String>> = rows.iter().map(cells).collect();
     markdown::table(&head.iter().map(|name| name.to_string()).collect::<Vec<_>>(), &rows)
 }
 
 /// What was not run has no error, and its number stands beside that of the runs.
-fn universal_row(quantity: &str, all: &[&Judged]) -> [String; 6] {
+fn universal_row(name: &str, all: &[&Judged]) -> [String; 6] {
+    let mut places: Vec<String> = all.iter().map(|one| place(&one.check.quantity)).filter(|place| !place.is_empty()).collect();
+    places.sort();
+    places.dedup();
+    let places = if places.is_empty() { String::new() } else { format!(": {}", places.join(", ")) };
     let (run, absent): (Vec<&Judged>, Vec<&Judged>) =
         all.iter().partition(|one| !matches!(one.verdict, Verdict::NotRun(_)));
     let worst = run.iter().max_by(|a, b| a.share_of_tolerance().total_cmp(&b.share_of_tolerance()));
@@ -192,7 +250,7 @@ fn universal_row(quantity: &str, all: &[&Judged]) -> [String; 6] {
         absent => format!("{} and {absent} not run", run.len()),
     };
     [
-        quantity.into(),
+        format!("{name}{places}"),
         number,
         if run.is_empty() { "–".into() } else { markdown::error(error) },
         if run.is_empty() { "–".into() } else { markdown::tolerance(tolerance) },

@@ -23,7 +23,7 @@ pub fn statements(findings: &[Finding]) -> String {
     }
     let counted: Vec<String> = counted.iter().map(|(word, count)| format!("{count} {word}")).collect();
     format!(
-        "Of {} statements {}. {}.\n\n{}",
+        "Of {} statements: {}. {}.\n\n{}",
         judged.len(),
         counted.join(", "),
         link("Measurements and conditions in full, misprints, decisions, sources", paper_page::FILE),

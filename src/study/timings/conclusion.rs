@@ -17,7 +17,7 @@ pub fn conclusion(record: &Record) -> String {
 fn ranked(record: &Record) -> Vec<&Point> {
     let of = |pairing: Pairing| {
         let enough = |point: &&Point| {
-            point.family == Family::Truncated && point.formulation == pairing && point.error() <= COMPARED
+            point.family != Family::Cylinder && point.formulation == pairing && point.error() <= COMPARED
         };
         record.points.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds))
     };
@@ -33,9 +33,9 @@ fn ours(record: &Record) -> String {
     let times = |point: &Point| significant(point.seconds / best.seconds, 2);
     let others = match &ranked[1..] {
         [] => "no other formulation reaches it".to_string(),
-        [one] => format!("the only other one, {}, takes {} times as long", one.formulation, times(one)),
+        [one] => format!("the only other one, `{}`, takes {} times as long", one.formulation, times(one)),
         [second, .., slowest] => format!(
-            "of {} formulations that reach it the next, {}, takes {} times as long, the slowest, {}, {} times",
+            "of {} formulations that reach it the next, `{}`, takes {} times as long, the slowest, `{}`, {} times",
             ranked.len(),
             second.formulation,
             times(second),
