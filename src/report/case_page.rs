@@ -108,7 +108,10 @@ fn reference(shared: &Shared, judged: &[&Judged]) -> String {
 fn results(shared: &Shared) -> String {
     let rows: Vec<(String, &Numbers, &[Judged])> =
         named(shared).map(|(name, finding, numbers)| (name, numbers, &finding.judged[..])).collect();
-    format!("## Results\n\n± is the error bar of the number, where the suite asks for one.\n\n{}\n", cases::results(&rows))
+    format!(
+        "## Results\n\n± is the error bar of the number, where the suite asks for one.\n\n{}\n",
+        cases::results(&rows)
+    )
 }
 
 fn named<'a>(shared: &'a Shared<'a>) -> impl Iterator<Item = (String, &'a Finding, &'a Numbers)> {
@@ -129,7 +132,9 @@ fn checked(shared: &Shared) -> String {
     };
     let own: String = parts.iter().map(part).collect();
     let every = checks::of_every_run(shared.runs.iter().flat_map(|(finding, _)| &finding.judged));
-    format!("## Checks\n\n{own}What every run must satisfy, for reasons given with [all checks](checks.md):\n\n{every}\n")
+    format!(
+        "## Checks\n\n{own}What every run must satisfy, for reasons given with [all checks](checks.md):\n\n{every}\n"
+    )
 }
 
 /// What the case does not show: where its candidates end, what did not converge, what it was not held against.
@@ -149,9 +154,9 @@ fn limits(shared: &Shared, judged: &[&Judged]) -> String {
     if open > 0 {
         told.push(format!("{open} of {} runs did not converge.", shared.runs.len()));
     }
-    let measured = judged.iter().any(|one| {
-        one.reference.kind == ReferenceKind::Measured && !matches!(one.verdict, Verdict::NotRun(_))
-    });
+    let measured = judged
+        .iter()
+        .any(|one| one.reference.kind == ReferenceKind::Measured && !matches!(one.verdict, Verdict::NotRun(_)));
     if !measured {
         told.push("No measurement is held against it.".into());
     }

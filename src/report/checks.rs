@@ -110,7 +110,8 @@ fn together(single: &[Requirement], trials: usize) -> String {
     }
     let row = |one: &Requirement| {
         let (names, mut cells) = one.rows().remove(0);
-        let shall = format!("{} ({}; {})", one.sentence(), one.first().reference.kind, std::mem::take(&mut cells[BECAUSE]));
+        let shall =
+            format!("{} ({}; {})", one.sentence(), one.first().reference.kind, std::mem::take(&mut cells[BECAUSE]));
         std::iter::once(shall).chain(with_trials(&names, &cells, trials)).collect()
     };
     let head = std::iter::once("what shall hold (kind; because)").chain(COLUMNS).map(String::from).collect();
@@ -154,7 +155,8 @@ fn without_repeats(head: Vec<String>, rows: Vec<Vec<String>>, lift: bool) -> (Ve
     let lifted: Vec<usize> = (1..head.len()).filter(|&k| lift && same(k) && !is_empty(k)).collect();
     let kept = |k: &usize| !is_empty(*k) && !lifted.contains(k);
     let keep = |row: &[String]| (0..row.len()).filter(kept).map(|k| row[k].clone()).collect::<Vec<_>>();
-    let named = |k: usize| if head[k] == COLUMNS[0] { rows[0][k].clone() } else { format!("{} {}", head[k], rows[0][k]) };
+    let named =
+        |k: usize| if head[k] == COLUMNS[0] { rows[0][k].clone() } else { format!("{} {}", head[k], rows[0][k]) };
     let told: Vec<String> = lifted.iter().map(|&k| named(k)).collect();
     (keep(&head), rows.iter().map(|row| keep(row)).collect(), told.join(", "))
 }
@@ -237,7 +239,8 @@ fn worst_of_each<'a>(judged: impl Iterator<Item = &'a Judged>, head: &[&str]) ->
 
 /// What was not run has no error, and its number stands beside that of the runs.
 fn universal_row(name: &str, all: &[&Judged]) -> [String; 6] {
-    let mut places: Vec<String> = all.iter().map(|one| place(&one.check.quantity)).filter(|place| !place.is_empty()).collect();
+    let mut places: Vec<String> =
+        all.iter().map(|one| place(&one.check.quantity)).filter(|place| !place.is_empty()).collect();
     places.sort();
     places.dedup();
     let places = if places.is_empty() { String::new() } else { format!(": {}", places.join(", ")) };

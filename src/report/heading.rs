@@ -4,7 +4,8 @@ use crate::case::Judged;
 use crate::report::{links, symbols, told};
 
 /// Ways back.
-const WAYS: &str = "[Front page](../../VALIDATION.md) · [all cases](cases.md) · [all checks](checks.md) · [the paper](paper.md)";
+const WAYS: &str =
+    "[Front page](../../VALIDATION.md) · [all cases](cases.md) · [all checks](checks.md) · [the paper](paper.md)";
 
 /// A page: title, what it asks, what became of its checks, symbols, and the rest.
 pub fn page(title: &str, lead: &str, judged: &[&Judged], body: &str) -> String {

@@ -8,9 +8,9 @@ const BEGINNINGS: [&str; 3] = ["](", "=\"", "=\'"];
 
 /// The text of a study, whose links start at the root, for the folder of pages.
 pub fn from_pages(text: &str) -> String {
-    BEGINNINGS.iter().fold(text.to_string(), |text, begin| {
-        text.replace(&format!("{begin}snapshots/"), &format!("{begin}../"))
-    })
+    BEGINNINGS
+        .iter()
+        .fold(text.to_string(), |text, begin| text.replace(&format!("{begin}snapshots/"), &format!("{begin}../")))
 }
 
 /// A link from the root to a page by its file.

@@ -55,7 +55,8 @@ fn is_of(finding: &Finding, (element, algorithm): Column) -> bool {
 /// Cases with a run of every formulation, and the others.
 fn full_and_others(findings: &[Finding]) -> (Vec<Case<'_>>, Vec<Case<'_>>) {
     let cases = by_case(findings.iter().filter(|finding| run(finding).is_some()));
-    let is_full = |(_, members): &Case| columns(None).iter().all(|column| members.iter().any(|one| is_of(one, *column)));
+    let is_full =
+        |(_, members): &Case| columns(None).iter().all(|column| members.iter().any(|one| is_of(one, *column)));
     cases.into_iter().partition(is_full)
 }
 
@@ -83,7 +84,8 @@ pub fn other_cases(findings: &[Finding], link: impl Fn(&Finding) -> String) -> S
         let iterations = members.iter().filter_map(|one| run(one)).map(|run| run.solution.work.iterations);
         let [least, most] = [iterations.clone().min(), iterations.max()].map(Option::unwrap_or_default);
         let iterations = if least == most { least.to_string() } else { format!("{least} to {most}") };
-        let open = members.iter().filter_map(|one| run(one)).filter(|run| run.solution.outcome != Outcome::Converged).count();
+        let open =
+            members.iter().filter_map(|one| run(one)).filter(|run| run.solution.outcome != Outcome::Converged).count();
         let open = if open > 0 { format!(", {open} not converged") } else { String::new() };
         format!("{} {} {iterations}{open}", sign.unwrap_or_default(), link(members[0]))
     };

@@ -1,7 +1,7 @@
 //! The page on the paper: its statements in full, where it is silent, its misprints, and all sources.
 
-use crate::report::{decisions, heading, statements};
 use crate::markdown;
+use crate::report::{decisions, heading, statements};
 use crate::solve::Formulation;
 use crate::study::Finding;
 
@@ -29,5 +29,10 @@ pub fn page(findings: &[Finding]) -> String {
         decisions::misprints(),
         list(&decisions::REFERENCES),
     );
-    heading::page("The paper", "What of János Égert's paper of 1999 is reproduced, and what had to be decided.", &[], &body)
+    heading::page(
+        "The paper",
+        "What of János Égert's paper of 1999 is reproduced, and what had to be decided.",
+        &[],
+        &body,
+    )
 }

@@ -18,19 +18,31 @@ pub const SYMBOLS: [Symbol; 17] = [
     },
     Symbol { definition: "κ = k ℓ/E*: the same of any spring", marks: &["κ ", "κ*"] },
     Symbol { definition: "p₀: largest pressure", marks: &["p₀"] },
-    Symbol { definition: "a: half-width of the contact", marks: &["a/R", " a within", "p₀ and a", "p₀ or a", "p₀, a", "/a", "/ a", "a [mm]", " a /", "% in a"] },
+    Symbol {
+        definition: "a: half-width of the contact",
+        marks: &["a/R", " a within", "p₀ and a", "p₀ or a", "p₀, a", "/a", "/ a", "a [mm]", " a /", "% in a"],
+    },
     Symbol { definition: "R: radius", marks: &["a/R", "R =", " R t ", "eye 1", "2R"] },
     Symbol { definition: "θ: angle from the load line", marks: &["θ"] },
     Symbol { definition: "L: how far candidates reach", marks: &["L/a", "L²"] },
     Symbol { definition: "h: size of an element", marks: &["h/a", "h / a"] },
     Symbol { definition: "L2(p): error of the pressure profile, relative in the L2 norm", marks: &["L2(p)"] },
-    Symbol { definition: "w, g, p: approach, initial gap and pressure of a contact point", marks: &["w/g", "p/g", "p/w", "g/p̄"] },
-    Symbol { definition: "k₀, k*: spring stiffness at the start and at the end; K₀, K* the matrices of them, S that of the bodies as the contact sees them", marks: &["K₀", "k₀"] },
+    Symbol {
+        definition: "w, g, p: approach, initial gap and pressure of a contact point",
+        marks: &["w/g", "p/g", "p/w", "g/p̄"],
+    },
+    Symbol {
+        definition: "k₀, k*: spring stiffness at the start and at the end; K₀, K* the matrices of them, S that of the bodies as the contact sees them",
+        marks: &["K₀", "k₀"],
+    },
     Symbol { definition: "F, t, c: load, thickness, clearance", marks: &["t c/F", "R t p"] },
     Symbol { definition: "ε: half-angle of the contact", marks: &["ε = 30°", "ε = 60°", "ε = 80°"] },
     Symbol { definition: "u/g: displacement over the gap", marks: &["u/g"] },
     Symbol { definition: "u: standard uncertainty", marks: &["± u", "u_val", "u, "] },
-    Symbol { definition: "E, u_val: difference of two values, and its standard uncertainty from all sources (ASME V&V 20)", marks: &["u_val"] },
+    Symbol {
+        definition: "E, u_val: difference of two values, and its standard uncertainty from all sources (ASME V&V 20)",
+        marks: &["u_val"],
+    },
     Symbol { definition: "dofs: degrees of freedom", marks: &["dofs"] },
 ];
 

@@ -47,7 +47,8 @@ pub fn of(judged: &[&Judged]) -> String {
 /// The first failures by name, and how many more there are.
 pub fn failures(judged: &[&Judged]) -> String {
     let failed: Vec<&&Judged> = judged.iter().filter(|one| one.verdict == Verdict::Fail).collect();
-    let named: Vec<String> = failed.iter().take(NAMED).map(|one| format!("{} (error {})", one.requirement(), error(one))).collect();
+    let named: Vec<String> =
+        failed.iter().take(NAMED).map(|one| format!("{} (error {})", one.requirement(), error(one))).collect();
     match failed.len() {
         0 => String::new(),
         number if number <= NAMED => format!(" ✗ {}.", named.join("; ")),
@@ -72,5 +73,9 @@ pub fn error(one: &Judged) -> String {
 /// An error, or a bar, in the terms of a check.
 pub fn in_unit(one: &Judged, error: f64) -> String {
     let relative = matches!(one.check.relation, Relation::Near | Relation::Error);
-    if relative || error.abs() < 1e-4 || !error.is_finite() { markdown::error(error) } else { markdown::significant(error, 2) }
+    if relative || error.abs() < 1e-4 || !error.is_finite() {
+        markdown::error(error)
+    } else {
+        markdown::significant(error, 2)
+    }
 }

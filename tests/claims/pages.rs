@@ -35,7 +35,8 @@ fn all_pages() -> Vec<PathBuf> {
 fn targets(page: &Path) -> Vec<PathBuf> {
     let text = text(page);
     let after = |begin: &str, end: char| {
-        let parts = text.split(begin).skip(1).filter_map(|part| part.split_once(end)).map(|(target, _)| target.to_string());
+        let parts =
+            text.split(begin).skip(1).filter_map(|part| part.split_once(end)).map(|(target, _)| target.to_string());
         parts.collect::<Vec<_>>()
     };
     let all = [after("](", ')'), after("src=\"", '"'), after("srcset=\"", '"'), after("href=\"", '"')].concat();
@@ -45,7 +46,8 @@ fn targets(page: &Path) -> Vec<PathBuf> {
 
 /// A passed run of a small case.
 fn small() -> Finding {
-    let trial = Room::Cases.plan().into_iter().find(|trial| trial.case == "bars, u/g = 3" && trial.name == "node.kinematic");
+    let trial =
+        Room::Cases.plan().into_iter().find(|trial| trial.case == "bars, u/g = 3" && trial.name == "node.kinematic");
     trial.expect("bars are in the library").run().expect("solved")
 }
 
@@ -101,7 +103,12 @@ fn symbols_are_defined_at_the_head_of_the_page_that_uses_them() {
         let head = text.split("\n## ").next().expect("a page has a head");
         for symbol in &symbols::SYMBOLS {
             let used = symbol.marks.iter().any(|mark| text.contains(mark));
-            assert!(!used || head.contains(symbol.definition), "{}: {} is not defined", page.display(), symbol.definition);
+            assert!(
+                !used || head.contains(symbol.definition),
+                "{}: {} is not defined",
+                page.display(),
+                symbol.definition
+            );
         }
     }
 }

@@ -9,7 +9,10 @@ use crate::study::drawn::picture;
 use crate::study::{Finding, Numbers, Room};
 
 /// The map, and what it shows.
-const CHART: [&str; 2] = ["atlas-stretch.svg", "How every run ends over initial stiffness and candidate surface, with the predicted boundary"];
+const CHART: [&str; 2] = [
+    "atlas-stretch.svg",
+    "How every run ends over initial stiffness and candidate surface, with the predicted boundary",
+];
 
 /// What the surveyed planes say of each method; none where nothing was surveyed.
 fn surveyed(findings: &[Finding]) -> Option<Vec<Digest>> {

@@ -8,8 +8,10 @@ use crate::study::timings::run::record;
 use crate::study::{Finding, Found, Numbers, Room};
 
 /// The chart, and what it shows.
-const CHART: [&str; 2] =
-    ["precision-truncated-8-node-seconds.svg", "Truncated Hertz, 8-node cells: error against seconds, other codes beside ours"];
+const CHART: [&str; 2] = [
+    "precision-truncated-8-node-seconds.svg",
+    "Truncated Hertz, 8-node cells: error against seconds, other codes beside ours",
+];
 
 /// The conclusion of the recorded timings; says so where there are none.
 pub fn cost(findings: &[Finding]) -> String {

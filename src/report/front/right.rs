@@ -39,10 +39,15 @@ pub fn right(findings: &[Finding]) -> String {
         )),
         _ => None,
     });
-    format!("{verdict}{}{}\n\n{}", hertz(findings), bars.collect::<String>(), picture(
-        "pressure-cylinder.svg",
-        "Contact pressure on the cylinder by all nine formulations, and their difference to Hertz",
-    ))
+    format!(
+        "{verdict}{}{}\n\n{}",
+        hertz(findings),
+        bars.collect::<String>(),
+        picture(
+            "pressure-cylinder.svg",
+            "Contact pressure on the cylinder by all nine formulations, and their difference to Hertz",
+        )
+    )
 }
 
 /// The nine on the cylinder.

@@ -11,8 +11,10 @@ use crate::study::{Finding, Numbers, Room};
 /// Judgement and one measured clause.
 pub fn statements(findings: &[Finding]) -> String {
     let judged = statements::judge(findings);
-    let rows: Vec<Vec<String>> =
-        judged.iter().map(|one| vec![one.text.into(), format!("**{}**", one.judgement.brief()), one.clause.clone()]).collect();
+    let rows: Vec<Vec<String>> = judged
+        .iter()
+        .map(|one| vec![one.text.into(), format!("**{}**", one.judgement.brief()), one.clause.clone()])
+        .collect();
     let mut counted: Vec<(String, usize)> = Vec::new();
     for one in &judged {
         let word = one.judgement.word();
@@ -64,7 +66,8 @@ pub fn never_compared(findings: &[Finding]) -> String {
             }
         }
     }
-    let told = |(what, count): &(String, usize)| if *count > 1 { format!("{what}, {count} checks") } else { what.clone() };
+    let told =
+        |(what, count): &(String, usize)| if *count > 1 { format!("{what}, {count} checks") } else { what.clone() };
     let absent = match &absent[..] {
         [] => "Every check was run.".into(),
         some => format!("Checks that could not be run: {}.", some.iter().map(told).collect::<Vec<_>>().join("; ")),
