@@ -57,7 +57,7 @@ use crate::study::timings::growth;
 
 /// Contact elements and iterations for frictionless elastic contact in 2D, verified.
 ///
-/// Without a command: solves every case of the suite, prints the verdicts and writes VALIDATION.md with its charts.
+/// Without a command: solves every case of the suite, prints the verdicts and writes VALIDATION.md with its pages and charts.
 #[derive(Debug, Parser)]
 #[command(name = "contact-vv", version, after_help = examples::ALL)]
 struct Cli {
@@ -67,7 +67,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Solve the suite and write VALIDATION.md and snapshots/charts (the default).
+    /// Solve the suite and write VALIDATION.md, snapshots/pages and snapshots/charts (the default).
     #[command(after_help = examples::REPORT, args_conflicts_with_subcommands = true)]
     Report {
         /// Write nothing; show what differs and fail when the page, a chart or the record is stale.
@@ -228,7 +228,8 @@ fn report_command(check: bool) -> Result<bool, Error> {
     let page = report::compose(&findings)?;
     if !check {
         report::write(&page, &root)?;
-        say(format!("written: {} and {} charts", report::files::PAGE, page.charts.len()));
+        let [pages, charts] = [page.pages.len(), page.charts.len()];
+        say(format!("written: {}, {pages} pages and {charts} charts", report::files::PAGE));
         return Ok(sound);
     }
     let difference = report::difference(&page, &root)?;

@@ -1,104 +1,251 @@
-//! Requirement by requirement: each check with its oracle, error, tolerance and reason.
+//! Requirement by requirement: what shall hold is stated once, and what was found stands below it, trial by trial.
 
 use std::collections::BTreeMap;
 
-use crate::case::{Judged, Relation, Scope, Verdict, judged};
+use crate::case::{Judged, Quantity, Relation, Scope, Verdict, judged};
+use crate::error::Coordinate;
 use crate::markdown;
+use crate::report::told;
 
-/// Column of the error bar, which only tables with one have.
-const BAR: usize = 6;
+/// Columns of what was found.
+const COLUMNS: [&str; 9] = ["trial", "at", "found", "reference", "error", "tolerance", "bar", "because", "verdict"];
+/// What a row has.
+type Cells = [String; COLUMNS.len()];
+/// Tables of more rows than this are folded.
+const FOLDED: usize = 12;
 
 /// Name of a trial with its checks.
 pub type Named<'a> = (&'a str, &'a [Judged]);
 
-/// The requirements of some trials, each once, and the table of their checks; requirements that every run must meet are
-/// left to [`universal`].
+/// Checks that ask the same of one quantity, perhaps against several references.
+struct Requirement<'a> {
+    checks: Vec<(&'a str, &'a Judged)>,
+}
+
+impl Requirement<'_> {
+    fn is_of(&self, one: &Judged) -> bool {
+        let key = |one: &Judged| (one.check.quantity.name().to_string(), one.check.relation, one.reference.kind);
+        key(self.checks[0].1) == key(one)
+    }
+
+    fn first(&self) -> &Judged {
+        self.checks[0].1
+    }
+
+    /// Whether every check of it asks for the same number.
+    fn is_one(&self) -> bool {
+        self.checks.iter().all(|(_, one)| one.requirement() == self.first().requirement())
+    }
+
+    fn has_failed(&self) -> bool {
+        self.checks.iter().any(|(_, one)| one.verdict == Verdict::Fail)
+    }
+
+    /// The sentence, without numbers that only some of the checks have.
+    fn sentence(&self) -> String {
+        if self.is_one() {
+            return self.first().requirement();
+        }
+        let shall = match self.first().check.relation {
+            Relation::Near | Relation::NearAbsolutely => "shall agree with its reference within its tolerance",
+            Relation::Error => "shall be at most its tolerance against its reference",
+            Relation::AtLeast => "shall be at least its reference",
+            Relation::AtMost => "shall be at most its reference",
+        };
+        let name = self.first().check.quantity.name();
+        let start: String = name.chars().take(1).flat_map(char::to_uppercase).collect();
+        format!("{start}{} {shall}", name.chars().skip(1).collect::<String>())
+    }
+
+    /// A row for each trial; what is alike in several of them is one row.
+    fn rows(&self) -> Vec<(Vec<&str>, Cells)> {
+        let is_one = self.is_one();
+        let mut rows: Vec<(Vec<&str>, Cells)> = Vec::new();
+        for (name, one) in &self.checks {
+            let cells = cells(one, is_one);
+            match rows.iter_mut().find(|(names, other)| !names.contains(name) && *other == cells) {
+                Some((names, _)) => names.push(name),
+                None => rows.push((vec![name], cells)),
+            }
+        }
+        rows
+    }
+}
+
+/// The requirements of some trials with their checks; those that every run must meet are left to [`of_every_run`].
 pub fn of(members: &[Named]) -> String {
-    let own: Vec<(&str, &Judged)> = members
-        .iter()
-        .flat_map(|(name, judged)| judged.iter().map(move |one| (*name, one)))
-        .filter(|(_, one)| one.check.scope == Scope::Own)
-        .collect();
+    let named = members.iter().flat_map(|(name, judged)| judged.iter().map(move |one| (*name, one)));
+    let own: Vec<(&str, &Judged)> = named.filter(|(_, one)| one.check.scope == Scope::Own).collect();
     if own.is_empty() {
         return String::new();
     }
-    let mut sentences: Vec<String> = Vec::new();
-    for sentence in own.iter().map(|(_, one)| one.requirement()) {
-        if !sentences.contains(&sentence) {
-            sentences.push(sentence);
+    let (single, several): (Vec<_>, Vec<_>) = requirements(&own).into_iter().partition(|one| one.rows().len() == 1);
+    let several: String = several.iter().map(|one| spread(one, members.len())).collect();
+    format!("{}\n\n{}{several}", summary(&own), together(&single, members.len()))
+}
+
+fn summary(own: &[(&str, &Judged)]) -> String {
+    match told::counts(own.iter().map(|(_, one)| *one)) {
+        [passed, 0, 0] => format!("✓ {passed} checks passed"),
+        [passed, 0, absent] => format!("○ {passed} checks passed, {absent} not run"),
+        [_, failed, _] => format!("✗ {failed} of {} checks failed", own.len()),
+    }
+}
+
+/// Each requirement once, in the order in which they come.
+fn requirements<'a>(own: &[(&'a str, &'a Judged)]) -> Vec<Requirement<'a>> {
+    let mut all: Vec<Requirement> = Vec::new();
+    for (name, one) in own {
+        match all.iter_mut().find(|requirement| requirement.is_of(one)) {
+            Some(requirement) => requirement.checks.push((name, one)),
+            None => all.push(Requirement { checks: vec![(name, one)] }),
         }
     }
-    let sentences: String = sentences.iter().map(|sentence| format!("* {sentence}.\n")).collect();
-    format!("{sentences}\n{}", rows(&own))
+    all
 }
 
-fn rows(own: &[(&str, &Judged)]) -> String {
-    let has_bars = own.iter().any(|(_, one)| one.bar.is_some());
-    let head = ["trial", "quantity", "found", "reference", "kind", "error", "bar", "tolerance", "because", "verdict"];
-    let shown = |row: Vec<String>| row.into_iter().enumerate().filter(|(k, _)| has_bars || *k != BAR);
-    let cells = |row: Vec<String>| shown(row).map(|(_, cell)| cell).collect::<Vec<_>>();
-    let count = |wanted: fn(&Verdict) -> bool| own.iter().filter(|(_, one)| wanted(&one.verdict)).count();
-    let passed = count(|verdict| *verdict == Verdict::Pass);
-    let summary = match (count(|verdict| *verdict == Verdict::Fail), own.len() - passed) {
-        (0, 0) => format!("✓ {passed} checks passed"),
-        (0, absent) => format!("○ {passed} checks passed, {absent} not run"),
-        (failed, _) => format!("✗ {failed} of {} checks failed", own.len()),
+/// Requirements of one row each, in one table.
+fn together(single: &[Requirement], trials: usize) -> String {
+    if single.is_empty() {
+        return String::new();
+    }
+    let row = |one: &Requirement| {
+        let (names, mut cells) = one.rows().remove(0);
+        let shall =
+            format!("{} ({}; {})", one.sentence(), one.first().reference.kind, std::mem::take(&mut cells[BECAUSE]));
+        std::iter::once(shall).chain(with_trials(&names, &cells, trials)).collect()
     };
-    let rows: Vec<Vec<String>> = own.iter().map(|(name, one)| cells(row(name, one))).collect();
-    let head = cells(head.map(String::from).into());
-    markdown::folded(&summary, &markdown::table(&head, &rows), passed < own.len())
+    let head = std::iter::once("what shall hold (kind; because)").chain(COLUMNS).map(String::from).collect();
+    let (head, rows, told) = without_repeats(head, single.iter().map(row).collect(), single.len() > 1);
+    let failed = single.iter().any(Requirement::has_failed);
+    let told = if told.is_empty() { told } else { format!("In all rows: {told}.\n\n") };
+    told + &shown(&head, &rows, failed)
 }
 
-fn row(name: &str, judged: &Judged) -> Vec<String> {
-    let Judged { check, reference, .. } = judged;
-    let found = match check.relation {
+/// A requirement of several rows: what is alike in all of them is told once.
+fn spread(one: &Requirement, trials: usize) -> String {
+    let rows = one.rows().iter().map(|(names, cells)| with_trials(names, cells, trials)).collect();
+    let (head, rows, told) = without_repeats(COLUMNS.map(String::from).into(), rows, true);
+    let told = if told.is_empty() { told } else { format!(" In all rows: {told}.") };
+    let (kind, number) = (one.first().reference.kind, one.checks.len());
+    format!("**{}** ({kind}), {number} checks.{told}\n\n{}", one.sentence(), shown(&head, &rows, one.has_failed()))
+}
+
+/// A table, folded where it is long; open where something failed.
+fn shown(head: &[String], rows: &[Vec<String>], failed: bool) -> String {
+    let table = markdown::table(head, rows);
+    match rows.len() {
+        few if few <= FOLDED => table + "\n",
+        many => markdown::folded(&format!("{many} rows"), &table, failed),
+    }
+}
+
+/// Cells with the names of the trials in front.
+fn with_trials(names: &[&str], cells: &Cells, trials: usize) -> Vec<String> {
+    let told = match names {
+        [_, _, ..] if names.len() == trials => format!("all {trials} trials"),
+        _ => names.join(", "),
+    };
+    std::iter::once(told).chain(cells[1..].iter().cloned()).collect()
+}
+
+/// A table without its empty columns and, where that is wanted, without those that say the same in every row, but for the first; the latter are told.
+fn without_repeats(head: Vec<String>, rows: Vec<Vec<String>>, lift: bool) -> (Vec<String>, Vec<Vec<String>>, String) {
+    let same = |column: usize| rows.iter().all(|row| row[column] == rows[0][column]);
+    let is_empty = |column: usize| same(column) && rows[0][column].is_empty();
+    let lifted: Vec<usize> = (1..head.len()).filter(|&k| lift && same(k) && !is_empty(k)).collect();
+    let kept = |k: &usize| !is_empty(*k) && !lifted.contains(k);
+    let keep = |row: &[String]| (0..row.len()).filter(kept).map(|k| row[k].clone()).collect::<Vec<_>>();
+    let named =
+        |k: usize| if head[k] == COLUMNS[0] { rows[0][k].clone() } else { format!("{} {}", head[k], rows[0][k]) };
+    let told: Vec<String> = lifted.iter().map(|&k| named(k)).collect();
+    (keep(&head), rows.iter().map(|row| keep(row)).collect(), told.join(", "))
+}
+
+/// Column of the reason.
+const BECAUSE: usize = 7;
+
+/// What was found by a check; the first cell is the trial's. Where the sentence has the name of the reference and the tolerance, the
+/// cells have not.
+fn cells(one: &Judged, in_sentence: bool) -> Cells {
+    let found = match one.check.relation {
         Relation::Error => String::new(),
-        _ => with_uncertainty(judged.value, judged.uncertainty),
+        _ => with_uncertainty(one.value, one.uncertainty),
     };
-    let held = match reference.value.abs() > 0.0 {
-        true => format!(" {}", with_uncertainty(reference.value, reference.uncertainty)),
+    let held = match one.reference.value.abs() > 0.0 {
+        true => with_uncertainty(one.reference.value, one.reference.uncertainty),
         false => String::new(),
     };
-    let error = match judged.verdict {
+    let held = if in_sentence { held } else { format!("{} {held}", one.reference.name).trim_end().to_string() };
+    let error = match one.verdict {
         Verdict::NotRun(_) => "–".into(),
-        _ => markdown::error(judged.error),
+        _ => told::error(one),
     };
-    let tolerance = if check.tolerance > 0.0 { markdown::tolerance(check.tolerance) } else { "–".into() };
-    vec![
-        name.into(),
-        check.quantity.to_string(),
-        found,
-        reference.name.clone() + &held,
-        reference.kind.to_string(),
-        error,
-        judged.bar_as_error().map_or_else(|| "–".into(), markdown::error),
-        tolerance,
-        check.because.to_string(),
-        judged.verdict.to_string(),
-    ]
+    let tolerance = match one.check.tolerance > 0.0 && !in_sentence {
+        true => markdown::tolerance(one.check.tolerance),
+        false => String::new(),
+    };
+    let bar = one.bar_as_error().map_or_else(String::new, |bar| told::in_unit(one, bar));
+    let (at, because) = (place(&one.check.quantity), one.check.because.to_string());
+    [String::new(), at, found, held, error, tolerance, bar, because, one.verdict.to_string()]
+}
+
+/// Where, or of how many, a number was found, and its unit.
+fn place(quantity: &Quantity) -> String {
+    let place = match quantity {
+        Quantity::Pressure { at: Coordinate::Length(at) } => format!("s = {} mm", markdown::bound(*at)),
+        Quantity::Pressure { at: Coordinate::Angle(at) } => format!("s = {}°", markdown::bound(at.to_degrees())),
+        Quantity::HoopStress { at } => format!("{:.0}°", at.to_degrees()),
+        Quantity::Named { at, .. } => at.clone(),
+        _ => String::new(),
+    };
+    match (quantity.unit(), place.is_empty()) {
+        (None, _) => place,
+        (Some(unit), true) => format!("[{unit}]"),
+        (Some(unit), false) => format!("{place} [{unit}]"),
+    }
 }
 
 /// A value, with its uncertainty where that is known and more than none.
 fn with_uncertainty(value: f64, uncertainty: Option<f64>) -> String {
     match uncertainty.filter(|uncertainty| *uncertainty > 0.0) {
         Some(uncertainty) => format!("{} ± {}", markdown::value(value), markdown::significant(uncertainty, 2)),
-        None => markdown::value(value),
+        None if value.fract().abs() > 0.0 || !value.is_finite() => markdown::value(value),
+        None => markdown::bound(value),
     }
 }
 
-/// The universal requirements: number of runs, worst error over its tolerance, verdict.
+/// The universal requirements with their reasons: number of runs, worst error over its tolerance, verdict.
 pub fn universal<'a>(judged: impl Iterator<Item = &'a Judged>) -> String {
-    let mut rows: BTreeMap<String, Vec<&Judged>> = BTreeMap::new();
+    let head = ["every run", "checks", "worst error", "its tolerance", "verdict", "because"];
+    worst_of_each(judged, &head)
+}
+
+/// The same without their reasons, which the page of all checks has.
+pub fn of_every_run<'a>(judged: impl Iterator<Item = &'a Judged>) -> String {
+    worst_of_each(judged, &["every run", "checks", "worst error", "its tolerance", "verdict"])
+}
+
+fn worst_of_each<'a>(judged: impl Iterator<Item = &'a Judged>, head: &[&str]) -> String {
+    let mut rows: BTreeMap<&str, Vec<&Judged>> = BTreeMap::new();
     for one in judged.filter(|one| one.check.scope == Scope::Universal) {
-        rows.entry(one.check.quantity.to_string()).or_default().push(one);
+        rows.entry(one.check.quantity.name()).or_default().push(one);
     }
-    let head = ["every run", "runs", "worst error", "its tolerance", "because", "verdict"].map(String::from);
-    let rows: Vec<Vec<String>> = rows.iter().map(|(quantity, all)| universal_row(quantity, all)).collect();
-    markdown::table(&head, &rows)
+    if rows.is_empty() {
+        return String::new();
+    }
+    let cells = |(name, all): (&&str, &Vec<&Judged>)| universal_row(name, all).into_iter().take(head.len()).collect();
+    let rows: Vec<Vec<String>> = rows.iter().map(cells).collect();
+    markdown::table(&head.iter().map(|name| name.to_string()).collect::<Vec<_>>(), &rows)
 }
 
 /// What was not run has no error, and its number stands beside that of the runs.
-fn universal_row(quantity: &str, all: &[&Judged]) -> Vec<String> {
+fn universal_row(name: &str, all: &[&Judged]) -> [String; 6] {
+    let mut places: Vec<String> =
+        all.iter().map(|one| place(&one.check.quantity)).filter(|place| !place.is_empty()).collect();
+    places.sort();
+    places.dedup();
+    let places = if places.is_empty() { String::new() } else { format!(": {}", places.join(", ")) };
     let (run, absent): (Vec<&Judged>, Vec<&Judged>) =
         all.iter().partition(|one| !matches!(one.verdict, Verdict::NotRun(_)));
     let worst = run.iter().max_by(|a, b| a.share_of_tolerance().total_cmp(&b.share_of_tolerance()));
@@ -107,12 +254,12 @@ fn universal_row(quantity: &str, all: &[&Judged]) -> Vec<String> {
         0 => run.len().to_string(),
         absent => format!("{} and {absent} not run", run.len()),
     };
-    vec![
-        quantity.into(),
+    [
+        format!("{name}{places}"),
         number,
-        markdown::error(error),
-        markdown::tolerance(tolerance),
+        if run.is_empty() { "–".into() } else { markdown::error(error) },
+        if run.is_empty() { "–".into() } else { markdown::tolerance(tolerance) },
+        judged::worst(run.iter().copied()).map_or("–".into(), Verdict::to_string),
         worst.map_or(String::new(), |one| one.check.because.to_string()),
-        judged::worst(run).map_or("–".into(), Verdict::to_string),
     ]
 }

@@ -1,4 +1,4 @@
-//! Writing the page, its charts and sheets, and comparing them with what is committed.
+//! Writing the front page, the pages behind it, charts and sheets, and comparing them with what is committed.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::error::Error;
 use crate::report::Page;
 use crate::report::diff::{Difference, tree::Tree};
+use crate::report::links::PAGES;
 use crate::study::sheets::SHEETS;
 
 /// The page's file.
@@ -20,8 +21,9 @@ struct Folder<'a> {
     files: &'a [(String, String)],
 }
 
-fn folders<'a>(page: &'a Page, root: &Path) -> [Folder<'a>; 2] {
+fn folders<'a>(page: &'a Page, root: &Path) -> [Folder<'a>; 3] {
     [
+        Folder { path: root.join(PAGES), extension: "md", files: &page.pages },
         Folder { path: root.join(CHARTS), extension: "svg", files: &page.charts },
         Folder { path: root.join(SHEETS), extension: "md", files: &page.sheets },
     ]
@@ -37,7 +39,7 @@ impl Folder<'_> {
     }
 }
 
-/// Writes the page, its charts and its sheets under a root; those that the page no longer has are removed.
+/// Writes the front page, pages, charts and sheets under a root; those that the page no longer has are removed.
 pub fn write(page: &Page, root: &Path) -> Result<(), Error> {
     for folder in folders(page, root) {
         fs::create_dir_all(&folder.path).map_err(|error| unwritable(&folder.path, &error))?;

@@ -1,9 +1,10 @@
-//! The verdict matrix, and the tables of verdicts by kind and by study.
+//! The verdict matrix, the other cases in short, and the tables of verdicts by kind and by study.
 
 use crate::case::judged::worst;
 use crate::case::{Judged, Verdict};
 use crate::markdown;
 use crate::oracle::ReferenceKind;
+use crate::report::told;
 use crate::solution::Outcome;
 use crate::solve::{Element, Iteration, Run};
 use crate::study::{Finding, Numbers};
@@ -21,9 +22,12 @@ pub fn runs(findings: &[Finding]) -> impl Iterator<Item = &Run> {
     findings.iter().filter_map(run)
 }
 
+/// A case with its findings.
+type Case<'a> = (&'a str, Vec<&'a Finding>);
+
 /// Findings by case, in the order of the suite.
-fn by_case<'a>(findings: impl Iterator<Item = &'a Finding>) -> Vec<(&'a str, Vec<&'a Finding>)> {
-    let mut groups: Vec<(&str, Vec<&Finding>)> = Vec::new();
+fn by_case<'a>(findings: impl Iterator<Item = &'a Finding>) -> Vec<Case<'a>> {
+    let mut groups: Vec<Case> = Vec::new();
     for finding in findings {
         match groups.iter_mut().find(|(case, _)| *case == finding.case) {
             Some((_, members)) => members.push(finding),
@@ -33,37 +37,82 @@ fn by_case<'a>(findings: impl Iterator<Item = &'a Finding>) -> Vec<(&'a str, Vec
     groups
 }
 
-/// The verdict matrix in Markdown: sign and iterations of every case under every formulation.
-pub fn verdict_matrix(findings: &[Finding]) -> String {
-    let columns: Vec<(Element, Iteration)> =
-        Element::ALL.into_iter().flat_map(|e| Iteration::ALL.map(move |a| (e, a))).collect();
-    let names = columns.iter().map(|(element, algorithm)| format!("{} · {}", element.name(), algorithm.name()));
-    let head: Vec<String> = std::iter::once("case".into()).chain(names).collect();
-    let cases = by_case(findings.iter().filter(|finding| run(finding).is_some()));
-    let row = |(case, members): &(&str, Vec<&Finding>)| {
-        let cells = columns.iter().map(|column| cell(members, *column));
-        std::iter::once(case.to_string()).chain(cells).collect()
-    };
-    markdown::table(&head, &cases.iter().map(row).collect::<Vec<_>>())
+/// Element and algorithm.
+pub type Column = (Element, Iteration);
+
+/// All columns, the recommended one first.
+fn columns(first: Option<Column>) -> Vec<Column> {
+    let all = Element::ALL.into_iter().flat_map(|e| Iteration::ALL.map(move |a| (e, a)));
+    let (mut columns, rest): (Vec<Column>, Vec<Column>) = all.partition(|column| Some(*column) == first);
+    columns.extend(rest);
+    columns
 }
 
-fn cell(members: &[&Finding], (element, algorithm): (Element, Iteration)) -> String {
-    let of_column = |finding: &&&Finding| {
-        run(finding).is_some_and(|run| run.formulation.element == element && run.formulation.algorithm == algorithm)
+fn is_of(finding: &Finding, (element, algorithm): Column) -> bool {
+    run(finding).is_some_and(|run| run.formulation.element == element && run.formulation.algorithm == algorithm)
+}
+
+/// Cases with a run of every formulation, and the others.
+fn full_and_others(findings: &[Finding]) -> (Vec<Case<'_>>, Vec<Case<'_>>) {
+    let cases = by_case(findings.iter().filter(|finding| run(finding).is_some()));
+    let is_full =
+        |(_, members): &Case| columns(None).iter().all(|column| members.iter().any(|one| is_of(one, *column)));
+    cases.into_iter().partition(is_full)
+}
+
+/// The verdict matrix in Markdown: sign and iterations of the cases that all formulations solve, the recommended one first; `link`
+/// names a case and links its page.
+pub fn verdict_matrix(findings: &[Finding], first: Option<Column>, link: impl Fn(&Finding) -> String) -> String {
+    let columns = columns(first);
+    let name = |column: &Column| {
+        let name = format!("{}<br>{}", column.0.name(), column.1.name());
+        if Some(*column) == first { format!("{name} ←") } else { name }
     };
-    members.iter().filter(of_column).map(|finding| sign(finding)).collect::<Vec<_>>().join(", ")
+    let head: Vec<String> = std::iter::once("case".into()).chain(columns.iter().map(name)).collect();
+    let row = |(_, members): &Case| {
+        let cells = columns.iter().map(|column| cell(members, *column));
+        std::iter::once(link(members[0])).chain(cells).collect()
+    };
+    let rows: Vec<Vec<String>> = full_and_others(findings).0.iter().map(row).collect();
+    if rows.is_empty() { String::new() } else { markdown::table(&head, &rows) }
+}
+
+/// All other cases in a line each, one after the other: sign, name, and iterations of its runs.
+pub fn other_cases(findings: &[Finding], link: impl Fn(&Finding) -> String) -> String {
+    let told = |(_, members): &Case| {
+        let sign = members.iter().map(|one| mark(one)).max_by_key(|sign| SIGNS.iter().position(|other| other == sign));
+        let iterations = members.iter().filter_map(|one| run(one)).map(|run| run.solution.work.iterations);
+        let [least, most] = [iterations.clone().min(), iterations.max()].map(Option::unwrap_or_default);
+        let iterations = if least == most { least.to_string() } else { format!("{least} to {most}") };
+        let open =
+            members.iter().filter_map(|one| run(one)).filter(|run| run.solution.outcome != Outcome::Converged).count();
+        let open = if open > 0 { format!(", {open} not converged") } else { String::new() };
+        format!("{} {} {iterations}{open}", sign.unwrap_or_default(), link(members[0]))
+    };
+    full_and_others(findings).1.iter().map(told).collect::<Vec<_>>().join(" · ")
+}
+
+fn cell(members: &[&Finding], column: Column) -> String {
+    members.iter().filter(|finding| is_of(finding, column)).map(|finding| sign(finding)).collect::<Vec<_>>().join(", ")
+}
+
+/// Signs of runs, from good to bad.
+const SIGNS: [&str; 4] = ["✓", "·", "○", "✗"];
+
+/// Whether all checks of a run pass, it is reported only, some could not be run, or some fail.
+fn mark(finding: &Finding) -> &'static str {
+    match finding.verdict() {
+        _ if matches!(&finding.numbers, Numbers::Cases(numbers) if numbers.case.is_reported()) => SIGNS[1],
+        Verdict::Pass => SIGNS[0],
+        Verdict::NotRun(_) => SIGNS[2],
+        Verdict::Fail => SIGNS[3],
+    }
 }
 
 fn sign(finding: &Finding) -> String {
-    let Numbers::Cases(numbers) = &finding.numbers else { return String::new() };
-    let sign = match finding.verdict() {
-        _ if numbers.case.is_reported() => "·",
-        Verdict::Pass => "✓",
-        Verdict::Fail => "✗",
-        Verdict::NotRun(_) => "○",
-    };
-    match numbers.run.solution.outcome {
-        Outcome::Converged => format!("{sign} {}", numbers.run.solution.work.iterations),
+    let (sign, Some(run)) = (mark(finding), run(finding)) else { return String::new() };
+    match run.solution.outcome {
+        Outcome::Converged => format!("{sign} {}", run.solution.work.iterations),
         other => format!("{sign} {other}"),
     }
 }
@@ -96,30 +145,12 @@ fn of_kind(findings: &[Finding], kind: ReferenceKind) -> String {
         let judged = members.iter().flat_map(|finding| &finding.judged);
         let own: Vec<&Judged> = judged.filter(|judged| judged.reference.kind == kind).collect();
         let verdict = worst(own.iter().copied())?.to_string();
-        Some(vec![case.to_string(), own.len().to_string(), closest(&own), verdict])
+        Some(vec![case.to_string(), own.len().to_string(), told::closest(&own).unwrap_or_default(), verdict])
     };
     markdown::table(&head, &by_case(findings.iter()).into_iter().filter_map(row).collect::<Vec<_>>())
 }
 
-/// The passed check that is closest to its tolerance, with its error.
-fn closest(judged: &[&Judged]) -> String {
-    let passed = judged.iter().filter(|judged| judged.verdict == Verdict::Pass && judged.error > 0.0);
-    let worst = passed.max_by(|a, b| a.share_of_tolerance().total_cmp(&b.share_of_tolerance()));
-    worst.map_or(String::new(), |judged| {
-        let bound = markdown::tolerance(judged.check.tolerance);
-        format!("{}: {}, {bound} allowed", judged.check.quantity, markdown::error(judged.error))
-    })
-}
-
 /// Numbers of checks that passed, failed and were not run.
 pub fn counts<'a>(findings: impl IntoIterator<Item = &'a Finding>) -> [usize; 3] {
-    let mut counts = [0; 3];
-    for judged in findings.into_iter().flat_map(|finding| &finding.judged) {
-        match judged.verdict {
-            Verdict::Pass => counts[0] += 1,
-            Verdict::Fail => counts[1] += 1,
-            Verdict::NotRun(_) => counts[2] += 1,
-        }
-    }
-    counts
+    told::counts(findings.into_iter().flat_map(|finding| &finding.judged))
 }

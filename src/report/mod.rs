@@ -1,23 +1,37 @@
-//! The page: `VALIDATION.md` and its charts, made from the findings of the suite and from nothing else.
+//! The report: `VALIDATION.md`, the pages behind it and their charts, made from the findings of the suite and from nothing else.
 //!
-//! * [`page`] — the order of the sections.
+//! * [`page`] — the whole of it.
+//! * [`front`] — the front page.
+//! * [`case_page`], [`study_page`] — a page a case, and a study.
+//! * [`paper_page`], [`checks_page`] — the pages on the paper, and on all checks.
+//! * `heading` — what every page behind the front page begins with; [`symbols`] — symbols, defined where they are used; [`links`] —
+//!   links of texts that are read elsewhere than at the root.
 //! * [`matrix`] — the verdict matrix, and verdicts by kind and by study.
-//! * [`checks`] — requirement by requirement.
+//! * [`checks`] — requirement by requirement; [`told`] — what became of checks, in a sentence.
 //! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
 //! * [`statements`] — the paper's statements, judged.
 //! * [`record`] — what was judged, counted and stated, as tables; [`diff`] — what moved in them between two commits.
 //! * [`files`] — writing, and comparing with what is committed.
 
+pub mod case_page;
 pub mod checks;
+pub mod checks_page;
 pub mod decisions;
 pub mod diff;
 pub mod files;
+pub mod front;
+mod heading;
+pub mod links;
 pub mod matrix;
 pub mod page;
+pub mod paper_page;
 pub mod pictures;
 pub mod record;
 pub mod statements;
+pub mod study_page;
+pub mod symbols;
+pub mod told;
 
 pub use files::{difference, write};
 pub use page::{Page, compose};

@@ -1,5 +1,6 @@
 //! What is found out over many solves: studies as rooms, and what they share.
 //!
+//! * [`about`] — what a study is called, what it asks, and what it cannot tell.
 //! * [`trial`] — one piece of a study that can run alone.
 //! * `rooms` — what a room must have, and how the page meets all of them.
 //! * [`drawn`] — colours and dashes of formulations, and curves.
@@ -8,6 +9,7 @@
 //! * [`records`] — files of recorded surveys; [`present`] — whether what scripts record is of the present sources.
 //! * [`handed_over`] — our discretisation as plain numbers, for other codes.
 
+pub mod about;
 pub mod class;
 pub mod drawn;
 pub mod handed_over;
@@ -21,6 +23,7 @@ pub mod trial;
 
 use crate::case::judged::{Judged, Verdict, worst};
 use crate::error::Error;
+use about::About;
 use rooms::rooms;
 
 pub use trial::{Found, Planned};

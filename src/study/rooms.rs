@@ -2,6 +2,7 @@
 
 /// Declares the rooms, in the order of the page. Each is a folder with
 ///
+/// * `ABOUT: About` — what its page is called, what it asks, and what it cannot tell,
 /// * `plan() -> Vec<Planned<Numbers>>` — what is run,
 /// * `Numbers` — what came out, serialisable,
 /// * `judge(&Numbers) -> Result<Vec<Judged>, Error>` — the checks with their verdicts,
@@ -28,10 +29,17 @@ macro_rules! rooms {
             /// All, in the order of the page.
             pub const ALL: &'static [Self] = &[$(Self::$Room),*];
 
-            /// Its name, as its folder has it.
+            /// What its page is called, what it asks, and what it cannot tell.
+            pub fn about(self) -> About {
+                match self {
+                    $(Self::$Room => $room::ABOUT,)*
+                }
+            }
+
+            /// Name of its folder, which its page has too.
             pub fn name(self) -> &'static str {
                 match self {
-                    $(Self::$Room => stringify!($room)),*
+                    $(Self::$Room => stringify!($room),)*
                 }
             }
 

@@ -73,9 +73,9 @@ fn every_check_of_a_case_has_a_row_with_reference_tolerance_and_reason() {
     let judged: Vec<Judged> = each().map(|(check, value)| check.judge(value)).into();
     let page = checks::of(&[("first", &judged), ("second", &judged)]);
     let rows: Vec<&str> = page.lines().filter(|line| line.contains("a reason")).collect();
-    assert_eq!(rows.len(), 2 * judged.len());
-    assert!(rows.iter().all(|row| row.contains("Hertz 2") && row.contains("analytic") && row.contains("✓ pass")));
-    assert_eq!(page.lines().filter(|line| line.starts_with("* ")).count(), judged.len());
+    assert_eq!(rows.len(), judged.len(), "{page}");
+    assert!(rows.iter().all(|row| row.contains("Hertz") && row.contains("analytic")), "{page}");
+    assert!(page.contains("In all rows: all 2 trials, reference 2, verdict ✓ pass."), "{page}");
     let [_, fail, absent] = of_every_run().map(|one| {
         let check = Check { scope: contact_vv::case::Scope::Own, ..one.check };
         Judged { check, ..one }
@@ -92,7 +92,7 @@ fn both_uncertainties_stand_beside_their_values_where_they_are_known() {
         checks::of(&[("first", &[judged])])
     };
     let both = row(Some(0.01), Some(0.04));
-    assert!(both.contains("| 2.01000 ± 0.010 | series 2.00000 ± 0.040 |"), "{both}");
+    assert!(both.contains("| 2.01000 ± 0.010 | 2.00000 ± 0.040 |"), "{both}");
     assert!(!row(None, Some(0.0)).contains('±') && !row(None, None).contains('±'));
     assert_eq!(Reference::analytic("Hertz", 3.0).times(-2.0).uncertainty, Some(0.0));
     let doubled = Reference { uncertainty: Some(0.5), ..Reference::own("series", 3.0) }.times(-2.0);

@@ -48,6 +48,7 @@ mod met;
 mod new_scenes;
 mod oracles;
 mod outputs;
+mod pages;
 mod photoelastic;
 mod pictures;
 mod reactions;

@@ -51,6 +51,11 @@ impl PlacesOfContact {
 }
 
 impl Places {
+    /// Text of the file.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     /// The error with its line, where it is one of a body, of a load, of a contact or of how the scene is solved.
     pub fn locate(&self, error: Error) -> Error {
         match self.of(&error.place) {

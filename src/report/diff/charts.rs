@@ -33,8 +33,13 @@ pub enum Change {
     Looks,
 }
 
-/// Charts whose data moved, to be seen before and after; then those that only look otherwise.
+/// Charts whose data moved, to be seen before and after; then those that only look otherwise. A chart for dark pages is told with its
+/// twin for light ones.
 pub fn told(moved: &[&Moved]) -> Vec<Told> {
+    let paths: Vec<&str> = moved.iter().map(|one| one.0).collect();
+    let twin =
+        |path: &str| path.strip_suffix("-dark.svg").is_some_and(|name| paths.contains(&format!("{name}.svg").as_str()));
+    let moved: Vec<&Moved> = moved.iter().copied().filter(|one| !twin(one.0)).collect();
     let (both, single): (Vec<&&Moved>, Vec<&&Moved>) = moved.iter().partition(|one| one.1.is_some() && one.2.is_some());
     let of = |wanted: Change| -> Vec<&str> {
         let is_one = |one: &&&&Moved| one.1.zip(one.2).is_some_and(|(old, new)| change(old, new) == wanted);

@@ -20,6 +20,11 @@ pub fn of_all(f: &Findings) -> Statement {
     let worst = |case: &'static str, quantity| 100.0 * f.error(case, &quantity);
     Statement {
         text: "Every combination of element and algorithm agrees with Hertz, and for the pin–rod with one another (Figs 10, 14, 15)",
+        clause: format!(
+            "p₀ within {:.2} % of Hertz, pin–rod peak within {:.2} %",
+            worst(cylinder::NINE, Quantity::PeakPressure),
+            worst(pin_rod::NINE, Quantity::PeakPressure),
+        ),
         measured: format!(
             "cylinder, all nine: p₀ within {:.2} %, a within {:.2} %; pin–rod, all nine: peak within {:.2} %, edge means within {:.2} %",
             worst(cylinder::NINE, Quantity::PeakPressure),
@@ -43,6 +48,7 @@ pub fn no_difference(f: &Findings) -> Statement {
     let (peak, width) = (spread(|r| r.measures().peak.pressure), spread(|r| r.measures().half_width));
     Statement {
         text: "Within the prescribed accuracy there is no remarkable difference between elements or algorithms; the differences are in iterations and time",
+        clause: format!("spread {peak:.2} % in p₀; {low} to {high} iterations"),
         measured: format!(
             "cylinder: spread of the nine {peak:.2} % in p₀, {width:.2} % in a; {low} to {high} iterations"
         ),
@@ -63,6 +69,7 @@ pub fn top_quarter(f: &Findings) -> Statement {
         points.iter().map(|p| format!("{:.3} % at a/R = {}", 100.0 * p[1], p[0])).collect::<Vec<_>>().join(", ");
     Statement {
         text: "The top quarter of the half cylinder does not influence the contact and may be left out",
+        clause: format!("change below {} % up to a/R = {small}", 100.0 * LEFT_OUT),
         measured: format!("change of p₀ or a: {worst}; below {} % up to a/R = {small}", 100.0 * LEFT_OUT),
         judgement: if all {
             Judgement::Reproduced
@@ -88,6 +95,7 @@ pub fn gaertner(f: &Findings) -> Statement {
     };
     Statement {
         text: "Reasonable agreement with Gaertner's finite elements and experiment (Figs 14, 15)",
+        clause: measured.clone(),
         measured,
         judgement,
     }

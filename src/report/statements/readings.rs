@@ -6,6 +6,7 @@
 
 use super::found::Findings;
 use super::statement::{Judgement, Statement};
+use crate::markdown;
 use crate::study::readings::axes::{Example, Stop};
 use crate::study::readings::course::pairs;
 use crate::study::readings::courses::Courses;
@@ -41,6 +42,13 @@ fn statement(sentence: Sentence, courses: &Courses, all: &[Judged]) -> Statement
     let number = all.iter().filter(|judged| judged.holds(sentence)).count();
     Statement {
         text: text(sentence),
+        clause: format!(
+            "holds at {} of {} tolerances, and under {} % of {} readings",
+            held.iter().filter(|held| **held).count(),
+            held.len(),
+            markdown::significant(100.0 * number as f64 / all.len() as f64, 2),
+            all.len()
+        ),
         measured: format!(
             "reading nearest to the text: {}; {}; cylinder and pin–rod. Holds under {number} of {} readings",
             evidence::of(sentence, &seen),

@@ -15,6 +15,27 @@ pub enum Judgement {
     NotJudged,
 }
 
+impl Judgement {
+    /// The kind of judgement.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Reproduced => "reproduced",
+            Self::OnlyIf(_) => "reproduced on a condition",
+            Self::Undecidable(_) => "not decidable without [12]",
+            Self::NotReproduced => "not reproduced",
+            Self::NotJudged => "not judged",
+        }
+    }
+
+    /// The judgement without what would decide it.
+    pub fn brief(&self) -> String {
+        match self {
+            Self::OnlyIf(condition) => format!("only if: {condition}"),
+            _ => self.word().into(),
+        }
+    }
+}
+
 impl std::fmt::Display for Judgement {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -32,6 +53,8 @@ impl std::fmt::Display for Judgement {
 pub struct Statement {
     /// What the paper says.
     pub text: &'static str,
+    /// The one number that tells most.
+    pub clause: String,
     /// What was measured.
     pub measured: String,
     /// The judgement.

@@ -14,9 +14,18 @@ pub mod run;
 mod section;
 pub mod subject;
 
+use crate::study::about::About;
+
 pub use judge::judge;
 pub use plan::{ASKED, plan};
 pub use by_hand::Price;
 pub use run::Numbers;
 pub use section::{pictures, section};
 pub use subject::{Subject, closed_form, error};
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "An accuracy asked for instead of a mesh",
+    asked: "What an accuracy costs that is asked for, beside a mesh made by hand.",
+    limits: "Peak pressure and half-width; other numbers have bars, but are not asked for.",
+};

@@ -31,13 +31,23 @@ mod slices;
 pub mod summary;
 pub mod survey;
 
+use crate::study::about::About;
+
 pub use crate::study::class::Class;
 pub use chart::Chart;
 pub use judge::judge;
 pub use picture::pictures;
 pub use plan::plan;
 pub use plane::Plane;
+pub use recommended::{recommendation, recommended};
 pub use record::Record;
 pub use row::Row;
 pub use run::Numbers;
 pub use section::section;
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Where methods fail",
+    asked: "From which initial stiffness every method ends right, over candidates, meshes and scenes.",
+    limits: "Scenes of one contact without friction; beyond the surveyed range nothing is known.",
+};

@@ -36,6 +36,11 @@ pub fn recommendation(digests: &[Digest]) -> String {
     text
 }
 
+/// The method to use; none where there is none of which every surveyed run ends right.
+pub fn recommended(digests: &[Digest]) -> Option<Method> {
+    reliable(digests).first().map(|(method, _)| *method)
+}
+
 /// Methods with a range, fewest iterations first; a penalty stops at a penetration of its own and is not among them.
 fn reliable(digests: &[Digest]) -> Vec<(Method, Safe)> {
     let exact = digests.iter().filter(|digest| digest.method.rule != StiffnessRule::Penalty);

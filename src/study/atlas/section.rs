@@ -18,7 +18,7 @@ use crate::study::drawn::picture;
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let charts: Vec<&Chart> = findings.iter().map(|found| &found.numbers.chart).collect();
     let digests = summary::digests(&charts);
-    let mut text = String::from("## Where methods fail\n\n");
+    let mut text = String::new();
     let _ = writeln!(text, "{}", recommendation(&digests));
     text += &picture(
         "iterations-predicted.svg",

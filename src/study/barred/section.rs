@@ -15,8 +15,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let rows: Vec<Vec<String>> = outside.iter().map(|one| row(one)).collect();
     let table = if rows.is_empty() { String::new() } else { markdown::table(&HEAD.map(String::from), &rows) };
     Ok(format!(
-        "### Error bars beside checks\n\n\
-         Every check of a case that holds a number with an error bar against a closed form shows that bar in its table. {} of {all} \
+        "Every check of a case that holds a number with an error bar against a closed form shows that bar in its table. {} of {all} \
          have a true error beyond the sum of the bar and the model error that the case states of its closed form, or a bar that is not known{}\n\n{table}\n",
         outside.len(),
         if rows.is_empty() { "." } else { ":" }

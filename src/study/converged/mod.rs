@@ -20,9 +20,18 @@ mod share;
 /// Name of the command that surveys it, and of its record.
 pub const NAME: &str = "converged";
 
+use crate::study::about::About;
+
 pub use judge::judge;
 pub use picture::pictures;
 pub use plan::plan;
 pub use run::{Numbers, Record};
 pub use section::section;
 pub use sites::{Site, sites};
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "What is called converged",
+    asked: "Whether a run that is called converged has the peak and the width of its discrete problem.",
+    limits: "It says nothing of the mesh: that is what error bars are for.",
+};

@@ -18,8 +18,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let recorded: Vec<_> = findings.iter().flat_map(|found| &found.numbers.recorded).collect();
     let energies: Vec<_> = findings.iter().flat_map(|found| &found.numbers.energies).collect();
     let text = format!(
-        "## What is called converged\n\n\
-         A run stops by its error against the solution of its own discrete problem, which an active set finds beside it, and \
+        "A run stops by its error against the solution of its own discrete problem, which an active set finds beside it, and \
          not by a residual, whose scale someone must guess. Per contact, relative to that solution: the *peak*, the share of \
          the *force* at the wrong place, half-width and centre as *width*, and the *approach* over the one that the \
          contact's own force makes. The largest of the four, over all contacts, is the iteration error; converged is an \

@@ -20,9 +20,18 @@ pub mod sites;
 /// Name of the command that surveys it, and of its record.
 pub const NAME: &str = "coverage";
 
+use crate::study::about::About;
+
 pub use judge::judge;
 pub use picture::pictures;
 pub use plan::plan;
 pub use run::{Kind, Numbers, Record};
 pub use section::section;
 pub use sites::sites;
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Whether error bars hold",
+    asked: "How often the true error is within the error bar that was printed.",
+    limits: "Random scenes of closed form: what has none is not among them.",
+};

@@ -33,8 +33,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let rows: Vec<Vec<String>> = all.chain(by_family).collect();
     let [fewest, most] = ELEMENTS;
     Ok(format!(
-        "## Whether error bars hold\n\n\
-         `solve` prints every number with a bar: what the mesh, the iteration and a penalty may leave in it \
+        "`solve` prints every number with a bar: what the mesh, the iteration and a penalty may leave in it \
          (`src/accuracy/bar.rs`). Here they are held against random scenes of closed form whose true errors are known, on random \
          meshes: {fewest} to {most} elements on half of the contact, which ends anywhere within one of them, and enough \
          for the tip of a wedge and the thickness of a ring (what is smaller than the elements no coarser mesh sees); random growth; 4- and 8-node cells, line, layer and node \

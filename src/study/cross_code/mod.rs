@@ -27,6 +27,8 @@ pub mod validation;
 
 use serde::Serialize;
 
+use crate::study::about::About;
+
 pub use answers::Answers;
 pub use judge::judge;
 pub use picture::pictures;
@@ -53,3 +55,10 @@ impl Numbers {
         }
     }
 }
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Against other codes: the same problem assembled twice",
+    asked: "Whether other codes, given the same mesh or the same scene, find the same numbers.",
+    limits: "The assembly twin shares its meshes, contact and measures between both codes: it counts as one.",
+};

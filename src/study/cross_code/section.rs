@@ -20,17 +20,17 @@ use crate::uncertainty::COVERAGE;
 /// Both senses, with the versions the frozen answers came from.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let physical: Vec<&Compared> = findings.iter().filter_map(|found| found.numbers.physical()).collect();
-    let mut text = String::from("## Against other codes\n\n");
+    let mut text = String::new();
     for code in Code::ALL {
         text += &frozen(code, &Frozen::read(code)?);
     }
     let _ = write!(
         text,
         "\nTo ask the codes themselves, {SET_UP} and test with the feature `python`.\n\n\
-         ### The same discrete problem (code check)\n\n\
+         ## The same discrete problem (code check)\n\n\
          Each code takes our mesh and assembles stiffness, loads and edge functions for itself; supports and penalty line elements \
          (two Gauss points an edge) are put together from these in Python, condensed nowhere.\n\n{}\n\
-         ### The same physical problem: assembly twin\n\n\
+         ## The same physical problem: assembly twin\n\n\
          Meshes of curved 6-node triangles, loads, contact and measures are Python's own and shared by both codes; stiffness, edge \
          functions and linear solver are each code's: one oracle with two assemblers, held to each other on one mesh and counted once, as \
          scikit-fem. Bodies in contact have non-matching meshes. ± is the standard uncertainty from \

@@ -18,6 +18,8 @@ mod rules;
 mod run;
 mod section;
 
+use crate::study::about::About;
+
 pub use judge::{judge, times};
 pub use nested::{Nested, OnMesh, Start};
 pub use picture::pictures;
@@ -26,3 +28,10 @@ pub use record::Runs;
 pub use rules::{Ended, Rule};
 pub use run::{Numbers, Reach};
 pub use section::section;
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Cures of what is slow",
+    asked: "Whether accelerations and nested starts widen what converges.",
+    limits: "Options beside the paper's algorithms, off by default.",
+};

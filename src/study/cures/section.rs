@@ -40,8 +40,7 @@ fn introduction() -> String {
     let (starts, planes, possible) = (stiffnesses(), PLANES.len(), 100.0 / TIMES);
     let [least, most] = [starts[0], starts[starts.len() - 1]];
     format!(
-        "## Cures\n\n\
-         Options beside the paper's algorithms, off by default.\n\n\
+        "Options beside the paper's algorithms, off by default.\n\n\
          **Constant stiffness, accelerated.** With the rule `correction` its iteration is Douglas–Rachford splitting (Lions & \
          Mercier 1979): it converges whatever κ₀, but slowly away from the best one. Crossed secant (Ramière & Helfer 2015; \
          for Uzawa's iteration of contact Koliesnikova & Ramière, arXiv:2603.12205) and Anderson acceleration (Walker & Ni \

@@ -12,7 +12,16 @@ mod plan;
 pub mod run;
 mod section;
 
+use crate::study::about::About;
+
 pub use judge::judge;
 pub use plan::{GAERTNER, plan};
 pub use run::{Curve, Numbers};
 pub use section::{pictures, section};
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Against digitised curves",
+    asked: "Whether stresses and loads along real pins are those that were measured.",
+    limits: "Nothing is compared until somebody brings the figures.",
+};

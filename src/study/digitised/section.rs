@@ -6,7 +6,7 @@ use crate::study::digitised::run::Numbers;
 
 /// The title.
 pub fn section(_: &[Found<Numbers>]) -> Result<String, Error> {
-    Ok("## Against digitised curves\n\nStresses along the pin of a rod (Gaertner 1977), and load against the angle of contact of a pin in a \
+    Ok("Stresses along the pin of a rod (Gaertner 1977), and load against the angle of contact of a pin in a \
         large sheet (Ghosh, Dattaguru and Rao 1982), each held against the same pin of ours. The folders under `oracles/digitised` say what to \
         bring.\n\n"
         .into())

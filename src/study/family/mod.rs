@@ -11,8 +11,17 @@ mod plan;
 pub mod run;
 mod section;
 
+use crate::study::about::About;
+
 pub use judge::judge;
 pub use picture::pictures;
 pub use plan::plan;
 pub use run::{Curves, Ended, Line, Numbers, Place, Placed, Sensitivities, Slope};
 pub use section::section;
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "The dimensionless family of the pin–rod",
+    asked: "Where a published figure of a pin in an eye belongs, whatever its dimensions.",
+    limits: "Eyes of the shape drawn here; no friction, no plate of another outline.",
+};

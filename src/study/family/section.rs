@@ -8,10 +8,7 @@ use crate::study::family::run::{Curves, Ended, Line, Numbers, Place, Placed, Sen
 
 /// The chart and both tables.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let mut text = String::from(
-        "## The dimensionless family of the pin–rod\n\n\
-         Three dimensionless numbers place any published figure of a pin in an eye.\n\n",
-    );
+    let mut text = String::from("Three dimensionless numbers place any published figure of a pin in an eye.\n\n");
     text += &picture("family-pin-rod.svg", "Peak pressure and second-moment angle against dimensionless clearance");
     for found in findings {
         text += &match found.numbers {

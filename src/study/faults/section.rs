@@ -21,7 +21,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let faults: Vec<&Fault> = findings.iter().flat_map(|found| &found.numbers.faults).collect();
     let rows: Vec<Vec<String>> = faults.iter().map(|fault| row(fault)).collect();
     Ok(format!(
-        "## Fault injection\n\nFaults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red, of the suite \
+        "Faults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red, of the suite \
          and of the worked scene files. *Sources* is the digest (SHA-256) of what a fault was planted on: {}. The terminal says at every report \
          how many are not of the present sources.\n\n{}\n",
         planted_on(&faults),

@@ -18,5 +18,5 @@ pub fn section(_: &[Found<Numbers>]) -> Result<String, Error> {
         ("iteration-paths.svg", "Figs 6 and 7, and kinematic load beside them: the path of the iterations"),
     ];
     let charts = charts.map(|(file, caption)| picture(file, caption));
-    Ok(format!("## Fields and iteration paths\n\n{}", charts.concat()))
+    Ok(charts.concat())
 }

@@ -15,6 +15,8 @@ pub mod renewal;
 pub mod run;
 mod section;
 
+use crate::study::about::About;
+
 pub use judge::judge;
 pub use picture::pictures;
 #[cfg(feature = "python")]
@@ -22,3 +24,10 @@ pub use plan::live;
 pub use plan::plan;
 pub use run::Compared as Numbers;
 pub use section::section;
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Against independent codes",
+    asked: "Whether codes that share nothing but the scene find the same numbers.",
+    limits: "That codes agree is no measurement.",
+};

@@ -17,7 +17,7 @@ use crate::uncertainty::COVERAGE;
 /// The scripts, and their numbers beside ours.
 pub fn section(findings: &[Found<Compared>]) -> Result<String, Error> {
     let frozen = Independent::read()?;
-    let mut text = String::from("### Independent codes\n\n");
+    let mut text = String::new();
     for folder in Folder::ALL {
         let hash: String = frozen.scripts.get(&folder).map_or("", String::as_str).chars().take(12).collect();
         let version = frozen.apart.get(&folder).or_else(|| frozen.versions.get(folder.name()));

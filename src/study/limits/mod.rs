@@ -36,6 +36,15 @@ mod springs;
 mod unequal_sizes;
 mod written;
 
+use crate::study::about::About;
+
 pub use plan::{Numbers, judge, plan};
 pub use row::{Detail, Limit};
 pub use section::{pictures, section};
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Limits of validity",
+    asked: "Where everything but the methods stops being right, and what the user then sees.",
+    limits: "One scene a limit: another scene has its onset elsewhere.",
+};

@@ -10,8 +10,7 @@ use crate::study::limits::row::HEAD;
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let rows: Vec<Vec<String>> = findings.iter().map(|found| found.numbers.limit().cells()).collect();
     let mut text = String::from(
-        "## Limits of validity\n\n\
-         Each row pushes one thing until it fails. What the user sees is what the program said in that run.\n\n",
+        "Each row pushes one thing until it fails. What the user sees is what the program said in that run.\n\n",
     );
     text += &markdown::table(&HEAD.map(String::from), &rows);
     for detail in findings.iter().filter_map(|found| found.numbers.detail()) {

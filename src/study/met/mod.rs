@@ -16,8 +16,17 @@ pub mod sites;
 /// Name of the command that surveys it, and of its record.
 pub const NAME: &str = "met";
 
+use crate::study::about::About;
+
 pub use judge::judge;
 pub use plan::plan;
 pub use run::{Numbers, Record};
 pub use section::{pictures, section};
 pub use sites::{ASKED, families, sites};
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Whether an accuracy called met is met",
+    asked: "How often an answer that is called accurate is not.",
+    limits: "Random scenes of closed form, as for error bars.",
+};

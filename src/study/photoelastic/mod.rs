@@ -15,8 +15,17 @@ mod plan;
 pub mod run;
 mod section;
 
+use crate::study::about::About;
+
 pub use judge::judge;
 pub use picture::pictures;
 pub use plan::plan;
 pub use run::Numbers;
 pub use section::section;
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Against a photograph",
+    asked: "Whether the stress field between two plates is that of a photographed disc.",
+    limits: "Uncalibrated: shapes only. The photograph tells neither load, nor material, nor pressure.",
+};

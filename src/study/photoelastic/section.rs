@@ -22,8 +22,7 @@ fn of(numbers: &Numbers) -> String {
         .collect();
     let head = ["a/R", "rms, all else held", "rms, all else fitted"].map(String::from);
     format!(
-        "## Against a photograph\n\n\
-         A photoelastic disc squeezed between two plates (provenance in `oracles/digitised/photoelastic-disc`): *measured, shape only, \
+        "A photoelastic disc squeezed between two plates (provenance in `oracles/digitised/photoelastic-disc`): *measured, shape only, \
          uncalibrated*. Load, material, diameter and friction are unknown. The difference of the principal stresses over that at the centre, \
          times a constant of each colour channel, is the fringe order. Five constants are fitted at the bottom; nothing is fitted at the top.\n\n\
          Fitted: a/R = {} ± {} (standard deviation if readings were independent), orders at the centre {red} (red), {green} (green), {blue} \

@@ -10,7 +10,16 @@ mod plan;
 pub mod run;
 mod section;
 
+use crate::study::about::About;
+
 pub use judge::{LEFT_OUT, judge};
 pub use plan::plan;
 pub use run::{Change, Contact, Numbers};
 pub use section::{pictures, section};
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Half cylinder against quarter",
+    asked: "Whether the top quarter of the half cylinder may be left out, as the paper says.",
+    limits: "One cylinder, one material, one way of loading it from above.",
+};

@@ -10,7 +10,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let head = ["a/R", "p₀, loaded on the same line", "a, same line", "p₀, loaded on the upper arc", "a, upper arc"];
     let rows: Vec<Vec<String>> = findings.iter().flat_map(|found| &found.numbers.changes).map(row).collect();
     Ok(format!(
-        "## Half cylinder against quarter\n\nChange of the contact when the half cylinder is modelled instead of the quarter.\n\n{}\n",
+        "Change of the contact when the half cylinder is modelled instead of the quarter.\n\n{}\n",
         markdown::table(&head.map(String::from), &rows)
     ))
 }

@@ -28,8 +28,17 @@ pub mod trial;
 /// Name of the command that surveys it, and of its record.
 pub const NAME: &str = "readings";
 
+use crate::study::about::About;
+
 pub use judge::judge;
 pub use picture::pictures;
 pub use plan::plan;
 pub use run::Numbers;
 pub use section::section;
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "The paper under every reading",
+    asked: "Which of the paper's sentences hold, whatever is read into what it leaves open.",
+    limits: "A reading that nobody thought of is not tried.",
+};

@@ -24,8 +24,7 @@ fn of(numbers: &Numbers) -> String {
     let most = all.iter().map(Judged::count).max().unwrap_or(0);
     let count = all.iter().filter(|judged| judged.count() == most).count();
     format!(
-        "### The paper under every reading\n\n\
-         The paper leaves open by which rule stiffnesses change (its reference 12), what has one, when a run has converged, when it \
+        "The paper leaves open by which rule stiffnesses change (its reference 12), what has one, when a run has converged, when it \
          is given up, how thick layers are and how far the candidates reach. Tried here: {} rules of varying and {} of constant \
          stiffness, {} criteria with tolerances, and every choice of the rest, {} readings in all, from {} starts each; the criteria are \
          those that can be had without the discrete solution: the contact conditions (penetration, tension, pressure across a gap), the \

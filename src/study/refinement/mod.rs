@@ -11,8 +11,17 @@ mod plan;
 mod run;
 mod section;
 
+use crate::study::about::About;
+
 pub use judge::{judge, one_limit};
 pub use picture::pictures;
 pub use plan::plan;
 pub use run::{Departure, Errors, ModelError, Numbers, Orders, PinLevel, PinRod, PinSeries, Ratio};
 pub use section::section;
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Refinement",
+    asked: "How fast errors fall on finer meshes, and how far the cylinder of the paper is from the half-plane of Hertz.",
+    limits: "Orders are read on smooth contacts; where a contact has corners they are lower.",
+};

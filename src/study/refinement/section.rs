@@ -14,7 +14,7 @@ const STAYS: f64 = 0.1;
 
 /// Orders, model error, and the series of the pin–rod.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let mut text = String::from("## Refinement\n\n");
+    let mut text = String::new();
     text += &picture("orders.svg", "Observed orders of accuracy");
     text += "Orders are read between each two successive meshes. Those of a series whose errors, or changes, do not keep their sign \
              and fall are withheld, as are those of errors near what no mesh removes. The edge is where the contact ends: its distance \

@@ -13,7 +13,8 @@ pub fn scene(scene: &Scene) -> Vec<String> {
     text
 }
 
-fn plane(plane: PlaneHypothesis) -> &'static str {
+/// The hypothesis in a word.
+pub fn plane(plane: PlaneHypothesis) -> &'static str {
     match plane {
         PlaneHypothesis::Strain => "strain",
         PlaneHypothesis::Stress => "stress",
@@ -158,7 +159,8 @@ fn gap(profile: &Profile) -> String {
     }
 }
 
-fn equations(plane: PlaneHypothesis) -> String {
+/// What is solved.
+pub fn equations(plane: PlaneHypothesis) -> String {
     let lame = match plane {
         PlaneHypothesis::Strain => "λ = Eν/((1+ν)(1−2ν))",
         PlaneHypothesis::Stress => "λ = Eν/(1−ν²)",

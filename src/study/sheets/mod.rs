@@ -6,15 +6,24 @@
 //! * `judge` — reference values known well enough, and met by the other codes.
 //! * `section` — the list of the sheets; `sheet` — one of them.
 
-mod described;
+pub mod described;
 mod judge;
 mod plan;
 pub mod run;
 mod section;
 mod sheet;
 
+use crate::study::about::About;
+
 pub use judge::judge;
 pub use plan::plan;
 pub use run::Numbers;
 pub use section::{SHEETS, pictures, section};
 pub use sheet::sheet;
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Benchmark sheets",
+    asked: "What somebody with another code needs to run the cases of the library.",
+    limits: "A closed form may be of an idealised scene; the sheet says where.",
+};

@@ -12,7 +12,7 @@ pub const SHEETS: &str = "snapshots/sheets";
 /// The list.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let mut text = String::from(
-        "## Benchmark sheets\n\nA page a case of the library: geometry, material, loads, supports, equations, reference values with what they may be \
+        "A page a case of the library: geometry, material, loads, supports, equations, reference values with what they may be \
          off, sources, and which codes agree. Everything somebody with another code needs to run it.\n\n",
     );
     for found in findings {

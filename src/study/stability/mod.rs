@@ -24,7 +24,16 @@ pub mod rates;
 mod section;
 mod tables;
 
+use crate::study::about::About;
+
 pub use judge::judge;
 pub use numbers::Numbers;
 pub use plan::plan;
 pub use section::{pictures, section};
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Predicted against measured",
+    asked: "Whether rates and iterations are those that the matrices predict.",
+    limits: "What is called a posteriori needs the solved contact, and is no help before it.",
+};

@@ -13,8 +13,17 @@ pub mod run;
 pub mod scene;
 mod section;
 
+use crate::study::about::About;
+
 pub use judge::judge;
 pub use picture::pictures;
 pub use plan::plan;
 pub use run::Numbers;
 pub use section::section;
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Elements and iterations",
+    asked: "How many iterations each formulation takes from each initial stiffness.",
+    limits: "The scenes of the paper only; the atlas asks the same over candidates and meshes.",
+};

@@ -8,7 +8,7 @@ use crate::study::sweep::run::{End, Numbers, Rule, STARTS};
 
 /// Elements, chart, and the table of the rules.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let mut text = String::from("## Elements and iterations\n\n");
+    let mut text = String::new();
     text += &picture("contact-problem.svg", "As Figs 1 and 2: bodies in contact, and contact elements on the potential contact area");
     text += &picture("contact-elements.svg", "As Figs 3, 4 and 5: line, layer and node contact element");
     text += &picture(

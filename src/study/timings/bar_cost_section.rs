@@ -26,7 +26,7 @@ pub fn section(record: &BarCosts) -> String {
         format!("{} dofs: {}", one.dofs, told.collect::<Vec<_>>().join(", "))
     });
     format!(
-        "### What error bars cost\n\n{}A solve of the cylinder as `solve` does it, with bars over without (`--no-error-bar`), median and from least \
+        "## What error bars cost\n\n{}A solve of the cylinder as `solve` does it, with bars over without (`--no-error-bar`), median and from least \
          to most of repeated runs ({}, {} threads). Asked for: at most {asked} at {dofs:e} dofs; {nearest} (✓ all runs, ~ some, ✗ none).\n\n{}\n",
         picture("bars-cost.svg", "Seconds with error bars over seconds without: median, least and most of repeated runs"),
         record.machine.processor,

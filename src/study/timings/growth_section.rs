@@ -20,7 +20,7 @@ pub fn section(record: &Record) -> String {
     );
     let chart = picture("growth.svg", &caption);
     let parts = [operations(record), stages(record), stage_for_stage(record), peers(record)];
-    format!("### Growth\n\n{chart}{}", parts.concat())
+    format!("## Growth\n\n{chart}{}", parts.concat())
 }
 
 /// How the counted operations grow, which seconds follow in the end.
@@ -44,7 +44,7 @@ fn operations(record: &Record) -> String {
 /// Where the time goes on the default cylinder.
 fn stages(record: &Record) -> String {
     let default = record.measured.growth.iter().find(|one| (one.counts.elements, one.counts.refinement) == DEFAULT);
-    let Some(one) = default else { return "### Where the time goes\n\nNot recorded.\n\n".into() };
+    let Some(one) = default else { return "## Where the time goes\n\nNot recorded.\n\n".into() };
     let total = one.seconds(&Stage::ALL);
     let row = |stage: Stage| {
         let seconds = one.seconds(&[stage]);
@@ -54,7 +54,7 @@ fn stages(record: &Record) -> String {
     };
     let rows: Vec<Vec<String>> = Stage::ALL.into_iter().map(row).collect();
     format!(
-        "### Where the time goes\n\nThe default cylinder, {} degrees of freedom, {} retained, {} iterations:\n\n{}\n",
+        "## Where the time goes\n\nThe default cylinder, {} degrees of freedom, {} retained, {} iterations:\n\n{}\n",
         one.counts.dofs,
         one.counts.retained,
         one.counts.iterations,
@@ -80,7 +80,7 @@ fn stage_for_stage(record: &Record) -> String {
     }
     let head = ["code", "dofs", "stiffness [ms]", "linear solutions [ms]", "contact and all else [ms]"];
     format!(
-        "### Stage for stage\n\nTruncated Hertz to {} % in p₀ and a, each code on its own cheapest mesh, one thread. Stiffness: \
+        "## Stage for stage\n\nTruncated Hertz to {} % in p₀ and a, each code on its own cheapest mesh, one thread. Stiffness: \
          cells integrated and assembled. Linear solutions: ordering, factorisation, elimination, as often as a code does them. Ours count \
          the mesh too, theirs do not.\n\n{}\n",
         100.0 * COMPARED,
@@ -117,7 +117,7 @@ fn peers(record: &Record) -> String {
         }
     }
     format!(
-        "### The same mesh in codes one would pick instead\n\nThe cylinder on our 8-node mesh, handed over; ours is the contact solve from the \
+        "## The same mesh in codes one would pick instead\n\nThe cylinder on our 8-node mesh, handed over; ours is the contact solve from the \
          assembled matrix on; errors against the converged answer of the scene. {}.\n\n{}\n",
         counted.join(". "),
         markdown::table(&head.map(String::from), &rows)

@@ -16,7 +16,7 @@
 //! * `bar_cost` — what error bars cost, `bar_cost_section` — its part of the page.
 //! * `targets` — what was asked for, and what was measured.
 //! * `judge` — whether errors and counts are still the recorded ones.
-//! * `section` — what each accuracy costs.
+//! * `section` — what each accuracy costs; [`conclusion`] — the same in sentences.
 //! * `growth_section` — how the cost grows, and where the time goes.
 //! * `picture` — all charts; `work_precision`, `precision_detail` — error against seconds and work.
 //! * `growth_picture` — seconds by stage and memory against the degrees of freedom.
@@ -24,6 +24,7 @@
 pub mod answers;
 pub mod bar_cost;
 mod bar_cost_section;
+pub mod conclusion;
 pub mod default_mesh;
 pub mod family;
 pub mod growth;
@@ -44,8 +45,17 @@ pub mod statistics;
 pub mod targets;
 mod work_precision;
 
+use crate::study::about::About;
+
 pub use judge::judge;
 pub use picture::pictures;
 pub use plan::plan;
 pub use run::Numbers;
 pub use section::section;
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Speed against accuracy",
+    asked: "What an accuracy costs, in seconds and in counted work, here and in other codes.",
+    limits: "Seconds are those of one machine. Errors and counts are computed again with every report, seconds are not.",
+};

@@ -34,7 +34,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
         growth_section::section(&record),
         bar_cost_section::section(recosted(findings)?),
     ];
-    Ok(format!("## Speed against accuracy\n\n{}", parts.concat()))
+    Ok(parts.concat())
 }
 
 fn asked(record: &Record) -> String {
@@ -68,7 +68,7 @@ fn machine(record: &Record) -> String {
 
 fn precision() -> String {
     let mut text = format!(
-        "\n### Error against seconds and work\n\nThe mesh does not know the answer: it is graded for a nominal half-width, and {LOADS} loads \
+        "\n## Error against seconds and work\n\nThe mesh does not know the answer: it is graded for a nominal half-width, and {LOADS} loads \
          move the contact edge across one of its elements. Finding the contact is part of the cost. All runs to the tolerance \
          {TOLERANCE:e}. Errors of the cylinder are those against the converged answer of its own scene. The other codes solve on \
          meshes and by methods of their own (scikit-fem exact active sets, dolfinx penalty).\n\n"
@@ -95,7 +95,7 @@ fn what_pays(record: &Record) -> String {
     let head = ["cells", "element"].map(String::from).into_iter();
     let head: Vec<String> = head.chain(ASKED.map(|error| format!("{} %", 100.0 * error))).collect();
     format!(
-        "### What pays\n\n{}Degrees of freedom and milliseconds of the cheapest mesh whose median errors of p₀ and a are \
+        "## What pays\n\n{}Degrees of freedom and milliseconds of the cheapest mesh whose median errors of p₀ and a are \
          both within:\n\n{}\n",
         picture(
             "what-pays.svg",
@@ -115,7 +115,7 @@ fn needed(points: &[&Point], error: f64) -> String {
 /// What growth the scenes have by default, and what others would change.
 fn default_meshes<'a>(meshes: impl Iterator<Item = &'a DefaultMesh>) -> String {
     let tables = meshes.map(default_mesh).collect::<String>();
-    format!("### The default meshes\n\nThe scene's own growth is in the first row, other growth below it.\n\n{tables}")
+    format!("## The default meshes\n\nThe scene's own growth is in the first row, other growth below it.\n\n{tables}")
 }
 
 fn default_mesh(mesh: &DefaultMesh) -> String {

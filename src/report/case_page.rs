@@ -1,0 +1,164 @@
+//! The page of a case: problem, equations, input, reference, results, checks, charts and limits.
+
+use crate::case::{Case, Judged, Verdict};
+use crate::markdown;
+use crate::measure::display_factor;
+use crate::oracle::ReferenceKind;
+use crate::report::{checks, heading};
+use crate::study::cases::page::{charts, page as name_of, remark, sketch};
+use crate::study::cases::{self, Numbers};
+use crate::study::sheets::described;
+use crate::study::{Finding, Numbers as Any};
+
+/// Runs that share a page.
+pub struct Shared<'a> {
+    /// Name of the page, which the file has too.
+    pub name: String,
+    /// Its runs.
+    pub runs: Vec<(&'a Finding, &'a Numbers)>,
+}
+
+/// Name of the file.
+pub fn file(name: &str) -> String {
+    format!("case-{name}.md")
+}
+
+/// All pages of cases, in the order of the suite.
+pub fn shared(findings: &[Finding]) -> Vec<Shared<'_>> {
+    let mut pages: Vec<Shared> = Vec::new();
+    for finding in findings {
+        let Any::Cases(numbers) = &finding.numbers else { continue };
+        let name = name_of(&numbers.case);
+        match pages.iter_mut().find(|page| page.name == name) {
+            Some(page) => page.runs.push((finding, numbers)),
+            None => pages.push(Shared { name, runs: vec![(finding, numbers)] }),
+        }
+    }
+    pages
+}
+
+/// The page; it links the benchmark sheet where there is one.
+pub fn page(shared: &Shared, has_sheet: bool) -> String {
+    let case = &shared.runs[0].1.case;
+    let judged: Vec<&Judged> = shared.runs.iter().flat_map(|(finding, _)| &finding.judged).collect();
+    let parts = [
+        problem(shared, case, has_sheet),
+        described::equations(case.scene.plane) + "\n\n",
+        reference(shared, &judged),
+        results(shared),
+        charts(&shared.name).map_or(String::new(), |charts| format!("## Charts\n\n{charts}")),
+        checked(shared),
+        limits(shared, &judged),
+    ];
+    let title = format!("{}: {}", shared.name, case.title);
+    heading::page(&title, &asked(shared), &judged, &parts.concat())
+}
+
+fn asked(shared: &Shared) -> String {
+    let mut names: Vec<&str> = shared.runs.iter().map(|(finding, _)| finding.case.as_str()).collect();
+    names.dedup();
+    let runs = shared.runs.len();
+    format!("{}: {runs} {}.", names.join("; "), if runs == 1 { "run" } else { "runs" })
+}
+
+/// Sketch, and the input: the text of the scene file, or the numbers of the scene.
+fn problem(shared: &Shared, case: &Case, has_sheet: bool) -> String {
+    let name = &shared.name;
+    let input = match &case.places {
+        Some(places) => format!(
+            "Input: [tests/cases/{0}](../../tests/cases/{0}), solved by `contact-vv solve tests/cases/{0}`.\n\n```toml\n{1}\n```\n\n",
+            case.name,
+            places.text().trim_end()
+        ),
+        None if has_sheet => format!(
+            "Input: the [benchmark sheet](../sheets/{name}.md) has geometry, material, loads, supports and reference values; \
+             `contact-vv solve {name}` solves it.\n\n"
+        ),
+        None => described::scene(&case.scene).join("\n\n") + "\n\n",
+    };
+    let plane = format!("Plane {}, thickness {} mm.\n\n", described::plane(case.scene.plane), case.scene.thickness);
+    format!("## Problem\n\n{plane}{}{}{input}", remark(name), sketch(name).unwrap_or_default())
+}
+
+/// Where the truth comes from, and how far it can be trusted.
+fn reference(shared: &Shared, judged: &[&Judged]) -> String {
+    let mut sources: Vec<String> = Vec::new();
+    for source in shared.runs.iter().flat_map(|(_, numbers)| cases::sources(numbers)) {
+        if !sources.contains(&source) {
+            sources.push(source);
+        }
+    }
+    let listed: String = sources.iter().map(|source| format!("* {source}\n")).collect();
+    let analytic = || judged.iter().filter(|one| one.reference.kind == ReferenceKind::Analytic);
+    let model = analytic().map(|one| one.check.model).fold(0.0, f64::max);
+    let uncertain = analytic().any(|one| one.reference.uncertainty.is_none_or(|u| u > 0.0));
+    let trust = match (analytic().count(), model > 0.0, uncertain) {
+        (0, ..) => "No closed form: the case is held against its own checks.".to_string(),
+        (_, true, _) => format!(
+            "The closed form is of an idealised scene: the case states that it may be off by up to {} of the value.",
+            markdown::error(model)
+        ),
+        (_, _, true) => "The closed form has an uncertainty, given beside its values.".into(),
+        _ => "The closed form is of this very scene; its values are exact but for round-off.".into(),
+    };
+    format!("## Reference\n\n{trust}\n\n{listed}\n")
+}
+
+/// What was found; the case is named where there are several.
+fn results(shared: &Shared) -> String {
+    let rows: Vec<(String, &Numbers, &[Judged])> =
+        named(shared).map(|(name, finding, numbers)| (name, numbers, &finding.judged[..])).collect();
+    format!(
+        "## Results\n\n± is the error bar of the number, where the suite asks for one.\n\n{}\n",
+        cases::results(&rows)
+    )
+}
+
+fn named<'a>(shared: &'a Shared<'a>) -> impl Iterator<Item = (String, &'a Finding, &'a Numbers)> {
+    let several = shared.runs.iter().any(|(finding, _)| finding.case != shared.runs[0].0.case);
+    shared.runs.iter().map(move |(finding, numbers)| {
+        let name = if several { format!("{} × {}", finding.case, finding.name) } else { finding.name.clone() };
+        (name, *finding, *numbers)
+    })
+}
+
+/// All checks: the declared ones of each case, then what every run must satisfy.
+fn checked(shared: &Shared) -> String {
+    let parts: Vec<&[(&Finding, &Numbers)]> = shared.runs.chunk_by(|a, b| a.0.case == b.0.case).collect();
+    let part = |members: &&[(&Finding, &Numbers)]| {
+        let named: Vec<checks::Named> = members.iter().map(|(one, _)| (one.name.as_str(), &one.judged[..])).collect();
+        let table = checks::of(&named);
+        if parts.len() > 1 && !table.is_empty() { format!("### {}\n\n{table}", members[0].0.case) } else { table }
+    };
+    let own: String = parts.iter().map(part).collect();
+    let every = checks::of_every_run(shared.runs.iter().flat_map(|(finding, _)| &finding.judged));
+    format!(
+        "## Checks\n\n{own}What every run must satisfy, for reasons given with [all checks](checks.md):\n\n{every}\n"
+    )
+}
+
+/// What the case does not show: where its candidates end, what did not converge, what it was not held against.
+fn limits(shared: &Shared, judged: &[&Judged]) -> String {
+    let scene = &shared.runs[0].1.case.scene;
+    let mut told = Vec::new();
+    for pair in &scene.contacts {
+        let factor = display_factor(&pair.path);
+        let unit = if factor > 1.0 { "°" } else { "mm" };
+        told.push(format!(
+            "Contact `{}` may occur up to {} {unit} from the origin of its coordinate, not beyond.",
+            pair.name,
+            markdown::significant(factor * pair.stretch, 4)
+        ));
+    }
+    let open = shared.runs.iter().filter(|(_, numbers)| !numbers.run.solution.converged()).count();
+    if open > 0 {
+        told.push(format!("{open} of {} runs did not converge.", shared.runs.len()));
+    }
+    let measured = judged
+        .iter()
+        .any(|one| one.reference.kind == ReferenceKind::Measured && !matches!(one.verdict, Verdict::NotRun(_)));
+    if !measured {
+        told.push("No measurement is held against it.".into());
+    }
+    format!("## Limits\n\n{}\n", told.iter().map(|one| format!("* {one}\n")).collect::<String>())
+}

@@ -1,0 +1,37 @@
+//! The front page: one computed answer to each question, the paper's statements, the verdicts, and the way to every page.
+//!
+//! * `right` — is it right, and against what; what no measurement has seen.
+//! * `cost` — what accuracy costs.
+//! * `advice` — where methods fail, and what to use.
+//! * `summary` — statements, verdicts, what was never compared, and the index.
+
+mod advice;
+mod cost;
+mod right;
+mod summary;
+
+use crate::report::symbols;
+use crate::study::Finding;
+
+pub use right::{against, right};
+
+/// The page.
+pub fn page(findings: &[Finding]) -> String {
+    let body = [
+        format!("## Is it right?\n\n{}\n", right(findings)),
+        format!("## Against what?\n\n{}\n", against(findings)),
+        format!("## What does accuracy cost?\n\n{}\n", cost::cost(findings)),
+        format!("## Where does it fail, and what should I use?\n\n{}\n", advice::advice(findings)),
+        format!("## The paper's statements\n\n{}\n", summary::statements(findings)),
+        format!("## Verdicts\n\n{}\n", summary::verdicts(findings, advice::recommended(findings))),
+        format!("## What was never compared\n\n{}\n", summary::never_compared(findings)),
+        format!("## All pages\n\n{}\n", summary::index(findings)),
+    ]
+    .concat();
+    let symbols = symbols::of(&body);
+    format!(
+        "# Validation report\n\nThree contact elements × three iterations for frictionless elastic contact in 2D (Égert 1999). \
+         Every sentence and number here is computed; do not edit.\n\n{symbols}{}\n",
+        body.trim_end()
+    )
+}

@@ -1,0 +1,111 @@
+//! Is it right, and against what?
+
+use crate::case::library::cylinder;
+use crate::case::{Judged, Quantity, Verdict};
+use crate::markdown;
+use crate::oracle::ReferenceKind;
+use crate::report::links::to_page as link;
+use crate::report::statements::found::Findings;
+use crate::report::{checks_page, told};
+use crate::study::barred;
+use crate::study::drawn::picture;
+use crate::study::{Finding, Numbers, Room};
+
+/// What a check of each kind can show.
+const SHOWS: [(ReferenceKind, &str, &str); 4] = [
+    (ReferenceKind::SelfConsistency, "the code itself, asked in another way", "that nothing contradicts itself"),
+    (ReferenceKind::Analytic, "closed forms and orders of accuracy", "that the equations are solved (verification)"),
+    (ReferenceKind::CrossCode, "other codes", "that others find the same (benchmarking)"),
+    (ReferenceKind::Measured, "measurements", "that the equations are the right ones (validation)"),
+];
+
+/// The share from which on a kind is called most of all.
+const MOST: f64 = 0.5;
+
+/// Whether any check fails, how near the nine formulations are to Hertz, and how many error bars hold.
+pub fn right(findings: &[Finding]) -> String {
+    let all: Vec<&Judged> = findings.iter().flat_map(|finding| &finding.judged).collect();
+    let [pass, fail, absent] = told::counts(all.iter().copied());
+    let not_run = if absent > 0 { format!(", {absent} could not be run") } else { String::new() };
+    let verdict = match (all.len(), fail) {
+        (0, _) => "**Nothing was checked.**".to_string(),
+        (number, 0) => format!("**No check fails**: {pass} of {number} pass{not_run}."),
+        (number, _) => format!("**✗ {fail} of {number} checks fail**; {pass} pass{not_run}.{}", told::failures(&all)),
+    };
+    let bars = findings.iter().filter_map(|finding| match &finding.numbers {
+        Numbers::Barred(barred::Numbers { all, outside }) => Some(format!(
+            " Of {all} numbers with an error bar beside a closed form {} are off by more than it.",
+            outside.len()
+        )),
+        _ => None,
+    });
+    format!(
+        "{verdict}{}{}\n\n{}",
+        hertz(findings),
+        bars.collect::<String>(),
+        picture(
+            "pressure-cylinder.svg",
+            "Contact pressure on the cylinder by all nine formulations, and their difference to Hertz",
+        )
+    )
+}
+
+/// The nine on the cylinder.
+fn hertz(findings: &[Finding]) -> String {
+    let found = Findings(findings);
+    let worst = |quantity| found.error(cylinder::NINE, &quantity);
+    let [peak, width] = [worst(Quantity::PeakPressure), worst(Quantity::HalfWidth)];
+    if peak.is_nan() || width.is_nan() {
+        return " The nine formulations were not held against Hertz.".into();
+    }
+    format!(
+        " On the cylinder all nine formulations are within {} of Hertz in the peak p₀ and {} in the half-width a.",
+        markdown::error(peak),
+        markdown::error(width)
+    )
+}
+
+/// Counts of checks by kind, and what no measurement has seen.
+pub fn against(findings: &[Finding]) -> String {
+    let all: Vec<&Judged> = findings.iter().flat_map(|finding| &finding.judged).collect();
+    let own = |kind: ReferenceKind| all.iter().copied().filter(move |one| one.reference.kind == kind);
+    let mut kinds = SHOWS;
+    kinds.sort_by_key(|(kind, ..)| std::cmp::Reverse(own(*kind).count()));
+    let (largest, name, _) = kinds[0];
+    let share = own(largest).count() as f64 / all.len() as f64;
+    let most = if share > MOST { "Most" } else { "Many" };
+    let rows = kinds.map(|(kind, against, shows)| {
+        let [pass, fail, absent] = told::counts(own(kind)).map(|number| number.to_string());
+        vec![format!("{against} ({kind})"), shows.into(), own(kind).count().to_string(), pass, fail, absent]
+    });
+    let head = ["held against", "what it can show", "checks", "pass", "fail", "not run"].map(String::from);
+    format!(
+        "**{most} checks are held against {name}: {} of {} ({} %).** {} {}.\n\n{}",
+        own(largest).count(),
+        all.len(),
+        markdown::significant(100.0 * share, 2),
+        experiments(findings),
+        link("Each check", checks_page::FILE),
+        markdown::table(&head, &rows)
+    )
+}
+
+/// How many comparisons with measurements were judged, and of what kind.
+fn experiments(findings: &[Finding]) -> String {
+    let judged = |room: Room| {
+        findings.iter().any(|finding| finding.room == room && !matches!(finding.verdict(), Verdict::NotRun(_)))
+    };
+    let shape = if judged(Room::Photoelastic) {
+        "One shape-only comparison with a photograph"
+    } else {
+        "No photograph compared"
+    };
+    let judgements =
+        findings.iter().filter(|finding| finding.room == Room::Digitised).flat_map(|finding| &finding.judged);
+    let measured = judgements.filter(|judged| judged.reference.kind == ReferenceKind::Measured);
+    let calibrated = measured.filter(|judged| !matches!(judged.verdict, Verdict::NotRun(_))).count();
+    match calibrated {
+        0 => format!("**{shape}; no calibrated experiment yet.**"),
+        n => format!("**{shape}; calibrated curves compared: {n}.**"),
+    }
+}

@@ -1,0 +1,105 @@
+//! The paper's statements, the verdicts, what was never compared, and the index.
+
+use crate::case::Verdict;
+use crate::markdown;
+use crate::report::links::to_page as link;
+use crate::report::matrix::{self, Column};
+use crate::report::{case_page, checks_page, decisions, paper_page, statements, study_page, told};
+use crate::study::cases::page::page;
+use crate::study::{Finding, Numbers, Room};
+
+/// Judgement and one measured clause.
+pub fn statements(findings: &[Finding]) -> String {
+    let judged = statements::judge(findings);
+    let rows: Vec<Vec<String>> = judged
+        .iter()
+        .map(|one| vec![one.text.into(), format!("**{}**", one.judgement.brief()), one.clause.clone()])
+        .collect();
+    let mut counted: Vec<(String, usize)> = Vec::new();
+    for one in &judged {
+        let word = one.judgement.word();
+        match counted.iter_mut().find(|(other, _)| other == word) {
+            Some((_, count)) => *count += 1,
+            None => counted.push((word.into(), 1)),
+        }
+    }
+    let counted: Vec<String> = counted.iter().map(|(word, count)| format!("{count} {word}")).collect();
+    format!(
+        "Of {} statements: {}. {}.\n\n{}",
+        judged.len(),
+        counted.join(", "),
+        link("Measurements and conditions in full, misprints, decisions, sources", paper_page::FILE),
+        markdown::table(&["statement", "judgement", "measured"].map(String::from), &rows)
+    )
+}
+
+/// The matrix of the cases that all formulations solve, and the others in short.
+pub fn verdicts(findings: &[Finding], recommended: Option<Column>) -> String {
+    let first = if recommended.is_some() { ", the recommended formulation first" } else { "" };
+    format!(
+        "Iterations to convergence{first}; ✓ all checks of the run pass, ✗ some fail, ○ some could not be run, · reported only.\n\n{}\n\
+         Cases of one or some formulations, with their iterations: {}.\n",
+        matrix::verdict_matrix(findings, recommended, named),
+        matrix::other_cases(findings, named)
+    )
+}
+
+/// Name of a case with the link to its page.
+fn named(finding: &Finding) -> String {
+    let name = finding.case.trim_end_matches(".toml");
+    match &finding.numbers {
+        Numbers::Cases(numbers) => link(name, &case_page::file(&page(&numbers.case))),
+        _ => name.into(),
+    }
+}
+
+/// What could not be run, and what is out of scope.
+pub fn never_compared(findings: &[Finding]) -> String {
+    let mut absent: Vec<(String, usize)> = Vec::new();
+    for finding in findings {
+        for one in &finding.judged {
+            let Verdict::NotRun(why) = &one.verdict else { continue };
+            let told = format!("{} ({why})", link(&finding.case, &file(finding)));
+            match absent.iter_mut().find(|(other, _)| *other == told) {
+                Some((_, count)) => *count += 1,
+                None => absent.push((told, 1)),
+            }
+        }
+    }
+    let told =
+        |(what, count): &(String, usize)| if *count > 1 { format!("{what}, {count} checks") } else { what.clone() };
+    let absent = match &absent[..] {
+        [] => "Every check was run.".into(),
+        some => format!("Checks that could not be run: {}.", some.iter().map(told).collect::<Vec<_>>().join("; ")),
+    };
+    format!("{absent}\n\nOut of scope: {}.\n", decisions::NOT_COVERED.join("; "))
+}
+
+/// The page of a finding.
+fn file(finding: &Finding) -> String {
+    match &finding.numbers {
+        Numbers::Cases(numbers) => case_page::file(&page(&numbers.case)),
+        _ => study_page::file(finding.room),
+    }
+}
+
+/// Every page of a study, with its sign and number of checks.
+pub fn index(findings: &[Finding]) -> String {
+    let one = |room: &Room| {
+        let judged = study_page::of(*room, findings).flat_map(|finding| &finding.judged);
+        let [pass, fail, absent] = told::counts(judged);
+        let sign = match (fail, absent) {
+            (0, 0) => "✓",
+            (0, _) => "○",
+            _ => "✗",
+        };
+        format!("{sign} {} {}", link(room.about().title, &study_page::file(*room)), pass + fail + absent)
+    };
+    let rooms: Vec<String> = study_page::asked(findings).iter().map(one).collect();
+    format!(
+        "Studies, with their numbers of checks: {}.\n\nBesides: {} · {}. The README says how to read them and how to make them again.\n",
+        rooms.join(" · "),
+        link("all checks", checks_page::FILE),
+        link("the paper", paper_page::FILE)
+    )
+}

@@ -1,0 +1,81 @@
+//! What became of some checks, in a sentence.
+
+use crate::case::{Judged, Relation, Verdict};
+use crate::markdown;
+use crate::oracle::ReferenceKind;
+
+/// Kinds of references, the most independent first, and how a check by one is told.
+pub const KINDS: [(ReferenceKind, &str); 4] = [
+    (ReferenceKind::Measured, "against measurements"),
+    (ReferenceKind::Analytic, "against closed forms"),
+    (ReferenceKind::CrossCode, "against other codes"),
+    (ReferenceKind::SelfConsistency, "of the code against itself"),
+];
+
+/// Failures that are named; further ones are counted.
+const NAMED: usize = 3;
+
+/// Numbers of checks that passed, failed and were not run.
+pub fn counts<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> [usize; 3] {
+    let mut counts = [0; 3];
+    for one in judged {
+        counts[match one.verdict {
+            Verdict::Pass => 0,
+            Verdict::Fail => 1,
+            Verdict::NotRun(_) => 2,
+        }] += 1;
+    }
+    counts
+}
+
+/// The sentence.
+pub fn of(judged: &[&Judged]) -> String {
+    let [pass, fail, absent] = counts(judged.iter().copied());
+    let own = |kind: ReferenceKind| judged.iter().filter(|one| one.reference.kind == kind).count();
+    let kinds = KINDS.iter().map(|(kind, told)| (own(*kind), told)).filter(|(number, _)| *number > 0);
+    let kinds: Vec<String> = kinds.map(|(number, told)| format!("{number} {told}")).collect();
+    let verdict = match (fail, absent) {
+        _ if judged.is_empty() => return "**Nothing was checked.**".into(),
+        (0, 0) => format!("✓ **All {pass} checks pass**"),
+        (0, _) => format!("○ **{pass} checks pass, none fails, {absent} could not be run**"),
+        _ => format!("✗ **{fail} of {} checks fail**", judged.len()),
+    };
+    let closest = closest(judged).map_or(String::new(), |told| format!(" Closest to its limit: {told}."));
+    format!("{verdict}: {}.{}{closest}", kinds.join(", "), failures(judged))
+}
+
+/// The first failures by name, and how many more there are.
+pub fn failures(judged: &[&Judged]) -> String {
+    let failed: Vec<&&Judged> = judged.iter().filter(|one| one.verdict == Verdict::Fail).collect();
+    let named: Vec<String> =
+        failed.iter().take(NAMED).map(|one| format!("{} (error {})", one.requirement(), error(one))).collect();
+    match failed.len() {
+        0 => String::new(),
+        number if number <= NAMED => format!(" ✗ {}.", named.join("; ")),
+        number => format!(" ✗ {}; and {} more.", named.join("; "), number - NAMED),
+    }
+}
+
+/// The passed check that is closest to its tolerance, with its error.
+pub fn closest(judged: &[&Judged]) -> Option<String> {
+    let passed = judged.iter().filter(|one| one.verdict == Verdict::Pass && one.error > 0.0);
+    let bounded = passed.filter(|one| one.check.tolerance > 0.0);
+    let worst = bounded.max_by(|a, b| a.share_of_tolerance().total_cmp(&b.share_of_tolerance()))?;
+    let bound = markdown::tolerance(worst.check.tolerance);
+    Some(format!("{}, {} of {bound} allowed", worst.check.quantity, error(worst)))
+}
+
+/// The error of a check: relative ones in per cent, others in the unit of the quantity.
+pub fn error(one: &Judged) -> String {
+    in_unit(one, one.error)
+}
+
+/// An error, or a bar, in the terms of a check.
+pub fn in_unit(one: &Judged, error: f64) -> String {
+    let relative = matches!(one.check.relation, Relation::Near | Relation::Error);
+    if relative || error.abs() < 1e-4 || !error.is_finite() {
+        markdown::error(error)
+    } else {
+        markdown::significant(error, 2)
+    }
+}

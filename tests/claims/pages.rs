@@ -1,0 +1,216 @@
+//! The report: a short front page, pages behind it that links reach, every check on one of them, and sentences that follow the numbers.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use contact_vv::case::{Check, Judged, Reference, Verdict, library};
+use contact_vv::oracle::ReferenceKind;
+use contact_vv::report::diff::written;
+use contact_vv::report::front::{self, against, right};
+use contact_vv::report::links::PAGES;
+use contact_vv::report::{Page, case_page, checks, difference, files, links, study_page, symbols, write};
+use contact_vv::study::cases::page::page;
+use contact_vv::study::{Finding, Room};
+
+/// Most lines of the front page.
+const LINES: usize = 220;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf()
+}
+
+fn text(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The front page and every page behind it.
+fn all_pages() -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(root().join(PAGES)).expect("pages are committed");
+    let mut pages: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    pages.push(root().join(files::PAGE));
+    pages.sort();
+    pages
+}
+
+/// Files that a page links or shows.
+fn targets(page: &Path) -> Vec<PathBuf> {
+    let text = text(page);
+    let after = |begin: &str, end: char| {
+        let parts =
+            text.split(begin).skip(1).filter_map(|part| part.split_once(end)).map(|(target, _)| target.to_string());
+        parts.collect::<Vec<_>>()
+    };
+    let all = [after("](", ')'), after("src=\"", '"'), after("srcset=\"", '"'), after("href=\"", '"')].concat();
+    let folder = page.parent().expect("a page is in a folder");
+    all.iter().filter(|target| !target.starts_with("http")).map(|target| folder.join(target)).collect()
+}
+
+/// A passed run of a small case.
+fn small() -> Finding {
+    let trial =
+        Room::Cases.plan().into_iter().find(|trial| trial.case == "bars, u/g = 3" && trial.name == "node.kinematic");
+    trial.expect("bars are in the library").run().expect("solved")
+}
+
+fn marker(name: &'static str) -> Judged {
+    Check::at_most(name, Reference::own("none", 1.0), "a reason").judge(0.5)
+}
+
+#[test]
+fn front_page_is_short() {
+    let lines = text(&root().join(files::PAGE)).lines().count();
+    assert!(lines <= LINES, "{lines} lines");
+}
+
+#[test]
+fn every_link_and_picture_of_a_page_resolves() {
+    for page in all_pages() {
+        for target in targets(&page) {
+            assert!(target.exists(), "{}: no {}", page.display(), target.display());
+        }
+    }
+}
+
+#[test]
+fn every_page_is_reached_from_the_front_page() {
+    let mut reached = BTreeSet::new();
+    let mut ahead = vec![root().join(files::PAGE)];
+    while let Some(page) = ahead.pop() {
+        let page = page.canonicalize().expect("links resolve");
+        if page.extension().is_some_and(|extension| extension == "md") && reached.insert(page.clone()) {
+            ahead.extend(targets(&page));
+        }
+    }
+    let sheets = std::fs::read_dir(root().join("snapshots/sheets")).expect("sheets are committed");
+    for page in all_pages().into_iter().chain(sheets.flatten().map(|entry| entry.path())) {
+        assert!(reached.contains(&page.canonicalize().expect("it was listed")), "nothing links {}", page.display());
+    }
+}
+
+#[test]
+fn every_study_and_every_case_has_a_page() {
+    let exists = |file: String| assert!(root().join(PAGES).join(&file).is_file(), "no page {file}");
+    Room::ALL.iter().for_each(|room| exists(study_page::file(*room)));
+    library::all().iter().for_each(|case| exists(case_page::file(&page(case))));
+    let scenes = std::fs::read_dir(root().join("tests/cases")).expect("scene files");
+    let names = scenes.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
+    names.filter(|name| name.ends_with(".toml")).for_each(|name| exists(case_page::file(&name.replace('.', "-"))));
+}
+
+#[test]
+fn symbols_are_defined_at_the_head_of_the_page_that_uses_them() {
+    for page in all_pages() {
+        let text = text(&page);
+        let head = text.split("\n## ").next().expect("a page has a head");
+        for symbol in &symbols::SYMBOLS {
+            let used = symbol.marks.iter().any(|mark| text.contains(mark));
+            assert!(
+                !used || head.contains(symbol.definition),
+                "{}: {} is not defined",
+                page.display(),
+                symbol.definition
+            );
+        }
+    }
+}
+
+#[test]
+fn every_check_of_any_study_is_on_its_page() {
+    let sound = small();
+    let judged = vec![marker("fault seen by one"), marker("fault seen by another"), {
+        let one = marker("fault of every run");
+        Judged { check: one.check.clone().universal(), ..one }
+    }];
+    for room in Room::ALL {
+        let finding = Finding { room: *room, judged: judged.clone(), ..sound.clone() };
+        let findings = [finding];
+        let text = match room {
+            Room::Cases => case_page::page(&case_page::shared(&findings)[0], false),
+            _ => study_page::tables(*room, &findings),
+        };
+        for one in &judged {
+            let name = one.check.quantity.name();
+            assert!(text.to_lowercase().contains(name), "{}: {name} is missing:\n{text}", room.name());
+        }
+    }
+}
+
+#[test]
+fn first_sentence_follows_the_verdicts() {
+    let sound = small();
+    assert!(right(std::slice::from_ref(&sound)).starts_with("**No check fails**"));
+    let mut spoiled = sound.clone();
+    spoiled.judged[0].verdict = Verdict::Fail;
+    let said = right(&[sound.clone(), spoiled]);
+    assert!(said.starts_with(&format!("**✗ 1 of {} checks fail**", 2 * sound.judged.len())), "{said}");
+    assert!(said.contains(&sound.judged[0].requirement()), "{said}");
+    let mut absent = sound.clone();
+    absent.judged[0].verdict = Verdict::NotRun("no figures".into());
+    assert!(right(&[absent]).contains("1 could not be run"));
+    assert!(right(&[]).starts_with("**Nothing was checked.**"));
+}
+
+#[test]
+fn what_most_checks_are_held_against_follows_their_kinds() {
+    let mut finding = small();
+    assert!(against(std::slice::from_ref(&finding)).starts_with("**Most checks are held against the code itself"));
+    finding.judged.iter_mut().for_each(|one| one.reference.kind = ReferenceKind::CrossCode);
+    assert!(against(&[finding]).starts_with("**Most checks are held against other codes"));
+}
+
+#[test]
+fn page_of_a_case_follows_its_verdicts_and_outcome() {
+    let mut finding = small();
+    let page = |finding: &Finding| case_page::page(&case_page::shared(std::slice::from_ref(finding))[0], false);
+    let sound = page(&finding);
+    assert!(sound.contains("✓ **All") && sound.contains("## Input") | sound.contains("## Scene"), "{sound}");
+    finding.judged[0].verdict = Verdict::Fail;
+    let spoiled = page(&finding);
+    assert!(spoiled.contains("✗ **1 of"), "{spoiled}");
+    let front = front::page(&[finding]);
+    assert!(front.contains("✗ [bars"), "{front}");
+}
+
+#[test]
+fn requirement_is_stated_once_and_its_trials_stand_below_it() {
+    let near = |value: f64| Check::near("width", Reference::analytic("Hertz", 2.0), 0.1, "a reason").judge(value);
+    let [same, other] = [near(2.01), near(2.02)];
+    let text = checks::of(&[("first", std::slice::from_ref(&same)), ("second", std::slice::from_ref(&other))]);
+    assert_eq!(text.matches("Width shall agree with Hertz within 10 %").count(), 1, "{text}");
+    assert_eq!(text.matches("a reason").count(), 1, "{text}");
+    assert!(text.contains("| first | 2.01000 |") && text.contains("| second | 2.02000 |"), "{text}");
+    let text = checks::of(&[("first", std::slice::from_ref(&same)), ("second", std::slice::from_ref(&same))]);
+    assert!(text.contains("all 2 trials"), "{text}");
+}
+
+#[test]
+fn links_of_a_study_lead_from_the_folder_of_pages_where_they_led_from_the_root() {
+    let text = "![a](snapshots/charts/a.svg) <img src=\"snapshots/charts/a.svg\"> `snapshots/timings` [b](case-b.md)";
+    let moved = "![a](../charts/a.svg) <img src=\"../charts/a.svg\"> `snapshots/timings` [b](case-b.md)";
+    assert_eq!(links::from_pages(text), moved);
+}
+
+#[test]
+fn pages_are_written_compared_and_removed_as_a_folder() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| (name.to_string(), "text\n".to_string());
+    let of = |pages: &[&str]| Page {
+        markdown: "front\n".into(),
+        pages: pages.iter().map(|name| file(name)).collect(),
+        charts: vec![file("a.svg")],
+        sheets: vec![file("s.md")],
+        record: Vec::new(),
+    };
+    let (before, after) = (of(&["one.md", "two.md"]), of(&["one.md"]));
+    let told = |page: &Page| {
+        difference(page, folder.path()).expect("compared").map(|difference| difference.text(written::LINES))
+    };
+    write(&before, folder.path()).expect("written");
+    assert_eq!(told(&before), None);
+    assert!(told(&after).expect("a page less").contains("two.md"));
+    write(&after, folder.path()).expect("written");
+    assert!(!folder.path().join(PAGES).join("two.md").exists());
+    assert_eq!(told(&after), None);
+    std::fs::write(folder.path().join(PAGES).join("one.md"), "other\n").expect("written");
+    assert!(told(&after).expect("another text").contains("one.md"));
+}
