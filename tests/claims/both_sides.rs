@@ -346,8 +346,8 @@ fn pressure_at_the_ends_of_the_candidates_is_that_of_the_outermost_points() {
     let error = |place: &str| {
         checks.iter().find(|check| check.check.quantity.to_string().contains(place)).expect("a check").error
     };
-    assert_relative_eq!(error("s = -10.0"), (first.pressure - 60.0).abs() / 60.0, max_relative = 1e-9);
-    assert_relative_eq!(error("s = 10.0"), (last.pressure - 140.0).abs() / 140.0, max_relative = 1e-9);
+    assert_relative_eq!(error("s = -10 mm"), (first.pressure - 60.0).abs() / 60.0, max_relative = 1e-9);
+    assert_relative_eq!(error("s = 10 mm"), (last.pressure - 140.0).abs() / 140.0, max_relative = 1e-9);
 }
 
 #[test]

@@ -398,7 +398,7 @@ const MISTAKES: &[Mistake] = &[
         "press-fit",
         "gap = { uniform = -0.02 }",
         "gap = { circle = 40 }",
-        ["gap = ", "cannot be used on the path", "or a `hole`"],
+        ["gap = ", "cannot be used on the path", "a `hole` or a `pin`"],
     ),
     (
         "press-fit",
