@@ -1,10 +1,8 @@
 //! The same scene on coarser meshes of the same family.
 
-use std::sync::Arc;
-
+use crate::mesh::Resolution;
 use crate::mesh::size::expected;
-use crate::mesh::{Order, Resolution};
-use crate::scene::{BlockShape, GivenMesh, Scene, Shape};
+use crate::scene::{BlockShape, Scene, Shape};
 
 /// Element sizes over those of the mesh: whole numbers of candidates make them uneven, which is welcome: an end of the contact
 /// lies at another place of its element on each. With rounder ratios those numbers would hang on round-off.
@@ -14,52 +12,18 @@ pub const CLOSE: [f64; 4] = [1.59, 1.99, 2.51, 3.17];
 /// Cells of a small mesh.
 const SMALL: f64 = 2e3;
 
-/// The coarser meshes, from the finest on.
+/// The coarser meshes, from the finest on; none where a mesh made elsewhere was not halved.
 ///
-/// Growth and coarsest element follow the elements of the contact, as they do in refinement; blocks have fewer elements. A mesh
-/// made elsewhere has those that it was halved from, here or elsewhere.
+/// Growth and coarsest element follow the elements of the contact, as they do in refinement; blocks have fewer elements; a mesh
+/// made elsewhere has only those that it was halved from.
 pub fn coarser(scene: &Scene, resolution: Resolution) -> Vec<(Scene, Resolution)> {
     if scene.bodies.iter().any(|body| matches!(body.shape, Shape::Given(_))) {
-        return of_given(scene, resolution);
+        let halved = (0..resolution.refinement).rev().take(RATIOS.len());
+        return halved.map(|refinement| (scene.clone(), Resolution { refinement, ..resolution })).collect();
     }
     let [cells, _] = expected(scene, resolution);
     let ratios = if cells < SMALL { CLOSE } else { RATIOS };
     ratios.into_iter().map(|ratio| (by(scene, resolution, ratio), resolution)).collect()
-}
-
-/// Those of a scene with a mesh made elsewhere. Where nothing was halved, cells without the nodes on their sides; where they have
-/// none and are few, the mesh halved: a finer one tells as much.
-fn of_given(scene: &Scene, resolution: Resolution) -> Vec<(Scene, Resolution)> {
-    let halved =
-        (0..resolution.refinement).rev().map(|refinement| (scene.clone(), Resolution { refinement, ..resolution }));
-    let once = Resolution { refinement: 0, ..resolution };
-    let merged = std::iter::successors(merged(scene, once), |scene| merged(scene, once)).map(|scene| (scene, once));
-    let all: Vec<_> = halved.chain(merged).take(RATIOS.len()).collect();
-    if !all.is_empty() {
-        return all;
-    }
-    if let Some(scene) = with_given(scene, GivenMesh::without_sides) {
-        return vec![(scene, Resolution { order: Order::Linear, ..resolution })];
-    }
-    let [cells, _] = expected(scene, resolution);
-    let finer = Resolution { refinement: resolution.refinement + 1, ..resolution };
-    if cells < SMALL { vec![(scene.clone(), finer)] } else { Vec::new() }
-}
-
-/// The scene whose meshes are halved to those of this one.
-fn merged(scene: &Scene, resolution: Resolution) -> Option<Scene> {
-    Some(by(&with_given(scene, GivenMesh::merged)?, resolution, 2.0))
-}
-
-/// The scene with other meshes in place of those made elsewhere; none where one of them has no other.
-fn with_given(scene: &Scene, other: impl Fn(&GivenMesh) -> Option<GivenMesh>) -> Option<Scene> {
-    let mut scene = scene.clone();
-    for body in &mut scene.bodies {
-        if let Shape::Given(mesh) = &mut body.shape {
-            *mesh = Arc::new(other(mesh)?);
-        }
-    }
-    Some(scene)
 }
 
 /// The scene with elements larger by a ratio.

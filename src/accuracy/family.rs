@@ -18,7 +18,7 @@ const FEWEST: (usize, f64) = (2, 2.4);
 const TOLERANCE: f64 = 1e-9;
 /// Factor on the distance between two readings of a peak.
 const READINGS: f64 = 1.8;
-/// Elements are larger on a coarser mesh than by this factor, or smaller on a finer one, or it tells nothing.
+/// Elements are larger on a coarser mesh than by this factor, or it is none.
 const LARGER: f64 = 1.1;
 
 /// The coarser meshes of a run.
@@ -28,7 +28,7 @@ pub struct Family {
     order: Order,
     /// Mean candidate element of each contact.
     pub(super) sizes: Vec<f64>,
-    cells: f64,
+    cells: usize,
     /// Whether a body is one element deep below a contact, which no coarser mesh tells from a finer one.
     shallow: bool,
     coarse: Vec<Coarse>,
@@ -38,7 +38,7 @@ pub struct Family {
 struct Coarse {
     /// Mean candidate element of each contact.
     sizes: Vec<f64>,
-    cells: f64,
+    cells: usize,
     dofs: usize,
     readings: Vec<Reading>,
 }
@@ -50,17 +50,17 @@ impl Family {
         let Formulation { element, layer_thickness, settings, .. } = *formulation;
         let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), ..Settings::default() };
         let formulation = Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) };
-        let own = discretisation.resolution.order;
         let coarse = coarser(&discretisation.scene, discretisation.resolution).into_par_iter();
         // A mesh too coarse to hold the contact says nothing.
         let said = |(scene, resolution)| {
             let coarse = Discretisation::of(scene, resolution).ok()?;
             let run = Run::of(&coarse, &formulation).ok()?;
-            said(&coarse, &run, wanted, own)
+            said(&coarse, &run, wanted)
         };
         let coarse = coarse.filter_map(said).collect();
-        let (sizes, cells) = (sizes(discretisation), cells(discretisation));
-        Self { formulation, order: own, sizes, cells, shallow: is_shallow(discretisation), coarse }
+        let (sizes, cells) = (sizes(discretisation), discretisation.mesh.cells());
+        let order = discretisation.resolution.order;
+        Self { formulation, order, sizes, cells, shallow: is_shallow(discretisation), coarse }
     }
 
     /// How many of them tell something.
@@ -87,15 +87,15 @@ impl Family {
         let along = |other: &Coarse| other.sizes[contact] / self.sizes[contact];
         // Where all of the mesh counts alike, and not the elements at the end of a contact, cells tell how much coarser it is:
         // one that has one element across a ring has no coarser neighbours in that direction.
-        let of_cells = |other: &Coarse| (self.cells / other.cells).sqrt();
+        let of_cells = |other: &Coarse| (self.cells as f64 / other.cells as f64).sqrt();
         let ratio = |other: &Coarse| match counted.hidden > 0.0 && !ends_at_candidates {
             true => along(other),
             false => along(other).min(of_cells(other)),
         };
         let apart = |other: &Coarse| {
-            (discrete - value_of(&other.readings, subject)).abs() / (ratio(other).powf(counted.exponent) - 1.0).abs()
+            (discrete - value_of(&other.readings, subject)).abs() / (ratio(other).powf(counted.exponent) - 1.0)
         };
-        let coarser = self.coarse.iter().filter(|other| ratio(other) > LARGER || ratio(other) < 1.0 / LARGER);
+        let coarser = self.coarse.iter().filter(|other| ratio(other) > LARGER);
         // Where a coarser contact has other stretches, there is nothing to compare.
         let known: Vec<f64> = coarser.map(apart).filter(|apart| apart.is_finite()).collect();
         let (fewest, alone) = FEWEST;
@@ -124,22 +124,14 @@ impl Family {
     }
 }
 
-/// What a converged run on a coarser mesh says of one with cells of some order: a cell without nodes on its sides is as coarse as
-/// one of twice its size.
-fn said(coarse: &Discretisation, run: &Run, wanted: Option<&[Displaced]>, order: Order) -> Option<Coarse> {
+/// What a converged run on a coarser mesh says.
+fn said(coarse: &Discretisation, run: &Run, wanted: Option<&[Displaced]>) -> Option<Coarse> {
     let mut readings = of_discrete(coarse, run, 1);
     if let Some(wanted) = wanted {
         readings.extend(recovered(coarse, run, wanted).ok()?.readings);
     }
-    let larger = if coarse.resolution.order == order { 1.0 } else { 2.0 };
-    let sizes = sizes(coarse).into_iter().map(|size| larger * size).collect();
-    let cells = cells(coarse) / (larger * larger);
-    run.solution.converged().then_some(Coarse { sizes, cells, dofs: run.dofs, readings })
-}
-
-/// How many cells a mesh has.
-fn cells(discretisation: &Discretisation) -> f64 {
-    discretisation.mesh.cells() as f64
+    let (cells, dofs) = (coarse.mesh.cells(), run.dofs);
+    run.solution.converged().then(|| Coarse { sizes: sizes(coarse), cells, dofs, readings })
 }
 
 /// Whether a body has no more cells than candidate edges of one of its contacts.

@@ -60,7 +60,7 @@ pub fn print(found: &Found) {
     say(table);
     if *meshes == 0 {
         say(
-            "the mesh's part is unknown: no coarser mesh of this scene holds the contact, or a body is one element deep; give more elements; halve a mesh made elsewhere, by `--accuracy` or where it is made, or give it cells of 8 nodes",
+            "the mesh's part is unknown: no coarser mesh of this scene holds the contact, or a body is one element deep; give more elements, or for a mesh made elsewhere `--accuracy`, which halves it",
         );
     }
 }

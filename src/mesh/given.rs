@@ -96,7 +96,7 @@ impl GivenMesh {
 }
 
 /// Point at the fraction `t` of a side of a cell: of an arc about a centre, of the parabola through its middle, of a line.
-pub(super) fn on_side([a, b]: [Point; 2], middle: Option<Point>, centre: Option<Point>, t: f64) -> Point {
+fn on_side([a, b]: [Point; 2], middle: Option<Point>, centre: Option<Point>, t: f64) -> Point {
     match (centre, middle) {
         _ if t <= 0.0 => a,
         _ if t >= 1.0 => b,

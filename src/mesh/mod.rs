@@ -6,7 +6,7 @@
 //! * [`block`] — transfinite interpolation inside four sides.
 //! * `outline` — from the scene's shapes to blocks.
 //! * `merge` — from blocks to nodes and cells.
-//! * `given` — meshes made elsewhere, and their halving; `merged` — the meshes that they were halved from.
+//! * `given` — meshes made elsewhere, and their halving.
 //! * `sound` — whether given meshes hang together.
 //! * [`candidates`] — the contact nodes with their normals.
 //! * [`order`] — element order.
@@ -36,7 +36,6 @@ pub mod variant;
 
 mod given;
 mod merge;
-mod merged;
 mod outline;
 mod sound;
 

@@ -35,7 +35,6 @@ mod fast_paths;
 mod faults;
 mod figures;
 mod formulation;
-mod given_bars;
 mod gmsh;
 mod growth;
 mod halved;

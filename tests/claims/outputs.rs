@@ -242,7 +242,9 @@ fn error_bars_are_told_in_the_table_and_in_the_document_unless_they_are_not_want
 }
 
 #[test]
-fn peak_without_a_limit_has_no_bar() {
+fn bar_of_a_peak_without_a_limit_and_of_a_mesh_made_elsewhere_is_unknown() {
     let (_, table, _) = contact_vv(&["solve", &scene("flat-punch")]);
     assert!(table.lines().any(|line| line.contains("peak-pressure") && line.contains("without limit")), "{table}");
+    let (_, table, _) = contact_vv(&["solve", &scene("rings-from-gmsh")]);
+    assert!(table.contains("± unknown") && table.contains("`--accuracy`"), "{table}");
 }

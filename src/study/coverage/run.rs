@@ -134,17 +134,12 @@ fn size(sample: &Sample, subject: &Subject, value: f64) -> f64 {
 /// All numbers of a scene whose truth is known.
 pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
     let sample = site.sample()?;
-    of_setup(site, &sample, Setup::of(site, &sample))
-}
-
-/// Those on some mesh by some formulation.
-pub fn of_setup(site: &Site, sample: &Sample, setup: Setup) -> Result<Vec<Record>, Error> {
-    let Setup { scene, resolution, formulation, per } = setup;
+    let Setup { scene, resolution, formulation, per } = Setup::of(site, &sample);
     let discretisation = Discretisation::of(scene, resolution)?;
     let run = Run::of(&discretisation, &formulation)?;
     let bars = bars(&discretisation, &run, &sample.displaced())?;
     let record = |truth: &Truth| {
-        let size = size(sample, &truth.subject, truth.value);
+        let size = size(&sample, &truth.subject, truth.value);
         let found = bars.all.iter().find(|one| one.subject == truth.subject && run.solution.converged());
         let [error, bar] = found.map_or([f64::NAN; 2], |one| [(one.value - truth.value).abs(), one.bar.total()]);
         Record {
