@@ -11,7 +11,7 @@ pub struct Symbol {
 /// All symbols of the pages.
 pub const SYMBOLS: [Symbol; 17] = [
     Symbol {
-        definition: "κ₀ = k₀ ℓ/E*: initial stiffness k₀ of the contact springs per area, made a pure number by the length ℓ of the scene \
+        definition: "κ₀ = k ℓ/E*: initial stiffness k of the contact springs per area, made a pure number by the length ℓ of the scene \
                      (Hertz's half-width, or the radius of the pin) and the contact modulus E* (1/E* = Σ (1−ν²)/E in plane strain, Σ 1/E in \
                      plane stress)",
         marks: &["κ₀"],

@@ -9,8 +9,8 @@ use crate::study::{Finding, Found, Numbers, Room};
 
 /// The chart, and what it shows.
 const CHART: [&str; 2] = [
-    "precision-truncated-8-node-seconds.svg",
-    "Truncated Hertz, 8-node cells: error against seconds, other codes beside ours",
+    "work-precision.svg",
+    "Truncated Hertz: error of peak and half-width against seconds and work, the worst of the loads, other codes beside ours",
 ];
 
 /// The conclusion of the recorded timings; says so where there are none.
