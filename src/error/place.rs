@@ -22,10 +22,10 @@ pub enum Place {
     },
     /// A load of a body.
     Load {
-        /// Index of the body.
-        body: usize,
+        /// Index of the body; short, since every result carries room for an error.
+        body: u32,
         /// Index of the load in the body.
-        load: usize,
+        load: u32,
         /// Name of the body, with that of the scene.
         name: Box<str>,
     },

@@ -138,7 +138,11 @@ impl Scene {
 
     /// A load of a body, as errors name it.
     pub fn place_of_load(&self, body: usize, load: usize) -> error::Place {
-        error::Place::Load { body, load, name: format!("{}, body `{}`", self.name, self.bodies[body].name).into() }
+        error::Place::Load {
+            body: body as u32,
+            load: load as u32,
+            name: format!("{}, body `{}`", self.name, self.bodies[body].name).into(),
+        }
     }
 
     /// A contact, as errors name it: by its bodies, and by its own name where there are several.

@@ -67,7 +67,7 @@ impl Places {
     fn of(&self, place: &Place) -> Option<Range<usize>> {
         match place {
             Place::Body { body, .. } => self.bodies.get(*body).cloned(),
-            Place::Load { body, load, .. } => self.loads.get(*body)?.get(*load).cloned(),
+            Place::Load { body, load, .. } => self.loads.get(*body as usize)?.get(*load as usize).cloned(),
             Place::Contact { contact, part, .. } => self.contacts.get(*contact)?.part(*part),
             Place::Solve(_) => Some(self.solve.clone()),
             Place::Stiffness(_) => Some(self.stiffness.clone()),

@@ -87,7 +87,7 @@ pub fn change(before: &str, after: &str) -> Change {
                         look if LOOKS.contains(&look) => true,
                         colour if COLOURS.contains(&colour) => {
                             let Some(now) = other.get(key) else { return false };
-                            *known[side].entry(value.to_string()).or_insert_with(|| now.to_string()) == now.to_string()
+                            *known[side].entry(value.to_string()).or_insert_with(|| now.to_string()) == **now
                         }
                         _ => other.get(key) == Some(value),
                     })

@@ -49,7 +49,7 @@ fn renamed(pairs: &[Pair]) -> Option<Told> {
         let changed = parts.filter(|(_, (old, new))| old != new).map(|(part, (old, new))| (part, old, new)).collect();
         *groups.entry(changed).or_default() += 1;
     }
-    let mut groups: Vec<(Vec<(usize, &str, &str)>, usize)> = groups.into_iter().collect();
+    let mut groups: Vec<_> = groups.into_iter().collect();
     groups.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
     let rows = groups.iter().map(|(changed, count)| {
         let parts = changed.iter().map(|(part, old, new)| format!("{} `{old}` → `{new}`", CheckRow::KEY[*part]));

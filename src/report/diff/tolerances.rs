@@ -39,7 +39,9 @@ fn is_loosened(pair: &Pair) -> bool {
     if pair.before.relation != pair.after.relation {
         return true;
     }
-    if lower { !(new >= old) } else { !(new <= old) }
+    // NaN is looser.
+    let kept = if lower { new >= old } else { new <= old };
+    !kept
 }
 
 /// How much wider, whichever way.
