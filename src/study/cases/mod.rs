@@ -3,7 +3,7 @@
 //! * `plan` — built-in cases and scene files; formulations of a case share one mesh.
 //! * `run` — a run with its judged checks.
 //! * `section` — what each case is, and the numbers of its runs.
-//! * [`page`] — which page shows a case, and with which pictures.
+//! * `page` — which page shows a case, and with which pictures.
 //! * `picture` — pressure of all nine against the reference.
 
 pub mod page;

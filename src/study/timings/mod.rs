@@ -16,7 +16,7 @@
 //! * `bar_cost` — what error bars cost, `bar_cost_section` — its part of the page.
 //! * `targets` — what was asked for, and what was measured.
 //! * `judge` — whether errors and counts are still the recorded ones.
-//! * `section` — what each accuracy costs; [`conclusion`] — the same in sentences.
+//! * `section` — what each accuracy costs; `conclusion` — the same in sentences.
 //! * `growth_section` — how the cost grows, and where the time goes.
 //! * `picture` — all charts; `work_precision`, `precision_detail` — error against seconds and work.
 //! * `growth_picture` — seconds by stage and memory against the degrees of freedom.
