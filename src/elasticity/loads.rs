@@ -112,7 +112,7 @@ fn integrate_edge(
 }
 
 fn body_force(scene: &Scene, mesh: &Mesh, body: usize, density: [f64; 2], take: Taker) -> Result<(), Error> {
-    let rule = quadrature::gauss_square(3);
+    let rule = quadrature::gauss_square((usize::from(mesh.order.number()) + 1).max(3));
     for cell in mesh.bodies[body].cells.clone() {
         let nodes = mesh.cell(cell);
         let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();

@@ -51,7 +51,7 @@ impl Discretisation {
         [contact, body]: [usize; 2],
     ) -> Result<Option<Shear>, Error> {
         let below = Below::of(self, measures, [contact, body])?;
-        let nodes = shape_functions::NODES.len().min(self.mesh.order.nodes_per_cell());
+        let nodes = self.mesh.order.nodes_per_cell();
         let grid = grid(nodes);
         let (mut samples, mut best) = (Vec::new(), None);
         let mut most = f64::NEG_INFINITY;
