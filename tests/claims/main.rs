@@ -25,6 +25,7 @@ mod cross_code;
 mod cures;
 mod digitised;
 mod digitised_curves;
+mod edge_fitted;
 mod elasticity;
 mod errors;
 mod fast_paths;
