@@ -38,20 +38,18 @@ impl Counted {
         let means = if order == Order::Linear { [1.5, 2.4, 0.0, 0.0] } else { [1.5, 4.0, 0.0, 0.0] };
         let [exponent, factor, hidden, power] = match (quantity, order) {
             (Quantity::PeakPressure | Quantity::PeakPlace, Order::Linear) if ends_at_candidates => [1.5, 2.0, 0.4, 2.0],
-            (Quantity::PeakPressure | Quantity::PeakPlace, Order::Quadratic) if ends_at_candidates => {
-                [1.5, 4.0, 0.0, 2.0]
-            }
+            (Quantity::PeakPressure | Quantity::PeakPlace, _) if ends_at_candidates => [1.5, 4.0, 0.0, 2.0],
             (Quantity::PeakPressure | Quantity::PeakPlace, Order::Linear) if is_node => [1.5, 0.65, 0.05, 2.0],
             (Quantity::PeakPressure | Quantity::PeakPlace, Order::Linear) => [1.0, 0.45, 0.15, 2.0],
-            (Quantity::PeakPressure | Quantity::PeakPlace, Order::Quadratic) if is_node => [1.5, 0.3, 0.02, 2.0],
-            (Quantity::PeakPressure | Quantity::PeakPlace, Order::Quadratic) => [1.0, 0.9, 0.2, 2.0],
+            (Quantity::PeakPressure | Quantity::PeakPlace, _) if is_node => [1.5, 0.3, 0.02, 2.0],
+            (Quantity::PeakPressure | Quantity::PeakPlace, _) => [1.0, 0.9, 0.2, 2.0],
             (Quantity::Begin(_) | Quantity::End(_), Order::Linear) if is_node => [2.5, 0.75, 0.2, 1.0],
             (Quantity::Begin(_) | Quantity::End(_), Order::Linear) => [2.5, 2.6, 0.6, 1.0],
-            (Quantity::Begin(_) | Quantity::End(_), Order::Quadratic) if is_node => [3.0, 3.5, 0.6, 2.0],
-            (Quantity::Begin(_) | Quantity::End(_), Order::Quadratic) => [2.5, 1.4, 0.17, 1.0],
+            (Quantity::Begin(_) | Quantity::End(_), _) if is_node => [3.0, 3.5, 0.6, 2.0],
+            (Quantity::Begin(_) | Quantity::End(_), _) => [2.5, 1.4, 0.17, 1.0],
             (Quantity::HalfWidth | Quantity::Centre | Quantity::Moment, _) if ends_at_candidates => means,
             (Quantity::HalfWidth | Quantity::Centre | Quantity::Moment, Order::Linear) => [1.5, 0.9, 0.2, 2.0],
-            (Quantity::HalfWidth | Quantity::Centre | Quantity::Moment, Order::Quadratic) => [2.0, 0.8, 0.07, 2.0],
+            (Quantity::HalfWidth | Quantity::Centre | Quantity::Moment, _) => [2.0, 0.8, 0.07, 2.0],
             (Quantity::Resultant, _) => means,
         };
         Self { exponent, factor, hidden, power }
@@ -61,10 +59,10 @@ impl Counted {
     fn below_the_surface(subject: &Subject, order: Order) -> Self {
         let [exponent, factor] = match (subject, order) {
             (Subject::Shear(..), Order::Linear) => [1.5, 2.0],
-            (Subject::Shear(..), Order::Quadratic) => [1.5, 2.4],
+            (Subject::Shear(..), _) => [1.5, 2.4],
             (Subject::ShearDepth(..), _) => [1.5, 0.4],
             (_, Order::Linear) => [1.5, 1.5],
-            (_, Order::Quadratic) => [2.0, 2.4],
+            (_, _) => [2.0, 2.4],
         };
         Self { exponent, factor, hidden: 0.0, power: 0.0 }
     }

@@ -52,6 +52,12 @@ impl Exact {
         let all = vec![true; problem.points.len()];
         search.from(start.to_vec()).or_else(|| search.from(all))
     }
+
+    /// Equilibrium with a set of points closed, whatever sign their pressures have; none where it leaves a body free.
+    pub fn bilateral(problem: &ContactProblem, closed: &[bool]) -> Option<Iterate> {
+        let holding = holding(problem, Law::Rigid);
+        Search { problem, load: problem.load, law: Law::Rigid, holding, seen: Vec::new() }.solved(closed)
+    }
 }
 
 /// Springs of closed points [MPa/mm].

@@ -18,10 +18,10 @@ use vtkio::model::{
     Attribute, Attributes, ByteOrder, CellType, Cells, DataSet, UnstructuredGridPiece, Version, VertexNumbers, Vtk,
 };
 
-use crate::elasticity::stress;
+use crate::elasticity::{shape_functions, stress};
 use crate::error::Error;
 use crate::measure::profile;
-use crate::mesh::Order;
+use crate::mesh::{Mesh, Order};
 use crate::solution::PointState;
 use crate::solve::fields::Fields;
 use crate::solve::{Discretisation, Run};
@@ -33,12 +33,16 @@ const PRINCIPAL: [&str; 3] = ["principal_1", "principal_2", "principal_3"];
 
 /// The text of the file.
 pub fn text(discretisation: &Discretisation, run: &Run) -> Result<String, Error> {
+    let mesh = &discretisation.mesh;
     let fields = discretisation.recover_under(run.share(), &run.solution)?;
+    let (displacement, stress) = (evenly(mesh, &fields.displacement), evenly(mesh, &fields.stress));
+    let fields = Fields { displacement, stress, ..fields };
+    let points = evenly(mesh, &mesh.points);
     let mut point = of_stress(discretisation, &fields);
     point.insert(0, Attribute::vectors("displacement").with_data(in_space(&fields.displacement)));
-    point.extend(on_candidates(discretisation, run));
+    point.extend(on_candidates(discretisation, run, &points));
     let piece = UnstructuredGridPiece {
-        points: in_space(&discretisation.mesh.points).into(),
+        points: in_space(&points).into(),
         cells: cells(discretisation),
         data: Attributes { point, cell: of_bodies(discretisation) },
     };
@@ -59,12 +63,34 @@ fn in_space(plane: &[[f64; 2]]) -> Vec<f64> {
     plane.iter().flat_map(|[x, y]| [*x, *y, 0.0]).collect()
 }
 
+/// Nodal values as VTK wants them: the nodes of its Lagrange cells lie evenly on the lattice of a cell, those of ours on
+/// Gauss–Lobatto–Legendre points; the polynomials are the same.
+fn evenly<const N: usize>(mesh: &Mesh, values: &[[f64; N]]) -> Vec<[f64; N]> {
+    let mut out = values.to_vec();
+    if !mesh.order.is_tensor() {
+        return out;
+    }
+    let (n, m) = (mesh.order.nodes_per_cell(), mesh.order.intervals() as f64);
+    let natural = |k: usize| 2.0 * k as f64 / m - 1.0;
+    let shapes = |place: [usize; 2]| shape_functions::cell(n, place.map(natural));
+    let shapes: Vec<_> = mesh.order.places().into_iter().map(shapes).collect();
+    for cell in 0..mesh.cells() {
+        let nodes = mesh.cell(cell);
+        for (&node, shapes) in nodes.iter().zip(&shapes) {
+            let terms = || nodes.iter().zip(shapes);
+            out[node] = std::array::from_fn(|k| terms().map(|(&other, (shape, _))| shape * values[other][k]).sum());
+        }
+    }
+    out
+}
+
 fn cells(discretisation: &Discretisation) -> Cells {
     let mesh = &discretisation.mesh;
     let (nodes, count) = (mesh.order.nodes_per_cell(), mesh.cells());
     let kind = match mesh.order {
         Order::Linear => CellType::Quad,
         Order::Quadratic => CellType::QuadraticQuad,
+        _ => CellType::LagrangeQuadrilateral,
     };
     Cells {
         cell_verts: VertexNumbers::XML {
@@ -111,8 +137,8 @@ fn of_bodies(discretisation: &Discretisation) -> Vec<Attribute> {
     std::iter::once(Attribute::scalars("body", 1).with_data(numbers)).chain(all).collect()
 }
 
-/// Pressure, gap and number of the contact at the candidate nodes of all bodies, linear between the contact points.
-fn on_candidates(discretisation: &Discretisation, run: &Run) -> [Attribute; 3] {
+/// Pressure, gap and number of the contact at the candidate nodes of all bodies, at their places in the file, linear between the contact points.
+fn on_candidates(discretisation: &Discretisation, run: &Run, places: &[[f64; 2]]) -> [Attribute; 3] {
     let mesh = &discretisation.mesh;
     let (mut pressure, mut gap) = (vec![0.0; mesh.points.len()], vec![f64::NAN; mesh.points.len()]);
     let mut of_contact = vec![-1_i32; mesh.points.len()];
@@ -122,10 +148,11 @@ fn on_candidates(discretisation: &Discretisation, run: &Run) -> [Attribute; 3] {
         for body in pair.bodies() {
             let part = &mesh.bodies[body];
             for candidate in &part.candidates[part.candidates_of(contact)] {
+                let coordinate = pair.path.coordinate(places[candidate.node]);
                 // Of the primary body an edge may reach beyond the stretch, where there is no gap to tell.
-                if candidate.coordinate.abs() <= pair.stretch * (1.0 + 1e-9) {
-                    pressure[candidate.node] = profile::interpolate(points, pair.stretch, candidate.coordinate);
-                    gap[candidate.node] = profile::interpolate(&gaps, pair.stretch, candidate.coordinate);
+                if coordinate.abs() <= pair.stretch * (1.0 + 1e-9) {
+                    pressure[candidate.node] = profile::interpolate(points, pair.stretch, coordinate);
+                    gap[candidate.node] = profile::interpolate(&gaps, pair.stretch, coordinate);
                     of_contact[candidate.node] = contact as i32;
                 }
             }

@@ -7,8 +7,8 @@ use crate::contact::Interface;
 use crate::contact::primary::PrimarySurface;
 use crate::elasticity::quadrature;
 
-/// Gauss points on each piece of an edge: products of two shape functions are polynomials of degree four.
-const POINTS: usize = 4;
+/// Fewest Gauss points on each piece of an edge: products of two shape functions of 3-node edges are polynomials of degree four.
+const FEWEST: usize = 4;
 
 /// For each node the primary dofs with `(1/D_a) ∫ φ_a N_b ds`, `D_a = ∫ N_a ds`.
 ///
@@ -24,7 +24,7 @@ pub(super) fn rows(interface: &Interface, primary: &PrimarySurface) -> Vec<Vec<(
     let mut areas = vec![0.0; nodes];
     for edge in &interface.edges {
         let n = edge.len();
-        let points = interface.on_pieces(edge, &quadrature::gauss(POINTS));
+        let points = interface.on_pieces(edge, &quadrature::gauss(n.max(FEWEST)));
         let at: Vec<_> = points.iter().map(|&(xi, weight)| (interface.at(edge, xi), weight)).collect();
         let mut mass = DMatrix::<f64>::zeros(n, n);
         for ((shapes, _, length), weight) in &at {

@@ -4,7 +4,7 @@ use crate::contact::{ContactElement, ContactPoint, Interface};
 use crate::elasticity::quadrature;
 
 /// One contact point per node pair, with the consistent tributary area `A_a = ∫ N_a (n·n_a) ds · thickness`:
-/// 1/6, 4/6, 1/6 of a straight 3-node edge.
+/// 1/6, 4/6, 1/6 of a straight 3-node edge, the Lobatto weights of one of any order.
 ///
 /// On an arc the factor `n·n_a` makes a uniform pressure give equal pressures at corner and mid-side nodes; without it
 /// they differ by 0.3 Δ², Δ being half the angle of an edge.
@@ -37,7 +37,7 @@ impl ContactElement for Node {
 /// `∫ N_k (n·n_k) ds · thickness` over one edge \[mm²\].
 fn tributary_area(interface: &Interface, edge: &[usize], k: usize) -> f64 {
     let own = interface.nodes[edge[k]].coordinate;
-    let terms = quadrature::gauss(3).into_iter().map(|(xi, weight)| {
+    let terms = quadrature::gauss(edge.len().max(3)).into_iter().map(|(xi, weight)| {
         let (shapes, position, length) = interface.at(edge, xi);
         shapes[k] * interface.pair.path.alignment(position, own) * weight * length
     });

@@ -7,6 +7,8 @@ use crate::scene::{ContactPair, Scene};
 
 /// Difference of contact coordinates, over the stretch, below which two points are one.
 const SAME: f64 = 1e-9;
+/// Iterations of Newton's method: five reach round-off from a straight edge's guess on 45° of an arc.
+const NEWTON: usize = 6;
 
 /// The candidate edges of the second body as functions of the contact coordinate.
 #[derive(Clone, Debug)]
@@ -69,11 +71,27 @@ impl PrimarySurface {
 }
 
 /// ξ with `Σ N_a(ξ) s_a = s` on an edge of 2 nodes, or of 3 (first, last, middle): the root between the ends of
-/// `s_m + ½(s₂ − s₁) ξ + (½(s₁ + s₂) − s_m) ξ² = s`.
+/// `s_m + ½(s₂ − s₁) ξ + (½(s₁ + s₂) − s_m) ξ² = s`; of more by Newton's method.
 pub(super) fn natural(coordinates: &[f64], s: f64) -> f64 {
     let (first, last) = (coordinates[0], coordinates[1]);
+    if coordinates.len() > 3 {
+        return inverted(coordinates, s, (2.0 * s - first - last) / (last - first));
+    }
     let middle = coordinates.get(2).copied().unwrap_or(0.5 * (first + last));
     let (slope, bend, rest) = (0.5 * (last - first), 0.5 * (first + last) - middle, middle - s);
     let root = (slope * slope - 4.0 * bend * rest).max(0.0).sqrt();
     -2.0 * rest / (slope + root.copysign(slope))
+}
+
+/// The same from a first guess; coordinates grow evenly along an edge, but for its curvature.
+fn inverted(coordinates: &[f64], s: f64, mut xi: f64) -> f64 {
+    for _ in 0..NEWTON {
+        let (mut rest, mut slope) = (s, 0.0);
+        for ((value, derivative), coordinate) in shape_functions::edge(coordinates.len(), xi).iter().zip(coordinates) {
+            rest -= value * coordinate;
+            slope += derivative * coordinate;
+        }
+        xi = (xi + rest / slope).clamp(-1.0, 1.0);
+    }
+    xi
 }

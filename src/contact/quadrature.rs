@@ -19,11 +19,10 @@ pub enum Quadrature {
 impl Quadrature {
     /// Points and weights for an edge of `nodes` nodes.
     pub fn rule(self, nodes: usize) -> Vec<(f64, f64)> {
-        match (self, nodes) {
-            (Self::Gauss, _) => quadrature::gauss(nodes - 1),
-            (Self::GaussFull, _) => quadrature::gauss(nodes),
-            (Self::Lobatto, 2) => quadrature::lobatto_two(),
-            (Self::Lobatto, _) => quadrature::lobatto_three(),
+        match self {
+            Self::Gauss => quadrature::gauss(nodes - 1),
+            Self::GaussFull => quadrature::gauss(nodes),
+            Self::Lobatto => quadrature::lobatto(nodes),
         }
     }
 }

@@ -31,7 +31,8 @@ pub fn stiffness(
     let kernel = CellStiffness::of(mesh.order, material, scene.plane, scene.thickness);
     let pattern = Pattern::of(graph, dofs);
     let sum = |cells: Range<usize>| {
-        let mut sum = Sum { values: vec![0.0; pattern.columns.row_idx().len()], force: vec![0.0; dofs.equations] };
+        let values = vec![0.0; pattern.columns.row_idx().len()];
+        let mut sum = Sum { values, force: vec![0.0; dofs.equations], ascending: vec![], places: vec![] };
         let mut k = vec![0.0; kernel.entries()];
         for cell in cells {
             let nodes = mesh.cell(cell);
@@ -129,6 +130,10 @@ impl Pattern {
 struct Sum {
     values: Vec<f64>,
     force: Vec<f64>,
+    /// Equations of the cell at hand with their place in it, ascending.
+    ascending: Vec<(Index, usize)>,
+    /// Where the rows of these stand in the column at hand.
+    places: Vec<usize>,
 }
 
 impl Sum {
@@ -144,18 +149,11 @@ impl Sum {
         let (starts, rows) = (pattern.columns.col_ptr(), pattern.columns.row_idx());
         let side = 2 * nodes.len();
         let of_cell = || nodes.iter().flat_map(|&node| dofs.of_node(node)).enumerate();
-        let mut ascending = [(0, 0); 16];
-        let mut count = 0;
-        for (i, dof) in of_cell() {
-            if let Freedom::Equation(equation) = dof {
-                ascending[count] = (equation as Index, i);
-                count += 1;
-            }
-        }
-        let ascending = &mut ascending[..count];
+        let Self { values, force, ascending, places } = self;
+        ascending.clear();
+        ascending.extend(of_cell().filter_map(|(i, dof)| Some((dof.equation()? as Index, i))));
         ascending.sort_unstable();
-        // Where the rows stand in the column.
-        let mut places = [0; 16];
+        places.resize(ascending.len(), 0);
         for (first, &(column, j)) in ascending.iter().enumerate() {
             let start = starts[column as usize] as usize;
             let rest = places[first..].iter_mut().zip(&ascending[first..]);
@@ -173,16 +171,16 @@ impl Sum {
             }
             // A tied equation occurs at several places of a cell: all of them meet on the diagonal.
             let above = ascending[..first].iter().rev().take_while(|(row, _)| *row == column);
-            above.for_each(|&(_, i)| self.values[start] += k[j * side + i]);
+            above.for_each(|&(_, i)| values[start] += k[j * side + i]);
             for (&place, &(_, i)) in places[first..].iter().zip(&ascending[first..]) {
-                self.values[place] += k[j * side + i];
+                values[place] += k[j * side + i];
             }
         }
         for (j, dof) in of_cell() {
             if let Freedom::Prescribed(u) = dof
                 && u.abs() > 0.0
             {
-                ascending.iter().for_each(|&(row, i)| self.force[row as usize] -= k[i * side + j] * u);
+                ascending.iter().for_each(|&(row, i)| force[row as usize] -= k[i * side + j] * u);
             }
         }
     }

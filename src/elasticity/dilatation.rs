@@ -118,12 +118,16 @@ impl<const N: usize> Modes<N> {
     }
 
     /// `θ̄` at some places of the cell whose nodes have the given displacements.
-    pub fn dilatation(&self, displacements: &[[f64; 2]; N], places: [[f64; 2]; 4]) -> [f64; 4] {
+    pub fn dilatation(
+        &self,
+        displacements: &[[f64; 2]; N],
+        places: impl Iterator<Item = [f64; 2]>,
+    ) -> impl Iterator<Item = f64> {
         let share = |[x, y]: &[[f64; N]; 2]| -> f64 {
             (0..N).map(|a| x[a] * displacements[a][0] + y[a] * displacements[a][1]).sum()
         };
         let shares = self.rows.each_ref().map(share);
-        places.map(|place| self.values(place).iter().zip(shares).map(|(value, share)| value * share).sum())
+        places.map(move |place| self.values(place).iter().zip(shares).map(|(value, share)| value * share).sum())
     }
 
     /// `ψ_j` at a place.

@@ -7,9 +7,10 @@ use crate::elasticity::{quadrature, shape_functions};
 use crate::mesh::Order;
 use crate::scene::{Material, PlaneHypothesis};
 
-/// `k = ∫ Bᵀ D B t dA` [N/mm] of 4-node (2×2 Gauss) or 8-node cells (3×3 Gauss); dofs are u_x, u_y node by node.
+/// `k = ∫ Bᵀ D B t dA` [N/mm] of cells of order p (p + 1 Gauss points each way); dofs are u_x, u_y node by node.
 ///
-/// Of nearly incompressible bodies `k = ∫ Bᵀ D₀ B t dA + λ₁ Σ b_j b_jᵀ` ([`dilatation`](crate::elasticity::dilatation)).
+/// Of nearly incompressible bodies `k = ∫ Bᵀ D₀ B t dA + λ₁ Σ b_j b_jᵀ` ([`dilatation`](crate::elasticity::dilatation)) up to
+/// order 2; cells of order 4 and more have displacements to spare.
 /// The shape functions and their slopes at the Gauss points are the same for all cells and tabulated once.
 #[derive(Clone, Debug)]
 pub struct CellStiffness {
@@ -29,16 +30,16 @@ impl CellStiffness {
         Self::tabulated(order, Split { plain: *elasticity, excess: 0.0 }, thickness)
     }
 
-    /// For cells of an order and a material, whose dilatation is smoothed where it is nearly incompressible.
+    /// For cells of an order and a material, whose dilatation is smoothed where it is nearly incompressible and cells could lock.
     pub fn of(order: Order, material: &Material, plane: PlaneHypothesis, thickness: f64) -> Self {
-        Self::tabulated(order, Split::of(material, plane), thickness)
+        match order.is_tensor() {
+            true => Self::new(order, &material.stiffness(plane), thickness),
+            false => Self::tabulated(order, Split::of(material, plane), thickness),
+        }
     }
 
     fn tabulated(order: Order, split: Split, thickness: f64) -> Self {
-        let points = match order {
-            Order::Linear => 2,
-            Order::Quadratic => 3,
-        };
+        let points = usize::from(order.number()) + 1;
         let nodes = order.nodes_per_cell();
         let rule = quadrature::gauss_square(points);
         let shapes = rule.iter().map(|&(at, _)| shape_functions::cell(nodes, at).iter().map(|shape| shape.0).collect());
@@ -52,7 +53,7 @@ impl CellStiffness {
         }
     }
 
-    /// Entries of the matrix of a cell: 8² or 16².
+    /// Entries of the matrix of a cell: `(2n)²` for n nodes.
     pub fn entries(&self) -> usize {
         4 * self.order.nodes_per_cell().pow(2)
     }
@@ -62,8 +63,13 @@ impl CellStiffness {
     /// A Jacobian determinant that is not positive is returned as the error.
     pub fn integrate(&self, points: impl Iterator<Item = [f64; 2]>, k: &mut [f64]) -> Result<(), f64> {
         match self.order {
-            Order::Linear => self.integrate_pairs::<4>(points, k),
-            Order::Quadratic => self.integrate_pairs::<8>(points, k),
+            Order::Linear => self.integrate_pairs::<4, 4>(points, k),
+            Order::Quadratic => self.integrate_pairs::<8, 9>(points, k),
+            Order::Quartic => self.integrate_pairs::<25, 25>(points, k),
+            Order::Quintic => self.integrate_pairs::<36, 36>(points, k),
+            Order::Sextic => self.integrate_pairs::<49, 49>(points, k),
+            Order::Septic => self.integrate_pairs::<64, 64>(points, k),
+            Order::Octic => self.integrate_pairs::<81, 81>(points, k),
         }
     }
 
@@ -74,15 +80,15 @@ impl CellStiffness {
         &self,
         points: &[[f64; 2]],
         displacements: &[[f64; 2]],
-        at: [[f64; 2]; 4],
-    ) -> Result<[[f64; 3]; 4], f64> {
+        at: &[[f64; 2]],
+    ) -> Result<Vec<[f64; 3]>, f64> {
         let smoothed = match self.order {
-            _ if self.split.excess <= 0.0 => [0.0; 4],
-            Order::Linear => self.smoothed::<4>(points, displacements, at)?,
-            Order::Quadratic => self.smoothed::<8>(points, displacements, at)?,
+            Order::Linear if self.split.excess > 0.0 => self.smoothed::<4, 4>(points, displacements, at)?,
+            Order::Quadratic if self.split.excess > 0.0 => self.smoothed::<8, 9>(points, displacements, at)?,
+            _ => vec![0.0; at.len()],
         };
-        let mut stresses = [[0.0; 3]; 4];
-        for ((at, mean), stress) in at.into_iter().zip(smoothed).zip(&mut stresses) {
+        let mut stresses = vec![[0.0; 3]; at.len()];
+        for ((&at, mean), stress) in at.iter().zip(smoothed).zip(&mut stresses) {
             let mut strain = [0.0; 3];
             for ([x, y], [u, v]) in gradients(points, at)?.0.into_iter().zip(displacements) {
                 strain[0] += x * u;
@@ -97,32 +103,33 @@ impl CellStiffness {
     }
 
     /// `λ₁ θ̄` \[MPa\] at some natural coordinates.
-    fn smoothed<const N: usize>(
+    fn smoothed<const N: usize, const G: usize>(
         &self,
         points: &[[f64; 2]],
         displacements: &[[f64; 2]],
-        at: [[f64; 2]; 4],
-    ) -> Result<[f64; 4], f64> {
+        at: &[[f64; 2]],
+    ) -> Result<Vec<f64>, f64> {
         let [points, displacements] =
             [points, displacements].map(|all| std::array::from_fn(|a| all.get(a).copied().unwrap_or([f64::NAN; 2])));
-        let mut samples = [Sample::EMPTY; MOST_POINTS];
+        let mut samples = [Sample::EMPTY; G];
         self.sample(&points, &mut samples)?;
-        let modes = self.modes::<N>(&points, &samples);
-        let places = at.map(|at| {
+        let modes = self.modes::<N, G>(&points, &samples);
+        let places = at.iter().map(|&at| {
             let shapes: Vec<f64> = shape_functions::cell(N, at).iter().map(|shape| shape.0).collect();
             place(&shapes, &points)
         });
-        Ok(modes.dilatation(&displacements, places).map(|theta| self.split.excess * theta))
+        Ok(modes.dilatation(&displacements, places).map(|theta| self.split.excess * theta).collect())
     }
 
-    fn integrate_pairs<const N: usize>(
+    /// For N nodes and G Gauss points.
+    fn integrate_pairs<const N: usize, const G: usize>(
         &self,
         mut points: impl Iterator<Item = [f64; 2]>,
         k: &mut [f64],
     ) -> Result<(), f64> {
         let points: [[f64; 2]; N] = std::array::from_fn(|_| points.next().unwrap_or([f64::NAN; 2]));
         let mut pairs = [[[[0.0; N]; 2]; 2]; N];
-        self.processor.dispatch(AddPairs { kernel: self, points: &points, pairs: &mut pairs })?;
+        self.processor.dispatch(AddPairs::<N, G> { kernel: self, points: &points, pairs: &mut pairs })?;
         for (row, pair) in k.chunks_exact_mut(2 * N).zip(pairs.as_flattened()) {
             for (entries, b) in row.chunks_exact_mut(2).zip(0..N) {
                 (entries[0], entries[1]) = (pair[0][b], pair[1][b]);
@@ -136,17 +143,17 @@ impl CellStiffness {
     /// D is the same throughout a cell and stands outside the sums: only the four `∫ N_a,i N_b,j t dA` of a pair of
     /// nodes are summed over the Gauss points, and combined with D once.
     #[inline(always)]
-    fn add_pairs<const N: usize>(
+    fn add_pairs<const N: usize, const G: usize>(
         &self,
         points: &[[f64; 2]; N],
         pairs: &mut [[[[f64; N]; 2]; 2]; N],
     ) -> Result<(), f64> {
         let [[dxx, dxy, dxs], [dyx, dyy, dys], [dsx, dsy, dss]] = self.split.plain;
-        let mut samples = [Sample::EMPTY; MOST_POINTS];
+        let mut samples = [Sample::EMPTY; G];
         self.sample(points, &mut samples)?;
         for (a, pair) in pairs.iter_mut().enumerate() {
             let ([mut xx, mut xy], [mut yx, mut yy]) = ([[0.0; N]; 2], [[0.0; N]; 2]);
-            for Sample { gradients: [along_x, along_y], area } in &samples[..self.rule.len()] {
+            for Sample { gradients: [along_x, along_y], area } in &samples {
                 let (x, y) = (area * along_x[a], area * along_y[a]);
                 add_scaled(&mut xx, x, along_x);
                 add_scaled(&mut xy, x, along_y);
@@ -170,10 +177,10 @@ impl CellStiffness {
 
     /// Writes what the sums need at each Gauss point.
     #[inline(always)]
-    fn sample<const N: usize>(
+    fn sample<const N: usize, const G: usize>(
         &self,
         points: &[[f64; 2]; N],
-        samples: &mut [Sample<N>; MOST_POINTS],
+        samples: &mut [Sample<N>; G],
     ) -> Result<(), f64> {
         for ((slopes, weight), at) in self.rule.iter().zip(samples) {
             let (inverse, determinant) = jacobian(slopes, points)?;
@@ -188,34 +195,31 @@ impl CellStiffness {
 
     /// Smoothed dilatations; inlined into the sums, they slowed plain cells by an eighth.
     #[inline(never)]
-    fn modes<const N: usize>(&self, points: &[[f64; 2]; N], samples: &[Sample<N>; MOST_POINTS]) -> Modes<N> {
-        let mut places = [[0.0; 2]; MOST_POINTS];
+    fn modes<const N: usize, const G: usize>(&self, points: &[[f64; 2]; N], samples: &[Sample<N>; G]) -> Modes<N> {
+        let mut places = [[0.0; 2]; G];
         for (at, shapes) in places.iter_mut().zip(&self.shapes) {
             *at = place(shapes, points);
         }
-        Modes::of(&samples[..self.rule.len()], &places)
+        Modes::of(samples, &places)
     }
 }
 
 /// The sums of a cell on registers as wide as the processor's own; a closure's call would be a function of its own, compiled
 /// for the narrowest.
-struct AddPairs<'a, const N: usize> {
+struct AddPairs<'a, const N: usize, const G: usize> {
     kernel: &'a CellStiffness,
     points: &'a [[f64; 2]; N],
     pairs: &'a mut [[[[f64; N]; 2]; 2]; N],
 }
 
-impl<const N: usize> pulp::WithSimd for AddPairs<'_, N> {
+impl<const N: usize, const G: usize> pulp::WithSimd for AddPairs<'_, N, G> {
     type Output = Result<(), f64>;
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) -> Self::Output {
-        self.kernel.add_pairs(self.points, self.pairs)
+        self.kernel.add_pairs::<N, G>(self.points, self.pairs)
     }
 }
-
-/// Gauss points of the largest rule.
-const MOST_POINTS: usize = 9;
 
 /// `z ← z + a x`.
 #[inline(always)]

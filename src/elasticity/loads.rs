@@ -69,7 +69,7 @@ fn hand_out(scene: &Scene, mesh: &Mesh, body: usize, index: usize, take: Taker) 
 }
 
 fn body_force(scene: &Scene, mesh: &Mesh, body: usize, density: [f64; 2], take: Taker) -> Result<(), Error> {
-    let rule = quadrature::gauss_square(3);
+    let rule = quadrature::gauss_square((usize::from(mesh.order.number()) + 1).max(3));
     for cell in mesh.bodies[body].cells.clone() {
         let nodes = mesh.cell(cell);
         let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();

@@ -1,6 +1,8 @@
-//! Gauss–Legendre rules on −1 … 1.
+//! Gauss–Legendre and Lobatto rules on −1 … 1.
 
 use std::f64::consts::PI;
+
+use crate::mesh::lobatto;
 
 /// Points and weights of the `n`-point Gauss–Legendre rule, exact for polynomials of degree `2n − 1`.
 ///
@@ -26,22 +28,16 @@ pub fn gauss_square(n: usize) -> Vec<([f64; 2], f64)> {
     rows.collect()
 }
 
-/// Three-point Lobatto rule: the ends and the middle, exact for cubics.
-pub fn lobatto_three() -> Vec<(f64, f64)> {
-    vec![(-1.0, 1.0 / 3.0), (0.0, 4.0 / 3.0), (1.0, 1.0 / 3.0)]
+/// Points and weights `2/(n (n−1) P²_{n−1})` of the `n`-point Lobatto rule: the ends and points between, exact for polynomials
+/// of degree `2n − 3`.
+pub fn lobatto(n: usize) -> Vec<(f64, f64)> {
+    let degree = n - 1;
+    let weight = |x: f64| 2.0 / ((n * degree) as f64 * lobatto::legendre(degree, x)[1].powi(2));
+    lobatto::points(n).iter().map(|&x| (x, weight(x))).collect()
 }
 
-/// Two-point Lobatto (trapezoidal) rule, exact for linear functions.
-pub fn lobatto_two() -> Vec<(f64, f64)> {
-    vec![(-1.0, 1.0), (1.0, 1.0)]
-}
-
-/// Legendre polynomial `P_n` and its derivative at `x`, by the three-term recurrence.
+/// Legendre polynomial `P_n` and its derivative at `x`.
 fn legendre(n: usize, x: f64) -> (f64, f64) {
-    let (mut before, mut value) = (1.0, x);
-    for k in 2..=n {
-        let k = k as f64;
-        (before, value) = (value, ((2.0 * k - 1.0) * x * value - (k - 1.0) * before) / k);
-    }
+    let [before, value] = lobatto::legendre(n, x);
     (value, n as f64 * (x * value - before) / (x * x - 1.0))
 }

@@ -1,14 +1,31 @@
-//! Shape functions of the 4-node and the 8-node (serendipity) quadrilateral and of their edges.
+//! Shape functions of the 4-node and the 8-node (serendipity) quadrilateral, of tensor products of order p, and of their edges.
 //!
-//! Corners counter-clockwise from (−1, −1), then mid-sides from the bottom edge on (Bathe, Finite Element Procedures, §5.3).
+//! Corners counter-clockwise from (−1, −1), then mid-sides from the bottom edge on (Bathe, Finite Element Procedures, §5.3);
+//! nodes of tensor products as [`Order::places`] numbers them, on Gauss–Lobatto–Legendre points (Karniadakis & Sherwin 2005).
+
+use crate::mesh::{Order, lobatto};
 
 /// Natural coordinates of the eight nodes.
 pub const NODES: [[f64; 2]; 8] =
     [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
 
-/// Values `N_a` and gradients `[∂N_a/∂ξ, ∂N_a/∂η]` at (ξ, η) of a cell of `n` = 4 or 8 nodes.
+/// Values `N_a` and gradients `[∂N_a/∂ξ, ∂N_a/∂η]` at (ξ, η) of a cell of `n` nodes: 4, 8 or `(p + 1)²`.
 pub fn cell(n: usize, at: [f64; 2]) -> Vec<(f64, [f64; 2])> {
-    (0..n).map(|a| if n == 4 { bilinear(NODES[a], at) } else { serendipity(NODES[a], at) }).collect()
+    match Order::of_nodes(n) {
+        Some(order) if order.is_tensor() => tensor(order, at),
+        Some(Order::Linear) => (0..n).map(|a| bilinear(NODES[a], at)).collect(),
+        _ => NODES.into_iter().take(n).map(|node| serendipity(node, at)).collect(),
+    }
+}
+
+/// `N = N_i(ξ) N_j(η)`.
+fn tensor(order: Order, at: [f64; 2]) -> Vec<(f64, [f64; 2])> {
+    let [along, across] = at.map(|x| lobatto::lagrange(lobatto::points(order.intervals() + 1), x));
+    let product = |[i, j]: [usize; 2]| {
+        let ((n, slope), (m, rise)) = (along[i], across[j]);
+        (n * m, [slope * m, n * rise])
+    };
+    order.places().into_iter().map(product).collect()
 }
 
 /// `N = (1 + ξ_a ξ)(1 + η_a η)/4`.
@@ -30,10 +47,16 @@ fn serendipity([xa, ya]: [f64; 2], [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
     (p * q * (s - 1.0) / 4.0, [xa * q * (s + xa * x) / 4.0, ya * p * (s + ya * y) / 4.0])
 }
 
-/// Values and slopes `(N_a, dN_a/dξ)` on an edge of 2 nodes, or of 3 (first, last, middle).
+/// Values and slopes `(N_a, dN_a/dξ)` on an edge of 2 nodes, of 3 (first, last, middle), or of more (first, last, those between).
 pub fn edge(n: usize, x: f64) -> Vec<(f64, f64)> {
-    if n == 2 {
-        return vec![((1.0 - x) / 2.0, -0.5), ((1.0 + x) / 2.0, 0.5)];
+    match n {
+        2 => vec![((1.0 - x) / 2.0, -0.5), ((1.0 + x) / 2.0, 0.5)],
+        3 => vec![(x * (x - 1.0) / 2.0, x - 0.5), (x * (x + 1.0) / 2.0, x + 0.5), (1.0 - x * x, -2.0 * x)],
+        _ => {
+            let mut shapes = lobatto::lagrange(lobatto::points(n), x);
+            let last = shapes.remove(n - 1);
+            shapes.insert(1, last);
+            shapes
+        }
     }
-    vec![(x * (x - 1.0) / 2.0, x - 0.5), (x * (x + 1.0) / 2.0, x + 0.5), (1.0 - x * x, -2.0 * x)]
 }

@@ -1,14 +1,14 @@
-//! Nodal stresses: from 2×2 Gauss points to the corners, averaged over the cells that meet at a node.
+//! Nodal stresses: from Gauss points to the nodes, averaged over the cells that meet at a node.
 
 use crate::elasticity::degenerate::degenerate;
 use crate::elasticity::element::CellStiffness;
-use crate::elasticity::shape_functions;
+use crate::elasticity::{quadrature, shape_functions};
 use crate::error::Error;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Order, lobatto};
 use crate::scene::{PlaneHypothesis, Scene};
 
-/// Mean over the adjoining cells of `σ = D B q`, taken at the 2×2 Gauss points (where it is most accurate; Barlow 1976)
-/// and extrapolated bilinearly to the nodes: `[σ_x, σ_y, τ_xy]` at every node \[MPa\], tension positive.
+/// Mean over the adjoining cells of `σ = D B q`, taken at the p × p Gauss points of order p, 2 × 2 at least (where it is most
+/// accurate; Barlow 1976), and extrapolated to the nodes: `[σ_x, σ_y, τ_xy]` at every node \[MPa\], tension positive.
 ///
 /// Where the stiffness has a smoothed dilatation, so have the stresses.
 pub fn at_nodes(scene: &Scene, mesh: &Mesh, displacements: &[[f64; 2]]) -> Result<Vec<[f64; 3]>, Error> {
@@ -24,6 +24,7 @@ pub fn at_some_nodes(
 ) -> Result<Vec<[f64; 3]>, Error> {
     let mut sums = vec![[0.0; 3]; mesh.points.len()];
     let mut counts = vec![0.0; mesh.points.len()];
+    let (places, weights) = extrapolation(mesh.order);
     for (body, part) in mesh.bodies.iter().enumerate() {
         let kernel = CellStiffness::of(mesh.order, &scene.bodies[body].material, scene.plane, scene.thickness);
         for cell in part.cells.clone() {
@@ -33,11 +34,10 @@ pub fn at_some_nodes(
             }
             let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();
             let moved: Vec<[f64; 2]> = nodes.iter().map(|&n| displacements[n]).collect();
-            let corners = (kernel.stresses(&points, &moved, gauss_points()))
+            let sampled = (kernel.stresses(&points, &moved, &places))
                 .map_err(|jacobian| degenerate(scene, body, cell, jacobian))?;
-            for (&node, at) in nodes.iter().zip(shape_functions::NODES) {
-                let weights = shape_functions::cell(4, at.map(|x| x * 3f64.sqrt()));
-                for (stress, (weight, _)) in corners.iter().zip(weights) {
+            for (&node, weights) in nodes.iter().zip(&weights) {
+                for (stress, weight) in sampled.iter().zip(weights) {
                     (0..3).for_each(|k| sums[node][k] += weight * stress[k]);
                 }
                 counts[node] += 1.0;
@@ -51,9 +51,24 @@ pub fn at_some_nodes(
     Ok(sums.iter().zip(counts).enumerate().map(mean).collect())
 }
 
-/// The four Gauss points `(±1/√3, ±1/√3)`, in the order of the corners.
-fn gauss_points() -> [[f64; 2]; 4] {
-    std::array::from_fn(|corner| shape_functions::NODES[corner].map(|x| x / 3f64.sqrt()))
+/// Gauss points of a cell, and for each of its nodes their weights: the polynomials through the points at the node.
+fn extrapolation(order: Order) -> (Vec<[f64; 2]>, Vec<Vec<f64>>) {
+    if !order.is_tensor() {
+        let points = [0, 1, 2, 3].map(|corner| shape_functions::NODES[corner].map(|x| x / 3f64.sqrt()));
+        let weights = |node: &[f64; 2]| shape_functions::cell(4, node.map(|x| x * 3f64.sqrt()));
+        let of_node = |node: &[f64; 2]| weights(node).into_iter().map(|(weight, _)| weight).collect();
+        return (points.to_vec(), shape_functions::NODES[..order.nodes_per_cell()].iter().map(of_node).collect());
+    }
+    let count = usize::from(order.number());
+    let line: Vec<f64> = quadrature::gauss(count).into_iter().map(|(x, _)| x).collect();
+    let at = |x: f64| lobatto::lagrange(&line, x);
+    let on_line: Vec<Vec<(f64, f64)>> = lobatto::points(count + 1).iter().map(|&x| at(x)).collect();
+    let of_node = |[i, j]: [usize; 2]| {
+        let rows = on_line[j].iter();
+        rows.flat_map(|(m, _)| on_line[i].iter().map(move |(n, _)| n * m)).collect()
+    };
+    let points = quadrature::gauss_square(count).into_iter().map(|(at, _)| at).collect();
+    (points, order.places().into_iter().map(of_node).collect())
 }
 
 /// Stress across the plane σ_z \[MPa\] of `[σ_x, σ_y, τ]`: 0 in plane stress, `ν (σ_x + σ_y)` in plane strain.

@@ -2,6 +2,7 @@
 //!
 //! * [`profile`] — half-width, resultant and norms of a pressure profile.
 //! * [`mod@peak`] — its largest pressure, wherever that lies.
+//! * [`nodal`] — the same where an edge holds many contact points.
 //! * [`stretch`] — where its closed stretches begin and end.
 //! * [`parabola`] — the same as the other codes measure it.
 //! * [`order`] — observed orders of accuracy, Richardson's bound.
@@ -21,6 +22,7 @@
 //! # Ok::<(), contact_vv::error::Error>(())
 //! ```
 
+pub mod nodal;
 pub mod order;
 pub mod parabola;
 pub mod peak;
@@ -52,7 +54,7 @@ pub struct Measures {
     pub stretches: Vec<Stretch>,
     /// The largest pressure of the profile, wherever it lies.
     pub peak: Peak,
-    /// The same read by a parabola through the highest means \[MPa\].
+    /// The same read by a parabola through the highest means, or by a quartic through the five highest points \[MPa\].
     #[serde(skip)]
     pub peak_by_parabola: f64,
     /// Pressure at s = 0 \[MPa\].
@@ -81,7 +83,12 @@ impl Measures {
         let floor = ACTIVE * largest;
         let active = || points.iter().filter(|p| p.pressure > floor);
         let sides = if across { 2.0 } else { 1.0 };
-        let peak = peak::of(edges, centre);
+        let in_pairs = || {
+            let peak = peak::of(edges, centre);
+            let [through_points, at_origin] = [peak::by_parabola(edges, peak.pressure), peak::pressure_at(edges, 0.0)];
+            nodal::Reading { peak, through_points, at_origin }
+        };
+        let nodal::Reading { peak, through_points, at_origin } = nodal::read(part, centre).unwrap_or_else(in_pairs);
         Self {
             half_width: profile::second_moment_half_width(&profile::about(points, centre)),
             centre,
@@ -90,8 +97,8 @@ impl Measures {
             pressed_edges: edges.iter().filter(|edge| edge.pressure > floor).count(),
             stretches: stretch::closed(pair, part, floor),
             peak: if across { peak } else { Peak { position: peak.position.abs(), ..peak } },
-            peak_by_parabola: peak::by_parabola(edges, peak.pressure),
-            pressure_at_origin: peak::pressure_at(edges, 0.0),
+            peak_by_parabola: through_points,
+            pressure_at_origin: at_origin,
             largest: Peak { position: at, pressure: largest },
             resultant: whole(pair) * profile::resultant(points, &pair.path),
             across,

@@ -11,7 +11,7 @@ use std::ops::RangeInclusive;
 use nalgebra::{DMatrix, DVector};
 
 use crate::measure::larger;
-use crate::solution::EdgeState;
+use crate::solution::{EdgeState, PointState};
 
 /// A pressure and where it is.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -25,7 +25,7 @@ pub struct Peak {
 /// Pairs whose mean differs from the one in question by no more than this part take part in the fit: on a semi-ellipse
 /// those within
 /// 0.28 half-widths, where a quartic is off by 1e-6.
-const DROP: f64 = 0.04;
+pub(super) const DROP: f64 = 0.04;
 /// Departure of the means from the fit, root mean square over the peak, from which on a narrower fit is looked for: a
 /// quartic over [`DROP`] of a semi-ellipse departs by 1e-6, one over both humps and the hollow of a profile that peaks
 /// off its centre by 1e-3, on any mesh.
@@ -45,7 +45,7 @@ const FAR: f64 = 0.3;
 /// Coefficients and fewest pairs of a parabola, where a quartic finds too few.
 const PARABOLA: usize = 3;
 /// Part of a pressure that rounding explains: a uniform one has its top anywhere.
-const ROUNDING: f64 = 1e-9;
+pub(super) const ROUNDING: f64 = 1e-9;
 
 /// The largest pressure of a contact from the means over its edges, in the order of the contact coordinate; where that is the
 /// same all around, at `centre`. NaN without an edge.
@@ -121,7 +121,7 @@ fn highest(pairs: &[EdgeState]) -> Option<[usize; 2]> {
 }
 
 /// A polynomial in `x = (s − centre)/width` over some pairs of edges.
-struct Fit {
+pub(super) struct Fit {
     coefficients: Vec<f64>,
     centre: f64,
     width: f64,
@@ -163,25 +163,36 @@ impl Fit {
         let (from, to) = (taken[0].ends[0], taken[taken.len() - 1].ends[1]);
         let (centre, width) = (0.5 * (from + to), 0.5 * (to - from));
         let scaled = |s: f64| (s - centre) / width;
-        let mut normal = DMatrix::<f64>::zeros(count, count);
-        let mut rhs = DVector::<f64>::zeros(count);
         let row_of = |pair: &EdgeState| {
             let [a, b] = pair.ends.map(scaled);
-            (b - a, DVector::from_fn(count, |k, _| mean_of_power(a, b, k as i32)))
+            (b - a, DVector::from_fn(count, |k, _| mean_of_power(a, b, k as i32)), pair.pressure)
         };
-        for pair in taken {
-            let (length, row) = row_of(pair);
-            normal += &row * row.transpose() * length;
-            rhs += row * (pair.pressure * length);
-        }
-        let solved = normal.lu().solve(&rhs).unwrap_or_else(|| DVector::from_element(count, f64::NAN));
-        let squares = taken.iter().map(|pair| (row_of(pair).1.dot(&solved) - pair.pressure).powi(2));
-        let misfit = (squares.sum::<f64>() / taken.len().saturating_sub(count).max(1) as f64).sqrt();
-        let coefficients = solved.iter().copied().collect();
+        let (coefficients, misfit) = least_squares(count, taken.iter().map(row_of));
         let [first, last] = [taken[0].position(), taken[taken.len() - 1].position()].map(scaled);
         let [begins, ends] = [*own.start() == 0, *own.end() + 1 == pairs.len()];
         let within = [if begins { -1.0 } else { first }, if ends { 1.0 } else { last }];
         Self { coefficients, centre, width, within, misfit }
+    }
+
+    /// Least squares over the pressures of some points, weighted by their areas.
+    pub(super) fn over_points(points: &[PointState]) -> Self {
+        Self::of_points(points, if points.len() >= QUARTIC { QUARTIC } else { 1 })
+    }
+
+    /// The same by a parabola.
+    pub(super) fn parabola_over(points: &[PointState]) -> Self {
+        Self::of_points(points, points.len().min(PARABOLA))
+    }
+
+    fn of_points(points: &[PointState], count: usize) -> Self {
+        let (from, to) = (points[0].position, points[points.len() - 1].position);
+        let (centre, width) = (0.5 * (from + to), 0.5 * (to - from).abs());
+        let row_of = |point: &PointState| {
+            let x = (point.position - centre) / width;
+            (point.weight, DVector::from_fn(count, |k, _| x.powi(k as i32)), point.pressure)
+        };
+        let (coefficients, misfit) = least_squares(count, points.iter().map(row_of));
+        Self { coefficients, centre, width, within: [-1.0, 1.0], misfit }
     }
 
     fn at(&self, x: f64) -> f64 {
@@ -189,14 +200,14 @@ impl Fit {
     }
 
     /// Value at a contact coordinate; none beyond its edges.
-    fn value(&self, s: f64) -> Option<f64> {
+    pub(super) fn value(&self, s: f64) -> Option<f64> {
         let x = (s - self.centre) / self.width;
         (x.abs() <= 1.0 + ROUNDING).then(|| self.at(x))
     }
 
     /// The highest point between the middles of its outermost pairs: the best of a fine grid, then Newton's method on
     /// the slope.
-    fn top(&self) -> Peak {
+    pub(super) fn top(&self) -> Peak {
         const GRID: usize = 64;
         let [from, to] = self.within;
         let place = |k: usize| from + (to - from) * k as f64 / GRID as f64;
@@ -215,6 +226,15 @@ impl Fit {
         Peak { position: self.centre + self.width * x, pressure: self.at(x) }
     }
 
+    /// Where it vanishes, by Newton's method from a contact coordinate; no number where it does not.
+    pub(super) fn root(&self, from: f64) -> f64 {
+        let mut x = (from - self.centre) / self.width;
+        for _ in 0..8 {
+            x -= self.at(x) / self.derivative(x, 1);
+        }
+        self.centre + self.width * x
+    }
+
     fn derivative(&self, x: f64, order: usize) -> f64 {
         let mut coefficients = self.coefficients.clone();
         for _ in 0..order {
@@ -222,6 +242,20 @@ impl Fit {
         }
         coefficients.iter().rev().fold(0.0, |sum, c| c + sum * x)
     }
+}
+
+/// Coefficients of a polynomial by least squares over (weight, powers, value), and the root mean square of what remains.
+fn least_squares(count: usize, rows: impl Iterator<Item = (f64, DVector<f64>, f64)> + Clone) -> (Vec<f64>, f64) {
+    let mut normal = DMatrix::<f64>::zeros(count, count);
+    let mut rhs = DVector::<f64>::zeros(count);
+    for (weight, row, value) in rows.clone() {
+        normal += &row * row.transpose() * weight;
+        rhs += row * (value * weight);
+    }
+    let solved = normal.lu().solve(&rhs).unwrap_or_else(|| DVector::from_element(count, f64::NAN));
+    let squares = rows.clone().map(|(_, row, value)| (row.dot(&solved) - value).powi(2));
+    let misfit = (squares.sum::<f64>() / rows.count().saturating_sub(count).max(1) as f64).sqrt();
+    (solved.iter().copied().collect(), misfit)
 }
 
 /// Pressed pairs around some: those that differ from them by no more than a drop, and as many as a polynomial needs.

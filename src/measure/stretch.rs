@@ -1,7 +1,8 @@
 //! Where the closed stretches of a contact begin and end.
 
+use crate::measure::nodal;
 use crate::scene::ContactPair;
-use crate::solution::{EdgeState, Part};
+use crate::solution::{EdgeState, Part, PointState};
 
 /// A stretch that is pressed throughout.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -38,13 +39,25 @@ fn one(pair: &ContactPair, Part { points, edges }: Part, floor: f64, [from, to]:
     let reaches = [from == 0 && !on_line && first, to == edges.len() && last];
     // The half that ends there, so that a mirror image ends where its image does.
     let half = if on_line { to - from } else { (to - from).div_ceil(2) };
+    let many = nodal::are_many(Part { points, edges });
+    let [low, high] = [edges[from].ends[0], edges[to - 1].ends[1]];
+    let within = |point: &&PointState| point.pressure > floor && (low..=high).contains(&point.position);
+    let pressed: Vec<PointState> = points.iter().filter(within).copied().collect();
+    let images = || -> Vec<PointState> {
+        pressed.iter().rev().map(|point| PointState { position: -point.position, ..*point }).collect()
+    };
     let mirrored: Vec<EdgeState> = edges[from..from + half].iter().rev().map(EdgeState::mirrored).collect();
     let begin = match () {
         _ if on_line => 0.0,
         _ if reaches[0] => edges[0].ends[0],
+        _ if many => -nodal::end(&images()),
         _ => -end(&mirrored),
     };
-    let end = if reaches[1] { edges[to - 1].ends[1] } else { end(&edges[to - half..to]) };
+    let end = match () {
+        _ if reaches[1] => edges[to - 1].ends[1],
+        _ if many => nodal::end(&pressed),
+        _ => end(&edges[to - half..to]),
+    };
     Stretch { begin, end, reaches }
 }
 

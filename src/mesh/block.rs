@@ -1,14 +1,15 @@
 //! A structured block: four sides given point by point, the inside by transfinite interpolation.
 
+use crate::mesh::{Order, spacing};
 use crate::scene::BoundaryName;
 
 /// Point of the plane \[mm\].
 pub type Point = [f64; 2];
 
-/// One side of a block: its lattice of corner and mid-side points, and the boundary it belongs to.
+/// One side of a block: its lattice points, and the boundary it belongs to.
 #[derive(Clone, Debug)]
 pub struct Side {
-    /// Lattice points: corner, mid-side, corner, …
+    /// Lattice points: those of one cell after the other, common ends once.
     pub points: Vec<Point>,
     /// Names of the boundary, or of the line inside the body; none for sides nothing refers to.
     pub names: Vec<BoundaryName>,
@@ -102,9 +103,9 @@ impl Block {
     /// `P = (1−η)b + ηt + (1−ξ)l + ξr − [(1−ξ)(1−η)P₀₀ + ξ(1−η)P₁₀ + ξηP₁₁ + (1−ξ)ηP₀₁]`.
     ///
     /// (ξ, η) is where the straight lines between equal positions of opposite sides meet.
-    pub fn lattice(&self) -> Vec<Vec<Point>> {
+    pub fn lattice(&self, order: Order) -> Vec<Vec<Point>> {
         let [bottom, right, top, left] =
-            [&self.bottom, &self.right, &self.top, &self.left].map(|side| fractions(&side.points));
+            [&self.bottom, &self.right, &self.top, &self.left].map(|side| fractions(&side.points, order));
         let [columns, rows] = self.size();
         (0..rows)
             .map(|j| {
@@ -148,7 +149,19 @@ fn crossing(x: [f64; 2], y: [f64; 2]) -> [f64; 2] {
 }
 
 /// Normalised chord length of the lattice points of a side.
-fn fractions(points: &[Point]) -> Vec<f64> {
+///
+/// Of tensor cells that of their corners, with the cell's own positions between: inside a cell the map is then as smooth as
+/// its sides.
+fn fractions(points: &[Point], order: Order) -> Vec<f64> {
+    if !order.is_tensor() {
+        return chords(points);
+    }
+    let corners: Vec<Point> = points.iter().copied().step_by(order.intervals()).collect();
+    spacing::lattice(&chords(&corners), 0, order)
+}
+
+/// Length of the chords up to each point, over that of all.
+fn chords(points: &[Point]) -> Vec<f64> {
     let mut covered = vec![0.0];
     let mut length = 0.0;
     for pair in points.windows(2) {

@@ -61,15 +61,13 @@ impl Mesh {
 impl GivenMesh {
     /// Order of its cells.
     pub fn order(&self) -> Order {
-        match self.cells.first().map(Vec::len) {
-            Some(4) => Order::Linear,
-            _ => Order::Quadratic,
-        }
+        let own = self.cells.first().and_then(|cell| Order::of_nodes(cell.len()));
+        own.unwrap_or(Order::Quadratic)
     }
 
     /// Every cell as a block, halved both ways so many times. Sides on the arcs of the outline stay on their circle.
     pub(super) fn blocks(&self, refinement: u32) -> Vec<Block> {
-        let fractions = spacing::lattice(&[0.0, 1.0], refinement);
+        let fractions = spacing::lattice(&[0.0, 1.0], refinement, self.order());
         let arcs = self.arcs();
         let mut names: BTreeMap<[usize; 2], Vec<&BoundaryName>> = BTreeMap::new();
         for (name, edge) in self.boundaries.iter().flat_map(|(name, edges)| edges.iter().map(move |edge| (name, edge)))

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::block::Block;
-use super::{BodyMesh, Mesh, Order};
+use super::{BodyMesh, Edge, Mesh, Order};
 
 /// Points closer than this fraction of the body's size are one node.
 const SAME: f64 = 1e-9;
@@ -21,8 +21,14 @@ impl Mesh {
             lines: Default::default(),
             candidates: Vec::new(),
         };
+        let (intervals, places) = (self.order.intervals(), self.order.places());
+        // Nodes of a side of a cell between its ends; lattice points of 4-node cells that are no nodes are left out.
+        let between = |side: &[(usize, usize)]| match self.order {
+            Order::Linear => Vec::new(),
+            _ => side[1..intervals].to_vec(),
+        };
         for block in blocks {
-            let lattice = block.lattice();
+            let lattice = block.lattice(self.order);
             let [columns, rows] = block.size();
             let mut known = vec![None; columns * rows];
             // Inside a block no point coincides with another.
@@ -36,17 +42,11 @@ impl Mesh {
                     false => register.node(lattice[j][i], &mut self.points),
                 })
             };
-            for j in (0..rows - 1).step_by(2) {
-                for i in (0..columns - 1).step_by(2) {
-                    let corners = [(i, j), (i + 2, j), (i + 2, j + 2), (i, j + 2)];
-                    let mids = [(i + 1, j), (i + 2, j + 1), (i + 1, j + 2), (i, j + 1)];
-                    self.connectivity.extend(corners.map(|(i, j)| node(i, j)));
-                    if self.order == Order::Quadratic {
-                        self.connectivity.extend(mids.map(|(i, j)| node(i, j)));
-                    }
+            for j in (0..rows - 1).step_by(intervals) {
+                for i in (0..columns - 1).step_by(intervals) {
+                    self.connectivity.extend(places.iter().map(|[di, dj]| node(i + di, j + dj)));
                 }
             }
-            let quadratic = self.order == Order::Quadratic;
             let sides = [
                 (&block.bottom, (0..columns).map(|i| (i, 0)).collect::<Vec<_>>()),
                 (&block.right, (0..rows).map(|j| (columns - 1, j)).collect()),
@@ -55,11 +55,11 @@ impl Mesh {
             ];
             for (side, positions) in sides {
                 let named = if side.inside { &mut body.lines } else { &mut body.boundaries };
-                for three in positions.windows(3).step_by(2).filter(|_| !side.names.is_empty()) {
-                    let mut edge = vec![node(three[0].0, three[0].1), node(three[2].0, three[2].1)];
-                    if quadratic {
-                        edge.push(node(three[1].0, three[1].1));
-                    }
+                for side_of_cell in
+                    positions.windows(intervals + 1).step_by(intervals).filter(|_| !side.names.is_empty())
+                {
+                    let [ends, inner] = [[side_of_cell[0], side_of_cell[intervals]].to_vec(), between(side_of_cell)];
+                    let edge: Edge = ends.into_iter().chain(inner).map(|(i, j)| node(i, j)).collect();
                     for name in &side.names {
                         named.entry(name.clone()).or_default().push(edge.clone());
                     }

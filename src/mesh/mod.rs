@@ -1,15 +1,17 @@
-//! Where: structured, graded, exactly curved meshes of 4-node and 8-node quadrilaterals.
+//! Where: structured, graded, exactly curved meshes of quadrilaterals of order 1, 2 and 4 to 8.
 //!
 //! * [`resolution`] — how fine, and of which order.
 //! * [`connectivity`] — nodes, cells and boundaries.
 //! * [`spacing`] — one-dimensional laws of element size.
 //! * [`block`] — transfinite interpolation inside four sides.
+//! * `layered` — layers of cells towards the ends of contacts.
 //! * `outline` — from the scene's shapes to blocks.
 //! * `merge` — from blocks to nodes and cells.
 //! * `given` — meshes made elsewhere, and their halving.
 //! * `sound` — whether given meshes hang together.
 //! * [`candidates`] — the contact nodes with their normals.
-//! * [`order`] — element order.
+//! * [`order`] — element order: the nodes of a cell.
+//! * [`lobatto`] — the points on which cells of order 4 and more have them.
 //! * [`size`] — how large a mesh would be.
 //! * [`variant`] — the same mesh mirrored, renumbered or shaken.
 //!
@@ -28,6 +30,7 @@
 pub mod block;
 pub mod candidates;
 pub mod connectivity;
+pub mod lobatto;
 pub mod order;
 pub mod resolution;
 pub mod size;
@@ -35,6 +38,7 @@ pub mod spacing;
 pub mod variant;
 
 mod given;
+mod layered;
 mod merge;
 mod outline;
 mod sound;
@@ -65,7 +69,10 @@ impl Mesh {
             match &body.shape {
                 Shape::Given(given) if resolution.refinement == 0 => mesh.append_given(given),
                 Shape::Given(given) => mesh.append(&given.blocks(resolution.refinement)),
-                shape => mesh.append(&outline::Layout::new(scene, resolution, index).blocks(shape)),
+                shape => {
+                    let blocks = outline::Layout::new(scene, resolution, index).blocks(shape);
+                    mesh.append(&layered::towards_ends(blocks, scene, index, resolution.order));
+                }
             }
         }
         sound::refuse_loose(&mesh, scene)?;

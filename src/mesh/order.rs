@@ -1,5 +1,6 @@
-//! Element order, and what it asks of the grading.
+//! Element order: the nodes of a cell, and what it asks of the grading.
 
+use crate::mesh::lobatto;
 use crate::named::named_enum;
 use crate::scene::Grading;
 
@@ -10,19 +11,91 @@ named_enum! {
         Linear = "1",
         /// 8-node (serendipity) quadrilaterals.
         Quadratic = "2",
+        /// 25-node quadrilaterals.
+        Quartic = "4",
+        /// 36-node quadrilaterals.
+        Quintic = "5",
+        /// 49-node quadrilaterals.
+        Sextic = "6",
+        /// 64-node quadrilaterals.
+        Septic = "7",
+        /// 81-node quadrilaterals.
+        Octic = "8",
     }
 }
 
 impl Order {
-    /// Nodes per cell: 4 or 8.
+    /// The order as users write it: the degree of the polynomials along an edge.
+    pub fn number(self) -> u8 {
+        match self {
+            Self::Linear => 1,
+            Self::Quadratic => 2,
+            Self::Quartic => 4,
+            Self::Quintic => 5,
+            Self::Sextic => 6,
+            Self::Septic => 7,
+            Self::Octic => 8,
+        }
+    }
+
+    /// The order of a number; none where no cells have it.
+    pub fn numbered(number: usize) -> Option<Self> {
+        Self::ALL.into_iter().find(|order| usize::from(order.number()) == number)
+    }
+
+    /// The order of cells of so many nodes; none where no cells have them.
+    pub fn of_nodes(nodes: usize) -> Option<Self> {
+        Self::ALL.into_iter().find(|order| order.nodes_per_cell() == nodes)
+    }
+
+    /// Whether cells are tensor products on Gauss–Lobatto–Legendre points: from order 4 on.
+    pub fn is_tensor(self) -> bool {
+        self > Self::Quadratic
+    }
+
+    /// Nodes per cell: 4, 8, or `(p + 1)²`.
     pub fn nodes_per_cell(self) -> usize {
         match self {
             Self::Linear => 4,
             Self::Quadratic => 8,
+            tensor => (usize::from(tensor.number()) + 1).pow(2),
         }
     }
 
-    /// The grading of a mesh with n times as many elements: growth `q^(n^−e)`, and the coarsest element over n^e.
+    /// Intervals of the lattice on each side of a cell: two, mid-side nodes or not, or p.
+    pub fn intervals(self) -> usize {
+        usize::from(self.number()).max(2)
+    }
+
+    /// Lattice positions on a side of a cell, from 0 to 1.
+    pub fn fractions(self) -> Vec<f64> {
+        lobatto::points(self.intervals() + 1).iter().map(|x| 0.5 * (1.0 + x)).collect()
+    }
+
+    /// Where on the lattice of a cell its nodes lie: corners counter-clockwise, then the inner nodes of the bottom, right,
+    /// top and left side, each along its axis, then the inside row by row, as VTK numbers them.
+    pub fn places(self) -> Vec<[usize; 2]> {
+        let m = self.intervals();
+        let inner = || 1..m;
+        let corners = [[0, 0], [m, 0], [m, m], [0, m]];
+        let bottom_and_right = inner().map(|i| [i, 0]).chain(inner().map(|j| [m, j]));
+        let sides = bottom_and_right.chain(inner().map(|i| [i, m])).chain(inner().map(|j| [0, j]));
+        let inside = inner().flat_map(|j| inner().map(move |i| [i, j]));
+        corners.into_iter().chain(sides).chain(inside).take(self.nodes_per_cell()).collect()
+    }
+
+    /// Nodes of the four sides of a cell, by their number in it, counter-clockwise: first, last, then those between.
+    pub fn sides(self) -> [Vec<usize>; 4] {
+        let inner = if self == Self::Linear { 0 } else { self.intervals() - 1 };
+        std::array::from_fn(|k| {
+            let between = 4 + k * inner..4 + (k + 1) * inner;
+            let ends = [k, (k + 1) % 4].into_iter();
+            // Top and left are numbered along their axes, which is backwards.
+            if k < 2 { ends.chain(between).collect() } else { ends.chain(between.rev()).collect() }
+        })
+    }
+
+    /// The grading of a mesh with n times as many elements: growth `q^(n^−e)`, and the coarsest element over n^e, `e = 1/p`.
     ///
     /// Refinement goes to the solution only if elements get smaller everywhere. 4-node cells err with the square of the
     /// growth's logarithm as with that of the element, e = 1; 8-node ones with its fourth power, e = ½. Fewer elements leave
@@ -38,20 +111,8 @@ impl Order {
 
     /// Growth `q^(r^e)` and coarsest element times r^e.
     fn regraded(self, grading: &Grading, ratio: f64) -> Grading {
-        let exponent = match self {
-            Self::Linear => 1.0,
-            Self::Quadratic => 0.5,
-        };
-        let faster = ratio.powf(exponent);
+        let faster = ratio.powf(1.0 / f64::from(self.number()));
         let [along, depth] = [grading.along, grading.depth].map(|growth| growth.powf(faster));
         Grading { along, depth, coarsest: grading.coarsest * faster, ..*grading }
-    }
-
-    /// 1 or 2, as users write it.
-    pub fn number(self) -> u8 {
-        match self {
-            Self::Linear => 1,
-            Self::Quadratic => 2,
-        }
     }
 }

@@ -14,7 +14,9 @@ pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
     let cells: f64 = sizes.iter().map(|[cells, _]| cells).sum();
     let largest = sizes.iter().map(|[_, candidates]| *candidates).fold(0.0, f64::max);
     let halved = 2.0_f64.powi(resolution.refinement as i32);
-    [cells * halved * halved, largest * halved]
+    // Cells of order p count as the 8-node ones, two intervals wide, that have as many nodes along a side.
+    let wide = resolution.order.intervals() as f64 / 2.0;
+    [cells * (halved * wide).powi(2), largest * halved * wide]
 }
 
 /// Cells and candidate elements of one body.

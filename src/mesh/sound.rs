@@ -42,9 +42,9 @@ fn outline(mesh: &Mesh, body: usize) -> Vec<Edge> {
     let mut sides: HashMap<[usize; 2], Option<Edge>> = HashMap::new();
     for cell in mesh.bodies[body].cells.clone() {
         let nodes = mesh.cell(cell);
-        for k in 0..4 {
-            let (a, b) = (nodes[k], nodes[(k + 1) % 4]);
-            let edge: Edge = [a, b].into_iter().chain(nodes.get(4 + k).copied()).collect();
+        for side in mesh.order.sides() {
+            let edge: Edge = side.iter().map(|&k| nodes[k]).collect();
+            let [a, b] = [edge[0], edge[1]];
             sides.entry([a.min(b), a.max(b)]).and_modify(|known| *known = None).or_insert(Some(edge));
         }
     }
@@ -55,7 +55,7 @@ fn outline(mesh: &Mesh, body: usize) -> Vec<Edge> {
 
 /// Nodes of the outline by ascending x.
 fn by_x(mesh: &Mesh, outline: &[Edge], corners_only: bool) -> Vec<usize> {
-    let taken = if corners_only { 2 } else { 3 };
+    let taken = if corners_only { 2 } else { usize::MAX };
     let mut nodes: Vec<usize> = outline.iter().flat_map(|edge| edge.iter().take(taken).copied()).collect();
     nodes.sort_unstable();
     nodes.dedup();

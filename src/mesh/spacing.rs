@@ -1,5 +1,7 @@
 //! One-dimensional spacing laws: lists of positions from which structured blocks are built.
 
+use crate::mesh::Order;
+
 /// `n` equal intervals from `from` to `to`: `n + 1` positions.
 pub fn uniform(from: f64, to: f64, n: usize) -> Vec<f64> {
     stretched(from, to, n, 1.0)
@@ -140,12 +142,14 @@ pub fn joined(lists: &[Vec<f64>]) -> Vec<f64> {
     all
 }
 
-/// Halves every interval `levels` times, so that meshes are nested, and once more for the mid-side positions.
-pub fn lattice(breaks: &[f64], levels: u32) -> Vec<f64> {
-    let parts = 1usize << (levels + 1);
-    let mut all = Vec::with_capacity((breaks.len() - 1) * parts + 1);
+/// Halves every interval `levels` times, so that meshes are nested, and puts the positions of a cell of an order into each.
+pub fn lattice(breaks: &[f64], levels: u32, order: Order) -> Vec<f64> {
+    let (parts, own) = (1usize << levels, order.fractions());
+    let within = &own[..order.intervals()];
+    let mut all = Vec::with_capacity((breaks.len() - 1) * parts * within.len() + 1);
     for pair in breaks.windows(2) {
-        all.extend((0..parts).map(|k| pair[0] + (pair[1] - pair[0]) * k as f64 / parts as f64));
+        let at = |k: usize, t: &f64| pair[0] + (pair[1] - pair[0]) * (k as f64 + t) / parts as f64;
+        all.extend((0..parts).flat_map(|k| within.iter().map(move |t| at(k, t))));
     }
     all.extend(breaks.last());
     all

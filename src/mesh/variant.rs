@@ -10,14 +10,16 @@ impl Mesh {
     pub fn mirrored(&self) -> Self {
         let mut mesh = self.clone();
         mesh.points.iter_mut().for_each(|point| point[0] = -point[0]);
-        let order: &[usize] = match self.order {
-            Order::Linear => &[1, 0, 3, 2],
-            Order::Quadratic => &[1, 0, 3, 2, 4, 7, 6, 5],
-        };
+        let (places, m) = (self.order.places(), self.order.intervals());
+        let image = |place: &[usize; 2]| places.iter().position(|other| *other == [m - place[0], place[1]]);
+        let order: Vec<usize> = places.iter().filter_map(image).collect();
         mesh.connectivity = (0..self.cells()).flat_map(|cell| order.iter().map(move |&k| self.cell(cell)[k])).collect();
         for body in &mut mesh.bodies {
             let edges = body.boundaries.values_mut().chain(body.lines.values_mut()).flatten();
-            edges.for_each(|edge: &mut Edge| edge.swap(0, 1));
+            edges.for_each(|edge: &mut Edge| {
+                edge.swap(0, 1);
+                edge[2..].reverse();
+            });
             body.candidates.iter_mut().for_each(|candidate| candidate.normal[0] = -candidate.normal[0]);
             // On both sides of an origin the contact coordinate changes its sign too.
             for contact in body.candidates.chunk_by_mut(|a, b| a.contact == b.contact) {
@@ -58,6 +60,24 @@ impl Mesh {
                 {
                     let (p, q) = (mesh.points[a], mesh.points[b]);
                     mesh.points[self.cell(cell)[4 + k]] = [0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])];
+                }
+            }
+        }
+        if self.order.is_tensor() {
+            let natural = self.order.fractions();
+            let corner = |cell: usize, k: usize| {
+                let node = self.cell(cell)[k];
+                [0, 1].map(|axis| mesh.points[node][axis] - self.points[node][axis])
+            };
+            let moved: Vec<[[f64; 2]; 4]> =
+                (0..self.cells()).map(|cell| std::array::from_fn(|k| corner(cell, k))).collect();
+            // Every node between moves with the corners of its cell, bilinearly.
+            for (cell, corners) in moved.iter().enumerate() {
+                for (&node, place) in self.cell(cell).iter().zip(self.order.places()).skip(4) {
+                    let [x, y] = place.map(|k| natural[k]);
+                    let weights = [(1.0 - x) * (1.0 - y), x * (1.0 - y), x * y, (1.0 - x) * y];
+                    let by = |axis: usize| weights.iter().zip(corners).map(|(w, c)| w * c[axis]).sum::<f64>();
+                    mesh.points[node] = [0, 1].map(|axis| self.points[node][axis] + by(axis));
                 }
             }
         }

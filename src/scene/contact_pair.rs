@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::scene::BoundaryName;
 use crate::scene::drawn::DrawnGap;
+use crate::scene::ends::Ends;
 use crate::scene::path::Path;
 use crate::scene::spline::MonotoneCubic;
 
@@ -29,6 +30,8 @@ pub struct ContactPair {
     pub stretch: f64,
     /// The scene shows one half of a symmetric problem.
     pub symmetric: bool,
+    /// Where its closed stretches are expected to end, as far as the mesh shall know.
+    pub ends: Ends,
 }
 
 /// Initial normal gap as a function of the contact coordinate.
@@ -108,7 +111,18 @@ impl ContactPair {
     /// Contact of the first body, the upper or inner one, on the side that it calls `contact`, in half of a symmetric scene.
     pub fn new(second: Option<usize>, path: Path, profile: Profile, stretch: f64) -> Self {
         let (name, sides) = (CONTACT.into(), Self::SIDES);
-        Self { name, first: 0, above: true, second, sides, path, profile, stretch, symmetric: true }
+        Self {
+            name,
+            first: 0,
+            above: true,
+            second,
+            sides,
+            path,
+            profile,
+            stretch,
+            symmetric: true,
+            ends: Ends::default(),
+        }
     }
 
     /// The boundaries of a pair whose bodies both call theirs `contact`.

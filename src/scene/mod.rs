@@ -6,6 +6,7 @@
 //! * [`load`] — supports and loads of a body.
 //! * [`side_part`] — a part of a side.
 //! * [`contact_pair`] — who touches whom, along which path, with which initial gap.
+//! * [`ends`] — where its closed stretches are expected to end.
 //! * [`path`] — the curve along which contact runs.
 //! * [`circle`] — a circle, and the rays that meet it.
 //! * [`drawn`] — the gap between sides as they are drawn.
@@ -28,6 +29,7 @@
 pub mod circle;
 pub mod contact_pair;
 pub mod drawn;
+pub mod ends;
 pub mod given;
 pub mod load;
 pub mod material;
@@ -44,6 +46,7 @@ use crate::error::{self, Error, Part};
 pub use circle::Circle;
 pub use contact_pair::{ContactPair, Profile};
 pub use drawn::{Curve, DrawnGap};
+pub use ends::Ends;
 pub use given::GivenMesh;
 pub use load::{Action, Load, StressField, Support, TractionField};
 pub use material::{LARGEST_POISSON, Material, PlaneHypothesis};

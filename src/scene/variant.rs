@@ -23,7 +23,10 @@ impl Scene {
         for pair in &mut scene.contacts {
             match pair.path {
                 Path::Arc(_) => {}
-                Path::Straight(_) => pair.stretch *= length,
+                Path::Straight(_) => {
+                    pair.stretch *= length;
+                    pair.ends.places.iter_mut().for_each(|place| *place *= length);
+                }
             }
             pair.path = scaled_path(&pair.path, length);
             pair.profile = scaled_profile(&pair.profile, length);
@@ -52,6 +55,7 @@ impl Scene {
             pair.path = mirrored_path(&pair.path);
             if pair.path.has_both_sides() {
                 pair.profile = mirrored_profile(&pair.profile);
+                pair.ends.places = pair.ends.places.iter().rev().map(|place| -place).collect();
             }
         }
         scene

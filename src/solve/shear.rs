@@ -53,7 +53,7 @@ impl Discretisation {
         let below = Below::of(self, measures, [contact, body])?;
         let is_wanted = below.corners_and_sides();
         let stress = stress::at_some_nodes(&self.scene, &self.mesh, displacement, &|node| is_wanted[node])?;
-        let nodes = shape_functions::NODES.len().min(self.mesh.order.nodes_per_cell());
+        let nodes = self.mesh.order.nodes_per_cell();
         let grid = grid(nodes);
         let (mut samples, mut best) = (Vec::new(), None);
         let mut most = f64::NEG_INFINITY;

@@ -143,7 +143,7 @@ fn square_and_lobatto_rules_integrate_what_they_promise() {
         let first = quadrature::gauss_square(n)[1].0;
         assert!(first[0] > quadrature::gauss_square(n)[0].0[0]);
     }
-    for (rule, degree) in [(quadrature::lobatto_two(), 1), (quadrature::lobatto_three(), 3)] {
+    for (rule, degree) in [(quadrature::lobatto(2), 1), (quadrature::lobatto(3), 3)] {
         assert_relative_eq!(rule[0].0, -1.0);
         assert_relative_eq!(rule[rule.len() - 1].0, 1.0);
         for k in 0..=degree {

@@ -38,6 +38,7 @@ mod formulation;
 mod gmsh;
 mod growth;
 mod halved;
+mod high_order;
 mod incompressible;
 mod independent;
 mod limits;

@@ -2,7 +2,7 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::mesh::block::{Block, Side};
-use contact_vv::mesh::spacing;
+use contact_vv::mesh::{Order, spacing};
 
 #[test]
 fn uniform_spacing_has_equal_steps_and_exact_ends() {
@@ -92,8 +92,8 @@ fn joined_lists_share_the_station_at_which_they_meet() {
 
 #[test]
 fn lattice_halves_every_interval_once_more_than_the_level() {
-    assert_eq!(spacing::lattice(&[0.0, 1.0, 3.0], 0), vec![0.0, 0.5, 1.0, 2.0, 3.0]);
-    let fine = spacing::lattice(&[0.0, 1.0, 3.0], 1);
+    assert_eq!(spacing::lattice(&[0.0, 1.0, 3.0], 0, Order::Quadratic), vec![0.0, 0.5, 1.0, 2.0, 3.0]);
+    let fine = spacing::lattice(&[0.0, 1.0, 3.0], 1, Order::Linear);
     assert_eq!(fine, vec![0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0]);
 }
 
@@ -110,7 +110,7 @@ fn transfinite_block_with_straight_sides_is_the_bilinear_map() {
         top: Side::inner(line(corners[3], corners[2], &xi)),
         left: Side::inner(line(corners[0], corners[3], &eta)),
     };
-    let lattice = block.lattice();
+    let lattice = block.lattice(Order::Quadratic);
     assert_eq!(block.size(), [5, 3]);
     for (j, v) in eta.iter().enumerate() {
         for (i, u) in xi.iter().enumerate() {
@@ -135,7 +135,7 @@ fn transfinite_block_keeps_coordinates_that_differ_on_opposite_sides_on_straight
         top: Side::inner(upper.map(|x| [x, 1.0]).to_vec()),
         left: Side::inner(heights.map(|y| [0.0, y]).to_vec()),
     };
-    let lattice = block.lattice();
+    let lattice = block.lattice(Order::Quadratic);
     for i in 0..4 {
         assert_abs_diff_eq!(lattice[1][i][1], 0.3, epsilon = 1e-15);
         assert_abs_diff_eq!(lattice[1][i][0], lower[i] + 0.3 * (upper[i] - lower[i]), epsilon = 1e-15);

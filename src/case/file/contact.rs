@@ -6,7 +6,7 @@ use crate::case::file::units::Units;
 use crate::case::file::{Source, compared, gap};
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
-use crate::scene::{Body, Circle, ContactPair, DrawnGap, Line, Path, Profile};
+use crate::scene::{Body, Circle, ContactPair, DrawnGap, Ends, Line, Path, Profile};
 
 /// Largest stretch on an arc \[°\].
 const QUARTER: f64 = 90.0;
@@ -105,6 +105,7 @@ fn pair(
         profile,
         stretch,
         symmetric,
+        ends: Ends::default(),
     };
     refuse_overlap(source, units, table, &pair, &sides)?;
     compared::refuse_other(source, units, table, &pair, &drawn)?;

@@ -139,13 +139,11 @@ impl MeshTable {
         });
         let given: Vec<Order> = given.collect();
         let order = match self.order.as_ref().map(|order| (*order.get_ref(), order.span())) {
-            Some((1, _)) => Order::Linear,
-            Some((2, _)) => Order::Quadratic,
             None => given.first().copied().unwrap_or(Order::Quadratic),
-            Some((other, place)) => {
-                let remedy = "give 1 for 4-node or 2 for 8-node cells";
-                return Err(source.refused(place, format!("`order` is {other}"), remedy));
-            }
+            Some((number, place)) => Order::numbered(number.into()).ok_or_else(|| {
+                let remedy = "give 1 for 4-node or 2 for 8-node cells, or 4 to 8 for cells of high order";
+                source.refused(place, format!("`order` is {number}"), remedy)
+            })?,
         };
         let Some(other) = given.iter().find(|given| **given != order) else { return Ok(order) };
         let [own, others] = [other, &order].map(|order| order.nodes_per_cell());

@@ -1,8 +1,8 @@
 //! What the outlines need to know of the scene, and the positions that follow from it.
 
-use crate::mesh::Resolution;
 use crate::mesh::block::Point;
 use crate::mesh::spacing;
+use crate::mesh::{Order, Resolution};
 use crate::scene::contact_pair::CONTACT;
 use crate::scene::{ContactPair, Grading, Path, Scene};
 
@@ -16,12 +16,16 @@ pub(crate) struct Layout<'a> {
     pub opposite: bool,
     /// Contact coordinates at which nodes must lie: kinks of the gap, which no edge shall straddle.
     pub kinks: Vec<f64>,
+    /// Contact coordinates at which the contact is expected to end; none where the mesh knows nothing of it.
+    pub ends: Vec<f64>,
     /// The candidates of every contact of the body, where there are several that differ.
     pub several: Vec<Fine>,
     /// Elements per grading unit before refinement.
     pub elements: f64,
     /// Times the whole mesh is halved.
     pub refinement: u32,
+    /// Element order.
+    pub order: Order,
 }
 
 impl<'a> Layout<'a> {
@@ -35,17 +39,61 @@ impl<'a> Layout<'a> {
             path: &pair.path,
             stretch: pair.stretch,
             kinks: pair.profile.kinks(),
+            ends: pair.ends.places.clone(),
             opposite: scene.contacts_of(body).any(|other| other.side(body) != CONTACT),
             several: if own.iter().all(|one| *one == own[0]) { vec![] } else { own },
             elements,
             refinement: resolution.refinement,
+            order: resolution.order,
         }
     }
 
     /// Positions of the candidate stretch in the contact coordinate, from 0 on.
     pub fn candidates(&self) -> Vec<f64> {
+        if !self.ends.is_empty() {
+            return self.between_ends(self.ends.iter().map(|end| end.abs()), 0.0);
+        }
         let n = elements_on(self.stretch * self.path.metric(), self.elements / self.grading.unit);
         spacing::broken(0.0, self.stretch, n, self.grading.end, &self.kinks)
+    }
+
+    /// Positions of the candidate stretch from a place on: the ends of the contact, as far again beyond the last, and the end of
+    /// the stretch, each interval in so many elements.
+    pub fn between_ends(&self, ends: impl Iterator<Item = f64>, from: f64) -> Vec<f64> {
+        let mut breaks: Vec<f64> = ends.chain(self.kinks.iter().copied()).filter(|s| *s > from).collect();
+        breaks.sort_by(f64::total_cmp);
+        let near = SAME * self.stretch;
+        breaks.retain(|s| *s < self.stretch - near);
+        breaks.dedup_by(|next, before| *next - *before <= near);
+        let last = breaks.last().copied().unwrap_or(from);
+        let beyond = last + self.half_width();
+        let wide = self.stretch - beyond > 0.5 * self.half_width();
+        let all = [from].into_iter().chain(breaks).chain(wide.then_some(beyond)).chain([self.stretch]);
+        let all: Vec<f64> = all.collect();
+        let widest = if self.path.is_straight() { f64::INFINITY } else { WIDEST };
+        let pieces = all.windows(2).map(|two| {
+            let fewest = ((two[1] - two[0]) / widest - near).ceil();
+            spacing::uniform(two[0], two[1], self.elements.round().max(fewest).max(1.0) as usize)
+        });
+        spacing::joined(&pieces.collect::<Vec<_>>())
+    }
+
+    /// Half the width of the contact that is expected: from s = 0 to its end, or half way from its first to its last.
+    pub fn half_width(&self) -> f64 {
+        match self.ends[..] {
+            [.., last] if !self.path.has_both_sides() => last,
+            [first, .., last] => 0.5 * (last - first),
+            _ => self.stretch,
+        }
+    }
+
+    /// Positions of the candidate stretch from `−stretch` on, with a position half way between neighbouring ends.
+    pub fn across_ends(&self) -> Vec<f64> {
+        let middles = self.ends.windows(2).map(|two| 0.5 * (two[0] + two[1]));
+        let all: Vec<f64> = self.ends.iter().copied().chain(middles).collect();
+        let beyond = self.ends[0] - self.half_width();
+        let begins = (beyond + self.stretch > 0.5 * self.half_width()).then_some(beyond);
+        self.between_ends(all.into_iter().chain(begins), -self.stretch)
     }
 
     /// Positions of an arc: the candidates, then growing element sizes up to each of the given angles in turn.
@@ -93,7 +141,7 @@ impl<'a> Layout<'a> {
     }
 
     pub fn lattice(&self, breaks: &[f64]) -> Vec<f64> {
-        spacing::lattice(breaks, self.refinement)
+        spacing::lattice(breaks, self.refinement, self.order)
     }
 
     /// Points `at(s)` on the lattice of the given positions.
@@ -132,6 +180,11 @@ impl Fine {
         (1..ends.len()).map(move |k| [ends[k - 1], ends[k]])
     }
 }
+
+/// Widest cell on an arc that carries a contact \[rad\].
+const WIDEST: f64 = std::f64::consts::FRAC_PI_6;
+/// Difference of positions, over the stretch, below which they are one.
+const SAME: f64 = 1e-9;
 
 /// Elements on a length.
 fn elements_on(length: f64, per_length: f64) -> usize {

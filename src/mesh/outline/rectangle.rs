@@ -7,8 +7,13 @@ use crate::scene::Face;
 
 pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -> Vec<Block> {
     let along = columns(layout, x);
-    let [before, last] = last_two(&layout.candidates());
-    let finest = layout.several.iter().map(|one| one.size).fold(last - before, f64::min);
+    let finest = match layout.ends[..] {
+        [] => {
+            let [before, last] = last_two(&layout.candidates());
+            layout.several.iter().map(|one| one.size).fold(last - before, f64::min)
+        }
+        _ => layout.half_width() / layout.elements,
+    };
     let heights: Vec<f64> = layout.across(finest, y[1] - y[0]);
     let upwards: Vec<f64> = match contact {
         Face::Bottom => heights.iter().map(|d| y[0] + d).collect(),
@@ -35,6 +40,22 @@ fn columns(layout: &Layout, [left, right]: [f64; 2]) -> Vec<f64> {
         return outwards(layout, right - left).iter().map(|s| left + s).collect();
     }
     let origin = layout.path.origin()[0];
+    if !layout.ends.is_empty() {
+        let candidates: Vec<f64> = layout.across_ends().iter().map(|s| origin + s).collect();
+        let grading = layout.grading;
+        let beyond = |from: f64, to: f64, first: f64| {
+            let coarsest = grading.coarsest * (right - left);
+            spacing::growing(from, to, first * grading.along, grading.along, coarsest)
+        };
+        let [begin, second] = [candidates[0], candidates[1]];
+        let [before, end] = last_two(&candidates);
+        let leftwards: Vec<f64> = beyond(begin, left, second - begin).into_iter().rev().collect();
+        let mut positions = spacing::joined(&[leftwards, candidates, beyond(end, right, end - before)]);
+        if let [from, .., to] = &mut positions[..] {
+            (*from, *to) = (left, right);
+        }
+        return positions;
+    }
     let leftwards = outwards(layout, origin - left).iter().rev().map(|s| origin - s).collect();
     let rightwards = outwards(layout, right - origin).iter().map(|s| origin + s).collect();
     let mut positions = spacing::joined(&[leftwards, rightwards]);

@@ -5,7 +5,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::accuracy::{Quantity, Subject, bars};
 use crate::error::Error;
-use crate::mesh::Order;
 use crate::solve::{Discretisation, Element, Run};
 use crate::study::coverage::NAME;
 use crate::study::coverage::setup::Setup;
@@ -145,10 +144,7 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
         Record {
             family: site.family,
             number: site.number,
-            cell: match resolution.order {
-                Order::Linear => 4,
-                Order::Quadratic => 8,
-            },
+            cell: resolution.order.nodes_per_cell(),
             element: formulation.element,
             per: rounded(per),
             kind: Kind::of(&truth.subject),

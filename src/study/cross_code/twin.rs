@@ -96,7 +96,7 @@ impl Twin {
 fn penalty(kappa: f64, order: Order) -> Formulation {
     let quadrature = match order {
         Order::Linear => Quadrature::GaussFull,
-        Order::Quadratic => Quadrature::Gauss,
+        _ => Quadrature::Gauss,
     };
     let rule = StiffnessRule::Penalty;
     let base = Formulation::new(Element::Line, Iteration::Kinematic).tolerance(1e-10);

@@ -27,7 +27,7 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
 fn accuracy(orders: &Orders) -> Vec<Judged> {
     let half_width = match orders.order {
         Order::Linear => below_second_order(orders),
-        Order::Quadratic => {
+        _ => {
             reaches(orders, "observed order of the half-width", 2.0, "the edge lies on a node", |level| level.half_width)
         }
     };

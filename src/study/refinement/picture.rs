@@ -28,7 +28,7 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
 fn curves(orders: &Orders) -> [Series; 3] {
     let (dash, marker) = match orders.order {
         Order::Linear => (Dash::Dashed, Marker::Square),
-        Order::Quadratic => (Dash::Solid, Marker::Circle),
+        _ => (Dash::Solid, Marker::Circle),
     };
     let curve = |quantity, colour, of: fn(&Errors) -> f64| {
         let points = orders.levels.iter().map(|level| [level.size, of(level).abs()]).collect();

@@ -1,0 +1,114 @@
+//! The peak of a profile whose edges hold many contact points, as on cells of order 4 and more: the top of a quartic through
+//! the pressures of the points around the highest.
+//!
+//! Means over pairs of edges, which peaks of other profiles are read from, are there as wide as the contact itself.
+
+use std::ops::Range;
+
+use crate::measure::peak::{DROP, Fit, Peak, ROUNDING};
+use crate::solution::{Part, PointState};
+
+/// Contact points on an edge from which on they tell the profile better than means over edges.
+const MANY: usize = 4;
+/// Fewest points of a fit, where there are so many: two more than the coefficients of a quartic, so that it smooths.
+const FEWEST: usize = 7;
+/// Points of the other reading, through which the quartic passes.
+const THROUGH: usize = 5;
+
+/// Fewest points whose squares make a parabola, where there are so many.
+const SQUARES: usize = 4;
+/// Part of a stretch, from its end on, in which points tell where it ends.
+const OUTER: f64 = 0.35;
+
+/// A profile read from its points.
+#[derive(Clone, Copy, Debug)]
+pub struct Reading {
+    /// The largest pressure.
+    pub peak: Peak,
+    /// The same by the quartic through the five points around the highest \[MPa\].
+    pub through_points: f64,
+    /// Pressure at s = 0 \[MPa\].
+    pub at_origin: f64,
+}
+
+/// What the points of a contact tell, where they are many; where the pressure is the same all around, its peak is at `centre`.
+pub fn read(part: Part, centre: f64) -> Option<Reading> {
+    if !are_many(part) {
+        return None;
+    }
+    let points = with_images(part);
+    let highest = nearest_to(&points, |point| -point.pressure)?;
+    let top = around(&points, highest, DROP, FEWEST);
+    let peak = top.top();
+    let flat = top.value(centre).is_some_and(|middle| peak.pressure <= middle * (1.0 + ROUNDING));
+    let origin = nearest_to(&points, |point| point.position.abs())?;
+    let at_origin = match points[origin].pressure > 0.0 {
+        true => around(&points, origin, DROP, FEWEST).value(0.0).unwrap_or(f64::NAN),
+        false => 0.0,
+    };
+    Some(Reading {
+        peak: if flat { Peak { position: centre, ..peak } } else { peak },
+        through_points: around(&points, highest, 0.0, THROUGH).top().pressure,
+        at_origin,
+    })
+}
+
+/// Whether the points of a contact are many.
+pub fn are_many(part: Part) -> bool {
+    !part.edges.is_empty() && part.points.len() >= MANY * part.edges.len()
+}
+
+/// Where a stretch ends, from its pressed points in the order towards that end \[mm, or rad\].
+///
+/// Near a smooth end `p ∝ √(a − s)`, so that p² is as smooth as the contact itself: its parabola over the last third of the
+/// stretch, but for the outermost point, which has felt the end most, vanishes at a.
+pub fn end(pressed: &[PointState]) -> f64 {
+    let [first, .., before, last] = pressed else { return pressed.last().map_or(f64::NAN, |point| point.position) };
+    let (width, gap) = (last.position - first.position, last.position - before.position);
+    let near = pressed.iter().rev().skip(1).enumerate();
+    let near = near.take_while(|(k, point)| *k < SQUARES || last.position - point.position <= OUTER * width);
+    let squares = near.map(|(_, p)| PointState { pressure: p.pressure.powi(2), weight: 1.0, ..*p }).collect::<Vec<_>>();
+    let found = Fit::parabola_over(&squares).root(last.position);
+    // A profile that does not end smoothly says no more than where its last point is.
+    if found.is_finite() { found.clamp(before.position, last.position + 2.0 * gap) } else { last.position }
+}
+
+/// The points, with their images where the contact begins on a symmetry line, s = 0.
+fn with_images(part: Part) -> Vec<PointState> {
+    let (first, last) = (part.edges[0].ends[0], part.edges[part.edges.len() - 1].ends[1]);
+    let near = ROUNDING * last;
+    let images = part.points.iter().rev().filter(|point| first.abs() <= near && point.position > near);
+    let images = images.map(|point| PointState { position: -point.position, ..*point });
+    images.chain(part.points.iter().copied()).collect()
+}
+
+fn nearest_to(points: &[PointState], away: impl Fn(&PointState) -> f64) -> Option<usize> {
+    (0..points.len()).min_by(|&a, &b| away(&points[a]).total_cmp(&away(&points[b])))
+}
+
+/// The fit over the pressed points around one: those that differ from it by no more than a drop, and so many at least.
+fn around(points: &[PointState], at: usize, drop: f64, fewest: usize) -> Fit {
+    let size = points[at].pressure;
+    let off = |k: usize| (points[k].pressure - size).abs() / size;
+    let Range { mut start, mut end } = at..at + 1;
+    loop {
+        let within = |k: &usize| points[*k].pressure > 0.0 && (off(*k) <= drop || end - start < fewest);
+        let before = start.checked_sub(1).filter(within);
+        let after = Some(end).filter(|&k| k < points.len()).filter(within);
+        match (before, after) {
+            // The nearer one first, so that the window stays around the point; two as near, images, together.
+            (Some(k), Some(l)) if away(points, at, k) < away(points, at, l) * (1.0 - ROUNDING) => start = k,
+            (Some(k), Some(l)) if away(points, at, k) <= away(points, at, l) * (1.0 + ROUNDING) => {
+                (start, end) = (k, l + 1);
+            }
+            (_, Some(l)) => end = l + 1,
+            (Some(k), None) => start = k,
+            (None, None) => return Fit::over_points(&points[start..end]),
+        }
+    }
+}
+
+/// Distance of two points.
+fn away(points: &[PointState], a: usize, b: usize) -> f64 {
+    (points[a].position - points[b].position).abs()
+}

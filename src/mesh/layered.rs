@@ -1,0 +1,155 @@
+//! Layers of cells towards the ends of a contact: every cell with a corner there is cut into one like it, smaller, and two
+//! around that, and so again.
+//!
+//! Neighbours that share the corner cut their common side at the same place, and sides that do not meet the corner stay as
+//! they are: the mesh hangs together, whatever it was.
+
+use super::block::{Block, Point, Side};
+use super::{Order, lobatto};
+use crate::scene::ends::LAYER;
+use crate::scene::{ContactPair, Scene};
+
+/// Difference of contact coordinates, over the stretch, that rounding explains.
+const SAME: f64 = 1e-9;
+
+/// The blocks of a body with layers towards the ends of its contacts.
+pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, order: Order) -> Vec<Block> {
+    for pair in scene.contacts_of(body) {
+        for &place in &pair.ends.places {
+            let is_end = |point: Point| (pair.path.coordinate(point) - place).abs() <= SAME * pair.stretch;
+            let end = End { pair, body, is_end: &is_end };
+            blocks = blocks.into_iter().flat_map(|block| end.layered(block, order)).collect();
+        }
+    }
+    blocks
+}
+
+/// A place on the side of a body that touches.
+struct End<'a> {
+    pair: &'a ContactPair,
+    body: usize,
+    is_end: &'a dyn Fn(Point) -> bool,
+}
+
+impl End<'_> {
+    /// A block, cut into its cells where one of them has its corner at the end.
+    fn layered(&self, block: Block, order: Order) -> Vec<Block> {
+        let touches = |side: &&Side| {
+            let mut corners = side.points.iter().step_by(order.intervals());
+            self.is_contact(side) && corners.any(|corner| (self.is_end)(*corner))
+        };
+        if ![&block.bottom, &block.right, &block.top, &block.left].iter().any(touches) {
+            return vec![block];
+        }
+        let cells = cells(&block, order).into_iter();
+        cells.flat_map(|cell| self.cut(cell, order, self.pair.ends.layers)).collect()
+    }
+
+    /// A cell, cut so many times where one of its corners is the end.
+    fn cut(&self, cell: Block, order: Order, layers: usize) -> Vec<Block> {
+        match self.corner(&cell) {
+            Some(corner) if layers > 0 => {
+                let [small, around @ ..] = Map::of(&cell, order).around(corner);
+                self.cut(small, order, layers - 1).into_iter().chain(around).collect()
+            }
+            _ => vec![cell],
+        }
+    }
+
+    /// The corner of a cell at the end, counter-clockwise from the lower left one.
+    fn corner(&self, Block { bottom, right, top, left }: &Block) -> Option<usize> {
+        let last = |side: &Side| side.points[side.points.len() - 1];
+        let corners = [bottom.points[0], last(bottom), last(top), top.points[0]];
+        let meeting = [[bottom, left], [bottom, right], [right, top], [top, left]];
+        let is_end = |k: &usize| (self.is_end)(corners[*k]) && meeting[*k].iter().any(|side| self.is_contact(side));
+        (0..4).find(is_end)
+    }
+
+    fn is_contact(&self, side: &Side) -> bool {
+        side.names.iter().any(|name| name == self.pair.side(self.body))
+    }
+}
+
+/// The cells of a block, each a block of its own.
+fn cells(block: &Block, order: Order) -> Vec<Block> {
+    let (lattice, m) = (block.lattice(order), order.intervals());
+    let [columns, rows] = block.size();
+    let cell = |i: usize, j: usize| {
+        let of = |outer: &Side, is_outer: bool, points: Vec<Point>| match is_outer {
+            true => Side { points, ..outer.clone() },
+            false => Side::inner(points),
+        };
+        let row = |j: usize| lattice[j][i..=i + m].to_vec();
+        let column = |i: usize| (j..=j + m).map(|j| lattice[j][i]).collect::<Vec<_>>();
+        Block {
+            bottom: of(&block.bottom, j == 0, row(j)),
+            right: of(&block.right, i + m + 1 == columns, column(i + m)),
+            top: of(&block.top, j + m + 1 == rows, row(j + m)),
+            left: of(&block.left, i == 0, column(i)),
+        }
+    };
+    let all = (0..rows - 1).step_by(m).flat_map(|j| (0..columns - 1).step_by(m).map(move |i| (i, j)));
+    all.map(|(i, j)| cell(i, j)).collect()
+}
+
+/// The map of a cell from the unit square: the polynomials through its lattice points.
+struct Map<'a> {
+    cell: &'a Block,
+    lattice: Vec<Vec<Point>>,
+    order: Order,
+}
+
+impl<'a> Map<'a> {
+    fn of(cell: &'a Block, order: Order) -> Self {
+        Self { cell, lattice: cell.lattice(order), order }
+    }
+
+    /// The small cell at a corner (counter-clockwise from the lower left one), and the two around it.
+    fn around(&self, corner: usize) -> [Block; 3] {
+        let towards = |[x, y]: [f64; 2]| [[x, y], [1.0 - x, y], [1.0 - x, 1.0 - y], [x, 1.0 - y]][corner];
+        let quadrilateral = |corners: [[f64; 2]; 4]| {
+            let [a, b, c, d] = corners.map(towards);
+            // Seen in one mirror a cell must be listed the other way round.
+            if corner % 2 == 0 { self.block([a, b, c, d]) } else { self.block([b, a, d, c]) }
+        };
+        let (f, inner) = (LAYER, [LAYER, LAYER]);
+        [
+            quadrilateral([[0.0, 0.0], [f, 0.0], inner, [0.0, f]]),
+            quadrilateral([[f, 0.0], [1.0, 0.0], [1.0, 1.0], inner]),
+            quadrilateral([[0.0, f], inner, [1.0, 1.0], [0.0, 1.0]]),
+        ]
+    }
+
+    /// The image of a quadrilateral of the unit square.
+    fn block(&self, [a, b, c, d]: [[f64; 2]; 4]) -> Block {
+        Block { bottom: self.side(a, b), right: self.side(b, c), top: self.side(d, c), left: self.side(a, d) }
+    }
+
+    /// The image of a line, on the side of the cell that it lies on.
+    fn side(&self, from: [f64; 2], to: [f64; 2]) -> Side {
+        let at = |t: &f64| self.point([0, 1].map(|k| from[k] + (to[k] - from[k]) * t));
+        let points = self.order.fractions().iter().map(at).collect();
+        let on = |k: usize, value: f64| [from[k], to[k]].iter().all(|x| (x - value).abs() <= f64::EPSILON);
+        let outer = match () {
+            _ if on(1, 0.0) => &self.cell.bottom,
+            _ if on(0, 1.0) => &self.cell.right,
+            _ if on(1, 1.0) => &self.cell.top,
+            _ if on(0, 0.0) => &self.cell.left,
+            _ => return Side::inner(points),
+        };
+        Side { points, ..outer.clone() }
+    }
+
+    /// The image of a point.
+    fn point(&self, at: [f64; 2]) -> Point {
+        let nodes = lobatto::points(self.order.intervals() + 1);
+        let [along, across] = at.map(|x| lobatto::lagrange(nodes, 2.0 * x - 1.0));
+        let mut point = [0.0; 2];
+        for (row, (m, _)) in self.lattice.iter().zip(&across) {
+            for (place, (n, _)) in row.iter().zip(&along) {
+                (0..2).for_each(|k| point[k] += n * m * place[k]);
+            }
+        }
+        point
+    }
+}

@@ -1,0 +1,310 @@
+//! Cells of order 4 to 8: shape functions, areas, exactness of their degree, and contact on them.
+
+use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::case::library::{Patch, PressFit, TruncatedHertz};
+use contact_vv::contact::Quadrature;
+use contact_vv::elasticity::element::{self, CellStiffness};
+use contact_vv::elasticity::{ElasticSystem, quadrature, shape_functions, stress};
+use contact_vv::measure::relative_error;
+use contact_vv::mesh::{Mesh, Order, lobatto};
+use contact_vv::scene::{Component, Face, Load, Path, PlaneHypothesis, Profile, Scene, Shape, Support};
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
+
+use crate::workbench::{STEEL, block, distance, held, held_at, noise, of_shape, resolution, solved};
+
+/// All orders of tensor cells.
+const TENSOR: [Order; 5] = [Order::Quartic, Order::Quintic, Order::Sextic, Order::Septic, Order::Octic];
+
+/// Natural coordinates of the nodes of a cell.
+fn nodes(order: Order) -> Vec<[f64; 2]> {
+    let points = lobatto::points(order.intervals() + 1);
+    order.places().into_iter().map(|place| place.map(|k| points[k])).collect()
+}
+
+#[test]
+fn shape_functions_are_one_at_their_own_node_and_sum_to_one_everywhere() {
+    let mut number = noise(7);
+    for order in TENSOR {
+        let nodes = nodes(order);
+        assert_eq!(nodes.len(), order.nodes_per_cell());
+        for (a, at) in nodes.iter().enumerate() {
+            for (b, (value, _)) in shape_functions::cell(nodes.len(), *at).into_iter().enumerate() {
+                assert_abs_diff_eq!(value, if a == b { 1.0 } else { 0.0 }, epsilon = 1e-14);
+            }
+        }
+        for _ in 0..20 {
+            let shapes = shape_functions::cell(nodes.len(), [number(), number()]);
+            assert_abs_diff_eq!(shapes.iter().map(|s| s.0).sum::<f64>(), 1.0, epsilon = 1e-13);
+            for k in 0..2 {
+                assert_abs_diff_eq!(shapes.iter().map(|s| s.1[k]).sum::<f64>(), 0.0, epsilon = 1e-11);
+            }
+        }
+    }
+}
+
+#[test]
+fn sides_of_a_cell_run_counter_clockwise_and_edges_have_the_shape_functions_of_the_cell() {
+    for order in [Order::Linear, Order::Quadratic].into_iter().chain(TENSOR) {
+        let n = order.nodes_per_cell();
+        for (k, side) in order.sides().into_iter().enumerate() {
+            for x in [-1.0, -0.3, 0.62, 1.0] {
+                let at = [[x, -1.0], [1.0, x], [-x, 1.0], [-1.0, -x]][k];
+                let (cell, edge) = (shape_functions::cell(n, at), shape_functions::edge(side.len(), x));
+                for (&a, (value, _)) in side.iter().zip(&edge) {
+                    assert_abs_diff_eq!(cell[a].0, *value, epsilon = 1e-13);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn polynomials_of_the_order_are_reproduced_with_their_gradients() {
+    let mut number = noise(3);
+    for order in TENSOR {
+        let p = i32::from(order.number());
+        let at = [number(), number()];
+        let shapes = shape_functions::cell(order.nodes_per_cell(), at);
+        for (i, j) in (0..=p).flat_map(|i| (0..=p).map(move |j| (i, j))) {
+            let sum = |of: fn(&(f64, [f64; 2])) -> f64| -> f64 {
+                let each = shapes.iter().zip(nodes(order));
+                each.map(|(shape, node)| of(shape) * node[0].powi(i) * node[1].powi(j)).sum()
+            };
+            assert_abs_diff_eq!(sum(|s| s.0), at[0].powi(i) * at[1].powi(j), epsilon = 1e-12);
+            let slope = if i == 0 { 0.0 } else { f64::from(i) * at[0].powi(i - 1) * at[1].powi(j) };
+            assert_abs_diff_eq!(sum(|s| s.1[0]), slope, epsilon = 1e-10);
+        }
+    }
+}
+
+#[test]
+fn lobatto_rules_are_exact_to_degree_2n_less_3_and_no_further() {
+    for n in 2..=9_usize {
+        let rule = quadrature::lobatto(n);
+        assert!(rule.iter().all(|(_, weight)| *weight > 0.0));
+        let found = |degree: usize| rule.iter().map(|(x, w)| w * x.powi(degree as i32)).sum::<f64>();
+        let wanted = |degree: usize| if degree.is_multiple_of(2) { 2.0 / (degree as f64 + 1.0) } else { 0.0 };
+        for degree in 0..=2 * n - 3 {
+            assert_abs_diff_eq!(found(degree), wanted(degree), epsilon = 1e-14);
+        }
+        assert!((found(2 * n - 2) - wanted(2 * n - 2)).abs() > 1e-6, "{n} points");
+    }
+}
+
+#[test]
+fn stiffness_is_symmetric_and_leaves_rigid_motions_free() {
+    for order in TENSOR {
+        let kernel = CellStiffness::new(order, &STEEL.stiffness(PlaneHypothesis::Strain), 1.3);
+        let corners = [[0.1, -0.2], [2.3, 0.1], [2.0, 1.7], [-0.3, 1.4]];
+        let at = |node: &[f64; 2]| {
+            let shapes = shape_functions::cell(4, *node);
+            [0, 1].map(|k| shapes.iter().zip(corners).map(|((n, _), corner)| n * corner[k]).sum::<f64>())
+        };
+        let points: Vec<[f64; 2]> = nodes(order).iter().map(at).collect();
+        let side = 2 * points.len();
+        let mut k = vec![0.0; kernel.entries()];
+        kernel.integrate(points.iter().copied(), &mut k).expect("convex");
+        let largest = k.iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));
+        for (i, j) in (0..side).flat_map(|i| (0..i).map(move |j| (i, j))) {
+            assert!((k[i * side + j] - k[j * side + i]).abs() <= 1e-12 * largest);
+        }
+        for motion in [|_: [f64; 2]| [1.0, 0.0], |_| [0.0, 1.0], |[x, y]: [f64; 2]| [-y, x]] {
+            let u: Vec<f64> = points.iter().flat_map(|point| motion(*point)).collect();
+            for row in k.chunks_exact(side) {
+                let force: f64 = row.iter().zip(&u).map(|(k, u)| k * u).sum();
+                assert!(force.abs() <= 1e-11 * largest, "{order:?}: {force}");
+            }
+        }
+    }
+}
+
+/// Displacements of degree p in x and y without body forces: `u = Re z^p`, `v = −Im z^p` is harmonic and without dilatation.
+fn harmonic(p: i32, [x, y]: [f64; 2]) -> [f64; 2] {
+    let (radius, angle) = (x.hypot(y), y.atan2(x));
+    let size = 1e-3 * radius.powi(p);
+    [size * (f64::from(p) * angle).cos(), -size * (f64::from(p) * angle).sin()]
+}
+
+#[test]
+fn displacements_of_the_degree_are_found_to_round_off() {
+    for order in TENSOR {
+        let p = i32::from(order.number());
+        let scene = block([1.0, 1.0], vec![], vec![]);
+        let mesh = Mesh::of(&scene, resolution(2, 0, order)).expect("mesh").shaken(0.0);
+        let outer = |at: &[f64; 2]| at[0].min(at[1]).min(1.0 - at[0]).min(1.0 - at[1]) < 1e-12;
+        let supports: Vec<Support> = mesh
+            .points
+            .iter()
+            .filter(|point| outer(point))
+            .flat_map(|&point| {
+                let [u, v] = harmonic(p, point);
+                [held_at(point, Component::X, u), held_at(point, Component::Y, v)]
+            })
+            .collect();
+        let mut scene = block([1.0, 1.0], supports, vec![]);
+        scene.contacts.iter_mut().for_each(|pair| pair.stretch = 1e-6);
+        let mut mesh = mesh;
+        mesh.bodies[0].candidates.clear();
+        let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+        let u = system.nodal_displacements(&[solved(&system.bodies[0])]);
+        for (point, found) in mesh.points.iter().zip(&u) {
+            assert!(distance(found, &harmonic(p, *point)) <= 1e-15, "{order:?} at {point:?}");
+        }
+        // Stresses of degree p − 1 are told exactly, `σ_x = −σ_y = 2μ p Re z^{p−1}`.
+        let modulus = STEEL.young / (1.0 + STEEL.poisson);
+        for (point, stress) in mesh.points.iter().zip(stress::at_nodes(&scene, &mesh, &u).expect("stress")) {
+            let wanted = modulus * f64::from(p) * harmonic(p - 1, *point)[0];
+            assert!((stress[0] - wanted).abs() <= 1e-8 && (stress[1] + wanted).abs() <= 1e-8, "{order:?} at {point:?}");
+        }
+    }
+}
+
+#[test]
+fn patch_has_the_applied_pressure_with_every_element_and_order() {
+    for order in TENSOR {
+        let discretisation = Discretisation::of(Patch::default().scene(), resolution(2, 0, order)).expect("patch");
+        for formulation in Formulation::nine() {
+            let solution = discretisation.solve(&formulation.clone().tolerance(1e-8)).expect("solution");
+            assert!(solution.converged(), "{} {order:?}: {}", formulation.name(), solution.outcome);
+            for point in &solution.points {
+                assert!((point.pressure - 100.0).abs() <= 1e-5, "{} {order:?}: {point:?}", formulation.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn shaken_and_mirrored_patches_keep_the_uniform_pressure() {
+    for order in TENSOR {
+        let scene = Patch::default().scene();
+        let mesh = Mesh::of(&scene, resolution(2, 0, order)).expect("mesh").shaken(0.2);
+        for mesh in [mesh.clone(), mesh.mirrored().mirrored(), mesh.renumbered()] {
+            let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+            let made = Discretisation::of_system(scene.clone(), resolution(2, 0, order), mesh, system).expect("system");
+            let solution = made.solve(&Formulation::verification()).expect("solution");
+            for point in &solution.points {
+                assert!((point.pressure - 100.0).abs() <= 1e-5, "{order:?}: {point:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn areas_of_contact_nodes_are_the_lobatto_weights() {
+    for order in TENSOR {
+        let scene = block([3.0, 3.0], vec![held("left", Component::X, 0.0)], vec![]);
+        let discretisation = Discretisation::of(scene, resolution(1, 0, order)).expect("block");
+        let points = discretisation.points(&Formulation::verification());
+        let rule = Quadrature::Lobatto.rule(order.intervals() + 1);
+        assert_eq!(points.len(), rule.len());
+        for (point, (_, weight)) in points.iter().zip(rule) {
+            // Half the length of the edge, times the thickness.
+            assert_relative_eq!(point.weight, weight * 1.5 * 2.5, max_relative = 1e-12);
+        }
+    }
+}
+
+/// A ring between two arcs, quarter of it.
+fn ring() -> Scene {
+    let circle = |radius| contact_vv::scene::Circle { centre: [0.0, 0.0], radius };
+    let shape = Shape::Ring {
+        pole: [0.0, 0.0],
+        inner: circle(10.0),
+        outer: circle(20.0),
+        sweep: std::f64::consts::FRAC_PI_2,
+        contact: Face::Top,
+    };
+    of_shape(shape, Path::Arc(circle(20.0)), 0.5, vec![], vec![])
+}
+
+#[test]
+fn area_between_arcs_converges_as_fast_as_the_order_and_nodes_lie_on_them() {
+    let wanted = std::f64::consts::FRAC_PI_4 * (400.0 - 100.0);
+    for (order, bound) in TENSOR.into_iter().zip([1e-7, 1e-9, 1e-11, 1e-12, 1e-12]) {
+        let mesh = Mesh::of(&ring(), resolution(1, 0, order)).expect("mesh");
+        let rule = quadrature::gauss_square(order.intervals() + 2);
+        let area: f64 = (0..mesh.cells())
+            .map(|cell| {
+                let points: Vec<[f64; 2]> = mesh.cell(cell).iter().map(|&node| mesh.points[node]).collect();
+                let at = |(at, weight): &([f64; 2], f64)| weight * element::gradients(&points, *at).expect("convex").1;
+                rule.iter().map(at).sum::<f64>()
+            })
+            .sum();
+        assert!(relative_error(area, wanted) <= bound, "{order:?}: {:.1e}", relative_error(area, wanted));
+        for (name, radius) in [("inner", 10.0), ("contact", 20.0)] {
+            for &node in mesh.bodies[0].boundaries[name].iter().flatten() {
+                let [x, y] = mesh.points[node];
+                assert_relative_eq!(x.hypot(y), radius, max_relative = 1e-13);
+            }
+        }
+    }
+}
+
+#[test]
+fn press_fit_has_the_pressure_of_lame_to_more_digits_with_the_order() {
+    let numbers = PressFit::default();
+    let [inner, outer] = numbers.materials;
+    let (a, b, c) = (numbers.inner, numbers.interface, numbers.outer);
+    // Timoshenko & Goodier, §28, plane stress.
+    let shrink = b / inner.young * ((b * b + a * a) / (b * b - a * a) - inner.poisson);
+    let widen = b / outer.young * ((c * c + b * b) / (c * c - b * b) + outer.poisson);
+    let wanted = numbers.interference / (shrink + widen);
+    for (order, bound) in TENSOR.into_iter().zip([3e-4, 5e-6, 5e-7, 2e-8, 2e-8]) {
+        let discretisation = Discretisation::of(numbers.scene(), resolution(2, 0, order)).expect("press fit");
+        let solution = discretisation.solve(&Formulation::verification()).expect("solution");
+        for point in &solution.points {
+            assert!(relative_error(point.pressure, wanted) <= bound, "{order:?}: {point:?} {wanted}");
+        }
+    }
+}
+
+#[test]
+fn every_element_finds_hertz_on_cells_of_every_order() {
+    let hertz = TruncatedHertz::default();
+    for order in TENSOR {
+        let discretisation = Discretisation::of(hertz.scene(), resolution(2, 0, order)).expect("block");
+        for element in Element::ALL {
+            let formulation = Formulation::new(element, Iteration::Kinematic).tolerance(1e-8);
+            let run = Run::of(&discretisation, &formulation).expect("run");
+            assert!(run.solution.converged(), "{order:?} {element:?}");
+            let measures = run.measures();
+            // The edge of the contact lies within an element.
+            let peak =
+                (hertz.load() * hertz.young / (1.0 - hertz.poisson.powi(2)) / std::f64::consts::PI / hertz.radius)
+                    .sqrt();
+            let errors =
+                [relative_error(measures.half_width, hertz.half_width()), relative_error(measures.peak.pressure, peak)];
+            assert!(errors.iter().all(|error| *error <= 4e-3), "{order:?} {element:?}: {errors:?}");
+        }
+    }
+}
+
+#[test]
+fn forces_of_nearly_incompressible_cells_do_not_lock() {
+    // A square that a rigid parabola presses, ν = 0.4999: without locking p₀ is that of any other material.
+    let hertz = TruncatedHertz { poisson: 0.4999, ..TruncatedHertz::default() };
+    let peak =
+        (hertz.load() * hertz.young / (1.0 - hertz.poisson.powi(2)) / std::f64::consts::PI / hertz.radius).sqrt();
+    for order in TENSOR {
+        let run = Run::of(
+            &Discretisation::of(hertz.scene(), resolution(2, 0, order)).expect("block"),
+            &Formulation::verification(),
+        )
+        .expect("run");
+        let error = relative_error(run.measures().peak.pressure, peak);
+        assert!(error <= 1e-2, "{order:?}: {error:.1e}");
+    }
+}
+
+#[test]
+fn weight_is_handed_out_with_its_resultant() {
+    for order in TENSOR {
+        let scene = block([2.0, 3.0], vec![held("left", Component::X, 0.0)], vec![Load::BodyForce([0.0, -7.0])]);
+        let mut scene = scene;
+        scene.contacts[0].profile = Profile::Uniform(0.0);
+        let mesh = Mesh::of(&scene, resolution(1, 0, order)).expect("mesh");
+        let forces = contact_vv::elasticity::loads::at_nodes(&scene, &mesh, 0).expect("forces");
+        let sum: f64 = forces.iter().map(|force| force[1]).sum();
+        assert_relative_eq!(sum, -7.0 * 2.0 * 3.0 * 2.5, max_relative = 1e-12);
+    }
+}
