@@ -1,7 +1,7 @@
 //! The same scene on coarser meshes of the same family.
 
-use crate::mesh::Resolution;
 use crate::mesh::size::expected;
+use crate::mesh::{Order, Resolution};
 use crate::scene::{BlockShape, Scene, Shape};
 
 /// Element sizes over those of the mesh: whole numbers of candidates make them uneven, which is welcome: an end of the contact
@@ -14,12 +14,18 @@ const SMALL: f64 = 2e3;
 
 /// The coarser meshes, from the finest on; none where a mesh made elsewhere was not halved.
 ///
+/// Where mesh lines lie on the ends of a contact, these are cells of lower order at the same places.
+///
 /// Growth and coarsest element follow the elements of the contact, as they do in refinement; blocks have fewer elements; a mesh
 /// made elsewhere has only those that it was halved from.
 pub fn coarser(scene: &Scene, resolution: Resolution) -> Vec<(Scene, Resolution)> {
     if scene.bodies.iter().any(|body| matches!(body.shape, Shape::Given(_))) {
         let halved = (0..resolution.refinement).rev().take(RATIOS.len());
         return halved.map(|refinement| (scene.clone(), Resolution { refinement, ..resolution })).collect();
+    }
+    if scene.contacts.iter().any(|pair| !pair.ends.places.is_empty()) {
+        let lower = Order::ALL.into_iter().rev().filter(|order| order.is_tensor() && *order < resolution.order);
+        return lower.take(RATIOS.len()).map(|order| (scene.clone(), Resolution { order, ..resolution })).collect();
     }
     let [cells, _] = expected(scene, resolution);
     let ratios = if cells < SMALL { CLOSE } else { RATIOS };

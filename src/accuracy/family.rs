@@ -8,7 +8,7 @@ use crate::accuracy::reading::{Quantity, Reading, Subject, of_discrete, value_of
 use crate::accuracy::recovered::recovered;
 use crate::measure::Measures;
 use crate::mesh::Order;
-use crate::solve::{Discretisation, Displaced, Formulation, Iteration, Run, Settings};
+use crate::solve::{Discretisation, Displaced, Fitted, Formulation, Iteration, Run, Settings};
 
 /// Part of a number's scale that round-off may leave.
 const ROUND_OFF: f64 = 1e-9;
@@ -29,6 +29,8 @@ pub struct Family {
     /// Mean candidate element of each contact.
     pub(super) sizes: Vec<f64>,
     cells: usize,
+    /// Whether mesh lines lie on the ends of the contacts.
+    on_ends: bool,
     /// Whether a body is one element deep below a contact, which no coarser mesh tells from a finer one.
     shallow: bool,
     coarse: Vec<Coarse>,
@@ -60,7 +62,9 @@ impl Family {
         let coarse = coarse.filter_map(said).collect();
         let (sizes, cells) = (sizes(discretisation), discretisation.mesh.cells());
         let order = discretisation.resolution.order;
-        Self { formulation, order, sizes, cells, shallow: is_shallow(discretisation), coarse }
+        let on_ends = discretisation.scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
+        let shallow = !on_ends && is_shallow(discretisation);
+        Self { formulation, order, sizes, cells, on_ends, shallow, coarse }
     }
 
     /// How many of them tell something.
@@ -88,7 +92,7 @@ impl Family {
         // Where all of the mesh counts alike, and not the elements at the end of a contact, cells tell how much coarser it is:
         // one that has one element across a ring has no coarser neighbours in that direction.
         let of_cells = |other: &Coarse| (self.cells as f64 / other.cells as f64).sqrt();
-        let ratio = |other: &Coarse| match counted.hidden > 0.0 && !ends_at_candidates {
+        let ratio = |other: &Coarse| match self.on_ends || counted.hidden > 0.0 && !ends_at_candidates {
             true => along(other),
             false => along(other).min(of_cells(other)),
         };
@@ -105,7 +109,10 @@ impl Family {
             few if few < fewest => alone * counted.factor,
             _ => counted.factor,
         };
-        let hidden = counted.hidden * (self.sizes[contact] / measures.half_width).powf(counted.power);
+        let hidden = match self.on_ends {
+            true => Fitted::misfit(self.order),
+            false => counted.hidden * (self.sizes[contact] / measures.half_width).powf(counted.power),
+        };
         let [scale, read] = match subject {
             Subject::Contact(_, Quantity::PeakPressure) => {
                 [measures.peak.pressure, READINGS * (measures.peak_by_parabola - measures.peak.pressure).abs()]
@@ -148,7 +155,9 @@ fn sizes(discretisation: &Discretisation) -> Vec<f64> {
     let each = discretisation.interfaces.iter().map(|interface| {
         let nodes = &interface.nodes;
         let [begin, end] = [nodes.first(), nodes.last()].map(|node| node.map_or(f64::NAN, |node| node.coordinate));
-        (end - begin) / interface.edges.len() as f64
+        // As wide as the 8-node elements that have as many nodes.
+        let wide = discretisation.resolution.order.intervals() as f64 / 2.0;
+        (end - begin) / (interface.edges.len() as f64 * wide)
     });
     each.collect()
 }

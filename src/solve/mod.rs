@@ -10,6 +10,7 @@
 //! * `unheld` — what no support holds and contact cannot.
 //! * `refusals` — problems that have no solution.
 //! * [`candidate_end`] — contact that reaches the end of the candidate surface.
+//! * [`edge_fitted`] — meshes whose lines lie on the ends of the contact, found on the way.
 //! * [`fields`] — displacements and stresses of a solution.
 //! * [`mod@reactions`] — what the supports exert.
 //! * [`mod@displaced`] — displacements of sides and points, the approach of bodies.
@@ -38,6 +39,7 @@ pub mod change;
 pub mod curve;
 pub mod discretisation;
 pub mod displaced;
+pub mod edge_fitted;
 pub mod fields;
 pub mod formulation;
 pub mod origin;
@@ -58,6 +60,7 @@ pub use crate::contact::Element;
 pub use change::Change;
 pub use discretisation::Discretisation;
 pub use displaced::Displaced;
+pub use edge_fitted::Fitted;
 pub use fields::Fields;
 pub use formulation::Formulation;
 pub use origin::{Origin, Start};

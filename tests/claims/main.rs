@@ -29,6 +29,7 @@ mod curve;
 mod differences;
 mod digitised;
 mod digitised_curves;
+mod edge_fitted;
 mod elasticity;
 mod errors;
 mod fast_paths;

@@ -51,9 +51,12 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
     let formulation = arguments.formulation(problem.formulation().clone());
     curve::refuse(arguments.curve.as_deref(), formulation.settings.increments)?;
     formulation.validate(&problem.scene)?;
-    let asked = arguments.asked(problem.accuracy.clone())?;
+    let fitted = arguments.fitted()?;
+    // A mesh fitted to the contact is asked for in place of what the file asks.
+    let asked = arguments.asked(problem.accuracy.clone().filter(|_| fitted.is_none()))?;
     let stages = Stages::new();
     let accurate = match asked {
+        None if fitted.is_some() => None,
         None => {
             arguments.refine(&mut problem)?;
             None
@@ -65,14 +68,26 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
             Some((asked, answer))
         }
     };
-    let resolution = problem.resolution;
-    let begins = |stage| stages.begin(stage);
-    let discretisation = Discretisation::timed(problem.scene.clone(), resolution, Clock::telling(&begins))?;
-    stages.begin(Stage::Iteration);
-    let run = match &accurate {
-        None => Run::of(&discretisation, &formulation)?.with_limits(&discretisation)?,
-        Some((_, answer)) => answer.run.clone(),
+    let (discretisation, run) = match (fitted, &accurate) {
+        (Some(fitted), _) => {
+            let answer = fitted.solve(&problem.scene, &formulation)?;
+            (problem.scene, problem.resolution) =
+                (answer.discretisation.scene.clone(), answer.discretisation.resolution);
+            (answer.discretisation, answer.run)
+        }
+        (None, accurate) => {
+            let begins = |stage| stages.begin(stage);
+            let clock = Clock::telling(&begins);
+            let discretisation = Discretisation::timed(problem.scene.clone(), problem.resolution, clock)?;
+            stages.begin(Stage::Iteration);
+            let run = match accurate {
+                None => Run::of(&discretisation, &formulation)?.with_limits(&discretisation)?,
+                Some((_, answer)) => answer.run.clone(),
+            };
+            (discretisation, run)
+        }
     };
+    let resolution = problem.resolution;
     stages.write();
     let mut checks = problem.own(&discretisation, &run)?;
     checks.extend(accurate.iter().map(|(asked, answer)| met(asked, answer)));

@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Body;
-use crate::solve::{Element, Formulation, Iteration, Start};
+use crate::solve::{Element, Fitted, Formulation, Iteration, Start};
 
 /// What stands for standard output in place of a file.
 pub const STDOUT: &str = "-";
@@ -59,6 +59,10 @@ pub struct Arguments {
     /// the contact gets gentler with more of them.
     #[arg(long, value_name = "N")]
     resolution: Option<usize>,
+    /// Put mesh lines on the ends of the contact, with layers of cells towards them: six digits with order 8, four with 6,
+    /// which is the default then.
+    #[arg(long)]
+    fitted: bool,
     /// Relative error that peak and half-width may have, such as "0.1 %": chooses elements, growth and candidates of
     /// 8-node cells.
     #[arg(long, value_name = "PERCENT")]
@@ -120,7 +124,8 @@ impl Arguments {
             })?)
             .map(|relative| Asked { relative, ..of_file.unwrap_or_else(|| Asked::new(relative)) }),
         };
-        let given = [("--resolution", self.resolution.is_some()), ("--order", self.order.is_some())];
+        let order = self.order.is_some() && !self.fitted;
+        let given = [("--resolution", self.resolution.is_some()), ("--order", order)];
         match given.into_iter().find(|(_, given)| *given && asked.is_some()) {
             None => Ok(asked),
             Some((option, _)) => {
@@ -152,6 +157,25 @@ impl Arguments {
         formulation.rule = self.rule.unwrap_or(formulation.rule);
         formulation.stiffness = self.stiffness.unwrap_or(formulation.stiffness);
         formulation
+    }
+
+    /// The mesh fitted to the contact that is asked for; none where it is not.
+    pub fn fitted(&self) -> Result<Option<Fitted>, Error> {
+        let given = [("--resolution", self.resolution.is_some()), ("--accuracy", self.accuracy.is_some())];
+        match given.into_iter().find(|(_, given)| *given && self.fitted) {
+            Some((option, _)) => {
+                let message = format!("{option} cannot be used: --fitted chooses the mesh by --order alone");
+                Err(Error::at("solve", message, "leave one of them out"))
+            }
+            None if !self.fitted => Ok(None),
+            None => {
+                let order = self.order.unwrap_or(Order::Sextic);
+                let digits = usize::from(order.number()).saturating_sub(2);
+                let expected = "cells fitted to the contact have order 4 to 8";
+                let refused = || Error::value("solve", "--order", order.number(), expected, "give 4 to 8");
+                order.is_tensor().then(|| Some(Fitted::of_digits(digits))).ok_or_else(refused)
+            }
+        }
     }
 
     /// Gives the problem the mesh asked for, if it can be solved; growth follows the elements.

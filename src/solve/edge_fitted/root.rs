@@ -1,0 +1,31 @@
+//! Where a contact ends, from pressures that were found with all points closed up to an expected end.
+
+use nalgebra::{DMatrix, DVector};
+
+/// Distance from the end, over the half-width, up to which pressures take part: the outermost layer of cells.
+const NEAR: f64 = 0.3501;
+/// Distance up to which a point lies at the end itself.
+const AT_END: f64 = 1e-9;
+/// Terms of the series, and the fewest pressures.
+const TERMS: usize = 3;
+/// Most that an end moves at once, over the half-width.
+const FARTHEST: f64 = 0.5;
+
+/// How far the end lies beyond the expected one, from `[distance from that end, pressure]` of closed points; none where
+/// too few are near, or they do not fall towards an end.
+///
+/// Closed up to a place e that is not the end, a frictionless contact has the pressure of a sharp corner,
+/// `p √d = A₀ + B₀ d + C₀ d² + …` at the distance d from e. At the end itself A₀, its stress intensity, vanishes. Where the end
+/// lies at e + δ, `p ∝ √(δ + d) = √d + δ/(2√d) + …`, so that `δ = 2 A₀/B₀`.
+pub(super) fn beyond(points: &[[f64; 2]], half_width: f64) -> Option<f64> {
+    let near = points.iter().filter(|[d, _]| *d > AT_END * half_width && *d <= NEAR * half_width);
+    let near: Vec<[f64; 2]> = near.map(|[d, p]| [d / half_width, *p]).collect();
+    if near.len() < TERMS {
+        return None;
+    }
+    let powers = DMatrix::from_fn(near.len(), TERMS, |row, k| near[row][0].powi(k as i32));
+    let rooted = DVector::from_fn(near.len(), |row, _| near[row][1] * near[row][0].sqrt());
+    let series = powers.svd(true, true).solve(&rooted, f64::EPSILON).ok()?;
+    let delta = 2.0 * series[0] / series[1];
+    (series[1] > 0.0 && delta.is_finite()).then(|| half_width * delta.clamp(-FARTHEST, FARTHEST))
+}

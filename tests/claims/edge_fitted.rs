@@ -1,0 +1,257 @@
+//! Meshes with lines on the ends of the contact: how many digits they give, for how many dofs, and what they refuse.
+
+use std::sync::Arc;
+
+use contact_vv::accuracy::{self, reading::Quantity, reading::Subject};
+use contact_vv::case::library::{Bars, Patch, PinPlate, TruncatedHertz};
+use contact_vv::elasticity::{element, quadrature};
+use contact_vv::measure::relative_error;
+use contact_vv::mesh::{Mesh, Order};
+use contact_vv::oracle::analytic::hertz::Hertz;
+use contact_vv::scene::{
+    Body, Circle, Component, Ends, Face, Line, Load, Material, Path, Place, Scene, Shape, StressField, Support,
+};
+use contact_vv::solve::edge_fitted::Answer;
+use contact_vv::solve::{Discretisation, Element, Fitted, Formulation, Iteration, Run};
+
+use crate::workbench::{held_at, of_shape, resolution};
+
+/// Half-widths over that of the mesh the scene is drawn for.
+const LOADS: [f64; 8] = [1.0, 0.97, 0.94, 0.91, 0.89, 0.88, 0.87, 0.85];
+
+/// The same block and candidates under another load.
+fn under(factor: f64) -> (TruncatedHertz, Hertz) {
+    let numbers = TruncatedHertz {
+        a_over_r: 0.05 * factor,
+        size: 8.0 / factor,
+        stretch: 2.0 / factor,
+        ..TruncatedHertz::default()
+    };
+    let modulus = numbers.young / (1.0 - numbers.poisson.powi(2));
+    (numbers.clone(), Hertz { load: numbers.load(), radius: numbers.radius, modulus })
+}
+
+fn solved(fitted: Fitted, scene: &Scene) -> Answer {
+    let answer = fitted.solve(scene, &Formulation::verification()).expect("answer");
+    assert!(answer.run.solution.converged(), "{fitted:?}: {}", answer.run.solution.outcome);
+    answer
+}
+
+/// Relative errors of peak and half-width.
+fn errors(run: &Run, hertz: &Hertz) -> [f64; 2] {
+    let measures = run.measures();
+    [
+        relative_error(measures.peak.pressure, hertz.peak_pressure()),
+        relative_error(measures.half_width, hertz.half_width()),
+    ]
+}
+
+#[test]
+fn truncated_hertz_is_found_to_four_five_and_six_digits_for_so_many_dofs() {
+    let meshes = [(Order::Quintic, 1, 1e-4, 1000), (Order::Septic, 2, 1e-5, 2100), (Order::Octic, 3, 1e-6, 3300)];
+    for (order, layers, bound, most) in meshes {
+        for factor in LOADS {
+            let (numbers, hertz) = under(factor);
+            let answer = solved(Fitted { order, layers }, &numbers.scene());
+            let errors = errors(&answer.run, &hertz);
+            assert!(errors.iter().all(|error| *error <= bound), "{order:?} at {factor}: {errors:?}");
+            assert!(answer.run.dofs <= most, "{order:?} at {factor}: {} dofs", answer.run.dofs);
+            assert!(answer.tried.len() <= 5, "{order:?} at {factor}: {:?}", answer.tried);
+        }
+    }
+}
+
+#[test]
+fn without_lines_on_its_ends_the_contact_is_found_to_three_digits_only() {
+    let worst = LOADS.map(|factor| {
+        let (numbers, hertz) = under(factor);
+        let made = Discretisation::of(numbers.scene(), resolution(2, 0, Order::Octic)).expect("block");
+        let run = Run::of(&made, &Formulation::verification()).expect("run");
+        errors(&run, &hertz)[1]
+    });
+    assert!(worst.into_iter().fold(0.0, f64::max) > 5e-4, "{worst:?}");
+}
+
+#[test]
+fn line_and_layer_elements_find_it_on_fitted_meshes_too() {
+    let (numbers, hertz) = under(1.0);
+    for element in Element::ALL {
+        let formulation = Formulation::new(element, Iteration::Kinematic).tolerance(1e-8);
+        let fitted = Fitted { order: Order::Sextic, layers: 2 };
+        let answer = fitted.solve(&numbers.scene(), &formulation).expect("answer");
+        let errors = errors(&answer.run, &hertz);
+        assert!(errors.iter().all(|error| *error <= 2e-4), "{element:?}: {errors:?}");
+    }
+}
+
+/// Two blocks of other moduli, both with the tractions of their half-planes.
+fn two_blocks(young: [f64; 2], poisson: [f64; 2]) -> (Scene, Hertz) {
+    let one = TruncatedHertz::default();
+    let mut scene = one.scene();
+    let modulus = |k: usize| young[k] / (1.0 - poisson[k] * poisson[k]);
+    let modulus = 1.0 / (1.0 / modulus(0) + 1.0 / modulus(1));
+    let hertz = Hertz { load: Hertz::load_for(one.half_width(), one.radius, modulus), radius: one.radius, modulus };
+    let side = 8.0 * one.half_width();
+    let upper = StressField(Arc::new(move |[x, y]: [f64; 2]| hertz.stress(x, y)));
+    let lower = StressField(Arc::new(move |[x, y]: [f64; 2]| {
+        let [along, across, shear] = hertz.stress(x, -y);
+        [along, across, -shear]
+    }));
+    let symmetric = scene.bodies[0].supports[0].clone();
+    let body = |k: usize, y: [f64; 2], contact, field: &StressField, more: Option<Support>| Body {
+        density: 1.0,
+        name: ["upper", "lower"][k].into(),
+        shape: Shape::Rectangle { x: [0.0, side], y, contact },
+        material: Material { young: young[k], poisson: poisson[k] },
+        supports: [symmetric.clone()].into_iter().chain(more).collect(),
+        loads: ["right", "far"].map(|side| Load::Stress { boundary: side.into(), field: field.clone() }).to_vec(),
+    };
+    let ground = held_at([0.0, -side], Component::Y, 0.0);
+    let bodies =
+        vec![body(0, [0.0, side], Face::Bottom, &upper, None), body(1, [-side, 0.0], Face::Top, &lower, Some(ground))];
+    scene.bodies = bodies;
+    scene.contacts[0].second = Some(1);
+    (scene, hertz)
+}
+
+#[test]
+fn two_bodies_of_other_moduli_are_found_to_as_many_digits() {
+    for (young, poisson) in [([210e3, 70e3], [0.3, 0.2]), ([210e3, 2.1e3], [0.3, 0.45])] {
+        let (scene, hertz) = two_blocks(young, poisson);
+        for (order, layers, bound) in [(Order::Quintic, 1, 1e-4), (Order::Septic, 2, 1e-5), (Order::Octic, 2, 1e-6)] {
+            let answer = solved(Fitted { order, layers }, &scene);
+            let errors = errors(&answer.run, &hertz);
+            assert!(errors.iter().all(|error| *error <= bound), "{order:?} of {young:?}: {errors:?}");
+        }
+    }
+}
+
+#[test]
+fn both_ends_of_a_contact_off_the_middle_of_its_body_are_found() {
+    let one = TruncatedHertz::default();
+    let (_, hertz) = under(1.0);
+    let (a, side) = (one.half_width(), 8.0 * one.half_width());
+    for shift in [0.0, 0.4] {
+        let centre = shift * a;
+        let field = StressField(Arc::new(move |[x, y]: [f64; 2]| hertz.stress(x - centre, y)));
+        let mut scene = one.scene_under(field.clone());
+        let body = &mut scene.bodies[0];
+        body.shape = Shape::Rectangle { x: [-side, side], y: [0.0, side], contact: Face::Bottom };
+        body.loads =
+            ["left", "right", "far"].map(|side| Load::Stress { boundary: side.into(), field: field.clone() }).to_vec();
+        body.supports = vec![Support { at: Place::Point([-side, side]), component: Component::X, value: 0.0 }];
+        let pair = &mut scene.contacts[0];
+        pair.symmetric = false;
+        pair.path = Path::Straight(Line { origin: [centre, 0.0], both_sides: true });
+        let answer = solved(Fitted { order: Order::Octic, layers: 2 }, &scene);
+        let errors = errors(&answer.run, &hertz);
+        assert!(errors.iter().all(|error| *error <= 1e-6), "{shift}: {errors:?}");
+        for end in answer.stretches[0][0] {
+            assert!(relative_error(end.abs(), a) <= 5e-4, "{shift}: {end}");
+        }
+    }
+}
+
+#[test]
+fn bars_of_fitted_meshes_hold_the_error_of_peak_width_and_ends() {
+    for factor in LOADS {
+        let (numbers, hertz) = under(factor);
+        for digits in 3..=6 {
+            let answer = solved(Fitted::of_digits(digits), &numbers.scene());
+            let bars = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
+            let truths = [
+                (Quantity::PeakPressure, hertz.peak_pressure()),
+                (Quantity::HalfWidth, hertz.half_width()),
+                (Quantity::End(0), hertz.half_width()),
+            ];
+            for (quantity, truth) in truths {
+                let one = bars.all.iter().find(|one| one.subject == Subject::Contact(0, quantity)).expect("barred");
+                let error = (one.value - truth).abs();
+                assert!(error <= one.bar.total(), "{quantity:?}, {digits} digits at {factor}: {error} > {:?}", one.bar);
+                assert!(one.bar.total() <= 5e-2 * truth, "{quantity:?}, {digits} digits at {factor}: {:?}", one.bar);
+            }
+        }
+    }
+}
+
+#[test]
+fn pins_in_plates_are_found_alike_by_cells_of_neighbouring_orders() {
+    for degrees in [30.0, 60.0, 80.0] {
+        let scene = PinPlate::of_half_angle(degrees).scene();
+        let [septic, octic] = [Order::Septic, Order::Octic].map(|order| solved(Fitted { order, layers: 2 }, &scene));
+        let [one, other] = [&septic, &octic].map(|answer| answer.run.measures());
+        let widths = relative_error(one.half_width, other.half_width);
+        let peaks = relative_error(one.peak.pressure, other.peak.pressure);
+        assert!(widths <= 1e-6 && peaks <= 1e-4, "{degrees}°: {widths:.1e} {peaks:.1e}");
+        assert!(relative_error(octic.stretches[0][0][1], degrees.to_radians()) <= 3e-3, "{degrees}°");
+    }
+}
+
+#[test]
+fn layered_meshes_keep_the_uniform_pressure_and_hang_together() {
+    let plain = Patch::default().scene();
+    for order in [Order::Linear, Order::Quadratic, Order::Quartic, Order::Octic] {
+        for places in [vec![4.0], vec![2.5, 7.0]] {
+            let mut scene = plain.clone();
+            scene.contacts[0].ends = Ends { places: places.clone(), layers: 3 };
+            let made = Discretisation::of(scene, resolution(1, 0, order)).expect("patch");
+            let area: f64 = area(&made.mesh);
+            assert!(relative_error(area, 200.0) <= 1e-12, "{order:?} {places:?}: {area}");
+            let solution = made.solve(&Formulation::verification()).expect("solution");
+            for point in &solution.points {
+                assert!((point.pressure - 100.0).abs() <= 1e-5, "{order:?} {places:?}: {point:?}");
+            }
+            // Every end is a corner, with a cell on either side that is as small as the layers make it.
+            for place in places {
+                let mut ends: Vec<f64> = made.edges.iter().flat_map(|edge| edge.ends).collect();
+                ends.sort_by(f64::total_cmp);
+                assert!(ends.iter().any(|end| (end - place).abs() <= 1e-9), "{order:?}: {place} in {ends:?}");
+            }
+        }
+    }
+}
+
+fn area(mesh: &Mesh) -> f64 {
+    let rule = quadrature::gauss_square(mesh.order.intervals() + 2);
+    let of_cell = |cell: usize| {
+        let points: Vec<[f64; 2]> = mesh.cell(cell).iter().map(|&node| mesh.points[node]).collect();
+        let at = |(at, weight): &([f64; 2], f64)| weight * element::gradients(&points, *at).expect("convex").1;
+        rule.iter().map(at).sum::<f64>()
+    };
+    (0..mesh.cells()).map(of_cell).sum()
+}
+
+#[test]
+fn layers_on_an_arc_keep_its_area() {
+    let circle = |radius| Circle { centre: [0.0, 0.0], radius };
+    let shape = Shape::Ring {
+        pole: [0.0, 0.0],
+        inner: circle(10.0),
+        outer: circle(20.0),
+        sweep: std::f64::consts::FRAC_PI_2,
+        contact: Face::Top,
+    };
+    let mut scene = of_shape(shape, Path::Arc(circle(20.0)), 0.5, vec![], vec![]);
+    scene.contacts[0].ends = Ends { places: vec![0.3], layers: 2 };
+    let wanted = std::f64::consts::FRAC_PI_4 * 300.0;
+    for (order, bound) in [(Order::Quartic, 1e-6), (Order::Sextic, 1e-8), (Order::Octic, 1e-10)] {
+        let mesh = Mesh::of(&scene, resolution(1, 0, order)).expect("mesh");
+        let error = relative_error(area(&mesh), wanted);
+        assert!(error <= bound, "{order:?}: {error:.1e}");
+    }
+}
+
+#[test]
+fn contacts_that_stay_open_are_refused_with_the_remedy() {
+    let scene = Bars { push: 0.9, ..Bars::default() }.scene();
+    let error = Fitted::of_digits(4).solve(&scene, &Formulation::verification()).expect_err("open");
+    let told = error.to_string();
+    assert!(told.contains("no candidate is closed"), "{told}");
+}
+
+#[test]
+fn meshes_of_so_many_digits_have_two_orders_more() {
+    assert_eq!(Fitted::of_digits(4), Fitted { order: Order::Sextic, layers: 1 });
+    assert_eq!(Fitted::of_digits(5), Fitted { order: Order::Septic, layers: 2 });
+    assert_eq!(Fitted::of_digits(6), Fitted { order: Order::Octic, layers: 3 });
+}
