@@ -181,6 +181,9 @@ pub struct Share {
     pub points: Range<usize>,
     /// Its edges.
     pub edges: Range<usize>,
+    /// Nodes of each of these.
+    #[serde(skip)]
+    pub nodes: usize,
     /// Approach that its own force makes, `Σ A p/(E* t)`: what lengths of this contact are measured by \[mm\].
     pub approach: f64,
 }
@@ -201,12 +204,15 @@ pub struct Part<'a> {
     pub points: &'a [PointState],
     /// Means over the candidate edges.
     pub edges: &'a [EdgeState],
+    /// Nodes of each of these.
+    #[serde(skip)]
+    pub nodes: usize,
 }
 
 impl States {
     /// What belongs to a contact.
     pub fn part(&self, share: &Share) -> Part<'_> {
-        Part { points: &self.points[share.points.clone()], edges: &self.edges[share.edges.clone()] }
+        Part { points: &self.points[share.points.clone()], edges: &self.edges[share.edges.clone()], nodes: share.nodes }
     }
 }
 
@@ -303,7 +309,7 @@ impl Solution {
 
     /// All of one contact.
     pub fn part(&self, contact: usize) -> Part<'_> {
-        Part { points: self.points_of(contact), edges: self.edges_of(contact) }
+        Part { points: self.points_of(contact), edges: self.edges_of(contact), nodes: self.contacts[contact].nodes }
     }
 
     /// Edge means of one contact.

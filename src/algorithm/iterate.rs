@@ -289,7 +289,8 @@ impl<'a> Run<'a> {
             let force: f64 = states.points[own.clone()].iter().map(|state| state.weight * state.pressure).sum();
             let target = self.target.as_ref().map(|target| target.approach(contact));
             let approach = target.unwrap_or(force * self.problem.compliance[contact]);
-            Share { points: own, edges, approach }
+            let nodes = self.problem.edges.get(edges.start).map_or(0, |edge| edge.nodes);
+            Share { points: own, edges, nodes, approach }
         };
         let contacts = ranges.enumerate().map(share).collect();
         let told = |target: &Option<Target>| -> Option<States> { target.as_ref().map(|t| t.told(self.problem)) };

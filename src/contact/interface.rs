@@ -101,7 +101,7 @@ impl Interface {
     pub fn contact_edges(&self) -> impl Iterator<Item = ContactEdge> + '_ {
         self.edges.iter().map(|edge| {
             let [a, b] = [edge[0], edge[1]].map(|node| self.nodes[node].coordinate);
-            ContactEdge { contact: self.contact, ends: [a.min(b), a.max(b)] }
+            ContactEdge { contact: self.contact, ends: [a.min(b), a.max(b)], nodes: edge.len() }
         })
     }
 

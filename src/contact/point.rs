@@ -43,4 +43,6 @@ pub struct ContactEdge {
     pub contact: usize,
     /// Contact coordinates where it begins and ends \[mm, or rad on an arc\].
     pub ends: [f64; 2],
+    /// Its nodes, 2 to 9.
+    pub nodes: usize,
 }

@@ -149,7 +149,7 @@ impl Sum {
         let (starts, rows) = (pattern.columns.col_ptr(), pattern.columns.row_idx());
         let side = 2 * nodes.len();
         let of_cell = || nodes.iter().flat_map(|&node| dofs.of_node(node)).enumerate();
-        let Self { values, force, ascending, places } = self;
+        let Self { values, ascending, places, .. } = self;
         ascending.clear();
         ascending.extend(of_cell().filter_map(|(i, dof)| Some((dof.equation()? as Index, i))));
         ascending.sort_unstable();
@@ -180,7 +180,7 @@ impl Sum {
             if let Freedom::Prescribed(u) = dof
                 && u.abs() > 0.0
             {
-                ascending.iter().for_each(|&(row, i)| force[row as usize] -= k[i * side + j] * u);
+                ascending.iter().for_each(|&(row, i)| self.force[row as usize] -= k[i * side + j] * u);
             }
         }
     }

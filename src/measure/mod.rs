@@ -73,7 +73,7 @@ pub const ACTIVE: f64 = 1e-3;
 impl Measures {
     /// Measures of one contact.
     pub fn of(scene: &Scene, contact: usize, part: Part) -> Self {
-        let Part { points, edges } = part;
+        let Part { points, edges, .. } = part;
         let pair = &scene.contacts[contact];
         let across = pair.path.has_both_sides();
         let centre = if across { profile::centre(points) } else { 0.0 };

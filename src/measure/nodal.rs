@@ -8,8 +8,8 @@ use std::ops::Range;
 use crate::measure::peak::{DROP, Fit, Peak, ROUNDING};
 use crate::solution::{Part, PointState};
 
-/// Contact points on an edge from which on they tell the profile better than means over edges.
-const MANY: usize = 4;
+/// Nodes of an edge beyond which its points tell the profile better than means over edges.
+const MANY: usize = 3;
 /// Fewest points of a fit, where there are so many: two more than the coefficients of a quartic, so that it smooths.
 const FEWEST: usize = 7;
 /// Points of the other reading, through which the quartic passes.
@@ -53,9 +53,10 @@ pub fn read(part: Part, centre: f64) -> Option<Reading> {
     })
 }
 
-/// Whether the points of a contact are many.
+/// Whether the points of a contact are many because its edges have many nodes; of others a few may be cut into many pieces
+/// where meshes do not match, and single pressures then hang on round-off.
 pub fn are_many(part: Part) -> bool {
-    !part.edges.is_empty() && part.points.len() >= MANY * part.edges.len()
+    !part.edges.is_empty() && part.nodes > MANY
 }
 
 /// Where a stretch ends, from its pressed points in the order towards that end \[mm, or rad\].

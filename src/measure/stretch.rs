@@ -33,13 +33,14 @@ pub fn closed(pair: &ContactPair, part: Part, floor: f64) -> Vec<Stretch> {
 }
 
 /// The stretch of the edges from one on, up to another.
-fn one(pair: &ContactPair, Part { points, edges }: Part, floor: f64, [from, to]: [usize; 2]) -> Stretch {
+fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> Stretch {
+    let Part { points, edges, .. } = part;
     let on_line = from == 0 && !pair.path.has_both_sides();
     let [first, last] = [points.first(), points.last()].map(|p| p.is_some_and(|point| point.pressure > floor));
     let reaches = [from == 0 && !on_line && first, to == edges.len() && last];
     // The half that ends there, so that a mirror image ends where its image does.
     let half = if on_line { to - from } else { (to - from).div_ceil(2) };
-    let many = nodal::are_many(Part { points, edges });
+    let many = nodal::are_many(part);
     let [low, high] = [edges[from].ends[0], edges[to - 1].ends[1]];
     let within = |point: &&PointState| point.pressure > floor && (low..=high).contains(&point.position);
     let pressed: Vec<PointState> = points.iter().filter(within).copied().collect();

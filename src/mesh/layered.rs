@@ -110,7 +110,7 @@ impl<'a> Map<'a> {
         let quadrilateral = |corners: [[f64; 2]; 4]| {
             let [a, b, c, d] = corners.map(towards);
             // Seen in one mirror a cell must be listed the other way round.
-            if corner % 2 == 0 { self.block([a, b, c, d]) } else { self.block([b, a, d, c]) }
+            if corner.is_multiple_of(2) { self.block([a, b, c, d]) } else { self.block([b, a, d, c]) }
         };
         let (f, inner) = (LAYER, [LAYER, LAYER]);
         [

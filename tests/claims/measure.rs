@@ -265,7 +265,7 @@ fn measures_of_a_symmetric_half_count_both_halves() {
     points.iter_mut().for_each(|p| p.weight *= scene.thickness);
 
     let edges = edges(0.0, 3.0, 100, |s| if s < 1.2 { 6.0 * s - s.powi(3) / 3.0 } else { 7.2 - 0.576 });
-    let measures = Measures::of(&scene, 0, Part { points: &points, edges: &edges });
+    let measures = Measures::of(&scene, 0, Part { points: &points, edges: &edges, nodes: 3 });
 
     // ∫ (6 − s²) over 0 … 1.2 on both sides, 2 mm thick; the midpoint rule errs by h²/24 · 2.4 = 1e-4 · 0.9.
     assert_relative_eq!(measures.resultant, 2.0 * 2.0 * (7.2 - 1.728 / 3.0), max_relative = 1e-4);
@@ -288,7 +288,7 @@ fn counted_half_width_on_an_arc_is_an_angle() {
     let mut points = sampled(1.0, 100, |s| if s < 0.4 { 6.0 } else { 0.0 });
     points.iter_mut().for_each(|p| p.weight *= 2.0 * 10.0);
     let edges = edges(0.0, 1.0, 100, |s| 6.0 * s.min(0.4));
-    let measures = Measures::of(&scene, 0, Part { points: &points, edges: &edges });
+    let measures = Measures::of(&scene, 0, Part { points: &points, edges: &edges, nodes: 3 });
     assert_relative_eq!(measures.half_width_nodes, 0.4, max_relative = 1e-12);
     assert_relative_eq!(display_factor(&scene.contact().path), 180.0 / PI);
     assert_relative_eq!(display_factor(&Path::HORIZONTAL), 1.0);
@@ -475,7 +475,7 @@ fn measures(profile: &[EdgeState]) -> Measures {
         .iter()
         .map(|edge| PointState { position: edge.position(), weight: edge.weight, pressure: edge.pressure, gap: 0.0 })
         .collect();
-    Measures::of(&scene, 0, Part { points: &points, edges: profile })
+    Measures::of(&scene, 0, Part { points: &points, edges: profile, nodes: 3 })
 }
 
 #[test]
