@@ -246,8 +246,13 @@ fn report_command(check: bool) -> Result<bool, Error> {
 /// Refuses a checkout that the page cannot be written to.
 fn refuse_read_only(root: &Path) -> Result<(), Error> {
     let remedy = "give the right to write to it, or use `report --check`, which writes nothing";
-    writable::file(&root.join(report::files::PAGE), remedy)?;
-    [report::files::CHARTS, SHEETS].into_iter().try_for_each(|folder| writable::folder(&root.join(folder), remedy))
+    let [page, record @ ..] =
+        [report::files::PAGE, report::record::CHECKS, report::record::RUNS, report::record::STATEMENTS];
+    writable::file(&root.join(page), remedy)?;
+    record.iter().try_for_each(|file| writable::file(&root.join(file), remedy))?;
+    [report::links::PAGES, report::files::CHARTS, SHEETS]
+        .into_iter()
+        .try_for_each(|folder| writable::folder(&root.join(folder), remedy))
 }
 
 /// The project folder: where the page is, upwards from the working directory.

@@ -28,6 +28,7 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
         figure::contact_elements()?.files("contact-elements.svg"),
     ]
     .concat();
+    charts.extend(front::nearness::chart(findings)?.files(front::nearness::CHART[0]));
     for room in Room::ALL {
         charts.extend(room.pictures(findings)?);
     }

@@ -217,7 +217,9 @@ fn a_difference_that_its_uncertainties_do_not_cover_turns_red_within_the_toleran
         assert!(comparison.uncertainty > 0.0);
         let judged = |by: f64| {
             let mut moved = compared.clone();
-            let peak = |measured: &mut Measured| measured.value = number.of(exact).value + by * comparison.uncertainty;
+            let peak = |measured: &mut Measured| {
+                measured.value = number.of(compared.scene, exact).value + by * comparison.uncertainty
+            };
             match number {
                 Number::Peak => {
                     peak(&mut moved.ours.peak);

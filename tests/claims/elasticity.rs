@@ -612,3 +612,24 @@ fn radial_displacement_of_a_full_turn_has_no_preferred_direction() {
         assert!((&rotation * &k * rotation.transpose() - there).amax() <= 1e-13 * k.amax());
     }
 }
+
+#[test]
+fn load_does_the_work_of_its_tractions_on_any_motion() {
+    let held = |at, component| held_at(at, component, 0.0);
+    let supports = vec![held([0.0, 0.0], Component::X), held([0.0, 0.0], Component::Y), held([4.0, 0.0], Component::Y)];
+    let traction = Load::Traction { boundary: "far".into(), traction: [2.0, -7.0] };
+    for order in ORDERS {
+        let scene = block([4.0, 3.0], supports.clone(), vec![traction.clone()]);
+        let mut mesh = Mesh::of(&scene, resolution(3, 0, order)).expect("mesh");
+        // Its bottom is supported.
+        mesh.bodies[0].candidates.clear();
+        let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
+        // u = (y/2, 3 + x) on y = 3 over 0 … 4, 2.5 thick.
+        let [work, _] = system.bodies[0].work_of_load(&|node| {
+            let [x, y] = mesh.points[node];
+            [0.5 * y, 3.0 + x]
+        });
+        let exact = 2.5 * (2.0 * 1.5 * 4.0 - 7.0 * (3.0 * 4.0 + 8.0));
+        assert_relative_eq!(work, exact, max_relative = 1e-12);
+    }
+}

@@ -7,6 +7,9 @@ use super::words::{counted, differ};
 use crate::case::Relation;
 use crate::markdown;
 
+/// Digits that the record has.
+const DIGITS: usize = 4;
+
 /// Loosened ones, told before everything else; then tightened ones.
 pub fn told(pairs: &[Pair]) -> Vec<Told> {
     let moved: Vec<Pair> = pairs.iter().filter(|pair| limits(pair).is_some()).copied().collect();
@@ -57,5 +60,9 @@ fn change(pair: &Pair) -> String {
     let word = if differ(before.tolerance, after.tolerance) { "tolerance" } else { "bound" };
     let [old, new] = limits(pair).unwrap_or([f64::NAN; 2]);
     let shown = |x: f64| if word == "bound" { markdown::bound(x) } else { markdown::tolerance(x) };
-    format!("{word} {} → {}", shown(old), shown(new))
+    let [before, after] = [old, new].map(shown);
+    // What differs in later digits only.
+    let [before, after] =
+        if before == after { [old, new].map(|x| markdown::significant(x, DIGITS)) } else { [before, after] };
+    format!("{word} {before} → {after}")
 }

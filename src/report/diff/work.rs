@@ -10,6 +10,9 @@ use crate::report::record::RunRow;
 /// A run by its name, and what is known of it by the names of the columns.
 type Runs = BTreeMap<String, BTreeMap<String, String>>;
 
+/// The column of how a run ends, and its key in a snapshot.
+const OUTCOME: &str = "outcome";
+
 /// What changed in the recorded runs, and in the snapshots.
 pub fn told(rows: [&[RunRow]; 2], trees: [&Tree; 2]) -> Vec<Told> {
     let recorded = of("Runs of the suite", &rows.map(recorded));
@@ -21,7 +24,7 @@ fn recorded(rows: &[RunRow]) -> Runs {
     let columns = |row: &RunRow| {
         let count = |count: Option<usize>| count.map_or_else(|| "–".into(), |count| count.to_string());
         [
-            ("outcome", row.outcome.clone()),
+            (OUTCOME, row.outcome.clone()),
             ("iterations", count(row.iterations)),
             ("factorisations", count(row.factorisations)),
             ("updates", count(row.updates)),
@@ -37,7 +40,7 @@ fn recorded(rows: &[RunRow]) -> Runs {
 
 /// Whether a path is that of a frozen run.
 pub fn is_frozen_run(path: &str, text: &str) -> bool {
-    path.ends_with(".snap") && text.contains("\noutcome: ")
+    path.ends_with(".snap") && text.contains(&format!("\n{OUTCOME}: "))
 }
 
 /// Frozen runs: lines `name: value` below the head.
@@ -57,7 +60,6 @@ fn of(name: &str, [before, after]: &[Runs; 2]) -> Option<Told> {
         before.iter().filter_map(|(run, old)| Some((run.as_str(), [old, after.get(run)?]))).collect();
     let columns: Vec<&String> = ordered(&both);
     let mut rows: Vec<String> = columns.into_iter().flat_map(|column| changes(column, &both)).collect();
-    rows.sort_by_key(|row| std::cmp::Reverse(row.starts_with("outcome")));
     let changed = both.iter().filter(|(_, [old, new])| old != new).count();
     let lacking =
         |one: &Runs, other: &Runs| one.keys().filter(|run| !other.contains_key(*run)).cloned().collect::<Vec<_>>();
@@ -71,7 +73,7 @@ fn of(name: &str, [before, after]: &[Runs; 2]) -> Option<Told> {
     (!rows.is_empty() && !before.is_empty()).then(|| Told::new(heading, rows))
 }
 
-/// Names of columns, as they are met first.
+/// Names of columns, the outcome first, the others as they are met.
 fn ordered<'a>(both: &[(&str, [&'a BTreeMap<String, String>; 2])]) -> Vec<&'a String> {
     let mut columns: Vec<&String> = Vec::new();
     for column in both.iter().flat_map(|(_, sides)| sides.iter().flat_map(|side| side.keys())) {
@@ -79,6 +81,8 @@ fn ordered<'a>(both: &[(&str, [&'a BTreeMap<String, String>; 2])]) -> Vec<&'a St
             columns.push(column);
         }
     }
+    // How a run ends comes before what it took.
+    columns.sort_by_key(|column| *column != OUTCOME);
     columns
 }
 

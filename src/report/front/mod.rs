@@ -1,12 +1,14 @@
 //! The front page: one computed answer to each question, the paper's statements, the verdicts, and the way to every page.
 //!
 //! * `right` — is it right, and against what; what no measurement has seen.
+//! * [`nearness`] — how much of their tolerances the checks use.
 //! * `cost` — what accuracy costs.
 //! * `advice` — where methods fail, and what to use.
 //! * `summary` — statements, verdicts, what was never compared, and the index.
 
 mod advice;
 mod cost;
+pub mod nearness;
 mod right;
 mod summary;
 

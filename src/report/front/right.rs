@@ -4,6 +4,7 @@ use crate::case::library::cylinder;
 use crate::case::{Judged, Quantity, Verdict};
 use crate::markdown;
 use crate::oracle::ReferenceKind;
+use crate::report::front::nearness;
 use crate::report::links::to_page as link;
 use crate::report::statements::found::Findings;
 use crate::report::{checks_page, told};
@@ -80,13 +81,14 @@ pub fn against(findings: &[Finding]) -> String {
     });
     let head = ["held against", "what it can show", "checks", "pass", "fail", "not run"].map(String::from);
     format!(
-        "**{most} checks are held against {name}: {} of {} ({} %).** {} {}.\n\n{}",
+        "**{most} checks are held against {name}: {} of {} ({} %).** {} {}.\n\n{}\n{}",
         own(largest).count(),
         all.len(),
         markdown::significant(100.0 * share, 2),
         experiments(findings),
         link("Each check", checks_page::FILE),
-        markdown::table(&head, &rows)
+        markdown::table(&head, &rows),
+        picture(nearness::CHART[0], nearness::CHART[1])
     )
 }
 

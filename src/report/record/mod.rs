@@ -22,7 +22,7 @@ use crate::error::Error;
 use crate::report::statements;
 use crate::study::Finding;
 
-pub use check::{CheckRow, Mark};
+pub use check::{CheckRow, Mark, rows};
 pub use run::RunRow;
 pub use statement::StatementRow;
 
@@ -37,7 +37,7 @@ pub const STATEMENTS: &str = "snapshots/statements.csv";
 pub fn files(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
     let statements: Vec<StatementRow> = statements::judge(findings).iter().map(StatementRow::of).collect();
     Ok(vec![
-        (CHECKS.into(), text(CHECKS, &check::rows(findings))?),
+        (CHECKS.into(), text(CHECKS, &rows(findings))?),
         (RUNS.into(), text(RUNS, &run::rows(findings))?),
         (STATEMENTS.into(), text(STATEMENTS, &statements)?),
     ])

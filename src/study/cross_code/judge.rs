@@ -72,8 +72,9 @@ fn physical(compared: &physical::Compared) -> Vec<Judged> {
 /// Where the closed form is that of the scene, our uncertainty alone covers the difference.
 fn covered_closed_form(compared: &physical::Compared, closed: &ClosedForm) -> [Judged; 2] {
     Number::ALL.map(|number| {
-        let reference = Reference::analytic(&closed.name, number.of_closed_form(closed));
-        let comparison = exactly(number.of(&compared.ours), number.of_closed_form(closed));
+        let exact = number.of_closed_form(compared.scene, closed);
+        let reference = Reference::analytic(&closed.name, exact);
+        let comparison = exactly(number.of(compared.scene, &compared.ours), exact);
         covered(&number.name(compared.scene), reference, comparison, "our mesh")
     })
 }
@@ -86,7 +87,7 @@ pub fn tight(compared: &physical::Compared) -> [Judged; 3] {
     let demanded = demanded(compared.scene);
     let worst = |of: &dyn Fn(&Found) -> f64| compared.counted().map(of).fold(0.0, larger);
     let numbers = Number::ALL.map(|number| {
-        worst(&|found| (number.of(&compared.ours).value / number.of(found).value - 1.0).abs())
+        worst(&|found| (number.of(compared.scene, &compared.ours).value / number.of(compared.scene, found).value - 1.0).abs())
     });
     let profile = worst(&|found| l2(&compared.ours.profile, &found.profile));
     let all = [
@@ -142,7 +143,7 @@ pub fn agreement(compared: &physical::Compared, found: &Found) -> [Judged; 6] {
     let (scene, ours) = (compared.scene, &compared.ours);
     let demanded = demanded(scene);
     let [peak, width] = [(Number::Peak, demanded.peak), (Number::Width, demanded.width)].map(|(number, tolerance)| {
-        let (name, mine, other) = (number.name(scene), number.of(ours), number.of(found));
+        let (name, mine, other) = (number.name(scene), number.of(scene, ours), number.of(scene, found));
         let reference = || Reference { uncertainty: Some(other.uncertainty), ..theirs(found.by, other.value) };
         let because = format!("at most three times what is found; {COVERAGE} u_val is asked beside it");
         let near = Check::near(Quantity::at(number.noun(), number.unit(scene)), reference(), tolerance, because);

@@ -116,6 +116,12 @@ impl Measured {
         let series = richardson(values);
         Self { value: values[LEVELS - 1], uncertainty: series.uncertainty(), limit: series.limit }
     }
+
+    /// The same number in another unit.
+    pub fn times(self, factor: f64) -> Self {
+        let Self { value, uncertainty, limit } = self;
+        Self { value: factor * value, uncertainty: factor * uncertainty, limit: factor * limit }
+    }
 }
 
 impl Found {

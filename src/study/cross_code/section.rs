@@ -105,12 +105,11 @@ fn each_number<'a>(physical: &'a [&'a Compared]) -> impl Iterator<Item = (&'a Co
     physical.iter().flat_map(|compared| Number::ALL.map(|number| (*compared, number)))
 }
 
-/// What a number is shown as, and by which factor: angles in degrees.
-pub fn shown(scene: Scene, number: Number) -> (&'static str, f64) {
+/// What a number is shown as.
+pub fn shown(scene: Scene, number: Number) -> &'static str {
     match number {
-        Number::Peak => ("peak [MPa]", 1.0),
-        Number::Width if scene.is_arc() => ("2 √(∫pθ²/∫p) [°]", 180.0 / std::f64::consts::PI),
-        Number::Width => ("a [mm]", 1.0),
+        Number::Peak => "peak [MPa]",
+        Number::Width => number.unit(scene),
     }
 }
 
@@ -120,15 +119,15 @@ pub fn percent(share: f64) -> String {
 }
 
 fn quoted(compared: &Compared, number: Number, found: &Answer) -> Vec<String> {
-    let (quantity, factor) = shown(compared.scene, number);
-    let Measured { value, uncertainty, .. } = number.of(found);
-    let exact = compared.closed_form.as_ref().map(|exact| number.of_closed_form(exact));
+    let quantity = shown(compared.scene, number);
+    let Measured { value, uncertainty, .. } = number.of(compared.scene, found);
+    let exact = compared.closed_form.as_ref().map(|exact| number.of_closed_form(compared.scene, exact));
     vec![
         compared.scene.name().into(),
         quantity.into(),
-        exact.map_or("none".into(), |exact| format!("{:.5}", factor * exact)),
+        exact.map_or("none".into(), |exact| format!("{:.5}", exact)),
         format!("{} ({} dofs)", found.by, found.dofs),
-        format!("{:.5} ± {}", factor * value, percent(uncertainty / value.abs())),
+        format!("{:.5} ± {}", value, percent(uncertainty / value.abs())),
         exact.map_or(String::new(), |exact| {
             let kind = if compared.scene.closed_form_is_exact() { "" } else { ", another model" };
             format!("{} %{kind}", markdown::signed(100.0 * (value / exact - 1.0), 2))
@@ -159,12 +158,12 @@ fn comparisons(physical: &[&Compared]) -> String {
 
 fn comparison(compared: &Compared, number: Number, found: &Answer) -> Vec<String> {
     let (comparison, sources) = against(compared, found, number);
-    let scale = number.of(found).value.abs();
+    let scale = number.of(compared.scene, found).value.abs();
     let source = |u: f64| if u.abs() <= 0.0 { "–".into() } else { percent(u / scale) };
     let covered = comparison.ratio() <= COVERAGE;
     vec![
         compared.scene.name().into(),
-        shown(compared.scene, number).0.into(),
+        shown(compared.scene, number).into(),
         found.by.to_string(),
         format!("{} %", markdown::signed(100.0 * comparison.error / scale, 2)),
         source(sources.ours),
@@ -181,13 +180,13 @@ fn comparison(compared: &Compared, number: Number, found: &Answer) -> Vec<String
 fn penalty(physical: &[&Compared]) -> String {
     let head = ["case", "quantity", "by penalty, limit", "without penalty, limit", "penalty error"];
     let rows = each_number(physical).filter_map(|(compared, number)| {
-        let (quantity, factor) = shown(compared.scene, number);
-        let [soft, exact] = compared.both_methods()?.map(|found| number.of(found).limit);
+        let quantity = shown(compared.scene, number);
+        let [soft, exact] = compared.both_methods()?.map(|found| number.of(compared.scene, found).limit);
         Some(vec![
             compared.scene.name().into(),
             quantity.into(),
-            format!("{:.5}", factor * soft),
-            format!("{:.5}", factor * exact),
+            format!("{:.5}", soft),
+            format!("{:.5}", exact),
             format!("{} %", markdown::signed(100.0 * (soft / exact - 1.0), 2)),
         ])
     });

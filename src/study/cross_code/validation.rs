@@ -1,5 +1,7 @@
 //! Comparison errors with another code, and what their uncertainties are made of (ASME V&V 20-2009).
 
+use std::f64::consts::PI;
+
 use serde::Serialize;
 
 use crate::markdown;
@@ -21,19 +23,27 @@ impl Number {
     /// Both.
     pub const ALL: [Self; 2] = [Self::Peak, Self::Width];
 
-    /// The number of a code.
-    pub fn of(self, found: &Found) -> Measured {
+    /// The number of a code, in its unit.
+    pub fn of(self, scene: Scene, found: &Found) -> Measured {
         match self {
             Self::Peak => found.peak,
-            Self::Width => found.half_width,
+            Self::Width => found.half_width.times(self.per_unit(scene)),
         }
     }
 
-    /// The number of a closed form.
-    pub fn of_closed_form(self, closed: &ClosedForm) -> f64 {
+    /// The number of a closed form, in its unit.
+    pub fn of_closed_form(self, scene: Scene, closed: &ClosedForm) -> f64 {
         match self {
             Self::Peak => closed.peak,
-            Self::Width => closed.half_width,
+            Self::Width => closed.half_width * self.per_unit(scene),
+        }
+    }
+
+    /// Factor from MPa, mm or rad to its unit: angles are told in degrees.
+    pub fn per_unit(self, scene: Scene) -> f64 {
+        match self {
+            Self::Width if scene.is_arc() => 180.0 / PI,
+            Self::Peak | Self::Width => 1.0,
         }
     }
 
@@ -49,7 +59,7 @@ impl Number {
     pub fn unit(self, scene: Scene) -> &'static str {
         match self {
             Self::Peak => "[MPa]",
-            Self::Width if scene.is_arc() => "2 √(∫pθ²/∫p) [rad]",
+            Self::Width if scene.is_arc() => "2 √(∫pθ²/∫p) [°]",
             Self::Width => "a [mm]",
         }
     }
@@ -87,7 +97,7 @@ impl Sources {
 
 /// Ours against what another code found.
 pub fn against(compared: &Compared, found: &Found, number: Number) -> (Comparison, Sources) {
-    let (ours, theirs) = (number.of(&compared.ours), number.of(found));
+    let (ours, theirs) = (number.of(compared.scene, &compared.ours), number.of(compared.scene, found));
     let sources = Sources {
         ours: ours.uncertainty,
         theirs: theirs.uncertainty,
@@ -121,7 +131,7 @@ impl Compared {
     /// What the penalty changes a number by, apart from the mesh; NaN where no code has both methods.
     fn cost_of_penalty(&self, number: Number) -> f64 {
         self.both_methods().map_or(f64::NAN, |both| {
-            let [soft, exact] = both.map(|found| number.of(found).limit);
+            let [soft, exact] = both.map(|found| number.of(self.scene, found).limit);
             (soft - exact).abs()
         })
     }

@@ -45,12 +45,12 @@ fn numbers(findings: &[Found<Compared>]) -> String {
 }
 
 fn row(compared: &Compared, number: Number, other: &Other) -> Vec<String> {
-    let (quantity, factor) = shown(compared.scene, number);
-    let quoted = |of: Measured| format!("{:.5} ± {}", factor * of.value, percent(of.uncertainty / of.value.abs()));
-    let (ours, theirs) = (number.of(&compared.ours), number.of(&other.found));
+    let quantity = shown(compared.scene, number);
+    let quoted = |of: Measured| format!("{:.5} ± {}", of.value, percent(of.uncertainty / of.value.abs()));
+    let (ours, theirs) = (number.of(compared.scene, &compared.ours), number.of(compared.scene, &other.found));
     let comparison = against(compared, other, number);
     let scale = theirs.value.abs();
-    let exact = compared.closed_form.as_ref().map(|exact| number.of_closed_form(exact));
+    let exact = compared.closed_form.as_ref().map(|exact| number.of_closed_form(compared.scene, exact));
     vec![
         compared.scene.name().into(),
         quantity.into(),

@@ -1,5 +1,7 @@
 //! A scene in words and numbers.
 
+use std::f64::consts::PI;
+
 use crate::scene::{
     Action, Body, ContactPair, Face, Load, Path, PlaneHypothesis, Profile, Scene, Sector, Shape, SidePart, Support,
 };
@@ -120,11 +122,12 @@ fn on_side(boundary: &str, part: Option<&SidePart>, action: &Action) -> String {
 fn contact(scene: &Scene, pair: &ContactPair) -> String {
     let first = &scene.bodies[pair.first].name;
     let other = pair.second.map_or("a rigid profile".into(), |body| format!("`{}`", scene.bodies[body].name));
-    let (along, unit) = match &pair.path {
-        Path::Straight(line) if line.both_sides => (format!("x from {:?}, on both sides", line.origin), "mm"),
-        Path::Straight(line) => (format!("|x| from {:?}", line.origin), "mm"),
+    let (along, unit, per_unit) = match &pair.path {
+        Path::Straight(line) if line.both_sides => (format!("x from {:?}, on both sides", line.origin), "mm", 1.0),
+        Path::Straight(line) => (format!("|x| from {:?}", line.origin), "mm", 1.0),
         Path::Arc(circle) => {
-            (format!("the angle from the downward vertical about {:?}, on the circle of radius {}", circle.centre, circle.radius), "rad")
+            let along = format!("the angle from the downward vertical about {:?}, on the circle of radius {}", circle.centre, circle.radius);
+            (along, "°", 180.0 / PI)
         }
     };
     let half = if pair.symmetric { " The scene is one half of a symmetric one; resultants are of both." } else { "" };
@@ -133,8 +136,13 @@ fn contact(scene: &Scene, pair: &ContactPair) -> String {
          {unit}.{half}",
         pair.name,
         gap(&pair.profile),
-        pair.stretch
+        in_decimals(per_unit * pair.stretch)
     )
+}
+
+/// A number without what conversion to degrees leaves in its last digits.
+fn in_decimals(number: f64) -> f64 {
+    (number * 1e9).round() / 1e9
 }
 
 fn gap(profile: &Profile) -> String {
