@@ -41,8 +41,12 @@ pub fn text(findings: &[Finding], records: &[(String, Judged)], columns: u16) ->
     }
     let [pass, fail, not_run] = matrix::counts(findings);
     let studies = studies(findings, columns);
-    format!("{told}{studies}\n\nchecks: {pass} passed, {fail} failed, {not_run} not run")
+    let remedy = if fail > 0 { AFTER_FAILURE } else { "" };
+    format!("{told}{studies}\n\n{remedy}checks: {pass} passed, {fail} failed, {not_run} not run")
 }
+
+/// Where to go from a failure.
+const AFTER_FAILURE: &str = "what moved: `contact-vv report diff`; inputs: snapshots/pages\n";
 
 /// A row of a check that did not pass, and whether it failed.
 fn row(title: &str, check: &Judged) -> Option<(bool, Row)> {

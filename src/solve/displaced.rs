@@ -6,8 +6,8 @@ use crate::mesh::Edge;
 use crate::scene::{Action, Body, Component, ContactPair, Load, Place, Scene};
 use crate::solve::Discretisation;
 
-/// Gauss points of an edge: the length of an 8-node cell's is no polynomial.
-const EDGE_POINTS: usize = 4;
+/// Gauss points of an edge: exact for straight ones of any order; the length of a curved one is no polynomial.
+const EDGE_POINTS: usize = 8;
 
 /// One displacement component of a side, as its mean, or of a point of a body.
 #[derive(Clone, Debug, PartialEq)]

@@ -202,6 +202,7 @@ fn what_did_not_pass_is_told_first_and_passes_are_summed_up() {
         // Two failures, what was not run, and the one study they all belong to.
         assert_eq!(signs, "✗✗○✗", "{text}");
         assert!(text.ends_with("checks: 1 passed, 2 failed, 1 not run"), "{text}");
+        assert!(text.contains("report diff"), "a failure says where to go from it: {text}");
         let whole = text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(!whole.contains("first number"), "{text}");
     }

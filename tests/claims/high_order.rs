@@ -7,8 +7,8 @@ use contact_vv::elasticity::element::{self, CellStiffness};
 use contact_vv::elasticity::{ElasticSystem, quadrature, shape_functions, stress};
 use contact_vv::measure::relative_error;
 use contact_vv::mesh::{Mesh, Order, lobatto};
-use contact_vv::scene::{Component, Face, Load, Path, PlaneHypothesis, Profile, Scene, Shape, Support};
-use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use contact_vv::scene::{Component, Face, Load, Path, Place, PlaneHypothesis, Profile, Scene, Shape, Support};
+use contact_vv::solve::{Discretisation, Displaced, Element, Formulation, Iteration, Run};
 
 use crate::workbench::{STEEL, block, distance, held, held_at, noise, of_shape, resolution, solved};
 
@@ -306,5 +306,21 @@ fn weight_is_handed_out_with_its_resultant() {
         let forces = contact_vv::elasticity::loads::at_nodes(&scene, &mesh, 0).expect("forces");
         let sum: f64 = forces.iter().map(|force| force[1]).sum();
         assert_relative_eq!(sum, -7.0 * 2.0 * 3.0 * 2.5, max_relative = 1e-12);
+    }
+}
+
+#[test]
+fn mean_displacement_of_a_side_is_exact_for_fields_of_the_order_of_the_cells() {
+    for order in Order::ALL {
+        let degree = i32::from(order.number());
+        let supports = vec![held("left", Component::X, 0.0)];
+        let scene = block([4.0, 3.0], supports, vec![]);
+        let discretisation = Discretisation::of(scene, resolution(2, 0, order)).expect("discretisation");
+        let power = |x: f64| x.powi(degree);
+        let field: Vec<[f64; 2]> = discretisation.mesh.points.iter().map(|[x, _]| [power(*x), 0.0]).collect();
+        let of = Displaced { body: 0, at: Place::Boundary("far".into()), component: Component::X };
+        let mean = discretisation.displaced(&field, &of).expect("mean");
+        // ∫ x^p dx over 0 … 4, divided by 4.
+        assert_relative_eq!(mean, power(4.0) / f64::from(degree + 1), max_relative = 1e-12);
     }
 }
