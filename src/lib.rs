@@ -17,6 +17,7 @@
 //! * [`mod@case`] — claims: problems and checks.
 //! * [`study`] — what is found out over many solves.
 //! * [`report`] — the page.
+//! * [`referee`] — the answers of other codes, judged.
 //! * [`cli`] — what the user types.
 //!
 //! Beside the chain stand [`error`], what was wrong, [`clock`], what each stage took, `named`, enums of named members, [`checkout`],
@@ -55,6 +56,7 @@ pub mod measure;
 pub mod mesh;
 mod named;
 pub mod oracle;
+pub mod referee;
 pub mod report;
 pub mod scene;
 pub mod solution;

@@ -33,6 +33,20 @@ Examples:
   contact-vv verify tests/cases
   contact-vv verify mine.toml other.toml --json";
 
+/// Of `export`.
+pub const EXPORT: &str = "\
+Examples:
+  contact-vv export cylinder elsewhere
+  contact-vv export mine.toml elsewhere";
+
+/// Of `judge`.
+pub const JUDGE: &str = "\
+Examples:
+  contact-vv judge cylinder theirs.csv
+  contact-vv judge cylinder theirs.csv --column pressure=CPRESS --unit pressure=MPa --unit position=mm
+  contact-vv judge mine.toml forces.csv --order 2 --tolerance \"0.5 %\"
+  contact-vv judge cylinder theirs.json --markdown";
+
 /// Of `verdicts`.
 pub const VERDICTS: &str = "\
 Examples:
@@ -54,7 +68,8 @@ Examples:
 /// Of `schema`.
 pub const SCHEMA: &str = "\
 Examples:
-  contact-vv schema > schema.json";
+  contact-vv schema > schema.json
+  contact-vv schema answer > answer-schema.json";
 
 /// Of `completions`.
 pub const COMPLETIONS: &str = "\

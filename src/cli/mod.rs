@@ -9,6 +9,7 @@
 //! * [`suite`] — runs all trials with a progress bar; [`summary`] — what they found.
 //! * [`solve`] — one case, with its outputs.
 //! * [`verify`] — scene files with their checks.
+//! * [`judge`] — answers of other codes; [`export`] — what they need to run a case.
 //! * `found` — what it found.
 //! * `bars` — how far each number may be from the truth.
 //! * [`reactions`] — what its supports exert.
@@ -24,8 +25,10 @@ pub mod atlas;
 mod bars;
 pub mod ended;
 pub mod examples;
+pub mod export;
 mod found;
 pub mod json;
+pub mod judge;
 pub mod manual;
 pub mod new;
 pub mod reactions;
@@ -51,6 +54,7 @@ use crate::cli::ended::Ended;
 use crate::cli::json::{Answer, Listed};
 use crate::cli::terminal::{say, show};
 use crate::error::Error;
+use crate::referee::document;
 use crate::report;
 use crate::study::sheets::SHEETS;
 use crate::study::timings::growth;
@@ -89,6 +93,12 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Write all that is needed to run a case with another code: sheet, mesh, input deck, what is wanted back.
+    #[command(after_help = examples::EXPORT)]
+    Export(export::Arguments),
+    /// Judge the answer of another code, on its own mesh, by the truth of a case; 1 where something is not met.
+    #[command(after_help = examples::JUDGE)]
+    Judge(judge::Arguments),
     /// Solve the suite and print every check with its verdict, a line of JSON each; trials that break off fail too.
     #[command(after_help = examples::VERDICTS)]
     Verdicts,
@@ -125,9 +135,13 @@ enum Command {
         #[arg(value_enum)]
         shape: Option<new::Template>,
     },
-    /// Print the JSON Schema of all that is printed as JSON.
+    /// Print the JSON Schema of all that is printed as JSON, or of what is read.
     #[command(after_help = examples::SCHEMA)]
-    Schema,
+    Schema {
+        /// What it is the schema of.
+        #[arg(value_enum, default_value_t = json::Schema::Printed)]
+        of: json::Schema,
+    },
     /// Print the completions for a shell.
     #[command(after_help = examples::COMPLETIONS)]
     Completions {
@@ -172,6 +186,8 @@ pub fn main() -> ExitCode {
         Command::Timings { memory: None, bars: true } => timings::bars().map(|()| Ended::Well),
         Command::Timings { memory: None, bars: false } => timings::run().map(|()| Ended::Well),
         Command::Verify { paths, json } => verify::run(&paths, json),
+        Command::Export(arguments) => export::run(&arguments).map(|()| Ended::Well),
+        Command::Judge(arguments) => judge::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::List { json } => {
             list(json);
@@ -181,8 +197,11 @@ pub fn main() -> ExitCode {
             new::print(shape);
             Ok(Ended::Well)
         }
-        Command::Schema => {
-            say(json::schema());
+        Command::Schema { of } => {
+            say(match of {
+                json::Schema::Printed => json::schema(),
+                json::Schema::Answer => document::schema(),
+            });
             Ok(Ended::Well)
         }
         Command::Completions { shell } => {

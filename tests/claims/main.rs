@@ -55,6 +55,9 @@ mod pictures;
 mod reactions;
 #[cfg(feature = "python")]
 mod readers;
+mod referee;
+mod referee_export;
+mod referee_refusals;
 mod rigid_pin;
 mod rooms;
 mod scene;

@@ -2,6 +2,7 @@
 //!
 //! * [`solved`] — the result of `solve`; [`contact`] — what one contact came to; [`oracle`] — what an oracle reads.
 //! * [`checked`] — a check with its numbers and its verdict, of `solve`, `verify` and `verdicts` alike.
+//! * [`refereed`] — the verdicts on the answer of another code.
 //! * [`listed`] — a case of the library.
 //! * [`number`] — a number, which may be unknown.
 
@@ -10,17 +11,31 @@ pub mod contact;
 pub mod listed;
 pub mod number;
 pub mod oracle;
+pub mod refereed;
 pub mod solved;
 
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
 
+use crate::named::named_enum;
+
 pub use checked::{Checked, Line};
 pub use listed::Listed;
 pub use number::Number;
 pub use oracle::{OracleReading, Read};
+pub use refereed::Refereed;
 pub use solved::Solved;
+
+named_enum! {
+    /// What a schema is of.
+    pub enum Schema {
+        /// All that is printed as JSON.
+        Printed = "printed",
+        /// An answer that `judge` reads.
+        Answer = "answer",
+    }
+}
 
 /// What contact-vv prints as JSON.
 #[derive(Serialize, JsonSchema)]
@@ -30,6 +45,8 @@ pub enum Answer<'a> {
     Solved(Box<Solved<'a>>),
     /// Of `verdicts` and `verify --json`: a line for each check.
     Line(Box<Line>),
+    /// Of `judge --json`: a line for each answer.
+    Refereed(Box<Refereed>),
     /// Of `list --json`: one document.
     Listed(Vec<Listed>),
 }

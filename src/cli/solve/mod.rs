@@ -4,11 +4,11 @@
 //! * `stages` — the stage it is in, on a terminal.
 //! * `table` — the result in lines.
 //! * `curve` — the load–approach curve.
-//! * `profile` — the pressure profile as CSV.
+//! * [`profile`] — the pressure profile as CSV.
 
 mod curve;
 pub mod options;
-mod profile;
+pub mod profile;
 mod stages;
 mod table;
 

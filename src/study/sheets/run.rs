@@ -78,12 +78,18 @@ pub fn solve(name: &str) -> Result<Numbers, Error> {
     let resolution = Resolution { refinement: REFINEMENT, ..case.resolution };
     let discretisation = Discretisation::of(case.scene.clone(), resolution)?;
     let run = Run::of(&discretisation, &Formulation::verification())?.with_limits(&discretisation)?;
-    let barred = bars(&discretisation, &run, &[])?;
-    let frozen = Independent::read()?;
-    let asked = SHARED.iter().find(|(known, _)| *known == name).and_then(|(_, scene)| frozen.scenes.get(*scene));
+    let barred = bars(&discretisation, &run, &[])?.all;
+    of(&case, &discretisation, &run, &barred)
+}
+
+/// The sheet of a case from a run, whose numbers have bars.
+pub fn of(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[Barred]) -> Result<Numbers, Error> {
+    let shared = SHARED.iter().find(|(known, _)| *known == case.name);
+    let frozen = shared.map(|_| Independent::read()).transpose()?;
+    let asked = shared.zip(frozen.as_ref()).and_then(|((_, scene), frozen)| frozen.scenes.get(*scene));
     let value = |one: &Barred| {
-        let Told { of, quantity, unit, factor } = Told::of(&case.scene, &run, one);
-        let closed_form = closed_form(&case, &one.subject).map(|value| factor * value);
+        let Told { of, quantity, unit, factor } = Told::of(&discretisation.scene, run, one);
+        let closed_form = closed_form(case, &one.subject).map(|value| factor * value);
         let series = asked.iter().flat_map(|asked| &asked.series);
         let others = series.filter_map(|(script, series)| other(*script, series, &one.subject, factor)).collect();
         let unbounded = match one.subject {
@@ -95,12 +101,12 @@ pub fn solve(name: &str) -> Result<Numbers, Error> {
         Value { of, quantity, unit, value, bound: factor * one.bar.total(), closed_form, others }
     };
     Ok(Numbers {
-        name: name.into(),
+        name: case.name.clone(),
         title: case.title.clone(),
         scene: described::scene(&case.scene),
-        sources: sources(&case),
+        sources: sources(case),
         dofs: run.dofs,
-        values: barred.all.iter().map(value).collect(),
+        values: barred.iter().map(value).collect(),
     })
 }
 

@@ -1,0 +1,84 @@
+//! `export CASE DIR`: all that is needed to run a case elsewhere, and to hand the answer in.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use crate::case::Case;
+use crate::cli::solve::profile;
+use crate::cli::terminal::say;
+use crate::cli::{judge, vtu};
+use crate::error::Error;
+use crate::referee::Truth;
+use crate::referee::document::{Document, schema};
+use crate::referee::export::{deck, gmsh, own};
+use crate::solve::{Formulation, Run};
+use crate::study::sheets;
+
+/// Arguments of `export`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Case of the library (`list` names them), or a scene file.
+    pub case: String,
+    /// Folder to write into; it is made where it is not there.
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+}
+
+/// Writes the files, and names them.
+pub fn run(arguments: &Arguments) -> Result<(), Error> {
+    let case = judge::named(&arguments.case)?;
+    let places = case.places.clone();
+    let written = files(&case).map_err(|error| match &places {
+        Some(places) => places.locate(error),
+        None => error,
+    })?;
+    let folder = &arguments.folder;
+    fs::create_dir_all(folder).map_err(|error| Error::unwritable(folder, error))?;
+    for (name, text, what) in written {
+        let path = folder.join(&name);
+        fs::write(&path, text).map_err(|error| Error::unwritable(&path, error))?;
+        say(format!("{}: {what}", path.display()));
+    }
+    Ok(())
+}
+
+/// Name, text and what it is of every file.
+pub fn files(case: &Case) -> Result<Vec<(String, String, &'static str)>, Error> {
+    let discretisation = case.meshed()?.discretisation;
+    let run = Run::of(&discretisation, &Formulation::verification())?;
+    let truth = Truth::of(case.clone())?;
+    let named = |ending: &str| format!("{}{ending}", plain(&case.name));
+    let sheet = sheets::sheet(&sheets::run::of(case, &truth.discretisation, &truth.run, &truth.bars)?).1;
+    let table = profile::csv(&discretisation.scene, &run, Path::new("ours.csv"))?;
+    Ok(vec![
+        (named(".md"), sheet, "sheet: scene, equations, reference values"),
+        (named(".msh"), gmsh::text(&discretisation.scene, &discretisation.mesh), "mesh for Gmsh 4.1"),
+        (named(".inp"), deck::text(&discretisation)?, "input deck for CalculiX or Abaqus"),
+        (named(".vtu"), vtu::text(&discretisation, &run)?, "mesh with our own fields for ParaView"),
+        ("answer.json".into(), to_fill_in(&own::template(&case.name, &discretisation)), "to be filled in, and judged"),
+        ("answer-schema.json".into(), schema() + "\n", "what it may hold"),
+        ("ours.json".into(), document(&own::answer(&case.name, &discretisation, &run)), "our own answer on this mesh"),
+        ("ours.csv".into(), table, "the same as a table"),
+    ])
+}
+
+fn document(document: &Document) -> String {
+    serde_json::to_string_pretty(document).expect("numbers, strings and lists can be written as JSON") + "\n"
+}
+
+/// With empty lists of pressures and gaps.
+fn to_fill_in(template: &Document) -> String {
+    let mut value = serde_json::to_value(template).expect("numbers, strings and lists can be written as JSON");
+    for contact in value["contacts"].as_array_mut().into_iter().flatten() {
+        ["pressure", "gap"].into_iter().for_each(|list| contact[list] = serde_json::Value::Array(vec![]));
+    }
+    serde_json::to_string_pretty(&value).expect("numbers, strings and lists can be written as JSON") + "\n"
+}
+
+/// A name for files.
+fn plain(name: &str) -> String {
+    let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    stem.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '-' }).collect()
+}

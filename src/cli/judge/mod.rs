@@ -1,0 +1,57 @@
+//! `judge CASE ANSWER…`: answers of other codes, on their own meshes, held against the truth of a case.
+//!
+//! * `options` — what the user asks for.
+//! * `told` — the verdicts in a table.
+
+mod options;
+mod told;
+
+use std::fs;
+
+use crate::case::Verdict;
+use crate::cli::ended::Ended;
+use crate::cli::json::{Answer, Line, Refereed};
+use crate::cli::terminal::say;
+use crate::error::Error;
+use crate::figure::Theme;
+use crate::referee::{Truth, Verdicts, picture, read, series, verdicts};
+
+pub use options::{Arguments, named};
+
+/// Judges every answer, prints the verdicts and tells how they ended.
+pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
+    arguments.refuse()?;
+    let case = arguments.named()?;
+    let (asked, tolerance) = (arguments.asked()?, arguments.tolerance()?);
+    let answers = arguments.answers.iter().map(|file| read::read(file, &case, &asked));
+    let answers = answers.collect::<Result<Vec<_>, Error>>()?;
+    let places = case.places.clone();
+    let truth = Truth::of(case).map_err(|error| match &places {
+        Some(places) => places.locate(error),
+        None => error,
+    })?;
+    let judged = answers.into_iter().map(|answer| verdicts(&truth, answer, tolerance));
+    let judged = judged.collect::<Result<Vec<Verdicts>, Error>>()?;
+    for one in judged.iter().filter(|_| !arguments.series || arguments.json) {
+        match (arguments.json, arguments.markdown) {
+            (true, _) => say(Answer::Refereed(Refereed::of(&truth, one).into()).line()),
+            (false, true) => say(told::markdown(&truth, one)),
+            (false, false) => told::print(&truth, one),
+        }
+    }
+    if let (Some(path), [one]) = (&arguments.plot, judged.as_slice()) {
+        let svg = picture::sheet(&truth, &one.answer).drawing()?.svg(Theme::Light);
+        fs::write(path, svg).map_err(|error| Error::unwritable(path, error))?;
+    }
+    let mut met = judged.iter().all(Verdicts::met);
+    if let Some(found) = series::of(&truth, &judged).filter(|_| arguments.series) {
+        // Coarse meshes of a series need not meet the tolerance: the finest and the limit do.
+        met = judged.last().is_some_and(Verdicts::met)
+            && found.along.iter().all(|one| one.judged.verdict != Verdict::Fail);
+        match arguments.json {
+            true => found.along.iter().for_each(|one| say(Answer::Line(Line::of("series", &one.judged).into()).line())),
+            false => told::series(&found),
+        }
+    }
+    Ok(Ended::checked(met))
+}

@@ -1,0 +1,112 @@
+//! Options of `judge`.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use crate::accuracy;
+use crate::case::{Case, library};
+use crate::cli::writable;
+use crate::error::Error;
+use crate::mesh::Order;
+use crate::referee::Asked;
+use crate::referee::judge::ENGINEERING;
+
+/// Arguments of `judge`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Case of the library (`list` names them), or a scene file.
+    pub case: String,
+    /// Answers: .csv (columns `position [mm]`, `pressure [MPa]` or `force [N]`), .json (`schema answer`), .vtu or .vtk (nodal pressure
+    /// or stress), .frd (contact fields) or .dat (of an exported deck) of CalculiX.
+    #[arg(required = true, value_name = "ANSWER")]
+    pub answers: Vec<PathBuf>,
+    /// Which column or field holds what, such as pressure=CPRESS; may be given several times.
+    #[arg(long, value_name = "ROLE=NAME")]
+    column: Vec<String>,
+    /// Unit of a column or field that does not say it, such as pressure=Pa; may be given several times.
+    #[arg(long, value_name = "ROLE=UNIT")]
+    unit: Vec<String>,
+    /// Order of the contact edges: 1, every point is a corner (unless the file says otherwise); 2, corners and mid-sides by turns.
+    #[arg(long, value_enum)]
+    order: Option<Order>,
+    /// Contact that the answers are of, in a scene with several.
+    #[arg(long, value_name = "NAME")]
+    contact: Option<String>,
+    /// Pressures and forces are negative in compression.
+    #[arg(long)]
+    tension_positive: bool,
+    /// Relative error that is accepted, such as "0.1 %"; 1 % by default.
+    #[arg(long, value_name = "PERCENT")]
+    tolerance: Option<String>,
+    /// The answers are a series of meshes, coarse to fine: print observed orders, the bound of Richardson's extrapolation, and
+    /// whether it goes to the truth.
+    #[arg(long, conflicts_with_all = ["markdown", "plot"])]
+    pub series: bool,
+    /// Draw the profile on the truth, with the differences, as SVG; of one answer.
+    #[arg(long, value_name = "FILE.svg")]
+    pub plot: Option<PathBuf>,
+    /// Print the verdicts as JSON, a line an answer.
+    #[arg(long)]
+    pub json: bool,
+    /// Print the verdicts as Markdown.
+    #[arg(long, conflicts_with = "json")]
+    pub markdown: bool,
+}
+
+impl Arguments {
+    /// The case of the library or of a file.
+    pub fn named(&self) -> Result<Case, Error> {
+        named(&self.case)
+    }
+
+    /// How files are to be read.
+    pub fn asked(&self) -> Result<Asked, Error> {
+        let pairs = |option: &str, texts: &[String]| {
+            texts.iter().map(|text| Asked::pair(option, text)).collect::<Result<_, _>>()
+        };
+        Ok(Asked {
+            columns: pairs("--column", &self.column)?,
+            units: pairs("--unit", &self.unit)?,
+            order: self.order,
+            contact: self.contact.clone(),
+            tension_positive: self.tension_positive,
+        })
+    }
+
+    /// Refuses what cannot be drawn or compared.
+    pub fn refuse(&self) -> Result<(), Error> {
+        let count = self.answers.len();
+        if self.series && count < 3 {
+            return Err(Error::value(
+                "judge",
+                "--series",
+                count,
+                "three answers are needed",
+                "name three or more, coarse to fine",
+            ));
+        }
+        let Some(path) = &self.plot else { return Ok(()) };
+        if count > 1 {
+            return Err(Error::value("judge", "--plot", path.display(), "one answer is drawn", "name one answer"));
+        }
+        if path.extension().is_none_or(|end| end != "svg") {
+            return Err(Error::value("judge", "--plot", path.display(), "plots are SVG", "end the file name in .svg"));
+        }
+        writable::file(path, "name a file in a folder that exists and may be written")
+    }
+
+    /// The tolerance asked for.
+    pub fn tolerance(&self) -> Result<f64, Error> {
+        let Some(text) = &self.tolerance else { return Ok(ENGINEERING) };
+        let refused = || Error::value("judge", "--tolerance", text, "it must be a percentage", accuracy::remedy());
+        accuracy::percentage(text).ok_or_else(refused)
+    }
+}
+
+/// The case of the library, or of a scene file.
+pub fn named(name: &str) -> Result<Case, Error> {
+    let path = Path::new(name);
+    let is_file = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) || path.exists();
+    if is_file { Case::read(path) } else { library::find(name, None) }
+}

@@ -1,0 +1,117 @@
+//! The verdicts on an answer, in lines and as Markdown.
+
+use crate::case::{Judged, Verdict};
+use crate::cli::terminal::{say, table};
+use crate::markdown;
+use crate::measure::order::{Observed, Why};
+use crate::referee::series::Series;
+use crate::referee::{Ruled, Truth, Verdicts};
+use crate::uncertainty::COVERAGE;
+
+const HEAD: [&str; 6] = ["quantity", "value", "reference ± bar", "error", "at most", "verdict"];
+
+/// Prints a table a contact, what explains what is not met, and what could not be judged.
+pub fn print(truth: &Truth, found: &Verdicts) {
+    say(title(truth, found));
+    for ruled in &found.ruled {
+        let mut table = table(HEAD);
+        table.add_rows(ruled.judged.iter().map(row));
+        say(format!("contact `{}`:", truth.case.scene.contacts[ruled.contact].name));
+        say(table);
+    }
+    remarks(found).into_iter().for_each(say);
+}
+
+/// The same as Markdown.
+pub fn markdown(truth: &Truth, found: &Verdicts) -> String {
+    let mut text = format!("## {}\n", title(truth, found));
+    for ruled in &found.ruled {
+        let rows: Vec<Vec<String>> = ruled.judged.iter().map(|judged| row(judged).into()).collect();
+        let name = &truth.case.scene.contacts[ruled.contact].name;
+        text += &format!("\nContact `{name}`:\n\n{}", markdown::table(&HEAD.map(String::from), &rows));
+    }
+    let remarks: String = remarks(found).iter().map(|remark| format!("* {remark}\n")).collect();
+    text + "\n" + &remarks
+}
+
+/// Prints a series: a line a mesh, then what it says of its limit.
+pub fn series(found: &Series) {
+    let mut table = table(["quantity", "h/a", "value", "error", "order"]);
+    for one in &found.along {
+        for k in 0..one.values.len() {
+            let order = k.checked_sub(1).map_or("–".into(), |before| match one.orders[before] {
+                Observed::Order(order) => markdown::significant(order, 3),
+                Observed::Withheld(Why::NotMonotone) => "not monotone".into(),
+                Observed::Withheld(Why::Floor) => "below what the truth is known to".into(),
+            });
+            let error = markdown::signed(100.0 * one.errors[k], 3) + " %";
+            table.add_row([
+                one.name.to_owned(),
+                markdown::significant(found.sizes[k], 3),
+                markdown::value(one.values[k]),
+                error,
+                order,
+            ]);
+        }
+    }
+    say(table);
+    for one in &found.along {
+        let limit = one.limit.map_or_else(String::new, |limit| {
+            let order = if limit.order.is_nan() { "none".into() } else { markdown::significant(limit.order, 3) };
+            format!(
+                "{}: limit {} ± {}, order of the last three {order}; ",
+                one.name,
+                markdown::value(limit.limit),
+                markdown::significant(limit.bound, 2)
+            )
+        });
+        let reference = markdown::value(one.judged.reference.value);
+        say(format!("{limit}{}: {} against {reference} ({})", one.judged.verdict, one.name, one.judged.reference.name));
+    }
+}
+
+fn title(truth: &Truth, found: &Verdicts) -> String {
+    let code = found.answer.code.as_ref().map_or_else(String::new, |code| format!(" of {code}"));
+    let verdict = if found.met() { "meets all that could be judged" } else { "does not meet its truth" };
+    format!("`{}`{code}, held against {}: {verdict}", found.answer.file.display(), truth.case.name)
+}
+
+fn row(judged: &Judged) -> [String; 6] {
+    let Judged { check, value, reference, verdict, .. } = judged;
+    let bar = reference.uncertainty.map_or(0.0, |u| COVERAGE * u);
+    let bar = if bar > 0.0 { format!(" ± {}", markdown::significant(bar, 2)) } else { String::new() };
+    let reference = format!("{}{bar} ({})", markdown::value(reference.value), reference.name);
+    let verdict =
+        if *verdict == Verdict::Pass { "✓ met".into() } else { verdict.to_string().replace("FAIL", "NOT MET") };
+    let error = |of: f64| {
+        if check.quantity.to_string().contains('[') && is_absolute(judged) {
+            markdown::value(of)
+        } else {
+            markdown::error(of)
+        }
+    };
+    [
+        check.quantity.to_string(),
+        markdown::value(*value),
+        reference,
+        error(judged.error),
+        error(check.tolerance),
+        verdict,
+    ]
+}
+
+fn is_absolute(judged: &Judged) -> bool {
+    judged.check.relation == crate::case::Relation::NearAbsolutely
+}
+
+/// How the file was read, usual mistakes, and what is missing.
+fn remarks(found: &Verdicts) -> Vec<String> {
+    let read = format!("read: {}", found.answer.read.join(", "));
+    let mistakes = found.mistakes.iter().map(|mistake| format!("usual mistake: {mistake}; corrected so, all is met"));
+    let of = |ruled: &Ruled| {
+        ruled.missing.iter().map(|[what, how]| format!("not judged: {what}; hand in {how}")).collect::<Vec<_>>()
+    };
+    let missing = found.ruled.iter().flat_map(of);
+    let absent = found.absent.iter().map(|name| format!("not judged: contact `{name}`; hand in its points too"));
+    std::iter::once(read).chain(mistakes).chain(missing).chain(absent).collect()
+}

@@ -1,0 +1,113 @@
+//! What another code found, on its own mesh: points of each contact in our units, in the order of the contact coordinate.
+
+use std::path::PathBuf;
+
+use crate::error::Error;
+use crate::mesh::Order;
+use crate::scene::{ContactPair, Scene};
+use crate::solution::EdgeState;
+
+/// An answer as it was handed in.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// The file it was read from.
+    pub file: PathBuf,
+    /// The code, where it says so.
+    pub code: Option<String>,
+    /// What was read as what, a sentence each.
+    pub read: Vec<String>,
+    /// Its contacts.
+    pub contacts: Vec<Handed>,
+}
+
+/// What was handed in of one contact.
+#[derive(Clone, Debug)]
+pub struct Handed {
+    /// Index of the contact in the scene.
+    pub contact: usize,
+    /// Its points, in the order of the contact coordinate.
+    pub points: Vec<Point>,
+    /// How they follow one another: nodes of edges with two, or with three nodes.
+    pub order: Order,
+    /// Means over edges, where these were handed in too.
+    pub edges: Vec<EdgeState>,
+    /// Whether nodal forces were handed in instead of pressures.
+    pub forces: bool,
+}
+
+/// One point: a node of the contact side, or where a pressure was read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Contact coordinate; negative on the other half \[mm, or rad on an arc\].
+    pub position: f64,
+    /// Pressure, positive in compression \[MPa\]; the force \[N\] where forces were handed in.
+    pub value: f64,
+    /// Tributary area \[mm²\]; none where it was not handed in.
+    pub area: Option<f64>,
+    /// Remaining gap \[mm\]; none where it was not handed in.
+    pub gap: Option<f64>,
+}
+
+impl Answer {
+    /// What was handed in of a contact.
+    pub fn of(&self, contact: usize) -> Option<&Handed> {
+        self.contacts.iter().find(|handed| handed.contact == contact)
+    }
+}
+
+/// The contact of a name; without one, the only one of the scene.
+pub fn contact_named(
+    scene: &Scene,
+    name: Option<&str>,
+    refused: impl Fn(String, String) -> Error,
+) -> Result<usize, Error> {
+    let known: Vec<&str> = scene.contacts.iter().map(|pair| pair.name.as_str()).collect();
+    match name {
+        None if known.len() == 1 => Ok(0),
+        None => {
+            let message = format!("the scene has {} contacts, and the answer does not say of which it is", known.len());
+            Err(refused(
+                message,
+                format!("add a column `contact`, or give --contact, with one of {}", known.join(", ")),
+            ))
+        }
+        Some(name) => known
+            .iter()
+            .position(|other| *other == name)
+            .ok_or_else(|| refused(format!("there is no contact `{name}`"), format!("known: {}", known.join(", ")))),
+    }
+}
+
+/// Contact coordinate of a point, negative on the left of a symmetry line.
+pub fn signed_coordinate(pair: &ContactPair, [x, y]: [f64; 2]) -> f64 {
+    let s = pair.path.coordinate([x, y]);
+    if !pair.path.has_both_sides() && x < pair.path.origin()[0] { 0.0 - s } else { s }
+}
+
+/// Points in order; refuses too few, two at one place, and three-node edges that do not add up.
+pub fn ordered(
+    mut points: Vec<Point>,
+    order: Order,
+    refused: impl Fn(String, &str) -> Error,
+) -> Result<Vec<Point>, Error> {
+    if points.len() < FEWEST {
+        let message = format!("{} points were handed in, and a profile needs {FEWEST}", points.len());
+        return Err(refused(message, "hand in every node of the contact side, those without pressure too"));
+    }
+    points.sort_by(|a, b| a.position.total_cmp(&b.position));
+    let length = points[points.len() - 1].position - points[0].position;
+    if let Some(two) = points.windows(2).find(|two| two[1].position - two[0].position <= SAME * length) {
+        let message = format!("two points lie at one place, {}", two[0].position);
+        return Err(refused(message, "hand in the points of one side of one contact, each once"));
+    }
+    if order == Order::Quadratic && points.len().is_multiple_of(2) {
+        let message = format!("{} nodes are no whole number of edges with three nodes each", points.len());
+        return Err(refused(message, "hand in every node from corner to corner, or leave out --order"));
+    }
+    Ok(points)
+}
+
+/// Fewest points of a profile.
+const FEWEST: usize = 3;
+/// Distance of two points, over the length of all, below which they are one.
+const SAME: f64 = 1e-9;

@@ -1,0 +1,49 @@
+//! How a file is to be read: which column is what, in which unit, of which contact.
+
+use crate::error::Error;
+use crate::mesh::Order;
+use crate::referee::units::Role;
+
+/// How files are to be read, where they do not say so themselves.
+#[derive(Clone, Debug, Default)]
+pub struct Asked {
+    /// Columns, or fields, by what they hold.
+    pub columns: Vec<(Role, String)>,
+    /// Units by what they are of.
+    pub units: Vec<(Role, String)>,
+    /// How the points follow one another; edges with two nodes unless the file says otherwise.
+    pub order: Option<Order>,
+    /// Name of the contact.
+    pub contact: Option<String>,
+    /// Whether pressures and forces are positive in tension.
+    pub tension_positive: bool,
+}
+
+impl Asked {
+    /// The column that was named for a role.
+    pub fn column(&self, role: Role) -> Option<&str> {
+        self.columns.iter().find(|(known, _)| *known == role).map(|(_, name)| name.as_str())
+    }
+
+    /// The unit that was named for a role.
+    pub fn unit(&self, role: Role) -> Option<&str> {
+        self.units.iter().find(|(known, _)| *known == role).map(|(_, unit)| unit.as_str())
+    }
+
+    /// 1, or −1 where compression is negative.
+    pub fn sign(&self) -> f64 {
+        if self.tension_positive { -1.0 } else { 1.0 }
+    }
+
+    /// What `ROLE=TEXT` says.
+    pub fn pair(option: &str, text: &str) -> Result<(Role, String), Error> {
+        let roles = Role::ALL.map(Role::name).join(", ");
+        let refused =
+            |message: String| Error::at("judge", message, format!("write {option} ROLE=NAME, ROLE one of {roles}"));
+        let Some((role, name)) = text.split_once('=') else {
+            return Err(refused(format!("`{option} {text}` has no `=`")));
+        };
+        let known = Role::named(role).ok_or_else(|| refused(format!("`{option} {text}` names no role")))?;
+        Ok((known, name.to_owned()))
+    }
+}

@@ -1,0 +1,88 @@
+//! What a profile is judged with: the truth, the measures taken, and the forms of a verdict.
+
+use crate::accuracy::Quantity;
+use crate::case::quantity::Quantity as Asked;
+use crate::case::{Check, Judged, Reference};
+use crate::markdown;
+use crate::measure::Measures;
+use crate::oracle;
+use crate::referee::profile::Profile;
+use crate::referee::truth::{Known, Truth};
+use crate::solution::EdgeState;
+use crate::uncertainty::standard;
+
+/// What judges one contact.
+pub struct Bench<'a> {
+    /// The truth of its case.
+    pub truth: &'a Truth,
+    /// What was handed in.
+    pub profile: &'a Profile,
+    /// Its measures.
+    pub measures: &'a Measures,
+    /// The tolerance asked for.
+    pub tolerance: f64,
+}
+
+/// Why.
+const BECAUSE: &str = "engineering tolerance, or the one asked for; with what the reference may itself be off";
+
+/// What a reference may be off, relative, to be judged by where the tolerance is smaller.
+pub const KNOWN: f64 = 1e-2;
+
+impl Bench<'_> {
+    /// A quantity against what is known of it, relative to that, within the tolerance and its bar.
+    pub fn near(&self, quantity: impl Into<Asked>, value: f64, known: Known) -> Judged {
+        let share = known.bar / known.reference.value.abs();
+        let check = Check::near(quantity, known.reference.clone(), self.tolerance + share, BECAUSE);
+        self.ruled(check, value, known)
+    }
+
+    /// The verdict; not run where the reference is not known well enough to judge by.
+    pub fn ruled(&self, check: Check, value: f64, Known { reference, bar }: Known) -> Judged {
+        let scale = if reference.value.abs() > 0.0 { reference.value.abs() } else { 1.0 };
+        let name = reference.name.clone();
+        let is_known = bar / scale <= KNOWN.max(self.tolerance);
+        if !is_known {
+            let kind = reference.kind;
+            let why = format!("{name} is itself known to {} only", markdown::error(bar / scale));
+            return Judged { value, ..check.not_run(kind, &name, why) };
+        }
+        let mut judged = check.judge_by(value, reference);
+        judged.reference.uncertainty = Some(standard(bar));
+        judged
+    }
+
+    /// An error that shall vanish, within the tolerance.
+    pub fn error(
+        &self,
+        quantity: &'static str,
+        against: Reference,
+        tolerance: f64,
+        because: &'static str,
+        value: f64,
+    ) -> Judged {
+        Check::error(quantity, against, tolerance, because).judge(value)
+    }
+
+    /// What the contact is scaled by: the half-width of the truth \[mm, or rad\].
+    pub fn half_width_known(&self) -> Known {
+        self.truth.known(self.profile.contact, Quantity::HalfWidth, oracle::Quantity::SecondMoment)
+    }
+
+    /// Where the truth ends, from the middle \[mm, or rad\].
+    pub fn reach(&self) -> f64 {
+        let measures = &self.truth.run.contacts[self.profile.contact].measures;
+        measures.edge().abs().max(measures.begin().abs())
+    }
+
+    /// The longest edge around the ends of what was handed in \[mm, or rad\].
+    pub fn size_at_end(&self) -> f64 {
+        let stretches = &self.measures.stretches;
+        let ends: Vec<f64> =
+            stretches.first().map(|one| one.begin).into_iter().chain(stretches.last().map(|one| one.end)).collect();
+        let near = |edge: &&EdgeState| {
+            ends.iter().any(|end| edge.ends[0] - edge.length() <= *end && *end <= edge.ends[1] + edge.length())
+        };
+        self.profile.edges.iter().filter(near).map(EdgeState::length).fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,243 @@
+//! Answers as JSON, by a schema that `contact-vv schema answer` prints.
+
+use std::path::Path;
+
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Error, Located};
+use crate::mesh::Order;
+use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered};
+use crate::referee::asked::Asked;
+use crate::referee::units::{Role, Units, is_angle};
+use crate::scene::Scene;
+use crate::solution::EdgeState;
+
+/// What a code found for a case. Lists of a contact have one entry a point of its contact side, in any order.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Document {
+    /// Name of the case, to be held against the one that is judged.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub case: Option<String>,
+    /// Name and version of the code.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub code: Option<String>,
+    /// Units of the lists.
+    pub units: Units,
+    /// The contacts.
+    pub contacts: Vec<Contact>,
+}
+
+/// One contact.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Contact {
+    /// Its name; may be left out where the scene has one only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Order of the contact edges: 1, every point is a corner (the default); 2, corners and mid-sides by turns.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub order: Option<u8>,
+    /// Contact coordinate of each point: distance from the middle of the contact on a straight path, angle from the load line on an arc;
+    /// negative on the other half.
+    pub position: Vec<f64>,
+    /// Contact pressure per area of the undeformed path, positive in compression.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pressure: Vec<f64>,
+    /// Nodal contact force along the normal, positive in compression: instead of the pressure.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub force: Vec<f64>,
+    /// Remaining gap, positive where open; null where there is no other side.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub gap: Vec<Option<f64>>,
+    /// Tributary area of each point; follows from positions and order where it is left out.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub area: Vec<f64>,
+    /// Mean pressures over the edges, where the code knows them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub edges: Vec<Edge>,
+}
+
+/// The mean pressure over an edge.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Edge {
+    /// Contact coordinate where it begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// Its area.
+    pub area: f64,
+    /// Mean pressure.
+    pub pressure: f64,
+}
+
+/// The schema (JSON Schema, draft 7).
+pub fn schema() -> String {
+    let schema = SchemaSettings::draft07().into_generator().into_root_schema_for::<Document>();
+    serde_json::to_string_pretty(&schema).expect("a schema can be written as JSON")
+}
+
+/// What to do about a document that is none.
+const SCHEMA: &str =
+    "write it by the schema that `contact-vv schema answer` prints; `contact-vv export` writes one to begin with";
+
+/// The answer in a text.
+pub fn parse(file: &Path, text: &str, case: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
+    let document: Document = serde_json::from_str(text).map_err(|error| {
+        let begin = begin_of_line(text, error.line());
+        Error::at(Located::new((file, text), begin..begin + error.column()), error.to_string(), SCHEMA)
+    })?;
+    let refused = |key: &str, message: String, remedy: &str| Error::file(file, format!("`{key}`: {message}"), remedy);
+    if let Some(other) = document.case.as_deref().filter(|other| *other != case) {
+        let message = format!("the answer is of `{other}`, but `{case}` is judged");
+        return Err(refused("case", message, "judge the case that it is of"));
+    }
+    let units = &document.units;
+    let handed = document.contacts.iter().enumerate().map(|(k, contact)| {
+        let key = format!("contacts[{k}]");
+        contact_of(&Reader {
+            scene,
+            asked,
+            units,
+            contact,
+            refused: &|of: &str, m, r: &str| refused(&format!("{key}.{of}"), m, r),
+        })
+    });
+    let contacts: Vec<Handed> = handed.collect::<Result<_, Error>>()?;
+    if contacts.is_empty() {
+        return Err(refused("contacts", "there is none".into(), SCHEMA));
+    }
+    if let Some(twice) =
+        contacts.iter().enumerate().find(|(k, one)| contacts[..*k].iter().any(|two| two.contact == one.contact))
+    {
+        return Err(refused(
+            "contacts",
+            format!("`{}` stands there twice", scene.contacts[twice.1.contact].name),
+            SCHEMA,
+        ));
+    }
+    let read = vec!["lists by their keys, in the units that the file names".to_owned()];
+    Ok(Answer { file: file.into(), code: document.code.clone(), read, contacts })
+}
+
+/// Byte at which a line begins, from 1.
+fn begin_of_line(text: &str, line: usize) -> usize {
+    text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum()
+}
+
+/// What a contact is read with.
+struct Reader<'a> {
+    scene: &'a Scene,
+    asked: &'a Asked,
+    units: &'a Units,
+    contact: &'a Contact,
+    refused: &'a dyn Fn(&str, String, &str) -> Error,
+}
+
+impl Reader<'_> {
+    /// What turns a list into our unit; 1 where it is empty.
+    fn factor(&self, role: Role, length: usize) -> Result<f64, Error> {
+        let Some(unit) = self.units.of(role) else {
+            let remedy = format!("add `units.{}`, one of {}", role.name(), role.known_units());
+            return if length == 0 {
+                Ok(1.0)
+            } else {
+                Err((self.refused)(role.name(), "it has no unit".into(), &remedy))
+            };
+        };
+        let known = role.factor(unit);
+        known.ok_or_else(|| {
+            (self.refused)(
+                role.name(),
+                format!("the unit `{unit}` is not known"),
+                &format!("use one of {}", role.known_units()),
+            )
+        })
+    }
+
+    /// A list in our unit; none where it is empty.
+    fn list(&self, role: Role, list: &[f64]) -> Result<Option<Vec<f64>>, Error> {
+        let factor = self.factor(role, list.len())?;
+        let wanted = self.contact.position.len();
+        if list.is_empty() && role != Role::Position {
+            return Ok(None);
+        }
+        if list.len() != wanted {
+            let message = format!("it has {} entries, `position` {wanted}", list.len());
+            return Err((self.refused)(role.name(), message, "give one entry a point"));
+        }
+        Ok(Some(list.iter().map(|value| factor * value).collect()))
+    }
+}
+
+/// One contact in our units.
+fn contact_of(reader: &Reader) -> Result<Handed, Error> {
+    let Reader { scene, asked, units, contact, refused } = reader;
+    let name = contact.name.as_deref().or(asked.contact.as_deref());
+    let index = contact_named(scene, name, |message, remedy| refused("name", message, &remedy))?;
+    let straight = scene.contacts[index].path.is_straight();
+    if units.position.as_deref().is_some_and(|unit| is_angle(unit) == straight) {
+        let wanted = if straight { "mm, m or um" } else { "deg or rad" };
+        return Err(refused(
+            "position",
+            "its unit is not one of the path of the contact".into(),
+            &format!("give {wanted}"),
+        ));
+    }
+    let position = reader.list(Role::Position, &contact.position)?.unwrap_or_default();
+    let pressure = reader.list(Role::Pressure, &contact.pressure)?;
+    let force = reader.list(Role::Force, &contact.force)?;
+    let area = reader.list(Role::Area, &contact.area)?;
+    let gaps: Vec<f64> = contact.gap.iter().map(|gap| gap.unwrap_or(f64::INFINITY)).collect();
+    let gap = reader.list(Role::Gap, &gaps)?;
+    let forces = pressure.is_none();
+    let Some(values) = pressure.or(force) else {
+        return Err(refused(
+            "pressure",
+            "neither pressures nor forces were handed in".into(),
+            "give one of the two lists",
+        ));
+    };
+    let order = match (contact.order, asked.order) {
+        (None | Some(1), None) | (_, Some(Order::Linear)) => Order::Linear,
+        (Some(2), None) | (_, Some(Order::Quadratic)) => Order::Quadratic,
+        (Some(other), None) => return Err(refused("order", format!("it is {other}"), "give 1 or 2")),
+    };
+    let point = |k: usize| Point {
+        position: position[k],
+        value: asked.sign() * values[k],
+        area: area.as_ref().map(|area| area[k]),
+        gap: gap.as_ref().map(|gap| gap[k]),
+    };
+    let points = ordered((0..position.len()).map(point).collect(), order, |message, remedy| {
+        refused("position", message, remedy)
+    })?;
+    Ok(Handed { contact: index, points, order, edges: edges_of(reader)?, forces })
+}
+
+/// Its edges in our units.
+fn edges_of(reader: &Reader) -> Result<Vec<EdgeState>, Error> {
+    let edges = &reader.contact.edges;
+    let [place, area, pressure] =
+        [Role::Position, Role::Area, Role::Pressure].map(|role| reader.factor(role, edges.len()));
+    let [place, area, pressure] = [place?, area?, pressure?];
+    let state = |edge: &Edge| EdgeState {
+        ends: [place * edge.from, place * edge.to],
+        weight: area * edge.area,
+        pressure: reader.asked.sign() * pressure * edge.pressure,
+    };
+    let mut edges: Vec<EdgeState> = edges.iter().map(state).collect();
+    edges.sort_by(|a, b| a.ends[0].total_cmp(&b.ends[0]));
+    let sound = |edge: &EdgeState| edge.length() > 0.0 && edge.weight > 0.0;
+    match edges.iter().find(|edge| !sound(edge)) {
+        Some(edge) => Err((reader.refused)(
+            "edges",
+            format!("the one from {} has no length or area", edge.ends[0]),
+            "give `from` < `to`, `area` > 0",
+        )),
+        None => Ok(edges),
+    }
+}

@@ -1,0 +1,275 @@
+//! A case as an input deck of CalculiX or Abaqus: nodes, cells, sets, surfaces, supports, loads as nodal forces, and contact by gap
+//! elements on the undeformed surface.
+//!
+//! The approach of a contact node, `w = b·u`, is a dof of a node of its own, by an `*EQUATION`; a `GAPUNI` of the initial gap lies between
+//! that node and a fixed one at the same place, whose reaction along 1 is the contact force, turned round. Contact pairs of these codes follow the
+//! deformed surfaces, which is another model; the surfaces for them are there too. Where contact alone holds a body and its gap is open everywhere,
+//! as in the case `patch`, ccx diverges: nothing holds the body before the first contact.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use crate::contact::interface::ContactNode;
+use crate::elasticity::loads;
+use crate::error::Error;
+use crate::mesh::{Edge, Order};
+use crate::scene::{Component, Load, Place, PlaneHypothesis};
+use crate::solve::Discretisation;
+
+/// Stiffness of a closed gap element, over E t.
+const STIFFNESS: f64 = 1e4;
+/// Pull of an open one, over the reference force.
+const TAIL: f64 = 1e-7;
+/// Factor of a displacement below which it takes no part.
+const NONE: f64 = 1e-12;
+/// Set of the fixed nodes behind the gap elements of a contact, before its name.
+pub const GAPS: &str = "GAPS_";
+
+/// The text of the file; nodes and cells are numbered from 1 on, as in the mesh.
+pub fn text(discretisation: &Discretisation) -> Result<String, Error> {
+    let mut deck = Deck {
+        discretisation,
+        text: String::new(),
+        nodes: discretisation.mesh.points.len(),
+        elements: discretisation.mesh.cells(),
+    };
+    deck.head();
+    deck.bodies();
+    deck.sets();
+    let held = deck.supports()?;
+    let faces = deck.rigid_faces(&held)?;
+    deck.gaps();
+    deck.step(&faces)?;
+    Ok(deck.text)
+}
+
+/// A name that both codes take.
+pub fn named(parts: &[&str]) -> String {
+    let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter.to_ascii_uppercase() } else { '_' };
+    parts.join("_").chars().map(plain).collect()
+}
+
+/// A deck being written.
+struct Deck<'a> {
+    discretisation: &'a Discretisation,
+    text: String,
+    /// Last number of a node.
+    nodes: usize,
+    /// Last number of an element.
+    elements: usize,
+}
+
+impl Deck<'_> {
+    fn line(&mut self, line: impl AsRef<str>) {
+        self.text.push_str(line.as_ref());
+        self.text.push('\n');
+    }
+
+    fn head(&mut self) {
+        let scene = &self.discretisation.scene;
+        let name = scene.name.clone();
+        self.line(format!("** {name}: mm, N, MPa. Forces are those of the modelled part."));
+        let stretches: Vec<String> = scene
+            .contacts
+            .iter()
+            .map(|pair| {
+                format!(
+                    "** contact `{}`: reactions of the set {}{} along 1 are the contact forces, turned round.",
+                    pair.name,
+                    GAPS,
+                    named(&[&pair.name])
+                )
+            })
+            .collect();
+        stretches.into_iter().for_each(|line| self.line(line));
+        self.line("*NODE, NSET=ALL");
+        for (k, [x, y]) in self.discretisation.mesh.points.iter().enumerate() {
+            let _ = writeln!(self.text, "{}, {x:.12e}, {y:.12e}", k + 1);
+        }
+    }
+
+    /// Cells with their materials.
+    fn bodies(&mut self) {
+        let Discretisation { scene, mesh, .. } = self.discretisation;
+        let kind = match (scene.plane, mesh.order) {
+            (PlaneHypothesis::Strain, Order::Linear) => "CPE4",
+            (PlaneHypothesis::Strain, Order::Quadratic) => "CPE8",
+            (PlaneHypothesis::Stress, Order::Linear) => "CPS4",
+            (PlaneHypothesis::Stress, Order::Quadratic) => "CPS8",
+        };
+        for (body, part) in scene.bodies.iter().zip(&mesh.bodies) {
+            let name = named(&[&body.name]);
+            self.line(format!("*ELEMENT, TYPE={kind}, ELSET={name}"));
+            for cell in part.cells.clone() {
+                let nodes: Vec<String> = mesh.cell(cell).iter().map(|node| (node + 1).to_string()).collect();
+                self.line(format!("{}, {}", cell + 1, nodes.join(", ")));
+            }
+            self.line(format!(
+                "*MATERIAL, NAME={name}\n*ELASTIC\n{:.12e}, {:.12e}",
+                body.material.young, body.material.poisson
+            ));
+            self.line(format!("*SOLID SECTION, ELSET={name}, MATERIAL={name}\n{:.12e}", scene.thickness));
+        }
+    }
+
+    /// A set of nodes and a surface for every side of every body.
+    fn sets(&mut self) {
+        let Discretisation { scene, mesh, .. } = self.discretisation;
+        for (body, part) in scene.bodies.iter().zip(&mesh.bodies) {
+            let faces = faces(mesh, part.cells.clone());
+            for (side, edges) in part.boundaries.iter().chain(&part.lines) {
+                let name = named(&[&body.name, side]);
+                self.set(&name, edges.iter().flatten().map(|node| node + 1).collect());
+                self.line(format!("*SURFACE, NAME=S_{name}, TYPE=ELEMENT"));
+                for edge in edges {
+                    if let Some((cell, face)) = faces.get(&key(edge)) {
+                        self.line(format!("{}, S{}", cell + 1, face + 1));
+                    }
+                }
+            }
+        }
+    }
+
+    fn set(&mut self, name: &str, mut nodes: Vec<usize>) {
+        nodes.sort_unstable();
+        nodes.dedup();
+        self.line(format!("*NSET, NSET={name}"));
+        nodes.iter().for_each(|node| self.line(format!("{node},")));
+    }
+
+    /// Prescribed displacements; returns the nodes that are held, with the component.
+    fn supports(&mut self) -> Result<Vec<(usize, usize)>, Error> {
+        let Discretisation { scene, mesh, .. } = self.discretisation;
+        let mut held = Vec::new();
+        for (index, body) in scene.bodies.iter().enumerate() {
+            for support in &body.supports {
+                let axis = support.component.index();
+                let nodes = mesh.nodes_at(scene, index, &support.at)?;
+                let at = match &support.at {
+                    Place::Boundary(side) => named(&[&body.name, side]),
+                    Place::Point(_) => (nodes[0] + 1).to_string(),
+                };
+                self.line(format!("*BOUNDARY\n{at}, {0}, {0}, {1:.12e}", axis + 1, support.value));
+                held.extend(nodes.into_iter().map(|node| (node, axis)));
+            }
+        }
+        Ok(held)
+    }
+
+    /// Sides that stay flat: a node that all of theirs follow, and its force.
+    fn rigid_faces(&mut self, held: &[(usize, usize)]) -> Result<Vec<(usize, Component, f64)>, Error> {
+        let Discretisation { scene, mesh, .. } = self.discretisation;
+        let mut faces = Vec::new();
+        for (index, body) in scene.bodies.iter().enumerate() {
+            for load in &body.loads {
+                let Load::RigidFace { boundary, component, force } = load else { continue };
+                let nodes = mesh.nodes_at(scene, index, &Place::Boundary(boundary.clone()))?;
+                let [x, y] = mesh.points[nodes[0]];
+                self.nodes += 1;
+                let (common, axis) = (self.nodes, component.index());
+                self.line(format!("*NODE\n{common}, {x:.12e}, {y:.12e}\n*BOUNDARY\n{common}, {0}, {0}", 2 - axis));
+                for node in nodes.into_iter().filter(|node| !held.contains(&(*node, axis))) {
+                    self.equation(&[(node + 1, axis, 1.0), (common, axis, -1.0)]);
+                }
+                faces.push((common, *component, *force));
+            }
+        }
+        Ok(faces)
+    }
+
+    /// A linear equation of displacements; the first is eliminated.
+    fn equation(&mut self, terms: &[(usize, usize, f64)]) {
+        self.line(format!("*EQUATION\n{}", terms.len()));
+        terms.iter().for_each(|(node, axis, factor)| self.line(format!("{node}, {}, {factor:.12e}", axis + 1)));
+    }
+
+    /// A gap element for every contact node that has another side.
+    fn gaps(&mut self) {
+        let discretisation = self.discretisation;
+        let scene = &discretisation.scene;
+        let stiffness =
+            STIFFNESS * scene.thickness * scene.bodies.iter().map(|body| body.material.young).fold(0.0, f64::max);
+        let tail = TAIL * scene.reference.pressure * scene.reference.length * scene.thickness;
+        for interface in &discretisation.interfaces {
+            let mut fixed = Vec::new();
+            for node in interface.nodes.iter().filter(|node| node.gap.is_finite()) {
+                let (moved, still) = (self.nodes + 1, self.nodes + 2);
+                (self.nodes, self.elements) = (still, self.elements + 1);
+                let [x, y] = node.point;
+                self.line(format!("*NODE\n{moved}, {x:.12e}, {y:.12e}\n{still}, {x:.12e}, {y:.12e}"));
+                self.equation(&[vec![(moved, 0, -1.0)], approach(discretisation, node)].concat());
+                self.line(format!("*BOUNDARY\n{moved}, 2, 3\n{still}, 1, 3"));
+                self.line(format!("*ELEMENT, TYPE=GAPUNI, ELSET=GAP{moved}\n{}, {moved}, {still}", self.elements));
+                self.line(format!(
+                    "*GAP, ELSET=GAP{moved}\n{:.12e}, 1., 0., 0., , {stiffness:.6e}, {tail:.6e}",
+                    node.gap
+                ));
+                fixed.push(still);
+            }
+            self.set(&format!("{GAPS}{}", named(&[&interface.pair.name])), fixed);
+        }
+    }
+
+    /// Loads, and what is printed.
+    fn step(&mut self, faces: &[(usize, Component, f64)]) -> Result<(), Error> {
+        let Discretisation { scene, mesh, interfaces, .. } = self.discretisation;
+        self.line("** Under gap elements alone ccx takes a step for linear; a plastic material, though nothing is of it, makes it iterate.");
+        self.line("*MATERIAL, NAME=UNUSED\n*ELASTIC\n1., 0.\n*PLASTIC\n1e20, 0.\n2e20, 1.");
+        self.line(
+            "*STEP, INC=1000\n*STATIC, DIRECT\n1., 1.\n*CONTROLS, PARAMETERS=FIELD\n1e-7, 1e-7, , , , , ,\n*CLOAD",
+        );
+        for (index, part) in mesh.bodies.iter().enumerate() {
+            for (force, node) in loads::at_nodes(scene, mesh, index)?.into_iter().zip(part.nodes.clone()) {
+                for (axis, value) in force.into_iter().enumerate().filter(|(_, value)| value.abs() > 0.0) {
+                    self.line(format!("{}, {}, {value:.12e}", node + 1, axis + 1));
+                }
+            }
+        }
+        for (node, component, force) in faces {
+            self.line(format!("{node}, {}, {force:.12e}", component.index() + 1));
+        }
+        for interface in interfaces {
+            self.line(format!("*NODE PRINT, NSET={GAPS}{}\nRF", named(&[&interface.pair.name])));
+        }
+        self.line("*NODE FILE, OUTPUT=2D\nU\n*EL FILE, OUTPUT=2D\nS\n*END STEP");
+        Ok(())
+    }
+}
+
+/// The approach of a contact node as terms of displacements: node, axis, factor.
+fn approach(discretisation: &Discretisation, contact: &ContactNode) -> Vec<(usize, usize, f64)> {
+    let mut terms: Vec<(usize, usize, f64)> = Vec::new();
+    for (dof, value) in contact.row() {
+        let (node, normal) = retained(discretisation, dof);
+        for axis in [0, 1].into_iter().filter(|&axis| (value * normal[axis]).abs() > NONE) {
+            match terms.iter_mut().find(|(known, other, _)| (*known, *other) == (node + 1, axis)) {
+                Some((_, _, sum)) => *sum += value * normal[axis],
+                None => terms.push((node + 1, axis, value * normal[axis])),
+            }
+        }
+    }
+    terms
+}
+
+/// Node and outward normal of a retained dof.
+fn retained(discretisation: &Discretisation, dof: usize) -> (usize, [f64; 2]) {
+    let offsets = &discretisation.condensed.offsets;
+    let body = offsets.iter().rposition(|&first| first <= dof).unwrap_or(0);
+    let candidate = &discretisation.mesh.bodies[body].candidates[dof - offsets[body]];
+    (candidate.node, candidate.normal)
+}
+
+/// Cell and number of every face, by its ends.
+fn faces(mesh: &crate::mesh::Mesh, cells: std::ops::Range<usize>) -> BTreeMap<[usize; 2], (usize, usize)> {
+    let of = |cell: usize| {
+        (0..4).map(move |k| {
+            let nodes = mesh.cell(cell);
+            ([nodes[k].min(nodes[(k + 1) % 4]), nodes[k].max(nodes[(k + 1) % 4])], (cell, k))
+        })
+    };
+    cells.flat_map(of).collect()
+}
+
+fn key(edge: &Edge) -> [usize; 2] {
+    [edge[0].min(edge[1]), edge[0].max(edge[1])]
+}

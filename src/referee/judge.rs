@@ -1,0 +1,171 @@
+//! An answer held against the truth of its case, quantity by quantity.
+
+use crate::accuracy::Quantity;
+use crate::case::quantity::Quantity as Asked;
+use crate::case::{Check, Judged, Reference};
+use crate::error::Coordinate;
+use crate::measure::{ACTIVE, Measures, display_factor, larger, peak};
+use crate::oracle;
+use crate::referee::bench::{Bench, KNOWN};
+use crate::referee::profile::Profile;
+use crate::referee::truth::{Known, Truth};
+use crate::referee::{contact_laws, declared, norm};
+use crate::solution::EdgeState;
+use crate::uncertainty::standard;
+
+/// What is accepted where nothing else is asked for.
+pub const ENGINEERING: f64 = 1e-2;
+/// What was found of one contact.
+#[derive(Clone, Debug)]
+pub struct Ruled {
+    /// Index of the contact.
+    pub contact: usize,
+    /// Measures of what was handed in.
+    pub measures: Measures,
+    /// Every check with its verdict.
+    pub judged: Vec<Judged>,
+    /// What could not be judged, and what to hand in for it.
+    pub missing: Vec<[String; 2]>,
+}
+
+/// Judges a profile.
+pub fn judge(truth: &Truth, profile: &Profile, tolerance: f64) -> Ruled {
+    let measures = Measures::of(&profile.scene, profile.contact, profile.part());
+    let bench = Bench { truth, profile, measures: &measures, tolerance };
+    let mut missing = Vec::new();
+    let mut judged = vec![bench.half_width()];
+    judged.extend(bench.peak(&mut missing));
+    judged.extend(bench.profile_norm(&mut missing));
+    judged.extend(bench.ends());
+    judged.push(bench.resultant());
+    judged.push(bench.tension());
+    judged.extend(contact_laws::of_sides(&bench, &mut missing));
+    judged.extend(contact_laws::of_gaps(&bench, &mut missing));
+    judged.extend(declared::checks(&bench, &mut missing));
+    Ruled { contact: profile.contact, judged, missing, measures }
+}
+
+impl Bench<'_> {
+    fn half_width(&self) -> Judged {
+        let known = self.half_width_known();
+        let pair = self.profile.pair();
+        if pair.path.is_straight() {
+            return self.near(Asked::HalfWidth, self.measures.half_width, known);
+        }
+        let degrees = Known { reference: known.reference.in_degrees(), bar: known.bar.to_degrees() };
+        self.near(Asked::HalfAngle, self.measures.half_width.to_degrees(), degrees)
+    }
+
+    /// The peak; where that has no limit the pressure at the middle.
+    fn peak(&self, missing: &mut Vec<[String; 2]>) -> Option<Judged> {
+        let contact = self.profile.contact;
+        if !self.truth.is_unbounded(contact) {
+            let known = self.truth.known(contact, Quantity::PeakPressure, oracle::Quantity::PeakPressure);
+            return Some(self.near(Asked::PeakPressure, self.measures.peak.pressure, known));
+        }
+        missing.push(["peak pressure".into(), "nothing: it has no limit, and grows with every mesh".into()]);
+        let at = Coordinate::Length(0.0);
+        let reference = self.truth.closed(oracle::Quantity::Pressure { at: 0.0 })?;
+        let ours = self.truth.run.contacts[contact].measures.pressure_at_origin;
+        let bar = (ours - reference.value).abs();
+        let value = peak::pressure_at(&self.profile.edges, 0.0);
+        Some(self.near(Asked::Pressure { at }, value, Known { reference, bar }))
+    }
+
+    fn profile_norm(&self, missing: &mut Vec<[String; 2]>) -> Option<Judged> {
+        let contact = self.profile.contact;
+        if self.truth.is_unbounded(contact) {
+            missing.push(["error of the profile".into(), "nothing: the pressure has no limit".into()]);
+            return None;
+        }
+        let edges = within(&self.profile.edges, COMPARED * self.reach());
+        let error = norm::of_means(&edges, |s| self.truth.pressure(contact, s));
+        let known = self.truth.of_profile(contact);
+        let allowed = self.tolerance + EDGE * self.size_at_end() / self.half_width_known().reference.value;
+        let quantity = "error of the mean pressures over its edges, relative in L2";
+        let because = "the tolerance, the bar of the reference, and what the end of the contact leaves within an edge of this mesh";
+        let check = Check::error(quantity, known.reference.clone(), allowed + known.bar, because);
+        Some(self.ruled(check, error, known))
+    }
+
+    /// Where the contact begins and ends, to within one edge of the mesh that was handed in.
+    fn ends(&self) -> Vec<Judged> {
+        let contact = self.profile.contact;
+        let ours = &self.truth.run.contacts[contact].measures;
+        let Some(last) = ours.stretches.len().checked_sub(1) else { return vec![] };
+        let asked = if self.profile.pair().path.is_straight() {
+            oracle::Quantity::HalfWidth
+        } else {
+            oracle::Quantity::ContactAngle
+        };
+        let symmetric = !self.truth.case.scene.contacts[contact].path.has_both_sides();
+        let end = match self.truth.ours(contact, Quantity::End(last)) {
+            ours if ours.reference.value.is_nan() => return vec![],
+            ours if symmetric && ours.bar.is_finite() => self.truth.known(contact, Quantity::End(last), asked),
+            ours => ours,
+        };
+        let begin = match (symmetric, ours.stretches[0].begin > 0.0) {
+            (true, true) => Some(self.truth.ours(contact, Quantity::Begin(0))),
+            (true, false) if self.profile.across => {
+                Some(Known { reference: end.reference.clone().times(-1.0), bar: end.bar })
+            }
+            (true, false) => None,
+            (false, _) => Some(self.truth.ours(contact, Quantity::Begin(0))),
+        };
+        let found =
+            [self.measures.stretches.first().map(|one| one.begin), self.measures.stretches.last().map(|one| one.end)];
+        let names = [
+            ["begin of the contact [mm]", "begin of the contact [°]"],
+            ["end of the contact [mm]", "end of the contact [°]"],
+        ];
+        let both = [begin, Some(end)].into_iter().zip(found).zip(names);
+        both.filter_map(|((known, found), names)| Some(self.end(names, found.unwrap_or(f64::NAN), known?))).collect()
+    }
+
+    fn end(&self, [length, angle]: [&'static str; 2], value: f64, known: Known) -> Judged {
+        let path = &self.profile.pair().path;
+        let (factor, name) = if path.is_straight() { (1.0, length) } else { (display_factor(path), angle) };
+        let size = self.half_width_known().reference.value;
+        let allowed = factor * (self.tolerance * size + self.size_at_end() + known.bar);
+        let reference = known.reference.clone().times(factor);
+        let because = "the tolerance of the half-width, the bar of the reference, and one edge of this mesh";
+        let check = Check::absolute(name, reference.clone(), allowed, because);
+        // Known well enough on the scale of the half-width.
+        let bar = if known.bar <= self.tolerance.max(KNOWN) * size { 0.0 } else { f64::NAN };
+        let mut judged = self.ruled(check, factor * value, Known { reference, bar });
+        judged.reference.uncertainty = Some(standard(factor * known.bar));
+        judged
+    }
+
+    fn resultant(&self) -> Judged {
+        let contact = self.profile.contact;
+        let transmitted = self.truth.run.contacts[contact].transmitted;
+        let ours = self.truth.ours(contact, Quantity::Resultant);
+        let bar = if ours.bar.is_finite() { ours.bar } else { 0.0 };
+        let reference = Reference { value: transmitted, ..Reference::own("equilibrium with the load", transmitted) };
+        self.near(Asked::Resultant, self.measures.resultant, Known { reference, bar })
+    }
+
+    fn tension(&self) -> Judged {
+        let lowest = self.profile.points.iter().map(|point| 0.0 - point.pressure).fold(0.0, larger);
+        let highest = self.profile.points.iter().map(|point| point.pressure.abs()).fold(0.0, larger);
+        let because = "what counts as no pressure everywhere here";
+        self.error(
+            "largest tension over the largest pressure",
+            Reference::own("contact cannot pull", 0.0),
+            ACTIVE,
+            because,
+            lowest / highest,
+        )
+    }
+}
+
+/// Half-widths over which profiles are compared.
+const COMPARED: f64 = 1.5;
+/// Part of the edge length over the half-width that the profile may be off: our own coarse meshes of both orders stay within it.
+const EDGE: f64 = 0.3;
+
+/// The edges within a reach.
+fn within(edges: &[EdgeState], reach: f64) -> Vec<EdgeState> {
+    edges.iter().filter(|edge| edge.position().abs() <= reach).copied().collect()
+}

@@ -1,0 +1,202 @@
+//! Usual mistakes: what turns an answer that does not meet its truth into one that does is named.
+//!
+//! A mistake is a correction of positions and pressures. Loads, radii and moduli enter by the powers of Hertz's contact,
+//! `a ∝ √(PR/E*)`, `p ∝ √(PE*/R)`, and by those of a contact whose width is given.
+
+use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
+
+use crate::case::Verdict;
+use crate::mesh::Order;
+use crate::referee::answer::{Handed, Point};
+use crate::referee::judge::judge;
+use crate::referee::profile::{Profile, tributary};
+use crate::referee::truth::Truth;
+use crate::scene::{PlaneHypothesis, Scene};
+use crate::solution::EdgeState;
+
+/// A correction, and what it says.
+struct Correction {
+    says: String,
+    corrected: Handed,
+}
+
+/// The mistakes that explain an answer: each turns what fails into what passes. Gaps take no part.
+pub fn explain(truth: &Truth, handed: &Handed, tolerance: f64) -> Vec<String> {
+    let plain = without_gaps(handed);
+    let meets = |one: &Handed| {
+        let profile = Profile::of(&truth.case.scene, one);
+        judge(truth, &profile, tolerance).judged.iter().all(|judged| judged.verdict != Verdict::Fail)
+    };
+    if meets(&plain) {
+        return vec![];
+    }
+    let all = corrections(&truth.case.scene, &plain).into_iter();
+    all.filter(|one| sound(&one.corrected) && meets(&one.corrected)).map(|one| one.says).collect()
+}
+
+/// Every correction that is tried.
+fn corrections(scene: &Scene, handed: &Handed) -> Vec<Correction> {
+    let scales = scales(scene, handed).into_iter();
+    let scaled =
+        scales.map(|(says, [pressure, place])| Correction { says, corrected: scaled(handed, pressure, place) });
+    scaled.chain(shifts(handed)).chain(halves(handed)).chain(orders(handed)).collect()
+}
+
+/// Factors on pressures and on positions.
+fn scales(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
+    let pair = &scene.contacts[handed.contact];
+    let say = |text: &str| text.to_owned();
+    let mut all = vec![
+        (say("pressures are negative in compression: hand them in with --tension-positive"), [-1.0, 1.0]),
+        (say("the load is half of the scene's: that is of the whole contact, not of one half"), [SQRT_2, SQRT_2]),
+        (say("the load is half of the scene's: that is of the whole contact, not of one half"), [2.0, 1.0]),
+        (say("the load is twice the scene's: the load of the whole acts on one half"), [FRAC_1_SQRT_2, FRAC_1_SQRT_2]),
+        (say("the load is twice the scene's: the load of the whole acts on one half"), [0.5, 1.0]),
+        (
+            say(
+                "the radius is twice the scene's (a diameter for a radius), or E* half of it (an elastic other side for a rigid one)",
+            ),
+            [SQRT_2, FRAC_1_SQRT_2],
+        ),
+        (
+            say(
+                "the radius is half of the scene's (a radius for a diameter), or E* twice as large (a rigid other side for an elastic one)",
+            ),
+            [FRAC_1_SQRT_2, SQRT_2],
+        ),
+        (say("positions are doubled: a width for a half-width"), [1.0, 0.5]),
+        (say("positions are halved: a half-width for a width"), [1.0, 2.0]),
+    ];
+    let other = match scene.plane {
+        PlaneHypothesis::Strain => Scene { plane: PlaneHypothesis::Stress, ..scene.clone() },
+        PlaneHypothesis::Stress => Scene { plane: PlaneHypothesis::Strain, ..scene.clone() },
+    };
+    let root = (other.modulus_of(pair) / scene.modulus_of(pair)).sqrt();
+    let plane = match scene.plane {
+        PlaneHypothesis::Strain => "plane stress was solved, but the scene is in plane strain: E for E/(1−ν²)",
+        PlaneHypothesis::Stress => "plane strain was solved, but the scene is in plane stress: E/(1−ν²) for E",
+    };
+    all.extend([(say(plane), [1.0 / root, root]), (say(plane), [1.0 / (root * root), 1.0])]);
+    if (scene.thickness - 1.0).abs() > 0.0 {
+        let text = format!("forces are per unit thickness, but the scene is {} mm thick", scene.thickness);
+        all.push((text, [scene.thickness, 1.0]));
+    }
+    let places: &[(&str, f64)] = match pair.path.is_straight() {
+        true => &[("", 1.0), ("positions in m are called mm", 1e3), ("positions in mm are called m", 1e-3)],
+        false => &[
+            ("", 1.0),
+            ("angles in rad are called degrees", 180.0 / PI),
+            ("angles in degrees are called rad", PI / 180.0),
+        ],
+    };
+    let pressures = [
+        ("", 1.0),
+        ("pressures in Pa are called MPa", 1e-6),
+        ("pressures in MPa are called Pa", 1e6),
+        ("pressures in kPa are called MPa", 1e-3),
+        ("pressures in GPa are called MPa", 1e3),
+    ];
+    for (place, by) in places {
+        for (pressure, times) in pressures.iter().filter(|(pressure, _)| !(place.is_empty() && pressure.is_empty())) {
+            let both = [*place, *pressure].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>();
+            all.push((format!("units: {}", both.join(", ")), [*times, *by]));
+        }
+    }
+    all
+}
+
+/// Pressures times one factor, positions times another; forces and areas follow.
+fn scaled(handed: &Handed, pressure: f64, place: f64) -> Handed {
+    let value = if handed.forces { pressure * place } else { pressure };
+    let point = |point: &Point| Point {
+        position: place * point.position,
+        value: value * point.value,
+        area: point.area.map(|area| place * area),
+        gap: point.gap,
+    };
+    let edge = |edge: &EdgeState| EdgeState {
+        ends: edge.ends.map(|end| place * end),
+        weight: place * edge.weight,
+        pressure: pressure * edge.pressure,
+    };
+    Handed {
+        points: handed.points.iter().map(point).collect(),
+        edges: handed.edges.iter().map(edge).collect(),
+        ..handed.clone()
+    }
+}
+
+/// The values moved by one point, the end filled up; and all positions moved so that the centre of pressure lies in the middle.
+fn shifts(handed: &Handed) -> Vec<Correction> {
+    let values: Vec<f64> = handed.points.iter().map(|point| point.value).collect();
+    let last = values.len() - 1;
+    let moved = |values: Vec<f64>| {
+        let points = handed.points.iter().zip(values).map(|(point, value)| Point { value, ..*point }).collect();
+        Handed { points, edges: vec![], ..handed.clone() }
+    };
+    let outwards = [&values[1..], &[0.0][..]].concat();
+    let inwards = [&values[..1], &values[..last]].concat();
+    // Forces are what they are; pressures count by the length that belongs to them.
+    let lengths = if handed.forces { vec![1.0; values.len()] } else { tributary(&handed.points, handed.order) };
+    let forces: Vec<f64> = values.iter().zip(&lengths).map(|(value, length)| value * length).collect();
+    let moment: f64 = forces.iter().zip(&handed.points).map(|(force, point)| force * point.position).sum();
+    let centre = moment / forces.iter().sum::<f64>();
+    let points = handed.points.iter().map(|point| Point { position: point.position - centre, ..*point }).collect();
+    let offset = Correction {
+        says: format!(
+            "all positions are off by about {} (mm, or rad on an arc)",
+            crate::markdown::significant(centre, 3)
+        ),
+        corrected: Handed { points, edges: vec![], ..handed.clone() },
+    };
+    let by_one = "pressures are shifted by one node";
+    let mut all = vec![
+        Correction { says: format!("{by_one}: each belongs to the node before"), corrected: moved(outwards) },
+        Correction { says: format!("{by_one}: each belongs to the node behind"), corrected: moved(inwards) },
+    ];
+    if handed.points[0].position < 0.0 {
+        all.push(offset);
+    }
+    all
+}
+
+/// The half that is there, and its mirror image for the other.
+fn halves(handed: &Handed) -> Vec<Correction> {
+    let half = |right: bool| {
+        let sign = if right { 1.0 } else { -1.0 };
+        let own: Vec<Point> = handed.points.iter().filter(|point| sign * point.position >= 0.0).copied().collect();
+        let images = own
+            .iter()
+            .filter(|point| sign * point.position > 0.0)
+            .map(|point| Point { position: 0.0 - point.position, ..*point });
+        let mut points: Vec<Point> = own.iter().copied().chain(images).collect();
+        points.sort_by(|a, b| a.position.total_cmp(&b.position));
+        Handed { points, edges: vec![], ..handed.clone() }
+    };
+    let says = |half: &str| format!("the {half} half of the profile is missing");
+    vec![
+        Correction { says: says("left"), corrected: half(true) },
+        Correction { says: says("right"), corrected: half(false) },
+    ]
+}
+
+/// Nodal forces of edges with three nodes taken for those of two, and the other way.
+fn orders(handed: &Handed) -> Vec<Correction> {
+    let (order, says) = match handed.order {
+        Order::Linear => (Order::Quadratic, "the forces are of edges with three nodes: hand them in with --order 2"),
+        Order::Quadratic => (Order::Linear, "the forces are of edges with two nodes: hand them in with --order 1"),
+    };
+    let corrected = Handed { order, edges: vec![], ..handed.clone() };
+    if handed.forces { vec![Correction { says: says.into(), corrected }] } else { vec![] }
+}
+
+fn without_gaps(handed: &Handed) -> Handed {
+    let points = handed.points.iter().map(|point| Point { gap: None, ..*point }).collect();
+    Handed { points, ..handed.clone() }
+}
+
+/// Whether it is a profile still.
+fn sound(handed: &Handed) -> bool {
+    let apart = handed.points.windows(2).all(|two| two[1].position > two[0].position);
+    apart && handed.points.len() > 2 && (handed.order == Order::Linear || handed.points.len() % 2 == 1)
+}

@@ -1,0 +1,76 @@
+//! The referee: another code's answer, on its own mesh, judged by the truths, measures and tolerances of a case.
+//!
+//! * [`units`] — units of what is handed in.
+//! * [`answer`] — what another code found.
+//! * [`asked`] — how a file is to be read.
+//! * [`table`], [`document`], [`grid`], [`calculix`] — answers as CSV, as JSON, of VTK and of CalculiX; [`mod@read`] — a file by its ending.
+//! * [`side`] — which nodes of a mesh lie on the contact side.
+//! * [`profile`] — an answer as contact points and edge means, of which measures are taken.
+//! * [`norm`] — the distance of a profile from the truth.
+//! * [`truth`] — what a case is judged by.
+//! * [`bench`] — what a profile is judged with.
+//! * [`mod@judge`] — the verdicts; `contact_laws`, `declared` — those of gaps and sides, and of a scene file's own checks.
+//! * [`series`] — a refinement series of answers; [`picture`] — one drawn on the truth.
+//! * [`export`] — all that is needed to run a case elsewhere.
+//! * [`mistakes`] — what explains an answer that does not meet its truth.
+
+pub mod answer;
+pub mod asked;
+pub mod bench;
+pub mod calculix;
+mod contact_laws;
+mod declared;
+pub mod document;
+pub mod export;
+pub mod grid;
+pub mod judge;
+pub mod mistakes;
+pub mod norm;
+pub mod picture;
+pub mod profile;
+pub mod read;
+pub mod series;
+pub mod side;
+pub mod table;
+pub mod truth;
+pub mod units;
+
+use crate::error::Error;
+
+pub use answer::{Answer, Handed};
+pub use asked::Asked;
+pub use judge::Ruled;
+pub use profile::Profile;
+pub use truth::Truth;
+
+/// An answer judged.
+#[derive(Clone, Debug)]
+pub struct Verdicts {
+    /// The answer.
+    pub answer: Answer,
+    /// Its contacts, in the order of the scene.
+    pub ruled: Vec<Ruled>,
+    /// Usual mistakes that explain what is not met.
+    pub mistakes: Vec<String>,
+    /// Contacts of the scene that were not handed in.
+    pub absent: Vec<String>,
+}
+
+impl Verdicts {
+    /// Whether nothing is failed.
+    pub fn met(&self) -> bool {
+        let mut judged = self.ruled.iter().flat_map(|ruled| &ruled.judged);
+        judged.all(|judged| judged.verdict != crate::case::Verdict::Fail)
+    }
+}
+
+/// Judges an answer by the truth of its case.
+pub fn verdicts(truth: &Truth, answer: Answer, tolerance: f64) -> Result<Verdicts, Error> {
+    let scene = &truth.case.scene;
+    let handed = || (0..scene.contacts.len()).filter_map(|contact| answer.of(contact));
+    let ruled = handed().map(|handed| judge::judge(truth, &Profile::of(scene, handed), tolerance)).collect();
+    let mistakes = handed().flat_map(|handed| mistakes::explain(truth, handed, tolerance)).collect();
+    let names = scene.contacts.iter().enumerate().filter(|(contact, _)| answer.of(*contact).is_none());
+    let absent = names.map(|(_, pair)| pair.name.clone()).collect();
+    Ok(Verdicts { ruled, mistakes, absent, answer })
+}

@@ -1,0 +1,96 @@
+//! A refinement series of answers: observed orders, what the series says of its own limit, and whether that is the truth.
+
+use crate::accuracy::Quantity;
+use crate::case::{Check, Judged};
+use crate::measure::order::{Observed, Richardson, pairs, richardson};
+use crate::oracle;
+use crate::referee::truth::{Known, Truth};
+use crate::solution::EdgeState;
+
+use super::{Profile, Ruled, Verdicts};
+
+/// One number along a series, coarse to fine.
+#[derive(Clone, Debug)]
+pub struct Along {
+    /// What it is.
+    pub name: &'static str,
+    /// Its values \[mm, rad or MPa\].
+    pub values: Vec<f64>,
+    /// Errors with their signs, relative to the truth.
+    pub errors: Vec<f64>,
+    /// Observed orders pair by pair.
+    pub orders: Vec<Observed>,
+    /// What the last three say of their limit; none where they are not three, or their meshes are not halved.
+    pub limit: Option<Richardson>,
+    /// Whether the series goes to the truth.
+    pub judged: Judged,
+}
+
+/// A series.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// Mean edge within the contact of each mesh, over the half-width of the truth.
+    pub sizes: Vec<f64>,
+    /// Numbers along it.
+    pub along: Vec<Along>,
+}
+
+/// How far the ratio of two sizes may be from 2: counted edges are whole.
+const HALVED: f64 = 0.1;
+
+/// The series of some answers of the first contact, coarse to fine.
+pub fn of(truth: &Truth, answers: &[Verdicts]) -> Option<Series> {
+    let ruled: Vec<&Ruled> =
+        answers.iter().filter_map(|one| one.ruled.iter().find(|ruled| ruled.contact == 0)).collect();
+    let handed: Vec<Profile> =
+        answers.iter().filter_map(|one| one.answer.of(0)).map(|one| Profile::of(&truth.case.scene, one)).collect();
+    if ruled.len() < 2 || handed.len() != ruled.len() {
+        return None;
+    }
+    let width = truth.known(0, Quantity::HalfWidth, oracle::Quantity::SecondMoment);
+    let peak = truth.known(0, Quantity::PeakPressure, oracle::Quantity::PeakPressure);
+    let reach = truth.run.contacts[0].measures.edge().abs();
+    let sizes: Vec<f64> =
+        handed.iter().map(|profile| mean_edge(&profile.edges, reach) / width.reference.value).collect();
+    let numbers = [
+        ("half-width by second moment", width, ruled.iter().map(|one| one.measures.half_width).collect::<Vec<f64>>()),
+        ("peak pressure", peak, ruled.iter().map(|one| one.measures.peak.pressure).collect()),
+    ];
+    let bounded = numbers.into_iter().filter(|(name, ..)| *name != "peak pressure" || !truth.is_unbounded(0));
+    let along = bounded.map(|(name, known, values)| along(name, known, values, &sizes)).collect();
+    Some(Series { sizes, along })
+}
+
+/// Mean length of the edges within the contact.
+fn mean_edge(edges: &[EdgeState], reach: f64) -> f64 {
+    let within: Vec<f64> = edges.iter().filter(|edge| edge.position().abs() <= reach).map(EdgeState::length).collect();
+    within.iter().sum::<f64>() / within.len() as f64
+}
+
+fn along(name: &'static str, known: Known, values: Vec<f64>, sizes: &[f64]) -> Along {
+    let truth = known.reference.value;
+    let errors: Vec<f64> = values.iter().map(|value| (value - truth) / truth).collect();
+    let orders = pairs(sizes, &errors, known.bar / truth.abs());
+    let last = |list: &[f64]| <[f64; 3]>::try_from(list.get(list.len().saturating_sub(3)..).unwrap_or_default()).ok();
+    let halved = |[coarse, medium, fine]: [f64; 3]| {
+        [coarse / medium, medium / fine].iter().all(|ratio| (ratio - 2.0).abs() <= HALVED * 2.0)
+    };
+    let limit = last(sizes).filter(|three| halved(*three)).and_then(|_| last(&values)).map(richardson);
+    let check = Check::error(
+        [
+            "distance of the limit of the peak from the truth, over both bounds",
+            "distance of the limit of the half-width from the truth, over both bounds",
+        ][usize::from(name != "peak pressure")],
+        known.reference.clone(),
+        1.0,
+        "the bound of the series (Roache's GCI, or what its changes allow), and the bar of the reference",
+    );
+    let judged = match limit {
+        Some(limit) => check.judge((limit.limit - truth).abs() / (limit.bound + known.bar)),
+        None => {
+            let why = "three meshes are needed, each with edges half as long as the one before".into();
+            check.not_run(known.reference.kind, &known.reference.name, why)
+        }
+    };
+    Along { name, values, errors, orders, limit, judged }
+}

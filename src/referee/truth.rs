@@ -1,0 +1,162 @@
+//! The truth of a case: its closed form where it has one, else our own fine answer; each with what it may itself be off.
+
+use crate::accuracy::{Barred, Quantity, Subject, bars};
+use crate::case::{Case, Quantity as Asked, Reference};
+use crate::error::Error;
+use crate::measure::{larger, profile};
+use crate::mesh::Resolution;
+use crate::mesh::size::solvable;
+use crate::oracle::{self, ReferenceKind};
+use crate::referee::norm;
+use crate::solve::{Discretisation, Formulation, Run};
+
+/// A value with how far it may be off.
+#[derive(Clone, Debug)]
+pub struct Known {
+    /// The value, its name and its kind.
+    pub reference: Reference,
+    /// How far it may be from the truth of the scene, in its unit; NaN where that is not known.
+    pub bar: f64,
+}
+
+/// What a case is judged by.
+pub struct Truth {
+    /// The case.
+    pub case: Case,
+    /// Our own mesh.
+    pub discretisation: Discretisation,
+    /// Our own run on it.
+    pub run: Run,
+    /// What its numbers may be off.
+    pub bars: Vec<Barred>,
+}
+
+/// Name of our own answer.
+const OURS: &str = "our fine answer";
+/// Pressure, over the largest of a closed form, from which on it has no limit.
+const UNLIMITED: f64 = 1e6;
+
+impl Truth {
+    /// Solves the case on a mesh finer than its own, where that can be solved.
+    pub fn of(case: Case) -> Result<Self, Error> {
+        let (discretisation, run) = match finer(&case) {
+            Some(found) => found,
+            None => {
+                let (meshed, run) = case.solve()?;
+                (meshed.discretisation, run.clone())
+            }
+        };
+        if !run.solution.converged() {
+            let message = format!("our own run is {}, so that there is nothing to judge by", run.solution.outcome);
+            let remedy = "look at what `contact-vv solve` says of the case, and change it until it converges";
+            return Err(Error::at(case.name.as_str(), message, remedy));
+        }
+        let run = run.with_limits(&discretisation)?;
+        let bars = bars(&discretisation, &run, &case.displaced())?.all;
+        Ok(Self { case, discretisation, run, bars })
+    }
+
+    /// Our own value of a number of a contact, with its bar.
+    pub fn ours(&self, contact: usize, quantity: Quantity) -> Known {
+        let found = self.bars.iter().find(|one| one.subject == Subject::Contact(contact, quantity));
+        let (value, bar) = found.map_or((f64::NAN, f64::NAN), |one| (one.value, one.bar.total()));
+        let (name, kind) = (OURS.into(), ReferenceKind::CrossCode);
+        Known { reference: Reference { name, kind, value, uncertainty: None }, bar }
+    }
+
+    /// The closed form's value where there is one, else ours. A closed form may be of an idealised scene: it is off by at least what
+    /// our own answer, with its bar, departs from it.
+    pub fn known(&self, contact: usize, quantity: Quantity, asked: oracle::Quantity) -> Known {
+        let ours = self.ours(contact, quantity);
+        let closed = self.closed(asked);
+        match closed {
+            Some(mut reference) => {
+                if let oracle::Quantity::Resultant = asked {
+                    reference = reference.times(self.case.scene.thickness);
+                }
+                let apart = (reference.value - ours.reference.value).abs() + ours.bar;
+                let bar = if apart.is_finite() { apart } else { 0.0 };
+                Known { bar: larger(bar, self.model(&reference, quantity)), reference }
+            }
+            None => ours,
+        }
+    }
+
+    /// What the oracle of the case reads; none where it is silent, or of another contact.
+    pub fn closed(&self, asked: oracle::Quantity) -> Option<Reference> {
+        let only = self.case.oracle.is_some() && self.case.scene.contacts.len() == 1;
+        Some(self.case.reading(asked)).filter(|reference| only && reference.value.is_finite())
+    }
+
+    /// What the case states that its closed form may be off.
+    fn model(&self, reference: &Reference, quantity: Quantity) -> f64 {
+        let is_it = |asked: &Asked| match quantity {
+            Quantity::PeakPressure => *asked == Asked::PeakPressure,
+            Quantity::HalfWidth => matches!(asked, Asked::HalfWidth | Asked::HalfAngle),
+            _ => false,
+        };
+        let stated = self.case.checks.iter().filter(|check| is_it(&check.quantity));
+        stated.map(|check| check.model * reference.value.abs()).fold(0.0, f64::max)
+    }
+
+    /// Pressure at a contact coordinate of either side \[MPa\]; infinite where it has no limit.
+    pub fn pressure(&self, contact: usize, s: f64) -> f64 {
+        let pair = &self.case.scene.contacts[contact];
+        let s = if pair.path.has_both_sides() { s } else { s.abs() };
+        if self.has_closed_profile() {
+            let peak = self.run.contacts[contact].measures.peak.pressure;
+            return match self.case.oracle.as_deref().map(|oracle| oracle.read(oracle::Quantity::Pressure { at: s })) {
+                Some(oracle::Reading::Value { value, .. })
+                    if s.abs() <= pair.stretch * (1.0 + 1e-9) && value < UNLIMITED * peak =>
+                {
+                    value
+                }
+                Some(oracle::Reading::Value { value, .. }) if value < UNLIMITED * peak => 0.0,
+                _ => f64::INFINITY,
+            };
+        }
+        profile::interpolate(self.run.solution.points_of(contact), pair.stretch, s)
+    }
+
+    /// Whether the profile is that of a closed form.
+    pub fn has_closed_profile(&self) -> bool {
+        self.closed(oracle::Quantity::Pressure { at: 0.0 }).is_some()
+    }
+
+    /// Name and kind of the profile, and how far it may itself be off: of a closed form what our own profile departs from it.
+    pub fn of_profile(&self, contact: usize) -> Known {
+        let edges = self.run.solution.edges_of(contact);
+        let closed = self.closed(oracle::Quantity::Pressure { at: 0.0 });
+        let bar = match closed {
+            Some(_) => norm::of_means(edges, |s| self.pressure(contact, s)),
+            None => self
+                .bars
+                .iter()
+                .filter(|one| one.subject == Subject::Contact(contact, Quantity::PeakPressure))
+                .map(|one| (one.bar.total() / one.value).abs())
+                .fold(0.0, larger),
+        };
+        let reference = match closed {
+            Some(reference) => Reference { value: 0.0, ..reference },
+            None => Reference { value: 0.0, ..self.ours(contact, Quantity::PeakPressure).reference },
+        };
+        Known { reference, bar }
+    }
+
+    /// Whether the peak has no limit.
+    pub fn is_unbounded(&self, contact: usize) -> bool {
+        self.run.contacts[contact].unbounded.is_some()
+    }
+}
+
+/// The case on a mesh with elements half as large, by exact active sets; none where that cannot be made, or does not converge.
+fn finer(case: &Case) -> Option<(Discretisation, Run)> {
+    if case.accuracy.is_some() {
+        return None;
+    }
+    let resolution = Resolution { refinement: case.resolution.refinement + 1, ..case.resolution };
+    solvable(&case.scene, resolution).ok()?;
+    let discretisation = Discretisation::of(case.scene.clone(), resolution).ok()?;
+    let run = Run::of(&discretisation, &Formulation::verification()).ok()?;
+    run.solution.converged().then_some((discretisation, run))
+}

@@ -1,0 +1,213 @@
+//! The referee finds what is wrong with an answer, and lets a right one pass, whatever its mesh.
+
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use contact_vv::case::Verdict;
+use contact_vv::case::library::{NAMES, TruncatedHertz, find};
+use contact_vv::mesh::{Order, Resolution};
+use contact_vv::referee::export::own;
+use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::referee::{Asked, Profile, Truth, Verdicts, read, verdicts};
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
+
+/// The truth of truncated Hertz, whose closed form is exact.
+fn truth() -> Truth {
+    Truth::of(TruncatedHertz::default().case()).expect("solved")
+}
+
+fn judged(truth: &Truth, text: &str, asked: &Asked) -> Verdicts {
+    let answer = read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, asked).expect("read");
+    verdicts(truth, answer, ENGINEERING).expect("judged")
+}
+
+/// Names of what is not met.
+fn failed(found: &Verdicts) -> Vec<String> {
+    let all = found.ruled.iter().flat_map(|ruled| &ruled.judged);
+    all.filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string()).collect()
+}
+
+/// A profile on uneven places, finer on the right; from the middle on or on both sides.
+struct Sampled {
+    places: Vec<f64>,
+    pressures: Vec<f64>,
+}
+
+impl Sampled {
+    /// The closed form on edges that grow and shrink by turns.
+    fn of(truth: &Truth, both: bool) -> Self {
+        let a = TruncatedHertz::default().half_width();
+        let mut right = vec![0.0];
+        for k in 0..200 {
+            let step = a * [0.04, 0.07, 0.05, 0.03][k % 4];
+            right.push(right[k] + step);
+            if right[k + 1] > 1.3 * a {
+                break;
+            }
+        }
+        let mut left: Vec<f64> = (1..20).map(|k| -0.07 * a * f64::from(k)).collect();
+        left.reverse();
+        let places = if both { [left, right].concat() } else { right };
+        let pressures = places.iter().map(|s| truth.pressure(0, *s)).collect();
+        Self { places, pressures }
+    }
+
+    fn text(&self) -> String {
+        let rows = self.places.iter().zip(&self.pressures).map(|(s, p)| format!("{s},{p}\n"));
+        format!("position [mm],pressure [MPa]\n{}", rows.collect::<String>())
+    }
+
+    fn scaled(mut self, place: f64, pressure: f64) -> Self {
+        self.places.iter_mut().for_each(|s| *s *= place);
+        self.pressures.iter_mut().for_each(|p| *p *= pressure);
+        self
+    }
+}
+
+#[test]
+fn our_own_answer_is_judged_as_what_solve_says_on_every_case() {
+    for (name, _) in NAMES {
+        let case = find(name, None).expect("a case");
+        let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
+        let truth = Truth::of(case).expect("solved");
+        for element in [Element::Node, Element::Line] {
+            let run = Run::of(&discretisation, &Formulation::new(element, Iteration::Kinematic).tolerance(1e-8));
+            let run = run.expect("solved");
+            let text = serde_json::to_string(&own::answer(name, &discretisation, &run)).expect("JSON");
+            let asked = Asked::default();
+            let answer = read::parse(Path::new("ours.json"), text.as_bytes(), &truth.case, &asked).expect("read");
+            let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+            assert!(found.met(), "{name}, {element:?}: {:?}", failed(&found));
+            assert!(found.mistakes.is_empty() && found.absent.is_empty(), "{name}");
+            let (theirs, ours) = (&found.ruled[0].measures, &run.contacts[0].measures);
+            let near = |a: f64, b: f64, what: &str| {
+                assert!((a - b).abs() <= 1e-9 * b.abs(), "{name}, {element:?}, {what}: {a} for {b}")
+            };
+            near(theirs.peak.pressure, ours.peak.pressure, "peak");
+            near(theirs.half_width, ours.half_width, "half-width");
+            near(theirs.resultant, ours.resultant, "resultant");
+            near(theirs.edge(), ours.edge(), "end");
+            near(theirs.pressure_at_origin, ours.pressure_at_origin, "pressure at 0");
+        }
+    }
+}
+
+#[test]
+fn profile_of_a_run_by_nodes_and_by_points_alone_is_the_same() {
+    // On straight edges, whose mid-sides lie in the middle.
+    let case = find("truncated-hertz", None).expect("a case");
+    for order in [Order::Linear, Order::Quadratic] {
+        let resolution = Resolution { order, ..case.resolution };
+        let discretisation = Discretisation::of(case.scene.clone(), resolution).expect("meshed");
+        let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+        let points = run.solution.points_of(0);
+        let rows = |value: fn(f64, f64) -> f64| {
+            points.iter().map(|p| format!("{},{}\n", p.position, value(p.pressure, p.weight))).collect::<String>()
+        };
+        let asked = Asked { order: Some(order), ..Asked::default() };
+        let pressures = format!("position [mm],pressure [MPa]\n{}", rows(|p, _| p));
+        let forces = format!("position [mm],force [kN]\n{}", rows(|p, area| 1e-3 * p * area));
+        for text in [pressures, forces] {
+            let answer = read::parse(Path::new("a.csv"), text.as_bytes(), &case, &asked).expect("read");
+            let profile = Profile::of(&case.scene, &answer.contacts[0]);
+            for (own, edge) in profile.edges.iter().zip(run.solution.edges_of(0)) {
+                assert_relative_eq!(own.pressure, edge.pressure, max_relative = 1e-9, epsilon = 1e-9);
+                assert_relative_eq!(own.weight, edge.weight, max_relative = 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn right_answers_pass_on_ugly_meshes() {
+    let truth = truth();
+    for both in [false, true] {
+        let found = judged(&truth, &Sampled::of(&truth, both).text(), &Asked::default());
+        assert!(found.met(), "both sides {both}: {:?}", failed(&found));
+        assert!(found.mistakes.is_empty());
+        // What only both halves tell.
+        assert_eq!(found.ruled[0].missing.iter().any(|[what, _]| what.contains("symmetry")), !both);
+    }
+    // Solved on coarse cells of both orders, which end within an element.
+    for (order, elements) in [(Order::Linear, 10), (Order::Linear, 16), (Order::Quadratic, 6), (Order::Quadratic, 9)] {
+        let resolution = Resolution { elements, refinement: 0, order };
+        let discretisation = Discretisation::of(truth.case.scene.clone(), resolution).expect("meshed");
+        let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+        let text = serde_json::to_string(&own::answer("truncated-hertz", &discretisation, &run)).expect("JSON");
+        let answer =
+            read::parse(Path::new("ours.json"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
+        let found = verdicts(&truth, answer, 2.0 * ENGINEERING).expect("judged");
+        assert!(found.met(), "{order:?}, {elements}: {:?}", failed(&found));
+    }
+}
+
+#[test]
+fn planted_faults_are_found_and_named() {
+    let truth = truth();
+    let half = || Sampled::of(&truth, false);
+    let shifted = |mut own: Sampled| {
+        own.pressures.rotate_right(1);
+        own.pressures[0] = own.pressures[1];
+        own
+    };
+    let root = 2f64.sqrt();
+    let plane = (1.0 - 0.3f64 * 0.3).sqrt();
+    let one_half = |mut own: Sampled| {
+        own.places.iter().zip(&mut own.pressures).filter(|(s, _)| **s < 0.0).for_each(|(_, p)| *p = 0.0);
+        own
+    };
+    let offset = |mut own: Sampled| {
+        own.places.iter_mut().for_each(|s| *s += 0.4);
+        own
+    };
+    for (fault, spoiled, what, named) in [
+        ("pressure 3 % off", half().scaled(1.0, 1.03), "peak pressure", ""),
+        ("shifted by one node", shifted(half()), "half-width", "shifted by one node"),
+        ("wrong sign", half().scaled(1.0, -1.0), "tension", "--tension-positive"),
+        ("pressures in Pa called MPa", half().scaled(1.0, 1e6), "peak pressure", "in Pa are called MPa"),
+        ("positions in m called mm", half().scaled(1e-3, 1.0), "half-width", "in m are called mm"),
+        ("half the load", half().scaled(1.0 / root, 1.0 / root), "resultant", "the load is half"),
+        ("twice the load", half().scaled(root, root), "resultant", "the load is twice"),
+        ("twice the radius", half().scaled(root, 1.0 / root), "peak pressure", "the radius is twice"),
+        ("plane stress", half().scaled(1.0 / plane, plane), "peak pressure", "plane stress was solved"),
+        ("width for half-width", half().scaled(2.0, 1.0), "half-width", "positions are doubled"),
+        ("a missing half", one_half(Sampled::of(&truth, true)), "moment", "left half of the profile is missing"),
+        ("off the middle", offset(Sampled::of(&truth, true)), "moment", "all positions are off by about 0.4"),
+    ] {
+        let found = judged(&truth, &spoiled.text(), &Asked::default());
+        let failed = failed(&found);
+        assert!(failed.iter().any(|name| name.contains(what)), "{fault}: {failed:?}");
+        let all: &[&str] = match fault {
+            "width for half-width" => &["end of the contact", "error of the mean pressures"],
+            "a missing half" => &["difference of both halves", "begin of the contact"],
+            _ => &[],
+        };
+        assert!(all.iter().all(|part| failed.iter().any(|name| name.contains(part))), "{fault}: {failed:?}");
+        match named {
+            "" => assert!(found.mistakes.is_empty(), "{fault}: {:?}", found.mistakes),
+            named => assert!(found.mistakes.iter().any(|says| says.contains(named)), "{fault}: {:?}", found.mistakes),
+        }
+    }
+}
+
+#[test]
+fn tension_penetration_and_pressure_across_a_gap_are_found() {
+    let truth = truth();
+    let own = Sampled::of(&truth, false);
+    let a = TruncatedHertz::default().half_width();
+    let edge = own.places.iter().position(|s| *s > a).expect("a node beyond");
+    let mut pulled = Sampled { places: own.places.clone(), pressures: own.pressures.clone() };
+    pulled.pressures[edge] = -0.05 * own.pressures[0];
+    let found = judged(&truth, &pulled.text(), &Asked::default());
+    assert!(failed(&found).iter().any(|name| name.contains("tension")), "{:?}", failed(&found));
+    let with_gaps = |gap: fn(f64, f64) -> f64| {
+        let rows = own.places.iter().zip(&own.pressures).map(|(s, p)| format!("{s},{p},{}\n", gap(*s, *p)));
+        format!("position [mm],pressure [MPa],gap [mm]\n{}", rows.collect::<String>())
+    };
+    let sound = judged(&truth, &with_gaps(|_, p| if p > 0.0 { 0.0 } else { 1e-3 }), &Asked::default());
+    assert!(sound.met(), "{:?}", failed(&sound));
+    let soft = judged(&truth, &with_gaps(|_, p| -1e-6 * p), &Asked::default());
+    assert!(failed(&soft).iter().any(|name| name.contains("penetration")), "{:?}", failed(&soft));
+    let apart = judged(&truth, &with_gaps(|_, p| 1e-6 * p), &Asked::default());
+    assert!(failed(&apart).iter().any(|name| name.contains("gap under pressure")), "{:?}", failed(&apart));
+}

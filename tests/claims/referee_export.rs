@@ -1,0 +1,176 @@
+//! What is exported is the case: its mesh for Gmsh is read back as it was, and its answers are judged as what `solve` says.
+
+use std::path::Path;
+use std::process::Command;
+
+use approx::assert_relative_eq;
+use contact_vv::case::library::{NAMES, find};
+use contact_vv::case::{Case, Verdict};
+use contact_vv::cli::vtu;
+use contact_vv::mesh::{Mesh, Order, Resolution};
+use contact_vv::referee::export::{deck, gmsh};
+use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::referee::units::Role;
+use contact_vv::referee::{Asked, Truth, Verdicts, read, verdicts};
+use contact_vv::scene::Shape;
+use contact_vv::solve::{Discretisation, Formulation, Run};
+
+use crate::outputs::contact_vv;
+
+/// A scene file of one body of an exported mesh, held by nothing: it is only read.
+fn scene_of(body: &str, file: &str, path: &str) -> String {
+    format!(
+        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"{body}\"\nyoung = 1000\npoisson = 0.3\n\
+         shape = {{ gmsh = {{ file = \"{file}\", group = \"{body}\", contact = \"{body} contact\" }} }}\n\
+         [contact]\nfirst = \"{body}\"\ngap = {{ uniform = 0 }}\ngap-only = true\n{path}\nstretch = 1e-1\n[reference]\npressure = 5\n"
+    )
+}
+
+#[test]
+fn exported_meshes_are_read_back_by_our_own_gmsh_reader_as_they_were() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, _) in NAMES {
+        for order in [Order::Linear, Order::Quadratic] {
+            let case = find(name, None).expect("a case");
+            let mesh = Mesh::of(&case.scene, Resolution { order, ..case.resolution }).expect("meshed");
+            std::fs::write(folder.path().join("mesh.msh"), gmsh::text(&case.scene, &mesh)).expect("written");
+            for (body, part) in case.scene.bodies.iter().zip(&mesh.bodies) {
+                let nodes = part.boundaries["contact"].iter().flatten().map(|&node| mesh.points[node]);
+                let path = &case.scene.contact().path;
+                let along = |point: &[f64; 2]| path.coordinate(*point);
+                let origin = nodes.min_by(|a, b| along(a).total_cmp(&along(b))).expect("a side");
+                let ([x, y], depth) = (path.origin(), path.depth(origin));
+                let path = match path.is_straight() {
+                    true => format!("origin = {origin:?}"),
+                    false => format!("arc = {{ centre = [{x}, {y}], radius = {depth} }}"),
+                };
+                let text = scene_of(&body.name, "mesh.msh", &path);
+                let read = Case::parse(&folder.path().join("scene.toml"), &text).expect("read");
+                let Shape::Given(given) = &read.scene.bodies[0].shape else { panic!("{name}: no mesh") };
+                assert_eq!(given.cells.len(), part.cells.len(), "{name}");
+                for (cell, own) in part.cells.clone().zip(&given.cells) {
+                    let wanted: Vec<[f64; 2]> = mesh.cell(cell).iter().map(|&node| mesh.points[node]).collect();
+                    let found: Vec<[f64; 2]> = own.iter().map(|&node| given.points[node]).collect();
+                    assert_eq!(found, wanted, "{name}, `{}`, cell {cell}", body.name);
+                }
+                assert_eq!(given.points.len(), part.nodes.len(), "{name}");
+                for (side, edges) in part.boundaries.iter().chain(&part.lines).filter(|(_, edges)| !edges.is_empty()) {
+                    let found = &given.boundaries[format!("{} {side}", body.name).as_str()];
+                    let ends = |points: &[[f64; 2]], edges: &[Vec<usize>]| {
+                        let mut all: Vec<String> =
+                            edges.iter().flatten().map(|&node| format!("{:?}", points[node])).collect();
+                        all.sort();
+                        all
+                    };
+                    assert_eq!(ends(&given.points, found), ends(&mesh.points, edges), "{name}, {side}");
+                }
+            }
+        }
+    }
+}
+
+fn failed(found: &Verdicts) -> Vec<String> {
+    let all = found.ruled.iter().flat_map(|ruled| &ruled.judged);
+    all.filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string()).collect()
+}
+
+/// The fields of VTK in our units.
+fn units() -> Asked {
+    let unit = |(role, unit): (Role, &str)| (role, unit.to_owned());
+    let all = [(Role::Position, "mm"), (Role::Pressure, "MPa"), (Role::Gap, "mm"), (Role::Displacement, "mm")];
+    Asked { units: all.map(unit).into(), ..Asked::default() }
+}
+
+#[test]
+fn our_own_fields_for_paraview_are_judged_as_what_solve_says() {
+    for name in ["cylinder", "truncated-hertz", "pin-rod", "pin-plate", "press-fit", "bars", "own-weight"] {
+        let case = find(name, None).expect("a case");
+        let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
+        let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+        let text = vtu::text(&discretisation, &run).expect("written");
+        let truth = Truth::of(case).expect("solved");
+        let answer = read::parse(Path::new("ours.vtu"), text.as_bytes(), &truth.case, &units()).expect("read");
+        assert_eq!(answer.contacts[0].points.len(), run.solution.points_of(0).len(), "{name}");
+        let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+        assert!(found.met(), "{name}: {:?}", failed(&found));
+        let (theirs, ours) = (&found.ruled[0].measures, &run.contacts[0].measures);
+        // Mid-sides of curved edges do not lie in the middle of their projection.
+        assert_relative_eq!(theirs.peak.pressure, ours.peak.pressure, max_relative = 1e-4);
+        assert_relative_eq!(theirs.half_width, ours.half_width, max_relative = 1e-4);
+    }
+}
+
+#[test]
+fn pressures_of_stresses_and_gaps_of_displacements_are_taken_where_no_field_tells_them() {
+    let case = find("cylinder", None).expect("a case");
+    let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
+    let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+    let truth = Truth::of(case).expect("solved");
+    let text = vtu::text(&discretisation, &run).expect("written").replace("contact_gap", "other");
+    let answer = read::parse(Path::new("ours.vtu"), text.as_bytes(), &truth.case, &units()).expect("read");
+    let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+    assert!(found.met(), "{:?}", failed(&found));
+    let all: Vec<String> = found.ruled[0].judged.iter().map(|one| one.check.quantity.to_string()).collect();
+    assert!(all.iter().any(|name| name.contains("penetration")), "{all:?}");
+    // Displacements without their load leave the bodies apart.
+    let apart = text.replace("displacement", "another");
+    let answer = read::parse(Path::new("ours.vtu"), apart.as_bytes(), &truth.case, &units()).expect("read");
+    assert!(
+        verdicts(&truth, answer, ENGINEERING).expect("judged").ruled[0]
+            .missing
+            .iter()
+            .any(|[what, _]| what.contains("penetration"))
+    );
+    let nothing = text.replace("contact_pressure", "another");
+    let refused = read::parse(Path::new("ours.vtu"), nothing.as_bytes(), &truth.case, &units());
+    let error = refused.map(|_| ()).expect_err("no pressure").to_string();
+    assert!(error.contains("no nodal field is called contact_pressure") && error.contains("von_mises"), "{error}");
+}
+
+#[test]
+fn export_writes_all_that_is_needed_and_its_answers_are_met() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = format!("{}/tests/cases/cylinder-on-block.toml", env!("CARGO_MANIFEST_DIR"));
+    for (case, stem) in [("cylinder", "cylinder"), (scene.as_str(), "cylinder-on-block")] {
+        let to = folder.path().join(stem).display().to_string();
+        let (sound, printed, error) = contact_vv(&["export", case, &to]);
+        assert!(sound, "{error}");
+        for name in [".md", ".msh", ".inp", ".vtu"].map(|end| format!("{stem}{end}")) {
+            assert!(printed.contains(&name) && Path::new(&to).join(&name).is_file(), "{name}: {printed}");
+        }
+        let (ours, empty) = (format!("{to}/ours.json"), format!("{to}/answer.json"));
+        let (sound, table, error) = contact_vv(&["judge", case, &ours]);
+        assert!(sound && table.contains("meets all"), "{table}{error}");
+        let (sound, table, error) = contact_vv(&["judge", case, &format!("{to}/ours.csv"), "--order", "2"]);
+        assert!(sound && table.contains("meets all"), "{table}{error}");
+        let (sound, _, error) = contact_vv(&["judge", case, &empty]);
+        assert!(!sound && error.contains("neither pressures nor forces"), "{error}");
+    }
+}
+
+/// What ccx prints of a deck; none where it is not installed.
+fn ccx(folder: &Path, job: &str) -> Option<()> {
+    let run = Command::new("ccx").arg(job).current_dir(folder).env("OMP_NUM_THREADS", "1").output().ok()?;
+    let said = String::from_utf8_lossy(&run.stdout).into_owned();
+    assert!(said.contains("Job finished"), "{said}");
+    Some(())
+}
+
+#[test]
+fn exported_decks_are_solved_by_calculix_where_it_is_installed_and_meet_the_truth() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["cylinder", "truncated-hertz", "pin-rod", "bars"] {
+        let case = find(name, None).expect("a case");
+        let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
+        std::fs::write(folder.path().join(format!("{name}.inp")), deck::text(&discretisation).expect("written"))
+            .expect("written");
+        if ccx(folder.path(), name).is_none() {
+            return;
+        }
+        let truth = Truth::of(case).expect("solved");
+        let file = folder.path().join(format!("{name}.dat"));
+        let answer = read::read(&file, &truth.case, &Asked::default()).expect("read");
+        let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+        assert!(found.met(), "{name}: {:?}", failed(&found));
+    }
+}
