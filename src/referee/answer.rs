@@ -100,8 +100,9 @@ pub fn ordered(
         let message = format!("two points lie at one place, {}", two[0].position);
         return Err(refused(message, "hand in the points of one side of one contact, each once"));
     }
-    if order == Order::Quadratic && points.len().is_multiple_of(2) {
-        let message = format!("{} nodes are no whole number of edges with three nodes each", points.len());
+    let nodes = usize::from(order.number()) + 1;
+    if !(points.len() - 1).is_multiple_of(nodes - 1) {
+        let message = format!("{} nodes are no whole number of edges with {nodes} nodes each", points.len());
         return Err(refused(message, "hand in every node from corner to corner, or leave out --order"));
     }
     Ok(points)

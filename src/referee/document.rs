@@ -201,10 +201,14 @@ fn contact_of(reader: &Reader) -> Result<Handed, Error> {
             "give one of the two lists",
         ));
     };
-    let order = match (contact.order, asked.order) {
-        (None | Some(1), None) | (_, Some(Order::Linear)) => Order::Linear,
-        (Some(2), None) | (_, Some(Order::Quadratic)) => Order::Quadratic,
-        (Some(other), None) => return Err(refused("order", format!("it is {other}"), "give 1 or 2")),
+    let told = contact.order.map(|number| {
+        let unknown = || refused("order", format!("it is {number}"), "give 1, 2, or 4 to 8");
+        Order::numbered(number.into()).ok_or_else(unknown)
+    });
+    let order = match (told, asked.order) {
+        (_, Some(asked)) => asked,
+        (Some(told), None) => told?,
+        (None, None) => Order::Linear,
     };
     let point = |k: usize| Point {
         position: position[k],

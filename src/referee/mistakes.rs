@@ -185,6 +185,7 @@ fn orders(handed: &Handed) -> Vec<Correction> {
     let (order, says) = match handed.order {
         Order::Linear => (Order::Quadratic, "the forces are of edges with three nodes: hand them in with --order 2"),
         Order::Quadratic => (Order::Linear, "the forces are of edges with two nodes: hand them in with --order 1"),
+        _ => return vec![],
     };
     let corrected = Handed { order, edges: vec![], ..handed.clone() };
     if handed.forces { vec![Correction { says: says.into(), corrected }] } else { vec![] }
@@ -198,5 +199,5 @@ fn without_gaps(handed: &Handed) -> Handed {
 /// Whether it is a profile still.
 fn sound(handed: &Handed) -> bool {
     let apart = handed.points.windows(2).all(|two| two[1].position > two[0].position);
-    apart && handed.points.len() > 2 && (handed.order == Order::Linear || handed.points.len() % 2 == 1)
+    apart && handed.points.len() > 2 && (handed.points.len() - 1).is_multiple_of(handed.order.number().into())
 }

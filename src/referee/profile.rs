@@ -1,5 +1,6 @@
 //! What was handed in as the profile that measures are taken of: contact points and edge means, by the formulas of every run.
 
+use crate::elasticity::quadrature::lobatto;
 use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point};
 use crate::scene::{ContactPair, Line, Path, Scene};
@@ -12,6 +13,8 @@ pub struct Profile {
     pub scene: Scene,
     /// Index of the contact.
     pub contact: usize,
+    /// How its points follow one another.
+    pub order: Order,
     /// Contact points, in the order of the contact coordinate.
     pub points: Vec<PointState>,
     /// Means over the edges between them.
@@ -44,7 +47,7 @@ impl Profile {
             if handed.edges.is_empty() { means(&points, handed.order, across_path) } else { handed.edges.clone() };
         let has_gaps = handed.points.iter().all(|point| point.gap.is_some());
         let has_forces = handed.forces || handed.points.iter().all(|point| point.area.is_some());
-        Self { contact: handed.contact, points, edges, across, has_gaps, has_forces, scene }
+        Self { contact: handed.contact, order: handed.order, points, edges, across, has_gaps, has_forces, scene }
     }
 
     /// The contact.
@@ -54,7 +57,7 @@ impl Profile {
 
     /// Points and edges, as measures take them.
     pub fn part(&self) -> Part<'_> {
-        Part { points: &self.points, edges: &self.edges }
+        Part { points: &self.points, edges: &self.edges, nodes: usize::from(self.order.number()) + 1 }
     }
 }
 
@@ -90,16 +93,17 @@ fn begun(pair: &ContactPair, handed: &Handed, across: bool) -> Option<Handed> {
     Some(Handed { points: [&[start], &handed.points[..]].concat(), ..handed.clone() })
 }
 
-/// Length of the path that belongs to each point: halves of its edges, or 1/6, 4/6, 1/6 of edges with three nodes.
+/// Shares of an edge that belong to its nodes, by the Lobatto rule on them: 1/2, 1/2; 1/6, 4/6, 1/6; and so on.
+fn shares(order: Order) -> Vec<f64> {
+    lobatto(usize::from(order.number()) + 1).into_iter().map(|(_, weight)| 0.5 * weight).collect()
+}
+
+/// Length of the path that belongs to each point: its shares of its edges.
 pub fn tributary(points: &[Point], order: Order) -> Vec<f64> {
-    let mut lengths = vec![0.0; points.len()];
-    let shares: &[f64] = match order {
-        Order::Linear => &[0.5, 0.5],
-        Order::Quadratic => &[1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0],
-    };
-    let nodes = shares.len() - 1;
-    for first in (0..points.len() - 1).step_by(nodes) {
-        let length = points[first + nodes].position - points[first].position;
+    let (mut lengths, shares) = (vec![0.0; points.len()], shares(order));
+    let steps = shares.len() - 1;
+    for first in (0..points.len() - 1).step_by(steps) {
+        let length = points[first + steps].position - points[first].position;
         shares.iter().enumerate().for_each(|(k, share)| lengths[first + k] += share * length);
     }
     lengths
@@ -107,15 +111,13 @@ pub fn tributary(points: &[Point], order: Order) -> Vec<f64> {
 
 /// Means over the edges, by the same shares.
 fn means(points: &[PointState], order: Order, across: f64) -> Vec<EdgeState> {
-    let nodes = if order == Order::Linear { 1 } else { 2 };
+    let shares = shares(order);
+    let steps = shares.len() - 1;
     let mean = |first: usize| {
-        let ends = [points[first].position, points[first + nodes].position];
-        let [low, high] = [points[first].pressure, points[first + nodes].pressure];
-        let pressure = match order {
-            Order::Linear => 0.5 * (low + high),
-            Order::Quadratic => (low + 4.0 * points[first + 1].pressure + high) / 6.0,
-        };
+        let own = &points[first..=first + steps];
+        let ends = [own[0].position, own[steps].position];
+        let pressure = own.iter().zip(&shares).map(|(point, share)| share * point.pressure).sum();
         EdgeState { ends, weight: (ends[1] - ends[0]) * across, pressure }
     };
-    (0..points.len() - 1).step_by(nodes).map(mean).collect()
+    (0..points.len() - 1).step_by(steps).map(mean).collect()
 }

@@ -96,7 +96,7 @@ fn our_own_answer_is_judged_as_what_solve_says_on_every_case() {
 fn profile_of_a_run_by_nodes_and_by_points_alone_is_the_same() {
     // On straight edges, whose mid-sides lie in the middle.
     let case = find("truncated-hertz", None).expect("a case");
-    for order in [Order::Linear, Order::Quadratic] {
+    for order in Order::ALL {
         let resolution = Resolution { order, ..case.resolution };
         let discretisation = Discretisation::of(case.scene.clone(), resolution).expect("meshed");
         let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");

@@ -91,7 +91,7 @@ fn documents_that_are_none_are_refused_with_key_and_remedy() {
         ),
         (
             format!("{{{units},\"contacts\":[{{\"order\":3,\"position\":[0,1,2],\"pressure\":[1,2,3]}}]}}"),
-            "give 1 or 2",
+            "give 1, 2, or 4 to 8",
         ),
     ] {
         let error = refused(&text);

@@ -27,6 +27,7 @@ pub const GAPS: &str = "GAPS_";
 
 /// The text of the file; nodes and cells are numbered from 1 on, as in the mesh.
 pub fn text(discretisation: &Discretisation) -> Result<String, Error> {
+    let kind = kind(discretisation)?;
     let mut deck = Deck {
         discretisation,
         text: String::new(),
@@ -34,13 +35,28 @@ pub fn text(discretisation: &Discretisation) -> Result<String, Error> {
         elements: discretisation.mesh.cells(),
     };
     deck.head();
-    deck.bodies();
+    deck.bodies(kind);
     deck.sets();
     let held = deck.supports()?;
     let faces = deck.rigid_faces(&held)?;
     deck.gaps();
     deck.step(&faces)?;
     Ok(deck.text)
+}
+
+/// What both codes call the cells.
+fn kind(discretisation: &Discretisation) -> Result<&'static str, Error> {
+    Ok(match (discretisation.scene.plane, discretisation.mesh.order) {
+        (PlaneHypothesis::Strain, Order::Linear) => "CPE4",
+        (PlaneHypothesis::Strain, Order::Quadratic) => "CPE8",
+        (PlaneHypothesis::Stress, Order::Linear) => "CPS4",
+        (PlaneHypothesis::Stress, Order::Quadratic) => "CPS8",
+        (_, order) => {
+            let message =
+                format!("its cells have order {}, and other codes read those of order 1 and 2", order.number());
+            return Err(Error::at("export", message, "give `order = 1` or `order = 2` in [mesh]"));
+        }
+    })
 }
 
 /// A name that both codes take.
@@ -89,14 +105,8 @@ impl Deck<'_> {
     }
 
     /// Cells with their materials.
-    fn bodies(&mut self) {
+    fn bodies(&mut self, kind: &str) {
         let Discretisation { scene, mesh, .. } = self.discretisation;
-        let kind = match (scene.plane, mesh.order) {
-            (PlaneHypothesis::Strain, Order::Linear) => "CPE4",
-            (PlaneHypothesis::Strain, Order::Quadratic) => "CPE8",
-            (PlaneHypothesis::Stress, Order::Linear) => "CPS4",
-            (PlaneHypothesis::Stress, Order::Quadratic) => "CPS8",
-        };
         for (body, part) in scene.bodies.iter().zip(&mesh.bodies) {
             let name = named(&[&body.name]);
             self.line(format!("*ELEMENT, TYPE={kind}, ELSET={name}"));
