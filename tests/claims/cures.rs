@@ -264,3 +264,17 @@ fn a_nested_start_with_increments_is_refused() {
     let refused = truncated(2).solve(&formulation).expect_err("refused").to_string();
     assert!(refused.contains("increment") && refused.contains("closed"), "{refused}");
 }
+
+#[test]
+fn plain_iteration_follows_a_residual_that_rose_and_every_anderson_iteration() {
+    let plain = |x: [f64; 2], f: [f64; 2]| vec![x[0] + f[0], x[1] + f[1]];
+    for kind in [Acceleration::CrossedSecant, Acceleration::Anderson] {
+        let mut accelerator = Accelerator::new(kind, vec![1.0; 2]);
+        let mut next = |x: [f64; 2], f: [f64; 2]| accelerator.next(&x, &f, &mut 0) == plain(x, f);
+        assert!(next([0.0, 0.0], [1.0, 1.0]), "{kind:?}: one state extrapolates nothing");
+        assert!(!next([1.0, 1.0], [0.5, 0.25]), "{kind:?}: two do");
+        let rests = kind == Acceleration::Anderson;
+        assert_eq!(next([1.5, 1.2], [0.2, 0.1]), rests, "{kind:?}: after an accelerated iteration");
+        assert!(next([1.6, 1.3], [0.4, 0.3]), "{kind:?}: the residual rose");
+    }
+}
