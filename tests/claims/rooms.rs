@@ -197,7 +197,8 @@ fn a_fitted_mesh_that_costs_or_errs_more_than_is_asked_turns_red() {
             spoil(&mut mesh);
             mesh
         };
-        let numbers = fitted::Numbers { fitted: fitted::ASKED.iter().map(mesh).collect(), plain: vec![] };
+        let numbers =
+            fitted::Numbers { fitted: fitted::ASKED.iter().map(mesh).collect(), chosen: vec![], plain: vec![] };
         let judged = fitted::judge(&numbers).expect("judged");
         assert_eq!(judged.len(), 9);
         fails(&judged)

@@ -1,4 +1,4 @@
-//! Error over degrees of freedom: fitted cells of high order beside 8-node cells.
+//! Error over degrees of freedom: fitted cells of high order beside 8-node cells of both kinds.
 
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
@@ -18,10 +18,12 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
         Axis::log("larger relative error of p₀ and a [–]"),
     );
     let fitted = Style::run(palette::PURPLE, Dash::Solid, Marker::Circle);
+    let chosen = Style::run(palette::ORANGE, Dash::DashDot, Marker::Diamond);
     let plain = Style::run(palette::NODE, Dash::Dashed, Marker::Square);
     for Found { numbers, .. } in findings {
         chart.series.push(curve("order 4 to 8, fitted to the contact", &numbers.fitted, fitted));
-        chart.series.push(curve("8-node cells", &numbers.plain, plain));
+        chart.series.push(curve("8-node cells, chosen by --accuracy", &numbers.chosen, chosen));
+        chart.series.push(curve("8-node cells, as fine on all candidates", &numbers.plain, plain));
     }
     Ok(vec![(FILE.into(), chart.drawing()?)])
 }

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::accuracy;
 use crate::case::library::TruncatedHertz;
 use crate::error::Error;
 use crate::measure::{larger, relative_error};
@@ -20,6 +21,8 @@ const ROUND_OFF: f64 = 1e-9;
 pub struct Numbers {
     /// Fitted to the contact.
     pub fitted: Vec<Mesh>,
+    /// 8-node cells that an accuracy chooses.
+    pub chosen: Vec<Mesh>,
     /// 8-node cells, as fine on all candidates.
     pub plain: Vec<Mesh>,
 }
@@ -44,6 +47,8 @@ pub struct Mesh {
 pub enum Cells {
     /// Fitted to the contact.
     Fitted(Fitted),
+    /// 8-node cells that an accuracy chooses by their error bars: a relative error.
+    Chosen(f64),
     /// 8-node cells, so many on the half-width that the block is drawn for.
     Plain(usize),
 }
@@ -78,10 +83,11 @@ pub fn under(factor: f64) -> TruncatedHertz {
 }
 
 /// All meshes under all loads.
-pub fn numbers(fitted: &[Fitted], plain: &[usize]) -> Result<Numbers, Error> {
+pub fn numbers(fitted: &[Fitted], chosen: &[f64], plain: &[usize]) -> Result<Numbers, Error> {
     let fitted = fitted.iter().map(|&one| worst(Cells::Fitted(one))).collect::<Result<_, _>>()?;
+    let chosen = chosen.iter().map(|&asked| worst(Cells::Chosen(asked))).collect::<Result<_, _>>()?;
     let plain = plain.iter().map(|&elements| worst(Cells::Plain(elements))).collect::<Result<_, _>>()?;
-    Ok(Numbers { fitted, plain })
+    Ok(Numbers { fitted, chosen, plain })
 }
 
 /// A mesh under the worst of all loads.
@@ -98,6 +104,11 @@ fn solved(cells: Cells, factor: f64) -> Result<Mesh, Error> {
         Cells::Fitted(fitted) => {
             let answer = fitted.solve(&numbers.scene(), &formulation)?;
             let in_all = answer.tried.iter().map(|one| one.dofs).sum();
+            (answer.run, in_all)
+        }
+        Cells::Chosen(asked) => {
+            let answer = accuracy::solve(&numbers.scene(), &formulation, &accuracy::Asked::new(asked))?;
+            let in_all = answer.dofs_in_all();
             (answer.run, in_all)
         }
         Cells::Plain(elements) => {
