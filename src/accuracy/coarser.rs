@@ -14,7 +14,8 @@ const SMALL: f64 = 2e3;
 
 /// The coarser meshes, from the finest on; none where a mesh made elsewhere was not halved.
 ///
-/// Where mesh lines lie on the ends of a contact, these are cells of lower order at the same places.
+/// Where mesh lines lie on the ends of a contact, these are cells of lower order at the same places, down to order 4; below
+/// that there are 8-node cells only.
 ///
 /// Growth and coarsest element follow the elements of the contact, as they do in refinement; blocks have fewer elements; a mesh
 /// made elsewhere has only those that it was halved from.
@@ -24,7 +25,8 @@ pub fn coarser(scene: &Scene, resolution: Resolution) -> Vec<(Scene, Resolution)
         return halved.map(|refinement| (scene.clone(), Resolution { refinement, ..resolution })).collect();
     }
     if scene.contacts.iter().any(|pair| !pair.ends.places.is_empty()) {
-        let lower = Order::ALL.into_iter().rev().filter(|order| order.is_tensor() && *order < resolution.order);
+        let lowest = if resolution.order > Order::Quartic { Order::Quartic } else { Order::Quadratic };
+        let lower = Order::ALL.into_iter().rev().filter(|order| (lowest..resolution.order).contains(order));
         return lower.take(RATIOS.len()).map(|order| (scene.clone(), Resolution { order, ..resolution })).collect();
     }
     let [cells, _] = expected(scene, resolution);

@@ -4,7 +4,7 @@ use crate::algorithm::StiffnessRule;
 use crate::clock::{Clock, Seconds, Stage};
 use crate::contact::Interface;
 use crate::error::Error;
-use crate::measure::{Measures, larger, profile, whole};
+use crate::measure::{Measures, larger, nodal, profile, whole};
 use crate::solution::{Solution, States};
 use crate::solve::{Change, Discretisation, Formulation, Origin};
 
@@ -183,10 +183,13 @@ impl Run {
             n if n < resolved[0].min(all[0]) => {
                 Some(format!("contact rests on {n} of {} candidate points: refine before quoting it", all[0]))
             }
-            _ if measures.pressed_edges < resolved[1].min(all[1]) => Some(format!(
-                "contact rests on {} of {} candidate edges: refine before quoting it",
-                measures.pressed_edges, all[1]
-            )),
+            // An edge of many nodes is as good as several.
+            _ if !nodal::are_many(self.solution.part(contact)) && measures.pressed_edges < resolved[1].min(all[1]) => {
+                Some(format!(
+                    "contact rests on {} of {} candidate edges: refine before quoting it",
+                    measures.pressed_edges, all[1]
+                ))
+            }
             _ if rough > ROUGH => Some(format!(
                 "pressures of neighbouring points depart from one another by {:.0} % of the peak: quote means over edges, or use the node element",
                 100.0 * rough

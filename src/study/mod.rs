@@ -65,6 +65,8 @@ rooms! {
     Accuracy in accuracy,
     /// What is called met.
     Met in met,
+    /// Cells of high order, fitted to the end of the contact.
+    Fitted in fitted,
     /// Where methods fail: the recorded survey.
     Atlas in atlas,
     /// Where methods fail: predicted rates and iterations.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use contact_vv::accuracy::{self, reading::Quantity, reading::Subject};
+use contact_vv::case::Case;
 use contact_vv::case::library::{Bars, Patch, PinPlate, TruncatedHertz};
 use contact_vv::elasticity::{element, quadrature};
 use contact_vv::measure::relative_error;
@@ -13,23 +14,19 @@ use contact_vv::scene::{
 };
 use contact_vv::solve::edge_fitted::Answer;
 use contact_vv::solve::{Discretisation, Element, Fitted, Formulation, Iteration, Run};
+use contact_vv::study::fitted::{self, ASKED, Asked, LOADS};
 
+use crate::outputs::{contact_vv, scene};
 use crate::workbench::{held_at, of_shape, resolution};
-
-/// Half-widths over that of the mesh the scene is drawn for.
-const LOADS: [f64; 8] = [1.0, 0.97, 0.94, 0.91, 0.89, 0.88, 0.87, 0.85];
 
 /// The same block and candidates under another load.
 fn under(factor: f64) -> (TruncatedHertz, Hertz) {
-    let numbers = TruncatedHertz {
-        a_over_r: 0.05 * factor,
-        size: 8.0 / factor,
-        stretch: 2.0 / factor,
-        ..TruncatedHertz::default()
-    };
-    let modulus = numbers.young / (1.0 - numbers.poisson.powi(2));
-    (numbers.clone(), Hertz { load: numbers.load(), radius: numbers.radius, modulus })
+    let numbers = fitted::under(factor);
+    (numbers.clone(), numbers.closed_form())
 }
+
+/// A load under which the contact does not end on a line of the mesh that is drawn.
+const OFF: f64 = 0.89;
 
 fn solved(fitted: Fitted, scene: &Scene) -> Answer {
     let answer = fitted.solve(scene, &Formulation::verification()).expect("answer");
@@ -48,15 +45,14 @@ fn errors(run: &Run, hertz: &Hertz) -> [f64; 2] {
 
 #[test]
 fn truncated_hertz_is_found_to_four_five_and_six_digits_for_so_many_dofs() {
-    let meshes = [(Order::Quintic, 1, 1e-4, 1000), (Order::Septic, 2, 1e-5, 2100), (Order::Octic, 3, 1e-6, 3300)];
-    for (order, layers, bound, most) in meshes {
+    for Asked { digits, error: bound, dofs: most } in ASKED {
         for factor in LOADS {
             let (numbers, hertz) = under(factor);
-            let answer = solved(Fitted { order, layers }, &numbers.scene());
+            let answer = solved(Fitted::of_digits(digits), &numbers.scene());
             let errors = errors(&answer.run, &hertz);
-            assert!(errors.iter().all(|error| *error <= bound), "{order:?} at {factor}: {errors:?}");
-            assert!(answer.run.dofs <= most, "{order:?} at {factor}: {} dofs", answer.run.dofs);
-            assert!(answer.tried.len() <= 5, "{order:?} at {factor}: {:?}", answer.tried);
+            assert!(errors.iter().all(|error| *error <= bound), "{digits} digits at {factor}: {errors:?}");
+            assert!(answer.run.dofs <= most, "{digits} digits at {factor}: {} dofs", answer.run.dofs);
+            assert!(answer.tried.len() <= 4, "{digits} digits at {factor}: {:?}", answer.tried);
         }
     }
 }
@@ -86,12 +82,12 @@ fn line_and_layer_elements_find_it_on_fitted_meshes_too() {
 
 /// Two blocks of other moduli, both with the tractions of their half-planes.
 fn two_blocks(young: [f64; 2], poisson: [f64; 2]) -> (Scene, Hertz) {
-    let one = TruncatedHertz::default();
+    let (one, _) = under(OFF);
     let mut scene = one.scene();
     let modulus = |k: usize| young[k] / (1.0 - poisson[k] * poisson[k]);
     let modulus = 1.0 / (1.0 / modulus(0) + 1.0 / modulus(1));
     let hertz = Hertz { load: Hertz::load_for(one.half_width(), one.radius, modulus), radius: one.radius, modulus };
-    let side = 8.0 * one.half_width();
+    let side = one.size * one.half_width();
     let upper = StressField(Arc::new(move |[x, y]: [f64; 2]| hertz.stress(x, y)));
     let lower = StressField(Arc::new(move |[x, y]: [f64; 2]| {
         let [along, across, shear] = hertz.stress(x, -y);
@@ -118,36 +114,83 @@ fn two_blocks(young: [f64; 2], poisson: [f64; 2]) -> (Scene, Hertz) {
 fn two_bodies_of_other_moduli_are_found_to_as_many_digits() {
     for (young, poisson) in [([210e3, 70e3], [0.3, 0.2]), ([210e3, 2.1e3], [0.3, 0.45])] {
         let (scene, hertz) = two_blocks(young, poisson);
-        for (order, layers, bound) in [(Order::Quintic, 1, 1e-4), (Order::Septic, 2, 1e-5), (Order::Octic, 2, 1e-6)] {
+        let meshes = [(Order::Quintic, 1, 1e-4, 1300), (Order::Septic, 2, 1e-5, 3300), (Order::Octic, 3, 1e-6, 5400)];
+        for (order, layers, bound, most) in meshes {
             let answer = solved(Fitted { order, layers }, &scene);
             let errors = errors(&answer.run, &hertz);
             assert!(errors.iter().all(|error| *error <= bound), "{order:?} of {young:?}: {errors:?}");
+            assert!(answer.run.dofs <= most, "{order:?} of {young:?}: {} dofs", answer.run.dofs);
+        }
+    }
+}
+
+/// A whole block whose contact lies off its middle by so many half-widths.
+fn off_the_middle(shift: f64) -> (Scene, Hertz) {
+    let (one, hertz) = under(OFF);
+    let side = one.size * one.half_width();
+    let centre = shift * one.half_width();
+    let field = StressField(Arc::new(move |[x, y]: [f64; 2]| hertz.stress(x - centre, y)));
+    let mut scene = one.scene_under(field.clone());
+    let body = &mut scene.bodies[0];
+    body.shape = Shape::Rectangle { x: [-side, side], y: [0.0, side], contact: Face::Bottom };
+    body.loads =
+        ["left", "right", "far"].map(|side| Load::Stress { boundary: side.into(), field: field.clone() }).to_vec();
+    body.supports = vec![Support { at: Place::Point([-side, side]), component: Component::X, value: 0.0 }];
+    let pair = &mut scene.contacts[0];
+    pair.symmetric = false;
+    pair.path = Path::Straight(Line { origin: [centre, 0.0], both_sides: true });
+    (scene, hertz)
+}
+
+#[test]
+fn both_ends_of_a_contact_off_the_middle_of_its_body_are_found() {
+    let meshes = [(Order::Sextic, 2, 1e-5, 3000), (Order::Octic, 3, 1e-6, 5400)];
+    for shift in [0.0, 0.4, -1.3] {
+        let (scene, hertz) = off_the_middle(shift);
+        for (order, layers, bound, most) in meshes {
+            let answer = solved(Fitted { order, layers }, &scene);
+            let errors = errors(&answer.run, &hertz);
+            assert!(errors.iter().all(|error| *error <= bound), "{order:?} at {shift}: {errors:?}");
+            assert!(answer.run.dofs <= most, "{order:?} at {shift}: {} dofs", answer.run.dofs);
+            for end in answer.stretches[0][0] {
+                assert!(relative_error(end.abs(), hertz.half_width()) <= 5e-4, "{order:?} at {shift}: {end}");
+            }
         }
     }
 }
 
 #[test]
-fn both_ends_of_a_contact_off_the_middle_of_its_body_are_found() {
-    let one = TruncatedHertz::default();
-    let (_, hertz) = under(1.0);
-    let (a, side) = (one.half_width(), 8.0 * one.half_width());
-    for shift in [0.0, 0.4] {
-        let centre = shift * a;
-        let field = StressField(Arc::new(move |[x, y]: [f64; 2]| hertz.stress(x - centre, y)));
-        let mut scene = one.scene_under(field.clone());
-        let body = &mut scene.bodies[0];
-        body.shape = Shape::Rectangle { x: [-side, side], y: [0.0, side], contact: Face::Bottom };
-        body.loads =
-            ["left", "right", "far"].map(|side| Load::Stress { boundary: side.into(), field: field.clone() }).to_vec();
-        body.supports = vec![Support { at: Place::Point([-side, side]), component: Component::X, value: 0.0 }];
-        let pair = &mut scene.contacts[0];
-        pair.symmetric = false;
-        pair.path = Path::Straight(Line { origin: [centre, 0.0], both_sides: true });
-        let answer = solved(Fitted { order: Order::Octic, layers: 2 }, &scene);
-        let errors = errors(&answer.run, &hertz);
-        assert!(errors.iter().all(|error| *error <= 1e-6), "{shift}: {errors:?}");
-        for end in answer.stretches[0][0] {
-            assert!(relative_error(end.abs(), a) <= 5e-4, "{shift}: {end}");
+fn around_a_contact_that_is_known_frames_fill_the_body_and_touch_all_its_sides() {
+    let one = TruncatedHertz::default().scene();
+    let (a, side) = (2.5, 20.0);
+    let (half, both) = (vec![a], vec![-a, a]);
+    // Two cells in the box and three in each of two frames, and four for each layer; twice that on both sides.
+    let meshes = [
+        (half.clone(), Face::Bottom, 2 + 2 * 3 + 4 * 3),
+        (half, Face::Top, 2 + 2 * 3 + 4 * 3),
+        (both, Face::Bottom, 2 * (2 + 2 * 3 + 4 * 3)),
+    ];
+    for (places, contact, cells) in meshes {
+        let left = if places.len() > 1 { -side } else { 0.0 };
+        let mut scene = one.clone();
+        let y = if contact == Face::Bottom { [0.0, side] } else { [-side, 0.0] };
+        scene.bodies[0].shape = Shape::Rectangle { x: [left, side], y, contact };
+        scene.contacts[0].path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: places.len() > 1 });
+        scene.contacts[0].ends = Ends { places: places.clone(), layers: 3 };
+        for order in Order::ALL {
+            let mesh = Mesh::of(&scene, resolution(1, 0, order)).expect("mesh");
+            let case = format!("{order:?} {contact:?} {places:?}");
+            assert!(relative_error(area(&mesh), (side - left) * side) <= 1e-12, "{case}: {}", area(&mesh));
+            for (name, length) in [("contact", side - left), ("far", side - left), ("left", side), ("right", side)] {
+                let edges = mesh.boundary(&scene, 0, name).expect("side");
+                let chord = |edge: &Vec<usize>| {
+                    let [from, to] = [edge[0], edge[1]].map(|node| mesh.points[node]);
+                    (to[0] - from[0]).hypot(to[1] - from[1])
+                };
+                let found: f64 = edges.iter().map(chord).sum();
+                assert!(relative_error(found, length) <= 1e-12, "{case}, {name}: {found}");
+            }
+            assert_eq!(mesh.cells(), cells, "{case}");
         }
     }
 }
@@ -156,7 +199,7 @@ fn both_ends_of_a_contact_off_the_middle_of_its_body_are_found() {
 fn bars_of_fitted_meshes_hold_the_error_of_peak_width_and_ends() {
     for factor in LOADS {
         let (numbers, hertz) = under(factor);
-        for digits in 3..=6 {
+        for digits in 2..=6 {
             let answer = solved(Fitted::of_digits(digits), &numbers.scene());
             let bars = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
             let truths = [
@@ -168,7 +211,9 @@ fn bars_of_fitted_meshes_hold_the_error_of_peak_width_and_ends() {
                 let one = bars.all.iter().find(|one| one.subject == Subject::Contact(0, quantity)).expect("barred");
                 let error = (one.value - truth).abs();
                 assert!(error <= one.bar.total(), "{quantity:?}, {digits} digits at {factor}: {error} > {:?}", one.bar);
-                assert!(one.bar.total() <= 5e-2 * truth, "{quantity:?}, {digits} digits at {factor}: {:?}", one.bar);
+                // An order below 4 there is only with 8 nodes, at twice the size.
+                let widest = if digits > 2 { 5e-2 } else { 1e-1 };
+                assert!(one.bar.total() <= widest * truth, "{quantity:?}, {digits} digits at {factor}: {:?}", one.bar);
             }
         }
     }
@@ -191,7 +236,7 @@ fn pins_in_plates_are_found_alike_by_cells_of_neighbouring_orders() {
 fn layered_meshes_keep_the_uniform_pressure_and_hang_together() {
     let plain = Patch::default().scene();
     for order in [Order::Linear, Order::Quadratic, Order::Quartic, Order::Octic] {
-        for places in [vec![4.0], vec![2.5, 7.0]] {
+        for places in [vec![4.0], vec![2.5, 7.0], vec![1.0]] {
             let mut scene = plain.clone();
             scene.contacts[0].ends = Ends { places: places.clone(), layers: 3 };
             let made = Discretisation::of(scene, resolution(1, 0, order)).expect("patch");
@@ -241,12 +286,46 @@ fn layers_on_an_arc_keep_its_area() {
     }
 }
 
+/// What is said of a scene that no mesh can be fitted to.
+fn refusal(scene: &Scene) -> String {
+    let error = Fitted::of_digits(4).solve(scene, &Formulation::verification()).expect_err("refused");
+    format!("{} {}: {}", error.place, error.message, error.remedy)
+}
+
 #[test]
-fn contacts_that_stay_open_are_refused_with_the_remedy() {
-    let scene = Bars { push: 0.9, ..Bars::default() }.scene();
-    let error = Fitted::of_digits(4).solve(&scene, &Formulation::verification()).expect_err("open");
-    let told = error.to_string();
-    assert!(told.contains("no candidate is closed"), "{told}");
+fn what_no_mesh_is_fitted_to_is_refused_with_its_place_and_the_remedy() {
+    let drawn = |name: &str| Case::read(std::path::Path::new(&scene(name))).expect("sound").scene;
+    let open = Bars { push: 0.9, ..Bars::default() }.scene();
+    let refused = [
+        (open, "bar", "no candidate is closed"),
+        (Bars::default().scene(), "bar", "ends where its candidates end"),
+        (drawn("three-rings"), "inner fit", "ends where its candidates end"),
+        (drawn("rings-from-gmsh"), "inner", "the mesh of this body is given"),
+        (drawn("blocks"), "upper", "ends where its candidates end"),
+        (drawn("roller-between-plates"), "upper", "no mesh line can be laid on the end"),
+        (drawn("plate-on-two-supports"), "plate", "no mesh line can be laid on the end"),
+        (drawn("eccentric-to-accuracy"), "block", "there is no node at"),
+    ];
+    for (scene, place, message) in refused {
+        let told = refusal(&scene);
+        assert!(told.contains(place) && told.contains(message), "{}: {told}", scene.name);
+        assert!(told.contains("leave out --fitted"), "{}: {told}", scene.name);
+    }
+}
+
+#[test]
+fn options_that_do_not_go_with_fitted_meshes_are_refused() {
+    let refused = [
+        (["--order", "2"], "4 to 8"),
+        (["--resolution", "8"], "--resolution cannot be used"),
+        (["--accuracy", "1 %"], "--accuracy cannot be used"),
+    ];
+    for (option, message) in refused {
+        let (sound, _, error) = contact_vv(&["solve", "truncated-hertz", "--fitted", option[0], option[1]]);
+        assert!(!sound && error.contains(message), "{option:?}: {error}");
+    }
+    let (sound, told, _) = contact_vv(&["solve", "truncated-hertz", "--fitted", "--order", "5"]);
+    assert!(sound && told.contains("36-node cells") && !told.contains("refine before"), "{told}");
 }
 
 #[test]

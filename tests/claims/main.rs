@@ -42,6 +42,7 @@ mod halved;
 mod high_order;
 mod incompressible;
 mod independent;
+mod lagrange_fields;
 mod limits;
 mod measure;
 mod mesh;

@@ -4,7 +4,8 @@ use contact_vv::case::{Judged, Verdict};
 use contact_vv::measure::order::{Richardson, richardson};
 use contact_vv::mesh::Order;
 use contact_vv::oracle::ReferenceKind;
-use contact_vv::study::{digitised, family, fields, quarter, refinement};
+use contact_vv::solve::Fitted;
+use contact_vv::study::{digitised, family, fields, fitted, quarter, refinement};
 
 fn fails(judged: &[Judged]) -> usize {
     judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
@@ -184,4 +185,29 @@ fn a_curve_beyond_its_uncertainty_turns_red_and_one_that_is_absent_is_not_run() 
     let absent = digitised::Numbers::Absent { source: "Gaertner 1977".into(), why: "why".into() };
     let absent = digitised::judge(&absent).expect("judged");
     assert_eq!(absent[0].verdict, Verdict::NotRun("why".into()));
+}
+
+#[test]
+fn a_fitted_mesh_that_costs_or_errs_more_than_is_asked_turns_red() {
+    let judge = |spoil: &dyn Fn(&mut fitted::Mesh)| {
+        let mesh = |asked: &fitted::Asked| {
+            let cells = fitted::Cells::Fitted(Fitted::of_digits(asked.digits));
+            let [peak, half_width] = [asked.error; 2];
+            let mut mesh = fitted::Mesh { cells, dofs: asked.dofs, in_all: 0, peak, half_width };
+            spoil(&mut mesh);
+            mesh
+        };
+        let numbers =
+            fitted::Numbers { fitted: fitted::ASKED.iter().map(mesh).collect(), chosen: vec![], plain: vec![] };
+        let judged = fitted::judge(&numbers).expect("judged");
+        assert_eq!(judged.len(), 9);
+        fails(&judged)
+    };
+    assert_eq!(judge(&|_| {}), 0);
+    assert_eq!(judge(&|mesh| mesh.dofs += 1), 3);
+    assert_eq!(judge(&|mesh| mesh.peak *= 1.01), 3);
+    assert_eq!(judge(&|mesh| mesh.half_width *= 1.01), 3);
+    assert_eq!(judge(&|mesh| mesh.peak = f64::NAN), 3);
+    // A mesh that was not solved.
+    assert_eq!(judge(&|mesh| mesh.cells = fitted::Cells::Plain(8)), 9);
 }

@@ -91,7 +91,7 @@ impl TruncatedHertz {
 
 impl TruncatedHertz {
     /// The closed form, whose stresses are also the load.
-    fn closed_form(&self) -> Hertz {
+    pub fn closed_form(&self) -> Hertz {
         let modulus = self.young / (1.0 - self.poisson * self.poisson);
         Hertz { load: self.load(), radius: self.radius, modulus }
     }

@@ -59,8 +59,8 @@ pub struct Arguments {
     /// the contact gets gentler with more of them.
     #[arg(long, value_name = "N")]
     resolution: Option<usize>,
-    /// Put mesh lines on the ends of the contact, with layers of cells towards them: six digits with order 8, four with 6,
-    /// which is the default then.
+    /// Put mesh lines on the ends of the contact, with layers of cells towards them; order 6 is the default then, chosen for
+    /// four digits, 8 for six.
     #[arg(long)]
     fitted: bool,
     /// Relative error that peak and half-width may have, such as "0.1 %": chooses elements, growth and candidates of

@@ -96,6 +96,22 @@ impl<'a> Layout<'a> {
         self.between_ends(all.into_iter().chain(begins), -self.stretch)
     }
 
+    /// Positions across a box on the contact: its ends, and half its width beyond them, or up to the end of the stretch where
+    /// that is about as near; none where a kink of the gap lies outside.
+    ///
+    /// From the left side of the body on, or on both sides of the path's origin.
+    pub fn columns_of_box(&self, left: f64) -> Option<Vec<f64>> {
+        let both = self.path.has_both_sides();
+        let far = (1.5 + SAME) * self.half_width();
+        let [from, to] = [self.ends[0] - far, self.ends[self.ends.len() - 1] + far];
+        let is_near = |s: &f64| (!both || *s >= from) && *s <= to;
+        let all = if both { self.across_ends() } else { self.candidates() };
+        let columns: Vec<f64> = all.into_iter().filter(is_near).collect();
+        let origin = if both { self.path.origin()[0] } else { left };
+        let holds_all = columns.len() > 1 && self.kinks.iter().all(is_near);
+        holds_all.then(|| columns.iter().map(|s| origin + s).collect())
+    }
+
     /// Positions of an arc: the candidates, then growing element sizes up to each of the given angles in turn.
     pub fn arc(&self, radius: f64, until: &[f64]) -> Vec<f64> {
         let mut angles: Vec<f64> = match self.path {

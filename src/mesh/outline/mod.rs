@@ -1,11 +1,13 @@
 //! From outlines to structured blocks: one file per shape.
 //!
+//! * `frames` — rectangles around a contact whose ends are known.
 //! * `layout` — what the outlines need to know of the scene.
 //! * `points` — points of outlines.
 
 mod blocks;
 mod disc;
 mod eye;
+mod frames;
 mod layout;
 mod points;
 mod rectangle;

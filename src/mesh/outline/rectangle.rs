@@ -1,11 +1,15 @@
-//! Rectangle: one block, fine at the candidate stretch.
+//! Rectangle: one block, fine at the candidate stretch; frames around a contact whose ends are known.
 
+use super::frames;
 use super::layout::{Layout, last_two};
 use crate::mesh::block::{Block, Side};
 use crate::mesh::spacing;
 use crate::scene::Face;
 
 pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -> Vec<Block> {
+    if let Some(blocks) = frames::blocks(layout, x, y, contact) {
+        return blocks;
+    }
     let along = columns(layout, x);
     let finest = match layout.ends[..] {
         [] => {

@@ -1,0 +1,189 @@
+//! Rectangle around a contact whose ends are known: a box on the contact, and frames of ever larger cells around the box.
+//!
+//! Away from a contact all lengths grow alike, and one cell of high order across a frame is enough (geometric meshes, Babuška
+//! & Guo 1988); columns and rows through the whole body would be as thin far away as they are at the contact.
+//!
+//! ```text
+//!   ┌──────────────┐
+//!   │ ╲          ╱ │   frame 2
+//!   │  ┌────────┐  │
+//!   │  │ ╲    ╱ │  │   frame 1
+//!   │  │  ┌──┐  │  │   box, as deep as half the width of the contact
+//!   └──┴──┴──┴──┴──┘   side that touches; one that begins on a symmetry line has the right half of it
+//! ```
+
+use super::layout::Layout;
+use crate::mesh::block::{Block, Point, Side};
+use crate::mesh::spacing;
+use crate::scene::Face;
+use crate::scene::contact_pair::CONTACT;
+
+/// About how much larger a frame is than the one inside it.
+const LARGER: f64 = 2.8;
+/// Least that a body is larger than the box.
+const LEAST: f64 = 1.25;
+
+/// A rectangle whose contact has ends that are known; none where it is too small for a frame, or has more to mesh than one
+/// contact.
+pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -> Option<Vec<Block>> {
+    let frames = Frames::of(layout, x, y[1] - y[0])?;
+    // The far side to the last bit, as supports and other bodies know it.
+    let height = |depth: f64| match (contact, depth < y[1] - y[0]) {
+        (Face::Bottom, true) => y[0] + depth,
+        (Face::Top, true) => y[1] - depth,
+        (Face::Bottom, false) => y[1],
+        (Face::Top, false) => y[0],
+    };
+    let blocks = frames.blocks(layout, &|x, depth| [x, height(depth)]);
+    Some(match contact {
+        Face::Bottom => blocks,
+        Face::Top => blocks.into_iter().map(counter_clockwise).collect(),
+    })
+}
+
+/// The box and the frames around it: number k reaches from `begins[k]` to `ends[k]`, and down to `depths[k]`; 0 is the box.
+struct Frames {
+    /// Positions across the box.
+    columns: Vec<f64>,
+    begins: Vec<f64>,
+    ends: Vec<f64>,
+    depths: Vec<f64>,
+    /// Whether there are cells on the left of the box: it does not begin on a symmetry line.
+    has_left: bool,
+}
+
+impl Frames {
+    fn of(layout: &Layout, [left, right]: [f64; 2], depth: f64) -> Option<Self> {
+        if layout.ends.is_empty() || layout.opposite || !layout.several.is_empty() {
+            return None;
+        }
+        let columns = layout.columns_of_box(left)?;
+        let [begin, end] = [columns[0], columns[columns.len() - 1]];
+        let (half_width, has_left) = (layout.half_width(), layout.path.has_both_sides());
+        let middle = if has_left { 0.5 * (begin + end) } else { left };
+        let [wide, leftwards] = [(right - middle) / (end - middle), (middle - left) / (middle - begin)];
+        let deep = depth / half_width;
+        let sides = [wide, deep, if has_left { leftwards } else { deep }];
+        if !sides.into_iter().all(|larger| larger >= LEAST) {
+            return None;
+        }
+        let largest = sides.into_iter().fold(1.0, f64::max);
+        let count = (largest.ln() / LARGER.ln()).round().max(1.0) as i32;
+        let powers = |larger: f64| (0..=count).map(move |k| larger.powf(f64::from(k) / f64::from(count)));
+        let mut ends: Vec<f64> = powers(wide).map(|power| middle + (end - middle) * power).collect();
+        let mut begins: Vec<f64> = match has_left {
+            true => powers(leftwards).map(|power| middle - (middle - begin) * power).collect(),
+            false => vec![left; ends.len()],
+        };
+        let mut depths: Vec<f64> = powers(deep).map(|power| half_width * power).collect();
+        let last = ends.len() - 1;
+        (begins[last], ends[last], depths[last]) = (left, right, depth);
+        Some(Self { columns, begins, ends, depths, has_left })
+    }
+
+    fn blocks(&self, layout: &Layout, place: &dyn Fn(f64, f64) -> Point) -> Vec<Block> {
+        let draft = Draft { frames: self, layout, place };
+        let around = (1..self.ends.len()).flat_map(|k| {
+            let left = self.has_left.then(|| draft.left(k));
+            [draft.below(k), draft.right(k)].into_iter().chain(left)
+        });
+        [draft.within()].into_iter().chain(around).collect()
+    }
+}
+
+/// Draws the blocks of the frames.
+struct Draft<'a> {
+    frames: &'a Frames,
+    layout: &'a Layout<'a>,
+    /// The point at a place along the side that touches and a depth below it.
+    place: &'a dyn Fn(f64, f64) -> Point,
+}
+
+impl Draft<'_> {
+    /// The box.
+    fn within(&self) -> Block {
+        let frames = self.frames;
+        let bottom = self.layout.along(&frames.columns, |x| (self.place)(x, 0.0));
+        let left = self.downwards(0, frames.begins[0]);
+        Block {
+            bottom: Side::named(CONTACT, bottom),
+            right: Side::inner(self.downwards(0, frames.ends[0])),
+            top: Side::inner(self.across(0)),
+            left: if frames.has_left { Side::inner(left) } else { Side::named("left", left) },
+        }
+    }
+
+    /// The part of a frame that lies below the one inside it, as deep as it is thick.
+    fn below(&self, k: usize) -> Block {
+        let frames = self.frames;
+        let left = self.outwards(k, &frames.begins, &frames.depths);
+        Block {
+            bottom: Side::inner(self.across(k - 1)),
+            right: Side::inner(self.outwards(k, &frames.ends, &frames.depths)),
+            top: self.outer(k, "far", self.across(k)),
+            left: if frames.has_left { Side::inner(left) } else { Side::named("left", left) },
+        }
+    }
+
+    /// The part of a frame on the right of the one inside it.
+    fn right(&self, k: usize) -> Block {
+        let ends = &self.frames.ends;
+        Block {
+            bottom: Side::named(CONTACT, self.outwards(k, ends, &self.surface())),
+            right: self.outer(k, "right", self.downwards(k, ends[k])),
+            top: Side::inner(self.outwards(k, ends, &self.frames.depths)),
+            left: Side::inner(self.downwards(k - 1, ends[k - 1])),
+        }
+    }
+
+    /// The part of a frame on the left of the one inside it.
+    fn left(&self, k: usize) -> Block {
+        let begins = &self.frames.begins;
+        Block {
+            bottom: Side::named(CONTACT, self.outwards(k, begins, &self.surface())).backwards(),
+            right: Side::inner(self.downwards(k - 1, begins[k - 1])),
+            top: Side::inner(self.outwards(k, begins, &self.frames.depths)).backwards(),
+            left: self.outer(k, "left", self.downwards(k, begins[k])),
+        }
+    }
+
+    /// A side of the body where a frame is the last one.
+    fn outer(&self, k: usize, name: &'static str, points: Vec<Point>) -> Side {
+        if k + 1 == self.frames.ends.len() { Side::named(name, points) } else { Side::inner(points) }
+    }
+
+    /// Depths of all frames on the side that touches.
+    fn surface(&self) -> Vec<f64> {
+        vec![0.0; self.frames.depths.len()]
+    }
+
+    /// Below the box or a frame, from its left end to its right end, in its columns.
+    fn across(&self, k: usize) -> Vec<Point> {
+        let Frames { columns, begins, ends, depths, .. } = self.frames;
+        let (first, width) = (columns[0], columns[columns.len() - 1] - columns[0]);
+        let wider = (ends[k] - begins[k]) / width;
+        self.layout.along(columns, |x| (self.place)(begins[k] + (x - first) * wider, depths[k]))
+    }
+
+    /// Beside the box or a frame, from the side that touches to its depth.
+    fn downwards(&self, k: usize, x: f64) -> Vec<Point> {
+        let depth = self.frames.depths[k];
+        self.layout.along(&self.parts(), |t| (self.place)(x, if t < 1.0 { t * depth } else { depth }))
+    }
+
+    /// From a corner of the frame inside to that of a frame.
+    fn outwards(&self, k: usize, x: &[f64], depth: &[f64]) -> Vec<Point> {
+        let between = |of: &[f64], t: f64| if t < 1.0 { of[k - 1] + (of[k] - of[k - 1]) * t } else { of[k] };
+        self.layout.along(&self.parts(), |t| (self.place)(between(x, t), between(depth, t)))
+    }
+
+    /// The parts in which a cell's side is cut where the mesh is finer.
+    fn parts(&self) -> Vec<f64> {
+        spacing::uniform(0.0, 1.0, self.layout.elements.round().max(1.0) as usize)
+    }
+}
+
+/// A block that was drawn as seen in a mirror on the horizontal, listed so that it is counter-clockwise.
+fn counter_clockwise(block: Block) -> Block {
+    Block { bottom: block.top, right: block.right.backwards(), top: block.bottom, left: block.left.backwards() }
+}

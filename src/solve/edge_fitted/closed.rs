@@ -1,0 +1,130 @@
+//! The closed stretches of every contact, a mesh with lines on their ends, and how far these shall move.
+
+use super::fitted::Fitted;
+use super::refused::{REMEDY, on_fitted};
+use super::root;
+use crate::algorithm::Exact;
+use crate::contact::ContactPoint;
+use crate::error::{Error, Part};
+use crate::measure::Stretch;
+use crate::mesh::Resolution;
+use crate::scene::{Ends, Grading, Scene};
+use crate::solve::{Discretisation, Formulation};
+
+/// Growth, and the coarsest cell over the body, of meshes that know where the contact ends.
+const GROWTH: f64 = 2.0;
+
+/// The closed stretches of every contact, as far as they are known.
+pub(super) struct Closed {
+    /// Contact by contact.
+    pub(super) stretches: Vec<Vec<Stretch>>,
+}
+
+impl Closed {
+    /// Refuses contacts that do not touch, and those that end where their candidates do.
+    pub(super) fn refuse(&self, scene: &Scene) -> Result<(), Error> {
+        let refused = |contact: usize, message: &str, remedy: String| {
+            Err(Error::at(scene.place_of(contact, Part::Stretch), message, remedy))
+        };
+        for (contact, all) in self.stretches.iter().enumerate() {
+            if all.is_empty() {
+                let message = "no candidate is closed on the first mesh: there is no contact to fit a mesh to";
+                return refused(contact, message, format!("increase the load, or {REMEDY}"));
+            }
+            if places(all).is_empty() {
+                let message =
+                    "--fitted cannot be used: the contact ends where its candidates end, and any mesh has a line there";
+                return refused(
+                    contact,
+                    message,
+                    format!("{REMEDY}; give more elements there, where a corner is pressed"),
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// The scene with mesh lines on the ends, on a mesh that grows fast away from them.
+    pub(super) fn discretised(&self, scene: &Scene, mesh: Fitted) -> Result<Discretisation, Error> {
+        let mut scene = scene.clone();
+        for (pair, stretches) in scene.contacts.iter_mut().zip(&self.stretches) {
+            pair.ends = Ends { places: places(stretches), layers: mesh.layers };
+        }
+        scene.grading = Grading { along: GROWTH, depth: GROWTH, first: 1.0, coarsest: 1.0, end: 1.0, ..scene.grading };
+        let resolution = Resolution { elements: 1, refinement: 0, order: mesh.order };
+        let made = Discretisation::of(scene, resolution).map_err(on_fitted)?;
+        for (pair, interface) in made.scene.contacts.iter().zip(&made.interfaces) {
+            let corners: Vec<f64> = interface.contact_edges().flat_map(|edge| edge.ends).collect();
+            let has = |place: f64| corners.iter().any(|corner| (corner - place).abs() <= SAME * pair.stretch);
+            if let Some(missed) = pair.ends.places.iter().copied().find(|place| !has(*place)) {
+                let place = pair.path.reported(missed);
+                let message = format!("no mesh line can be laid on the end of the contact at s = {place}");
+                let remedy =
+                    format!("{REMEDY}: it knows bodies with one contact, of discs and rings one that is symmetric");
+                return Err(Error::at(made.scene.place_of(interface.contact, Part::Stretch), message, remedy));
+            }
+        }
+        Ok(made)
+    }
+
+    /// How far each end shall move outwards, with all points between the ends closed and all others open.
+    pub(super) fn moves(&self, made: &Discretisation, formulation: &Formulation) -> Result<Vec<Vec<[f64; 2]>>, Error> {
+        let points = made.points(formulation);
+        let problem = made.problem(formulation, &points);
+        let closed: Vec<bool> = points.iter().map(|point| self.holds(point)).collect();
+        let refused = |what: &str| Error::at(made.scene.name.as_str(), what.to_string(), REMEDY);
+        let iterate = Exact::bilateral(&problem, &closed)
+            .ok_or_else(|| refused("the closed stretches do not hold the bodies"))?;
+        let at_end = |contact: usize, one: &Stretch, end: f64, inwards: f64| -> Result<f64, Error> {
+            let half_width = if begins_within(one) { 0.5 * (one.end - one.begin) } else { one.end };
+            let own = points.iter().zip(&closed).zip(&iterate.pressure);
+            let own = own.filter(|((point, closed), _)| **closed && point.contact == contact);
+            let near: Vec<[f64; 2]> = own.map(|((point, _), p)| [(point.position - end) * inwards, *p]).collect();
+            let moved = root::beyond(&near, half_width);
+            let moved = moved.ok_or_else(|| refused("the pressure does not fall towards an end of the contact"))?;
+            Ok(moved / half_width)
+        };
+        let of_stretch = |contact: usize, one: &Stretch| -> Result<[f64; 2], Error> {
+            let begin = if one.reaches[0] || !begins_within(one) { 0.0 } else { at_end(contact, one, one.begin, 1.0)? };
+            let end = if one.reaches[1] { 0.0 } else { at_end(contact, one, one.end, -1.0)? };
+            Ok([begin, end])
+        };
+        let of_contact =
+            |(contact, all): (usize, &Vec<Stretch>)| all.iter().map(|one| of_stretch(contact, one)).collect();
+        self.stretches.iter().enumerate().map(of_contact).collect()
+    }
+
+    /// Whether a point lies between the ends of a stretch.
+    fn holds(&self, point: &ContactPoint) -> bool {
+        self.stretches[point.contact].iter().any(|one| {
+            let near = SAME * (one.end - one.begin);
+            one.begin - near <= point.position && point.position <= one.end + near
+        })
+    }
+
+    /// Moves every end, given outwards over the half-width of its stretch.
+    pub(super) fn moved(&mut self, moves: &[Vec<[f64; 2]>]) {
+        for (one, [begin, end]) in self.stretches.iter_mut().flatten().zip(moves.iter().flatten()) {
+            let half_width = if begins_within(one) { 0.5 * (one.end - one.begin) } else { one.end };
+            one.begin -= begin * half_width;
+            one.end += end * half_width;
+        }
+    }
+}
+
+/// Difference of contact coordinates, over the width, that rounding explains.
+const SAME: f64 = 1e-9;
+
+/// Where stretches end within the candidates, and not on a symmetry line.
+fn places(stretches: &[Stretch]) -> Vec<f64> {
+    let begins = stretches.iter().filter(|one| !one.reaches[0] && begins_within(one)).map(|one| one.begin);
+    let ends = stretches.iter().filter(|one| !one.reaches[1]).map(|one| one.end);
+    let mut places: Vec<f64> = begins.chain(ends).collect();
+    places.sort_by(f64::total_cmp);
+    places
+}
+
+/// Whether a stretch begins at an end of its own, and not on a symmetry line.
+fn begins_within(one: &Stretch) -> bool {
+    one.begin.abs() > SAME * one.end.abs()
+}

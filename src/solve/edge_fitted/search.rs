@@ -1,0 +1,86 @@
+//! The ends of the contact sought on coarse fitted meshes, then on the one that is asked for.
+
+use super::closed::Closed;
+use super::fitted::Fitted;
+use super::refused::{REMEDY, on_fitted, refuse_given};
+use crate::error::Error;
+use crate::mesh::{Order, Resolution};
+use crate::scene::Scene;
+use crate::solve::{Discretisation, Formulation, Run};
+
+/// A mesh on which an end was sought.
+#[derive(Clone, Copy, Debug, serde::Serialize)]
+pub struct Tried {
+    /// Its order.
+    pub order: Order,
+    /// Unknown displacement components.
+    pub dofs: usize,
+    /// Cells.
+    pub cells: usize,
+    /// Largest move of an end that it asked for, over the half-width; NaN for the first mesh, which knows of no end.
+    pub moved: f64,
+}
+
+/// An answer on a fitted mesh.
+#[derive(Debug)]
+pub struct Answer {
+    /// The mesh, assembled and condensed.
+    pub discretisation: Discretisation,
+    /// The solution with its contact conditions, and its measures.
+    pub run: Run,
+    /// Where every stretch begins and ends, contact by contact: on the last mesh, and moved as that asks.
+    pub stretches: Vec<Vec<[f64; 2]>>,
+    /// All meshes, in the order in which they were solved.
+    pub tried: Vec<Tried>,
+}
+
+/// Mesh that finds about where the contact is: 8-node cells, so many on the grading's unit of length.
+const FIRST: Resolution = Resolution { elements: 3, refinement: 0, order: Order::Quadratic };
+/// Mesh on which its ends are sought first.
+const COARSE: Fitted = Fitted { order: Order::Quartic, layers: 1 };
+/// Move of an end, over the half-width, from which on the last mesh is worth while.
+const NEAR: f64 = 2e-2;
+/// Most meshes of each kind.
+const MESHES: usize = 5;
+
+impl Fitted {
+    /// Solves a scene on such a mesh, whose ends are found on the way.
+    pub fn solve(self, scene: &Scene, formulation: &Formulation) -> Result<Answer, Error> {
+        refuse_given(scene)?;
+        let made = Discretisation::of(scene.clone(), FIRST).map_err(on_fitted)?;
+        let first = Run::of(&made, formulation)?;
+        let cells = made.mesh.cells();
+        let mut tried = vec![Tried { order: FIRST.order, dofs: first.dofs, cells, moved: f64::NAN }];
+        let found = |contact: &crate::solve::run::Contact| contact.measures.stretches.clone();
+        let mut ends = Closed { stretches: first.contacts.iter().map(found).collect() };
+        ends.refuse(scene)?;
+        for (mesh, enough) in [(COARSE, NEAR), (self, self.at_rest())] {
+            let last = mesh == self;
+            for _ in 0..MESHES {
+                let discretisation = ends.discretised(scene, mesh)?;
+                let moves = ends.moves(&discretisation, formulation)?;
+                let moved = moves.iter().flatten().flatten().fold(0.0_f64, |most, delta| most.max(delta.abs()));
+                let (dofs, cells) = (discretisation.system.dofs(), discretisation.mesh.cells());
+                tried.push(Tried { order: mesh.order, dofs, cells, moved });
+                let resting = moved <= enough;
+                if last && resting {
+                    let run = Run::of(&discretisation, formulation)?;
+                    ends.moved(&moves);
+                    let stretches = ends.stretches.iter();
+                    let stretches = stretches.map(|all| all.iter().map(|one| [one.begin, one.end]).collect()).collect();
+                    return Ok(Answer { discretisation, run, stretches, tried });
+                }
+                ends.moved(&moves);
+                if resting {
+                    break;
+                }
+            }
+        }
+        let moved = tried.last().map_or(f64::NAN, |last| last.moved);
+        Err(Error::at(
+            scene.name.as_str(),
+            format!("the ends of the contact still move by {moved:.1e} half-widths after {MESHES} meshes"),
+            REMEDY,
+        ))
+    }
+}

@@ -1,0 +1,44 @@
+//! A row a mesh.
+
+use crate::error::Error;
+use crate::markdown;
+use crate::study::Found;
+use crate::study::drawn::picture;
+use crate::study::fitted::picture::FILE;
+use crate::study::fitted::run::{Cells, LOADS, Mesh, Numbers};
+
+/// Columns.
+const HEAD: [&str; 5] = [
+    "cells",
+    "degrees of freedom",
+    "those of all meshes on the way",
+    "error of p₀, worst load",
+    "error of a, worst load",
+];
+
+/// The section.
+pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
+    let meshes = findings.iter().flat_map(|found| [&found.numbers.fitted, &found.numbers.chosen, &found.numbers.plain].into_iter().flatten());
+    let rows: Vec<Vec<String>> = meshes.map(row).collect();
+    Ok(format!(
+        "Truncated Hertz under {} loads; p₀ is the peak pressure, a the half-width. Cells of order p have (p + 1)² nodes, at products of \
+         Gauss–Lobatto–Legendre points. `solve --fitted` lays a mesh line on the end of the contact, and layers of cells towards it, each a \
+         fixed part of the one before. It knows nothing of the end: a mesh of 8-node cells finds about where it is; then all points \
+         up to an expected end e are closed, the pressure at the distance d from it is p √d = A₀ + B₀ d + C₀ d², and e moves by 2 A₀/B₀ \
+         until that no longer matters. Beside them are 8-node cells: those that `--accuracy` chooses by their error bars, fitted to the contact \
+         found so far, and those that are as fine on all candidates.\n\n{}\n{}",
+        LOADS.len(),
+        markdown::table(&HEAD.map(String::from), &rows),
+        picture(FILE, "Truncated Hertz: larger error of peak pressure and half-width, under the worst of all loads"),
+    ))
+}
+
+fn row(mesh: &Mesh) -> Vec<String> {
+    let cells = match mesh.cells {
+        Cells::Fitted(fitted) => format!("fitted, order {}, layers {}", fitted.order.number(), fitted.layers),
+        Cells::Chosen(asked) => format!("8-node, `--accuracy` {} %", markdown::bound(100.0 * asked)),
+        Cells::Plain(elements) => format!("8-node, {elements} per half-width"),
+    };
+    let errors = [mesh.peak, mesh.half_width].map(markdown::error);
+    [cells, mesh.dofs.to_string(), mesh.in_all.to_string()].into_iter().chain(errors).collect()
+}
