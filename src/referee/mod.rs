@@ -3,12 +3,12 @@
 //! * [`units`] — units of what is handed in.
 //! * [`answer`] — what another code found.
 //! * [`asked`] — how a file is to be read.
-//! * [`table`], [`document`], [`grid`], [`calculix`] — answers as CSV, as JSON, of VTK and of CalculiX; [`mod@read`] — a file by its ending.
+//! * [`table`], [`document`], [`grid`], [`calculix`], [`frd`] — answers as CSV, as JSON, of VTK and of CalculiX; [`mod@read`] — a file by its ending.
 //! * [`side`] — which nodes of a mesh lie on the contact side.
 //! * [`profile`] — an answer as contact points and edge means, of which measures are taken.
 //! * [`norm`] — the distance of a profile from the truth.
 //! * [`truth`] — what a case is judged by.
-//! * [`bench`] — what a profile is judged with.
+//! * [`mod@bench`] — what a profile is judged with.
 //! * [`mod@judge`] — the verdicts; `contact_laws`, `declared` — those of gaps and sides, and of a scene file's own checks.
 //! * [`series`] — a refinement series of answers; [`picture`] — one drawn on the truth.
 //! * [`export`] — all that is needed to run a case elsewhere.
@@ -22,6 +22,7 @@ mod contact_laws;
 mod declared;
 pub mod document;
 pub mod export;
+pub mod frd;
 pub mod grid;
 pub mod judge;
 pub mod mistakes;

@@ -8,7 +8,7 @@ use crate::case::Case;
 use crate::error::Error;
 use crate::referee::answer::Answer;
 use crate::referee::asked::Asked;
-use crate::referee::{calculix, document, grid, table};
+use crate::referee::{calculix, document, frd, grid, table};
 
 /// Largest file that is read \[bytes\].
 const LARGEST_FILE: u64 = 256 << 20;
@@ -28,7 +28,7 @@ pub fn parse(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<An
         "csv" | "tsv" | "txt" => table::parse(file, text(file, bytes)?, &case.scene, asked),
         "json" => document::parse(file, text(file, bytes)?, &case.name, &case.scene, asked),
         "vtu" | "vtk" => grid::parse(file, bytes, &case.scene, asked),
-        "frd" => calculix::fields(file, text(file, bytes)?, &case.scene, asked),
+        "frd" => frd::parse(file, text(file, bytes)?, &case.scene, asked),
         "dat" => calculix::forces(file, text(file, bytes)?, &deck_of(file)?, &case.scene, asked),
         _ => Err(Error::file(file, format!("its ending `{ending}` names no format that is read"), KNOWN)),
     }

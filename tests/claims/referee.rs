@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use contact_vv::case::Verdict;
 use contact_vv::case::library::{NAMES, TruncatedHertz, find};
+use contact_vv::case::{Case, Verdict};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::export::own;
 use contact_vv::referee::judge::ENGINEERING;
@@ -210,4 +210,26 @@ fn tension_penetration_and_pressure_across_a_gap_are_found() {
     assert!(failed(&soft).iter().any(|name| name.contains("penetration")), "{:?}", failed(&soft));
     let apart = judged(&truth, &with_gaps(|_, p| 1e-6 * p), &Asked::default());
     assert!(failed(&apart).iter().any(|name| name.contains("gap under pressure")), "{:?}", failed(&apart));
+}
+
+#[test]
+fn our_own_answer_to_every_scene_file_is_judged_as_what_solve_says() {
+    for (path, text) in crate::scene_file::files() {
+        let case = Case::parse(&path, &text).expect("read");
+        let meshed = case.meshed().expect("meshed");
+        let run = Run::of(&meshed.discretisation, &Formulation::verification()).expect("solved");
+        let document = own::answer(&case.name, &meshed.discretisation, &run);
+        let truth = Truth::of(case).expect("solved");
+        let text = serde_json::to_string(&document).expect("JSON");
+        let answer =
+            read::parse(Path::new("ours.json"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
+        let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+        let name = path.display();
+        assert!(found.met() && found.absent.is_empty(), "{name}: {:?}", failed(&found));
+        for (ruled, contact) in found.ruled.iter().zip(&run.contacts) {
+            assert_relative_eq!(ruled.measures.peak.pressure, contact.measures.peak.pressure, max_relative = 1e-9);
+            assert_relative_eq!(ruled.measures.half_width, contact.measures.half_width, max_relative = 1e-9);
+            assert_relative_eq!(ruled.measures.resultant, contact.measures.resultant, max_relative = 1e-9);
+        }
+    }
 }

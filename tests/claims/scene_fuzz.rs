@@ -39,7 +39,7 @@ const PIECES: [&str; 24] = [
 ];
 
 /// A file with a few places cut out, doubled, exchanged or overwritten.
-fn mutated(text: &str, number: &mut impl FnMut() -> f64) -> String {
+pub fn mutated(text: &str, number: &mut impl FnMut() -> f64) -> String {
     let mut bytes = text.as_bytes().to_vec();
     let mut below = |n: usize| (((number() + 1.0) / 2.0 * n as f64) as usize).min(n.saturating_sub(1));
     for _ in 0..=below(3) {

@@ -4,7 +4,8 @@
 //! The approach of a contact node, `w = b·u`, is a dof of a node of its own, by an `*EQUATION`; a `GAPUNI` of the initial gap lies between
 //! that node and a fixed one at the same place, whose reaction along 1 is the contact force, turned round. Contact pairs of these codes follow the
 //! deformed surfaces, which is another model; the surfaces for them are there too. Where contact alone holds a body and its gap is open everywhere,
-//! as in the case `patch`, ccx diverges: nothing holds the body before the first contact.
+//! as in the case `patch`, ccx diverges: nothing holds the body before the first contact. It makes bricks of plane cells, which err in plane
+//! stress where they are much smaller than the thickness.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;

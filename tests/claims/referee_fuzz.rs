@@ -1,0 +1,139 @@
+//! Whatever stands in an answer, it is read and judged, or refused: no panic.
+
+use std::path::Path;
+
+use contact_vv::case::library::find;
+use contact_vv::cli::vtu;
+use contact_vv::mesh::{Order, Resolution};
+use contact_vv::referee::export::{deck, own};
+use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::referee::units::Role;
+use contact_vv::referee::{Asked, Truth, calculix, read, verdicts};
+use contact_vv::solve::{Discretisation, Formulation, Run};
+
+use crate::scene_fuzz::mutated;
+use crate::workbench::noise;
+
+/// Our own answer to a coarse cylinder, in every format that is read; tables of CalculiX stand behind their deck.
+fn formats() -> (Truth, Vec<(&'static str, String)>, String) {
+    let case = find("truncated-hertz", None).expect("a case");
+    let resolution = Resolution { elements: 4, refinement: 0, order: Order::Quadratic };
+    let discretisation = Discretisation::of(case.scene.clone(), resolution).expect("meshed");
+    let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+    let json = serde_json::to_string_pretty(&own::answer("truncated-hertz", &discretisation, &run)).expect("JSON");
+    let points = run.solution.points_of(0);
+    let rows = points.iter().map(|p| format!("{},{},{},{}\n", p.position, p.pressure, p.gap, p.weight));
+    let csv = format!("position [mm],pressure [MPa],gap [mm],area [mm2]\n{}", rows.collect::<String>());
+    let vtu = vtu::text(&discretisation, &run).expect("written");
+    let deck = deck::text(&discretisation).expect("written");
+    let first = discretisation.mesh.points.len();
+    let rows = points.iter().enumerate();
+    let rows = rows.map(|(k, p)| {
+        format!("{:>10} {:>13.6E} {:>13.6E} {:>13.6E}\n", first + 2 * k + 2, -p.pressure * p.weight, 0.0, 0.0)
+    });
+    let head = " forces (fx,fy,fz) for set GAPS_CONTACT and time  0.1000000E+01\n\n";
+    let dat = format!("{head}{}", rows.collect::<String>());
+    let formats =
+        vec![("a.csv", csv), ("a.json", json), ("a.vtu", vtu), ("a.frd", frd(&discretisation, &run)), ("a.dat", dat)];
+    (Truth::of(case).expect("solved"), formats, deck)
+}
+
+/// The mesh and its contact results as CalculiX writes them.
+fn frd(discretisation: &Discretisation, run: &Run) -> String {
+    let mesh = &discretisation.mesh;
+    let mut text = String::from("    1C\n    2C                             9                                     1\n");
+    let row = |numbers: &[f64]| numbers.iter().map(|x| format!("{x:>12.5E}")).collect::<String>();
+    for (k, [x, y]) in mesh.points.iter().enumerate() {
+        text += &format!(" -1{:>10}{}\n", k + 1, row(&[*x, *y, 0.0]));
+    }
+    text += " -3\n    3C                             9                                     1\n";
+    for cell in 0..mesh.cells() {
+        let nodes: String = mesh.cell(cell).iter().map(|node| format!("{:>10}", node + 1)).collect();
+        text += &format!(" -1{:>10}   10    0    1\n -2{nodes}\n", cell + 1);
+    }
+    text += " -3\n -4  CONTACT     2    1\n -5  COPEN       1    4    1    1\n -5  CPRESS      1    4    1    2\n";
+    for (node, point) in discretisation.mesh.bodies[0].candidates.iter().zip(run.solution.points_of(0)) {
+        text += &format!(" -1{:>10}{}\n", node.node + 1, row(&[point.gap, point.pressure]));
+    }
+    text + " -3\n 9999\n"
+}
+
+fn asked(order: Option<Order>) -> Asked {
+    let all = [(Role::Position, "mm"), (Role::Pressure, "MPa"), (Role::Gap, "mm"), (Role::Displacement, "mm")];
+    Asked { units: all.map(|(role, unit)| (role, unit.to_owned())).into(), order, ..Asked::default() }
+}
+
+fn parsed(
+    truth: &Truth,
+    name: &str,
+    text: &str,
+    deck: &str,
+) -> Result<contact_vv::referee::Answer, contact_vv::error::Error> {
+    let (file, asked) = (Path::new(name), asked(Some(Order::Quadratic)));
+    match name {
+        "a.dat" => calculix::forces(file, text, deck, &truth.case.scene, &asked),
+        _ => read::parse(file, text.as_bytes(), &truth.case, &asked),
+    }
+}
+
+#[test]
+fn one_answer_in_every_format_is_judged_alike() {
+    let (truth, formats, deck) = formats();
+    let measured = |(name, text): &(&str, String)| {
+        let answer = parsed(&truth, name, text, &deck).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+        let measures = &found.ruled[0].measures;
+        [measures.peak.pressure, measures.half_width, measures.resultant, measures.edge()]
+    };
+    let [wanted, others @ ..] = &formats.iter().map(measured).collect::<Vec<_>>()[..] else { panic!("formats") };
+    for (other, (name, _)) in others.iter().zip(&formats[1..]) {
+        for (found, wanted) in other.iter().zip(wanted) {
+            // Six digits of tables and fields.
+            assert!((found - wanted).abs() <= 3e-5 * wanted.abs(), "{name}: {other:?} for {wanted:?}");
+        }
+    }
+}
+
+#[test]
+fn mutated_answers_are_judged_or_refused() {
+    let (truth, formats, deck) = formats();
+    let mut number = noise(23);
+    for (name, text) in &formats {
+        let (mut read, mut judged) = (0, 0);
+        for k in 0..600 {
+            let spoiled = mutated(text, &mut number);
+            let tried = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+                match parsed(&truth, name, &spoiled, &deck) {
+                    Ok(answer) => {
+                        let judges = judged < 40;
+                        if judges {
+                            verdicts(&truth, answer, ENGINEERING).expect("judged");
+                        }
+                        (true, judges)
+                    }
+                    Err(error) => {
+                        assert!(error.to_string().contains(name), "{error}");
+                        (false, false)
+                    }
+                }
+            }));
+            let Ok((was_read, was_judged)) = tried else { panic!("{name}, file {k}:\n{spoiled}") };
+            read += usize::from(was_read);
+            judged += usize::from(was_judged);
+        }
+        assert!(read > 20 && read < 600, "{name}: {read} of 600 were read");
+    }
+}
+
+#[test]
+fn truncated_files_are_refused_in_every_format() {
+    let (truth, formats, deck) = formats();
+    for (name, text) in formats.iter().filter(|(name, _)| *name != "a.csv") {
+        for part in [0.3, 0.7] {
+            let cut: String = text.chars().take((part * text.len() as f64) as usize).collect();
+            let refused = parsed(&truth, name, cut.trim_end_matches(|c: char| c != ' '), &deck);
+            let met = refused.is_ok_and(|answer| verdicts(&truth, answer, ENGINEERING).expect("judged").met());
+            assert!(!met, "{name}, cut at {part}");
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! A refinement series of answers shows its order, and whether it goes to the truth.
+
+use std::path::Path;
+
+use contact_vv::case::Verdict;
+use contact_vv::case::library::TruncatedHertz;
+use contact_vv::mesh::{Order, Resolution};
+use contact_vv::referee::export::own;
+use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::referee::series::{self, Series};
+use contact_vv::referee::{Asked, Truth, Verdicts, picture, read, verdicts};
+use contact_vv::solve::{Discretisation, Formulation, Run};
+
+/// Meshes that are halved, growth and all.
+const HALVED: [(usize, u32); 3] = [(8, 0), (8, 1), (8, 2)];
+
+/// Answers on meshes with so many elements, halved so often, their pressures times a factor.
+fn answers(truth: &Truth, meshes: &[(usize, u32)], factor: f64) -> Vec<Verdicts> {
+    let answer = |&(elements, refinement): &(usize, u32)| {
+        let resolution = Resolution { elements, refinement, order: Order::Linear };
+        let discretisation = Discretisation::of(truth.case.scene.clone(), resolution).expect("meshed");
+        let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+        let mut document = own::answer("truncated-hertz", &discretisation, &run);
+        for contact in &mut document.contacts {
+            contact.pressure.iter_mut().for_each(|p| *p *= factor);
+            contact.edges.clear();
+        }
+        let text = serde_json::to_string(&document).expect("JSON");
+        let read =
+            read::parse(Path::new("series.json"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
+        verdicts(truth, read, ENGINEERING).expect("judged")
+    };
+    meshes.iter().map(answer).collect()
+}
+
+fn verdicts_of(series: &Series) -> Vec<&Verdict> {
+    series.along.iter().map(|one| &one.judged.verdict).collect()
+}
+
+#[test]
+fn series_that_goes_elsewhere_is_found_and_one_that_is_not_halved_is_not_extrapolated() {
+    let truth = Truth::of(TruncatedHertz::default().case()).expect("solved");
+    let right = series::of(&truth, &answers(&truth, &HALVED, 1.0)).expect("a series");
+    assert!(verdicts_of(&right).iter().all(|verdict| **verdict == Verdict::Pass), "{right:?}");
+    assert!(right.sizes.windows(2).all(|two| (two[0] / two[1] - 2.0).abs() < 0.1), "{:?}", right.sizes);
+    let elsewhere = series::of(&truth, &answers(&truth, &HALVED, 1.05)).expect("a series");
+    let peak = elsewhere.along.iter().find(|one| one.name == "peak pressure").expect("a peak");
+    assert_eq!(peak.judged.verdict, Verdict::Fail, "{peak:?}");
+    let uneven = series::of(&truth, &answers(&truth, &[(8, 0), (12, 0), (18, 0)], 1.0)).expect("a series");
+    assert!(verdicts_of(&uneven).iter().all(|verdict| matches!(verdict, Verdict::NotRun(_))), "{uneven:?}");
+}
+
+#[test]
+fn picture_shows_what_was_handed_in_on_the_truth() {
+    let truth = Truth::of(TruncatedHertz::default().case()).expect("solved");
+    let one = &answers(&truth, &[(8, 0)], 1.0)[0];
+    let sheet = picture::sheet(&truth, &one.answer);
+    let [pressures, differences] = &sheet.charts[0][..] else { panic!("two charts") };
+    assert_eq!(pressures.series[0].points.len(), one.answer.contacts[0].points.len());
+    let peak = TruncatedHertz::default().case().reference_pressure(0.0);
+    assert!((pressures.series[1].points[0].1 - peak).abs() <= 1e-9 * peak);
+    let apart = pressures.series[0].points[0].1 - peak;
+    assert!((differences.series[0].points[0].1 - apart).abs() <= 1e-9 * peak);
+    assert!(
+        sheet.drawing().expect("drawn").svg(contact_vv::figure::Theme::Light).contains("Difference from the truth")
+    );
+}
