@@ -1,7 +1,8 @@
-//! What no mesh is fitted to, and what does not go with `--fitted`.
+//! What no mesh is fitted to, what does not go with `--fitted`, and how far it iterates.
 
 use contact_vv::case::Case;
 use contact_vv::case::library::Bars;
+use contact_vv::mesh::Order;
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Fitted, Formulation};
 
@@ -32,6 +33,23 @@ fn what_no_mesh_is_fitted_to_is_refused_with_its_place_and_the_remedy() {
         assert!(told.contains(place) && told.contains(message), "{}: {told}", scene.name);
         assert!(told.contains("leave out --fitted"), "{}: {told}", scene.name);
     }
+}
+
+#[test]
+fn fitted_meshes_are_iterated_to_their_last_digit_unless_a_tolerance_is_asked_for() {
+    let error = |order: &str, more: &[&str]| {
+        let asked = ["solve", "pin-plate", "--fitted", "--order", order, "--no-error-bar", "--json", "-"];
+        let (sound, told, error) = contact_vv(&[&asked, more].concat());
+        assert!(sound, "{error}");
+        let document: serde_json::Value = serde_json::from_str(&told).expect("JSON");
+        document["contacts"][0]["iteration_error"]["half_width"].as_f64().expect("a number")
+    };
+    for order in [Order::Sextic, Order::Octic] {
+        let own = error(&order.number().to_string(), &[]);
+        assert!(own <= Fitted::misfit(order), "{order:?}: {own}");
+    }
+    let loose = error("8", &["--tolerance", "1e-3"]);
+    assert!(loose > Fitted::misfit(Order::Octic), "{loose}");
 }
 
 #[test]
