@@ -1,10 +1,9 @@
-//! Meshes with lines on the ends of the contact: how many digits they give, for how many dofs, and what they refuse.
+//! Meshes with lines on the ends of the contact: how many digits they give, and for how many dofs.
 
 use std::sync::Arc;
 
 use contact_vv::accuracy::{self, reading::Quantity, reading::Subject};
-use contact_vv::case::Case;
-use contact_vv::case::library::{Bars, Patch, PinPlate, TruncatedHertz};
+use contact_vv::case::library::{Patch, PinPlate, TruncatedHertz};
 use contact_vv::elasticity::{element, quadrature};
 use contact_vv::measure::relative_error;
 use contact_vv::mesh::{Mesh, Order};
@@ -16,7 +15,6 @@ use contact_vv::solve::edge_fitted::Answer;
 use contact_vv::solve::{Discretisation, Element, Fitted, Formulation, Iteration, Run};
 use contact_vv::study::fitted::{self, ASKED, Asked, LOADS};
 
-use crate::outputs::{contact_vv, scene};
 use crate::workbench::{held_at, of_shape, resolution};
 
 /// The same block and candidates under another load.
@@ -284,48 +282,6 @@ fn layers_on_an_arc_keep_its_area() {
         let error = relative_error(area(&mesh), wanted);
         assert!(error <= bound, "{order:?}: {error:.1e}");
     }
-}
-
-/// What is said of a scene that no mesh can be fitted to.
-fn refusal(scene: &Scene) -> String {
-    let error = Fitted::of_digits(4).solve(scene, &Formulation::verification()).expect_err("refused");
-    format!("{} {}: {}", error.place, error.message, error.remedy)
-}
-
-#[test]
-fn what_no_mesh_is_fitted_to_is_refused_with_its_place_and_the_remedy() {
-    let drawn = |name: &str| Case::read(std::path::Path::new(&scene(name))).expect("sound").scene;
-    let open = Bars { push: 0.9, ..Bars::default() }.scene();
-    let refused = [
-        (open, "bar", "no candidate is closed"),
-        (Bars::default().scene(), "bar", "ends where its candidates end"),
-        (drawn("three-rings"), "inner fit", "ends where its candidates end"),
-        (drawn("rings-from-gmsh"), "inner", "the mesh of this body is given"),
-        (drawn("blocks"), "upper", "ends where its candidates end"),
-        (drawn("roller-between-plates"), "upper", "no mesh line can be laid on the end"),
-        (drawn("plate-on-two-supports"), "plate", "no mesh line can be laid on the end"),
-        (drawn("eccentric-to-accuracy"), "block", "there is no node at"),
-    ];
-    for (scene, place, message) in refused {
-        let told = refusal(&scene);
-        assert!(told.contains(place) && told.contains(message), "{}: {told}", scene.name);
-        assert!(told.contains("leave out --fitted"), "{}: {told}", scene.name);
-    }
-}
-
-#[test]
-fn options_that_do_not_go_with_fitted_meshes_are_refused() {
-    let refused = [
-        (["--order", "2"], "4 to 8"),
-        (["--resolution", "8"], "--resolution cannot be used"),
-        (["--accuracy", "1 %"], "--accuracy cannot be used"),
-    ];
-    for (option, message) in refused {
-        let (sound, _, error) = contact_vv(&["solve", "truncated-hertz", "--fitted", option[0], option[1]]);
-        assert!(!sound && error.contains(message), "{option:?}: {error}");
-    }
-    let (sound, told, _) = contact_vv(&["solve", "truncated-hertz", "--fitted", "--order", "5"]);
-    assert!(sound && told.contains("36-node cells") && !told.contains("refine before"), "{told}");
 }
 
 #[test]

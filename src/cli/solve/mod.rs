@@ -52,6 +52,10 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
     curve::refuse(arguments.curve.as_deref(), formulation.settings.increments)?;
     formulation.validate(&problem.scene)?;
     let fitted = arguments.fitted()?;
+    let formulation = match fitted {
+        Some(fitted) => arguments.as_exact_as(fitted, formulation),
+        None => formulation,
+    };
     // A mesh fitted to the contact is asked for in place of what the file asks.
     let asked = arguments.asked(problem.accuracy.clone().filter(|_| fitted.is_none()))?;
     let stages = Stages::new();

@@ -178,6 +178,15 @@ impl Arguments {
         }
     }
 
+    /// A formulation that iterates to half a unit of the last digit of a fitted mesh, where no tolerance is asked for.
+    ///
+    /// The tolerance of a file or of the library is one for 8-node cells, and would leave nothing of the digits.
+    pub fn as_exact_as(&self, fitted: Fitted, formulation: Formulation) -> Formulation {
+        let own = formulation.settings.tolerance;
+        let tolerance = self.tolerance.unwrap_or(own.min(Fitted::misfit(fitted.order)));
+        formulation.tolerance(tolerance)
+    }
+
     /// Gives the problem the mesh asked for, if it can be solved; growth follows the elements.
     pub fn refine(&self, problem: &mut Case) -> Result<(), Error> {
         let order = self.order.unwrap_or(problem.resolution.order);

@@ -1,0 +1,68 @@
+//! What no mesh is fitted to, what does not go with `--fitted`, and how far it iterates.
+
+use contact_vv::case::Case;
+use contact_vv::case::library::Bars;
+use contact_vv::mesh::Order;
+use contact_vv::scene::Scene;
+use contact_vv::solve::{Fitted, Formulation};
+
+use crate::outputs::{contact_vv, scene};
+
+/// What is said of a scene that no mesh can be fitted to.
+fn refusal(scene: &Scene) -> String {
+    let error = Fitted::of_digits(4).solve(scene, &Formulation::verification()).expect_err("refused");
+    format!("{} {}: {}", error.place, error.message, error.remedy)
+}
+
+#[test]
+fn what_no_mesh_is_fitted_to_is_refused_with_its_place_and_the_remedy() {
+    let drawn = |name: &str| Case::read(std::path::Path::new(&scene(name))).expect("sound").scene;
+    let open = Bars { push: 0.9, ..Bars::default() }.scene();
+    let refused = [
+        (open, "bar", "no candidate is closed"),
+        (Bars::default().scene(), "bar", "ends where its candidates end"),
+        (drawn("three-rings"), "inner fit", "ends where its candidates end"),
+        (drawn("rings-from-gmsh"), "inner", "the mesh of this body is given"),
+        (drawn("blocks"), "upper", "ends where its candidates end"),
+        (drawn("roller-between-plates"), "upper", "no mesh line can be laid on the end"),
+        (drawn("plate-on-two-supports"), "plate", "no mesh line can be laid on the end"),
+        (drawn("eccentric-to-accuracy"), "block", "there is no node at"),
+    ];
+    for (scene, place, message) in refused {
+        let told = refusal(&scene);
+        assert!(told.contains(place) && told.contains(message), "{}: {told}", scene.name);
+        assert!(told.contains("leave out --fitted"), "{}: {told}", scene.name);
+    }
+}
+
+#[test]
+fn fitted_meshes_are_iterated_to_their_last_digit_unless_a_tolerance_is_asked_for() {
+    let error = |order: &str, more: &[&str]| {
+        let asked = ["solve", "pin-plate", "--fitted", "--order", order, "--no-error-bar", "--json", "-"];
+        let (sound, told, error) = contact_vv(&[&asked, more].concat());
+        assert!(sound, "{error}");
+        let document: serde_json::Value = serde_json::from_str(&told).expect("JSON");
+        document["contacts"][0]["iteration_error"]["half_width"].as_f64().expect("a number")
+    };
+    for order in [Order::Sextic, Order::Octic] {
+        let own = error(&order.number().to_string(), &[]);
+        assert!(own <= Fitted::misfit(order), "{order:?}: {own}");
+    }
+    let loose = error("8", &["--tolerance", "1e-3"]);
+    assert!(loose > Fitted::misfit(Order::Octic), "{loose}");
+}
+
+#[test]
+fn options_that_do_not_go_with_fitted_meshes_are_refused() {
+    let refused = [
+        (["--order", "2"], "4 to 8"),
+        (["--resolution", "8"], "--resolution cannot be used"),
+        (["--accuracy", "1 %"], "--accuracy cannot be used"),
+    ];
+    for (option, message) in refused {
+        let (sound, _, error) = contact_vv(&["solve", "truncated-hertz", "--fitted", option[0], option[1]]);
+        assert!(!sound && error.contains(message), "{option:?}: {error}");
+    }
+    let (sound, told, _) = contact_vv(&["solve", "truncated-hertz", "--fitted", "--order", "5"]);
+    assert!(sound && told.contains("36-node cells") && !told.contains("refine before"), "{told}");
+}
