@@ -38,8 +38,14 @@ impl<'a> Group<'a> {
         ratios.get(ratios.len() / 2).copied().unwrap_or(f64::NAN)
     }
 
-    /// Largest error over its bar; NaN where one is not known.
+    /// Largest error over its bar, of the bars that are known.
     pub fn worst(&self) -> f64 {
-        self.records.iter().map(|record| record.error / record.bar).fold(0.0, larger)
+        let known = self.records.iter().filter(|record| !record.bar.is_nan());
+        known.map(|record| record.error / record.bar).fold(0.0, larger)
+    }
+
+    /// How many bars are not known.
+    pub fn unknown(&self) -> usize {
+        self.records.iter().filter(|record| record.bar.is_nan()).count()
     }
 }

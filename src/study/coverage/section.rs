@@ -38,12 +38,27 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
          meshes: {fewest} to {most} elements on half of the contact, which ends anywhere within one of them, and enough \
          for the tip of a wedge and the thickness of a ring (what is smaller than the elements no coarser mesh sees); random growth; 4- and 8-node cells, line, layer and node \
          elements, iterations that end late, early, or with a penalty. The constants of the bars were chosen on other scenes of the same \
-         families. `cargo run --release -- coverage` renews the record; the report recomputes a part of it.\n\n{}{}\n\
+         families. `cargo run --release -- coverage` renews the record; the report recomputes a part of it.\n\n{}\n\n{}{}\n\
          Errors of the peak are relative to it, of places and widths to the half-width, of forces to the force; *bar over error* leaves \
          out errors that are round-off.\n",
+        summary(&recorded),
         picture("coverage.svg", "True error against the bar claimed: in each range of bars the median, the 95th of 100 and the largest error; below the diagonal a bar holds; errors that are round-off are left out"),
         markdown::table(&HEAD.map(String::from), &rows)
     ))
+}
+
+/// How many lie where.
+fn summary(recorded: &[Record]) -> String {
+    let all = Group::of(recorded, |_| true);
+    let beyond = |bars: f64| recorded.iter().filter(|record| record.error > bars * record.bar).count();
+    format!(
+        "Of {} numbers {} are beyond their bar, {} beyond three times it, and {} have none; the median bar is {} times the error.",
+        recorded.len(),
+        beyond(1.0),
+        beyond(3.0),
+        all.unknown(),
+        markdown::significant(all.median(), 2)
+    )
 }
 
 /// A number of a family, or of all; none where there is no such number.
@@ -54,6 +69,10 @@ fn row(recorded: &[Record], family: Option<Family>, kind: Kind) -> Option<Vec<St
         let own = Group::of(recorded, |record| is_meant(record) && record.cell == cell);
         format!("{:.1} %", 100.0 * own.within(1.0))
     };
+    let unknown = match group.unknown() {
+        0 => String::new(),
+        number => format!("; {number} not known"),
+    };
     let or_none = |x: f64| if x.is_nan() { "–".into() } else { markdown::significant(x, 2) };
     (!group.records.is_empty()).then(|| {
         vec![
@@ -63,7 +82,7 @@ fn row(recorded: &[Record], family: Option<Family>, kind: Kind) -> Option<Vec<St
             within(CELLS[0]),
             within(CELLS[1]),
             or_none(group.median()),
-            markdown::significant(group.worst(), 2),
+            markdown::significant(group.worst(), 2) + &unknown,
         ]
     })
 }
