@@ -35,11 +35,11 @@ def plant(copy, fault, sources):
         red, ended = copy.failures()
     finally:
         path.write_text(sound)
-    kinds = collections.Counter(check.get("kind", "broken off") for check in red)
+    kinds = collections.Counter(check.get("kind") or "broken off" for check in red)
     # One example of each kind of reference, truths first.
     examples = {}
     for check in red:
-        examples.setdefault(check.get("kind", "broken off"), copy.here(f"{check['trial']}: {check['requirement']}"))
+        examples.setdefault(check.get("kind") or "broken off", copy.here(f"{check['trial']}: {check['requirement']}"))
     return fault | {"sources": sources, "red": kinds, "examples": examples, "ended": ended}
 
 
