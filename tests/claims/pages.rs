@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use contact_vv::case::{Check, Judged, Reference, Verdict, library};
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::diff::written;
+use contact_vv::report::front::nearness;
 use contact_vv::report::front::{self, against, right};
 use contact_vv::report::links::PAGES;
 use contact_vv::report::{Page, case_page, checks, difference, files, links, study_page, symbols, write};
@@ -213,4 +214,11 @@ fn pages_are_written_compared_and_removed_as_a_folder() {
     assert_eq!(told(&after), None);
     std::fs::write(folder.path().join(PAGES).join("one.md"), "other\n").expect("written");
     assert!(told(&after).expect("another text").contains("one.md"));
+}
+
+#[test]
+fn checks_without_an_error_are_beyond_every_share_of_their_tolerance() {
+    let parts = nearness::cumulated(&[0.0, 0.1, 2.0, f64::NAN]);
+    let at = |share: f64| parts.iter().rfind(|(x, _)| *x <= share * (1.0 + 1e-9)).expect("a share").1;
+    assert_eq!([at(1e-3), at(0.1), at(1.0), at(10.0)], [25.0, 50.0, 50.0, 75.0]);
 }

@@ -36,6 +36,7 @@ pub fn chart(findings: &[Finding]) -> Result<Drawing, Error> {
         share,
         Axis::linear("part of the checks [%]").over(0.0, 100.0),
     );
+    chart.notes.push("A check that could not be run is beyond every share.".into());
     chart.guides.push(Guide { direction: Direction::Vertical, at: 1.0, label: "limit".into() });
     for (kind, colour, dash, marker) in CURVES {
         let shares: Vec<f64> = rows.iter().filter(|row| row.kind == kind.to_string()).map(|row| row.share).collect();
