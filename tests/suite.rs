@@ -1,5 +1,7 @@
 //! Every trial of the suite as one line, and one frozen snapshot per scene × element × algorithm.
 
+mod frozen;
+
 use std::fmt::Write;
 use std::sync::{Arc, Mutex};
 
@@ -15,8 +17,6 @@ use libtest_mimic::{Arguments, Completion, Failed, Trial};
 
 /// Scenes whose runs are frozen.
 const FROZEN: [&str; 3] = ["cylinder", "truncated-hertz", "pin-rod"];
-/// Where the snapshots are, seen from this file.
-const SNAPSHOTS: &str = "../snapshots";
 
 /// Told where no code was asked.
 const NOT_LIVE: &str = " (scikit-fem and dolfinx are asked with `bash oracles/setup.sh` and `--features python`)";
@@ -38,10 +38,11 @@ fn main() {
     let trials: Vec<study::Trial> = trials.into_iter().chain(study::live()).collect();
     let mut tests: Vec<Trial> =
         trials.into_iter().map(|trial| truth(trial, counts.clone(), origins.clone(), findings.clone())).collect();
-    tests.extend(FROZEN.into_iter().flat_map(frozen));
+    tests.extend(FROZEN.into_iter().flat_map(runs));
     tests.extend(
         Plane::ALL.map(|plane| Trial::test(format!("snapshot, atlas × {}", plane.name()), move || charted(plane))),
     );
+    tests.extend(frozen::trials());
     tests.push(Trial::test("every snapshot belongs to a run of the suite", no_stray_snapshot));
     let conclusion = libtest_mimic::run(&arguments, tests);
     if arguments.list {
@@ -101,20 +102,14 @@ fn truth(trial: study::Trial, counts: Counts, origins: Origins, findings: Findin
 }
 
 /// Drift lock: counts and measures of the nine formulations of a scene are what they were.
-fn frozen(scene: &'static str) -> Vec<Trial> {
+fn runs(scene: &'static str) -> Vec<Trial> {
     let test = |formulation: Formulation| {
         Trial::test(format!("snapshot, {scene} × {}", formulation.name()), move || {
             let problem = find(scene, None).map_err(|error| error.to_string())?;
             let discretisation =
                 Discretisation::of(problem.scene, problem.resolution).map_err(|error| error.to_string())?;
             let run = Run::of(&discretisation, &formulation).map_err(|error| error.to_string())?;
-            let mut settings = insta::Settings::clone_current();
-            settings.set_snapshot_path(SNAPSHOTS);
-            settings.set_snapshot_suffix(formulation.name());
-            settings.set_prepend_module_to_snapshot(false);
-            settings.set_omit_expression(true);
-            settings.bind(|| insta::assert_snapshot!(scene, summary(&run)));
-            Ok(())
+            frozen::freeze(scene, Some(&formulation.name()), summary(&run))
         })
     };
     Formulation::compared().into_iter().map(test).collect()
@@ -123,13 +118,7 @@ fn frozen(scene: &'static str) -> Vec<Trial> {
 /// Drift lock: classes near a boundary of the recorded atlas, and iterations elsewhere, are what they were.
 fn charted(plane: Plane) -> Result<(), Failed> {
     let records = record::read(plane).map_err(|error| error.to_string())?;
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(SNAPSHOTS);
-    settings.set_snapshot_suffix(plane.name());
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!("atlas", Chart::of(plane, &records).frozen()));
-    Ok(())
+    frozen::freeze("atlas", Some(plane.name()), Chart::of(plane, &records).frozen())
 }
 
 /// What is frozen of a run; of one that did not converge, the outcome only.
@@ -180,6 +169,7 @@ fn no_stray_snapshot() -> Result<(), Failed> {
         .iter()
         .flat_map(|scene| Formulation::nine().into_iter().map(move |f| format!("{scene}@{}.snap", f.name())))
         .chain(Plane::ALL.map(|plane| format!("atlas@{}.snap", plane.name())))
+        .chain(frozen::names())
         .collect();
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");
     for entry in std::fs::read_dir(&folder).map_err(|error| error.to_string())?.flatten() {

@@ -1,0 +1,154 @@
+//! What is frozen besides the runs of the paper's scenes: every mesh, every number of the scene files and of some random scenes.
+//!
+//! A change that leaves all truths within their tolerances shows here.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use contact_vv::accuracy::{Bars, Told, bars};
+use contact_vv::case::Case;
+use contact_vv::case::file::files_in;
+use contact_vv::case::library::{NAMES, find};
+use contact_vv::error::Error;
+use contact_vv::markdown::significant;
+use contact_vv::mesh::{Mesh, Resolution};
+use contact_vv::scene::Scene;
+use contact_vv::solve::{Discretisation, Run};
+use contact_vv::study::coverage::setup::Setup;
+use contact_vv::study::random::unseen::{self, FAMILIES};
+use contact_vv::study::random::{Family, Site};
+use libtest_mimic::{Failed, Trial};
+
+/// Scenes of a family: cells of both orders, all elements, iterations that end late and early, and penalties.
+const EACH: usize = 18;
+/// Digits of coordinates, of numbers, and of their bars.
+const DIGITS: [usize; 3] = [8, 5, 2];
+/// Part of the largest number of its kind below which one is round-off.
+const ROUND_OFF: f64 = 1e-6;
+
+/// Names of the snapshots.
+pub fn names() -> Vec<String> {
+    let random = FAMILIES.map(|family| format!("random@{}.snap", family.name()));
+    ["meshes.snap", "scene-files.snap"].map(String::from).into_iter().chain(random).collect()
+}
+
+/// The trials.
+pub fn trials() -> Vec<Trial> {
+    let random = |family: Family| Trial::test(format!("snapshot, random × {}", family.name()), move || random(family));
+    let mut trials = vec![
+        Trial::test("snapshot, meshes of all scenes", || freeze("meshes", None, meshes()?)),
+        Trial::test("snapshot, numbers of the scene files", || freeze("scene-files", None, scene_files()?)),
+    ];
+    trials.extend(FAMILIES.map(random));
+    trials
+}
+
+/// Compares a text with its snapshot.
+pub fn freeze(name: &str, suffix: Option<&str>, text: String) -> Result<(), Failed> {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path("../snapshots");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    if let Some(suffix) = suffix {
+        settings.set_snapshot_suffix(suffix);
+    }
+    settings.bind(|| insta::assert_snapshot!(name, text));
+    Ok(())
+}
+
+/// The worked scene files whose mesh is given by its numbers.
+fn files() -> Result<Vec<Case>, Failed> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases");
+    let files = files_in(&folder).map_err(said)?;
+    let cases = files.iter().map(|file| Case::read(file)).collect::<Result<Vec<_>, _>>().map_err(said)?;
+    Ok(cases.into_iter().filter(|case| case.accuracy.is_none()).collect())
+}
+
+/// Cells, candidates and moments of every body's mesh.
+fn meshes() -> Result<String, Failed> {
+    let mut text = String::new();
+    for (name, _) in NAMES {
+        let case = find(name, None).map_err(said)?;
+        meshed(&mut text, name, &case.scene, case.resolution)?;
+    }
+    for case in files()? {
+        meshed(&mut text, &case.name, &case.scene, case.resolution)?;
+    }
+    for family in FAMILIES {
+        for site in unseen::of(family).take(EACH) {
+            let setup = Setup::of(&site, &site.sample().map_err(said)?);
+            meshed(&mut text, &site.key(), &setup.scene, setup.resolution)?;
+        }
+    }
+    Ok(text)
+}
+
+/// Lines of a scene.
+fn meshed(text: &mut String, name: &str, scene: &Scene, resolution: Resolution) -> Result<(), Failed> {
+    let mesh = Mesh::of(scene, resolution).map_err(said)?;
+    for (body, part) in scene.bodies.iter().zip(&mesh.bodies) {
+        let points = &mesh.points[part.nodes.clone()];
+        let mean = |of: &dyn Fn(&[f64; 2]) -> f64| points.iter().map(of).sum::<f64>() / points.len() as f64;
+        let size = mean(&|[x, y]| x.hypot(*y));
+        let moments = [mean(&|p| p[0]), mean(&|p| p[1]), mean(&|p| p[0] * p[1]) / size];
+        let squares = [mean(&|p| p[0] * p[0]).sqrt(), mean(&|p| p[1] * p[1]).sqrt()];
+        let numbers = [moments.as_slice(), squares.as_slice()].concat();
+        let numbers: Vec<String> = numbers.into_iter().map(|one| rounded(one, size, DIGITS[0])).collect();
+        let (cells, candidates) = (part.cells.len(), part.candidates.len());
+        let _ = writeln!(text, "{name}, {}: {cells} cells, {candidates} candidates, {}", body.name, numbers.join(", "));
+    }
+    Ok(())
+}
+
+/// Every number of the scene files, with its bar.
+fn scene_files() -> Result<String, Failed> {
+    let mut text = String::new();
+    for case in files()? {
+        let (meshed, run) = case.solve().map_err(said)?;
+        let found = bars(&meshed.discretisation, &run, &case.displaced()).map_err(said)?;
+        told(&mut text, &case.name, &meshed.discretisation.scene, &run, &found);
+    }
+    Ok(text)
+}
+
+/// Every number of some random scenes of a family.
+fn random(family: Family) -> Result<(), Failed> {
+    let mut text = String::new();
+    for site in unseen::of(family).take(EACH) {
+        solved(&mut text, &site).map_err(said)?;
+    }
+    freeze("random", Some(family.name()), text)
+}
+
+fn solved(text: &mut String, site: &Site) -> Result<(), Error> {
+    let sample = site.sample()?;
+    let Setup { scene, resolution, formulation, .. } = Setup::of(site, &sample);
+    let discretisation = Discretisation::of(scene, resolution)?;
+    let run = Run::of(&discretisation, &formulation)?;
+    let found = bars(&discretisation, &run, &sample.displaced())?;
+    told(text, &site.key(), &discretisation.scene, &run, &found);
+    Ok(())
+}
+
+/// Lines of a run.
+fn told(text: &mut String, name: &str, scene: &Scene, run: &Run, found: &Bars) {
+    let (iterations, outcome) = (run.solution.work.iterations, &run.solution.outcome);
+    let _ = writeln!(text, "{name}, {}: {outcome}, {iterations} iterations, {} dofs", run.formulation.name(), run.dofs);
+    let named: Vec<(Told, f64, f64)> =
+        found.all.iter().map(|one| (Told::of(scene, run, one), one.value, one.bar.total())).collect();
+    for (told, value, bar) in &named {
+        let alike = named.iter().filter(|(other, ..)| other.unit == told.unit);
+        let size = alike.map(|(_, value, _)| value.abs()).filter(|value| value.is_finite()).fold(0.0, f64::max);
+        let [value, bar] = [(*value, DIGITS[1]), (*bar, DIGITS[2])].map(|(one, digits)| rounded(one, size, digits));
+        let _ = writeln!(text, "  {}, {}: {value} ± {bar}", told.of, told.quantity);
+    }
+}
+
+/// A number by its digits; 0 where it is round-off of others.
+fn rounded(value: f64, size: f64, digits: usize) -> String {
+    if value.abs() <= ROUND_OFF * size { "0".into() } else { significant(value, digits) }
+}
+
+fn said(error: Error) -> Failed {
+    Failed::from(error.to_string())
+}
