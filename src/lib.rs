@@ -15,9 +15,9 @@
 //! * [`accuracy`] — the cheapest mesh for an accuracy asked.
 //! * [`oracle`] — independent truth.
 //! * [`mod@case`] — claims: problems and checks.
+//! * [`referee`] — the answers of other codes, judged.
 //! * [`study`] — what is found out over many solves.
 //! * [`report`] — the page.
-//! * [`referee`] — the answers of other codes, judged.
 //! * [`cli`] — what the user types.
 //!
 //! Beside the chain stand [`error`], what was wrong, [`clock`], what each stage took, `named`, enums of named members, [`checkout`],

@@ -42,12 +42,12 @@ const ALLOWED: [(&str, May); 25] = [
     ("accuracy", Only(&["error", "scene", "mesh", "solution", "measure", "algorithm", "solve"])),
     ("oracle", Only(&["error", "checkout", "scene", "uncertainty"])),
     ("case", AllAboveBut(&["named", "figure"])),
+    ("referee", AllAboveBut(&[])),
     ("study", AllAboveBut(&[])),
     (
         "report",
         AllAboveBut(&["named", "clock", "elasticity", "condensation", "contact", "algorithm", "stability", "accuracy"]),
     ),
-    ("referee", AllAboveBut(&[])),
     ("cli", AllAboveBut(&[])),
     ("main", AllAboveBut(&[])),
 ];

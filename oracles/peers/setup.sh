@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the finite element codes this project is timed against, once: GetFEM and CalculiX, both from Debian.
-# No test needs them.
+# Installs the finite element codes this project is timed against and that the scoreboard asks, once: GetFEM and CalculiX from Debian, and by
+# oracles/setup.sh scikit-fem and dolfinx. No test needs GetFEM and CalculiX.
 # Serves Debian 12 (bookworm). Writes nothing into the repository.
 set -euo pipefail
 
@@ -18,3 +18,5 @@ source "$(dirname "$0")/../debian.sh"
 "$python" -EsBc "import getfem" || fail "GetFEM does not run in $python."
 version=$(ccx -v) || true # ccx -v ends with a code of its own
 [[ $version == *Version* ]] || fail "ccx does not run."
+
+bash "$(dirname "$0")/../setup.sh"

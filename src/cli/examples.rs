@@ -33,6 +33,10 @@ Examples:
   contact-vv verify tests/cases
   contact-vv verify mine.toml other.toml --json";
 
+/// Of `scoreboard`.
+pub const SCOREBOARD: &str = "Examples:
+  bash oracles/peers/setup.sh && contact-vv scoreboard";
+
 /// Of `export`.
 pub const EXPORT: &str = "\
 Examples:

@@ -12,7 +12,7 @@ use crate::cli::{judge, vtu};
 use crate::error::Error;
 use crate::referee::Truth;
 use crate::referee::document::{Document, schema};
-use crate::referee::export::{deck, gmsh, own};
+use crate::referee::export::{deck, gmsh, own, problem};
 use crate::solve::{Formulation, Run};
 use crate::study::sheets;
 
@@ -52,16 +52,23 @@ pub fn files(case: &Case) -> Result<Vec<(String, String, &'static str)>, Error> 
     let named = |ending: &str| format!("{}{ending}", plain(&case.name));
     let sheet = sheets::sheet(&sheets::run::of(case, &truth.discretisation, &truth.run, &truth.bars)?).1;
     let table = profile::csv(&discretisation.scene, &run, Path::new("ours.csv"))?;
-    Ok(vec![
+    let scripts = problem::SCRIPTS.map(|(name, text, what)| (name.to_owned(), text.to_owned(), what));
+    let files = vec![
         (named(".md"), sheet, "sheet: scene, equations, reference values"),
         (named(".msh"), gmsh::text(&discretisation.scene, &discretisation.mesh), "mesh for Gmsh 4.1"),
         (named(".inp"), deck::text(&discretisation)?, "input deck for CalculiX or Abaqus"),
         (named(".vtu"), vtu::text(&discretisation, &run)?, "mesh with our own fields for ParaView"),
+        (
+            "problem.json".into(),
+            problem::text(&case.name, &discretisation)?,
+            "the problem as plain numbers, for scripts",
+        ),
         ("answer.json".into(), to_fill_in(&own::template(&case.name, &discretisation)), "to be filled in, and judged"),
         ("answer-schema.json".into(), schema() + "\n", "what it may hold"),
         ("ours.json".into(), document(&own::answer(&case.name, &discretisation, &run)), "our own answer on this mesh"),
         ("ours.csv".into(), table, "the same as a table"),
-    ])
+    ];
+    Ok(files.into_iter().chain(scripts).collect())
 }
 
 fn document(document: &Document) -> String {

@@ -6,6 +6,7 @@
 //! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`timings`] — measures speed against accuracy.
 //! * [`review`] — what moved between two commits.
+//! * [`scoreboard`] — asks other codes for exported cases.
 //! * [`suite`] — runs all trials with a progress bar; [`summary`] — what they found.
 //! * [`solve`] — one case, with its outputs.
 //! * [`verify`] — scene files with their checks.
@@ -33,6 +34,7 @@ pub mod manual;
 pub mod new;
 pub mod reactions;
 pub mod review;
+pub mod scoreboard;
 pub mod solve;
 pub mod suite;
 pub mod summary;
@@ -121,6 +123,9 @@ enum Command {
         #[arg(long)]
         bars: bool,
     },
+    /// Ask GetFEM, CalculiX, scikit-fem and dolfinx for exported cases, and keep what they write in oracles/frozen/scoreboard.
+    #[command(after_help = examples::SCOREBOARD)]
+    Scoreboard,
     /// Name the cases of the library.
     #[command(after_help = examples::LIST)]
     List {
@@ -185,6 +190,7 @@ pub fn main() -> ExitCode {
         }
         Command::Timings { memory: None, bars: true } => timings::bars().map(|()| Ended::Well),
         Command::Timings { memory: None, bars: false } => timings::run().map(|()| Ended::Well),
+        Command::Scoreboard => scoreboard::run().map(|()| Ended::Well),
         Command::Verify { paths, json } => verify::run(&paths, json),
         Command::Export(arguments) => export::run(&arguments).map(|()| Ended::Well),
         Command::Judge(arguments) => judge::run(&arguments),

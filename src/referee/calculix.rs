@@ -46,6 +46,11 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
         if lines.is_empty() {
             continue;
         }
+        let wanted = size_of_set(deck, &set);
+        if lines.len() != wanted {
+            let message = format!("its table of {set} has {} nodes, and the set in the deck {wanted}", lines.len());
+            return Err(Error::file(file, message, AGAIN));
+        }
         let point = |line: &str| -> Result<Point, Error> {
             let words: Vec<&str> = line.split_whitespace().collect();
             let wrong = |message: String| at(file, text, line, message, AGAIN);
@@ -55,7 +60,8 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
             let number: usize = node.parse().map_err(|_| wrong(format!("`{node}` is no number of a node")))?;
             let value: f64 = along.parse().map_err(|_| wrong(format!("`{along}` is no number")))?;
             let place = places.get(&number).ok_or_else(|| wrong(format!("node {number} is not in the deck")))?;
-            if !value.is_finite() || words.len() < 4 {
+            let are_numbers = words[1..].iter().all(|word| word.parse::<f64>().is_ok_and(f64::is_finite));
+            if !are_numbers || words.len() < 4 {
                 return Err(wrong(format!("`{}` is no node with three forces", line.trim())));
             }
             let position = signed_coordinate(pair, place.map(|x| length * x));
@@ -93,6 +99,14 @@ fn table_of<'a>(text: &'a str, set: &str) -> Vec<&'a str> {
         }
     }
     lines
+}
+
+/// How many nodes a deck lists in a set.
+fn size_of_set(deck: &str, set: &str) -> usize {
+    let named = |line: &str| line.split([',', '=']).any(|word| word.trim().eq_ignore_ascii_case(set));
+    let head = |line: &str| line.get(..5).is_some_and(|word| word.eq_ignore_ascii_case("*nset")) && named(line);
+    let lines = deck.lines().skip_while(|line| !head(line)).skip(1).take_while(|line| !line.starts_with('*'));
+    lines.flat_map(|line| line.split(',')).filter(|word| !word.trim().is_empty()).count()
 }
 
 /// Places of the nodes of a deck.

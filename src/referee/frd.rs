@@ -51,7 +51,8 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         }
     };
     let points = own.into_iter().map(point).collect();
-    let order = asked.order.unwrap_or(Order::Linear);
+    let quadratic = !edges.is_empty() && edges.iter().all(|edge| edge.len() == 3);
+    let order = asked.order.unwrap_or(if quadratic { Order::Quadratic } else { Order::Linear });
     let points =
         ordered(points, order, |message, remedy| Error::file(file, format!("contact block: {message}"), remedy))?;
     let read = [Some(format!("{name} as pressure")), gap.map(|gap| format!("{} as gap", block.components[gap]))];

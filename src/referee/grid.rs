@@ -1,5 +1,6 @@
 //! Answers as VTK unstructured grids (`.vtu`, or `.vtk` of the legacy format): nodal pressure, or stress, on the mesh of the other code.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use vtkio::Vtk;
@@ -82,7 +83,7 @@ impl<'a> Grid<'a> {
     fn of(file: &'a Path, bytes: &[u8]) -> Result<Self, Error> {
         let refused = |why: String| Error::unreadable(file, why, AGAIN);
         let xml = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("vtu"));
-        let parsed = if xml { Vtk::parse_xml(bytes) } else { Vtk::parse_legacy_be(bytes) };
+        let parsed = if xml { Vtk::parse_xml(&*with_types_as_bytes(bytes)) } else { Vtk::parse_legacy_be(bytes) };
         let vtk = parsed.map_err(|error| refused(error.to_string()))?;
         let DataSet::UnstructuredGrid { pieces, .. } = vtk.data else {
             return Err(refused("it is no unstructured grid".into()));
@@ -224,6 +225,22 @@ impl<'a> Grid<'a> {
         };
         if value.is_finite() { Ok(value) } else { Err(refused()) }
     }
+}
+
+/// The same with the types of cells called bytes, where a text calls them wider integers as GetFEM does: our reader takes bytes only.
+fn with_types_as_bytes(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let Ok(text) = std::str::from_utf8(bytes) else { return bytes.into() };
+    let Some(name) = text.find("Name=\"types\"") else { return bytes.into() };
+    let begin = text[..name].rfind('<').unwrap_or(name);
+    let end = text[name..].find('>').map_or(text.len(), |end| name + end);
+    let tag = &text[begin..end];
+    if !tag.contains("format=\"ascii\"") {
+        return bytes.into();
+    }
+    let narrow = ["Int32", "Int64", "UInt32", "UInt64"]
+        .iter()
+        .fold(tag.to_owned(), |tag, wide| tag.replace(&format!("type=\"{wide}\""), "type=\"UInt8\""));
+    [&text[..begin], &narrow, &text[end..]].concat().into_bytes().into()
 }
 
 /// Plane cells of the grid; others are refused.

@@ -4,6 +4,8 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
+use flate2::read::GzDecoder;
+
 use crate::case::Case;
 use crate::error::Error;
 use crate::referee::answer::Answer;
@@ -13,7 +15,7 @@ use crate::referee::{calculix, document, frd, grid, table};
 /// Largest file that is read \[bytes\].
 const LARGEST_FILE: u64 = 256 << 20;
 /// What can be handed in.
-const KNOWN: &str = "hand in .csv, .json, .vtu, .vtk, .frd or .dat";
+const KNOWN: &str = "hand in .csv, .json, .vtu, .vtk, .frd or .dat, or one of them compressed as .gz";
 
 /// The answer in a file.
 pub fn read(file: &Path, case: &Case, asked: &Asked) -> Result<Answer, Error> {
@@ -21,9 +23,17 @@ pub fn read(file: &Path, case: &Case, asked: &Asked) -> Result<Answer, Error> {
     parse(file, &bytes, case, asked)
 }
 
-/// The answer in the bytes of a file, which is only named.
+/// The answer in the bytes of a file, which is only named; one that ends in .gz is decompressed.
 pub fn parse(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<Answer, Error> {
     let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
+    if ending == "gz" {
+        let within = file.with_extension("");
+        // Twice compressed, it would be read without end.
+        if within.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("gz")) {
+            return Err(Error::file(file, "it is compressed twice", KNOWN));
+        }
+        return parse(&within, &decompressed(file, bytes)?, case, asked);
+    }
     match ending.as_str() {
         "csv" | "tsv" | "txt" => table::parse(file, text(file, bytes)?, &case.scene, asked),
         "json" => document::parse(file, text(file, bytes)?, &case.name, &case.scene, asked),
@@ -39,6 +49,14 @@ fn deck_of(file: &Path) -> Result<String, Error> {
     let deck = file.with_extension("inp");
     let read = bytes(&deck)?;
     Ok(text(&deck, &read)?.to_owned())
+}
+
+/// What a file compressed by gzip holds.
+fn decompressed(file: &Path, bytes: &[u8]) -> Result<Vec<u8>, Error> {
+    let mut plain = Vec::new();
+    let read = GzDecoder::new(bytes).take(LARGEST_FILE + 1).read_to_end(&mut plain);
+    read.map_err(|error| Error::unreadable(file, error, "compress it by gzip, or hand it in as it is"))?;
+    limited(file, plain)
 }
 
 fn text<'a>(file: &Path, bytes: &'a [u8]) -> Result<&'a str, Error> {
@@ -59,6 +77,11 @@ fn bytes(file: &Path) -> Result<Vec<u8>, Error> {
     }
     let mut bytes = Vec::new();
     File::open(file).map_err(failed)?.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(failed)?;
+    limited(file, bytes)
+}
+
+/// Refuses what is larger than is read.
+fn limited(file: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Error> {
     if bytes.len() as u64 > LARGEST_FILE {
         return Err(Error::file(
             file,

@@ -47,6 +47,8 @@ rooms! {
     CrossCode in cross_code,
     /// Independent codes.
     Independent in independent,
+    /// Other codes on exported cases.
+    Scoreboard in scoreboard,
     /// Benchmark sheets.
     Sheets in sheets,
     /// Initial stiffness and rules.

@@ -73,6 +73,7 @@ mod scene_mistakes;
 mod scene_oracle;
 mod scene_table;
 mod scene_unsupported;
+mod scoreboard;
 mod several_contacts;
 mod shared_mesh;
 mod sheets;

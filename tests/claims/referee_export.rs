@@ -174,3 +174,28 @@ fn exported_decks_are_solved_by_calculix_where_it_is_installed_and_meet_the_trut
         assert!(found.met(), "{name}: {:?}", failed(&found));
     }
 }
+
+#[test]
+fn exported_scripts_solve_the_case_where_their_codes_are_installed_and_meet_its_truth() {
+    let case = find("truncated-hertz", None).expect("a case");
+    let truth = Truth::of(case.clone()).expect("a truth");
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, text, _) in contact_vv::cli::export::files(&case).expect("exported") {
+        std::fs::write(folder.path().join(name), text).expect("written");
+    }
+    for (script, method) in [("run_getfem.py", "basic"), ("run_dolfinx.py", "active-set"), ("run_calculix.py", "gaps")]
+    {
+        let script = folder.path().join(script);
+        let run = Command::new("/usr/bin/python3").arg("-EsB").arg(&script).arg(folder.path()).arg(method).output();
+        let Ok(run) = run else { continue };
+        // 3: not installed.
+        if run.status.code() == Some(3) {
+            continue;
+        }
+        let told: serde_json::Value =
+            serde_json::from_slice(&run.stdout).unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&run.stderr)));
+        let file = folder.path().join(told["file"].as_str().expect("a file"));
+        let answer = read::read(&file, &case, &Asked::default()).expect("read");
+        assert!(verdicts(&truth, answer, ENGINEERING).expect("judged").met(), "{}", script.display());
+    }
+}

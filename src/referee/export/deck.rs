@@ -46,7 +46,7 @@ pub fn text(discretisation: &Discretisation) -> Result<String, Error> {
 }
 
 /// What both codes call the cells.
-fn kind(discretisation: &Discretisation) -> Result<&'static str, Error> {
+pub(super) fn kind(discretisation: &Discretisation) -> Result<&'static str, Error> {
     Ok(match (discretisation.scene.plane, discretisation.mesh.order) {
         (PlaneHypothesis::Strain, Order::Linear) => "CPE4",
         (PlaneHypothesis::Strain, Order::Quadratic) => "CPE8",
@@ -247,8 +247,8 @@ impl Deck<'_> {
     }
 }
 
-/// The approach of a contact node as terms of displacements: node, axis, factor.
-fn approach(discretisation: &Discretisation, contact: &ContactNode) -> Vec<(usize, usize, f64)> {
+/// The approach of a contact node as terms of displacements: node from 1 on, axis, factor.
+pub(super) fn approach(discretisation: &Discretisation, contact: &ContactNode) -> Vec<(usize, usize, f64)> {
     let mut terms: Vec<(usize, usize, f64)> = Vec::new();
     for (dof, value) in contact.row() {
         let (node, normal) = retained(discretisation, dof);
@@ -263,7 +263,7 @@ fn approach(discretisation: &Discretisation, contact: &ContactNode) -> Vec<(usiz
 }
 
 /// Node and outward normal of a retained dof.
-fn retained(discretisation: &Discretisation, dof: usize) -> (usize, [f64; 2]) {
+pub(super) fn retained(discretisation: &Discretisation, dof: usize) -> (usize, [f64; 2]) {
     let offsets = &discretisation.condensed.offsets;
     let body = offsets.iter().rposition(|&first| first <= dof).unwrap_or(0);
     let candidate = &discretisation.mesh.bodies[body].candidates[dof - offsets[body]];

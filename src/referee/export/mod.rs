@@ -2,8 +2,10 @@
 //!
 //! * [`gmsh`] — its mesh for Gmsh, and what reads its files.
 //! * [`deck`] — an input deck of CalculiX or Abaqus.
+//! * [`problem`] — the same as plain numbers, and scripts of other codes that solve it.
 //! * [`own`] — our own answer, and an empty one.
 
 pub mod deck;
 pub mod gmsh;
 pub mod own;
+pub mod problem;

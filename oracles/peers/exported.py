@@ -1,0 +1,163 @@
+"""What scripts for exported cases share: the problem that `contact-vv export` writes, its iterations, and answers that `contact-vv judge` reads.
+
+A problem (problem.json, units mm, N, MPa, rad) has points, cells (4 corners counter-clockwise, then for order 2 the middles of 01, 12, 23, 30),
+the body of each cell, young, poisson, plane, thickness, held (node, component, value), forces (node, component, value), tied (sides that stay
+flat: nodes, component, force), and contacts. A contact node has a position along the contact, an area, an initial gap (null without another
+side) and a row (node, component, factor) whose product with the displacements is the approach w; remaining gap = gap - w.
+"""
+
+import json
+import os
+import pathlib
+import sys
+
+os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before any library is loaded
+
+MISSING = 3  # exit code
+SOFT = 10.0  # penalty over the largest Young's modulus and the smallest contact edge, as one would choose it first
+STEPS = 100
+
+
+def missing(what):
+    """Ends the process: the code is not installed."""
+    print(f"{what} is missing: bash oracles/peers/setup.sh, or bash oracles/setup.sh", file=sys.stderr)
+    sys.exit(MISSING)
+
+
+# scikit-fem is there where oracles/setup.sh has put it.
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / ".python/site"))
+
+try:
+    import numpy as np
+    from scipy.sparse import bmat, coo_matrix, diags
+except ModuleNotFoundError as absent:
+    missing(absent.name)
+
+
+class Problem:
+    """The problem in a folder."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        self.data = json.loads((self.folder / "problem.json").read_text(encoding="utf-8"))
+        self.points = np.array(self.data["points"])
+        self.cells = np.array(self.data["cells"])
+        self.body = np.array(self.data["body"])
+        if self.cells.shape[1] == 8:
+            self.add_centres()
+        nodes = [node for contact in self.data["contacts"] for node in contact["nodes"]]
+        self.gap = np.array([np.inf if node["gap"] is None else node["gap"] for node in nodes])
+        self.area = np.array([node["area"] for node in nodes])
+        terms = np.array([(k, 2 * n + c, f) for k, node in enumerate(nodes) for n, c, f in node["row"]])
+        shape = len(nodes), 2 * len(self.points)
+        self.rows = coo_matrix((terms[:, 2], terms[:, :2].T.astype(int)), shape).tocsr()
+
+    def add_centres(self):
+        """Makes the cells such with 9 nodes, of the same shape."""
+        corners, middles = self.points[self.cells[:, :4]], self.points[self.cells[:, 4:]]
+        centres = 0.5 * middles.sum(axis=1) - 0.25 * corners.sum(axis=1)
+        self.cells = np.column_stack([self.cells, len(self.points) + np.arange(len(self.cells))])
+        self.points = np.vstack([self.points, centres])
+
+    def of_body(self, body):
+        """Nodes of a body, and its cells in their numbers."""
+        nodes, cells = np.unique(self.cells[self.body == body], return_inverse=True)
+        return nodes, cells.reshape(-1, self.cells.shape[1])
+
+    def stiffness(self, of_body):
+        """Matrix of all bodies from `of_body(points, cells, young, poisson, plane)`, dofs 2 node + component."""
+        parts = []
+        for body, (young, poisson) in enumerate(zip(self.data["young"], self.data["poisson"])):
+            nodes, cells = self.of_body(body)
+            part = of_body(self.points[nodes], cells, young, poisson, self.data["plane"]).tocoo()
+            dofs = np.column_stack([2 * nodes, 2 * nodes + 1]).ravel()
+            parts.append((part.data, dofs[part.row], dofs[part.col]))
+        data, row, column = (np.concatenate(list) for list in zip(*parts))
+        size = 2 * len(self.points)
+        return self.data["thickness"] * coo_matrix((data, (row, column)), (size, size)).tocsr()
+
+    def load(self):
+        """Nodal forces."""
+        force = np.zeros(2 * len(self.points))
+        for node, component, value in self.data["forces"]:
+            force[2 * node + component] += value
+        for side in self.data["tied"]:
+            force[2 * side["nodes"][0] + side["component"]] += side["force"]
+        return force
+
+    def motions(self):
+        """T and u0 of u = T q + u0: held components are given, those of a tied side are one."""
+        size = 2 * len(self.points)
+        column, given, kept = np.arange(size), np.zeros(size), np.ones(size, bool)
+        for side in self.data["tied"]:
+            dofs = 2 * np.array(side["nodes"]) + side["component"]
+            column[dofs] = dofs[0]
+        for node, component, value in self.data["held"]:
+            kept[2 * node + component], given[2 * node + component] = False, value
+        used, place = np.unique(column[kept], return_inverse=True)
+        return coo_matrix((np.ones(kept.sum()), (np.flatnonzero(kept), place)), (size, len(used))).tocsr(), given
+
+    def spring(self):
+        """Penalty of the first choice [MPa/mm]."""
+        places = [self.points[[node["node"] for node in contact["nodes"]]] for contact in self.data["contacts"]]
+        edge = min(np.linalg.norm(np.diff(at, axis=0), axis=1).min() for at in places)
+        return SOFT * max(self.data["young"]) / edge
+
+
+def solve(problem, stiffness, method, direct):
+    """Pressures, remaining gaps and iterations, by springs (`penalty`) or exactly (`active-set`); `direct(A, b)` solves A x = b."""
+    motions, given = problem.motions()
+    known = np.isfinite(problem.gap)
+    rows = problem.rows[known] @ motions
+    gap = problem.gap[known] - problem.rows[known] @ given
+    matrix = motions.T @ stiffness @ motions
+    force = motions.T @ (problem.load() - stiffness @ given)
+    spring, active = problem.spring() * problem.area[known], np.ones(known.sum(), bool)
+    for step in range(1, STEPS + 1):
+        closed = rows[active]
+        if method == "penalty":
+            weight = diags(spring[active])
+            q = direct(matrix + closed.T @ weight @ closed, force + closed.T @ (weight @ gap[active]))
+            pushed = spring * (rows @ q - gap)
+            after = pushed > 0
+        else:
+            none = coo_matrix((active.sum(), active.sum()))
+            found = direct(bmat([[matrix, closed.T], [closed, none]]), np.concatenate([force, gap[active]]))
+            q, pushed = found[: matrix.shape[0]], np.zeros(len(gap))
+            pushed[active] = found[matrix.shape[0] :]
+            after = pushed + spring * (rows @ q - gap) > 0
+        if (after == active).all():
+            pressure, left = np.zeros(len(known)), np.full(len(known), np.inf)
+            pressure[known] = np.where(active, pushed, 0.0) / problem.area[known]
+            left[known] = gap - rows @ q
+            return pressure, left, step
+        active = after
+    raise RuntimeError(f"the active set still changes after {STEPS} iterations")
+
+
+def write_json(problem, file, code, pressure, gap):
+    """The answer by the schema that `contact-vv schema answer` prints; angles in rad."""
+    arc, contacts, k = problem.data["contacts"][0]["arc"], [], 0
+    for contact in problem.data["contacts"]:
+        n = len(contact["nodes"])
+        left = [value if np.isfinite(value) else None for value in gap[k : k + n].tolist()]
+        contacts.append({"name": contact["name"], "order": problem.data["order"], "position": [node["position"] for node in contact["nodes"]],
+                         "pressure": pressure[k : k + n].tolist(), "gap": left, "area": problem.area[k : k + n].tolist()})
+        k += n
+    units = {"position": "rad" if arc else "mm", "pressure": "MPa", "gap": "mm", "area": "mm2"}
+    text = json.dumps({"case": problem.data["case"], "code": code, "units": units, "contacts": contacts})
+    (problem.folder / file).write_text(text + "\n", encoding="utf-8")
+
+
+def write_csv(problem, file, pressure, gap):
+    """The answer as a table."""
+    lines = [f"contact,position [{'rad' if problem.data['contacts'][0]['arc'] else 'mm'}],pressure [MPa],gap [mm],area [mm2]"]
+    nodes = [(contact["name"], node["position"]) for contact in problem.data["contacts"] for node in contact["nodes"]]
+    lines += [f"{name},{at!r},{p!r},{g!r},{a!r}" for (name, at), p, g, a in
+              zip(nodes, pressure.tolist(), gap.tolist(), problem.area.tolist())]
+    (problem.folder / file).write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def report(**told):
+    """Prints what is told of a run: code, version, file, iterations, seconds."""
+    print(json.dumps(told))

@@ -1,0 +1,82 @@
+//! Codes of the scoreboard, and the contact that each is run with.
+
+use serde::{Deserialize, Serialize};
+
+/// A code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub enum Code {
+    /// CalculiX.
+    #[serde(rename = "CalculiX")]
+    Calculix,
+    /// GetFEM.
+    #[serde(rename = "GetFEM")]
+    Getfem,
+    /// scikit-fem.
+    #[serde(rename = "scikit-fem")]
+    ScikitFem,
+    /// dolfinx.
+    #[serde(rename = "dolfinx")]
+    Dolfinx,
+}
+
+impl Code {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Calculix, Self::Getfem, Self::ScikitFem, Self::Dolfinx];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Calculix => "CalculiX",
+            Self::Getfem => "GetFEM",
+            Self::ScikitFem => "scikit-fem",
+            Self::Dolfinx => "dolfinx",
+        }
+    }
+
+    /// Its script under `oracles/peers`.
+    pub fn script(self) -> &'static str {
+        match self {
+            Self::Calculix => "run_calculix.py",
+            Self::Getfem => "run_getfem.py",
+            Self::ScikitFem => "run_scikit_fem.py",
+            Self::Dolfinx => "run_dolfinx.py",
+        }
+    }
+}
+
+/// A code with one of its contacts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Setting {
+    /// The code.
+    pub code: Code,
+    /// What its script calls the contact.
+    pub method: &'static str,
+    /// The same in words.
+    pub says: &'static str,
+    /// Whether it is what the code documents first or, where it has no contact of its own, what one writes first.
+    pub first: bool,
+}
+
+impl Setting {
+    /// All, the first choice of each code before the others.
+    pub const ALL: [Self; 9] = [
+        Self::of(Code::Calculix, "pair", "contact pair, surface to surface, K = 50 E per mm", true),
+        Self::of(Code::Calculix, "stiff-pair", "the same with K = 1000 E per mm", false),
+        Self::of(Code::Calculix, "gaps", "gap elements of the exported deck", false),
+        Self::of(Code::Getfem, "integral", "integral contact brick, augmented Lagrangian", true),
+        Self::of(Code::Getfem, "basic", "basic contact brick on the exported rows", false),
+        Self::of(Code::ScikitFem, "penalty", "springs on the exported rows, k = 10 E/h", true),
+        Self::of(Code::ScikitFem, "active-set", "active sets on the exported rows", false),
+        Self::of(Code::Dolfinx, "penalty", "springs on the exported rows, k = 10 E/h", true),
+        Self::of(Code::Dolfinx, "active-set", "active sets on the exported rows", false),
+    ];
+
+    const fn of(code: Code, method: &'static str, says: &'static str, first: bool) -> Self {
+        Self { code, method, says, first }
+    }
+
+    /// The setting of a code by the name of its method.
+    pub fn named(code: Code, method: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|one| one.code == code && one.method == method)
+    }
+}

@@ -1,0 +1,160 @@
+//! The scoreboard is computed from files as other codes wrote them: what is planted in them, or in the record, is found.
+
+use std::io::Read;
+use std::path::Path;
+
+use contact_vv::case::Verdict;
+use contact_vv::checkout::root;
+use contact_vv::referee::Truth;
+use contact_vv::solve::Discretisation;
+use contact_vv::study::scoreboard::board::{self, Board, FOLDER};
+use contact_vv::study::scoreboard::{CASES, Ended, Numbers, Score, judge, named, numbers, scored};
+use flate2::read::GzDecoder;
+
+/// A frozen file as text, and what it is called without compression.
+fn frozen(name: &str) -> (String, String) {
+    let bytes = std::fs::read(root().join(FOLDER).join(name)).expect("a frozen file");
+    let mut text = String::new();
+    match name.strip_suffix(".gz") {
+        Some(plain) => {
+            GzDecoder::new(&bytes[..]).read_to_string(&mut text).expect("compressed text");
+            (plain.into(), text)
+        }
+        None => (name.into(), String::from_utf8(bytes).expect("text")),
+    }
+}
+
+fn bench(case: &str) -> (Truth, Discretisation) {
+    let case = named(case).expect("a case");
+    let discretisation = case.meshed().expect("meshed").discretisation;
+    (Truth::of(case).expect("a truth"), discretisation)
+}
+
+fn of(case: &str, board: &Board) -> Numbers {
+    numbers(case, &named(case).expect("a case"), board).expect("judged")
+}
+
+/// Which checks of a case do not pass.
+fn not_passed(numbers: &Numbers) -> Vec<String> {
+    let judged = judge(numbers).expect("judged").into_iter();
+    judged.filter(|one| one.verdict != Verdict::Pass).map(|one| one.check.quantity.to_string()).collect()
+}
+
+#[test]
+fn every_code_of_the_scoreboard_is_judged_from_the_file_that_it_wrote_on_at_least_five_cases() {
+    let board = Board::load().expect("frozen");
+    for (code, ending) in [
+        ("CalculiX", ".frd.gz"),
+        ("CalculiX", ".dat"),
+        ("GetFEM", ".vtu.gz"),
+        ("scikit-fem", ".csv"),
+        ("dolfinx", ".json"),
+    ] {
+        let read = CASES.iter().filter(|case| {
+            let rows = of(case, &board).rows.into_iter().zip(&board.cases[**case].runs);
+            rows.into_iter().any(|(row, told)| {
+                let file = if let board::Ended::Answered { file, .. } = &told.ended { file.as_str() } else { "" };
+                row.setting().code.name() == code && file.ends_with(ending) && matches!(row.ended, Ended::Judged { .. })
+            })
+        });
+        assert!(read.count() >= 5, "{code} {ending}");
+    }
+}
+
+#[test]
+fn fields_and_tables_that_calculix_wrote_are_read_to_the_digits_they_have() {
+    let (truth, discretisation) = bench("cylinder");
+    for (name, most) in [("cylinder-calculix-pair.frd.gz", 1e-2), ("cylinder-calculix-gaps.dat", 1e-3)] {
+        let (plain, text) = frozen(name);
+        let peak = |text: &str| {
+            scored(&truth, &discretisation, Path::new(&plain), text.as_bytes()).map(|(scores, _)| scores[0])
+        };
+        let Score { error, .. } = peak(&text).expect("read");
+        assert!(error.abs() <= most, "{name}: {error}");
+        // Cut anywhere in its last block, or with a number that is none, it is refused.
+        let lines: Vec<&str> = text.lines().collect();
+        let cut = lines[..lines.len() - 4].join("\n");
+        let half = &cut[..cut.len() - 9];
+        let last = lines.iter().rposition(|line| line.contains("E+0")).expect("a number");
+        let spoiled: Vec<String> = lines
+            .iter()
+            .enumerate()
+            .map(|(k, line)| if k == last { line.replace("E+0", "NaN") } else { (*line).to_owned() })
+            .collect();
+        assert!(peak(half).is_err(), "{name}: cut");
+        assert!(peak(&spoiled.join("\n")).is_err(), "{name}: NaN");
+    }
+}
+
+#[test]
+fn a_grid_that_getfem_wrote_is_read_though_its_types_of_cells_are_no_bytes() {
+    let (truth, discretisation) = bench("cylinder");
+    let (plain, text) = frozen("cylinder-getfem-integral.vtu.gz");
+    assert!(text.contains("type=\"Int32\" Name=\"types\""));
+    let (scores, failed) = scored(&truth, &discretisation, Path::new(&plain), text.as_bytes()).expect("read");
+    assert!(scores.iter().all(|score| score.error.abs() <= 1e-2));
+    // Its multiplier swings below zero beyond the contact.
+    assert_eq!(failed, ["largest tension over the largest pressure"]);
+}
+
+#[test]
+fn what_is_planted_in_the_record_or_the_files_turns_a_check_of_the_scoreboard_red() {
+    let board = Board::load().expect("frozen");
+    let sound = of("bars", &board);
+    assert_eq!(not_passed(&sound), Vec::<String>::new());
+    let spoiled = |spoil: fn(&mut Board)| {
+        let mut other = board.clone();
+        spoil(&mut other);
+        not_passed(&of("bars", &other))
+    };
+    let scripts = spoiled(|board| board.scripts.values_mut().for_each(|hash| hash.push('0')));
+    assert_eq!(scripts, ["scripts changed since their answers were frozen, bars"]);
+    let dofs = spoiled(|board| board.cases.get_mut("bars").expect("asked").dofs += 2);
+    assert_eq!(dofs, ["degrees of freedom that the exported mesh has changed by, bars"]);
+    let lost = spoiled(|board| drop(board.cases.get_mut("bars").expect("asked").runs.pop()));
+    assert_eq!(lost.len(), 3, "{lost:?}");
+    let moved = spoiled(|board| {
+        if let board::Ended::Answered { found, .. } = &mut board.cases.get_mut("bars").expect("asked").runs[0].ended {
+            found[0] *= 1.0 + 1e-5;
+        }
+    });
+    assert_eq!(moved, ["frozen answers judged otherwise than when they were written, bars"]);
+    let unread = spoiled(|board| {
+        if let board::Ended::Answered { file, .. } = &mut board.cases.get_mut("bars").expect("asked").runs[0].ended {
+            file.push_str(".absent");
+        }
+    });
+    assert_eq!(unread, ["frozen answers that cannot be read, bars"]);
+    let far = Numbers {
+        rows: sound
+            .rows
+            .iter()
+            .cloned()
+            .map(|mut row| {
+                if let Ended::Judged { scores, .. } = &mut row.ended {
+                    scores.iter_mut().for_each(|score| score.error += 0.03);
+                }
+                row
+            })
+            .collect(),
+        ..sound
+    };
+    assert_eq!(not_passed(&far).len(), 2);
+    let none = Numbers { rows: vec![], ..far };
+    assert_eq!(not_passed(&none).len(), 5);
+}
+
+#[test]
+fn the_best_setting_is_the_one_with_the_least_that_is_not_met() {
+    let board = Board::load().expect("frozen");
+    for case in CASES {
+        let numbers = of(case, &board);
+        for code in contact_vv::study::scoreboard::setting::Code::ALL {
+            let Some(best) = numbers.best(|setting| setting.code == code) else { continue };
+            let count =
+                |ended: &Ended| if let Ended::Judged { failed, .. } = ended { failed.len() } else { usize::MAX };
+            let own = numbers.rows.iter().filter(|row| row.setting().code == code);
+            assert_eq!(own.map(|row| count(&row.ended)).min(), Some(count(&best.ended)), "{case}, {}", code.name());
+        }
+    }
+}
