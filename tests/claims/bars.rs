@@ -57,7 +57,15 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
             record.bar = f64::NAN;
         }
     };
-    assert_eq!(verdicts(&unknown)[..2], [fail.clone(), fail.clone()]);
+    assert_eq!(verdicts(&unknown)[0], fail);
+    // One error of all.
+    let far = |record: &mut Record| {
+        if (record.family, record.number, record.kind) == (all[0].family, all[0].number, all[0].kind) {
+            record.error = 3.1 * record.bar;
+        }
+    };
+    assert_eq!(verdicts(&far)[..2], [pass.clone(), fail.clone()]);
+    assert_eq!(verdicts(&|record| record.error = f64::NAN)[..2], [fail.clone(), fail.clone()]);
     let none = [within(&[]), beyond(&[]), narrow(&[]), as_recorded(&all, &[])].map(|judged| judged.verdict);
     assert_eq!(none, [fail.clone(), fail.clone(), fail.clone(), fail.clone()]);
     // The numbers of one scene.
