@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use crate::error::Error;
 use crate::mesh::Order;
+use crate::referee::field::Field;
 use crate::scene::{ContactPair, Scene};
 use crate::solution::EdgeState;
 
@@ -18,6 +19,8 @@ pub struct Answer {
     pub read: Vec<String>,
     /// Its contacts.
     pub contacts: Vec<Handed>,
+    /// Displacements on its mesh, where they were handed in with their unit.
+    pub field: Option<Field>,
 }
 
 /// What was handed in of one contact.

@@ -81,7 +81,7 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
         "reactions behind the gap elements as contact forces, turned round".into(),
         "places from the deck of the same name".into(),
     ];
-    Ok(Answer { file: file.into(), code: Some("CalculiX".into()), read, contacts })
+    Ok(Answer { file: file.into(), code: Some("CalculiX".into()), read, contacts, field: None })
 }
 
 /// Lines of the last table of forces of a set.

@@ -62,6 +62,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         code: Some("CalculiX".into()),
         read: read.into_iter().flatten().collect(),
         contacts,
+        field: None,
     })
 }
 

@@ -1,6 +1,5 @@
 //! Answers as VTK unstructured grids (`.vtu`, or `.vtk` of the legacy format): nodal pressure, or stress, on the mesh of the other code.
 
-use std::borrow::Cow;
 use std::path::Path;
 
 use vtkio::Vtk;
@@ -10,12 +9,12 @@ use crate::error::Error;
 use crate::mesh::Order;
 use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered, signed_coordinate};
 use crate::referee::asked::Asked;
+use crate::referee::field::Field as Displaced;
 use crate::referee::side::{self, Cell};
 use crate::referee::units::Role;
+use crate::referee::vtu::{self, AGAIN};
 use crate::scene::{ContactPair, Scene};
 
-/// What to do with a file that is not read.
-const AGAIN: &str = "save it as an uncompressed VTK unstructured grid (.vtu), its arrays as Float64 or Float32";
 /// Names that fields have without being named, by what they hold.
 const USUAL: [(Role, &[&str]); 4] = [
     (Role::Pressure, &["contact_pressure", "pressure"]),
@@ -26,42 +25,27 @@ const USUAL: [(Role, &[&str]); 4] = [
 
 /// The answer in the bytes of a file.
 pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
-    let contact = contact_named(scene, asked.contact.as_deref(), |message, remedy| Error::file(file, message, remedy))?;
+    let wanted = match (&asked.contact, scene.contacts.len()) {
+        (None, several) if several > 1 => (0..several).collect(),
+        (name, _) => {
+            vec![contact_named(scene, name.as_deref(), |message, remedy| Error::file(file, message, remedy))?]
+        }
+    };
     let grid = Grid::of(file, bytes)?;
     let length = grid.factor(Role::Position, "the points", asked)?;
     let points: Vec<[f64; 2]> =
         grid.points.chunks_exact(3).map(|point| [length * point[0], length * point[1]]).collect();
     let cells = cells(file, &grid.cells, points.len())?;
-    let edges = side::edges(scene, contact, &points, &cells);
-    if edges.is_empty() {
-        let name = &scene.contacts[contact].name;
-        let message =
-            format!("no edge of its cells lies on the side of contact `{name}`, within the candidate stretch");
-        return Err(Error::file(
-            file,
-            message,
-            "hand in the mesh in the coordinates of the scene, undeformed, in plane cells",
-        ));
+    let (mut contacts, mut read) = (Vec::new(), Vec::new());
+    for contact in wanted {
+        let (handed, how) = grid.contact(scene, contact, &points, &cells, asked)?;
+        contacts.push(handed);
+        read.extend(how);
     }
-    let mut nodes: Vec<usize> = edges.iter().flatten().copied().collect();
-    nodes.sort_unstable();
-    nodes.dedup();
-    let quadratic = edges.iter().all(|edge| edge.len() == 3);
-    let order = asked.order.unwrap_or(if quadratic { Order::Quadratic } else { Order::Linear });
-    let (value, mut read) = grid.pressures(&nodes, &points, scene, contact, asked)?;
-    let gaps = grid.gaps(&nodes, &points, &scene.contacts[contact], asked, &mut read)?;
-    let pair = &scene.contacts[contact];
-    let point = |(k, node): (usize, &usize)| Point {
-        position: signed_coordinate(pair, points[*node]),
-        value: asked.sign() * value[k],
-        area: None,
-        gap: gaps.as_ref().map(|gaps| gaps[k]),
-    };
-    let points = nodes.iter().enumerate().map(point).collect();
-    let points =
-        ordered(points, order, |message, remedy| Error::file(file, format!("its contact side: {message}"), remedy))?;
-    let contacts = vec![Handed { contact, points, order, edges: vec![], forces: false }];
-    Ok(Answer { file: file.into(), code: None, read, contacts })
+    read.sort();
+    read.dedup();
+    let field = grid.displaced(length, cells, asked)?;
+    Ok(Answer { file: file.into(), code: None, read, contacts, field })
 }
 
 /// The grid of a file.
@@ -83,7 +67,7 @@ impl<'a> Grid<'a> {
     fn of(file: &'a Path, bytes: &[u8]) -> Result<Self, Error> {
         let refused = |why: String| Error::unreadable(file, why, AGAIN);
         let xml = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("vtu"));
-        let parsed = if xml { Vtk::parse_xml(&*with_types_as_bytes(bytes)) } else { Vtk::parse_legacy_be(bytes) };
+        let parsed = if xml { Vtk::parse_xml(&*vtu::as_text(file, bytes)?) } else { Vtk::parse_legacy_be(bytes) };
         let vtk = parsed.map_err(|error| refused(error.to_string()))?;
         let DataSet::UnstructuredGrid { pieces, .. } = vtk.data else {
             return Err(refused("it is no unstructured grid".into()));
@@ -114,6 +98,47 @@ impl<'a> Grid<'a> {
         let count = points.len() / 3;
         fields.retain(|field| field.components > 0 && field.data.len() == field.components * count);
         Ok(Self { file, points, cells, fields })
+    }
+
+    /// One contact, and what was read as what.
+    fn contact(
+        &self,
+        scene: &Scene,
+        contact: usize,
+        points: &[[f64; 2]],
+        cells: &[Cell],
+        asked: &Asked,
+    ) -> Result<(Handed, Vec<String>), Error> {
+        let (file, pair) = (self.file, &scene.contacts[contact]);
+        let edges = side::edges(scene, contact, points, cells);
+        if edges.is_empty() {
+            let name = &pair.name;
+            let message =
+                format!("no edge of its cells lies on the side of contact `{name}`, within the candidate stretch");
+            return Err(Error::file(
+                file,
+                message,
+                "hand in the mesh in the coordinates of the scene, undeformed, in plane cells; --contact names one of several",
+            ));
+        }
+        let mut nodes: Vec<usize> = edges.iter().flatten().copied().collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        let quadratic = edges.iter().all(|edge| edge.len() == 3);
+        let order = asked.order.unwrap_or(if quadratic { Order::Quadratic } else { Order::Linear });
+        let (value, mut read) = self.pressures(&nodes, points, scene, contact, asked)?;
+        let gaps = self.gaps(&nodes, points, pair, &value, asked, &mut read)?;
+        let point = |(k, node): (usize, &usize)| Point {
+            position: signed_coordinate(pair, points[*node]),
+            value: asked.sign() * value[k],
+            area: None,
+            gap: gaps.as_ref().map(|gaps| gaps[k]),
+        };
+        let points = nodes.iter().enumerate().map(point).collect();
+        let points = ordered(points, order, |message, remedy| {
+            Error::file(file, format!("its contact side: {message}"), remedy)
+        })?;
+        Ok((Handed { contact, points, order, edges: vec![], forces: false }, read))
     }
 
     /// What turns numbers of a role into ours: no grid says its units.
@@ -185,15 +210,22 @@ impl<'a> Grid<'a> {
         nodes: &[usize],
         points: &[[f64; 2]],
         pair: &ContactPair,
+        pressures: &[f64],
         asked: &Asked,
         read: &mut Vec<String>,
     ) -> Result<Option<Vec<f64>>, Error> {
         if let Some(field) = self.field(Role::Gap, asked)?.filter(|field| field.components == 1) {
             let factor = self.factor(Role::Gap, &format!("`{}`", field.name), asked)?;
             read.push(format!("`{}` as gap", field.name));
+            // Where nothing presses, NaN says that there is no other side.
+            let none = |node: usize, pressure: f64| field.data[node].is_nan() && pressure.abs() <= 0.0;
             return nodes
                 .iter()
-                .map(|&node| self.finite(field, node, 0).map(|value| factor * value))
+                .zip(pressures)
+                .map(|(&node, &pressure)| match none(node, pressure) {
+                    true => Ok(f64::INFINITY),
+                    false => self.finite(field, node, 0).map(|value| factor * value),
+                })
                 .collect::<Result<_, Error>>()
                 .map(Some);
         }
@@ -214,6 +246,20 @@ impl<'a> Grid<'a> {
         nodes.iter().map(gap).collect::<Result<_, Error>>().map(Some)
     }
 
+    /// Displacements of all nodes, where they are there and their unit is named.
+    fn displaced(&self, length: f64, cells: Vec<Cell>, asked: &Asked) -> Result<Option<Displaced>, Error> {
+        let Some(field) = self.field(Role::Displacement, asked)?.filter(|field| field.components >= 2) else {
+            return Ok(None);
+        };
+        if asked.unit(Role::Displacement).is_none() {
+            return Ok(None);
+        }
+        let factor = self.factor(Role::Displacement, &format!("`{}`", field.name), asked)?;
+        let points = self.points.chunks_exact(3).map(|point| [length * point[0], length * point[1]]).collect();
+        let moved = field.data.chunks_exact(field.components).map(|moved| [factor * moved[0], factor * moved[1]]);
+        Ok(Some(Displaced { points, cells, displacement: moved.collect() }))
+    }
+
     fn finite(&self, field: &Field, node: usize, component: usize) -> Result<f64, Error> {
         let value = field.data[node * field.components + component];
         let refused = || {
@@ -225,22 +271,6 @@ impl<'a> Grid<'a> {
         };
         if value.is_finite() { Ok(value) } else { Err(refused()) }
     }
-}
-
-/// The same with the types of cells called bytes, where a text calls them wider integers as GetFEM does: our reader takes bytes only.
-fn with_types_as_bytes(bytes: &[u8]) -> Cow<'_, [u8]> {
-    let Ok(text) = std::str::from_utf8(bytes) else { return bytes.into() };
-    let Some(name) = text.find("Name=\"types\"") else { return bytes.into() };
-    let begin = text[..name].rfind('<').unwrap_or(name);
-    let end = text[name..].find('>').map_or(text.len(), |end| name + end);
-    let tag = &text[begin..end];
-    if !tag.contains("format=\"ascii\"") {
-        return bytes.into();
-    }
-    let narrow = ["Int32", "Int64", "UInt32", "UInt64"]
-        .iter()
-        .fold(tag.to_owned(), |tag, wide| tag.replace(&format!("type=\"{wide}\""), "type=\"UInt8\""));
-    [&text[..begin], &narrow, &text[end..]].concat().into_bytes().into()
 }
 
 /// Plane cells of the grid; others are refused.

@@ -4,8 +4,10 @@
 //! * [`answer`] — what another code found.
 //! * [`asked`] — how a file is to be read.
 //! * [`table`], [`document`], [`grid`], [`calculix`], [`frd`] — answers as CSV, as JSON, of VTK and of CalculiX; [`mod@read`] — a file by its ending.
+//! * `vtu` — arrays of VTU files that are no text, made such.
 //! * [`side`] — which nodes of a mesh lie on the contact side.
 //! * [`profile`] — an answer as contact points and edge means, of which measures are taken.
+//! * [`field`] — displacements brought to our mesh; `whole` — what they tell: equilibrium, energy, declared checks.
 //! * [`norm`] — the distance of a profile from the truth.
 //! * [`truth`] — what a case is judged by.
 //! * [`mod@bench`] — what a profile is judged with.
@@ -22,6 +24,7 @@ mod contact_laws;
 mod declared;
 pub mod document;
 pub mod export;
+pub mod field;
 pub mod frd;
 pub mod grid;
 pub mod judge;
@@ -35,6 +38,8 @@ pub mod side;
 pub mod table;
 pub mod truth;
 pub mod units;
+mod vtu;
+mod whole;
 
 use crate::error::Error;
 
@@ -69,7 +74,12 @@ impl Verdicts {
 pub fn verdicts(truth: &Truth, answer: Answer, tolerance: f64) -> Result<Verdicts, Error> {
     let scene = &truth.case.scene;
     let handed = || (0..scene.contacts.len()).filter_map(|contact| answer.of(contact));
-    let ruled = handed().map(|handed| judge::judge(truth, &Profile::of(scene, handed), tolerance)).collect();
+    let profiles: Vec<Profile> = handed().map(|handed| Profile::of(scene, handed)).collect();
+    let mut ruled: Vec<Ruled> = profiles.iter().map(|profile| judge::judge(truth, profile, tolerance)).collect();
+    match &answer.field {
+        Some(field) => whole::judge(truth, field, &profiles, &mut ruled, tolerance)?,
+        None => ruled.iter_mut().take(1).for_each(|first| first.missing.push(whole::missing())),
+    }
     let mistakes = handed().flat_map(|handed| mistakes::explain(truth, handed, tolerance)).collect();
     let names = scene.contacts.iter().enumerate().filter(|(contact, _)| answer.of(*contact).is_none());
     let absent = names.map(|(_, pair)| pair.name.clone()).collect();

@@ -29,6 +29,8 @@ pub struct Along {
 /// A series.
 #[derive(Clone, Debug)]
 pub struct Series {
+    /// Index of the contact.
+    pub contact: usize,
     /// Mean edge within the contact of each mesh, over the half-width of the truth.
     pub sizes: Vec<f64>,
     /// Numbers along it.
@@ -38,27 +40,35 @@ pub struct Series {
 /// How far the ratio of two sizes may be from 2: counted edges are whole.
 const HALVED: f64 = 0.1;
 
-/// The series of some answers of the first contact, coarse to fine.
-pub fn of(truth: &Truth, answers: &[Verdicts]) -> Option<Series> {
+/// The series of every contact that all answers hold, coarse to fine.
+pub fn all(truth: &Truth, answers: &[Verdicts]) -> Vec<Series> {
+    (0..truth.case.scene.contacts.len()).filter_map(|contact| of(truth, answers, contact)).collect()
+}
+
+/// The series of a contact.
+fn of(truth: &Truth, answers: &[Verdicts], contact: usize) -> Option<Series> {
     let ruled: Vec<&Ruled> =
-        answers.iter().filter_map(|one| one.ruled.iter().find(|ruled| ruled.contact == 0)).collect();
-    let handed: Vec<Profile> =
-        answers.iter().filter_map(|one| one.answer.of(0)).map(|one| Profile::of(&truth.case.scene, one)).collect();
-    if ruled.len() < 2 || handed.len() != ruled.len() {
+        answers.iter().filter_map(|one| one.ruled.iter().find(|ruled| ruled.contact == contact)).collect();
+    let handed: Vec<Profile> = answers
+        .iter()
+        .filter_map(|one| one.answer.of(contact))
+        .map(|one| Profile::of(&truth.case.scene, one))
+        .collect();
+    if ruled.len() < 2 || ruled.len() != answers.len() || handed.len() != ruled.len() {
         return None;
     }
-    let width = truth.known(0, Quantity::HalfWidth, oracle::Quantity::SecondMoment);
-    let peak = truth.known(0, Quantity::PeakPressure, oracle::Quantity::PeakPressure);
-    let reach = truth.run.contacts[0].measures.edge().abs();
+    let width = truth.known(contact, Quantity::HalfWidth, oracle::Quantity::SecondMoment);
+    let peak = truth.known(contact, Quantity::PeakPressure, oracle::Quantity::PeakPressure);
+    let reach = truth.run.contacts[contact].measures.edge().abs();
     let sizes: Vec<f64> =
         handed.iter().map(|profile| mean_edge(&profile.edges, reach) / width.reference.value).collect();
     let numbers = [
         ("half-width by second moment", width, ruled.iter().map(|one| one.measures.half_width).collect::<Vec<f64>>()),
         ("peak pressure", peak, ruled.iter().map(|one| one.measures.peak.pressure).collect()),
     ];
-    let bounded = numbers.into_iter().filter(|(name, ..)| *name != "peak pressure" || !truth.is_unbounded(0));
+    let bounded = numbers.into_iter().filter(|(name, ..)| *name != "peak pressure" || !truth.is_unbounded(contact));
     let along = bounded.map(|(name, known, values)| along(name, known, values, &sizes)).collect();
-    Some(Series { sizes, along })
+    Some(Series { contact, sizes, along })
 }
 
 /// Mean length of the edges within the contact.

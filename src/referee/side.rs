@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::scene::{ContactPair, Face, Path, Profile, Scene, Shape};
+use crate::scene::{ContactPair, Path, Profile, Scene, Shape};
 
 /// Distance from the side, over the length of an edge, that its chord explains.
 const NEAR: f64 = 0.02;
@@ -12,6 +12,7 @@ const ALONG: f64 = 0.5;
 const SAME: f64 = 1e-6;
 
 /// A cell by its nodes: three or four corners, then the mid-sides, if it has them.
+#[derive(Clone, Debug)]
 pub struct Cell {
     /// Its nodes.
     pub nodes: Vec<usize>,
@@ -46,14 +47,14 @@ fn surface(scene: &Scene, pair: &ContactPair, point: [f64; 2]) -> Option<f64> {
     if let (Path::Arc(circle), false) = (&pair.path, matches!(pair.profile, Profile::Drawn)) {
         return Some(circle.radius);
     }
+    // The side that the contact is on: a body may have another one on its other side.
+    let below = pair.normal(point)[1] < 0.0;
     match (&scene.bodies[pair.first].shape, pair.path.is_straight()) {
-        (Shape::Rectangle { y, contact, .. }, true) => {
-            Some(origin[1] - if *contact == Face::Bottom { y[0] } else { y[1] })
-        }
-        (Shape::Disc { centre, radius, contact, .. }, true) => {
+        (Shape::Rectangle { y, .. }, true) => Some(origin[1] - if below { y[0] } else { y[1] }),
+        (Shape::Disc { centre, radius, .. }, true) => {
             let away = point[0] - centre[0];
             let root = (radius * radius - away * away).max(0.0).sqrt();
-            let height = if *contact == Face::Bottom { centre[1] - root } else { centre[1] + root };
+            let height = if below { centre[1] - root } else { centre[1] + root };
             Some(origin[1] - height)
         }
         _ => None,

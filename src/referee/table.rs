@@ -88,7 +88,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     };
     let contacts = groups.into_iter().map(handed).collect::<Result<_, Error>>()?;
     let read = columns.iter().map(|column| format!("`{}` as {}", column.title, column.role.name())).collect();
-    Ok(Answer { file: file.into(), code: None, read, contacts })
+    Ok(Answer { file: file.into(), code: None, read, contacts, field: None })
 }
 
 /// A comma, unless the first line has none but semicolons or tabs.

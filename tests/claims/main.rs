@@ -59,6 +59,7 @@ mod reactions;
 mod readers;
 mod referee;
 mod referee_export;
+mod referee_field;
 mod referee_fuzz;
 mod referee_refusals;
 mod referee_series;

@@ -44,13 +44,17 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
         fs::write(path, svg).map_err(|error| Error::unwritable(path, error))?;
     }
     let mut met = judged.iter().all(Verdicts::met);
-    if let Some(found) = series::of(&truth, &judged).filter(|_| arguments.series) {
-        // Coarse meshes of a series need not meet the tolerance: the finest and the limit do.
-        met = judged.last().is_some_and(Verdicts::met)
-            && found.along.iter().all(|one| one.judged.verdict != Verdict::Fail);
-        match arguments.json {
-            true => found.along.iter().for_each(|one| say(Answer::Line(Line::of("series", &one.judged).into()).line())),
-            false => told::series(&found),
+    if arguments.series {
+        let found = series::all(&truth, &judged);
+        // Coarse meshes of a series need not meet the tolerance: the finest and the limits do.
+        let goes_there = found.iter().flat_map(|one| &one.along).all(|one| one.judged.verdict != Verdict::Fail);
+        met = judged.last().is_some_and(Verdicts::met) && goes_there && !found.is_empty();
+        for series in &found {
+            let lines = series.along.iter().map(|one| Answer::Line(Line::of("series", &one.judged).into()).line());
+            match arguments.json {
+                true => lines.for_each(say),
+                false => told::series(&truth, series),
+            }
         }
     }
     Ok(Ended::checked(met))

@@ -35,7 +35,8 @@ pub fn markdown(truth: &Truth, found: &Verdicts) -> String {
 }
 
 /// Prints a series: a line a mesh, then what it says of its limit.
-pub fn series(found: &Series) {
+pub fn series(truth: &Truth, found: &Series) {
+    say(format!("contact `{}`:", truth.case.scene.contacts[found.contact].name));
     let mut table = table(["quantity", "h/a", "value", "error", "order"]);
     for one in &found.along {
         for k in 0..one.values.len() {

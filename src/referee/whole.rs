@@ -1,0 +1,269 @@
+//! What displacements on the whole mesh tell: whether their stresses are in equilibrium with loads and pressures, their strain energy, and the
+//! displacements, reactions, approaches and shears that a scene file declares.
+
+use crate::case::quantity::Quantity as Asked;
+use crate::case::{Against, Check, Judged, Reference};
+use crate::elasticity::{loads, reactions};
+use crate::error::Error;
+use crate::measure::larger;
+use crate::oracle::ReferenceKind;
+use crate::referee::field::Field;
+use crate::referee::profile::Profile;
+use crate::referee::truth::{Known, Truth};
+use crate::referee::{Ruled, bench::Bench};
+use crate::scene::{Load, Place};
+use crate::solve::{Discretisation, Run};
+
+/// What to hand in.
+const GRID: &str = "a VTK grid of all bodies with the displacement of every node, and --unit displacement=UNIT";
+
+/// What cannot be judged without displacements.
+pub fn missing() -> [String; 2] {
+    ["equilibrium of the stresses, and strain energy".into(), GRID.into()]
+}
+
+/// A field with all that is needed to judge it.
+struct Whole<'a> {
+    truth: &'a Truth,
+    /// The case on the mesh that it is exported on.
+    own: &'a Discretisation,
+    /// Displacements of its nodes.
+    displacement: Vec<[f64; 2]>,
+    /// Internal forces of its nodes.
+    internal: Vec<[f64; 2]>,
+    tolerance: f64,
+}
+
+/// Judges a field: what belongs to no contact goes to the first of the profiles.
+pub fn judge(
+    truth: &Truth,
+    field: &Field,
+    profiles: &[Profile],
+    ruled: &mut [Ruled],
+    tolerance: f64,
+) -> Result<(), Error> {
+    let (meshed, run) = truth.case.solve()?;
+    let own = &meshed.discretisation;
+    let displacement = match field.at_nodes(own) {
+        Ok(displacement) => displacement,
+        Err(why) => {
+            let [what, how] = missing();
+            if let Some(first) = ruled.first_mut() {
+                first.missing.push([what, format!("{how}: {why}")]);
+            }
+            return Ok(());
+        }
+    };
+    let internal = internal(own, &displacement)?;
+    let whole = Whole { truth, own, displacement, internal, tolerance };
+    for (profile, ruled) in profiles.iter().zip(&mut *ruled) {
+        ruled.judged.extend(whole.declared(profile, ruled.contact, &mut ruled.missing)?);
+    }
+    if let Some(first) = ruled.first_mut() {
+        match profiles.len() == truth.case.scene.contacts.len() {
+            true => first.judged.extend(whole.equilibrium(profiles)?),
+            false => {
+                first.missing.push(["equilibrium of the stresses".into(), "the pressures of every contact".into()])
+            }
+        }
+        first.judged.push(whole.energy(&run)?);
+    }
+    Ok(())
+}
+
+/// Internal forces of all nodes.
+fn internal(own: &Discretisation, displacement: &[[f64; 2]]) -> Result<Vec<[f64; 2]>, Error> {
+    let of = |body| reactions::internal_forces(&own.scene, &own.mesh, body, displacement);
+    let bodies = (0..own.scene.bodies.len()).map(of).collect::<Result<Vec<_>, Error>>()?;
+    Ok(bodies.concat())
+}
+
+/// `½ f·u` \[N mm\].
+fn strain_energy(internal: &[[f64; 2]], displacement: &[[f64; 2]]) -> f64 {
+    let pairs = internal.iter().zip(displacement);
+    0.5 * pairs.map(|(force, moved)| force[0] * moved[0] + force[1] * moved[1]).sum::<f64>()
+}
+
+impl Whole<'_> {
+    /// Strain energy against that of our fine answer, which may be off by what it is apart from that on the exported mesh.
+    fn energy(&self, coarse: &Run) -> Result<Judged, Error> {
+        let of = |on: &Discretisation, run: &Run| -> Result<f64, Error> {
+            let displacement = on.displacement_under(run.share(), &run.solution);
+            Ok(strain_energy(&internal(on, &displacement)?, &displacement))
+        };
+        let fine = of(&self.truth.discretisation, &self.truth.run)?;
+        let bar = (fine - of(self.own, coarse)?).abs();
+        let reference = Reference {
+            name: "our fine answer".into(),
+            kind: ReferenceKind::CrossCode,
+            value: fine,
+            uncertainty: None,
+        };
+        let allowed = self.tolerance + bar / fine.abs();
+        let because = "the tolerance, and what the energy still changes with our mesh";
+        let check =
+            Check::near(Asked::at("strain energy of the displacements [N mm]", ""), reference, allowed, because);
+        Ok(check.judge(strain_energy(&self.internal, &self.displacement)))
+    }
+
+    /// Virtual work of the stresses against that of loads and pressures, for linear motions under which no support works.
+    fn equilibrium(&self, profiles: &[Profile]) -> Result<Vec<Judged>, Error> {
+        let names = [
+            [
+                "stresses against loads and pressures: stretched along x",
+                "stresses against loads and pressures: sheared along x",
+            ],
+            [
+                "stresses against loads and pressures: sheared along y",
+                "stresses against loads and pressures: stretched along y",
+            ],
+        ];
+        let mut found = Vec::new();
+        for (component, names) in names.into_iter().enumerate() {
+            for (along, name) in names.into_iter().enumerate() {
+                let Some(from) = self.at_rest(component, along)? else { continue };
+                let motion = |point: [f64; 2]| point[along] - from;
+                let pairs = self.internal.iter().zip(&self.own.mesh.points);
+                let inner: f64 = pairs.map(|(force, place)| force[component] * motion(*place)).sum();
+                found.push((name, inner, self.outer(component, &motion, profiles)?));
+            }
+        }
+        // Under some motions nothing works: what is left there is held against the others.
+        let size = |terms: &[f64]| terms.iter().map(|term| term.abs()).sum::<f64>();
+        let scale = found.iter().map(|(.., terms)| size(terms)).fold(self.least_work(profiles), larger);
+        let because = "the tolerance: virtual work of linear motions is exact for elements of any order";
+        let judged = |(name, inner, terms): (&'static str, f64, Vec<f64>)| {
+            let check = Check::error(name, Reference::own("virtual work", 0.0), self.tolerance, because);
+            check.judge((inner - terms.iter().sum::<f64>()).abs() / scale)
+        };
+        Ok(found.into_iter().map(judged).collect())
+    }
+
+    /// A tenth of the work of all pressures along the size of the bodies: less than this is no scale to judge by.
+    fn least_work(&self, profiles: &[Profile]) -> f64 {
+        let points = profiles.iter().flat_map(|profile| &profile.points);
+        let force: f64 = points.map(|point| (point.weight * point.pressure).abs()).sum();
+        let span = |axis: usize| {
+            let places = || self.own.mesh.points.iter().map(|point| point[axis]);
+            places().fold(f64::NEG_INFINITY, f64::max) - places().fold(f64::INFINITY, f64::min)
+        };
+        0.1 * force * span(0).max(span(1))
+    }
+
+    /// Where a linear motion of a component begins, such that supports and rigid faces are at rest, or move as one; none where they are not.
+    fn at_rest(&self, component: usize, along: usize) -> Result<Option<f64>, Error> {
+        let Discretisation { scene, mesh, .. } = self.own;
+        let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let (mut held, mut flat) = (Vec::new(), true);
+        let all: Vec<f64> = mesh.points.iter().map(|point| point[along]).collect();
+        let same = 1e-9 * size(&all);
+        for (index, body) in scene.bodies.iter().enumerate() {
+            for support in body.supports.iter().filter(|support| support.component.index() == component) {
+                held.extend(mesh.nodes_at(scene, index, &support.at)?.into_iter().map(|node| mesh.points[node][along]));
+            }
+            for load in &body.loads {
+                let Load::RigidFace { boundary, component: own, .. } = load else { continue };
+                let nodes = mesh.nodes_at(scene, index, &Place::Boundary(boundary.clone()))?;
+                let first = mesh.points[nodes[0]][along];
+                flat &= own.index() != component
+                    || nodes.iter().all(|&node| (mesh.points[node][along] - first).abs() <= same);
+            }
+        }
+        let from = held.first().copied().unwrap_or(0.0);
+        Ok(Some(from).filter(|from| flat && held.iter().all(|x| (x - from).abs() <= same)))
+    }
+
+    /// Work of every load and pressure.
+    fn outer(
+        &self,
+        component: usize,
+        motion: &dyn Fn([f64; 2]) -> f64,
+        profiles: &[Profile],
+    ) -> Result<Vec<f64>, Error> {
+        let Discretisation { scene, mesh, interfaces, .. } = self.own;
+        let mut terms = Vec::new();
+        for (index, body) in scene.bodies.iter().enumerate() {
+            let forces = loads::at_nodes(scene, mesh, index)?.into_iter().zip(mesh.bodies[index].nodes.clone());
+            terms.extend(forces.map(|(force, node)| force[component] * motion(mesh.points[node])));
+            for load in &body.loads {
+                let Load::RigidFace { boundary, component: own, force } = load else { continue };
+                let nodes = mesh.nodes_at(scene, index, &Place::Boundary(boundary.clone()))?;
+                let works = own.index() == component;
+                terms.extend(works.then(|| force * motion(mesh.points[nodes[0]])));
+            }
+        }
+        for profile in profiles {
+            let Some(interface) = interfaces.get(profile.contact) else { continue };
+            for point in &profile.points {
+                let place = |axis: usize| {
+                    along(interface.nodes.iter().map(|node| (node.coordinate, node.point[axis])), point.position)
+                };
+                let normal = |axis: usize| {
+                    along(interface.nodes.iter().map(|node| (node.coordinate, node.normal[axis])), point.position)
+                };
+                let gap = along(interface.nodes.iter().map(|node| (node.coordinate, node.gap)), point.position);
+                let (at, n) = ([place(0), place(1)], [normal(0), normal(1)]);
+                let force = point.weight * point.pressure;
+                // Nothing presses where there is no other side.
+                if force.abs() <= 0.0 {
+                    continue;
+                }
+                let opposite = [0, 1].map(|axis| at[axis] + gap * n[axis]);
+                terms.push(0.0 - force * n[component] * motion(at));
+                terms.extend(interface.pair.second.map(|_| force * n[component] * motion(opposite)));
+            }
+        }
+        Ok(terms)
+    }
+
+    /// Checks that a scene file declares on displacements.
+    fn declared(
+        &self,
+        profile: &Profile,
+        contact: usize,
+        missing: &mut Vec<[String; 2]>,
+    ) -> Result<Vec<Judged>, Error> {
+        let measures = &crate::measure::Measures::of(&profile.scene, contact, profile.part());
+        let bench = Bench { truth: self.truth, profile, measures, tolerance: self.tolerance };
+        let mut judged = Vec::new();
+        for check in self.truth.case.checks.iter().filter(|check| check.contact == contact) {
+            let Against::Value(reference) = &check.against else { continue };
+            let shear = |body: usize| self.own.shear_below(&self.displacement, bench.measures, [contact, body]);
+            let value = match &check.quantity {
+                Asked::Displacement(of) => self.own.displaced(&self.displacement, of)?,
+                Asked::Approach => self.own.approach(&self.displacement, contact)?.unwrap_or(f64::NAN),
+                Asked::Reaction { body, support } => self.reaction(*body, *support)?,
+                Asked::Shear { body } => shear(*body)?.map_or(f64::NAN, |shear| shear.stress),
+                Asked::ShearDepth { body } => shear(*body)?.map_or(f64::NAN, |shear| shear.depth),
+                _ => continue,
+            };
+            missing.retain(|[what, _]| *what != check.quantity.to_string());
+            let tolerance = check.tolerance.max(self.tolerance);
+            let because = "that of the scene file, or the one asked for: the displacements are those of another mesh";
+            let check = Check { tolerance, because: because.into(), ..check.clone() };
+            let known = Known { reference: reference.clone(), bar: 0.0 };
+            judged.push(bench.ruled(check, value, known));
+        }
+        Ok(judged)
+    }
+
+    /// Force of a support: what the stresses at its nodes leave of their loads.
+    fn reaction(&self, body: usize, support: usize) -> Result<f64, Error> {
+        let Discretisation { scene, mesh, .. } = self.own;
+        let Some(support) = scene.bodies[body].supports.get(support) else { return Ok(f64::NAN) };
+        let (axis, first) = (support.component.index(), mesh.bodies[body].nodes.start);
+        let loads = loads::at_nodes(scene, mesh, body)?;
+        let nodes = mesh.nodes_at(scene, body, &support.at)?;
+        Ok(nodes.into_iter().map(|node| self.internal[node][axis] - loads[node - first][axis]).sum())
+    }
+}
+
+/// Linear between places that rise.
+fn along(known: impl Iterator<Item = (f64, f64)>, at: f64) -> f64 {
+    let known: Vec<(f64, f64)> = known.collect();
+    let after = known.partition_point(|(place, _)| *place < at).clamp(1, known.len().max(2) - 1);
+    let [Some((a, x)), Some((b, y))] = [known.get(after - 1), known.get(after)].map(|one| one.copied()) else {
+        return f64::NAN;
+    };
+    x + (y - x) * (at - a) / (b - a)
+}

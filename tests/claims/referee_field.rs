@@ -1,0 +1,200 @@
+//! Displacements that are handed in with their mesh are judged by equilibrium, energy and what a scene file declares.
+
+use std::io::Write;
+use std::path::Path;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use contact_vv::case::library::{NAMES, find};
+use contact_vv::case::{Case, Verdict};
+use contact_vv::cli::vtu;
+use contact_vv::mesh::{Order, Resolution};
+use contact_vv::referee::field::Field;
+use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::referee::side::Cell;
+use contact_vv::referee::units::Role;
+use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
+use contact_vv::solve::Discretisation;
+use flate2::{Compression, write::ZlibEncoder};
+
+fn units() -> Asked {
+    let units = [(Role::Position, "mm"), (Role::Pressure, "MPa"), (Role::Gap, "mm"), (Role::Displacement, "mm")];
+    Asked { units: units.map(|(role, unit)| (role, unit.to_owned())).into(), ..Asked::default() }
+}
+
+/// Our own fields on the mesh of a case, as a text.
+fn own(case: &Case) -> String {
+    let (meshed, run) = case.solve().expect("solved");
+    vtu::text(&meshed.discretisation, &run).expect("written")
+}
+
+fn answer(case: &Case, text: &[u8]) -> Answer {
+    read::parse(Path::new("ours.vtu"), text, case, &units()).expect("read")
+}
+
+fn failed(found: &Verdicts) -> Vec<String> {
+    let judged = found.ruled.iter().flat_map(|ruled| &ruled.judged);
+    judged.filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string()).collect()
+}
+
+fn spoiled(truth: &Truth, text: &str, spoil: impl Fn(&mut Field)) -> Vec<String> {
+    let mut answer = answer(&truth.case, text.as_bytes());
+    spoil(answer.field.as_mut().expect("displacements"));
+    failed(&verdicts(truth, answer, ENGINEERING).expect("judged"))
+}
+
+#[test]
+fn our_own_displacements_are_in_equilibrium_and_have_our_energy_on_every_case() {
+    for (name, _) in NAMES {
+        let case = find(name, None).expect("a case");
+        let text = own(&case);
+        let truth = Truth::of(case).expect("a truth");
+        let found = verdicts(&truth, answer(&truth.case, text.as_bytes()), ENGINEERING).expect("judged");
+        assert_eq!(failed(&found), Vec::<String>::new(), "{name}");
+        let energy = found.ruled[0].judged.iter().find(|one| one.check.quantity.to_string().contains("strain energy"));
+        assert_eq!(energy.expect("judged").verdict, Verdict::Pass, "{name}");
+    }
+}
+
+#[test]
+fn displacements_that_are_wrong_are_found_by_equilibrium_and_energy() {
+    let case = find("cylinder", None).expect("a case");
+    let text = own(&case);
+    let truth = Truth::of(case).expect("a truth");
+    let energy = |failed: &[String]| failed.iter().any(|one| one.contains("strain energy"));
+    let balance = |failed: &[String]| failed.iter().any(|one| one.contains("stresses against loads and pressures"));
+    let scaled = spoiled(&truth, &text, |field| field.displacement.iter_mut().flatten().for_each(|u| *u *= 1.03));
+    assert!(energy(&scaled) && balance(&scaled), "{scaled:?}");
+    let turned = spoiled(&truth, &text, |field| field.displacement.iter_mut().flatten().for_each(|u| *u = 0.0 - *u));
+    assert!(balance(&turned), "{turned:?}");
+    let poisson = spoiled(&truth, &text, |field| field.displacement.iter_mut().for_each(|u| u[0] *= 1.1));
+    assert!(balance(&poisson), "{poisson:?}");
+    let none = spoiled(&truth, &text, |field| field.displacement[700] = [f64::NAN; 2]);
+    assert!(energy(&none) && balance(&none), "{none:?}");
+    let one = spoiled(&truth, &text, |field| field.displacement[700][1] += 0.05);
+    assert!(energy(&one), "{one:?}");
+}
+
+#[test]
+fn a_mesh_with_a_hole_is_not_judged_and_the_place_is_named() {
+    let case = find("bars", None).expect("a case");
+    let text = own(&case);
+    let truth = Truth::of(case).expect("a truth");
+    let mut answer = answer(&truth.case, text.as_bytes());
+    answer.field.as_mut().expect("displacements").cells.truncate(20);
+    let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+    let missing = &found.ruled[0].missing;
+    assert!(
+        missing.iter().any(|[what, how]| what.contains("strain energy") && how.contains("holds the point")),
+        "{missing:?}"
+    );
+}
+
+#[test]
+fn cells_of_every_kind_carry_a_motion_of_their_degree_to_our_nodes() {
+    let case = find("truncated-hertz", None).expect("a case");
+    let mesh = |order| {
+        let resolution = Resolution { order, elements: 4, ..case.resolution };
+        Discretisation::of(case.scene.clone(), resolution).expect("meshed")
+    };
+    let target = mesh(Order::Quadratic);
+    let motion =
+        |[x, y]: [f64; 2], square: f64| [0.2 * x - 0.1 * y + square * x * y, 0.3 * y + square * (x * x - y * y)];
+    for (kind, square) in [("3", 0.0), ("6", 0.01), ("4", 0.0), ("8", 0.01), ("9", 0.01)] {
+        let source = mesh(if matches!(kind, "3" | "4") { Order::Linear } else { Order::Quadratic });
+        let mut points = source.mesh.points.clone();
+        let mut cells = Vec::new();
+        for cell in 0..source.mesh.cells() {
+            let nodes = source.mesh.cell(cell).to_vec();
+            let mut at = |pair: [usize; 2]| {
+                let [a, b] = pair.map(|node| points[node]);
+                points.push([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]);
+                points.len() - 1
+            };
+            match kind {
+                "3" => cells.extend([[0, 1, 2], [0, 2, 3]].map(|corners| corners.map(|k| nodes[k]).to_vec())),
+                "6" => {
+                    let middle = at([nodes[0], nodes[2]]);
+                    cells.push(vec![nodes[0], nodes[1], nodes[2], nodes[4], nodes[5], middle]);
+                    cells.push(vec![nodes[0], nodes[2], nodes[3], middle, nodes[6], nodes[7]]);
+                }
+                "9" => {
+                    let centre = at([nodes[0], nodes[2]]);
+                    cells.push([&nodes[..], &[centre]].concat());
+                }
+                _ => cells.push(nodes),
+            }
+        }
+        let corners = if matches!(kind, "3" | "6") { 3 } else { 4 };
+        let cells = cells.into_iter().map(|nodes| Cell { nodes, corners }).collect();
+        let displacement = points.iter().map(|point| motion(*point, square)).collect();
+        let found = Field { points, cells, displacement }.at_nodes(&target).expect("reached");
+        for (found, place) in found.iter().zip(&target.mesh.points) {
+            let wanted = motion(*place, square);
+            let off = (found[0] - wanted[0]).hypot(found[1] - wanted[1]);
+            assert!(off <= 1e-9 * (1.0 + wanted[0].hypot(wanted[1])), "{kind}: {off} at {place:?}");
+        }
+    }
+}
+
+#[test]
+fn displacements_approaches_and_shears_that_a_scene_file_declares_are_judged_and_found_wrong() {
+    let folder = format!("{}/tests/cases", env!("CARGO_MANIFEST_DIR"));
+    for (file, what) in [
+        ("eccentric-load", "displacement"),
+        ("two-cylinders", "largest shear stress"),
+        ("press-fit", "reaction"),
+        ("roller-between-plates", "strain energy"),
+    ] {
+        let case = Case::read(Path::new(&format!("{folder}/{file}.toml"))).expect("a case");
+        let text = own(&case);
+        let truth = Truth::of(case).expect("a truth");
+        let right = verdicts(&truth, answer(&truth.case, text.as_bytes()), ENGINEERING).expect("judged");
+        assert_eq!(failed(&right), Vec::<String>::new(), "{file}");
+        let names: Vec<String> =
+            right.ruled.iter().flat_map(|ruled| &ruled.judged).map(|one| one.check.quantity.to_string()).collect();
+        assert!(names.iter().any(|name| name.contains(what)), "{file}: {names:?}");
+        let wrong = spoiled(&truth, &text, |field| field.displacement.iter_mut().flatten().for_each(|u| *u *= 1.2));
+        assert!(wrong.iter().any(|name| name.contains(what)), "{file}: {wrong:?}");
+    }
+}
+
+/// All arrays as meshio and VTK write them by default: base64 of a header, then that of one block compressed by zlib.
+fn compressed(text: &str) -> String {
+    let head = text.replacen("<VTKFile", "<VTKFile compressor=\"vtkZLibDataCompressor\"", 1);
+    let wide = head.contains("header_type=\"UInt64\"");
+    let mut parts = head.split("format=\"binary\"");
+    let mut all = parts.next().expect("a head").to_owned();
+    for part in parts {
+        let (tag, rest) = part.split_once('>').expect("a tag");
+        let (array, rest) = rest.split_once('<').expect("an end");
+        let bytes = STANDARD.decode(array.trim()).expect("base64");
+        let bytes = &bytes[if wide { 8 } else { 4 }..];
+        let mut block = ZlibEncoder::new(Vec::new(), Compression::default());
+        block.write_all(bytes).expect("compressed");
+        let block = block.finish().expect("compressed");
+        let word = |word: usize| {
+            if wide { (word as u64).to_le_bytes().to_vec() } else { (word as u32).to_le_bytes().to_vec() }
+        };
+        let words = [1, bytes.len(), 0, block.len()].map(word);
+        all += &format!("format=\"binary\"{tag}>{}{}<{rest}", STANDARD.encode(words.concat()), STANDARD.encode(block));
+    }
+    all
+}
+
+#[test]
+fn arrays_compressed_by_zlib_are_read_as_plain_ones_and_others_are_refused() {
+    let case = find("bars", None).expect("a case");
+    let text = own(&case);
+    let whole = compressed(&text);
+    assert!(whole.matches("format=\"binary\"").count() > 5);
+    let of = |text: &str| read::parse(Path::new("ours.vtu"), text.as_bytes(), &case, &units());
+    assert_eq!(of(&whole).expect("read").contacts[0].points, of(&text).expect("read").contacts[0].points);
+    let array = whole.rfind("</DataArray").expect("an array");
+    for cut in [1, 9, 40] {
+        assert!(of(&format!("{}{}", &whole[..array - cut], &whole[array..])).is_err(), "{cut}");
+    }
+    let other = whole.replace("vtkZLibDataCompressor", "vtkLZ4DataCompressor");
+    let error = of(&other).map(|_| ()).expect_err("another compressor").to_string();
+    assert!(error.contains("vtkLZ4DataCompressor, and zlib is read"), "{error}");
+}
