@@ -34,8 +34,9 @@ Examples:
   contact-vv verify mine.toml other.toml --json";
 
 /// Of `scoreboard`.
-pub const SCOREBOARD: &str = "Examples:
-  bash oracles/peers/setup.sh && contact-vv scoreboard";
+pub const SCOREBOARD: &str = "\
+Examples:
+  contact-vv scoreboard";
 
 /// Of `export`.
 pub const EXPORT: &str = "\

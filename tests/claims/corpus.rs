@@ -16,8 +16,13 @@ const LEAST: u64 = 1_000_000;
 
 type Reader = fn(&[u8]) -> Result<(), Error>;
 
-const TARGETS: [(&str, Reader); 4] =
-    [("scene", read::scene), ("mesh", read::mesh), ("answers", read::answers), ("curve", read::curve)];
+const TARGETS: [(&str, Reader); 5] = [
+    ("scene", read::scene),
+    ("mesh", read::mesh),
+    ("answers", read::answers),
+    ("curve", read::curve),
+    ("handed", read::handed),
+];
 
 #[derive(Deserialize)]
 struct Fuzzed {

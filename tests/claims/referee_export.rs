@@ -159,8 +159,11 @@ fn ccx(folder: &Path, job: &str) -> Option<()> {
 #[test]
 fn exported_decks_are_solved_by_calculix_where_it_is_installed_and_meet_the_truth() {
     let folder = tempfile::tempdir().expect("a folder");
-    for name in ["cylinder", "truncated-hertz", "pin-rod", "bars"] {
-        let case = find(name, None).expect("a case");
+    // Of cells much smaller than the thickness in plane stress; of a body that nothing holds before the first contact.
+    let [pin, patch] = ["rigid-pin", "patch"];
+    let file = format!("{}/tests/cases/{pin}.toml", env!("CARGO_MANIFEST_DIR"));
+    for name in ["cylinder", "truncated-hertz", "pin-rod", "bars", patch, pin] {
+        let case = if name == pin { Case::read(Path::new(&file)) } else { find(name, None) }.expect("a case");
         let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
         std::fs::write(folder.path().join(format!("{name}.inp")), deck::text(&discretisation).expect("written"))
             .expect("written");

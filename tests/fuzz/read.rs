@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use contact_vv::case::Case;
+use contact_vv::case::library::find;
 use contact_vv::error::Error;
 use contact_vv::mesh::Mesh;
 use contact_vv::mesh::size::expected;
@@ -15,6 +16,12 @@ use contact_vv::oracle::Quantity;
 use contact_vv::oracle::cross_code::frozen::{Frozen, file};
 use contact_vv::oracle::cross_code::{Code, Method};
 use contact_vv::oracle::digitised::Digitised;
+use contact_vv::referee::export::deck;
+use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::referee::read::parse;
+use contact_vv::referee::units::Role;
+use contact_vv::referee::{Answer, Asked, Truth, calculix, verdicts};
+use contact_vv::solve::Discretisation;
 use contact_vv::study::cross_code::differences::changes;
 use contact_vv::study::cross_code::physical::{Finder, Found};
 
@@ -54,6 +61,40 @@ pub fn answers(bytes: &[u8]) -> Result<(), Error> {
     }
     let current = read.scripts == COMMITTED.scripts;
     assert_eq!(read.of_scripts(Code::ScikitFem, &COMMITTED.scripts).is_ok(), current);
+    Ok(())
+}
+
+/// The answer of another code to the case `bars`: the ending of its file on the first line, and the file behind it; judged where it is read.
+pub fn handed(bytes: &[u8]) -> Result<(), Error> {
+    static BARS: LazyLock<(Truth, Discretisation, String)> = LazyLock::new(|| {
+        let case = find("bars", None).expect("a case");
+        let own = case.meshed().expect("meshed").discretisation;
+        let deck = deck::text(&own).expect("written");
+        (Truth::of(case).expect("a truth"), own, deck)
+    });
+    let (truth, own, deck) = &*BARS;
+    let begin = bytes.iter().position(|byte| *byte == b'\n').unwrap_or(bytes.len());
+    let (ending, content) = (String::from_utf8_lossy(&bytes[..begin]), bytes.get(begin + 1..).unwrap_or_default());
+    let units = [
+        (Role::Position, "mm"),
+        (Role::Pressure, "MPa"),
+        (Role::Gap, "mm"),
+        (Role::Displacement, "mm"),
+        (Role::Stress, "MPa"),
+    ];
+    let units = units.map(|(role, unit)| (role, unit.to_owned()));
+    let fields = ["vtu", "vtk", "frd"].contains(&&*ending);
+    let asked = Asked { units: if fields { units.into() } else { vec![] }, ..Asked::default() };
+    let file = Path::new("answer").with_extension(ending.replace(['/', '\\', '\0'], ""));
+    let answer = match &*ending {
+        "dat" => calculix::forces(&file, &String::from_utf8_lossy(content), deck, &truth.case.scene, &asked)?,
+        _ => parse(&file, content, &truth.case, &asked)?,
+    };
+    if let Some(field) = &answer.field {
+        let _ = field.at_nodes(own);
+    }
+    let judged = verdicts(truth, Answer { field: None, ..answer }, ENGINEERING)?;
+    assert!(judged.ruled.iter().all(|ruled| !ruled.judged.is_empty()));
     Ok(())
 }
 

@@ -22,7 +22,7 @@ HERE = ROOT / "tests/fuzz"
 WORK = ROOT / "target/fuzz"
 RECORD = ROOT / "snapshots/fuzz.json"
 # The modules that the targets call, and the targets.
-MODULES = ["case", "error", "mesh", "oracle", "scene", "study/cross_code"]
+MODULES = ["case", "error", "mesh", "oracle", "referee", "scene", "study/cross_code"]
 SOURCES = [f"src/{module}" for module in MODULES] + [
     f"tests/fuzz/{name}" for name in ("Cargo.lock", "Cargo.toml", "mesh.toml", "read.rs", "targets")]
 # Seeds besides the corpus, and the longest input in bytes.
@@ -31,6 +31,7 @@ TARGETS = {
     "mesh": (["tests/cases/meshes/rings-coarse.msh"], 6000),
     "answers": ([], 3000),
     "curve": (["tests/data/digitised-synthetic/semi-ellipse.csv"], 2000),
+    "handed": ([], 24000),
 }
 # What `cargo fuzz` gives rustc for libFuzzer, but for what needs another toolchain.
 COVERAGE = ["--cfg", "fuzzing", "-Cpasses=sancov-module", "-Ccodegen-units=1"] + [

@@ -3,9 +3,10 @@
 //!
 //! The approach of a contact node, `w = b·u`, is a dof of a node of its own, by an `*EQUATION`; a `GAPUNI` of the initial gap lies between
 //! that node and a fixed one at the same place, whose reaction along 1 is the contact force, turned round. Contact pairs of these codes follow the
-//! deformed surfaces, which is another model; the surfaces for them are there too. Where contact alone holds a body and its gap is open everywhere,
-//! as in the case `patch`, ccx diverges: nothing holds the body before the first contact. It makes bricks of plane cells, which err in plane
-//! stress where they are much smaller than the thickness.
+//! deformed surfaces, which is another model; the surfaces for them are there too. Where the gaps of a contact are
+//! open everywhere, nothing holds a body before the first contact, and ccx would diverge, as in the case `patch`: weak springs do. It makes bricks of plane cells, and those in
+//! plane stress are too stiff where they are smaller than the thickness (the rigid pin: 2.8 % in the peak). Such decks have a slice as thin as
+//! the smallest contact edge, and a modulus as much larger, so that forces and displacements stay what they are.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -14,6 +15,7 @@ use crate::contact::interface::ContactNode;
 use crate::elasticity::loads;
 use crate::error::Error;
 use crate::mesh::{Edge, Order};
+use crate::referee::export::rows::approach;
 use crate::scene::{Component, Load, Place, PlaneHypothesis};
 use crate::solve::Discretisation;
 
@@ -21,8 +23,8 @@ use crate::solve::Discretisation;
 const STIFFNESS: f64 = 1e4;
 /// Pull of an open one, over the reference force.
 const TAIL: f64 = 1e-7;
-/// Factor of a displacement below which it takes no part.
-const NONE: f64 = 1e-12;
+/// Stiffness of springs that hold a body before its first contact, over E t.
+const WEAK: f64 = 1e-7;
 /// Set of the fixed nodes behind the gap elements of a contact, before its name.
 pub const GAPS: &str = "GAPS_";
 
@@ -58,6 +60,19 @@ pub(super) fn kind(discretisation: &Discretisation) -> Result<&'static str, Erro
             return Err(Error::at("export", message, "give `order = 1` or `order = 2` in [mesh]"));
         }
     })
+}
+
+/// Part of the thickness that the deck has: in plane stress no more than the shortest distance between contact nodes.
+fn slice(discretisation: &Discretisation) -> f64 {
+    if discretisation.scene.plane == PlaneHypothesis::Strain {
+        return 1.0;
+    }
+    let apart = |two: &[ContactNode]| {
+        let ([a, b], [c, d]) = (two[0].point, two[1].point);
+        (a - c).hypot(b - d)
+    };
+    let all = discretisation.interfaces.iter().flat_map(|interface| interface.nodes.windows(2).map(apart));
+    all.fold(discretisation.scene.thickness, f64::min) / discretisation.scene.thickness
 }
 
 /// A name that both codes take.
@@ -108,6 +123,10 @@ impl Deck<'_> {
     /// Cells with their materials.
     fn bodies(&mut self, kind: &str) {
         let Discretisation { scene, mesh, .. } = self.discretisation;
+        let slice = slice(self.discretisation);
+        if slice < 1.0 {
+            self.line(format!("** Thickness times {slice:.6e}, moduli divided by it: stresses are to be multiplied by it, forces are not."));
+        }
         for (body, part) in scene.bodies.iter().zip(&mesh.bodies) {
             let name = named(&[&body.name]);
             self.line(format!("*ELEMENT, TYPE={kind}, ELSET={name}"));
@@ -117,9 +136,10 @@ impl Deck<'_> {
             }
             self.line(format!(
                 "*MATERIAL, NAME={name}\n*ELASTIC\n{:.12e}, {:.12e}",
-                body.material.young, body.material.poisson
+                body.material.young / slice,
+                body.material.poisson
             ));
-            self.line(format!("*SOLID SECTION, ELSET={name}, MATERIAL={name}\n{:.12e}", scene.thickness));
+            self.line(format!("*SOLID SECTION, ELSET={name}, MATERIAL={name}\n{:.12e}", scene.thickness * slice));
         }
     }
 
@@ -200,9 +220,10 @@ impl Deck<'_> {
         let scene = &discretisation.scene;
         let stiffness =
             STIFFNESS * scene.thickness * scene.bodies.iter().map(|body| body.material.young).fold(0.0, f64::max);
+        let (mut held, weak) = (false, WEAK * stiffness / STIFFNESS);
         let tail = TAIL * scene.reference.pressure * scene.reference.length * scene.thickness;
         for interface in &discretisation.interfaces {
-            let mut fixed = Vec::new();
+            let (mut fixed, open) = (Vec::new(), interface.nodes.iter().all(|node| node.gap > 0.0));
             for node in interface.nodes.iter().filter(|node| node.gap.is_finite()) {
                 let (moved, still) = (self.nodes + 1, self.nodes + 2);
                 (self.nodes, self.elements) = (still, self.elements + 1);
@@ -215,9 +236,17 @@ impl Deck<'_> {
                     "*GAP, ELSET=GAP{moved}\n{:.12e}, 1., 0., 0., , {stiffness:.6e}, {tail:.6e}",
                     node.gap
                 ));
+                if open {
+                    self.elements += 1;
+                    self.line(format!("*ELEMENT, TYPE=SPRING1, ELSET=WEAK\n{}, {moved}", self.elements));
+                }
                 fixed.push(still);
             }
+            held |= open && !fixed.is_empty();
             self.set(&format!("{GAPS}{}", named(&[&interface.pair.name])), fixed);
+        }
+        if held {
+            self.line(format!("*SPRING, ELSET=WEAK\n1\n{weak:.6e}"));
         }
     }
 
@@ -245,29 +274,6 @@ impl Deck<'_> {
         self.line("*NODE FILE, OUTPUT=2D\nU\n*EL FILE, OUTPUT=2D\nS\n*END STEP");
         Ok(())
     }
-}
-
-/// The approach of a contact node as terms of displacements: node from 1 on, axis, factor.
-pub(super) fn approach(discretisation: &Discretisation, contact: &ContactNode) -> Vec<(usize, usize, f64)> {
-    let mut terms: Vec<(usize, usize, f64)> = Vec::new();
-    for (dof, value) in contact.row() {
-        let (node, normal) = retained(discretisation, dof);
-        for axis in [0, 1].into_iter().filter(|&axis| (value * normal[axis]).abs() > NONE) {
-            match terms.iter_mut().find(|(known, other, _)| (*known, *other) == (node + 1, axis)) {
-                Some((_, _, sum)) => *sum += value * normal[axis],
-                None => terms.push((node + 1, axis, value * normal[axis])),
-            }
-        }
-    }
-    terms
-}
-
-/// Node and outward normal of a retained dof.
-pub(super) fn retained(discretisation: &Discretisation, dof: usize) -> (usize, [f64; 2]) {
-    let offsets = &discretisation.condensed.offsets;
-    let body = offsets.iter().rposition(|&first| first <= dof).unwrap_or(0);
-    let candidate = &discretisation.mesh.bodies[body].candidates[dof - offsets[body]];
-    (candidate.node, candidate.normal)
 }
 
 /// Cell and number of every face, by its ends.

@@ -3,9 +3,11 @@
 //! * [`gmsh`] — its mesh for Gmsh, and what reads its files.
 //! * [`deck`] — an input deck of CalculiX or Abaqus.
 //! * [`problem`] — the same as plain numbers, and scripts of other codes that solve it.
+//! * `rows` — the approach of a contact node as displacements of nodes.
 //! * [`own`] — our own answer, and an empty one.
 
 pub mod deck;
 pub mod gmsh;
 pub mod own;
 pub mod problem;
+mod rows;

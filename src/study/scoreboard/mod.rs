@@ -1,8 +1,8 @@
 //! The scoreboard: exported cases solved by other codes, each with the contact it documents and with the best of its settings that were
 //! tried, and judged from the files that they write.
 //!
-//! * `plan` — which cases; [`setting`] — which codes with which contact.
-//! * [`board`] — what a live run leaves under `oracles/frozen/scoreboard`; [`live`] — that run.
+//! * `plan` — which cases; `setting` — which codes with which contact.
+//! * `board` — what a live run leaves under `oracles/frozen/scoreboard`; `live` — that run.
 //! * `run` — the frozen answers, judged.
 //! * `judge` — whether they are read, are of the present scripts, and agree with the truths.
 //! * `section` — a row a run; `picture` — error over seconds.

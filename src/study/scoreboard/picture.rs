@@ -10,8 +10,8 @@ use crate::study::scoreboard::setting::Code;
 
 /// File of the chart.
 pub const FILE: &str = "scoreboard.svg";
-/// Errors below this are drawn there: no truth is known better.
-const FLOOR: f64 = 1e-6;
+/// Errors below this are drawn there.
+pub const FLOOR: f64 = 1e-6;
 
 /// The chart.
 pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {

@@ -7,7 +7,7 @@ use crate::markdown;
 use crate::study::Found;
 use crate::study::drawn::picture;
 use crate::study::scoreboard::board::Board;
-use crate::study::scoreboard::picture::FILE;
+use crate::study::scoreboard::picture::{FILE, FLOOR};
 use crate::study::scoreboard::run::{Ended, Numbers, ROUND_OFF, Row};
 use crate::study::scoreboard::setting::{Code, Setting};
 
@@ -27,7 +27,10 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
         board.processor
     );
     text += &summary(findings);
-    text += &picture(FILE, "Scoreboard: larger error of p₀ and a over seconds; hollow: runs that failed");
+    text += &picture(
+        FILE,
+        &format!("Scoreboard: larger error of p₀ and a over seconds; hollow: runs that failed; errors below {} are drawn there", markdown::bound(FLOOR)),
+    );
     for found in findings {
         let numbers = found.numbers;
         let rows: Vec<Vec<String>> = numbers.rows.iter().map(|row| line(numbers, row)).collect();
