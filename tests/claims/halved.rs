@@ -209,7 +209,7 @@ fn scene_files_with_meshes_and_several_contacts_may_ask_for_an_accuracy() {
     for (name, asked) in [
         ("cylinder-between-blocks", "0.1 %"),
         ("roller-between-plates", "0.3 %"),
-        ("three-rings", "0.03 %"),
+        ("three-rings", "0.02 %"),
         ("rings-from-gmsh", "0.1 %"),
     ] {
         let (sound, json, error) = contact_vv(&["solve", &scene(name), "--accuracy", asked, "--json", "-"]);
