@@ -225,7 +225,7 @@ fn pins_in_plates_are_found_alike_by_cells_of_neighbouring_orders() {
         let [one, other] = [&septic, &octic].map(|answer| answer.run.measures());
         let widths = relative_error(one.half_width, other.half_width);
         let peaks = relative_error(one.peak.pressure, other.peak.pressure);
-        assert!(widths <= 1e-6 && peaks <= 1e-4, "{degrees}°: {widths:.1e} {peaks:.1e}");
+        assert!(widths <= 1e-6 && peaks <= 1e-6, "{degrees}°: {widths:.1e} {peaks:.1e}");
         assert!(relative_error(octic.stretches[0][0][1], degrees.to_radians()) <= 3e-3, "{degrees}°");
     }
 }
