@@ -1,4 +1,5 @@
-//! What is frozen besides the runs of the paper's scenes: every mesh, every number of the scene files and of some random scenes.
+//! What is frozen besides the runs of the paper's scenes: every mesh, every number of the scene files, of meshes fitted to their
+//! contacts and of some random scenes.
 //!
 //! A change that leaves all truths within their tolerances shows here.
 
@@ -11,9 +12,10 @@ use contact_vv::case::file::files_in;
 use contact_vv::case::library::{NAMES, find};
 use contact_vv::error::Error;
 use contact_vv::markdown::significant;
+use contact_vv::mesh::Order;
 use contact_vv::mesh::{Mesh, Resolution};
 use contact_vv::scene::Scene;
-use contact_vv::solve::{Discretisation, Run};
+use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
 use contact_vv::study::coverage::setup::Setup;
 use contact_vv::study::random::unseen::{self, FAMILIES};
 use contact_vv::study::random::{Family, Site};
@@ -21,6 +23,8 @@ use libtest_mimic::{Failed, Trial};
 
 /// Scenes of a family: cells of both orders, all elements, iterations that end late and early, and penalties.
 const EACH: usize = 18;
+/// Those of them on meshes fitted to their contact.
+const FITTED: usize = 3;
 /// Digits of coordinates, of numbers, and of their bars.
 const DIGITS: [usize; 3] = [8, 5, 2];
 /// Part of the largest number of its kind below which one is round-off.
@@ -29,7 +33,7 @@ const ROUND_OFF: f64 = 1e-6;
 /// Names of the snapshots.
 pub fn names() -> Vec<String> {
     let random = FAMILIES.map(|family| format!("random@{}.snap", family.name()));
-    ["meshes.snap", "scene-files.snap"].map(String::from).into_iter().chain(random).collect()
+    ["meshes.snap", "scene-files.snap", "fitted.snap"].map(String::from).into_iter().chain(random).collect()
 }
 
 /// The trials.
@@ -38,6 +42,7 @@ pub fn trials() -> Vec<Trial> {
     let mut trials = vec![
         Trial::test("snapshot, meshes of all scenes", || freeze("meshes", None, meshes()?)),
         Trial::test("snapshot, numbers of the scene files", || freeze("scene-files", None, scene_files()?)),
+        Trial::test("snapshot, meshes fitted to the contact", || freeze("fitted", None, fitted()?)),
     ];
     trials.extend(FAMILIES.map(random));
     trials
@@ -85,7 +90,12 @@ fn meshes() -> Result<String, Failed> {
 
 /// Lines of a scene.
 fn meshed(text: &mut String, name: &str, scene: &Scene, resolution: Resolution) -> Result<(), Failed> {
-    let mesh = Mesh::of(scene, resolution).map_err(said)?;
+    moments(text, name, scene, &Mesh::of(scene, resolution).map_err(said)?);
+    Ok(())
+}
+
+/// A line for each body.
+fn moments(text: &mut String, name: &str, scene: &Scene, mesh: &Mesh) {
     for (body, part) in scene.bodies.iter().zip(&mesh.bodies) {
         let points = &mesh.points[part.nodes.clone()];
         let mean = |of: &dyn Fn(&[f64; 2]) -> f64| points.iter().map(of).sum::<f64>() / points.len() as f64;
@@ -97,7 +107,31 @@ fn meshed(text: &mut String, name: &str, scene: &Scene, resolution: Resolution) 
         let (cells, candidates) = (part.cells.len(), part.candidates.len());
         let _ = writeln!(text, "{name}, {}: {cells} cells, {candidates} candidates, {}", body.name, numbers.join(", "));
     }
-    Ok(())
+}
+
+/// Meshes fitted to the contacts of library and scene files and of random scenes, and what they say; which scenes are refused.
+fn fitted() -> Result<String, Failed> {
+    let mut scenes = Vec::new();
+    for (name, _) in NAMES {
+        scenes.push((name.to_string(), find(name, None).map_err(said)?.scene));
+    }
+    scenes.extend(files()?.into_iter().map(|case| (case.name, case.scene)));
+    for site in FAMILIES.into_iter().flat_map(|family| unseen::of(family).take(FITTED)) {
+        scenes.push((site.key(), site.sample().map_err(said)?.scene));
+    }
+    let mut text = String::new();
+    for (name, scene) in scenes {
+        let mesh = Fitted { order: Order::Quartic, layers: 1 };
+        let Ok(answer) = mesh.solve(&scene, &Formulation::verification()) else {
+            let _ = writeln!(text, "{name}: refused");
+            continue;
+        };
+        let scene = &answer.discretisation.scene;
+        moments(&mut text, &name, scene, &answer.discretisation.mesh);
+        let found = bars(&answer.discretisation, &answer.run, &[]).map_err(said)?;
+        told(&mut text, &name, scene, &answer.run, &found);
+    }
+    Ok(text)
 }
 
 /// Every number of the scene files, with its bar.

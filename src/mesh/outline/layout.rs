@@ -198,7 +198,7 @@ impl Fine {
 }
 
 /// Widest cell on an arc that carries a contact \[rad\].
-const WIDEST: f64 = std::f64::consts::FRAC_PI_6;
+const WIDEST: f64 = 0.8;
 /// Difference of positions, over the stretch, below which they are one.
 const SAME: f64 = 1e-9;
 

@@ -12,7 +12,7 @@ use crate::scene::{Ends, Grading, Scene};
 use crate::solve::{Discretisation, Formulation};
 
 /// Growth, and the coarsest cell over the body, of meshes that know where the contact ends.
-const GROWTH: f64 = 2.0;
+const GROWTH: f64 = 4.0;
 
 /// The closed stretches of every contact, as far as they are known.
 pub(super) struct Closed {
