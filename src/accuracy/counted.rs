@@ -5,8 +5,9 @@
 //! of a peak how far two readings of it are apart on the mesh itself.
 //!
 //! The numbers were chosen on random scenes of closed form for the narrowest bars that hold in each of their families, and that no
-//! error is far beyond; the study *coverage* tests them on others. q is no claim of an order: pressures at the points of line and layer elements
-//! oscillate, and what cells of 8 nodes gain on the coarser meshes is lost where the end of the contact decides.
+//! error is far beyond; the study *coverage* tests them on others. q is no claim of an order: pressures at the points of line and
+//! layer elements oscillate, and what cells of 8 nodes gain on the coarser meshes is lost where the end of the contact decides.
+//! Numbers below the surface have a C too, for coarse meshes that agree by accident.
 
 use crate::accuracy::reading::{Quantity, Subject};
 use crate::mesh::Order;
@@ -19,7 +20,8 @@ pub struct Counted {
     pub exponent: f64,
     /// Factor F on the worst difference.
     pub factor: f64,
-    /// C of the element size h over the half-width a, relative to the peak, or to the half-width of the contact.
+    /// C of the element size h over the half-width a, relative to the peak, to the half-width of the contact, or to the largest
+    /// displacement.
     pub hidden: f64,
     /// Its exponent s.
     pub power: f64,
