@@ -57,6 +57,11 @@ fn surface(scene: &Scene, pair: &ContactPair, point: [f64; 2]) -> Option<f64> {
             let height = if below { centre[1] - root } else { centre[1] + root };
             Some(origin[1] - height)
         }
+        // On a mesh that is given, the side is one of its boundaries; others of the body may face the same way.
+        (Shape::Given(mesh), _) => {
+            let s = pair.path.coordinate(point);
+            mesh.curves(pair.side(pair.first))?.iter().find_map(|curve| curve.depth(&pair.path, s))
+        }
         _ => None,
     }
 }

@@ -59,7 +59,7 @@ const HALVINGS: usize = 60;
 
 impl Curve {
     /// Depth at a contact coordinate \[mm\]; none where the curve does not reach.
-    fn depth(&self, path: &Path, s: f64) -> Option<f64> {
+    pub fn depth(&self, path: &Path, s: f64) -> Option<f64> {
         let [begin, end] = [0.0, 1.0].map(|t| self.at(path, t)[0]);
         let slack = SAME * begin.abs().max(end.abs());
         if s < begin.min(end) - slack || s > begin.max(end) + slack {

@@ -100,6 +100,38 @@ fn our_own_fields_for_paraview_are_judged_as_what_solve_says() {
     }
 }
 
+/// Every library case and every scene file.
+fn every_case() -> Vec<Case> {
+    let folder = format!("{}/tests/cases", env!("CARGO_MANIFEST_DIR"));
+    let files = std::fs::read_dir(folder).expect("scene files").map(|file| file.expect("a file").path());
+    let scenes = files.filter(|path| path.extension().is_some_and(|ending| ending == "toml"));
+    let scenes = scenes.map(|path| Case::read(&path).expect("a scene file"));
+    NAMES.iter().map(|(name, _)| find(name, None).expect("a case")).chain(scenes).collect()
+}
+
+#[test]
+fn pressures_of_every_case_and_scene_file_are_read_back_from_our_own_fields() {
+    for case in every_case() {
+        let name = &case.name;
+        let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
+        let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+        let text = vtu::text(&discretisation, &run).expect("written");
+        let answer = read::parse(Path::new("ours.vtu"), text.as_bytes(), &case, &units())
+            .unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(answer.contacts.len(), case.scene.contacts.len(), "{name}");
+        for (contact, handed) in answer.contacts.iter().enumerate() {
+            let ours = run.solution.points_of(contact);
+            assert_eq!(handed.points.len(), ours.len(), "{name}, contact {contact}");
+            let largest = ours.iter().map(|point| point.pressure.abs()).fold(0.0, f64::max);
+            for (theirs, ours) in handed.points.iter().zip(ours) {
+                let stretch = case.scene.contacts[contact].stretch;
+                assert!((theirs.position - ours.position).abs() <= 1e-9 * stretch, "{name}: {theirs:?} {ours:?}");
+                assert!((theirs.value - ours.pressure).abs() <= 1e-9 * largest, "{name}: {theirs:?} {ours:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn pressures_of_stresses_and_gaps_of_displacements_are_taken_where_no_field_tells_them() {
     let case = find("cylinder", None).expect("a case");

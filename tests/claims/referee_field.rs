@@ -144,6 +144,7 @@ fn displacements_approaches_and_shears_that_a_scene_file_declares_are_judged_and
         ("eccentric-load", "displacement"),
         ("two-cylinders", "largest shear stress"),
         ("press-fit", "reaction"),
+        ("blocks", "approach"),
         ("roller-between-plates", "strain energy"),
     ] {
         let case = Case::read(Path::new(&format!("{folder}/{file}.toml"))).expect("a case");
