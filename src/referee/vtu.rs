@@ -21,7 +21,8 @@ pub fn as_text<'a>(file: &Path, bytes: &'a [u8]) -> Result<Cow<'a, [u8]>, Error>
     let refused = |why: String| Error::unreadable(file, why, AGAIN);
     let Some(head) = tag(bytes, b"<VTKFile", 0) else { return Ok(bytes.into()) };
     let head = String::from_utf8_lossy(&bytes[head.begin..head.end]).into_owned();
-    if attribute(&head, "byte_order") == Some("BigEndian") && position(bytes, b"format=\"ascii\"", 0).is_none() {
+    let has = |format: &str| position(bytes, format!("format=\"{format}\"").as_bytes(), 0).is_some();
+    if attribute(&head, "byte_order") == Some("BigEndian") && (has("binary") || has("appended")) {
         return Err(refused("its numbers are big endian".into()));
     }
     let appended = tag(bytes, b"<AppendedData", 0);

@@ -199,3 +199,37 @@ fn arrays_compressed_by_zlib_are_read_as_plain_ones_and_others_are_refused() {
     let error = of(&other).map(|_| ()).expect_err("another compressor").to_string();
     assert!(error.contains("vtkLZ4DataCompressor, and zlib is read"), "{error}");
 }
+
+#[test]
+fn numbers_that_are_big_endian_are_refused_unless_all_are_written_out() {
+    let case = find("bars", None).expect("a case");
+    let big = own(&case).replace("LittleEndian", "BigEndian");
+    let of = |text: &str| read::parse(Path::new("theirs.vtu"), text.as_bytes(), &case, &units());
+    // One array written out among the others does not make them plain.
+    let array = "<DataArray type=\"Float64\" Name=\"more\" format=\"ascii\"></DataArray></PointData>";
+    for text in [big.clone(), big.replace("</PointData>", array)] {
+        assert!(text.contains("BigEndian") && text.contains("format=\"binary\""));
+        let error = of(&text).map(|_| ()).expect_err("big endian").to_string();
+        assert!(["theirs.vtu", "big endian", "little endian"].iter().all(|part| error.contains(part)), "{error}");
+    }
+    let plain = vtk_ascii("BigEndian");
+    let error = of(&plain).map(|_| ()).expect_err("another mesh").to_string();
+    assert!(!error.contains("big endian"), "{error}");
+}
+
+/// A grid of one cell whose arrays are written out, whatever the order of bytes would be.
+fn vtk_ascii(order: &str) -> String {
+    let array = |name: &str, kind: &str, components: usize, data: &str| {
+        format!(
+            "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">{data}</DataArray>"
+        )
+    };
+    format!(
+        "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"{order}\"><UnstructuredGrid><Piece NumberOfPoints=\"4\" \
+         NumberOfCells=\"1\"><Points>{}</Points><Cells>{}{}{}</Cells></Piece></UnstructuredGrid></VTKFile>",
+        array("points", "Float64", 3, "0 0 0 1 0 0 1 1 0 0 1 0"),
+        array("connectivity", "Int64", 1, "0 1 2 3"),
+        array("offsets", "Int64", 1, "4"),
+        array("types", "UInt8", 1, "9"),
+    )
+}
