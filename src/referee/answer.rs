@@ -111,6 +111,20 @@ pub fn ordered(
     Ok(points)
 }
 
+/// Points in order, those at one place made one with their mean pressure and gap: cells with points of their own repeat them.
+pub fn joined(mut points: Vec<Point>) -> Vec<Point> {
+    points.sort_by(|a, b| a.position.total_cmp(&b.position));
+    let length = points.last().zip(points.first()).map_or(0.0, |(last, first)| last.position - first.position);
+    let one = |own: &[Point]| {
+        let mean = |of: &dyn Fn(&Point) -> Option<f64>| {
+            own.iter().map(of).sum::<Option<f64>>().map(|sum| sum / own.len() as f64)
+        };
+        let value = mean(&|point| Some(point.value)).unwrap_or(f64::NAN);
+        Point { value, gap: mean(&|point| point.gap), ..own[0] }
+    };
+    points.chunk_by(|a, b| b.position - a.position <= SAME * length).map(one).collect()
+}
+
 /// Fewest points of a profile.
 const FEWEST: usize = 3;
 /// Distance of two points, over the length of all, below which they are one.

@@ -1,4 +1,4 @@
-//! Answers of CalculiX as tables (`.dat`): nodal forces of an exported deck.
+//! Answers of CalculiX as tables (`.dat`): nodal forces of an exported deck, with the displacements of the `.frd` beside it.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,6 +8,7 @@ use crate::mesh::Order;
 use crate::referee::answer::{Answer, Handed, Point, ordered, signed_coordinate};
 use crate::referee::asked::Asked;
 use crate::referee::export::deck::{GAPS, named};
+use crate::referee::frd;
 use crate::referee::units::Role;
 use crate::scene::Scene;
 
@@ -31,9 +32,31 @@ pub fn factor(file: &Path, role: Role, asked: &Asked, ours: Option<&str>) -> Res
     role.factor(unit).ok_or_else(|| Error::file(file, format!("the unit `{unit}` is not known"), remedy))
 }
 
+/// Nodal forces of an exported deck, and the displacements of its file of fields, where that is there.
+pub fn parse(
+    file: &Path,
+    text: &str,
+    deck: &str,
+    fields: Option<&str>,
+    scene: &Scene,
+    asked: &Asked,
+) -> Result<Answer, Error> {
+    let mut answer = forces(file, text, deck, scene, asked)?;
+    if let Some(fields) = fields {
+        answer.field = frd::displacements(&file.with_extension("frd"), fields, asked, is_ours(deck).then_some("mm"))?;
+        answer.read.extend(answer.field.is_some().then(|| "displacements from the .frd of the same name".into()));
+    }
+    Ok(answer)
+}
+
+/// Whether a deck is one that we exported.
+fn is_ours(deck: &str) -> bool {
+    deck.lines().next().is_some_and(|line| line.contains(OURS))
+}
+
 /// Nodal forces of the sets behind the gap elements of an exported deck.
 pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
-    let own = deck.lines().next().is_some_and(|line| line.contains(OURS));
+    let own = is_ours(deck);
     let [length, force] =
         [(Role::X, "mm"), (Role::Force, "N")].map(|(role, unit)| factor(file, role, asked, own.then_some(unit)));
     let [length, force] = [length?, force?];

@@ -5,6 +5,7 @@ use crate::case::{Against, Check, Judged};
 use crate::error::Coordinate;
 use crate::measure::profile;
 use crate::referee::bench::Bench;
+use crate::referee::whole;
 
 /// Those that a profile answers; of the others what to hand in.
 pub(super) fn checks(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judged> {
@@ -54,6 +55,13 @@ fn of_digits(check: &Check) -> Check {
 const DIGITS: f64 = 1e-5;
 
 fn not_handed_in(check: &Check) -> [String; 2] {
-    let how = "no reader takes it from an answer: compare it by hand with `contact-vv solve`";
+    let how = match check.quantity {
+        Asked::Displacement(_)
+        | Asked::Approach
+        | Asked::Reaction { .. }
+        | Asked::Shear { .. }
+        | Asked::ShearDepth { .. } => whole::GRID,
+        _ => "nothing: no reader takes it from an answer, `contact-vv solve` tells it",
+    };
     [check.quantity.to_string(), how.into()]
 }

@@ -51,7 +51,7 @@ impl Field {
             let shapes: Result<_, Error> = crate::elasticity::point::shapes_at(&own.scene, &own.mesh, *body, middle);
             shapes.is_ok()
         };
-        if bodies.len() == 1 { Some(0) } else { bodies.into_iter().find(holds) }
+        bodies.into_iter().find(holds)
     }
 
     /// The displacement at a point, from the cell that holds it best.

@@ -1,4 +1,4 @@
-//! Answers of CalculiX as fields (`.frd`): pressures and gaps of any deck with contact pairs, written with `OUTPUT=2D`.
+//! Answers of CalculiX as fields (`.frd`), written with `OUTPUT=2D`: pressures and gaps of any deck with contact pairs, displacements of all.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,6 +8,7 @@ use crate::mesh::Order;
 use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered, signed_coordinate};
 use crate::referee::asked::Asked;
 use crate::referee::calculix::{AGAIN, at, factor};
+use crate::referee::field::Field;
 use crate::referee::side::{self, Cell};
 use crate::referee::units::Role;
 use crate::scene::Scene;
@@ -17,7 +18,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     let contact = contact_named(scene, asked.contact.as_deref(), |message, remedy| Error::file(file, message, remedy))?;
     let [length, stress] = [Role::Position, Role::Pressure].map(|role| factor(file, role, asked, None));
     let [length, stress] = [length?, stress?];
-    let (nodes, block) = (nodes_of_fields(file, text)?, last_block(file, text)?);
+    let (nodes, block) = (nodes_of_fields(file, text)?, contact_block(file, text)?);
     let named = |role: Role, usual: &str| asked.column(role).unwrap_or(usual).to_owned();
     let column = |name: &str| block.components.iter().position(|known| known == name);
     let name = named(Role::Pressure, "CPRESS");
@@ -62,8 +63,27 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         code: Some("CalculiX".into()),
         read: read.into_iter().flatten().collect(),
         contacts,
-        field: None,
+        field: displacements(file, text, asked, None)?,
     })
+}
+
+/// The displacements of a file; none where it has none, or their unit is not known. `ours` is the unit of our own decks.
+pub fn displacements(file: &Path, text: &str, asked: &Asked, ours: Option<&str>) -> Result<Option<Field>, Error> {
+    let known = asked.unit(Role::Displacement).or(ours).is_some();
+    let Some(block) = last_block(file, text, "DISP")?.filter(|_| known) else { return Ok(None) };
+    let [length, moved] = [Role::Position, Role::Displacement].map(|role| factor(file, role, asked, ours));
+    let [length, moved] = [length?, moved?];
+    let nodes = nodes_of_fields(file, text)?;
+    let numbers: Vec<usize> = nodes.keys().copied().collect();
+    let value = |number: &usize| match block.rows.get(number).map(Vec::as_slice) {
+        Some([u, v, ..]) => Ok([moved * u, moved * v]),
+        _ => Err(Error::file(file, format!("its block of displacements has no node {number}"), AGAIN)),
+    };
+    Ok(Some(Field {
+        points: nodes.values().map(|[x, y, _]| [length * x, length * y]).collect(),
+        cells: cells(file, text, &numbers)?,
+        displacement: numbers.iter().map(value).collect::<Result<_, Error>>()?,
+    }))
 }
 
 /// A block of results: names of components, and their values a node.
@@ -100,6 +120,8 @@ fn nodes_of_fields(file: &Path, text: &str) -> Result<BTreeMap<usize, [f64; 3]>,
 
 /// Types of plane cells: corners, then all nodes.
 const PLANE: [(&str, usize, usize); 4] = [("7", 3, 3), ("8", 3, 6), ("9", 4, 4), ("10", 4, 8)];
+/// Types of lines, as which gap elements are written.
+const LINES: [&str; 2] = ["11", "12"];
 
 /// The plane cells, their nodes by index.
 fn cells(file: &Path, text: &str, numbers: &[usize]) -> Result<Vec<Cell>, Error> {
@@ -114,6 +136,9 @@ fn cells(file: &Path, text: &str, numbers: &[usize]) -> Result<Vec<Cell>, Error>
                 let index = word.parse().ok().and_then(|number: usize| numbers.binary_search(&number).ok());
                 nodes.push(index.ok_or_else(|| wrong(line, "this line names a node that is not there", AGAIN))?);
             }
+        }
+        if LINES.contains(&kind) {
+            continue;
         }
         let Some((_, corners, all)) = PLANE.into_iter().find(|(known, ..)| *known == kind) else {
             return Err(wrong(
@@ -131,26 +156,28 @@ fn cells(file: &Path, text: &str, numbers: &[usize]) -> Result<Vec<Cell>, Error>
 }
 
 /// The last block of contact results.
-fn last_block(file: &Path, text: &str) -> Result<Block, Error> {
-    let begin = text.rfind(" -4  CONTACT").ok_or_else(|| {
-        Error::file(
-            file,
-            "it has no contact block",
-            "write `*CONTACT FILE` with CDIS and CSTR in the step, and run ccx again",
-        )
-    })?;
+fn contact_block(file: &Path, text: &str) -> Result<Block, Error> {
+    let remedy =
+        "write `*CONTACT FILE` with CDIS and CSTR in the step, and run ccx again; of an exported deck hand in the .dat";
+    last_block(file, text, "CONTACT")?.ok_or_else(|| Error::file(file, "it has no contact block", remedy))
+}
+
+/// The last block of a name; none where there is none.
+fn last_block(file: &Path, text: &str, name: &str) -> Result<Option<Block>, Error> {
+    let Some(begin) = text.rfind(&format!(" -4  {name}")) else { return Ok(None) };
     let mut lines = text[begin..].lines().skip(1).peekable();
     let mut components = Vec::new();
     while let Some(line) = lines.next_if(|line| line.starts_with(" -5")) {
-        components.extend(line.split_whitespace().nth(1).map(str::to_owned));
+        // What a viewer is to compute from the others is listed too.
+        components.extend(line.split_whitespace().nth(1).filter(|name| *name != "ALL").map(str::to_owned));
     }
     let mut rows = BTreeMap::new();
     for line in lines {
         if line.starts_with(" -3") {
-            return Ok(Block { components, rows });
+            return Ok(Some(Block { components, rows }));
         }
         let (node, values) = record(file, text, line, components.len())?;
         rows.insert(node, values);
     }
-    Err(Error::file(file, "its contact block has no end", AGAIN))
+    Err(Error::file(file, format!("its block {name} has no end"), AGAIN))
 }

@@ -7,7 +7,7 @@ use vtkio::model::{Attribute, CellType, Cells, DataSet, Piece, UnstructuredGridP
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered, signed_coordinate};
+use crate::referee::answer::{Answer, Handed, Point, contact_named, joined, ordered, signed_coordinate};
 use crate::referee::asked::Asked;
 use crate::referee::field::Field as Displaced;
 use crate::referee::side::{self, Cell};
@@ -134,7 +134,12 @@ impl<'a> Grid<'a> {
             area: None,
             gap: gaps.as_ref().map(|gaps| gaps[k]),
         };
-        let points = nodes.iter().enumerate().map(point).collect();
+        let mut points: Vec<Point> = nodes.iter().enumerate().map(point).collect();
+        if side::have_own_points(cells) {
+            let all = points.len();
+            points = joined(points);
+            read.push(format!("means of {all} points of cells at {} places of the contact side", points.len()));
+        }
         let points = ordered(points, order, |message, remedy| {
             Error::file(file, format!("its contact side: {message}"), remedy)
         })?;

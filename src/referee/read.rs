@@ -39,7 +39,11 @@ pub fn parse(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<An
         "json" => document::parse(file, text(file, bytes)?, &case.name, &case.scene, asked),
         "vtu" | "vtk" => grid::parse(file, bytes, &case.scene, asked),
         "frd" => frd::parse(file, text(file, bytes)?, &case.scene, asked),
-        "dat" => calculix::forces(file, text(file, bytes)?, &deck_of(file)?, &case.scene, asked),
+        "dat" => {
+            let fields = fields_of(file)?;
+            let fields = fields.as_deref().map(|bytes| text(&file.with_extension("frd"), bytes)).transpose()?;
+            calculix::parse(file, text(file, bytes)?, &deck_of(file)?, fields, &case.scene, asked)
+        }
         _ => Err(Error::file(file, format!("its ending `{ending}` names no format that is read"), KNOWN)),
     }
 }
@@ -49,6 +53,12 @@ fn deck_of(file: &Path) -> Result<String, Error> {
     let deck = file.with_extension("inp");
     let read = bytes(&deck)?;
     Ok(text(&deck, &read)?.to_owned())
+}
+
+/// CalculiX's file of fields of the same name, where it is there.
+fn fields_of(file: &Path) -> Result<Option<Vec<u8>>, Error> {
+    let fields = file.with_extension("frd");
+    fields.exists().then(|| bytes(&fields)).transpose()
 }
 
 /// What a file compressed by gzip holds.

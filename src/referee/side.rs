@@ -1,6 +1,6 @@
 //! Which edges of a mesh made elsewhere lie on the contact side of the first body.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::scene::{ContactPair, Path, Profile, Scene, Shape};
 
@@ -18,6 +18,12 @@ pub struct Cell {
     pub nodes: Vec<usize>,
     /// How many of them are corners.
     pub corners: usize,
+}
+
+/// Whether no two cells share a point, as files of discontinuous fields have it.
+pub fn have_own_points(cells: &[Cell]) -> bool {
+    let all: Vec<usize> = cells.iter().flat_map(|cell| cell.nodes.iter().copied()).collect();
+    cells.len() > 1 && all.iter().collect::<HashSet<_>>().len() == all.len()
 }
 
 /// The nodes of the edges on the contact side within the candidate stretch, in pairs or, with mid-sides, in threes.

@@ -15,7 +15,8 @@ use crate::scene::{Load, Place};
 use crate::solve::{Discretisation, Run};
 
 /// What to hand in.
-const GRID: &str = "a VTK grid of all bodies with the displacement of every node, and --unit displacement=UNIT";
+pub(super) const GRID: &str =
+    "a VTK grid or a .frd of all bodies with the displacement of every node, and --unit displacement=UNIT";
 
 /// What cannot be judged without displacements.
 pub fn missing() -> [String; 2] {

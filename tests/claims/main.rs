@@ -58,9 +58,11 @@ mod reactions;
 #[cfg(feature = "python")]
 mod readers;
 mod referee;
+mod referee_calculix;
 mod referee_export;
 mod referee_field;
 mod referee_fuzz;
+mod referee_grid;
 mod referee_refusals;
 mod referee_series;
 mod rigid_pin;

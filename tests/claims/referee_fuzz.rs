@@ -33,29 +33,14 @@ fn formats() -> (Truth, Vec<(&'static str, String)>, String) {
     });
     let head = " forces (fx,fy,fz) for set GAPS_CONTACT and time  0.1000000E+01\n\n";
     let dat = format!("{head}{}", rows.collect::<String>());
-    let formats =
-        vec![("a.csv", csv), ("a.json", json), ("a.vtu", vtu), ("a.frd", frd(&discretisation, &run)), ("a.dat", dat)];
+    let formats = vec![
+        ("a.csv", csv),
+        ("a.json", json),
+        ("a.vtu", vtu),
+        ("a.frd", crate::referee_calculix::frd(&discretisation, &run)),
+        ("a.dat", dat),
+    ];
     (Truth::of(case).expect("solved"), formats, deck)
-}
-
-/// The mesh and its contact results as CalculiX writes them.
-fn frd(discretisation: &Discretisation, run: &Run) -> String {
-    let mesh = &discretisation.mesh;
-    let mut text = String::from("    1C\n    2C                             9                                     1\n");
-    let row = |numbers: &[f64]| numbers.iter().map(|x| format!("{x:>12.5E}")).collect::<String>();
-    for (k, [x, y]) in mesh.points.iter().enumerate() {
-        text += &format!(" -1{:>10}{}\n", k + 1, row(&[*x, *y, 0.0]));
-    }
-    text += " -3\n    3C                             9                                     1\n";
-    for cell in 0..mesh.cells() {
-        let nodes: String = mesh.cell(cell).iter().map(|node| format!("{:>10}", node + 1)).collect();
-        text += &format!(" -1{:>10}   10    0    1\n -2{nodes}\n", cell + 1);
-    }
-    text += " -3\n -4  CONTACT     2    1\n -5  COPEN       1    4    1    1\n -5  CPRESS      1    4    1    2\n";
-    for (node, point) in discretisation.mesh.bodies[0].candidates.iter().zip(run.solution.points_of(0)) {
-        text += &format!(" -1{:>10}{}\n", node.node + 1, row(&[point.gap, point.pressure]));
-    }
-    text + " -3\n 9999\n"
 }
 
 fn asked(order: Option<Order>) -> Asked {

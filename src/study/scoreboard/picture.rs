@@ -43,6 +43,7 @@ fn style(code: Code, first: bool) -> Style {
     let colour = match code {
         Code::Calculix => palette::ORANGE,
         Code::Getfem => palette::PURPLE,
+        Code::Ngsolve => palette::NODE,
         Code::ScikitFem => palette::LINE,
         Code::Dolfinx => palette::LAYER,
     };

@@ -11,6 +11,9 @@ pub enum Code {
     /// GetFEM.
     #[serde(rename = "GetFEM")]
     Getfem,
+    /// NGSolve.
+    #[serde(rename = "NGSolve")]
+    Ngsolve,
     /// scikit-fem.
     #[serde(rename = "scikit-fem")]
     ScikitFem,
@@ -21,13 +24,14 @@ pub enum Code {
 
 impl Code {
     /// All.
-    pub const ALL: [Self; 4] = [Self::Calculix, Self::Getfem, Self::ScikitFem, Self::Dolfinx];
+    pub const ALL: [Self; 5] = [Self::Calculix, Self::Getfem, Self::Ngsolve, Self::ScikitFem, Self::Dolfinx];
 
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Calculix => "CalculiX",
             Self::Getfem => "GetFEM",
+            Self::Ngsolve => "NGSolve",
             Self::ScikitFem => "scikit-fem",
             Self::Dolfinx => "dolfinx",
         }
@@ -38,6 +42,7 @@ impl Code {
         match self {
             Self::Calculix => "run_calculix.py",
             Self::Getfem => "run_getfem.py",
+            Self::Ngsolve => "run_ngsolve.py",
             Self::ScikitFem => "run_scikit_fem.py",
             Self::Dolfinx => "run_dolfinx.py",
         }
@@ -59,12 +64,15 @@ pub struct Setting {
 
 impl Setting {
     /// All, the first choice of each code before the others.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 12] = [
         Self::of(Code::Calculix, "pair", "contact pair, surface to surface, K = 50 E per mm", true),
         Self::of(Code::Calculix, "stiff-pair", "the same with K = 1000 E per mm", false),
         Self::of(Code::Calculix, "gaps", "gap elements of the exported deck", false),
         Self::of(Code::Getfem, "integral", "integral contact brick, augmented Lagrangian", true),
         Self::of(Code::Getfem, "basic", "basic contact brick on the exported rows", false),
+        Self::of(Code::Ngsolve, "contact", "contact boundary, energy of overlap, K = 50 E per mm", true),
+        Self::of(Code::Ngsolve, "stiff-contact", "the same with K = 1000 E per mm", false),
+        Self::of(Code::Ngsolve, "active-set", "active sets on the exported rows", false),
         Self::of(Code::ScikitFem, "penalty", "springs on the exported rows, k = 10 E/h", true),
         Self::of(Code::ScikitFem, "active-set", "active sets on the exported rows", false),
         Self::of(Code::Dolfinx, "penalty", "springs on the exported rows, k = 10 E/h", true),

@@ -1,0 +1,151 @@
+//! Fields of CalculiX: displacements are judged as those of a grid, from a `.frd` alone or beside the `.dat` of an exported deck.
+
+use std::path::Path;
+
+use contact_vv::case::library::find;
+use contact_vv::case::{Case, Verdict};
+use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::referee::units::Role;
+use contact_vv::referee::{Answer, Asked, Truth, Verdicts, calculix, read, verdicts};
+use contact_vv::solve::{Discretisation, Run};
+
+/// Mesh, displacements and contact results as CalculiX writes them.
+pub fn frd(discretisation: &Discretisation, run: &Run) -> String {
+    let mesh = &discretisation.mesh;
+    let mut text = String::from("    1C\n    2C                             9                                     1\n");
+    let row = |numbers: &[f64]| numbers.iter().map(|x| format!("{x:>12.5E}")).collect::<String>();
+    for (k, [x, y]) in mesh.points.iter().enumerate() {
+        text += &format!(" -1{:>10}{}\n", k + 1, row(&[*x, *y, 0.0]));
+    }
+    text += " -3\n    3C                             9                                     1\n";
+    for cell in 0..mesh.cells() {
+        let nodes: String = mesh.cell(cell).iter().map(|node| format!("{:>10}", node + 1)).collect();
+        text += &format!(" -1{:>10}   10    0    1\n -2{nodes}\n", cell + 1);
+    }
+    // A gap element.
+    text += &format!(" -1{:>10}   11    0    1\n -2{:>10}{:>10}\n", mesh.cells() + 1, 1, 2);
+    text += " -3\n -4  DISP        4    1\n -5  D1          1    2    1    0\n -5  D2          1    2    2    0\n";
+    text += " -5  D3          1    2    3    0\n -5  ALL         1    2    0    0    1ALL\n";
+    for (k, [u, v]) in discretisation.displacement_under(run.share(), &run.solution).iter().enumerate() {
+        text += &format!(" -1{:>10}{}\n", k + 1, row(&[*u, *v, 0.0]));
+    }
+    text += " -3\n -4  CONTACT     2    1\n -5  COPEN       1    4    1    1\n -5  CPRESS      1    4    1    2\n";
+    for (node, point) in discretisation.mesh.bodies[0].candidates.iter().zip(run.solution.points_of(0)) {
+        text += &format!(" -1{:>10}{}\n", node.node + 1, row(&[point.gap, point.pressure]));
+    }
+    text + " -3\n 9999\n"
+}
+
+fn units(roles: &[(Role, &str)]) -> Asked {
+    Asked { units: roles.iter().map(|(role, unit)| (*role, (*unit).to_owned())).collect(), ..Asked::default() }
+}
+
+const PRESSED: [(Role, &str); 2] = [(Role::Position, "mm"), (Role::Pressure, "MPa")];
+const MOVED: [(Role, &str); 3] = [(Role::Position, "mm"), (Role::Pressure, "MPa"), (Role::Displacement, "mm")];
+
+fn judged(case: &Case, answer: Answer) -> Verdicts {
+    verdicts(&Truth::of(case.clone()).expect("a truth"), answer, ENGINEERING).expect("judged")
+}
+
+/// What of equilibrium and energy is judged, and whether it is met.
+fn whole(found: &Verdicts) -> Vec<bool> {
+    let all = found.ruled.iter().flat_map(|ruled| &ruled.judged);
+    let of = all.filter(|one| {
+        ["stresses against", "strain energy"].iter().any(|part| one.check.quantity.to_string().contains(part))
+    });
+    of.map(|one| one.verdict == Verdict::Pass).collect()
+}
+
+fn field(case: &Case, text: &str, asked: &Asked) -> Result<Answer, contact_vv::error::Error> {
+    read::parse(Path::new("theirs.frd"), text.as_bytes(), case, asked)
+}
+
+#[test]
+fn displacements_of_a_frd_are_judged_where_their_unit_is_named() {
+    let case = find("truncated-hertz", None).expect("a case");
+    let (meshed, run) = case.solve().expect("solved");
+    let text = frd(&meshed.discretisation, &run);
+    let found = judged(&case, field(&case, &text, &units(&MOVED)).expect("read"));
+    assert_eq!(whole(&found), [true; 4]);
+    assert!(found.met());
+    let without = judged(&case, field(&case, &text, &units(&PRESSED)).expect("read"));
+    assert!(whole(&without).is_empty());
+    let micrometres = field(&case, &text, &units(&[MOVED[0], MOVED[1], (Role::Displacement, "um")])).expect("read");
+    assert!(whole(&judged(&case, micrometres)).contains(&false));
+}
+
+#[test]
+fn cells_of_a_rigid_body_in_a_frd_move_no_node_of_the_scene() {
+    let case = find("truncated-hertz", None).expect("a case");
+    let (meshed, run) = case.solve().expect("solved");
+    let mut text = frd(&meshed.discretisation, &run);
+    // A cell at rest below the contact, whose upper side is the rigid plane.
+    let (first, cell) = (meshed.discretisation.mesh.points.len() + 1, meshed.discretisation.mesh.cells() + 2);
+    let mut into = |before: &str, rows: String| text = text.replacen(before, &(rows + before), 1);
+    let corners = [[-20.0, -40.0], [20.0, -40.0], [20.0, 0.0], [-20.0, 0.0]];
+    let places = corners
+        .iter()
+        .enumerate()
+        .map(|(k, [x, y])| format!(" -1{:>10}{x:>12.5E}{y:>12.5E}{:>12.5E}\n", first + k, 0.0));
+    into(" -3\n    3C", places.collect());
+    let nodes: String = (0..4).map(|k| format!("{:>10}", first + k)).collect();
+    into(" -3\n -4  DISP", format!(" -1{cell:>10}    9    0    1\n -2{nodes}\n"));
+    let still = (0..4).map(|k| format!(" -1{:>10}{:>12.5E}{:>12.5E}{:>12.5E}\n", first + k, 0.0, 0.0, 0.0));
+    into(" -3\n -4  CONTACT", still.collect());
+    let answer = field(&case, &text, &units(&MOVED)).expect("read");
+    assert_eq!(answer.field.as_ref().map(|field| field.cells.len()), Some(cell - 1));
+    assert_eq!(whole(&judged(&case, answer)), [true; 4]);
+}
+
+#[test]
+fn a_block_of_displacements_that_is_cut_or_lacks_a_node_is_refused() {
+    let case = find("truncated-hertz", None).expect("a case");
+    let (meshed, run) = case.solve().expect("solved");
+    let text = frd(&meshed.discretisation, &run);
+    let begin = text.find(" -4  DISP").expect("a block");
+    let lines: Vec<&str> = text[begin..].lines().collect();
+    let refused = |text: &str| field(&case, text, &units(&MOVED)).map(|_| ()).expect_err("refused").to_string();
+    let lacking = refused(&text.replace(&format!("{}\n", lines[7]), ""));
+    assert!(lacking.contains("theirs.frd") && lacking.contains("has no node 3"), "{lacking}");
+    let spoiled = refused(&text.replace(lines[7], &lines[7].replace("E-", "X-")));
+    assert!(spoiled.contains("holds no finite numbers"), "{spoiled}");
+    let contact = text.find(" -3\n -4  CONTACT").expect("a block");
+    let cut = refused(&(text[..begin].to_owned() + &text[contact + 4..] + &text[begin..contact]));
+    assert!(cut.contains("its block DISP has no end"), "{cut}");
+}
+
+#[test]
+fn the_frd_beside_the_dat_of_an_exported_deck_tells_its_displacements() {
+    let case = find("cylinder", None).expect("a case");
+    let (meshed, run) = case.solve().expect("solved");
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, text, _) in contact_vv::cli::export::files(&case).expect("exported") {
+        std::fs::write(folder.path().join(name), text).expect("written");
+    }
+    let deck = std::fs::read_to_string(folder.path().join("cylinder.inp")).expect("a deck");
+    let first = deck.lines().skip_while(|line| !line.starts_with("*NSET, NSET=GAPS_CONTACT")).nth(1).expect("a set");
+    let first: usize = first.split(',').next().and_then(|word| word.trim().parse().ok()).expect("a node");
+    let rows = run.solution.points_of(0).iter().enumerate();
+    let rows = rows.map(|(k, p)| {
+        format!("{:>10} {:>13.6E} {:>13.6E} {:>13.6E}\n", first + 2 * k, 0.0 - p.pressure * p.weight, 0.0, 0.0)
+    });
+    let table =
+        format!(" forces (fx,fy,fz) for set GAPS_CONTACT and time  0.1000000E+01\n\n{}", rows.collect::<String>());
+    let dat = folder.path().join("cylinder.dat");
+    std::fs::write(&dat, table).expect("written");
+    let alone = read::read(&dat, &case, &Asked::default()).expect("read");
+    assert!(alone.field.is_none());
+    std::fs::write(dat.with_extension("frd"), frd(&meshed.discretisation, &run)).expect("written");
+    let both = read::read(&dat, &case, &Asked::default()).expect("read");
+    assert!(both.read.iter().any(|how| how.contains(".frd of the same name")));
+    let found = judged(&case, both);
+    assert_eq!(whole(&found), [true; 4]);
+    assert!(found.met());
+    // Of a deck that is not ours, units are asked for.
+    let foreign = deck.replacen(": mm, N, MPa.", "", 1);
+    let asked = units(&[(Role::X, "mm"), (Role::Force, "N")]);
+    let fields = std::fs::read_to_string(dat.with_extension("frd")).expect("fields");
+    let text = std::fs::read_to_string(&dat).expect("a table");
+    let answer = calculix::parse(&dat, &text, &foreign, Some(&fields), &case.scene, &asked).expect("read");
+    assert!(answer.field.is_none());
+}
