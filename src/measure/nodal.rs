@@ -1,4 +1,4 @@
-//! The peak of a profile whose edges hold many contact points, as on cells of order 4 and more: the top of a quartic through
+//! The peak of a profile whose edges hold many contact points, as on cells of order 4 and more: the top of a polynomial over
 //! the pressures of the points around the highest.
 //!
 //! Means over pairs of edges, which peaks of other profiles are read from, are there as wide as the contact itself.

@@ -5,6 +5,7 @@
 //! they are: the mesh hangs together, whatever it was.
 
 use super::block::{Block, Point, Side};
+use super::outline::eye;
 use super::{Order, lobatto};
 use crate::scene::ends::LAYER;
 use crate::scene::{Load, Scene};
@@ -15,6 +16,9 @@ const SAME: f64 = 1e-9;
 /// Layers towards a force at a point, beyond those towards the ends: without any the peak of the pin in a plate moved by 5e-5
 /// from one order to the next, with these by 5e-7.
 const AT_FORCE: usize = 1;
+
+/// Layers towards the re-entrant corner of eye and shank, beyond those towards the ends.
+const AT_CORNER: usize = 1;
 
 /// The blocks of a body with layers towards the ends of its contacts, and towards points at which a force acts.
 pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, order: Order) -> Vec<Block> {
@@ -28,6 +32,10 @@ pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, o
     }
     let layers = scene.contacts_of(body).filter(|pair| !pair.ends.places.is_empty()).map(|pair| pair.ends.layers).max();
     let Some(layers) = layers.filter(|layers| *layers > 0) else { return blocks };
+    if let Some(corner) = eye::corner(&scene.bodies[body].shape) {
+        let is_here = |[x, y]: Point| (x - corner[0]).hypot(y - corner[1]) <= SAME * scene.grading.unit;
+        layered(Singular { side: None, layers: layers + AT_CORNER, is_here: &is_here });
+    }
     for load in &scene.bodies[body].loads {
         if let Load::Force { at, .. } = load {
             let is_here = |[x, y]: Point| (x - at[0]).hypot(y - at[1]) <= SAME * scene.grading.unit;

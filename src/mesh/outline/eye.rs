@@ -18,7 +18,7 @@ pub(super) fn blocks(layout: &Layout, shape: &Shape) -> Vec<Block> {
     let Shape::Eye { pole, hole, outer_radius, shank_half_width, shank_end } = *shape else {
         return Vec::new();
     };
-    let corner = PI - (shank_half_width / outer_radius).asin();
+    let corner = corner_angle(outer_radius, shank_half_width);
     let surface = layout.candidates();
     let [before, last] = last_two(&surface);
     let grading = layout.grading;
@@ -52,6 +52,17 @@ pub(super) fn blocks(layout: &Layout, shape: &Shape) -> Vec<Block> {
         left: Side::inner(spoke(corner)),
     };
     vec![below, neck, shank(layout, &rest, outer, [shank_half_width, hole.centre[1] + shank_end])]
+}
+
+/// The re-entrant corner of eye and shank; none of other shapes.
+pub(crate) fn corner(shape: &Shape) -> Option<Point> {
+    let Shape::Eye { hole, outer_radius, shank_half_width, .. } = *shape else { return None };
+    Some(polar(hole.centre, outer_radius, corner_angle(outer_radius, shank_half_width)))
+}
+
+/// Angle of that corner, from the downward vertical on.
+fn corner_angle(outer_radius: f64, shank_half_width: f64) -> f64 {
+    PI - (shank_half_width / outer_radius).asin()
 }
 
 /// From the eye's outer arc (run backwards, so that the block stays counter-clockwise) up to the flat end.

@@ -6,7 +6,7 @@
 
 mod blocks;
 mod disc;
-mod eye;
+pub(crate) mod eye;
 mod frames;
 mod layout;
 mod points;

@@ -44,8 +44,13 @@ const NEAR: f64 = 2e-2;
 const MESHES: usize = 5;
 
 impl Fitted {
-    /// Solves a scene on such a mesh, whose ends are found on the way.
+    /// Solves a scene on such a mesh, whose ends are found on the way, as well as peak and half-width need it.
     pub fn solve(self, scene: &Scene, formulation: &Formulation) -> Result<Answer, Error> {
+        self.solve_with_ends(scene, formulation, self.at_rest())
+    }
+
+    /// The same with ends that move no farther than so many half-widths.
+    pub fn solve_with_ends(self, scene: &Scene, formulation: &Formulation, at_rest: f64) -> Result<Answer, Error> {
         refuse_given(scene)?;
         let made = Discretisation::of(scene.clone(), FIRST).map_err(on_fitted)?;
         let first = Run::of(&made, formulation)?;
@@ -54,7 +59,7 @@ impl Fitted {
         let found = |contact: &crate::solve::run::Contact| contact.measures.stretches.clone();
         let mut ends = Closed { stretches: first.contacts.iter().map(found).collect() };
         ends.refuse(scene)?;
-        for (mesh, enough) in [(COARSE, NEAR), (self, self.at_rest())] {
+        for (mesh, enough) in [(COARSE, NEAR), (self, at_rest)] {
             let last = mesh == self;
             for _ in 0..MESHES {
                 let discretisation = ends.discretised(scene, mesh)?;
