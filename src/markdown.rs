@@ -44,6 +44,12 @@ pub fn bound(bound: f64) -> String {
     }
 }
 
+/// A value to the second digit of its bound.
+pub fn to_bound(value: f64, bound: f64) -> String {
+    let places = (1.0 - bound.abs().max(1e-12).log10().floor()).clamp(0.0, 10.0);
+    format!("{value:.*}", places as usize)
+}
+
 /// `digits` significant digits without an exponent where that is short.
 pub fn significant(x: f64, digits: usize) -> String {
     if x.abs() < 1e-99 || !x.is_finite() {

@@ -16,6 +16,7 @@
 //! * `layout` — which of the two families, and the next of its meshes.
 //! * `rungs` — the meshes of a search, each solved from the active set of the one before.
 //! * `search` — finer and finer meshes, until the bars of one are within what is asked.
+//! * [`mod@reference`] — numbers to five digits, by meshes fitted to the contact.
 //! * [`told`] — of what a number is, its name, and its unit.
 //! * `slow` — the mesh chosen by kinematic load, and run by another algorithm.
 //!
@@ -41,6 +42,7 @@ mod length;
 pub mod longest;
 pub mod reading;
 mod recovered;
+pub mod reference;
 mod rungs;
 mod search;
 mod sizes;

@@ -1,6 +1,7 @@
 //! The truth of a case: its closed form where it has one, else our own fine answer; each with what it may itself be off.
 
-use crate::accuracy::{Barred, Quantity, Subject, bars};
+use crate::accuracy::reference::{self, Known as Answered};
+use crate::accuracy::{Bar, Barred, Quantity, Subject, bars};
 use crate::case::{Case, Quantity as Asked, Reference};
 use crate::error::Error;
 use crate::measure::{larger, profile};
@@ -52,7 +53,12 @@ impl Truth {
             return Err(Error::at(case.name.as_str(), message, remedy));
         }
         let run = run.with_limits(&discretisation)?;
-        let bars = bars(&discretisation, &run, &case.displaced())?.all;
+        let mut bars = bars(&discretisation, &run, &case.displaced())?.all;
+        if let (None, [_]) = (&case.oracle, &case.scene.contacts[..]) {
+            // Where a mesh can be fitted to the contact.
+            let answer = reference::answer(&case.scene);
+            answer.iter().flat_map(|answer| &answer.known).for_each(|known| takes(&mut bars, known));
+        }
         Ok(Self { case, discretisation, run, bars })
     }
 
@@ -146,6 +152,15 @@ impl Truth {
     /// Whether the peak has no limit.
     pub fn is_unbounded(&self, contact: usize) -> bool {
         self.run.contacts[contact].unbounded.is_some()
+    }
+}
+
+/// Takes a number of the contact that is known better.
+fn takes(bars: &mut [Barred], known: &Answered) {
+    let subject = known.measured.quantity().map(|quantity| Subject::Contact(0, quantity));
+    let own = bars.iter_mut().find(|one| Some(&one.subject) == subject.as_ref() && one.bar.total() > known.bound);
+    if let Some(own) = own {
+        (own.value, own.bar) = (known.value, Bar { mesh: known.bound, iteration: 0.0, penalty: 0.0 });
     }
 }
 

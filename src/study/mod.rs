@@ -49,6 +49,8 @@ rooms! {
     Independent in independent,
     /// Other codes on exported cases.
     Scoreboard in scoreboard,
+    /// Reference answers to five digits.
+    References in references,
     /// Benchmark sheets.
     Sheets in sheets,
     /// Initial stiffness and rules.

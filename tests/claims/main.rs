@@ -65,6 +65,7 @@ mod referee_fuzz;
 mod referee_grid;
 mod referee_refusals;
 mod referee_series;
+mod references;
 mod rigid_pin;
 mod rooms;
 mod scene;

@@ -1,0 +1,68 @@
+//! Reference answers: their bounds hold the error where a closed form tells it.
+
+use contact_vv::accuracy::reference::{Answer, Known, Measured, answer};
+use contact_vv::case::Verdict;
+use contact_vv::case::library::{Bars, Cylinder, PinPlate};
+use contact_vv::measure::relative_error;
+use contact_vv::study::fitted::{LOADS, under};
+use contact_vv::study::references::{Numbers, judge};
+
+fn of(known: &[Known], measured: Measured) -> &Known {
+    known.iter().find(|one| one.measured == measured).expect("measured")
+}
+
+#[test]
+fn bounds_of_reference_answers_hold_the_error_of_truncated_hertz_and_are_below_1e_5() {
+    for factor in LOADS {
+        let numbers = under(factor);
+        let (hertz, known) = (numbers.closed_form(), answer(&numbers.scene()).expect("answered").known);
+        let truths = [
+            (Measured::Origin, hertz.peak_pressure()),
+            (Measured::Peak, hertz.peak_pressure()),
+            (Measured::Place, 0.0),
+            (Measured::HalfWidth, hertz.half_width()),
+            (Measured::End, hertz.half_width()),
+            (Measured::Resultant, hertz.load),
+        ];
+        for (measured, truth) in truths {
+            let one = of(&known, measured);
+            let error = (one.value - truth).abs();
+            assert!(error <= one.bound, "{measured:?} at {factor}: {error:e} > {:e}", one.bound);
+            assert!(one.bound <= 1e-5 * one.scale, "{measured:?} at {factor}: {:e} of {}", one.bound, one.scale);
+        }
+    }
+}
+
+#[test]
+fn a_pin_of_persson_ends_where_his_angle_says_up_to_what_the_rim_of_the_plate_does() {
+    let known = answer(&PinPlate::of_half_angle(60.0).scene()).expect("answered").known;
+    assert!(relative_error(of(&known, Measured::End).value.to_degrees(), 60.0) <= 3e-3);
+}
+
+#[test]
+fn a_contact_that_no_mesh_can_be_fitted_to_has_no_reference_answer() {
+    assert!(answer(&Bars::default().scene()).is_err());
+}
+
+#[test]
+fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
+    let scene = Cylinder::default().scene();
+    let Answer { known, dofs: [a, b, c, d] } = answer(&scene).expect("answered");
+    let known = known.into_iter().map(|one| (one, None)).collect();
+    let sound = Numbers { case: "cylinder".into(), path: scene.contact().path.clone(), dofs: [a, b, c, d, 0], known };
+    let failed = |numbers: &Numbers| {
+        let judged = judge(numbers).expect("judged").into_iter();
+        judged.filter(|one| one.verdict != Verdict::Pass).map(|one| one.check.quantity.to_string()).collect::<Vec<_>>()
+    };
+    assert_eq!(failed(&sound), Vec::<String>::new());
+    let spoiled = |spoil: fn(&mut (Known, Option<[f64; 2]>))| {
+        let mut other = sound.clone();
+        spoil(other.known.iter_mut().find(|(one, _)| one.measured == Measured::HalfWidth).expect("measured"));
+        failed(&other)
+    };
+    assert_eq!(spoiled(|(one, _)| one.bound = 2e-5 * one.scale), ["relative bound of a reference answer, half-width"]);
+    assert_eq!(spoiled(|(one, _)| one.bound = f64::NAN), ["relative bound of a reference answer, half-width"]);
+    let off = "difference of 8-node cells over what both may be off, half-width";
+    assert_eq!(spoiled(|(one, eight)| *eight = Some([1.01 * one.value, 1e-3 * one.value])), [off]);
+    assert_eq!(spoiled(|(_, eight)| *eight = Some([f64::NAN; 2])), [off]);
+}
