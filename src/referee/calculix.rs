@@ -1,4 +1,4 @@
-//! Answers of CalculiX as tables (`.dat`): nodal forces of an exported deck, with the displacements of the `.frd` beside it.
+//! Answers of CalculiX as tables (`.dat`): nodal forces of an exported deck.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,7 +8,6 @@ use crate::mesh::Order;
 use crate::referee::answer::{Answer, Handed, Point, ordered, signed_coordinate};
 use crate::referee::asked::Asked;
 use crate::referee::export::deck::{GAPS, named};
-use crate::referee::frd;
 use crate::referee::units::Role;
 use crate::scene::Scene;
 
@@ -32,25 +31,8 @@ pub fn factor(file: &Path, role: Role, asked: &Asked, ours: Option<&str>) -> Res
     role.factor(unit).ok_or_else(|| Error::file(file, format!("the unit `{unit}` is not known"), remedy))
 }
 
-/// Nodal forces of an exported deck, and the displacements of its file of fields, where that is there.
-pub fn parse(
-    file: &Path,
-    text: &str,
-    deck: &str,
-    fields: Option<&str>,
-    scene: &Scene,
-    asked: &Asked,
-) -> Result<Answer, Error> {
-    let mut answer = forces(file, text, deck, scene, asked)?;
-    if let Some(fields) = fields {
-        answer.field = frd::displacements(&file.with_extension("frd"), fields, asked, is_ours(deck).then_some("mm"))?;
-        answer.read.extend(answer.field.is_some().then(|| "displacements from the .frd of the same name".into()));
-    }
-    Ok(answer)
-}
-
 /// Whether a deck is one that we exported.
-fn is_ours(deck: &str) -> bool {
+pub fn is_ours(deck: &str) -> bool {
     deck.lines().next().is_some_and(|line| line.contains(OURS))
 }
 

@@ -5,7 +5,10 @@ use crate::case::{Against, Check, Judged};
 use crate::error::Coordinate;
 use crate::measure::profile;
 use crate::referee::bench::Bench;
-use crate::referee::whole;
+
+/// What to hand in for displacements.
+pub(super) const GRID: &str =
+    "a VTK grid or a .frd of all bodies with the displacement of every node, and --unit displacement=UNIT";
 
 /// Those that a profile answers; of the others what to hand in.
 pub(super) fn checks(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judged> {
@@ -60,7 +63,7 @@ fn not_handed_in(check: &Check) -> [String; 2] {
         | Asked::Approach
         | Asked::Reaction { .. }
         | Asked::Shear { .. }
-        | Asked::ShearDepth { .. } => whole::GRID,
+        | Asked::ShearDepth { .. } => GRID,
         _ => "nothing: no reader takes it from an answer, `contact-vv solve` tells it",
     };
     [check.quantity.to_string(), how.into()]

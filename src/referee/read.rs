@@ -11,6 +11,7 @@ use crate::error::Error;
 use crate::referee::answer::Answer;
 use crate::referee::asked::Asked;
 use crate::referee::{calculix, document, frd, grid, table};
+use crate::scene::Scene;
 
 /// Largest file that is read \[bytes\].
 const LARGEST_FILE: u64 = 256 << 20;
@@ -39,13 +40,23 @@ pub fn parse(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<An
         "json" => document::parse(file, text(file, bytes)?, &case.name, &case.scene, asked),
         "vtu" | "vtk" => grid::parse(file, bytes, &case.scene, asked),
         "frd" => frd::parse(file, text(file, bytes)?, &case.scene, asked),
-        "dat" => {
-            let fields = fields_of(file)?;
-            let fields = fields.as_deref().map(|bytes| text(&file.with_extension("frd"), bytes)).transpose()?;
-            calculix::parse(file, text(file, bytes)?, &deck_of(file)?, fields, &case.scene, asked)
-        }
+        "dat" => exported(file, text(file, bytes)?, &case.scene, asked),
         _ => Err(Error::file(file, format!("its ending `{ending}` names no format that is read"), KNOWN)),
     }
+}
+
+/// Nodal forces of an exported deck, and the displacements of the file of fields of the same name, where it is there.
+fn exported(file: &Path, table: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
+    let deck = deck_of(file)?;
+    let mut answer = calculix::forces(file, table, &deck, scene, asked)?;
+    let fields = file.with_extension("frd");
+    if fields.exists() {
+        let read = bytes(&fields)?;
+        answer.field =
+            frd::displacements(&fields, text(&fields, &read)?, asked, calculix::is_ours(&deck).then_some("mm"))?;
+        answer.read.extend(answer.field.is_some().then(|| "displacements from the .frd of the same name".into()));
+    }
+    Ok(answer)
 }
 
 /// The input deck of the same name, which holds the places of the nodes that a table of CalculiX names.
@@ -53,12 +64,6 @@ fn deck_of(file: &Path) -> Result<String, Error> {
     let deck = file.with_extension("inp");
     let read = bytes(&deck)?;
     Ok(text(&deck, &read)?.to_owned())
-}
-
-/// CalculiX's file of fields of the same name, where it is there.
-fn fields_of(file: &Path) -> Result<Option<Vec<u8>>, Error> {
-    let fields = file.with_extension("frd");
-    fields.exists().then(|| bytes(&fields)).transpose()
 }
 
 /// What a file compressed by gzip holds.

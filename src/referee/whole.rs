@@ -7,16 +7,13 @@ use crate::elasticity::{loads, reactions};
 use crate::error::Error;
 use crate::measure::larger;
 use crate::oracle::ReferenceKind;
+use crate::referee::declared::GRID;
 use crate::referee::field::Field;
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, Truth};
 use crate::referee::{Ruled, bench::Bench};
 use crate::scene::{Load, Place};
 use crate::solve::{Discretisation, Run};
-
-/// What to hand in.
-pub(super) const GRID: &str =
-    "a VTK grid or a .frd of all bodies with the displacement of every node, and --unit displacement=UNIT";
 
 /// What cannot be judged without displacements.
 pub fn missing() -> [String; 2] {

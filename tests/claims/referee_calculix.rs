@@ -6,7 +6,7 @@ use contact_vv::case::library::find;
 use contact_vv::case::{Case, Verdict};
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::units::Role;
-use contact_vv::referee::{Answer, Asked, Truth, Verdicts, calculix, read, verdicts};
+use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
 use contact_vv::solve::{Discretisation, Run};
 
 /// Mesh, displacements and contact results as CalculiX writes them.
@@ -142,10 +142,7 @@ fn the_frd_beside_the_dat_of_an_exported_deck_tells_its_displacements() {
     assert_eq!(whole(&found), [true; 4]);
     assert!(found.met());
     // Of a deck that is not ours, units are asked for.
-    let foreign = deck.replacen(": mm, N, MPa.", "", 1);
-    let asked = units(&[(Role::X, "mm"), (Role::Force, "N")]);
-    let fields = std::fs::read_to_string(dat.with_extension("frd")).expect("fields");
-    let text = std::fs::read_to_string(&dat).expect("a table");
-    let answer = calculix::parse(&dat, &text, &foreign, Some(&fields), &case.scene, &asked).expect("read");
+    std::fs::write(dat.with_extension("inp"), deck.replacen(": mm, N, MPa.", "", 1)).expect("written");
+    let answer = read::read(&dat, &case, &units(&[(Role::X, "mm"), (Role::Force, "N")])).expect("read");
     assert!(answer.field.is_none());
 }
