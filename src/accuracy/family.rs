@@ -6,9 +6,9 @@ use crate::accuracy::coarser::coarser;
 use crate::accuracy::counted::Counted;
 use crate::accuracy::reading::{Quantity, Reading, Subject, of_discrete, value_of};
 use crate::accuracy::recovered::recovered;
-use crate::measure::Measures;
+use crate::measure::{Measures, larger};
 use crate::mesh::Order;
-use crate::solve::{Discretisation, Displaced, Fitted, Formulation, Iteration, Run, Settings};
+use crate::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Run, Settings};
 
 /// Part of a number's scale that round-off may leave.
 const ROUND_OFF: f64 = 1e-9;
@@ -18,6 +18,9 @@ const FEWEST: (usize, f64) = (2, 2.4);
 const TOLERANCE: f64 = 1e-9;
 /// Factor on the distance between two readings of a peak.
 const READINGS: f64 = 1.8;
+/// On cells that end with the contact: factor on the difference to the next lower order, and what that to the one below falls by.
+const BY_ORDERS: f64 = 4.0;
+const FALLS: f64 = 8.0;
 /// Elements are larger on a coarser mesh than by this factor, or it is none.
 const LARGER: f64 = 1.1;
 
@@ -38,6 +41,7 @@ pub struct Family {
 
 /// What a coarser mesh says.
 struct Coarse {
+    order: Order,
     /// Mean candidate element of each contact.
     sizes: Vec<f64>,
     cells: usize,
@@ -109,6 +113,24 @@ impl Family {
             few if few < fewest => alone * counted.factor,
             _ => counted.factor,
         };
+        if let (true, Subject::Contact(_, quantity @ (Quantity::PeakPressure | Quantity::HalfWidth))) =
+            (self.falls_by_orders(), subject)
+        {
+            let apart = (1..=2).filter_map(|fewer| {
+                let lower = Order::numbered(usize::from(self.order.number()).checked_sub(fewer)?)?;
+                let other = self.coarse.iter().find(|other| other.order == lower)?;
+                Some((discrete - value_of(&other.readings, subject)).abs() / FALLS.powi(fewer as i32 - 1))
+            });
+            let apart: Vec<f64> = apart.collect();
+            let (fewest, alone) = FEWEST;
+            let factor = if apart.len() < fewest { alone * BY_ORDERS } else { BY_ORDERS };
+            let apart = apart.into_iter().reduce(larger).unwrap_or(f64::NAN);
+            let read = match quantity {
+                Quantity::PeakPressure => READINGS * (measures.peak_by_parabola - measures.peak.pressure).abs(),
+                _ => 0.0,
+            };
+            return factor * apart + (Fitted::misfit(self.order) + ROUND_OFF) * quantity.scale(measures).abs() + read;
+        }
         let hidden = match self.on_ends {
             true => Fitted::misfit(self.order),
             false => counted.hidden * (self.sizes[contact] / measures.half_width).powf(counted.power),
@@ -121,6 +143,11 @@ impl Family {
             _ => [reading.scale, 0.0],
         };
         factor * known.into_iter().fold(0.0, f64::max) + (hidden + ROUND_OFF) * scale.abs() + read
+    }
+
+    /// Whether errors fall from order to order as those of an analytic solution do: on cells that end with the contact, by node elements.
+    fn falls_by_orders(&self) -> bool {
+        self.on_ends && self.order > Order::Quartic && self.formulation.element == Element::Node
     }
 
     /// Whether the peak lies in the last element before the end of the candidates: a corner, and no flat top.
@@ -138,7 +165,8 @@ fn said(coarse: &Discretisation, run: &Run, wanted: Option<&[Displaced]>) -> Opt
         readings.extend(recovered(coarse, run, wanted).ok()?.readings);
     }
     let (cells, dofs) = (coarse.mesh.cells(), run.dofs);
-    run.solution.converged().then(|| Coarse { sizes: sizes(coarse), cells, dofs, readings })
+    let order = coarse.resolution.order;
+    run.solution.converged().then(|| Coarse { order, sizes: sizes(coarse), cells, dofs, readings })
 }
 
 /// Whether a body has no more cells than candidate edges of one of its contacts.

@@ -15,6 +15,7 @@
 //! * `laid` — a scene laid out for a mesh.
 //! * `layout` — which of the two families, and the next of its meshes.
 //! * `rungs` — the meshes of a search, each solved from the active set of the one before.
+//! * `by_order` — cells of higher and higher order, fitted to the contact.
 //! * `search` — finer and finer meshes, until the bars of one are within what is asked.
 //! * [`mod@reference`] — numbers to five digits, by meshes fitted to the contact.
 //! * [`told`] — of what a number is, its name, and its unit.
@@ -30,6 +31,7 @@
 
 pub mod answer;
 pub mod bar;
+mod by_order;
 pub mod coarser;
 mod counted;
 pub mod ends;
@@ -61,7 +63,7 @@ pub use reading::{Quantity, Subject};
 pub use told::Told;
 
 /// Smallest and largest relative error that may be asked for.
-pub const RANGE: [f64; 2] = [1e-5, 0.2];
+pub const RANGE: [f64; 2] = [1e-6, 0.2];
 
 /// A relative error from a percentage, as users write it: `0.1 %`; none where it is no percentage within [`RANGE`].
 pub fn percentage(text: &str) -> Option<f64> {
@@ -70,9 +72,14 @@ pub fn percentage(text: &str) -> Option<f64> {
     Some(0.01 * number).filter(|error| *error >= least * (1.0 - 1e-9) && *error <= most * (1.0 + 1e-9))
 }
 
+/// A relative error in percent, as users write it: without the digits that rounding adds.
+pub fn in_percent(error: f64) -> f64 {
+    (1e8 * error).round() / 1e6
+}
+
 /// What to give instead of something else.
 pub fn remedy() -> String {
-    let [least, most] = RANGE.map(|error| 100.0 * error);
+    let [least, most] = RANGE.map(in_percent);
     format!("give a percentage between {least} % and {most} %, such as \"0.1 %\"")
 }
 

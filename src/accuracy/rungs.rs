@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::mesh::Resolution;
 use crate::scene::{ContactPair, Scene};
 use crate::solution::Solution;
+use crate::solve::edge_fitted;
 use crate::solve::run::{Contact, Run};
 use crate::solve::{Change, Discretisation, Formulation, Origin};
 
@@ -63,20 +64,45 @@ impl<'a> Rungs<'a> {
             None => Run::of(&discretisation, &self.formulation)?,
         };
         self.last = Some(run.solution.clone());
-        let scene = discretisation.scene.clone();
+        let rung = self.remember(&discretisation, run, purpose);
+        if let Some(tried) = self.tried.last_mut() {
+            tried.growth = growth;
+        }
+        Ok((discretisation, rung))
+    }
+
+    /// Takes a mesh that was solved into the list.
+    pub(super) fn remember(&mut self, discretisation: &Discretisation, run: Run, purpose: &'static str) -> Rung {
+        let (scene, resolution) = (discretisation.scene.clone(), discretisation.resolution);
         let pressed = |(contact, pair)| ends::pressed(run.solution.part(contact), pair)[1];
         self.tried.push(Tried {
             purpose,
             order: resolution.order,
             elements: scene.contacts.iter().enumerate().map(pressed).min().unwrap_or(0),
-            growth,
+            growth: scene.grading.along,
             dofs: run.dofs,
             coarser: 0,
             iterations: run.solution.work.iterations,
             contacts: Tried::contacts(&scene, &run),
             estimate: f64::NAN,
         });
-        Ok((discretisation, Rung { scene, resolution, run, estimates: vec![] }))
+        Rung { scene, resolution, run, estimates: vec![] }
+    }
+
+    /// Takes a mesh on which the ends of a contact were sought into the list.
+    pub(super) fn sought(&mut self, on: &edge_fitted::Tried) {
+        let nothing = TriedContact { stretch: f64::NAN, peak: f64::NAN, half_width: f64::NAN };
+        self.tried.push(Tried {
+            purpose: "ends of the contact",
+            order: on.order,
+            elements: 0,
+            growth: f64::NAN,
+            dofs: on.dofs,
+            coarser: 0,
+            iterations: 1,
+            contacts: vec![nothing],
+            estimate: f64::NAN,
+        });
     }
 
     /// Answers with a mesh; a peak whose bar was not looked at, or did not fall, may have no limit.

@@ -1,6 +1,7 @@
 //! Finer and finer meshes of one family, until the error bars of one are within what is asked.
 
 use crate::accuracy::answer::largest;
+use crate::accuracy::by_order;
 use crate::accuracy::evenly::{self, Evenly};
 use crate::accuracy::fitted;
 use crate::accuracy::layout::Layout;
@@ -35,7 +36,14 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> 
         Layout::Evenly(Evenly::found(scene, &mut rungs)?)
     } else {
         match length::found(scene, &mut rungs)? {
-            Ok(fitted) => Layout::Fitted(fitted),
+            Ok(fitted) => {
+                let by_order = by_order::applies(&rungs.formulation, asked);
+                let found = if by_order { by_order::found(&fitted, &mut rungs)? } else { None };
+                if let Some(rung) = found {
+                    return rungs.answer(rung, None);
+                }
+                Layout::Fitted(fitted)
+            }
             Err((rung, why)) => return rungs.answer(rung, Some(why)),
         }
     };

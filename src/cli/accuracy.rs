@@ -4,7 +4,7 @@ use comfy_table::Table;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::accuracy::{Answer, Asked, Quoted, Tried, TriedContact};
+use crate::accuracy::{Answer, Asked, Quoted, Tried, TriedContact, in_percent};
 use crate::cli::json::Number;
 use crate::cli::terminal::{say, table};
 use crate::markdown;
@@ -134,7 +134,7 @@ impl Document {
 /// Prints what was asked, what is estimated, and what was tried.
 pub fn print((asked, answer): &(Asked, Answer)) {
     let contacts = &answer.scene.contacts;
-    say(format!("accuracy asked: {} %", 100.0 * asked.relative));
+    say(format!("accuracy asked: {} %", in_percent(asked.relative)));
     for quoted in &answer.estimates {
         let of = if contacts.len() > 1 { format!("{}, ", contacts[quoted.contact].name) } else { String::new() };
         say(of + &sentence(quoted));

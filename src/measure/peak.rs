@@ -40,7 +40,7 @@ const HALVINGS: i32 = 6;
 /// Coefficients of the polynomial, and the fewest pairs: as many, so that on a coarse mesh it goes through their means.
 const QUARTIC: usize = 5;
 /// Most coefficients of a polynomial over single points.
-const SEXTIC: usize = 7;
+const SEXTIC: usize = 9;
 /// Difference from the one in question up to which a pair may be one of these: beyond, the end of the contact bends the
 /// profile.
 const FAR: f64 = 0.3;

@@ -39,17 +39,17 @@ fn checks_of_the_study_fail_on_a_coarser_mesh_on_a_larger_one_and_on_an_accuracy
     let subject = Subject::Truncated;
     let problem = subject.loaded(1.0);
     let exact = study::closed_form(&problem);
-    let good = answered(&problem.scene, 1e-3);
+    let good = answered(&problem.scene, 3e-3);
     let failed = |answer: &Answer, dofs: usize| {
         let by_hand = Price { dofs, worst: 1e-4 };
-        let checks = judge(&Numbers::of(answer, 1e-3, [exact, exact], by_hand)).expect("judged");
+        let checks = judge(&Numbers::of(answer, 3e-3, [exact, exact], by_hand)).expect("judged");
         checks.iter().map(|check| check.verdict == Verdict::Fail).collect::<Vec<_>>()
     };
     assert_eq!(failed(&good, good.run.dofs), [false; 6]);
     assert_eq!(failed(&good, good.run.dofs / 4 - 1), [false, false, false, false, true, false]);
     assert_eq!(failed(&good, good.dofs_in_all() / 20 - 1), [false, false, false, false, true, true]);
     let mut coarse = good.clone();
-    coarse.run.contacts[0].measures.half_width *= 1.0015;
+    coarse.run.contacts[0].measures.half_width *= 1.0045;
     assert_eq!(failed(&coarse, good.run.dofs), [false, true, true, false, false, false]);
     let mut unmet = good.clone();
     unmet.unmet = Some("said so".into());
@@ -115,7 +115,7 @@ fn first_mesh_on_which_the_iteration_does_not_converge_ends_the_search() {
 #[test]
 fn every_later_mesh_starts_from_the_contact_set_of_the_one_before() {
     let scene = Subject::Cylinder.loaded(1.0).scene;
-    let answer = accuracy::solve(&scene, &plain().tolerance(1e-9), &Asked::new(1e-3)).expect("solved");
+    let answer = accuracy::solve(&scene, &plain().tolerance(1e-9), &Asked::new(3e-3)).expect("solved");
     assert!(answer.tried.len() > 2);
     for tried in &answer.tried[2..] {
         assert!(tried.iterations <= 3, "{} elements took {} iterations", tried.elements, tried.iterations);
@@ -152,12 +152,29 @@ fn disc_on_a_block_is_solved_with_8_node_cells_whose_middles_do_not_face() {
     let (path, text) =
         files().into_iter().find(|(path, _)| path.ends_with("cylinder-on-block.toml")).expect("the file");
     let file = Case::parse(&path, &text).expect("sound");
-    for asked in [1e-2, 3e-3, 1e-3] {
+    for asked in [1e-2, 3e-3, 2e-3] {
         let answer = answered(&file.scene, asked);
         assert!(answer.unmet.is_none());
         assert_eq!(answer.resolution.order, Order::Quadratic);
         // Hertz leaves out 0.1 % at a/R = 0.05 and a block of 32 half-widths.
         assert!(study::error(&answer.run, [1464.678, 2.499228]) <= asked + 1e-3, "{asked}");
+    }
+}
+
+#[test]
+fn from_a_thousandth_on_cells_of_high_order_meet_up_to_a_millionth_with_few_freedoms() {
+    // Six digits are those of the load that the block is drawn for; 8-node cells took 27,925 for five.
+    let most = [(1e-3, 1_000), (1e-4, 2_000), (1e-5, 3_000), (1e-6, 13_000)];
+    for ratio in [1.0, 0.94, 1.07] {
+        let problem = Subject::Truncated.loaded(ratio);
+        for (asked, dofs) in most {
+            let answer = answered(&problem.scene, asked);
+            assert!(answer.unmet.is_none(), "{ratio}, {asked}: {:?}", answer.unmet);
+            let error = study::error(&answer.run, study::closed_form(&problem));
+            assert!(error <= answer.estimate() && answer.estimate() <= asked, "{ratio}, {asked}: {error:e}");
+            assert!(answer.resolution.order > Order::Quadratic, "{ratio}, {asked}");
+            assert!(answer.run.dofs <= dofs, "{ratio}, {asked}: {}", answer.run.dofs);
+        }
     }
 }
 
@@ -180,7 +197,8 @@ fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
     // The estimate of the best that was found is one all the same.
     let problem = Subject::Truncated.loaded(1.0);
     let few = Asked { most_cells: 2000.0, ..Asked::new(1e-5) };
-    let answer = accuracy::solve(&problem.scene, &plain(), &few).expect("solved");
+    let line = Formulation::new(Element::Line, Iteration::Kinematic);
+    let answer = accuracy::solve(&problem.scene, &line, &few).expect("solved");
     assert!(answer.unmet.is_some());
     let (error, bar) = (study::error(&answer.run, study::closed_form(&problem)), answer.estimate());
     assert!(error <= bar, "{error:e} beyond {bar:e}");
@@ -237,10 +255,10 @@ fn contact_end_is_found_within_a_tenth_of_an_element() {
 
 #[test]
 fn percentages_are_read_and_nothing_else_is() {
-    for (text, wanted) in [("0.1 %", 1e-3), ("1%", 1e-2), (" 20 % ", 0.2), ("0.001 %", 1e-5)] {
+    for (text, wanted) in [("0.1 %", 1e-3), ("1%", 1e-2), (" 20 % ", 0.2), ("0.001 %", 1e-5), ("0.0001 %", 1e-6)] {
         assert_relative_eq!(percentage(text).expect(text), wanted, max_relative = 1e-12);
     }
-    for text in ["0.1", "%", "0 %", "-1 %", "nan %", "inf %", "21 %", "1e-4 %", "one %", "", "0.1 % "] {
+    for text in ["0.1", "%", "0 %", "-1 %", "nan %", "inf %", "21 %", "1e-5 %", "one %", "", "0.1 % "] {
         assert_eq!(percentage(text).is_some(), text == "0.1 % ", "{text}");
     }
 }

@@ -10,8 +10,7 @@ use contact_vv::accuracy::{self, Answer, Asked, ends, fitted};
 use contact_vv::case::Case;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Scene;
-use contact_vv::solve::Run;
-use contact_vv::solve::{Discretisation, Formulation};
+use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
 use contact_vv::study::accuracy::{self as study, ASKED};
 
 use crate::scene_file::text_of;
@@ -107,8 +106,11 @@ fn symmetric_contact_takes_twice_the_freedoms_of_its_half_and_the_same_meshes() 
             assert_eq!(whole.tried.len(), half.tried.len(), "{place}\n{:?}\n{:?}", whole.tried, half.tried);
             assert_relative_eq!(whole.run.dofs as f64, 2.0 * half.run.dofs as f64, max_relative = 0.01);
             assert_relative_eq!(whole.scene.contact().stretch, half.scene.contact().stretch, max_relative = 1e-6);
-            assert!(study::error(&whole.run, both(&half.run)) <= 1e-6, "{place}");
-            assert_relative_eq!(whole.estimate(), half.estimate(), max_relative = 1e-3);
+            // Where the ends are sought, they rest where they are good enough for the order.
+            let order = whole.resolution.order;
+            let (apart, spread) = if order > Order::Quadratic { (Fitted::misfit(order), 0.2) } else { (1e-6, 1e-3) };
+            assert!(study::error(&whole.run, both(&half.run)) <= apart, "{place}");
+            assert_relative_eq!(whole.estimate(), half.estimate(), max_relative = spread);
         }
     }
 }

@@ -471,7 +471,7 @@ const MISTAKES: &[Mistake] = &[
         "cylinder-to-accuracy",
         "accuracy = \"0.1 %\"",
         "accuracy = \"90 %\"",
-        ["accuracy = \"90 %\"", "`accuracy` is \"90 %\"", "between 0.001 % and 20 %"],
+        ["accuracy = \"90 %\"", "`accuracy` is \"90 %\"", "between 0.0001 % and 20 %"],
     ),
     (
         "cylinder-to-accuracy",

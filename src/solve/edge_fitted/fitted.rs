@@ -19,7 +19,7 @@ impl Fitted {
     }
 
     /// Move of an end, over the half-width, that no longer matters.
-    pub(super) fn at_rest(self) -> f64 {
+    pub fn at_rest(self) -> f64 {
         (0.5 * Self::misfit(self.order)).sqrt()
     }
 

@@ -55,9 +55,16 @@ impl Fitted {
         let made = Discretisation::of(scene.clone(), FIRST).map_err(on_fitted)?;
         let first = Run::of(&made, formulation)?;
         let cells = made.mesh.cells();
-        let mut tried = vec![Tried { order: FIRST.order, dofs: first.dofs, cells, moved: f64::NAN }];
+        let mut answer = self.around(scene, &first, formulation, at_rest)?;
+        answer.tried.insert(0, Tried { order: FIRST.order, dofs: first.dofs, cells, moved: f64::NAN });
+        Ok(answer)
+    }
+
+    /// The same where a run on another mesh tells about where the contacts are.
+    pub fn around(self, scene: &Scene, first: &Run, formulation: &Formulation, at_rest: f64) -> Result<Answer, Error> {
         let found = |contact: &crate::solve::run::Contact| contact.measures.stretches.clone();
         let mut ends = Closed { stretches: first.contacts.iter().map(found).collect() };
+        let mut tried = Vec::new();
         ends.refuse(scene)?;
         for (mesh, enough) in [(COARSE, NEAR), (self, at_rest)] {
             let last = mesh == self;
