@@ -39,8 +39,9 @@ const BETTER: f64 = 0.5;
 const HALVINGS: i32 = 6;
 /// Coefficients of the polynomial, and the fewest pairs: as many, so that on a coarse mesh it goes through their means.
 const QUARTIC: usize = 5;
-/// Most coefficients of a polynomial over single points.
-const SEXTIC: usize = 9;
+/// Most coefficients of a polynomial over few single points, and over many.
+const SEXTIC: usize = 7;
+const OCTIC: usize = 9;
 /// Difference from the one in question up to which a pair may be one of these: beyond, the end of the contact bends the
 /// profile.
 const FAR: f64 = 0.3;
@@ -176,10 +177,12 @@ impl Fit {
         Self { coefficients, centre, width, within, misfit }
     }
 
-    /// Least squares over the pressures of some points, weighted by their areas: one coefficient fewer than points, from a quartic to a
-    /// sextic. Of a profile that peaks off its middle, as the pin's in the rod, a quartic misses the top by 1e-5.
+    /// Least squares over the pressures of some points, weighted by their areas: from a quartic to a sextic with one coefficient fewer than
+    /// points, and up to an octic where there are twice as many. Of a profile that peaks off its middle, as the pin's in the rod, a quartic
+    /// misses the top by 1e-5.
     pub(super) fn over_points(points: &[PointState]) -> Self {
-        let count = points.len().saturating_sub(1).clamp(QUARTIC, SEXTIC);
+        let few = points.len().saturating_sub(1).clamp(QUARTIC, SEXTIC);
+        let count = few.max((points.len() / 2).min(OCTIC));
         Self::of_points(points, if points.len() >= QUARTIC { count } else { 1 })
     }
 
