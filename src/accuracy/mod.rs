@@ -25,7 +25,7 @@
 //! the elements alone does not show what the growth leaves. On truncated Hertz a growth of 4 leaves 0.3 % however many
 //! elements there are.
 //!
-//! Cells have 8 nodes: of the hand-made meshes of the study only that of the small cylinder at 1 % has 4-node cells, with 315
+//! Above 1e-3 cells have 8 nodes: of the hand-made meshes of the study only that of the small cylinder at 1 % has 4-node cells, with 315
 //! dofs against 363; at 0.3 % they need about twice the dofs, and none of up to 12 elements per half-width meets
 //! 0.1 %.
 

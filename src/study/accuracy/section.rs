@@ -21,7 +21,8 @@ const HEAD: [&str; 8] = [
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let rows: Vec<Vec<String>> = findings.iter().map(|found| row(found.name, found.numbers)).collect();
     Ok(format!(
-        "`accuracy = \"0.1 %\"` in a scene file, or `--accuracy`, chooses elements, growth and candidates of 8-node cells. Errors are the \
+        "`accuracy = \"0.1 %\"` in a scene file, or `--accuracy`, chooses elements, growth and candidates of 8-node cells, from 0.1 % on \
+         the order of cells fitted to the contact. Errors are the \
          larger ones of peak pressure and half-width (second-moment angle). A mesh made by hand is the cheapest found whose worst \
          error over eight loads is within the asked one. The estimate is the error bar of every solve: *dofs of all \
          meshes* counts those of the meshes before the one answered, and of the coarser ones of their bars.\n\n{}\n",

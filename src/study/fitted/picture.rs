@@ -1,4 +1,4 @@
-//! Error over degrees of freedom: fitted cells of high order beside 8-node cells of both kinds.
+//! Error over degrees of freedom: fitted cells of high order, what an accuracy chooses, and 8-node cells.
 
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
@@ -22,7 +22,7 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
     let plain = Style::run(palette::NODE, Dash::Dashed, Marker::Square);
     for Found { numbers, .. } in findings {
         chart.series.push(curve("order 4 to 8, fitted to the contact", &numbers.fitted, fitted));
-        chart.series.push(curve("8-node cells, chosen by --accuracy", &numbers.chosen, chosen));
+        chart.series.push(curve("chosen by --accuracy", &numbers.chosen, chosen));
         chart.series.push(curve("8-node cells, as fine on all candidates", &numbers.plain, plain));
     }
     Ok(vec![(FILE.into(), chart.drawing()?)])

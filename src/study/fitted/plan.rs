@@ -25,8 +25,8 @@ pub const ASKED: [Asked; 3] = [
 
 /// Fitted meshes of which nothing is asked.
 const OTHERS: [Fitted; 2] = [Fitted { order: Order::Quartic, layers: 1 }, Fitted { order: Order::Quintic, layers: 1 }];
-/// Relative errors that 8-node cells are chosen for.
-const CHOSEN: [f64; 4] = [1e-2, 1e-3, 3e-4, 1e-4];
+/// Relative errors that `--accuracy` is asked for.
+const CHOSEN: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 /// 8-node cells on the half-width that the block is drawn for.
 const PLAIN: [usize; 5] = [2, 4, 8, 16, 32];
 

@@ -21,7 +21,7 @@ const ROUND_OFF: f64 = 1e-9;
 pub struct Numbers {
     /// Fitted to the contact.
     pub fitted: Vec<Mesh>,
-    /// 8-node cells that an accuracy chooses.
+    /// Meshes that an accuracy chooses.
     pub chosen: Vec<Mesh>,
     /// 8-node cells, as fine on all candidates.
     pub plain: Vec<Mesh>,
@@ -47,7 +47,7 @@ pub struct Mesh {
 pub enum Cells {
     /// Fitted to the contact.
     Fitted(Fitted),
-    /// 8-node cells that an accuracy chooses by their error bars: a relative error.
+    /// What an accuracy chooses by error bars: a relative error.
     Chosen(f64),
     /// 8-node cells, so many on the half-width that the block is drawn for.
     Plain(usize),

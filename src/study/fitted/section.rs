@@ -25,8 +25,8 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
          Gauss–Lobatto–Legendre points. `solve --fitted` lays a mesh line on the end of the contact, and layers of cells towards it, each a \
          fixed part of the one before. It knows nothing of the end: a mesh of 8-node cells finds about where it is; then all points \
          up to an expected end e are closed, the pressure at the distance d from it is p √d = A₀ + B₀ d + C₀ d², and e moves by 2 A₀/B₀ \
-         until that no longer matters. Beside them are 8-node cells: those that `--accuracy` chooses by their error bars, fitted to the contact \
-         found so far, and those that are as fine on all candidates.\n\n{}\n{}",
+         until that no longer matters. Beside them are the meshes that `--accuracy` chooses by their error bars, 8-node cells above 0.1 % and from \
+         there on fitted ones, of higher order until the bars are within what is asked; and 8-node cells that are as fine on all candidates.\n\n{}\n{}",
         LOADS.len(),
         markdown::table(&HEAD.map(String::from), &rows),
         picture(FILE, "Truncated Hertz: larger error of peak pressure and half-width, under the worst of all loads"),
@@ -36,7 +36,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
 fn row(mesh: &Mesh) -> Vec<String> {
     let cells = match mesh.cells {
         Cells::Fitted(fitted) => format!("fitted, order {}, layers {}", fitted.order.number(), fitted.layers),
-        Cells::Chosen(asked) => format!("8-node, `--accuracy` {} %", markdown::bound(100.0 * asked)),
+        Cells::Chosen(asked) => format!("`--accuracy` {} %", markdown::bound(100.0 * asked)),
         Cells::Plain(elements) => format!("8-node, {elements} per half-width"),
     };
     let errors = [mesh.peak, mesh.half_width].map(markdown::error);
