@@ -49,7 +49,7 @@ fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
     let scene = Cylinder::default().scene();
     let Answer { known, dofs: [a, b, c, d] } = answer(&scene).expect("answered");
     let known = known.into_iter().map(|one| (one, None)).collect();
-    let sound = Numbers { case: "cylinder".into(), path: scene.contact().path.clone(), dofs: [a, b, c, d, 0], known };
+    let sound = Numbers { case: "cylinder".into(), path: scene.contact().path, dofs: [a, b, c, d, 0], known };
     let failed = |numbers: &Numbers| {
         let judged = judge(numbers).expect("judged").into_iter();
         judged.filter(|one| one.verdict != Verdict::Pass).map(|one| one.check.quantity.to_string()).collect::<Vec<_>>()

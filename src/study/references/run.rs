@@ -37,5 +37,5 @@ pub fn numbers(case: &Case) -> Result<Numbers, Error> {
         (one.times(factor), eight)
     };
     let dofs = [answer, order, layers, cells, run.dofs];
-    Ok(Numbers { case: case.name.clone(), path: case.scene.contact().path.clone(), dofs, known: known.into_iter().map(row).collect() })
+    Ok(Numbers { case: case.name.clone(), path: case.scene.contact().path, dofs, known: known.into_iter().map(row).collect() })
 }
