@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Installs the finite element codes this project is timed against and that the scoreboard asks, once: GetFEM and CalculiX from Debian, NGSolve
-# from PyPI, and by oracles/setup.sh scikit-fem and dolfinx. No test needs GetFEM, CalculiX and NGSolve.
+# Installs the finite element codes this project is timed against and that the scoreboard asks, once: GetFEM, SfePy and CalculiX from
+# Debian, NGSolve from PyPI, and by oracles/setup.sh scikit-fem and dolfinx. No test needs the first four.
 # Serves Debian 12 (bookworm). What is not a Debian package goes to oracles/.python, which git ignores.
 set -euo pipefail
 
-packages=(python3-getfem python3-numpy python3-scipy calculix-ccx)
+packages=(python3-getfem python3-sfepy python3-numpy python3-scipy calculix-ccx)
 python=/usr/bin/python3
 
 fail() {
@@ -16,6 +16,7 @@ fail() {
 source "$(dirname "$0")/../debian.sh"
 
 "$python" -EsBc "import getfem" || fail "GetFEM does not run in $python."
+"$python" -EsBc "import sfepy.discrete" || fail "SfePy does not run in $python."
 version=$(ccx -v) || true # ccx -v ends with a code of its own
 [[ $version == *Version* ]] || fail "ccx does not run."
 

@@ -35,6 +35,10 @@ impl Profile {
         let pair = &scene.contacts[handed.contact];
         let begun = begun(pair, handed, across);
         let handed = begun.as_ref().unwrap_or(handed);
+        let has_forces = handed.forces || handed.points.iter().all(|point| point.area.is_some());
+        let lines =
+            (handed.order == Order::Linear && !has_forces && handed.edges.is_empty()).then(|| with_middles(handed));
+        let handed = lines.as_ref().unwrap_or(handed);
         let lengths = tributary(&handed.points, handed.order);
         let across_path = pair.path.metric() * scene.thickness;
         let state = |(point, length): (&Point, &f64)| {
@@ -46,7 +50,6 @@ impl Profile {
         let edges =
             if handed.edges.is_empty() { means(&points, handed.order, across_path) } else { handed.edges.clone() };
         let has_gaps = handed.points.iter().all(|point| point.gap.is_some());
-        let has_forces = handed.forces || handed.points.iter().all(|point| point.area.is_some());
         Self { contact: handed.contact, order: handed.order, points, edges, across, has_gaps, has_forces, scene }
     }
 
@@ -91,6 +94,19 @@ fn begun(pair: &ContactPair, handed: &Handed, across: bool) -> Option<Handed> {
     }
     let start = Point { position: 0.0, ..first };
     Some(Handed { points: [&[start], &handed.points[..]].concat(), ..handed.clone() })
+}
+
+/// Straight lines between pressures with their middles, so that Simpson's rule takes their second moments exactly.
+fn with_middles(handed: &Handed) -> Handed {
+    let middle = |pair: &[Point]| Point {
+        position: 0.5 * (pair[0].position + pair[1].position),
+        value: 0.5 * (pair[0].value + pair[1].value),
+        area: None,
+        gap: pair[0].gap.zip(pair[1].gap).map(|(a, b)| 0.5 * (a + b)),
+    };
+    let mut points: Vec<Point> = handed.points.windows(2).flat_map(|pair| [pair[0], middle(pair)]).collect();
+    points.extend(handed.points.last());
+    Handed { points, order: Order::Quadratic, ..handed.clone() }
 }
 
 /// Shares of an edge that belong to its nodes, by the Lobatto rule on them: 1/2, 1/2; 1/6, 4/6, 1/6; and so on.

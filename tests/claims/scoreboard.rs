@@ -50,6 +50,7 @@ fn every_code_of_the_scoreboard_is_judged_from_the_file_that_it_wrote_on_at_leas
         ("GetFEM", ".vtu.gz"),
         ("NGSolve", ".vtu.gz"),
         ("NGSolve", ".json"),
+        ("SfePy", ".vtu.gz"),
         ("scikit-fem", ".csv"),
         ("dolfinx", ".json"),
     ] {

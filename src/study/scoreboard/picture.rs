@@ -44,6 +44,7 @@ fn style(code: Code, first: bool) -> Style {
         Code::Calculix => palette::ORANGE,
         Code::Getfem => palette::PURPLE,
         Code::Ngsolve => palette::NODE,
+        Code::Sfepy => palette::SKY,
         Code::ScikitFem => palette::LINE,
         Code::Dolfinx => palette::LAYER,
     };

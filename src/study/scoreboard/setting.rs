@@ -14,6 +14,9 @@ pub enum Code {
     /// NGSolve.
     #[serde(rename = "NGSolve")]
     Ngsolve,
+    /// SfePy.
+    #[serde(rename = "SfePy")]
+    Sfepy,
     /// scikit-fem.
     #[serde(rename = "scikit-fem")]
     ScikitFem,
@@ -24,7 +27,7 @@ pub enum Code {
 
 impl Code {
     /// All.
-    pub const ALL: [Self; 5] = [Self::Calculix, Self::Getfem, Self::Ngsolve, Self::ScikitFem, Self::Dolfinx];
+    pub const ALL: [Self; 6] = [Self::Calculix, Self::Getfem, Self::Ngsolve, Self::Sfepy, Self::ScikitFem, Self::Dolfinx];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -32,6 +35,7 @@ impl Code {
             Self::Calculix => "CalculiX",
             Self::Getfem => "GetFEM",
             Self::Ngsolve => "NGSolve",
+            Self::Sfepy => "SfePy",
             Self::ScikitFem => "scikit-fem",
             Self::Dolfinx => "dolfinx",
         }
@@ -43,6 +47,7 @@ impl Code {
             Self::Calculix => "run_calculix.py",
             Self::Getfem => "run_getfem.py",
             Self::Ngsolve => "run_ngsolve.py",
+            Self::Sfepy => "run_sfepy.py",
             Self::ScikitFem => "run_scikit_fem.py",
             Self::Dolfinx => "run_dolfinx.py",
         }
@@ -64,7 +69,7 @@ pub struct Setting {
 
 impl Setting {
     /// All, the first choice of each code before the others.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 14] = [
         Self::of(Code::Calculix, "pair", "contact pair, surface to surface, K = 50 E per mm", true),
         Self::of(Code::Calculix, "stiff-pair", "the same with K = 1000 E per mm", false),
         Self::of(Code::Calculix, "gaps", "gap elements of the exported deck", false),
@@ -73,6 +78,8 @@ impl Setting {
         Self::of(Code::Ngsolve, "contact", "contact boundary, energy of overlap, K = 50 E per mm", true),
         Self::of(Code::Ngsolve, "stiff-contact", "the same with K = 1000 E per mm", false),
         Self::of(Code::Ngsolve, "active-set", "active sets on the exported rows", false),
+        Self::of(Code::Sfepy, "contact", "contact term on both sides, cells of 4 nodes, K = 10 E per mm", true),
+        Self::of(Code::Sfepy, "stiff-contact", "the same with K = 100 E per mm, quadrature of order 30", false),
         Self::of(Code::ScikitFem, "penalty", "springs on the exported rows, k = 10 E/h", true),
         Self::of(Code::ScikitFem, "active-set", "active sets on the exported rows", false),
         Self::of(Code::Dolfinx, "penalty", "springs on the exported rows, k = 10 E/h", true),
