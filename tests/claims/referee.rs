@@ -233,3 +233,15 @@ fn our_own_answer_to_every_scene_file_is_judged_as_what_solve_says() {
         }
     }
 }
+
+#[test]
+fn straight_lines_between_pressures_have_their_exact_second_moment_on_coarse_edges() {
+    let case = find("bars", None).expect("a case");
+    let truth = Truth::of(case).expect("solved");
+    let places = [0.0, 10.0, 25.0];
+    let rows: String = places.iter().map(|s| format!("{s},{}\n", truth.pressure(0, *s))).collect();
+    let text = format!("position [mm],pressure [MPa]\n{rows}");
+    assert_eq!(failed(&judged(&truth, &text, &Asked::default())), Vec::<String>::new());
+    let short = text.replace("25,", "24,");
+    assert!(!failed(&judged(&truth, &short, &Asked::default())).is_empty());
+}
