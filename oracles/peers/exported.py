@@ -16,6 +16,7 @@ os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = "1"  # befo
 MISSING = 3  # exit code
 SOFT = 10.0  # penalty over the largest Young's modulus and the smallest contact edge, as one would choose it first
 STEPS = 100
+PARTS = [[0, 4, 8, 7], [4, 1, 5, 8], [8, 5, 2, 6], [7, 8, 6, 3]]  # of a cell with 9 nodes
 
 
 def missing(what):
@@ -102,6 +103,41 @@ class Problem:
         places = [self.points[[node["node"] for node in contact["nodes"]]] for contact in self.data["contacts"]]
         edge = min(np.linalg.norm(np.diff(at, axis=0), axis=1).min() for at in places)
         return SOFT * max(self.data["young"]) / edge
+
+
+class Linear:
+    """The scene in cells with 4 nodes: points, cells, body of each cell, and the edges of both sides of each contact."""
+
+    def __init__(self, problem):
+        self.points, self.body = problem.points, problem.body
+        self.cells, self.contacts = problem.cells[:, :4], []
+        cut = problem.cells.shape[1] == 9
+        if cut:
+            self.cells, self.body = problem.cells[:, PARTS].reshape(-1, 4), np.repeat(problem.body, 4)
+        for contact in problem.data["contacts"]:
+            first, second = (self.halves(contact[side], cut) for side in ("edges", "opposite_edges"))
+            self.contacts.append((first, self.wall(contact) if contact["second"] is None else second))
+
+    @staticmethod
+    def halves(edges, cut):
+        """Edges with 2 nodes."""
+        return [pair for edge in edges for pair in ([(edge[0], edge[2]), (edge[2], edge[1])] if cut else [tuple(edge[:2])])]
+
+    def wall(self, contact):
+        """Adds a row of cells behind the nodes of the contact, a gap away; returns its edges."""
+        if contact["arc"]:
+            raise ValueError("the rigid body of an arc is not set up")
+        if any(node["gap"] is None for node in contact["nodes"]):
+            raise ValueError("an obstacle with an edge has no smooth distance")
+        normal = np.array(contact["normal"])
+        along = np.array([-normal[1], normal[0]])
+        nodes = sorted((self.points[node["node"]] @ along, node["node"], node["gap"]) for node in contact["nodes"])
+        near = np.array([self.points[node] + gap * normal for _, node, gap in nodes])
+        n, k = len(near), len(self.points) + np.arange(len(near) - 1)
+        self.points = np.vstack([self.points, near, near + np.ptp(near @ along) * normal])
+        self.cells = np.vstack([self.cells, np.column_stack([k, k + n, k + n + 1, k + 1])[:, ::-1]])
+        self.body = np.append(self.body, np.full(n - 1, self.body.max() + 1))
+        return [(a, a + 1) for a in k]
 
 
 def solve(problem, stiffness, method, direct):

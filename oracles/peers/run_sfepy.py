@@ -32,42 +32,6 @@ SETTINGS = {"contact": (10.0, 10), "stiff-contact": (100.0, 30)}  # K/E [1/mm], 
 STEPS, TOLERANCE = 200, 1e-8  # of the residual over the load
 MOVED = 0.2  # part of the widest gap
 START = 1e-6  # overlap to begin with where there is no gap, over the size of the scene
-PARTS = [[0, 4, 8, 7], [4, 1, 5, 8], [8, 5, 2, 6], [7, 8, 6, 3]]  # of a cell with 9 nodes
-
-
-class Linear:
-    """The scene in cells with 4 nodes: points, cells, body of each cell, and the edges of both sides of each contact."""
-
-    def __init__(self, problem):
-        self.points, self.body = problem.points, problem.body
-        self.cells, self.contacts = problem.cells[:, :4], []
-        cut = problem.cells.shape[1] == 9
-        if cut:
-            self.cells, self.body = problem.cells[:, PARTS].reshape(-1, 4), np.repeat(problem.body, 4)
-        for contact in problem.data["contacts"]:
-            first, second = (self.halves(contact[side], cut) for side in ("edges", "opposite_edges"))
-            self.contacts.append((first, self.wall(contact) if contact["second"] is None else second))
-
-    @staticmethod
-    def halves(edges, cut):
-        """Edges with 2 nodes."""
-        return [pair for edge in edges for pair in ([(edge[0], edge[2]), (edge[2], edge[1])] if cut else [tuple(edge[:2])])]
-
-    def wall(self, contact):
-        """Adds a row of cells behind the nodes of the contact, a gap away; returns its edges."""
-        if contact["arc"]:
-            raise ValueError("the rigid body of an arc is not set up")
-        if any(node["gap"] is None for node in contact["nodes"]):
-            raise ValueError("an obstacle with an edge has no smooth distance")
-        normal = np.array(contact["normal"])
-        along = np.array([-normal[1], normal[0]])
-        nodes = sorted((self.points[node["node"]] @ along, node["node"], node["gap"]) for node in contact["nodes"])
-        near = np.array([self.points[node] + gap * normal for _, node, gap in nodes])
-        n, k = len(near), len(self.points) + np.arange(len(near) - 1)
-        self.points = np.vstack([self.points, near, near + np.ptp(near @ along) * normal])
-        self.cells = np.vstack([self.cells, np.column_stack([k, k + n, k + n + 1, k + 1])[:, ::-1]])
-        self.body = np.append(self.body, np.full(n - 1, self.body.max() + 1))
-        return [(a, a + 1) for a in k]
 
 
 def unknown(field):
@@ -172,7 +136,7 @@ def main(folder, method):
     output.set_output(quiet=True)
     problem = exported.Problem(folder)
     begin = time.perf_counter()
-    scene = Linear(problem)
+    scene = exported.Linear(problem)
     stiffness, order = SETTINGS[method]
     code = Discretised(problem, scene, stiffness * max(problem.data["young"]), order)
     u, steps = solved(problem, scene, code)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the finite element codes this project is timed against and that the scoreboard asks, once: GetFEM, SfePy and CalculiX from
-# Debian, NGSolve from PyPI, and by oracles/setup.sh scikit-fem and dolfinx. No test needs the first four.
+# Debian, NGSolve and Kratos from PyPI, and by oracles/setup.sh scikit-fem and dolfinx. No test needs the first five.
 # Serves Debian 12 (bookworm). What is not a Debian package goes to oracles/.python, which git ignores.
 set -euo pipefail
 
@@ -22,13 +22,19 @@ version=$(ccx -v) || true # ccx -v ends with a code of its own
 
 bash "$(dirname "$0")/../setup.sh"
 
-# With what it needs but numpy, which Debian has: 90 MB are downloaded and 0.3 GB laid down. Moved into place when complete.
-ngsolve=(ngsolve==6.2.2608 netgen-mesher==6.2.2608 netgen-occt==7.8.1 ngsolve-openblas==0.3.33)
-installed=$PWD/$(dirname "$0")/../.python/ngsolve
-if [[ $(cat "$installed/requirements.txt" 2>/dev/null) != "${ngsolve[*]}" ]]; then
-    rm -rf "$installed" "$installed.new"
+# Wheels of PyPI into a folder of oracles/.python; what they depend on must be named; moved into place when complete.
+laid() {
+    local folder=$PWD/$(dirname "$0")/../.python/$1 how=$2
+    shift 2
+    [[ $(cat "$folder/requirements.txt" 2>/dev/null) == "$*" ]] && return
+    rm -rf "$folder" "$folder.new"
     PIP_USER=0 "$python" -m pip install --quiet --no-cache-dir --disable-pip-version-check --root-user-action=ignore \
-        --no-deps --no-compile --prefix "$installed.new" "${ngsolve[@]}" || fail "PyPI did not give ${ngsolve[*]}."
-    echo "${ngsolve[*]}" >"$installed.new/requirements.txt"
-    mv "$installed.new" "$installed"
-fi
+        --no-deps --no-compile "$how" "$folder.new" "$@" || fail "PyPI did not give $*."
+    echo "$*" >"$folder.new/requirements.txt"
+    mv "$folder.new" "$folder"
+}
+
+# NGSolve: 90 MB are downloaded and 0.3 GB laid down; Kratos: 60 MB and 0.2 GB. Numpy is Debian's.
+laid ngsolve --prefix ngsolve==6.2.2608 netgen-mesher==6.2.2608 netgen-occt==7.8.1 ngsolve-openblas==0.3.33
+laid kratos --target KratosMultiphysics==10.4.4 KratosStructuralMechanicsApplication==10.4.4 \
+    KratosContactStructuralMechanicsApplication==10.4.4 KratosLinearSolversApplication==10.4.4

@@ -45,6 +45,7 @@ fn style(code: Code, first: bool) -> Style {
         Code::Getfem => palette::PURPLE,
         Code::Ngsolve => palette::NODE,
         Code::Sfepy => palette::SKY,
+        Code::Kratos => palette::INK,
         Code::ScikitFem => palette::LINE,
         Code::Dolfinx => palette::LAYER,
     };

@@ -23,7 +23,8 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
          scikit-fem and dolfinx have none of their own, and are given what one writes first: springs. The best setting that was tried is set \
          in bold: the one with the least that is not met, then with the smaller error of p₀ and a together. Seconds are those of the solution by the script's own account, CalculiX's of the whole \
          process, over one sparse Cholesky solve of the exported mesh just before, of one machine ({}), and are recorded; errors and \
-         verdicts are computed from the frozen files with every report. CalculiX makes bricks of plane cells, so that it solves for more unknowns.\n\n",
+         verdicts are computed from the frozen files with every report. CalculiX makes bricks of plane cells, so that it solves for more unknowns. \
+         In the plane the contact of SfePy and of Kratos has edges with 2 nodes alone: they are given each 8-node cell cut into four with 4 nodes.\n\n",
         board.processor
     );
     text += &summary(findings);

@@ -17,6 +17,9 @@ pub enum Code {
     /// SfePy.
     #[serde(rename = "SfePy")]
     Sfepy,
+    /// Kratos.
+    #[serde(rename = "Kratos")]
+    Kratos,
     /// scikit-fem.
     #[serde(rename = "scikit-fem")]
     ScikitFem,
@@ -27,7 +30,8 @@ pub enum Code {
 
 impl Code {
     /// All.
-    pub const ALL: [Self; 6] = [Self::Calculix, Self::Getfem, Self::Ngsolve, Self::Sfepy, Self::ScikitFem, Self::Dolfinx];
+    pub const ALL: [Self; 7] =
+        [Self::Calculix, Self::Getfem, Self::Ngsolve, Self::Sfepy, Self::Kratos, Self::ScikitFem, Self::Dolfinx];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -36,6 +40,7 @@ impl Code {
             Self::Getfem => "GetFEM",
             Self::Ngsolve => "NGSolve",
             Self::Sfepy => "SfePy",
+            Self::Kratos => "Kratos",
             Self::ScikitFem => "scikit-fem",
             Self::Dolfinx => "dolfinx",
         }
@@ -48,6 +53,7 @@ impl Code {
             Self::Getfem => "run_getfem.py",
             Self::Ngsolve => "run_ngsolve.py",
             Self::Sfepy => "run_sfepy.py",
+            Self::Kratos => "run_kratos.py",
             Self::ScikitFem => "run_scikit_fem.py",
             Self::Dolfinx => "run_dolfinx.py",
         }
@@ -69,7 +75,7 @@ pub struct Setting {
 
 impl Setting {
     /// All, the first choice of each code before the others.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 16] = [
         Self::of(Code::Calculix, "pair", "contact pair, surface to surface, K = 50 E per mm", true),
         Self::of(Code::Calculix, "stiff-pair", "the same with K = 1000 E per mm", false),
         Self::of(Code::Calculix, "gaps", "gap elements of the exported deck", false),
@@ -80,6 +86,8 @@ impl Setting {
         Self::of(Code::Ngsolve, "active-set", "active sets on the exported rows", false),
         Self::of(Code::Sfepy, "contact", "contact term on both sides, cells of 4 nodes, K = 10 E per mm", true),
         Self::of(Code::Sfepy, "stiff-contact", "the same with K = 100 E per mm, quadrature of order 30", false),
+        Self::of(Code::Kratos, "contact", "mortar contact, augmented Lagrangian, cells of 4 nodes, one load step", true),
+        Self::of(Code::Kratos, "contact-in-steps", "the same in 10 load steps", false),
         Self::of(Code::ScikitFem, "penalty", "springs on the exported rows, k = 10 E/h", true),
         Self::of(Code::ScikitFem, "active-set", "active sets on the exported rows", false),
         Self::of(Code::Dolfinx, "penalty", "springs on the exported rows, k = 10 E/h", true),
