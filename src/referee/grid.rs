@@ -157,7 +157,8 @@ impl<'a> Grid<'a> {
 
     /// The field of a role; none where there is none of its usual names, and none was named.
     fn field(&self, role: Role, asked: &Asked) -> Result<Option<&Field>, Error> {
-        let found = |name: &str| self.fields.iter().find(|field| field.name.eq_ignore_ascii_case(name));
+        let first = |is_it: &dyn Fn(&str) -> bool| self.fields.iter().find(|field| is_it(&field.name));
+        let found = |name: &str| first(&|own| own == name).or_else(|| first(&|own| own.eq_ignore_ascii_case(name)));
         let usual = USUAL.iter().find(|(known, _)| *known == role).map_or(&[][..], |(_, names)| *names);
         let Some(name) = asked.column(role) else { return Ok(usual.iter().find_map(|name| found(name))) };
         let known: Vec<&str> = self.fields.iter().map(|field| field.name.as_str()).collect();

@@ -99,3 +99,24 @@ fn points_at_one_place_are_refused_where_cells_share_points() {
     let error = read(&case, &grid(&meshed.discretisation, &run, 0.0, true)).map(|_| ()).expect_err("refused");
     assert!(error.to_string().contains("two points lie at one place"), "{error}");
 }
+
+#[test]
+fn fields_are_known_by_their_names_in_any_case_and_by_the_very_name_first() {
+    let case = find("bars", None).expect("a case");
+    let (meshed, run) = case.solve().expect("solved");
+    let text = grid(&meshed.discretisation, &run, 0.0, false);
+    let values = |text: &str| -> Vec<f64> {
+        read(&case, text).expect("read").contacts[0].points.iter().map(|point| point.value).collect()
+    };
+    let own = values(&text);
+    let loud = text.replace("\"contact_pressure\"", "\"PRESSURE\"").replace("\"displacement\"", "\"DISPLACEMENT\"");
+    assert_eq!(values(&loud), own);
+    // Another field before it has its name in other letters.
+    let (before, field) = text.split_once("<DataArray").expect("a field");
+    let numbers = field.split_once('>').and_then(|(_, rest)| rest.split_once('<')).expect("numbers").0;
+    let sevens = "7 ".repeat(numbers.split_whitespace().count());
+    let other = format!(
+        "<DataArray type=\"Float64\" Name=\"Contact_Pressure\" NumberOfComponents=\"1\" format=\"ascii\">{sevens}</DataArray>"
+    );
+    assert_eq!(values(&format!("{before}{other}<DataArray{field}")), own);
+}
