@@ -13,10 +13,6 @@ use crate::scene::{Load, Scene};
 /// Difference of contact coordinates, over the stretch, that rounding explains.
 const SAME: f64 = 1e-9;
 
-/// Layers towards a force at a point, beyond those towards the ends: without any the peak of the pin in a plate moved by 5e-5
-/// from one order to the next, with these by 5e-7.
-const AT_FORCE: usize = 1;
-
 /// Layers towards the re-entrant corner of eye and shank, beyond those towards the ends.
 const AT_CORNER: usize = 1;
 
@@ -39,7 +35,7 @@ pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, o
     for load in &scene.bodies[body].loads {
         if let Load::Force { at, .. } = load {
             let is_here = |[x, y]: Point| (x - at[0]).hypot(y - at[1]) <= SAME * scene.grading.unit;
-            layered(Singular { side: None, layers: layers + AT_FORCE, is_here: &is_here });
+            layered(Singular { side: None, layers, is_here: &is_here });
         }
     }
     blocks

@@ -132,6 +132,20 @@ pub fn fitted(from: f64, to: f64, n: usize, first: f64) -> Vec<f64> {
     positions(from, to, sizes)
 }
 
+/// Ascending positions of which the nearest one between the ends is moved to each of the places; not twice, and not past another.
+pub fn through(mut positions: Vec<f64>, places: &[f64]) -> Vec<f64> {
+    let own = positions.clone();
+    for place in places {
+        let away = |k: &usize| (own[*k] - place).abs();
+        let nearest = (1..own.len().saturating_sub(1)).min_by(|a, b| away(a).total_cmp(&away(b)));
+        let between = |k: usize| positions[k - 1] < *place && *place < positions[k + 1];
+        if let Some(k) = nearest.filter(|k| positions[*k] == own[*k] && between(*k)) {
+            positions[k] = *place;
+        }
+    }
+    positions
+}
+
 /// Joins lists that meet: the last position of one is the first of the next.
 pub fn joined(lists: &[Vec<f64>]) -> Vec<f64> {
     let mut all: Vec<f64> = Vec::new();

@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use contact_vv::accuracy::{self, reading::Quantity, reading::Subject};
 use contact_vv::case::library::{Patch, PinPlate, TruncatedHertz};
-use contact_vv::elasticity::{element, quadrature};
 use contact_vv::measure::relative_error;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::oracle::analytic::hertz::Hertz;
@@ -15,7 +14,7 @@ use contact_vv::solve::edge_fitted::Answer;
 use contact_vv::solve::{Discretisation, Element, Fitted, Formulation, Iteration, Run};
 use contact_vv::study::fitted::{self, ASKED, Asked, LOADS};
 
-use crate::workbench::{held_at, of_shape, resolution};
+use crate::workbench::{area, held_at, of_shape, resolution};
 
 /// The same block and candidates under another load.
 fn under(factor: f64) -> (TruncatedHertz, Hertz) {
@@ -231,10 +230,6 @@ fn pins_in_plates_are_found_alike_by_cells_of_neighbouring_orders() {
         let peaks = relative_error(one.peak.pressure, other.peak.pressure);
         let ends = relative_error(septic.stretches[0][0][1], octic.stretches[0][0][1]);
         assert!(widths <= 5e-7 && peaks <= 5e-6 && ends <= 1e-5, "{degrees}°: {widths:.1e} {peaks:.1e} {ends:.1e}");
-        let sextic = solved(Fitted { order: Order::Sextic, layers: 2 }, &scene);
-        let off = relative_error(sextic.run.measures().half_width, other.half_width)
-            .max(relative_error(sextic.run.measures().peak.pressure, other.peak.pressure));
-        assert!(off <= 1e-5 && sextic.run.dofs <= 5_000, "{degrees}°: {off:.1e} with {}", sextic.run.dofs);
         assert!(relative_error(octic.stretches[0][0][1], degrees.to_radians()) <= 3e-3, "{degrees}°");
     }
 }
@@ -261,16 +256,6 @@ fn layered_meshes_keep_the_uniform_pressure_and_hang_together() {
             }
         }
     }
-}
-
-fn area(mesh: &Mesh) -> f64 {
-    let rule = quadrature::gauss_square(mesh.order.intervals() + 2);
-    let of_cell = |cell: usize| {
-        let points: Vec<[f64; 2]> = mesh.cell(cell).iter().map(|&node| mesh.points[node]).collect();
-        let at = |(at, weight): &([f64; 2], f64)| weight * element::gradients(&points, *at).expect("convex").1;
-        rule.iter().map(at).sum::<f64>()
-    };
-    (0..mesh.cells()).map(of_cell).sum()
 }
 
 #[test]

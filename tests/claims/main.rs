@@ -30,6 +30,7 @@ mod differences;
 mod digitised;
 mod digitised_curves;
 mod edge_fitted;
+mod edge_meshes;
 mod edge_refused;
 mod elasticity;
 mod errors;

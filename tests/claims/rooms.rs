@@ -197,8 +197,8 @@ fn a_fitted_mesh_that_costs_or_errs_more_than_is_asked_turns_red() {
             spoil(&mut mesh);
             mesh
         };
-        let numbers =
-            fitted::Numbers { fitted: fitted::ASKED.iter().map(mesh).collect(), chosen: vec![], plain: vec![] };
+        let fitted = fitted::ASKED.iter().map(mesh).collect();
+        let numbers = fitted::Numbers { fitted, chosen: vec![], plain: vec![], scenes: vec![] };
         let judged = fitted::judge(&numbers).expect("judged");
         assert_eq!(judged.len(), 9);
         fails(&judged)
@@ -210,4 +210,22 @@ fn a_fitted_mesh_that_costs_or_errs_more_than_is_asked_turns_red() {
     assert_eq!(judge(&|mesh| mesh.peak = f64::NAN), 3);
     // A mesh that was not solved.
     assert_eq!(judge(&|mesh| mesh.cells = fitted::Cells::Plain(8)), 9);
+}
+
+#[test]
+fn another_scene_on_a_fitted_mesh_that_costs_or_errs_more_than_is_asked_turns_red() {
+    let judge = |spoil: &dyn Fn(&mut fitted::Elsewhere)| {
+        let fitted = Fitted::of_digits(5);
+        let mut one =
+            fitted::Elsewhere { scene: "pin".into(), fitted, dofs: 3000, peak: 1e-5, half_width: 1e-5, exact: false };
+        spoil(&mut one);
+        let numbers = fitted::Numbers { fitted: vec![], chosen: vec![], plain: vec![], scenes: vec![one] };
+        // The meshes of the block are not there, and have no number that could pass.
+        fails(&fitted::judge(&numbers).expect("judged")) - 9
+    };
+    assert_eq!(judge(&|_| {}), 0);
+    assert_eq!(judge(&|one| one.dofs += 1), 1);
+    assert_eq!(judge(&|one| one.peak *= 1.01), 1);
+    assert_eq!(judge(&|one| one.half_width *= 1.01), 1);
+    assert_eq!(judge(&|one| (one.peak, one.half_width) = (f64::NAN, f64::NAN)), 2);
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use contact_vv::case::library::{
     Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
 };
-use contact_vv::elasticity::BodySystem;
+use contact_vv::elasticity::{BodySystem, element, quadrature};
 use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
 use contact_vv::scene::{
     Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
@@ -144,4 +144,15 @@ pub fn noise(seed: u64) -> impl FnMut() -> f64 {
         z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         (z ^ (z >> 31)) as f64 / u64::MAX as f64 * 2.0 - 1.0
     }
+}
+
+/// Area of a mesh.
+pub fn area(mesh: &Mesh) -> f64 {
+    let rule = quadrature::gauss_square(mesh.order.intervals() + 2);
+    let of_cell = |cell: usize| {
+        let points: Vec<[f64; 2]> = mesh.cell(cell).iter().map(|&node| mesh.points[node]).collect();
+        let at = |(at, weight): &([f64; 2], f64)| weight * element::gradients(&points, *at).expect("convex").1;
+        rule.iter().map(at).sum::<f64>()
+    };
+    (0..mesh.cells()).map(of_cell).sum()
 }

@@ -1,4 +1,4 @@
-//! Rectangle around a contact whose ends are known: a box on the contact, and frames of ever larger cells around the box.
+//! Rectangle or disc around a contact whose ends are known: a box on the contact, and frames of ever larger cells around the box.
 //!
 //! Away from a contact all lengths grow alike, and one cell of high order across a frame is enough (geometric meshes, Babuška
 //! & Guo 1988); columns and rows through the whole body would be as thin far away as they are at the contact.
@@ -13,12 +13,13 @@
 //! ```
 
 use super::layout::Layout;
+use super::points::between;
 use crate::mesh::block::{Block, Point, Side};
 use crate::mesh::spacing;
 use crate::scene::Face;
 use crate::scene::contact_pair::CONTACT;
 
-/// About how much larger a frame is than the one inside it.
+/// About how much larger a frame of a rectangle is than the one inside it.
 const LARGER: f64 = 2.8;
 /// Least that a body is larger than the box.
 const LEAST: f64 = 1.25;
@@ -26,7 +27,12 @@ const LEAST: f64 = 1.25;
 /// A rectangle whose contact has ends that are known; none where it is too small for a frame, or has more to mesh than one
 /// contact.
 pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -> Option<Vec<Block>> {
-    let frames = Frames::of(layout, x, y[1] - y[0])?;
+    let ends = layout.same_ends().filter(|_| !layout.opposite)?;
+    let columns = ends.of_box(x[0])?;
+    let core = Core { columns, depth: ends.half_width(), has_left: layout.path.has_both_sides() };
+    let opposite = if contact == Face::Bottom { y[1] } else { y[0] };
+    let far = layout.points.iter().filter(|point| point[1] == opposite).map(|point| point[0]).collect();
+    let frames = Frames { far, ..Frames::around(core, x, y[1] - y[0], LARGER)? };
     // The far side to the last bit, as supports and other bodies know it.
     let height = |depth: f64| match (contact, depth < y[1] - y[0]) {
         (Face::Bottom, true) => y[0] + depth,
@@ -34,7 +40,7 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
         (Face::Bottom, false) => y[1],
         (Face::Top, false) => y[0],
     };
-    let blocks = frames.blocks(layout, &|x, depth| [x, height(depth)]);
+    let blocks = frames.blocks(layout, &|x, depth| [x, height(depth)], None);
     Some(match contact {
         Face::Bottom => blocks,
         Face::Top => blocks.into_iter().map(counter_clockwise).collect(),
@@ -42,7 +48,7 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
 }
 
 /// The box and the frames around it: number k reaches from `begins[k]` to `ends[k]`, and down to `depths[k]`; 0 is the box.
-struct Frames {
+pub(super) struct Frames {
     /// Positions across the box.
     columns: Vec<f64>,
     begins: Vec<f64>,
@@ -50,39 +56,55 @@ struct Frames {
     depths: Vec<f64>,
     /// Whether there are cells on the left of the box: it does not begin on a symmetry line.
     has_left: bool,
+    /// Positions opposite the contact on which corners of cells shall lie.
+    far: Vec<f64>,
+}
+
+/// The box on the contact.
+pub(super) struct Core {
+    /// Positions across it.
+    pub columns: Vec<f64>,
+    pub depth: f64,
+    /// Whether there are cells on its left: it does not begin on a symmetry line.
+    pub has_left: bool,
 }
 
 impl Frames {
-    fn of(layout: &Layout, [left, right]: [f64; 2], depth: f64) -> Option<Self> {
-        if layout.ends.is_empty() || layout.opposite || !layout.several.is_empty() {
-            return None;
-        }
-        let columns = layout.columns_of_box(left)?;
+    /// Around a box in a body that reaches from `left` to `right` and is so deep, each about so much larger than the one inside it; none
+    /// where the body is too small for a frame.
+    pub(super) fn around(core: Core, [left, right]: [f64; 2], depth: f64, larger: f64) -> Option<Self> {
+        let Core { columns, depth: first, has_left } = core;
         let [begin, end] = [columns[0], columns[columns.len() - 1]];
-        let (half_width, has_left) = (layout.half_width(), layout.path.has_both_sides());
         let middle = if has_left { 0.5 * (begin + end) } else { left };
         let [wide, leftwards] = [(right - middle) / (end - middle), (middle - left) / (middle - begin)];
-        let deep = depth / half_width;
+        let deep = depth / first;
         let sides = [wide, deep, if has_left { leftwards } else { deep }];
         if !sides.into_iter().all(|larger| larger >= LEAST) {
             return None;
         }
         let largest = sides.into_iter().fold(1.0, f64::max);
-        let count = (largest.ln() / LARGER.ln()).round().max(1.0) as i32;
+        let count = (largest.ln() / larger.ln()).round().max(1.0) as i32;
         let powers = |larger: f64| (0..=count).map(move |k| larger.powf(f64::from(k) / f64::from(count)));
         let mut ends: Vec<f64> = powers(wide).map(|power| middle + (end - middle) * power).collect();
         let mut begins: Vec<f64> = match has_left {
             true => powers(leftwards).map(|power| middle - (middle - begin) * power).collect(),
             false => vec![left; ends.len()],
         };
-        let mut depths: Vec<f64> = powers(deep).map(|power| half_width * power).collect();
+        let mut depths: Vec<f64> = powers(deep).map(|power| first * power).collect();
         let last = ends.len() - 1;
         (begins[last], ends[last], depths[last]) = (left, right, depth);
-        Some(Self { columns, begins, ends, depths, has_left })
+        Some(Self { columns, begins, ends, depths, has_left, far: vec![] })
     }
 
-    fn blocks(&self, layout: &Layout, place: &dyn Fn(f64, f64) -> Point) -> Vec<Block> {
-        let draft = Draft { frames: self, layout, place };
+    /// Columns of the box.
+    pub(super) fn columns(&self) -> usize {
+        self.columns.len() - 1
+    }
+
+    /// The blocks, from the point at a place along the side that touches and a depth below it; the last frame ends on a line of its own
+    /// where that is given.
+    pub(super) fn blocks(&self, layout: &Layout, place: &dyn Fn(f64, f64) -> Point, rim: Option<&Rim>) -> Vec<Block> {
+        let draft = Draft { frames: self, layout, place, rim };
         let around = (1..self.ends.len()).flat_map(|k| {
             let left = self.has_left.then(|| draft.left(k));
             [draft.below(k), draft.right(k)].into_iter().chain(left)
@@ -91,12 +113,21 @@ impl Frames {
     }
 }
 
+/// Where the last frame ends.
+pub(super) struct Rim {
+    /// Opposite the contact, from left to right.
+    pub far: Vec<Point>,
+    /// On the right, from the side that touches to the end of `far`.
+    pub right: Vec<Point>,
+}
+
 /// Draws the blocks of the frames.
 struct Draft<'a> {
     frames: &'a Frames,
     layout: &'a Layout<'a>,
     /// The point at a place along the side that touches and a depth below it.
     place: &'a dyn Fn(f64, f64) -> Point,
+    rim: Option<&'a Rim>,
 }
 
 impl Draft<'_> {
@@ -119,7 +150,7 @@ impl Draft<'_> {
         let left = self.outwards(k, &frames.begins, &frames.depths);
         Block {
             bottom: Side::inner(self.across(k - 1)),
-            right: Side::inner(self.outwards(k, &frames.ends, &frames.depths)),
+            right: Side::inner(self.diagonal(k)),
             top: self.outer(k, "far", self.across(k)),
             left: if frames.has_left { Side::inner(left) } else { Side::named("left", left) },
         }
@@ -131,7 +162,7 @@ impl Draft<'_> {
         Block {
             bottom: Side::named(CONTACT, self.outwards(k, ends, &self.surface())),
             right: self.outer(k, "right", self.downwards(k, ends[k])),
-            top: Side::inner(self.outwards(k, ends, &self.frames.depths)),
+            top: Side::inner(self.diagonal(k)),
             left: Side::inner(self.downwards(k - 1, ends[k - 1])),
         }
     }
@@ -149,7 +180,17 @@ impl Draft<'_> {
 
     /// A side of the body where a frame is the last one.
     fn outer(&self, k: usize, name: &'static str, points: Vec<Point>) -> Side {
-        if k + 1 == self.frames.ends.len() { Side::named(name, points) } else { Side::inner(points) }
+        if k == self.last() { Side::named(name, points) } else { Side::inner(points) }
+    }
+
+    /// Number of the last frame.
+    fn last(&self) -> usize {
+        self.frames.ends.len() - 1
+    }
+
+    /// What the last frame ends on.
+    fn rim(&self, k: usize) -> Option<&Rim> {
+        self.rim.filter(|_| k == self.last())
     }
 
     /// Depths of all frames on the side that touches.
@@ -159,16 +200,32 @@ impl Draft<'_> {
 
     /// Below the box or a frame, from its left end to its right end, in its columns.
     fn across(&self, k: usize) -> Vec<Point> {
+        if let Some(rim) = self.rim(k) {
+            return rim.far.clone();
+        }
         let Frames { columns, begins, ends, depths, .. } = self.frames;
         let (first, width) = (columns[0], columns[columns.len() - 1] - columns[0]);
         let wider = (ends[k] - begins[k]) / width;
-        self.layout.along(columns, |x| (self.place)(begins[k] + (x - first) * wider, depths[k]))
+        let breaks = columns.iter().map(|x| begins[k] + (x - first) * wider).collect();
+        let breaks = if k == self.last() { spacing::through(breaks, &self.frames.far) } else { breaks };
+        self.layout.along(&breaks, |x| (self.place)(x, depths[k]))
     }
 
     /// Beside the box or a frame, from the side that touches to its depth.
     fn downwards(&self, k: usize, x: f64) -> Vec<Point> {
+        if let Some(rim) = self.rim(k) {
+            return rim.right.clone();
+        }
         let depth = self.frames.depths[k];
         self.layout.along(&self.parts(), |t| (self.place)(x, if t < 1.0 { t * depth } else { depth }))
+    }
+
+    /// From the lower right corner of the frame inside to that of a frame.
+    fn diagonal(&self, k: usize) -> Vec<Point> {
+        let Frames { ends, depths, .. } = self.frames;
+        let Some(rim) = self.rim(k) else { return self.outwards(k, ends, depths) };
+        let (from, to) = ((self.place)(ends[k - 1], depths[k - 1]), rim.far[rim.far.len() - 1]);
+        self.layout.along(&self.parts(), |t| between(from, to, t))
     }
 
     /// From a corner of the frame inside to that of a frame.
@@ -179,7 +236,7 @@ impl Draft<'_> {
 
     /// The parts in which a cell's side is cut where the mesh is finer.
     fn parts(&self) -> Vec<f64> {
-        spacing::uniform(0.0, 1.0, self.layout.elements.round().max(1.0) as usize)
+        spacing::uniform(0.0, 1.0, self.layout.parts())
     }
 }
 

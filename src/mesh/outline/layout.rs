@@ -1,10 +1,11 @@
 //! What the outlines need to know of the scene, and the positions that follow from it.
 
+use super::known_ends::KnownEnds;
 use crate::mesh::block::Point;
 use crate::mesh::spacing;
 use crate::mesh::{Order, Resolution};
 use crate::scene::contact_pair::CONTACT;
-use crate::scene::{ContactPair, Grading, Path, Scene};
+use crate::scene::{Body, ContactPair, Grading, Load, Path, Place, Scene, Shape};
 
 /// What the outlines need to know of the scene: where the candidates end and how fine they are.
 pub(crate) struct Layout<'a> {
@@ -16,8 +17,10 @@ pub(crate) struct Layout<'a> {
     pub opposite: bool,
     /// Contact coordinates at which nodes must lie: kinks of the gap, which no edge shall straddle.
     pub kinks: Vec<f64>,
-    /// Contact coordinates at which the contact is expected to end; none where the mesh knows nothing of it.
-    pub ends: Vec<f64>,
+    /// Where the contact is expected to end; none where the mesh knows nothing of it.
+    pub ends: Option<KnownEnds<'a>>,
+    /// Points of the body that are held or pressed.
+    pub points: Vec<Point>,
     /// The candidates of every contact of the body, where there are several that differ.
     pub several: Vec<Fine>,
     /// Elements per grading unit before refinement.
@@ -33,14 +36,18 @@ impl<'a> Layout<'a> {
         let pair = scene.contact_of(body);
         let elements = resolution.elements as f64 * scene.bodies[body].density;
         let per_length = elements / scene.grading.unit;
-        let own: Vec<Fine> = scene.contacts_of(body).map(|pair| Fine::of(pair, per_length)).collect();
+        let parts = parts(elements);
+        let is_rectangle = matches!(scene.bodies[body].shape, Shape::Rectangle { .. });
+        let own: Vec<Fine> =
+            scene.contacts_of(body).map(|pair| Fine::of(pair, per_length, parts, is_rectangle)).collect();
         Self {
             grading: &scene.grading,
             path: &pair.path,
             stretch: pair.stretch,
             kinks: pair.profile.kinks(),
-            ends: pair.ends.places.clone(),
+            ends: KnownEnds::of(pair, parts),
             opposite: scene.contacts_of(body).any(|other| other.side(body) != CONTACT),
+            points: points(&scene.bodies[body]),
             several: if own.iter().all(|one| *one == own[0]) { vec![] } else { own },
             elements,
             refinement: resolution.refinement,
@@ -50,66 +57,21 @@ impl<'a> Layout<'a> {
 
     /// Positions of the candidate stretch in the contact coordinate, from 0 on.
     pub fn candidates(&self) -> Vec<f64> {
-        if !self.ends.is_empty() {
-            return self.between_ends(self.ends.iter().map(|end| end.abs()), 0.0);
+        if let Some(ends) = &self.ends {
+            return ends.from_origin();
         }
         let n = elements_on(self.stretch * self.path.metric(), self.elements / self.grading.unit);
         spacing::broken(0.0, self.stretch, n, self.grading.end, &self.kinks)
     }
 
-    /// Positions of the candidate stretch from a place on: the ends of the contact, as far again beyond the last, and the end of
-    /// the stretch, each interval in so many elements.
-    pub fn between_ends(&self, ends: impl Iterator<Item = f64>, from: f64) -> Vec<f64> {
-        let mut breaks: Vec<f64> = ends.chain(self.kinks.iter().copied()).filter(|s| *s > from).collect();
-        breaks.sort_by(f64::total_cmp);
-        let near = SAME * self.stretch;
-        breaks.retain(|s| *s < self.stretch - near);
-        breaks.dedup_by(|next, before| *next - *before <= near);
-        let last = breaks.last().copied().unwrap_or(from);
-        let beyond = last + self.half_width();
-        let wide = self.stretch - beyond > 0.5 * self.half_width();
-        let all = [from].into_iter().chain(breaks).chain(wide.then_some(beyond)).chain([self.stretch]);
-        let all: Vec<f64> = all.collect();
-        let widest = if self.path.is_straight() { f64::INFINITY } else { WIDEST };
-        let pieces = all.windows(2).map(|two| {
-            let fewest = ((two[1] - two[0]) / widest - near).ceil();
-            spacing::uniform(two[0], two[1], self.elements.round().max(fewest).max(1.0) as usize)
-        });
-        spacing::joined(&pieces.collect::<Vec<_>>())
+    /// The ends of the contact where they are known and all contacts of the body have the same.
+    pub fn same_ends(&self) -> Option<&KnownEnds<'a>> {
+        self.ends.as_ref().filter(|_| self.several.is_empty())
     }
 
-    /// Half the width of the contact that is expected: from s = 0 to its end, or half way from its first to its last.
-    pub fn half_width(&self) -> f64 {
-        match self.ends[..] {
-            [.., last] if !self.path.has_both_sides() => last,
-            [first, .., last] => 0.5 * (last - first),
-            _ => self.stretch,
-        }
-    }
-
-    /// Positions of the candidate stretch from `−stretch` on, with a position half way between neighbouring ends.
-    pub fn across_ends(&self) -> Vec<f64> {
-        let middles = self.ends.windows(2).map(|two| 0.5 * (two[0] + two[1]));
-        let all: Vec<f64> = self.ends.iter().copied().chain(middles).collect();
-        let beyond = self.ends[0] - self.half_width();
-        let begins = (beyond + self.stretch > 0.5 * self.half_width()).then_some(beyond);
-        self.between_ends(all.into_iter().chain(begins), -self.stretch)
-    }
-
-    /// Positions across a box on the contact: its ends, and half its width beyond them, or up to the end of the stretch where
-    /// that is about as near; none where a kink of the gap lies outside.
-    ///
-    /// From the left side of the body on, or on both sides of the path's origin.
-    pub fn columns_of_box(&self, left: f64) -> Option<Vec<f64>> {
-        let both = self.path.has_both_sides();
-        let far = (1.5 + SAME) * self.half_width();
-        let [from, to] = [self.ends[0] - far, self.ends[self.ends.len() - 1] + far];
-        let is_near = |s: &f64| (!both || *s >= from) && *s <= to;
-        let all = if both { self.across_ends() } else { self.candidates() };
-        let columns: Vec<f64> = all.into_iter().filter(is_near).collect();
-        let origin = if both { self.path.origin()[0] } else { left };
-        let holds_all = columns.len() > 1 && self.kinks.iter().all(is_near);
-        holds_all.then(|| columns.iter().map(|s| origin + s).collect())
+    /// Into how many a side of a cell is cut where the mesh is finer.
+    pub fn parts(&self) -> usize {
+        parts(self.elements)
     }
 
     /// Positions of an arc: the candidates, then growing element sizes up to each of the given angles in turn.
@@ -171,36 +133,52 @@ impl<'a> Layout<'a> {
 pub(crate) struct Fine {
     /// Where s = 0 lies along x; 0 on an arc.
     pub origin: f64,
-    /// Candidate stretch in its contact coordinate.
-    pub stretch: f64,
-    /// Size of its elements in that coordinate.
+    /// Positions on which nodes must lie: ends of the candidates and of the contact, s = 0, and kinks of the gap.
+    pub positions: Vec<f64>,
+    /// Largest size of elements between them.
     pub size: f64,
-    /// Where nodes must lie within it.
-    pub kinks: Vec<f64>,
-    pub both_sides: bool,
     pub straight: bool,
 }
 
 impl Fine {
-    fn of(pair: &ContactPair, per_length: f64) -> Self {
-        let (straight, both_sides) = (pair.path.is_straight(), pair.path.has_both_sides());
-        let size = pair.stretch / elements_on(pair.stretch * pair.path.metric(), per_length) as f64;
+    /// On a rectangle from its left to its right; other bodies have both sides of s = 0 alike, and one of them here.
+    fn of(pair: &ContactPair, per_length: f64, parts: usize, is_rectangle: bool) -> Self {
+        let (straight, both_sides) = (pair.path.is_straight(), is_rectangle && pair.path.has_both_sides());
         let origin = if straight { pair.path.origin()[0] } else { 0.0 };
-        Self { origin, stretch: pair.stretch, size, kinks: pair.profile.kinks(), both_sides, straight }
+        if let Some(ends) = KnownEnds::of(pair, parts) {
+            let positions = if both_sides { ends.across() } else { ends.from_origin() };
+            return Self { origin, positions, size: ends.half_width() / parts as f64, straight };
+        }
+        let size = pair.stretch / elements_on(pair.stretch * pair.path.metric(), per_length) as f64;
+        let within = pair.profile.kinks().into_iter().filter(|s| *s < pair.stretch);
+        let right: Vec<f64> = [0.0].into_iter().chain(within).chain([pair.stretch]).collect();
+        let left = right[1..].iter().rev().map(|s| -s).filter(|_| both_sides);
+        Self { origin, positions: left.chain(right.iter().copied()).collect(), size, straight }
     }
 
-    /// The stretch from s = 0 on, cut at the kinks.
+    /// The stretches between neighbouring positions.
     pub fn pieces(&self) -> impl Iterator<Item = [f64; 2]> {
-        let within = self.kinks.iter().copied().filter(|s| *s < self.stretch);
-        let ends: Vec<f64> = [0.0].into_iter().chain(within).chain([self.stretch]).collect();
-        (1..ends.len()).map(move |k| [ends[k - 1], ends[k]])
+        self.positions.windows(2).map(|two| [two[0], two[1]])
     }
 }
 
-/// Widest cell on an arc that carries a contact \[rad\].
-const WIDEST: f64 = 0.8;
-/// Difference of positions, over the stretch, below which they are one.
-const SAME: f64 = 1e-9;
+/// Points at which a body is held or pressed.
+fn points(body: &Body) -> Vec<Point> {
+    let held = body.supports.iter().filter_map(|support| match support.at {
+        Place::Point(at) => Some(at),
+        Place::Boundary(_) => None,
+    });
+    let pressed = body.loads.iter().filter_map(|load| match load {
+        Load::Force { at, .. } => Some(*at),
+        _ => None,
+    });
+    held.chain(pressed).collect()
+}
+
+/// Into how many so many elements on a length cut it.
+fn parts(elements: f64) -> usize {
+    elements.round().max(1.0) as usize
+}
 
 /// Elements on a length.
 fn elements_on(length: f64, per_length: f64) -> usize {

@@ -1,6 +1,7 @@
 //! From outlines to structured blocks: one file per shape.
 //!
 //! * `frames` — rectangles around a contact whose ends are known.
+//! * `known_ends` — positions along a contact whose ends are known.
 //! * `layout` — what the outlines need to know of the scene.
 //! * `points` — points of outlines.
 
@@ -8,6 +9,7 @@ mod blocks;
 mod disc;
 pub(crate) mod eye;
 mod frames;
+mod known_ends;
 mod layout;
 mod points;
 mod rectangle;

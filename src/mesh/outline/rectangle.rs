@@ -11,12 +11,12 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
         return blocks;
     }
     let along = columns(layout, x);
-    let finest = match layout.ends[..] {
-        [] => {
+    let finest = match layout.same_ends() {
+        Some(ends) => ends.half_width() / layout.elements,
+        None => {
             let [before, last] = last_two(&layout.candidates());
             layout.several.iter().map(|one| one.size).fold(last - before, f64::min)
         }
-        _ => layout.half_width() / layout.elements,
     };
     let heights: Vec<f64> = layout.across(finest, y[1] - y[0]);
     let upwards: Vec<f64> = match contact {
@@ -44,8 +44,8 @@ fn columns(layout: &Layout, [left, right]: [f64; 2]) -> Vec<f64> {
         return outwards(layout, right - left).iter().map(|s| left + s).collect();
     }
     let origin = layout.path.origin()[0];
-    if !layout.ends.is_empty() {
-        let candidates: Vec<f64> = layout.across_ends().iter().map(|s| origin + s).collect();
+    if let Some(ends) = layout.same_ends() {
+        let candidates: Vec<f64> = ends.across().iter().map(|s| origin + s).collect();
         let grading = layout.grading;
         let beyond = |from: f64, to: f64, first: f64| {
             let coarsest = grading.coarsest * (right - left);
@@ -86,13 +86,7 @@ fn outwards(layout: &Layout, end: f64) -> Vec<f64> {
 /// Positions along the contacts on both sides of the rectangle: every stretch begins, has its s = 0 and ends on one.
 fn columns_of_all(layout: &Layout, ends: [f64; 2]) -> Vec<f64> {
     let straight = layout.several.iter().filter(|one| one.straight);
-    let fine = straight.flat_map(|one| {
-        one.pieces().flat_map(|[from, to]| {
-            let right = [one.origin + from, one.origin + to, one.size];
-            let left = one.both_sides.then_some([one.origin - to, one.origin - from, one.size]);
-            left.into_iter().chain([right])
-        })
-    });
+    let fine = straight.flat_map(|one| one.pieces().map(|[from, to]| [one.origin + from, one.origin + to, one.size]));
     let grading = layout.grading;
     spacing::fine_within(ends, &fine.collect::<Vec<_>>(), grading.along, grading.coarsest * (ends[1] - ends[0]))
 }

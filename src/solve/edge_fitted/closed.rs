@@ -59,9 +59,7 @@ impl Closed {
             if let Some(missed) = pair.ends.places.iter().copied().find(|place| !has(*place)) {
                 let place = pair.path.reported(missed);
                 let message = format!("no mesh line can be laid on the end of the contact at s = {place}");
-                let remedy =
-                    format!("{REMEDY}: it knows bodies with one contact, of discs and rings one that is symmetric");
-                return Err(Error::at(made.scene.place_of(interface.contact, Part::Stretch), message, remedy));
+                return Err(Error::at(made.scene.place_of(interface.contact, Part::Stretch), message, REMEDY));
             }
         }
         Ok(made)

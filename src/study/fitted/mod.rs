@@ -3,6 +3,7 @@
 //!
 //! * `plan` — which meshes, and what is asked of them.
 //! * `run` — the worst error under all loads, by mesh.
+//! * `scenes` — other scenes: pins, two bodies, contacts off the middle.
 //! * `judge` — so many digits for so many degrees of freedom.
 //! * `section` — a row a mesh.
 //! * `picture` — error over degrees of freedom, beside 8-node cells.
@@ -11,6 +12,7 @@ mod judge;
 mod picture;
 mod plan;
 mod run;
+mod scenes;
 mod section;
 
 use crate::study::about::About;
@@ -19,11 +21,12 @@ pub use judge::judge;
 pub use picture::pictures;
 pub use plan::{ASKED, Asked, plan};
 pub use run::{Cells, LOADS, Mesh, Numbers, under};
+pub use scenes::Elsewhere;
 pub use section::section;
 
 /// What its page is called, what it asks, and what it cannot tell.
 pub const ABOUT: About = About {
     title: "Meshes fitted to the contact",
     asked: "How many degrees of freedom an accuracy costs where cells of high order end with the contact.",
-    limits: "One block with one contact on a rigid body; meshes of pins are not fitted as sparingly.",
+    limits: "Order and layers of the other scenes are chosen by hand, knowing what they give; `--accuracy` has only its error bars.",
 };

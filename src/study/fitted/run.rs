@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::measure::{larger, relative_error};
 use crate::mesh::{Order, Resolution};
 use crate::solve::{Discretisation, Fitted, Formulation, Run};
+use crate::study::fitted::scenes::{self, Elsewhere};
 
 /// Half-widths of the loads over that which block and candidates are drawn for.
 pub const LOADS: [f64; 8] = [1.0, 0.97, 0.94, 0.91, 0.89, 0.88, 0.87, 0.85];
@@ -25,6 +26,8 @@ pub struct Numbers {
     pub chosen: Vec<Mesh>,
     /// 8-node cells, as fine on all candidates.
     pub plain: Vec<Mesh>,
+    /// Other scenes.
+    pub scenes: Vec<Elsewhere>,
 }
 
 /// A mesh, and what it gives under the worst of all loads.
@@ -87,7 +90,7 @@ pub fn numbers(fitted: &[Fitted], chosen: &[f64], plain: &[usize]) -> Result<Num
     let fitted = fitted.iter().map(|&one| worst(Cells::Fitted(one))).collect::<Result<_, _>>()?;
     let chosen = chosen.iter().map(|&asked| worst(Cells::Chosen(asked))).collect::<Result<_, _>>()?;
     let plain = plain.iter().map(|&elements| worst(Cells::Plain(elements))).collect::<Result<_, _>>()?;
-    Ok(Numbers { fitted, chosen, plain })
+    Ok(Numbers { fitted, chosen, plain, scenes: scenes::numbers()? })
 }
 
 /// A mesh under the worst of all loads.

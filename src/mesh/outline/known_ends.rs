@@ -1,0 +1,105 @@
+//! Positions along a contact whose ends are known.
+
+use crate::mesh::spacing;
+use crate::scene::ContactPair;
+
+/// Widest cell on an arc that carries a contact \[rad\].
+const WIDEST: f64 = 0.8;
+/// Difference of positions, over the stretch, below which they are one.
+const SAME: f64 = 1e-9;
+
+/// A contact whose ends are known, and into how many each interval between them is cut.
+pub(crate) struct KnownEnds<'a> {
+    pair: &'a ContactPair,
+    parts: usize,
+}
+
+impl<'a> KnownEnds<'a> {
+    /// None where the mesh knows nothing of the ends.
+    pub fn of(pair: &'a ContactPair, parts: usize) -> Option<Self> {
+        (!pair.ends.places.is_empty()).then_some(Self { pair, parts })
+    }
+
+    /// Half the width of the contact: from s = 0 to its end, or half way from its first to its last.
+    pub fn half_width(&self) -> f64 {
+        match self.pair.ends.places[..] {
+            [.., last] if !self.pair.path.has_both_sides() => last,
+            [first, .., last] => 0.5 * (last - first),
+            _ => self.pair.stretch,
+        }
+    }
+
+    /// Positions of the candidates from 0 on, with ends on either side of it.
+    pub fn from_origin(&self) -> Vec<f64> {
+        self.cut(&self.breaks_from_origin())
+    }
+
+    /// Positions of the candidates from `−stretch` on, with a position half way between neighbouring ends.
+    pub fn across(&self) -> Vec<f64> {
+        self.cut(&self.breaks_across())
+    }
+
+    /// Positions across a box on the contact: its ends, and half its width beyond them, or up to the end of the stretch where
+    /// that is about as near; none where a kink of the gap lies outside.
+    ///
+    /// From the left side of the body on, or on both sides of the path's origin.
+    pub fn of_box(&self, left: f64) -> Option<Vec<f64>> {
+        let (path, places) = (&self.pair.path, &self.pair.ends.places);
+        let (columns, origin) = match path.has_both_sides() {
+            true => (self.near(self.breaks_across(), [places[0], places[places.len() - 1]]), path.origin()[0]),
+            false => (self.of_right_box(), left),
+        };
+        columns.map(|columns| columns.iter().map(|s| origin + s).collect())
+    }
+
+    /// The same from 0 on, with ends on either side of it.
+    pub fn of_right_box(&self) -> Option<Vec<f64>> {
+        let last = self.pair.ends.places.iter().map(|end| end.abs()).fold(0.0, f64::max);
+        self.near(self.breaks_from_origin(), [0.0, last])
+    }
+
+    /// Those of ascending breaks that are near the first and the last end, the intervals between them cut.
+    fn near(&self, breaks: Vec<f64>, [first, last]: [f64; 2]) -> Option<Vec<f64>> {
+        let far = (1.5 + SAME) * self.half_width();
+        let is_near = |s: &f64| first - far <= *s && *s <= last + far;
+        let columns: Vec<f64> = breaks.into_iter().filter(is_near).collect();
+        let holds_all = columns.len() > 1 && self.pair.profile.kinks().iter().all(is_near);
+        holds_all.then(|| self.cut(&columns))
+    }
+
+    fn breaks_from_origin(&self) -> Vec<f64> {
+        self.breaks(self.pair.ends.places.iter().map(|end| end.abs()), 0.0)
+    }
+
+    fn breaks_across(&self) -> Vec<f64> {
+        let (places, stretch) = (&self.pair.ends.places, self.pair.stretch);
+        let middles = places.windows(2).map(|two| 0.5 * (two[0] + two[1]));
+        let beyond = places[0] - self.half_width();
+        let begins = (beyond + stretch > 0.5 * self.half_width()).then_some(beyond);
+        self.breaks(places.iter().copied().chain(middles).chain(begins), -stretch)
+    }
+
+    /// Positions from a place on: such ends, kinks of the gap, as far again beyond the last, and the end of the stretch.
+    fn breaks(&self, ends: impl Iterator<Item = f64>, from: f64) -> Vec<f64> {
+        let stretch = self.pair.stretch;
+        let mut breaks: Vec<f64> = ends.chain(self.pair.profile.kinks()).filter(|s| *s > from).collect();
+        breaks.sort_by(f64::total_cmp);
+        let near = SAME * stretch;
+        breaks.retain(|s| *s < stretch - near);
+        breaks.dedup_by(|next, before| *next - *before <= near);
+        let last = breaks.last().copied().unwrap_or(from);
+        let beyond = last + self.half_width();
+        let wide = stretch - beyond > 0.5 * self.half_width();
+        [from].into_iter().chain(breaks).chain(wide.then_some(beyond)).chain([stretch]).collect()
+    }
+
+    /// Each interval cut as often as is asked, on an arc so that none is wide.
+    fn cut(&self, breaks: &[f64]) -> Vec<f64> {
+        let widest = if self.pair.path.is_straight() { f64::INFINITY } else { WIDEST };
+        let pieces = breaks.windows(2).map(|two| {
+            let fewest = ((two[1] - two[0]) / widest - SAME).ceil();
+            spacing::uniform(two[0], two[1], self.parts.max(fewest as usize))
+        });
+        spacing::joined(&pieces.collect::<Vec<_>>())
+    }
+}

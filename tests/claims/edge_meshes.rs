@@ -1,0 +1,155 @@
+//! Meshes around contacts whose ends are known: discs in frames, rings in rows, and several contacts of a body.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
+use contact_vv::case::Case;
+use contact_vv::measure::relative_error;
+use contact_vv::mesh::{Mesh, Order, spacing};
+use contact_vv::scene::{Circle, Ends, Face, Line, Path, Scene, Sector, Shape};
+use contact_vv::solve::{Fitted, Formulation, Run};
+
+use crate::outputs::scene;
+use crate::workbench::{area, of_shape, resolution};
+
+/// A disc of radius 10 whose contact has ends that are known.
+fn disc(sector: Sector, contact: Face, places: Vec<f64>, layers: usize) -> Scene {
+    let shape = Shape::Disc { centre: [0.0, 10.0], radius: 10.0, sector, contact };
+    let both_sides = sector.has_both_sides();
+    let path = Path::Straight(Line { origin: [0.0, 0.0], both_sides });
+    let mut scene = of_shape(shape, path, 1.5, vec![], vec![]);
+    scene.contacts[0].ends = Ends { places, layers };
+    scene
+}
+
+/// Length of a boundary of the first body.
+fn length(mesh: &Mesh, scene: &Scene, name: &str) -> f64 {
+    let chord = |edge: &Vec<usize>| {
+        let [from, to] = [edge[0], edge[1]].map(|node| mesh.points[node]);
+        (to[0] - from[0]).hypot(to[1] - from[1])
+    };
+    mesh.boundary(scene, 0, name).expect("side").iter().map(chord).sum()
+}
+
+#[test]
+fn frames_fill_every_sector_of_a_disc_and_touch_all_its_sides() {
+    // Two cells in the box, three in each of three frames, and two around each layer's corner on either side of the end.
+    let quarter = 2 + 3 * 3 + 4 * 2;
+    for (sector, quarters, cells) in [
+        (Sector::Quarter, 1.0, quarter),
+        (Sector::LowerHalf, 2.0, 2 * quarter),
+        // The upper quarter: two cells of the core, one beside it, two above.
+        (Sector::RightHalf, 2.0, quarter + 5),
+        (Sector::Whole, 4.0, 2 * (quarter + 5)),
+    ] {
+        for contact in [Face::Bottom, Face::Top] {
+            let places = if sector.has_both_sides() { vec![-0.5, 0.5] } else { vec![0.5] };
+            let scene = disc(sector, contact, places, 2);
+            for (order, bound) in [(Order::Quartic, 1e-5), (Order::Octic, 1e-11)] {
+                let case = format!("{sector:?} {contact:?} {order:?}");
+                let mesh = Mesh::of(&scene, resolution(1, 0, order)).expect("mesh");
+                assert_eq!(mesh.cells(), cells, "{case}");
+                let off = relative_error(area(&mesh), quarters * FRAC_PI_4 * 100.0);
+                assert!(off <= bound, "{case}: {off:.1e}");
+                if !sector.has_both_sides() {
+                    let axis = length(&mesh, &scene, "axis");
+                    assert!(relative_error(axis, if quarters > 1.0 { 20.0 } else { 10.0 }) <= 1e-12, "{case}: {axis}");
+                }
+                if !sector.has_upper_part() {
+                    let cut = length(&mesh, &scene, "cut");
+                    assert!(relative_error(cut, 10.0 * quarters) <= 1e-12, "{case}: {cut}");
+                }
+                // The contact side of a half is its lower quarter of the circle, in chords.
+                let arc = length(&mesh, &scene, "contact") / if sector.has_both_sides() { 2.0 } else { 1.0 };
+                assert!(arc < 10.0 * FRAC_PI_2 && arc > 0.95 * 10.0 * FRAC_PI_2, "{case}: {arc}");
+            }
+        }
+    }
+}
+
+#[test]
+fn frames_of_a_disc_are_cut_as_often_as_is_asked() {
+    let scene = disc(Sector::RightHalf, Face::Bottom, vec![0.5], 0);
+    let cells = |parts: usize| Mesh::of(&scene, resolution(parts, 0, Order::Sextic)).expect("mesh").cells();
+    assert_eq!([cells(2), cells(3)], [4 * cells(1), 9 * cells(1)]);
+}
+
+#[test]
+fn nodes_of_a_ring_lie_evenly_in_the_logarithm_of_the_radius_where_the_end_is_known() {
+    for contact in [Face::Bottom, Face::Top] {
+        let circle = |radius| Circle { centre: [0.0, 0.0], radius };
+        let [inner, outer] = [circle(10.0), circle(2000.0)];
+        let pole = [0.0, 0.0];
+        let own = if contact == Face::Bottom { inner } else { outer };
+        let shape = Shape::Ring { pole, inner, outer, sweep: FRAC_PI_2, contact };
+        let mut scene = of_shape(shape, Path::Arc(own), 0.9, vec![], vec![]);
+        scene.contacts[0].ends = Ends { places: vec![0.4], layers: 0 };
+        let mesh = Mesh::of(&scene, resolution(1, 0, Order::Quintic)).expect("mesh");
+        let wanted = FRAC_PI_4 * (outer.radius.powi(2) - inner.radius.powi(2));
+        assert!(relative_error(area(&mesh), wanted) <= 1e-5, "{contact:?}: {}", area(&mesh));
+        let fractions = Order::Quintic.fractions();
+        let edges = mesh.boundary(&scene, 0, "start").expect("side");
+        for edge in edges {
+            let mut heights: Vec<f64> = edge.iter().map(|&node| mesh.points[node][1].abs().ln()).collect();
+            heights.sort_by(f64::total_cmp);
+            let [low, high] = [heights[0], heights[heights.len() - 1]];
+            for (height, part) in heights.iter().zip(&fractions) {
+                assert!((height - low - part * (high - low)).abs() <= 1e-9, "{contact:?}: {heights:?}");
+            }
+        }
+        // As thick as the contact is wide at the face, and each next row 1.8 times as much, in the logarithm.
+        let mut rows: Vec<f64> =
+            edges.iter().map(|edge| (mesh.points[edge[0]][1] / mesh.points[edge[1]][1]).ln().abs()).collect();
+        rows.sort_by(f64::total_cmp);
+        assert!(
+            rows.len() == 4 && (rows[1] / rows[0] - 1.8).abs() < 0.3 && (rows[3] / rows[2] - 1.8).abs() <= 1e-6,
+            "{rows:?}"
+        );
+    }
+}
+
+#[test]
+fn positions_are_moved_to_places_and_never_past_each_other() {
+    let positions = vec![0.0, 1.0, 2.0, 4.0];
+    assert_eq!(spacing::through(positions.clone(), &[1.2]), [0.0, 1.2, 2.0, 4.0]);
+    assert_eq!(spacing::through(positions.clone(), &[0.0, 4.0]), positions);
+    // The second one is nearest to the same position.
+    assert_eq!(spacing::through(positions.clone(), &[1.2, 0.9]), [0.0, 1.2, 2.0, 4.0]);
+    assert_eq!(spacing::through(positions.clone(), &[1.8, 1.2]), [0.0, 1.2, 1.8, 4.0]);
+    assert_eq!(spacing::through(vec![0.0, 1.0], &[0.5]), [0.0, 1.0]);
+    assert_eq!(spacing::through(positions.clone(), &[-3.0, 7.0, f64::NAN]), positions);
+}
+
+#[test]
+fn a_block_held_at_a_point_of_its_far_side_has_a_node_there() {
+    let scene = drawn("eccentric-to-accuracy");
+    let answer =
+        Fitted { order: Order::Sextic, layers: 1 }.solve(&scene, &Formulation::verification()).expect("solved");
+    assert!(answer.discretisation.mesh.points.iter().any(|point| *point == [0.0, 80.0]));
+}
+
+fn drawn(name: &str) -> Scene {
+    Case::read(std::path::Path::new(&scene(name))).expect("sound").scene
+}
+
+/// Peak and half-width of all contacts.
+fn measured(run: &Run) -> Vec<[f64; 2]> {
+    run.contacts.iter().map(|one| [one.measures.peak.pressure, one.measures.half_width]).collect()
+}
+
+#[test]
+fn every_contact_of_a_body_is_found_alike_by_cells_of_neighbouring_orders() {
+    for name in ["plate-on-two-supports", "roller-between-plates"] {
+        let scene = drawn(name);
+        let solved = |order| {
+            let fitted = Fitted { order, layers: 3 };
+            let answer = fitted.solve_with_ends(&scene, &Formulation::verification(), 1e-5).expect("solved");
+            assert!(answer.run.solution.converged(), "{name}");
+            measured(&answer.run)
+        };
+        let [septic, octic] = [Order::Septic, Order::Octic].map(solved);
+        assert!(septic.len() == 2 && octic.len() == 2);
+        for (one, other) in septic.iter().flatten().zip(octic.iter().flatten()) {
+            assert!(relative_error(*one, *other) <= 1e-5, "{name}: {septic:?} {octic:?}");
+        }
+    }
+}
