@@ -16,6 +16,7 @@ os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = "1"  # befo
 MISSING = 3  # exit code
 SOFT = 10.0  # penalty over the largest Young's modulus and the smallest contact edge, as one would choose it first
 STEPS = 100
+START = 1e-6  # overlap to begin with at least, over the size of the scene
 PARTS = [[0, 4, 8, 7], [4, 1, 5, 8], [8, 5, 2, 6], [7, 8, 6, 3]]  # of a cell with 9 nodes
 
 
@@ -36,15 +37,15 @@ except ModuleNotFoundError as absent:
 
 
 class Problem:
-    """The problem in a folder."""
+    """The problem in a folder; cells with 8 nodes get a ninth one in their middle, where it is wanted."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, centres=True):
         self.folder = pathlib.Path(folder)
         self.data = json.loads((self.folder / "problem.json").read_text(encoding="utf-8"))
         self.points = np.array(self.data["points"])
         self.cells = np.array(self.data["cells"])
         self.body = np.array(self.data["body"])
-        if self.cells.shape[1] == 8:
+        if centres and self.cells.shape[1] == 8:
             self.add_centres()
         nodes = [node for contact in self.data["contacts"] for node in contact["nodes"]]
         self.gap = np.array([np.inf if node["gap"] is None else node["gap"] for node in nodes])
@@ -98,6 +99,48 @@ class Problem:
         used, place = np.unique(column[kept], return_inverse=True)
         return coo_matrix((np.ones(kept.sum()), (np.flatnonzero(kept), place)), (size, len(used))).tocsr(), given
 
+    def hanging(self):
+        """The body that contact alone holds across the first contact, and which way it closes the gap; none where supports hold all."""
+        contact = self.data["contacts"][0]
+        normal = np.array(contact["normal"])
+        axis = int(np.argmax(np.abs(normal)))
+        held = {int(self.body[(self.cells == node).any(axis=1)][0]) for node, c, _ in self.data["held"] if c == axis}
+        for body, towards in (contact["first"], normal), (contact["second"], -normal):
+            if body is not None and body not in held:
+                return body, towards
+        return None, np.zeros(2)
+
+    def started(self, part):
+        """Displacements by which a body that contact alone holds overlaps: at mere touching tangents are singular.
+
+        It is moved over the narrowest gap, a part of the way to the widest one, and a little.
+        """
+        gap = self.gap[: len(self.data["contacts"][0]["nodes"])]
+        gap, moved, (body, towards) = gap[np.isfinite(gap)], np.zeros((len(self.points), 2)), self.hanging()
+        if body is not None:
+            moved[self.of_body(body)[0]] = (gap.min() + part * np.ptp(gap) + START * np.ptp(self.points)) * towards
+        return moved.ravel()
+
+    def system(self, part):
+        """T and u0 as of `motions`, forces per unit of thickness, and q to start with: as `started`, sides that are tied in the mean."""
+        motions, given = self.motions()
+        count = np.asarray(motions.sum(axis=0)).ravel()
+        return motions, given, self.load() / self.data["thickness"], motions.T @ (self.started(part) - given) / count
+
+    def scale(self):
+        """Size of the forces per unit of thickness: of the load or, without one, of what given displacements make."""
+        load = np.abs(self.load().reshape(-1, 2).sum(axis=0)).max() / self.data["thickness"]
+        return load or max(self.data["young"]) * max(abs(value) for _, _, value in self.data["held"])
+
+    def pressures(self, pushed, lengths=None):
+        """Pressures of nodes, 0 beside the contacts, by the contact forces on them over their areas or, by contact, over given lengths."""
+        pressure, pushed = np.zeros(len(pushed) // 2), pushed.reshape(-1, 2)
+        for k, contact in enumerate(self.data["contacts"]):
+            for node in contact["nodes"]:
+                n = node["node"]
+                pressure[n] = -pushed[n] @ node["normal"] / (node["area"] if lengths is None else lengths[k][n])
+        return pressure
+
     def spring(self):
         """Penalty of the first choice [MPa/mm]."""
         places = [self.points[[node["node"] for node in contact["nodes"]]] for contact in self.data["contacts"]]
@@ -109,7 +152,7 @@ class Linear:
     """The scene in cells with 4 nodes: points, cells, body of each cell, and the edges of both sides of each contact."""
 
     def __init__(self, problem):
-        self.points, self.body = problem.points, problem.body
+        self.problem, self.points, self.body = problem, problem.points, problem.body
         self.cells, self.contacts = problem.cells[:, :4], []
         cut = problem.cells.shape[1] == 9
         if cut:
@@ -135,9 +178,29 @@ class Linear:
         near = np.array([self.points[node] + gap * normal for _, node, gap in nodes])
         n, k = len(near), len(self.points) + np.arange(len(near) - 1)
         self.points = np.vstack([self.points, near, near + np.ptp(near @ along) * normal])
-        self.cells = np.vstack([self.cells, np.column_stack([k, k + n, k + n + 1, k + 1])[:, ::-1]])
+        self.cells = np.vstack([self.cells, np.column_stack([k, k + n, k + n + 1, k + 1])])
         self.body = np.append(self.body, np.full(n - 1, self.body.max() + 1))
         return [(a, a + 1) for a in k]
+
+    def materials(self):
+        """Young's modulus and Poisson's ratio of each body; a rigid one, which is held, has those of the first."""
+        given = list(zip(self.problem.data["young"], self.problem.data["poisson"]))
+        return given + given[:1] * (int(self.body.max()) + 1 - len(given))
+
+    def lengths(self):
+        """Length of the first side that belongs to each node, by contact."""
+        lengths = np.zeros((len(self.contacts), len(self.points)))
+        for length, (edges, _) in zip(lengths, self.contacts):
+            for edge in edges:
+                length[list(edge)] += 0.5 * np.linalg.norm(self.points[edge[1]] - self.points[edge[0]])
+        return lengths
+
+    def system(self, part):
+        """The system of the problem, with the nodes of rigid bodies, which do not move."""
+        motions, given, force, start = self.problem.system(part)
+        rigid = 2 * len(self.points) - len(given)
+        motions.resize(len(given) + rigid, motions.shape[1])
+        return motions, np.pad(given, (0, rigid)), np.pad(force, (0, rigid)), start
 
 
 def solve(problem, stiffness, method, direct):

@@ -21,8 +21,6 @@ STIFFNESS = {"pair": 50.0, "stiff-pair": 1000.0}  # K/E [1/mm]
 MOVED = 0.1  # part of the widest gap
 
 
-
-
 def rigid(contact, points, first_node, first_cell, kind):
     """Nodes and cells of a rigid body along the contact, and its surface."""
     if contact["arc"]:
@@ -53,12 +51,9 @@ def deck(problem, stiffness):
     contact, given = data["contacts"][0], np.array(data["cells"])
     points, count = problem.points[: given.max() + 1].copy(), len(given)
     kind = ("CPE" if data["plane"] == "strain" else "CPS") + str(given.shape[1])
-    normal = np.array(contact["normal"])
-    axis, widest = int(np.argmax(np.abs(normal))), max(node["gap"] for node in contact["nodes"] if node["gap"] is not None)
-    held = {int(problem.body[(given == node).any(axis=1)][0]) for node, c, _ in data["held"] if c == axis}
     moved = np.zeros(2)
-    if {contact["first"], contact["second"]} - {None} - held:
-        moved -= MOVED * widest * normal
+    if problem.hanging()[0] is not None:
+        moved -= MOVED * max(node["gap"] for node in contact["nodes"] if node["gap"] is not None) * np.array(contact["normal"])
     if contact["second"] is not None:
         points[np.unique(given[problem.body == contact["second"]])] += moved
     face = {frozenset((cell[k], cell[(k + 1) % 4])): f"{number},S{k + 1}" for number, cell in enumerate(given.tolist(), 1) for k in range(4)}

@@ -86,17 +86,13 @@ def supported(problem, model, bodies):
 
 
 def started(problem, model, bodies):
-    """Moves the body that contact alone holds until the widest gap is closed: from zero the tangent would be singular."""
-    contact = problem.data["contacts"][0]
-    normal, widest = np.array(contact["normal"]), max(node["gap"] for node in contact["nodes"] if node["gap"] is not None)
-    axis = int(np.argmax(np.abs(normal)))
-    held = {int(problem.body[(problem.cells == node).any(axis=1)][0]) for node, c, _ in problem.data["held"] if c == axis}
-    free = [k for k in (contact["first"], contact["second"]) if k is not None and k not in held]
-    if free:
-        moved = np.zeros(bodies[free[0]].space.nbdof())
-        sign = 1.0 if free[0] == contact["first"] else -1.0
-        moved[0::2], moved[1::2] = sign * widest * normal
-        model.set_variable(bodies[free[0]].name, moved)
+    """Moves the body that contact alone holds until the widest gap is closed."""
+    moved = problem.started(1.0)
+    for body in bodies:
+        own = np.zeros(body.space.nbdof())
+        for c in range(2):
+            own[body.dof[body.nodes] + c] = moved[2 * body.nodes + c]
+        model.set_variable(body.name, own)
 
 
 def integral(problem, model, bodies):

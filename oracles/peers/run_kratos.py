@@ -42,7 +42,7 @@ class Scene(exported.Linear):
 
     def __init__(self, problem):
         super().__init__(problem)
-        self.problem, self.used, self.bodies = problem, np.unique(self.cells).tolist(), int(self.body.max()) + 1
+        self.bodies = int(self.body.max()) + 1
         self.force = problem.load().reshape(-1, 2) / problem.data["thickness"]
         self.loaded = np.flatnonzero(np.abs(self.force).max(axis=1)).tolist()
 
@@ -51,7 +51,7 @@ class Scene(exported.Linear):
         lines = ["Begin ModelPartData", "End ModelPartData"]
         for number in range(self.bodies + 1):
             lines += [f"Begin Properties {number}", "End Properties"]
-        lines += ["Begin Nodes", *(f"{n + 1} {self.points[n, 0]!r} {self.points[n, 1]!r} 0.0" for n in self.used), "End Nodes"]
+        lines += ["Begin Nodes", *(f"{n + 1} {self.points[n, 0]!r} {self.points[n, 1]!r} 0.0" for n in range(len(self.points))), "End Nodes"]
         cells = [" ".join(map(str, [k + 1, self.body[k] + 1, *(cell + 1)])) for k, cell in enumerate(self.cells)]
         lines += ["Begin Elements SmallDisplacementElement2D4N", *cells, "End Elements"]
         lines += ["Begin Conditions PointLoadCondition2D1N", *(f"{k + 1} 0 {n + 1}" for k, n in enumerate(self.loaded)), "End Conditions"]
@@ -63,13 +63,12 @@ class Scene(exported.Linear):
             lines += part(f"contact{k}", Nodes=np.unique([*first, *second])) + part(f"first{k}", Nodes=np.unique(first))
         return "\n".join([*lines, ""])
 
-    def materials(self):
-        """Text of the materials; a rigid body has the first one."""
-        data, count, all_of_them = self.problem.data, len(self.problem.data["young"]), []
-        for body in range(self.bodies):
-            own = body if body < count else 0
-            values = {"DENSITY": 1.0, "THICKNESS": 1.0, "YOUNG_MODULUS": data["young"][own], "POISSON_RATIO": data["poisson"][own]}
-            material = {"constitutive_law": {"name": LAWS[data["plane"]]}, "Variables": values, "Tables": {}}
+    def laws(self):
+        """Text of the materials."""
+        law, all_of_them = {"name": LAWS[self.problem.data["plane"]]}, []
+        for body, (young, poisson) in enumerate(self.materials()):
+            values = {"DENSITY": 1.0, "THICKNESS": 1.0, "YOUNG_MODULUS": young, "POISSON_RATIO": poisson}
+            material = {"constitutive_law": law, "Variables": values, "Tables": {}}
             all_of_them.append({"model_part_name": f"Structure.body{body}", "properties_id": body + 1, "Material": material})
         return json.dumps({"properties": all_of_them})
 
@@ -136,21 +135,14 @@ class Analysis(StructuralMechanicsAnalysis):
         self.iterations += steps
 
 
-def pressures(scene, whole):
-    """Pressures of the nodes, 0 beside the contacts."""
+def pressed(scene, whole):
+    """Contact forces on the nodes: what the load leaves of the elastic ones."""
     elastic, own = np.zeros((len(scene.points), 2)), kratos.Vector()
     for cell, nodes in zip(whole.Elements, scene.cells):
         cell.CalculateRightHandSide(own, whole.ProcessInfo)
         elastic[nodes] += np.array(own).reshape(4, 2)
-    pressure = np.zeros(len(scene.points))
-    for contact, (edges, _) in zip(scene.problem.data["contacts"], scene.contacts):
-        length = np.zeros(len(scene.points))
-        for edge in edges:
-            length[list(edge)] += 0.5 * np.linalg.norm(scene.points[edge[1]] - scene.points[edge[0]])
-        for node in contact["nodes"]:
-            n = node["node"]
-            pressure[n] = (scene.force[n] + elastic[n]) @ node["normal"] / length[n]
-    return pressure
+    elastic[: len(scene.force)] += scene.force
+    return -elastic.ravel()
 
 
 def main(folder, method):
@@ -164,13 +156,12 @@ def main(folder, method):
     with tempfile.TemporaryDirectory(prefix="kratos-") as name:
         place = pathlib.Path(name)
         (place / "scene.mdpa").write_text(scene.mesh(), encoding="ascii")
-        (place / "materials.json").write_text(scene.materials(), encoding="ascii")
+        (place / "materials.json").write_text(scene.laws(), encoding="ascii")
         analysis = Analysis(scene, place, LOAD_STEPS[method])
         analysis.Run()
         whole = analysis.model["Structure"]
-        for n, pressure in enumerate(pressures(scene, whole)):
-            if n in set(scene.used):
-                whole.Nodes[n + 1].SetValue(kratos.PRESSURE, pressure)
+        for n, pressure in enumerate(problem.pressures(pressed(scene, whole), scene.lengths())):
+            whole.Nodes[n + 1].SetValue(kratos.PRESSURE, pressure)
         seconds = time.perf_counter() - begin
         write(analysis.model, place)
         file = f"kratos-{method}.vtu"

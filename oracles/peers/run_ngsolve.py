@@ -30,7 +30,6 @@ STIFFNESS = {"contact": 50.0, "stiff-contact": 1000.0}  # K/E [1/mm]
 STEPS, TOLERANCE = 100, 1e-9  # of the change over the displacement
 INTEGRATION = 6  # order of the quadrature along the contact
 REACH = 0.05  # longest distance of a pair over the size of the scene
-START = 1e-6  # overlap to begin with, over the size of the scene
 OTHER = "other"  # name of edges without contact
 
 
@@ -96,13 +95,6 @@ def from_nodes(problem, mesh, corners, space):
     return coo_matrix((list(terms.values()), (row, column)), (space.ndof, len(problem.points))).tocsr()
 
 
-class Eight(exported.Problem):
-    """The problem with cells of 8 nodes as they are."""
-
-    def add_centres(self):
-        """Leaves them out."""
-
-
 class Discretised:
     """The scene in NGSolve: space, elastic energy, and the matrix T from nodal displacements (2 node + component) to its unknowns."""
 
@@ -148,7 +140,6 @@ class Discretised:
         form = ng.BilinearForm(self.space)
         form += ng.Variation((g * ng.InnerProduct(strain, strain) + 0.5 * l * ng.Trace(strain) ** 2) * ng.dx)
         return form, u
-
 
     def stiffness(self):
         """Elastic stiffness for nodal displacements, with the thickness."""
@@ -200,30 +191,13 @@ def overlaps(scene, form, u, stiffness):
     return kept
 
 
-def started(problem, motions, given):
-    """Motions by which the body that contact alone holds overlaps everywhere: from zero the tangent would be singular."""
-    contact = problem.data["contacts"][0]
-    normal, widest = np.array(contact["normal"]), max(node["gap"] for node in contact["nodes"]) + START * np.ptp(problem.points)
-    axis = int(np.argmax(np.abs(normal)))
-    held = {int(problem.body[(problem.cells == node).any(axis=1)][0]) for node, c, _ in problem.data["held"] if c == axis}
-    moved = np.zeros((len(problem.points), 2))
-    for sign, body in (1.0, contact["first"]), (-1.0, contact["second"]):
-        if body is not None and body not in held:
-            moved[problem.of_body(body)[0]] = sign * widest * normal
-            break
-    share = np.asarray(motions.sum(axis=0)).ravel()
-    return motions.T @ (moved.ravel() - given) / share
-
-
 def pressed(problem, stiffness):
     """Displacements of the nodes by Newton's method, and iterations."""
     scene = Discretised(problem)
     form, u = scene.energy()
     kept = overlaps(scene, form, u, stiffness * max(problem.data["young"]))
-    motions, given = problem.motions()
-    of_motions = scene.of_nodes @ motions
-    force = motions.T @ (problem.load() / problem.data["thickness"])
-    q = started(problem, motions, given)
+    motions, given, force, q = problem.system(1.0)
+    of_motions, force = scene.of_nodes @ motions, motions.T @ force
     state, residual = ng.GridFunction(scene.space), ng.GridFunction(scene.space)
     for step in range(1, STEPS + 1):
         state.vec.FV().NumPy()[:] = of_motions @ q + scene.of_nodes @ given
@@ -240,7 +214,8 @@ def pressed(problem, stiffness):
 
 def main(folder, method):
     """Solves, and writes the answer."""
-    problem = Eight(folder)
+    ng.SetNumThreads(1)  # of its sparse Cholesky
+    problem = exported.Problem(folder, centres=False)
     begin = time.perf_counter()
     if method == "active-set":
         matrix = Discretised(problem).stiffness()
@@ -250,11 +225,7 @@ def main(folder, method):
         exported.write_json(problem, file, f"NGSolve {ng.__version__}", pressure, gap)
     else:
         scene, u, steps = pressed(problem, STIFFNESS[method])
-        force, pressure = problem.load() - scene.stiffness() @ u, np.zeros(len(problem.points))
-        for contact in problem.data["contacts"]:
-            for node in contact["nodes"]:
-                k = node["node"]
-                pressure[k] = force[2 * k : 2 * k + 2] @ node["normal"] / node["area"]
+        pressure = problem.pressures(scene.stiffness() @ u - problem.load())
         seconds = time.perf_counter() - begin
         file = f"ngsolve-{method}.vtu"
         fields = [scene.vector(u.reshape(-1, 2)), scene.function(pressure)]

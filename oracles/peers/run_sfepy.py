@@ -30,8 +30,7 @@ except ModuleNotFoundError as absent:
 
 SETTINGS = {"contact": (10.0, 10), "stiff-contact": (100.0, 30)}  # K/E [1/mm], order of the quadrature along the contact
 STEPS, TOLERANCE = 200, 1e-8  # of the residual over the load
-MOVED = 0.2  # part of the widest gap
-START = 1e-6  # overlap to begin with where there is no gap, over the size of the scene
+MOVED = 0.2  # part of the way to the widest gap that it starts at
 
 
 def unknown(field):
@@ -42,19 +41,14 @@ def unknown(field):
 class Discretised:
     """The scene in SfePy: elastic stiffness, and contact forces and their tangent, unknowns 2 node + component, per unit of thickness."""
 
-    def __init__(self, problem, scene, stiffness, order):
-        self.used, cells = np.unique(scene.cells, return_inverse=True)
-        cells = cells.reshape(-1, 4).astype(np.int32)
-        self.mesh = Mesh.from_data("scene", scene.points[self.used], None, [cells], [scene.body], ["2_4"])
+    def __init__(self, scene, stiffness, order):
+        self.mesh = Mesh.from_data("scene", scene.points, None, [scene.cells.astype(np.int32)], [scene.body], ["2_4"])
         domain = FEDomain("domain", self.mesh)
-        self.place = {int(node): k for k, node in enumerate(self.used)}
         field = Field.from_args("displacement", np.float64, "vector", domain.create_region("all", "all"), approx_order=1)
         u, v = unknown(field)
         terms = []
-        for body in range(scene.body.max() + 1):
-            k = min(body, len(problem.data["young"]) - 1)
-            young, poisson = problem.data["young"][k], problem.data["poisson"][k]
-            solid = Material(f"solid{body}", D=stiffness_from_youngpoisson(2, young, poisson, plane=problem.data["plane"]))
+        for body, law in enumerate(scene.materials()):
+            solid = Material(f"solid{body}", D=stiffness_from_youngpoisson(2, *law, plane=scene.problem.data["plane"]))
             region = domain.create_region(f"body{body}", f"cells of group {body}")
             arguments = {solid.name: solid, "u": u, "v": v}
             terms.append(Term.new(f"dw_lin_elastic({solid.name}.D, v, u)", Integral("of cells", order=2), region, **arguments))
@@ -62,14 +56,14 @@ class Discretised:
         pairs, (u, v) = [], unknown(field)
         spring = Material("spring", values={".K": stiffness})
         for k, sides in enumerate(scene.contacts):
-            nodes = ",".join(str(self.place[int(node)]) for node in np.unique(np.concatenate(sides)))
+            nodes = ",".join(map(str, np.unique(np.concatenate(sides))))
             region = domain.create_region(f"contact{k}", f"vertex {nodes}", "facet")
             pairs.append(Term.new("dw_contact(spring.K, v, u)", Integral("of edges", order=order), region, spring=spring, u=u, v=v))
         self.contact = Problem("contact", equations=Equations([Equation("balance", sum(pairs[1:], pairs[0]))]))
         for part in self.elastic, self.contact:
             part.time_update()
             part.update_materials()
-        self.stiffness = self.elastic.get_evaluator().eval_tangent_matrix(np.zeros(2 * len(self.used)), mtx=self.elastic.mtx_a).copy()
+        self.stiffness = self.elastic.get_evaluator().eval_tangent_matrix(np.zeros(scene.points.size), mtx=self.elastic.mtx_a).copy()
 
     def pressed(self, u):
         """Contact forces on the nodes, and their tangent with the sign of a stiffness."""
@@ -77,31 +71,9 @@ class Discretised:
         return -evaluate.eval_residual(u), evaluate.eval_tangent_matrix(u, mtx=csr_matrix(self.stiffness.shape))
 
 
-def started(problem, scene):
-    """Displacements by which the body that contact alone holds overlaps."""
-    contact = problem.data["contacts"][0]
-    normal, widest = np.array(contact["normal"]), max(node["gap"] for node in contact["nodes"])
-    axis = int(np.argmax(np.abs(normal)))
-    held = {int(problem.body[(problem.cells == node).any(axis=1)][0]) for node, c, _ in problem.data["held"] if c == axis}
-    moved = np.zeros((len(scene.points), 2))
-    for sign, body in (1.0, contact["first"]), (-1.0, contact["second"]):
-        if body is not None and body not in held:
-            moved[np.unique(scene.cells[scene.body == body])] = sign * (MOVED * widest + START * np.ptp(problem.points)) * normal
-            break
-    return moved.ravel()
-
-
-def solved(problem, scene, code):
-    """Displacements of SfePy's nodes by its Newton method, and iterations."""
-    motions, given = problem.motions()
-    # Of all nodes to those of SfePy; a rigid body does not move.
-    dofs = np.column_stack([2 * code.used, 2 * code.used + 1]).ravel()
-    more = 2 * len(scene.points) - motions.shape[0]
-    motions.resize(motions.shape[0] + more, motions.shape[1])
-    motions, given = motions[dofs], np.append(given, np.zeros(more))[dofs]
-    motions = motions[:, np.flatnonzero(np.asarray(motions.sum(axis=0)).ravel())]
-    force = np.append(problem.load() / problem.data["thickness"], np.zeros(more))[dofs]
-    q = motions.T @ (started(problem, scene)[dofs] - given) / np.asarray(motions.sum(axis=0)).ravel()
+def solved(scene, code):
+    """Displacements by SfePy's Newton method, and iterations."""
+    motions, given, force, q = scene.system(MOVED)
 
     def residual(q):
         u = motions @ q + given
@@ -110,25 +82,12 @@ def solved(problem, scene, code):
     def tangent(q):
         return (motions.T @ (code.stiffness + code.pressed(motions @ q + given)[1]) @ motions).tocsr()
 
-    scale = np.abs(force.reshape(-1, 2).sum(axis=0)).max() or max(problem.data["young"]) * np.abs(given).max()
-    status, settings = {}, {"i_max": STEPS, "eps_a": TOLERANCE * scale}
+    scale, status = scene.problem.scale(), {}
+    settings = {"i_max": STEPS, "eps_a": TOLERANCE * scale}
     q = Newton(settings, fun=residual, fun_grad=tangent, lin_solver=ScipyDirect({}), status=status)(q)
     if status["condition"] != 0:
         raise RuntimeError(f"SfePy has not converged in {status['n_iter']} iterations: residual {status['err'] / scale:.1e} of the load")
     return motions @ q + given, status["n_iter"]
-
-
-def pressures(problem, scene, code, u):
-    """Pressures at SfePy's nodes: contact forces of the first side along the normal, over the lengths of the nodes."""
-    pushed, pressure = code.pressed(u)[0].reshape(-1, 2), np.zeros(len(code.used))
-    for contact, (edges, _) in zip(problem.data["contacts"], scene.contacts):
-        length = np.zeros(len(scene.points))
-        for edge in edges:
-            length[list(edge)] += 0.5 * np.linalg.norm(scene.points[edge[1]] - scene.points[edge[0]])
-        for node in contact["nodes"]:
-            k = code.place[node["node"]]
-            pressure[k] = -pushed[k] @ node["normal"] / length[node["node"]]
-    return pressure
 
 
 def main(folder, method):
@@ -138,9 +97,10 @@ def main(folder, method):
     begin = time.perf_counter()
     scene = exported.Linear(problem)
     stiffness, order = SETTINGS[method]
-    code = Discretised(problem, scene, stiffness * max(problem.data["young"]), order)
-    u, steps = solved(problem, scene, code)
-    fields = {"displacement": u.reshape(-1, 2), "contact_pressure": pressures(problem, scene, code, u)[:, None]}
+    code = Discretised(scene, stiffness * max(problem.data["young"]), order)
+    u, steps = solved(scene, code)
+    pressure = problem.pressures(code.pressed(u)[0], scene.lengths())
+    fields = {"displacement": u.reshape(-1, 2), "contact_pressure": pressure[:, None]}
     seconds = time.perf_counter() - begin
     file = f"sfepy-{method}.vtu"
     code.mesh.write(str(problem.folder / file), out={name: Struct(mode="vertex", data=data) for name, data in fields.items()})
