@@ -17,6 +17,8 @@ pub const PURPLE: Colour = Colour::new(0xB4558C, 0xE09BC6);
 pub const SKY: Colour = Colour::new(0x3A8FC6, 0x9AD7FF);
 /// A sixth curve.
 pub const ORANGE: Colour = Colour::new(0xB07A00, 0xF2B63C);
+/// A further curve, where those above do not suffice.
+pub const WINE: Colour = Colour::new(0x882255, 0xE0607E);
 /// Text, frames and references.
 pub const INK: Colour = Colour::new(0x222222, 0xE8E8E5);
 /// Secondary text.

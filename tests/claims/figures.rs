@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use contact_vv::figure::colour_map::{CLASSES, ON_CLASSES};
-use contact_vv::figure::palette::{self, CARD, CURVES, Dash, GREY, INK, Marker};
+use contact_vv::figure::palette::{self, CARD, CURVES, Dash, GREY, INK, Marker, WINE};
 use contact_vv::figure::theme::Rgb;
 use contact_vv::figure::{
     Axis, Band, Bars, Cell, Chart, ClassMap, Direction, Drawing, Guide, MapPanel, Remark, Ribbon, Series, Style, Theme,
@@ -74,10 +74,10 @@ fn any_two_classes_of_a_map_differ_in_brightness_for_deuteranopes_too() {
 fn text_and_lines_stand_out_on_light_and_dark_cards() {
     for theme in Theme::ALL {
         let on_card = |colour: contact_vv::figure::Colour| contrast(linear(colour.on(theme)), linear(CARD.on(theme)));
-        for colour in CURVES.into_iter().chain([INK, GREY]) {
+        for colour in CURVES.into_iter().chain([WINE, INK, GREY]) {
             assert!(on_card(colour) >= 3.0, "{theme:?}: a line {}: {:.2}", colour.on(theme), on_card(colour));
         }
-        for colour in [INK, GREY] {
+        for colour in [WINE, INK, GREY] {
             assert!(on_card(colour) >= 4.5, "{theme:?}: text {}: {:.2}", colour.on(theme), on_card(colour));
         }
     }
