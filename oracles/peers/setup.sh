@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Installs the finite element codes this project is timed against and that the scoreboard asks, once: GetFEM, SfePy and CalculiX from
-# Debian, NGSolve and Kratos from PyPI, and by oracles/setup.sh scikit-fem and dolfinx. No test needs the first five.
+# Debian, NGSolve, Kratos, Akantu and FElupe from PyPI, and by oracles/setup.sh scikit-fem and dolfinx. No test needs the first seven.
 # Serves Debian 12 (bookworm). What is not a Debian package goes to oracles/.python, which git ignores.
 set -euo pipefail
 
-packages=(python3-getfem python3-sfepy python3-numpy python3-scipy calculix-ccx)
+packages=(python3-getfem python3-sfepy python3-numpy python3-scipy python3-meshio calculix-ccx)
 python=/usr/bin/python3
 
 fail() {
@@ -34,7 +34,10 @@ laid() {
     mv "$folder.new" "$folder"
 }
 
-# NGSolve: 90 MB are downloaded and 0.3 GB laid down; Kratos: 60 MB and 0.2 GB. Numpy is Debian's.
+# NGSolve: 90 MB are downloaded and 0.3 GB laid down; Kratos: 60 MB and 0.2 GB; Akantu: 7 MB and 30 MB; FElupe: 1 MB and 2 MB.
+# Numpy, scipy and meshio are Debian's.
 laid ngsolve --prefix ngsolve==6.2.2608 netgen-mesher==6.2.2608 netgen-occt==7.8.1 ngsolve-openblas==0.3.33
 laid kratos --target KratosMultiphysics==10.4.4 KratosStructuralMechanicsApplication==10.4.4 \
     KratosContactStructuralMechanicsApplication==10.4.4 KratosLinearSolversApplication==10.4.4
+laid akantu --target akantu==5.0.7.post1
+laid felupe --target felupe==11.3.0

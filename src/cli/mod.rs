@@ -123,7 +123,7 @@ enum Command {
         #[arg(long)]
         bars: bool,
     },
-    /// Ask CalculiX, GetFEM, NGSolve, SfePy, Kratos, scikit-fem and dolfinx for exported cases, and keep what they write in oracles/frozen/scoreboard.
+    /// Ask CalculiX, GetFEM, NGSolve, SfePy, Kratos, Akantu, FElupe, scikit-fem and dolfinx for exported cases, and keep what they write in oracles/frozen/scoreboard.
     #[command(after_help = examples::SCOREBOARD)]
     Scoreboard,
     /// Name the cases of the library.

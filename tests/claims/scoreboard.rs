@@ -52,6 +52,8 @@ fn every_code_of_the_scoreboard_is_judged_from_the_file_that_it_wrote_on_at_leas
         ("NGSolve", ".json"),
         ("SfePy", ".vtu.gz"),
         ("Kratos", ".vtu.gz"),
+        ("Akantu", ".vtu.gz"),
+        ("FElupe", ".vtu.gz"),
         ("scikit-fem", ".csv"),
         ("dolfinx", ".json"),
     ] {

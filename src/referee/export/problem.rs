@@ -15,12 +15,14 @@ use crate::scene::{Load, Place, PlaneHypothesis};
 use crate::solve::Discretisation;
 
 /// Scripts that solve an exported case by another code, and what they share: name, text, what it is.
-pub const SCRIPTS: [(&str, &str, &str); 8] = [
+pub const SCRIPTS: [(&str, &str, &str); 10] = [
     ("exported.py", include_str!("../../../oracles/peers/exported.py"), "what the scripts below share"),
     ("run_getfem.py", include_str!("../../../oracles/peers/run_getfem.py"), "solves it by GetFEM"),
     ("run_ngsolve.py", include_str!("../../../oracles/peers/run_ngsolve.py"), "solves it by NGSolve"),
     ("run_sfepy.py", include_str!("../../../oracles/peers/run_sfepy.py"), "solves it by SfePy"),
     ("run_kratos.py", include_str!("../../../oracles/peers/run_kratos.py"), "solves it by Kratos"),
+    ("run_akantu.py", include_str!("../../../oracles/peers/run_akantu.py"), "solves it by Akantu"),
+    ("run_felupe.py", include_str!("../../../oracles/peers/run_felupe.py"), "solves it by FElupe"),
     ("run_dolfinx.py", include_str!("../../../oracles/peers/run_dolfinx.py"), "solves it by dolfinx"),
     ("run_scikit_fem.py", include_str!("../../../oracles/peers/run_scikit_fem.py"), "solves it by scikit-fem"),
     ("run_calculix.py", include_str!("../../../oracles/peers/run_calculix.py"), "solves it by CalculiX"),

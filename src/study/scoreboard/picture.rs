@@ -46,6 +46,8 @@ fn style(code: Code, first: bool) -> Style {
         Code::Ngsolve => palette::NODE,
         Code::Sfepy => palette::SKY,
         Code::Kratos => palette::INK,
+        Code::Akantu => palette::WINE,
+        Code::Felupe => palette::GREY,
         Code::ScikitFem => palette::LINE,
         Code::Dolfinx => palette::LAYER,
     };

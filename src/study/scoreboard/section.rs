@@ -24,7 +24,10 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
          in bold: the one with the least that is not met, then with the smaller error of p₀ and a together. Seconds are those of the solution by the script's own account, CalculiX's of the whole \
          process, over one sparse Cholesky solve of the exported mesh just before, of one machine ({}), and are recorded; errors and \
          verdicts are computed from the frozen files with every report. CalculiX makes bricks of plane cells, so that it solves for more unknowns. \
-         In the plane the contact of SfePy and of Kratos has edges with 2 nodes alone: they are given each 8-node cell cut into four with 4 nodes.\n\n",
+         In the plane the contact of SfePy, of Kratos and of Akantu has edges with 2 nodes alone: they are given each 8-node cell cut into four with 4 nodes. \
+         Akantu finds pairs, gaps and the forces on the first side; the forces on the other side, the tangent and a turn of the scene are ours, since its \
+         contact in the plane has faults there. FElupe's contact knows rigid planes only: beside a second body each node has a plane of its own, which \
+         moves with the node that faces it, and these pairs are ours.\n\n",
         board.processor
     );
     text += &summary(findings);

@@ -20,6 +20,12 @@ pub enum Code {
     /// Kratos.
     #[serde(rename = "Kratos")]
     Kratos,
+    /// Akantu.
+    #[serde(rename = "Akantu")]
+    Akantu,
+    /// FElupe.
+    #[serde(rename = "FElupe")]
+    Felupe,
     /// scikit-fem.
     #[serde(rename = "scikit-fem")]
     ScikitFem,
@@ -30,8 +36,17 @@ pub enum Code {
 
 impl Code {
     /// All.
-    pub const ALL: [Self; 7] =
-        [Self::Calculix, Self::Getfem, Self::Ngsolve, Self::Sfepy, Self::Kratos, Self::ScikitFem, Self::Dolfinx];
+    pub const ALL: [Self; 9] = [
+        Self::Calculix,
+        Self::Getfem,
+        Self::Ngsolve,
+        Self::Sfepy,
+        Self::Kratos,
+        Self::Akantu,
+        Self::Felupe,
+        Self::ScikitFem,
+        Self::Dolfinx,
+    ];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -41,6 +56,8 @@ impl Code {
             Self::Ngsolve => "NGSolve",
             Self::Sfepy => "SfePy",
             Self::Kratos => "Kratos",
+            Self::Akantu => "Akantu",
+            Self::Felupe => "FElupe",
             Self::ScikitFem => "scikit-fem",
             Self::Dolfinx => "dolfinx",
         }
@@ -54,6 +71,8 @@ impl Code {
             Self::Ngsolve => "run_ngsolve.py",
             Self::Sfepy => "run_sfepy.py",
             Self::Kratos => "run_kratos.py",
+            Self::Akantu => "run_akantu.py",
+            Self::Felupe => "run_felupe.py",
             Self::ScikitFem => "run_scikit_fem.py",
             Self::Dolfinx => "run_dolfinx.py",
         }
@@ -75,7 +94,7 @@ pub struct Setting {
 
 impl Setting {
     /// All, the first choice of each code before the others.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 20] = [
         Self::of(Code::Calculix, "pair", "contact pair, surface to surface, K = 50 E per mm", true),
         Self::of(Code::Calculix, "stiff-pair", "the same with K = 1000 E per mm", false),
         Self::of(Code::Calculix, "gaps", "gap elements of the exported deck", false),
@@ -88,6 +107,20 @@ impl Setting {
         Self::of(Code::Sfepy, "stiff-contact", "the same with K = 100 E per mm, quadrature of order 30", false),
         Self::of(Code::Kratos, "contact", "mortar contact, augmented Lagrangian, cells of 4 nodes, one load step", true),
         Self::of(Code::Kratos, "contact-in-steps", "the same in 10 load steps", false),
+        Self::of(
+            Code::Akantu,
+            "contact",
+            "penalty contact, cells of 4 nodes, ε = 400 E per mm; reactions, tangent and turn of the scene are ours",
+            true,
+        ),
+        Self::of(Code::Akantu, "stiff-contact", "the same with ε = 4000 E per mm", false),
+        Self::of(
+            Code::Felupe,
+            "contact",
+            "contact with rigid planes, its only one; facing nodes of two bodies are paired by us; k = mean nodal stiffness",
+            true,
+        ),
+        Self::of(Code::Felupe, "stiff-contact", "the same with 100 times that k", false),
         Self::of(Code::ScikitFem, "penalty", "springs on the exported rows, k = 10 E/h", true),
         Self::of(Code::ScikitFem, "active-set", "active sets on the exported rows", false),
         Self::of(Code::Dolfinx, "penalty", "springs on the exported rows, k = 10 E/h", true),
