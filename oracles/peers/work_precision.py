@@ -53,48 +53,75 @@ def main(name):
     except ModuleNotFoundError as lacking:
         print(f"{name}: module {lacking.name} is missing: bash oracles/setup.sh", file=sys.stderr)
         sys.exit(MISSING)
-    import hertz_scenes
-
-    request = json.load(sys.stdin)
-    scene, method = request["scene"], request.get("method", METHOD[name])
-    if name == "dolfinx" and method != "penalty":
-        sys.exit("dolfinx serves the method 'penalty'")
-    last = scene["stretch"] * hertz_scenes.hertz(scene)["half_width"]
-    if not all(0.0 < half_width < last for half_width in request["half_widths"]):
-        sys.exit(f"half-widths must lie between 0 and the last candidate, {last} mm")
+    request = asked(["penalty", "active-set"] if name == "scikit-fem" else ["penalty"], METHOD[name])
+    scene, method = request["scene"], request["method"]
     code = Timed(importlib.import_module("physical_" + name.replace("-", "_")))
     solved([model(scene, COARSEST, 0)], method, code)  # warm-up
     for mesh in request["meshes"]:
         size, level = mesh if isinstance(mesh, list) else (mesh, 0)
         chain, edges = models(scene, size, level, method)
         rows = [row(scene, half_width, chain, method, code, request) for half_width in request["half_widths"]]
-        answer = {"code": name, "version": environment.versions()[name], "method": method, "mesh": mesh}
-        answer |= {"freedoms": rows[0]["freedoms"], "contact_edges": edges}
-        answer |= {key: [found[key] for found in rows] for key in rows[0] if key != "freedoms"}
-        print(json.dumps(answer), flush=True)
+        tell(name, environment.versions()[name], method, mesh, edges, rows)
 
 
-class Timed:
-    """A code that adds up the seconds of its stages."""
+def asked(methods, default):
+    """The request on stdin, its method and repeats filled in."""
+    request = {"method": default, "repeats": 3} | json.load(sys.stdin)
+    if request["method"] not in methods:
+        sys.exit(f"methods are {', '.join(methods)}")
+    scene = request["scene"]
+    last = scene["stretch"] * scene["a_over_r"] * scene["radius"]
+    if not all(0.0 < half_width < last for half_width in request["half_widths"]):
+        sys.exit(f"half-widths must lie between 0 and the last candidate, {last} mm")
+    return request
+
+
+def tell(name, version, method, mesh, edges, rows):
+    """Prints the line of a mesh, of a row for each half-width."""
+    answer = {"code": name, "version": version, "method": method, "mesh": mesh}
+    answer |= {"freedoms": rows[0]["freedoms"], "contact_edges": edges}
+    answer |= {key: [found[key] for found in rows] for key in rows[0] if key != "freedoms"}
+    print(json.dumps(answer), flush=True)
+
+
+class Clock:
+    """Adds up the seconds of stages."""
+
+    def __init__(self):
+        self.seconds = {}
+
+    def timed(self, stage, function, *arguments):
+        """Value of a function, its seconds counted."""
+        begin = time.perf_counter()
+        value = function(*arguments)
+        self.seconds[stage] = self.seconds.get(stage, 0.0) + time.perf_counter() - begin
+        return value
+
+    def laps(self, repeats, solve):
+        """What a solve found last, and the medians of its seconds, of those for the stiffness and for linear solutions."""
+        laps = []
+        for _ in range(repeats):
+            self.seconds = {}
+            found = self.timed("seconds", solve)
+            laps.append(self.seconds)
+        stages = "seconds", "stiffness", "linear"
+        return found, {stage: statistics.median(lap[stage] for lap in laps) for stage in stages}
+
+
+class Timed(Clock):
+    """A code whose stages are timed."""
 
     def __init__(self, code):
-        self.code, self.seconds = code, {}
-        self.edge_functions = code.edge_functions
+        super().__init__()
+        self.code, self.edge_functions = code, code.edge_functions
 
     def stiffness(self, *arguments):
         """Stiffness of a mesh."""
-        return self.timed("stiffness", *arguments)
+        return self.timed("stiffness", self.code.stiffness, *arguments)
 
     def linear_solution(self, *arguments):
         """Solution of a linear system."""
-        return self.timed("linear_solution", *arguments)
-
-    def timed(self, stage, *arguments):
-        """A stage, its seconds counted."""
-        begin = time.perf_counter()
-        result = getattr(self.code, stage)(*arguments)
-        self.seconds[stage] = self.seconds.get(stage, 0.0) + time.perf_counter() - begin
-        return result
+        return self.timed("linear", self.code.linear_solution, *arguments)
 
 
 def model(scene, size, level):
@@ -138,20 +165,12 @@ def row(scene, half_width, chain, method, code, request):
     loaded = {"a_over_r": scene["a_over_r"] * ratio} | {key: scene[key] / ratio for key in ("stretch", "size")}
     tractions = model(scene | loaded, COARSEST, 0).tractions
     chain = [replace(each, tractions=tractions) for each in chain]
-    seconds, stages = [], []
-    for _ in range(request.get("repeats", 3)):
-        code.seconds = {}
-        begin = time.perf_counter()
-        points, pressure, freedoms, steps = solved(chain, method, code)
-        seconds.append(time.perf_counter() - begin)
-        stages.append(code.seconds)
+    (points, pressure, freedoms, steps), seconds = code.laps(request["repeats"], lambda: solved(chain, method, code))
     peak = hertz_scenes.hertz(scene)["modulus"] * half_width / (2.0 * scene["radius"])
     width = measures.half_width(points, pressure)
     return {
         "freedoms": int(freedoms),
-        "seconds": statistics.median(seconds),
-        "stiffness": statistics.median(stage["stiffness"] for stage in stages),
-        "linear": statistics.median(stage["linear_solution"] for stage in stages),
+        **seconds,
         "steps": [int(taken) for taken in steps],
         "peak_error": float(abs(measures.peak(points, pressure, width) / peak - 1.0)),
         "half_width_error": float(abs(width / half_width - 1.0)),
