@@ -59,6 +59,7 @@ use crate::error::Error;
 use crate::referee::document;
 use crate::report;
 use crate::study::sheets::SHEETS;
+use crate::study::timings::code::Code;
 use crate::study::timings::growth;
 
 /// Contact elements and iterations for frictionless elastic contact in 2D, verified.
@@ -122,6 +123,9 @@ enum Command {
         /// Measure only what error bars cost, on one thread and on all.
         #[arg(long)]
         bars: bool,
+        /// Ask only this code on meshes of its own; its part of the record is marked as a run of its own.
+        #[arg(long, conflicts_with = "bars")]
+        ask: Option<Code>,
     },
     /// Ask CalculiX, GetFEM, NGSolve, SfePy, Kratos, Akantu, FElupe, scikit-fem and dolfinx for exported cases, and keep what they write in oracles/frozen/scoreboard.
     #[command(after_help = examples::SCOREBOARD)]
@@ -188,8 +192,9 @@ pub fn main() -> ExitCode {
         Command::Timings { memory: Some(mesh), .. } => {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Ended::Well)
         }
-        Command::Timings { memory: None, bars: true } => timings::bars().map(|()| Ended::Well),
-        Command::Timings { memory: None, bars: false } => timings::run().map(|()| Ended::Well),
+        Command::Timings { bars: true, .. } => timings::bars().map(|()| Ended::Well),
+        Command::Timings { ask: Some(code), .. } => timings::ask(code).map(|()| Ended::Well),
+        Command::Timings { .. } => timings::run().map(|()| Ended::Well),
         Command::Scoreboard => scoreboard::run().map(|()| Ended::Well),
         Command::Verify { paths, json } => verify::run(&paths, json),
         Command::Export(arguments) => export::run(&arguments).map(|()| Ended::Well),

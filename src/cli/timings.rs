@@ -9,14 +9,15 @@ use crate::checkout::root;
 use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
-use crate::oracle::cross_code::Code;
 use crate::study::timings::answers::Answers;
 use crate::study::timings::bar_cost::{self, BarCosts};
+use crate::study::timings::code::Code;
+use crate::study::timings::compared::apart;
 use crate::study::timings::machine::Machine;
-use crate::study::timings::others::{self, Peer};
-use crate::study::timings::precision::Family;
+use crate::study::timings::others::{self, OtherPoint, Peer};
+use crate::study::timings::precision::{Family, Point};
 use crate::study::timings::record::{Beside, FOLDER, Measured, Record};
-use crate::study::timings::{growth, precision, targets};
+use crate::study::timings::{digits, growth, precision, targets};
 
 /// Repeats of the comparison of nine formulations with one.
 const REPEATS: usize = 5;
@@ -53,14 +54,15 @@ pub fn run() -> Result<(), Error> {
         let met = target.met.map_or("—", |met| if met { "✓" } else { "✗" });
         say(format!("{met} {}: {} (asked: {})", target.what, target.measured, target.asked));
     }
-    record.measured.absent.iter().for_each(|what| say(format!("skipped: {what}")));
+    record.measured.skipped().into_iter().for_each(|what| say(format!("skipped: {what}")));
     say(format!("written: {FOLDER}; `cargo run --release` draws it"));
     Ok(())
 }
 
 fn measure() -> Result<Record, Error> {
     let meshes = precision::meshes();
-    let bar = progress(growth::MESHES.len() + meshes.len() + Code::ALL.len() + Peer::ALL.len() + 2);
+    let bar =
+        progress(growth::MESHES.len() + meshes.len() + digits::MESHES.len() + Code::ALL.len() + Peer::ALL.len() + 2);
     let step = |what: &str| {
         bar.inc(1);
         bar.set_message(what.to_owned());
@@ -78,14 +80,18 @@ fn measure() -> Result<Record, Error> {
         let answers = if family == Family::Cylinder { &answers } else { &Answers::HERTZ };
         points.extend(precision::measure(family, order, elements, answers)?);
     }
+    let mut more = Vec::new();
+    for (cells, repeats) in digits::MESHES {
+        step(&format!("more digits, {cells:?}"));
+        more.push(digits::measure(cells, repeats)?);
+    }
     let (mut others, mut peers, mut absent) = (Vec::new(), Vec::new(), Vec::new());
     let mut beside = Vec::new();
     for code in Code::ALL {
         step(code.name());
-        let mut own = targets::cheapest_laps(&points)?;
-        others::precision(code)?.map_or_else(|why| absent.push(why), |found| others.extend(found));
-        own.extend(targets::cheapest_laps(&points)?);
-        beside.push(Beside::of(code, &own));
+        let (answer, own) = asked(code, &points)?;
+        answer.map_or_else(|why| absent.push(why), |found| others.extend(found));
+        beside.push(own);
     }
     for peer in Peer::ALL {
         step(peer.name());
@@ -95,9 +101,40 @@ fn measure() -> Result<Record, Error> {
     let report = report_seconds(&bar)?;
     bar.finish_and_clear();
     let floor = Answers::unsettled()?;
-    let measured =
-        Measured { machine: Machine::here(), growth: measured, nine, report, floor, others, beside, peers, absent };
+    let measured = Measured {
+        machine: Machine::here(),
+        growth: measured,
+        nine,
+        report,
+        floor,
+        others,
+        beside,
+        peers,
+        absent,
+        digits: more,
+    };
     Ok(Record { measured, points })
+}
+
+/// What a code answers, or why it does not; and our own cheapest solve before and after it.
+fn asked(code: Code, points: &[Point]) -> Result<(Result<Vec<OtherPoint>, String>, Beside), Error> {
+    let mut own = targets::cheapest_laps(points)?;
+    let answer = others::precision(code)?;
+    own.extend(targets::cheapest_laps(points)?);
+    Ok((answer, Beside::of(code, &own)))
+}
+
+/// Asks one code and writes its part of the record, marked as a run of its own.
+pub fn ask(code: Code) -> Result<(), Error> {
+    writable::folder(&root().join(FOLDER), writable::CHECKOUT)?;
+    let mut record = Record::read()?;
+    let (answer, beside) = pool(1)?.install(|| asked(code, &record.points))?;
+    let remedy = "bash oracles/peers/setup.sh installs it; the record stays as it was";
+    record.measured.renew(answer.map_err(|why| Error::at("timings", why, remedy))?, beside);
+    record.write()?;
+    apart(&record).into_iter().for_each(say);
+    say(format!("written: {FOLDER}; `cargo run --release` draws it"));
+    Ok(())
 }
 
 /// Largest memory of a process that solves this mesh and does nothing else \[bytes\]; none where it does not tell.

@@ -1,8 +1,8 @@
 //! What an accuracy costs, in sentences made of the record.
 
 use crate::markdown::significant;
-use crate::oracle::cross_code::Code;
 use crate::study::pairing::Pairing;
+use crate::study::timings::code::Code;
 use crate::study::timings::others::Peer;
 use crate::study::timings::precision::{Family, LOADS, Point};
 use crate::study::timings::record::Record;

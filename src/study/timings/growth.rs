@@ -14,7 +14,7 @@ use crate::error::{Error, Place};
 use crate::mesh::{Mesh, Order, Resolution};
 use crate::solution::Solution;
 use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin};
-use crate::study::timings::statistics::Spread;
+use crate::study::timings::statistics::{Spread, upper_quartile};
 
 /// Elements per half-width and refinement of the meshes, and how often each is measured.
 pub const MESHES: [(usize, u32, usize); 8] =
@@ -42,6 +42,9 @@ pub struct Growth {
     pub plain: Spread,
     /// The contact solve over the plain solve of the same run.
     pub ratio: Spread,
+    /// What three of four of these runs stay below; none in records from before it was kept.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ratio_quartile: Option<f64>,
     /// Assembly on one thread, and on all, over the plain solve of the same run.
     pub assembly_ratio: [Spread; 2],
     /// One more solve with another load and clearance over the contact solve of the same run.
@@ -135,6 +138,7 @@ pub fn measure((elements, refinement, repeats): (usize, u32, usize), memory: Opt
         contact: Spread::of(&contact),
         plain: Spread::of(&plain),
         ratio: Spread::of_ratios(&contact, &plain),
+        ratio_quartile: Some(upper_quartile(&contact.iter().zip(&plain).map(|(a, b)| a / b).collect::<Vec<_>>())),
         assembly_ratio: [Spread::of_ratios(&stage(Stage::Assembly), &plain), Spread::of_ratios(&on_all, &plain)],
         again_ratio: Spread::of_ratios(&again, &contact),
         memory_ratio: memory.map(|bytes| bytes / (8.0 * counts.factor_entries as f64)),

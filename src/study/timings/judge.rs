@@ -3,11 +3,13 @@
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::measure::larger;
+use crate::oracle::ReferenceKind;
 use crate::study::timings::bar_cost;
 use crate::study::timings::default_mesh::DefaultMesh;
+use crate::study::timings::digits::{self, Reached};
 use crate::study::timings::growth;
 use crate::study::timings::precision::Point;
-use crate::study::timings::run::{Numbers, Precision, Recosted, Recounted};
+use crate::study::timings::run::{Numbers, Precision, Recosted, Recounted, Redone};
 
 /// Recorded errors may differ from recomputed ones by this share: other machines round otherwise, and runs stop at 1e-5.
 const DIGITS: f64 = 1e-3;
@@ -19,6 +21,7 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
     Ok(vec![match numbers {
         Numbers::Precision(precision) => points_as_recorded(precision),
         Numbers::Growth(growth) => counts_as_recorded(growth),
+        Numbers::Digits(digits) => digits_as_recorded(digits),
         Numbers::BarCost(cost) => meshes_as_recorded(cost),
         Numbers::DefaultMesh(mesh) => fine_enough(mesh),
     }])
@@ -45,8 +48,11 @@ pub fn moved(recorded: &[Point], fresh: &[Point]) -> usize {
     fresh.iter().filter(|fresh| !kept(fresh).is_some_and(|kept| is_same(kept, fresh))).count()
 }
 
+fn near(a: f64, b: f64) -> bool {
+    (a.is_nan() && b.is_nan()) || (a - b).abs() <= DIGITS * a.abs().max(b.abs()) + 1e-9
+}
+
 fn is_same(kept: &Point, fresh: &Point) -> bool {
-    let near = |a: f64, b: f64| (a.is_nan() && b.is_nan()) || (a - b).abs() <= DIGITS * a.abs().max(b.abs()) + 1e-9;
     let pairs = [
         (kept.sparse_operations, fresh.sparse_operations),
         (kept.dense_operations, fresh.dense_operations),
@@ -59,6 +65,30 @@ fn is_same(kept: &Point, fresh: &Point) -> bool {
         (kept.l2_worst, fresh.l2_worst),
     ];
     kept.dofs == fresh.dofs && kept.converged == fresh.converged && pairs.into_iter().all(|(a, b)| near(a, b))
+}
+
+fn digits_as_recorded(Redone { recorded, fresh }: &Redone) -> Judged {
+    let quantity = Quantity::at(
+        "mesh whose errors or degrees of freedom are not those recorded with the cost of its digits",
+        format!("of {}", fresh.len()),
+    );
+    let because = format!("the smaller meshes are solved again; errors within {DIGITS:e}; `timings` renews the record");
+    let check = Check::at_most(quantity, Reference::own("snapshots/timings", 0.0), because);
+    if recorded.is_empty() {
+        let why = "no digits are part of this record: `cargo run --release -- timings` renews it";
+        let kept = Reference::own("snapshots/timings", 0.0);
+        return Judged { reference: kept, ..check.not_run(ReferenceKind::SelfConsistency, "snapshots/timings", why.into()) };
+    }
+    let kept: Vec<_> = Redone::kept(recorded).collect();
+    let complete = recorded.len() == digits::MESHES.len() && fresh.len() == kept.len();
+    let moved = kept.into_iter().zip(fresh).filter(|(kept, fresh)| !has_same_digits(kept, fresh)).count();
+    check.judge(if complete { moved as f64 } else { f64::NAN })
+}
+
+fn has_same_digits(kept: &Reached, fresh: &Reached) -> bool {
+    let errors = |one: &Reached| [one.peak, one.peak_worst, one.half_width, one.half_width_worst];
+    let mut pairs = errors(kept).into_iter().zip(errors(fresh));
+    kept.cells == fresh.cells && kept.dofs == fresh.dofs && pairs.all(|(a, b)| near(a, b))
 }
 
 fn meshes_as_recorded(Recosted { recorded, fresh }: &Recosted) -> Judged {

@@ -1,5 +1,5 @@
-//! Other codes in processes of their own, if they are installed: scikit-fem and dolfinx on truncated Hertz with their own
-//! meshes, GetFEM and CalculiX on our mesh of the cylinder.
+//! Other codes in processes of their own, if they are installed: scikit-fem, dolfinx and NGSolve on truncated Hertz with their
+//! own meshes, GetFEM and CalculiX on our mesh of the cylinder.
 
 use std::path::PathBuf;
 
@@ -10,17 +10,16 @@ use crate::case::library::{Cylinder, TruncatedHertz};
 use crate::checkout::root;
 use crate::clock::Stage;
 use crate::error::Error;
-use crate::oracle::cross_code::Code;
+use crate::measure::larger;
 use crate::oracle::cross_code::process::{Told, run};
 use crate::solve::{Discretisation, Formulation};
 use crate::study::handed_over;
 use crate::study::timings::answers::Answers;
+use crate::study::timings::code::Code;
 use crate::study::timings::growth;
 use crate::study::timings::precision::{Family, Laps, half_widths};
 use crate::study::timings::statistics::Spread;
 
-/// Meshes asked of scikit-fem and dolfinx: cells per candidate stretch, and times cut into four.
-const SIZES: [[usize; 2]; 8] = [[8, 0], [12, 0], [16, 0], [17, 0], [32, 0], [17, 1], [32, 1], [64, 1]];
 /// Elements per half-width across one of which their loads move the edge, as ours do.
 const ACROSS: usize = 8;
 /// Meshes of the cylinder handed to the peers: elements per half-width, times halved, repeats.
@@ -64,6 +63,13 @@ pub struct Stages {
     pub linear: f64,
     /// Contact rows, iterations, and all else; with us the mesh too.
     pub rest: f64,
+}
+
+impl OtherPoint {
+    /// Worst errors of p₀ and a, the larger; NaN where either is.
+    pub fn worst(&self) -> f64 {
+        larger(self.peak_worst, self.half_width_worst)
+    }
 }
 
 impl Stages {
@@ -122,36 +128,40 @@ pub fn precision(code: Code) -> Result<Result<Vec<OtherPoint>, String>, Error> {
             "size": nominal.size, "stretch": nominal.stretch, "young": nominal.young,
         },
         "half_widths": half_widths(Family::Truncated.nominal(), ACROSS),
-        "meshes": SIZES,
+        "meshes": code.meshes(),
         "repeats": 3,
     });
-    let lines = match run("work_precision.py", &[code.name().to_owned()], &request.to_string())? {
+    let (script, arguments) = code.script();
+    let lines = match run(script, &arguments, &request.to_string())? {
         Told::Lines(lines) => lines,
-        Told::Absent(why) => return Ok(Err(why)),
+        Told::Absent(why) if code.is_named_by(&why) => return Ok(Err(why)),
+        Told::Absent(why) => return Ok(Err(format!("{code}: {why}"))),
     };
+    Ok(Ok(lines.iter().map(|line| answered(code, line)).collect()))
+}
+
+/// What a code printed of one mesh.
+pub fn answered(code: Code, line: &Value) -> OtherPoint {
     let list = |line: &Value, key: &str| -> Vec<f64> {
         line[key].as_array().into_iter().flatten().map(|x| x.as_f64().unwrap_or(f64::NAN)).collect()
     };
-    let point = |line: &Value| {
-        let of = |key: &str| Spread::of(&list(line, key));
-        let [peak, half_width, l2] = ["peak_error", "half_width_error", "l2_error"].map(of);
-        let [seconds, stiffness, linear] = ["seconds", "stiffness", "linear"].map(|key| of(key).median);
-        OtherPoint {
-            code,
-            version: line["version"].as_str().unwrap_or("unknown").into(),
-            mesh: line["mesh"].to_string(),
-            dofs: line["freedoms"].as_u64().unwrap_or(0) as usize,
-            seconds,
-            stages: Stages { stiffness, linear, rest: seconds - stiffness - linear },
-            peak: peak.median,
-            peak_worst: peak.most,
-            half_width: half_width.median,
-            half_width_worst: half_width.most,
-            l2: l2.median,
-            l2_worst: l2.most,
-        }
-    };
-    Ok(Ok(lines.iter().map(point).collect()))
+    let of = |key: &str| Spread::of(&list(line, key));
+    let [peak, half_width, l2] = ["peak_error", "half_width_error", "l2_error"].map(of);
+    let [seconds, stiffness, linear] = ["seconds", "stiffness", "linear"].map(|key| of(key).median);
+    OtherPoint {
+        code,
+        version: line["version"].as_str().unwrap_or("unknown").into(),
+        mesh: line["mesh"].to_string(),
+        dofs: line["freedoms"].as_u64().unwrap_or(0) as usize,
+        seconds,
+        stages: Stages { stiffness, linear, rest: seconds - stiffness - linear },
+        peak: peak.median,
+        peak_worst: peak.most,
+        half_width: half_width.median,
+        half_width_worst: half_width.most,
+        l2: l2.median,
+        l2_worst: l2.most,
+    }
 }
 
 /// A code that solves on our own mesh of the cylinder.

@@ -12,11 +12,12 @@ const CASE: &str = "speed against accuracy";
 /// Scenes whose default mesh is held against a finer one.
 const SCENES: [&str; 4] = ["cylinder", "truncated-hertz", "pin-rod", "pin-plate"];
 
-/// One trial a family and order, one for the growth, and one a default mesh.
+/// One trial a family and order, one for the growth, one for more digits, one for error bars, and one a default mesh.
 pub fn plan() -> Vec<Planned<Numbers>> {
     let cost = Planned::new(CASE, "error bars", run::bar_cost);
     let growth = Planned::new(CASE, "growth", run::growth);
-    precision::series().map(precision).chain([growth, cost]).chain(SCENES.map(default_mesh)).collect()
+    let digits = Planned::new(CASE, "more digits", run::digits);
+    precision::series().map(precision).chain([growth, digits, cost]).chain(SCENES.map(default_mesh)).collect()
 }
 
 fn precision((family, order): (Family, Order)) -> Planned<Numbers> {

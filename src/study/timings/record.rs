@@ -6,8 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkout::root;
 use crate::error::Error;
-use crate::oracle::cross_code::Code;
 use crate::study::pairing::Pairing;
+use crate::study::timings::code::Code;
+use crate::study::timings::digits::Reached;
 use crate::study::timings::growth::{Growth, Nine};
 use crate::study::timings::machine::Machine;
 use crate::study::timings::others::{OtherPoint, PeerPoint, Stages};
@@ -40,6 +41,38 @@ pub struct Measured {
     pub peers: Vec<PeerPoint>,
     /// What was not installed.
     pub absent: Vec<String>,
+    /// Ours to more digits; none in records from before they were timed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub digits: Vec<Reached>,
+}
+
+impl Measured {
+    /// Why some codes have no numbers: they were not installed, or are not part of this record.
+    pub fn skipped(&self) -> Vec<String> {
+        let told = |code: &Code| self.absent.iter().any(|why| code.is_named_by(why));
+        let unknown = Code::ALL.into_iter().filter(|code| self.of(*code).next().is_none() && !told(code));
+        self.absent.iter().cloned().chain(unknown.map(|code| self.why_not(code))).collect()
+    }
+
+    /// Why a code has no numbers.
+    pub fn why_not(&self, code: Code) -> String {
+        let told = self.absent.iter().find(|why| code.is_named_by(why));
+        told.cloned().unwrap_or_else(|| format!("{code} was not asked when this was recorded"))
+    }
+
+    /// What a code reached on its own meshes.
+    pub fn of(&self, code: Code) -> impl Iterator<Item = &OtherPoint> {
+        self.others.iter().filter(move |point| point.code == code)
+    }
+
+    /// Takes in what a code answered in a run of its own, with our own solve beside it.
+    pub fn renew(&mut self, points: Vec<OtherPoint>, beside: Beside) {
+        self.absent.retain(|why| !beside.code.is_named_by(why));
+        self.others.retain(|point| point.code != beside.code);
+        self.beside.retain(|kept| kept.code != beside.code);
+        self.others.extend(points);
+        self.beside.push(Beside { apart: Some(Machine::here()), ..beside });
+    }
 }
 
 /// Our own solve as it was beside another code's.
@@ -51,6 +84,9 @@ pub struct Beside {
     pub seconds: Spread,
     /// What of them went where.
     pub stages: Stages,
+    /// On what, where the code was asked in a run of its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub apart: Option<Machine>,
 }
 
 impl Beside {
@@ -58,7 +94,7 @@ impl Beside {
     pub fn of(code: Code, laps: &[Laps]) -> Self {
         let whole = |laps: &Laps| laps.iter().map(|(_, seconds)| seconds).sum();
         let seconds = Spread::of(&laps.iter().map(whole).collect::<Vec<f64>>());
-        Self { code, seconds, stages: Stages::of(laps) }
+        Self { code, seconds, stages: Stages::of(laps), apart: None }
     }
 }
 

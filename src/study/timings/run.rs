@@ -8,6 +8,7 @@ use crate::study::Found;
 use crate::study::timings::answers::Answers;
 use crate::study::timings::bar_cost::{self, BarCost, BarCosts};
 use crate::study::timings::default_mesh::DefaultMesh;
+use crate::study::timings::digits::{self, RECOMPUTED, Reached};
 use crate::study::timings::growth::{self, Counts, RECOUNTED};
 use crate::study::timings::precision::{self, Family, Point};
 use crate::study::timings::record::{Measured, Record};
@@ -21,6 +22,8 @@ pub enum Numbers {
     Growth(Recounted),
     /// What error bars cost.
     BarCost(Recosted),
+    /// What more digits cost.
+    Digits(Redone),
     /// The default mesh of a scene.
     DefaultMesh(DefaultMesh),
 }
@@ -43,6 +46,22 @@ pub struct Recosted {
     pub recorded: BarCosts,
     /// Degrees of freedom of its meshes as they are now.
     pub fresh: Vec<usize>,
+}
+
+/// Meshes fitted to the contact and 8-node ones.
+#[derive(Clone, Debug, Serialize)]
+pub struct Redone {
+    /// As recorded.
+    pub recorded: Vec<Reached>,
+    /// The smaller ones as they are now; their seconds are of no use.
+    pub fresh: Vec<Reached>,
+}
+
+impl Redone {
+    /// Recorded meshes that are solved again.
+    pub fn kept(recorded: &[Reached]) -> impl Iterator<Item = &Reached> {
+        recorded.iter().filter(|one| one.dofs <= RECOMPUTED)
+    }
 }
 
 /// The rest of the record.
@@ -88,6 +107,13 @@ pub fn bar_cost() -> Result<Numbers, Error> {
     Ok(Numbers::BarCost(Recosted { recorded, fresh }))
 }
 
+/// The smaller of the meshes whose digits are recorded once more.
+pub fn digits() -> Result<Numbers, Error> {
+    let recorded = Record::read()?.measured.digits;
+    let fresh = Redone::kept(&recorded).map(|kept| digits::measure(kept.cells, 1)).collect::<Result<_, _>>()?;
+    Ok(Numbers::Digits(Redone { recorded, fresh }))
+}
+
 /// What error bars cost, as recorded.
 pub fn recosted<'a>(findings: &[Found<'a, Numbers>]) -> Result<&'a BarCosts, Error> {
     let recorded = findings.iter().find_map(|found| match found.numbers {
@@ -104,7 +130,7 @@ pub fn record(findings: &[Found<Numbers>]) -> Result<Record, Error> {
         match found.numbers {
             Numbers::Precision(precision) => points.extend(precision.recorded.iter().cloned()),
             Numbers::Growth(growth) => measured = Some(growth.recorded.clone()),
-            Numbers::DefaultMesh(_) | Numbers::BarCost(_) => {}
+            Numbers::DefaultMesh(_) | Numbers::BarCost(_) | Numbers::Digits(_) => {}
         }
     }
     let none = || Error::at("timings", "the trial `growth` was not run", "run all trials");

@@ -31,6 +31,18 @@ impl Spread {
     }
 }
 
+/// The value below which three quarters of some values are, on a straight line between the two around it; NaN as for a spread.
+pub fn upper_quartile(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    if values.is_empty() || values.iter().any(|value| value.is_nan()) {
+        return f64::NAN;
+    }
+    let place = 0.75 * (sorted.len() - 1) as f64;
+    let (below, above) = (sorted[place.floor() as usize], sorted[place.ceil() as usize]);
+    below + place.fract() * (above - below)
+}
+
 /// Exponent e of `y = c xᵉ` by least squares of the logarithms.
 pub fn exponent(points: &[[f64; 2]]) -> f64 {
     let n = points.len() as f64;

@@ -1,11 +1,13 @@
 //! What was asked of the speed, and what was measured.
 
 use crate::error::Error;
+use crate::markdown::significant;
 use crate::mesh::Order;
-use crate::oracle::cross_code::Code;
 use crate::solve::{Element, Iteration};
 use crate::study::pairing::Pairing;
-use crate::study::timings::growth::LARGE;
+use crate::study::timings::code::Code;
+use crate::study::timings::digits;
+use crate::study::timings::growth::{Growth, LARGE};
 use crate::study::timings::others::{OtherPoint, Peer};
 use crate::study::timings::precision::{self, Family, Laps, Point, TOLERANCE};
 use crate::study::timings::record::{Beside, Record};
@@ -26,6 +28,13 @@ pub struct Target {
 
 /// Degrees of freedom for which the ratios are asked.
 const SIZES: [f64; 3] = [1e4, 1e5, 1e6];
+/// Contact solve over plain solve.
+const CONTACT: f64 = 1.1;
+/// Errors, and what meshes fitted to the contact may take over 8-node ones that have it.
+const WITH_DIGITS: [(f64, f64); 2] = [(1e-4, 1.0), (1e-5, 0.25)];
+/// An error for which 8-node cells are too many, and what a fitted mesh may take over the plain solve of the smallest size.
+const SIXTH: f64 = 1e-6;
+const PLAIN_SOLVES: f64 = 30.0;
 /// Error of p₀ and a to which codes are compared.
 pub const COMPARED: f64 = 1e-3;
 /// The formulation that is compared with other codes.
@@ -43,7 +52,7 @@ pub fn targets(record: &Record) -> Vec<Target> {
     let mut all = Vec::new();
     for one in SIZES.into_iter().filter_map(near) {
         let n = one.counts.dofs;
-        all.push(at_most(format!("contact solve ÷ plain solve, {n} dofs"), 1.1, one.ratio.median));
+        all.push(contact(one));
         all.push(at_most(
             format!("assembly ÷ plain solve, {n} dofs, one thread"),
             0.25,
@@ -68,6 +77,7 @@ pub fn targets(record: &Record) -> Vec<Target> {
     let ends = whole.first().zip(whole.last()).map_or([f64::NAN; 2], |(first, last)| [first[0], last[0]]);
     let what = format!("exponent of the whole time, {} to {} dofs", ends[0], ends[1]);
     all.push(at_most(what, 1.25, exponent(&whole)));
+    all.push(steepness(growth));
     for one in growth.iter().filter(|one| one.counts.dofs as f64 >= 0.7 * SIZES[1]) {
         let what = format!("peak memory ÷ bytes of the factor, {} dofs", one.counts.dofs);
         all.push(match one.memory_ratio {
@@ -75,10 +85,63 @@ pub fn targets(record: &Record) -> Vec<Target> {
             None => absent(what, "≤ 2".into()),
         });
     }
-    all.extend(Code::ALL.into_iter().zip([20.0, 10.0]).map(|(code, asked)| to_accuracy(record, code, asked)));
+    all.extend(Code::ALL.into_iter().zip([20.0, 10.0, 1.0]).map(|(code, asked)| to_accuracy(record, code, asked)));
     all.extend(Peer::ALL.into_iter().zip([10.0, 50.0]).map(|(code, asked)| peer(record, code, asked)));
+    all.extend(WITH_DIGITS.map(|(error, limit)| fitted(record, error, limit)));
+    all.push(sixth_digit(record, near(SIZES[0])));
     all.push(at_most("whole report from nothing [s]".into(), 60.0, record.measured.report));
     all
+}
+
+/// The contact solve over the plain one, with what three of four runs stay below.
+fn contact(one: &Growth) -> Target {
+    let what = format!("contact solve ÷ plain solve, {} dofs", one.counts.dofs);
+    let quartile = match one.ratio_quartile {
+        Some(quartile) => format!("upper quartile {quartile:.3}"),
+        None => format!("upper quartile not recorded, at most {:.3}", one.ratio.most),
+    };
+    let measured = format!("{:.3}, {quartile}", one.ratio.median);
+    Target { measured, ..at_most(what, CONTACT, one.ratio.median) }
+}
+
+/// The exponent of the contact solve against that of the plain one in the same run.
+fn steepness(growth: &[Growth]) -> Target {
+    let large = || growth.iter().filter(|one| one.counts.dofs as f64 >= LARGE);
+    let power = |seconds: fn(&Growth) -> f64| {
+        exponent(&large().map(|one| [one.counts.dofs as f64, seconds(one)]).collect::<Vec<_>>())
+    };
+    let [least, most] = [large().next(), large().next_back()].map(|one| one.map_or(0, |one| one.counts.dofs));
+    let what = format!("exponent of the contact solve, {least} to {most} dofs");
+    let [own, plain] = [power(|one| one.contact.median), power(|one| one.plain.median)];
+    Target { asked: format!("≤ {plain:.3}, the plain solve's"), ..at_most(what, plain, own) }
+}
+
+/// Meshes fitted to the contact against 8-node ones at the same error.
+fn fitted(record: &Record, error: f64, limit: f64) -> Target {
+    let what = format!("time to {error:e} in p₀ and a under the worst load, truncated Hertz: fitted ÷ 8-node");
+    let reached = &record.measured.digits;
+    match (digits::fitted(reached, error), digits::quadratic(reached, error)) {
+        _ if reached.is_empty() => unrecorded(what, limit),
+        (Some(fitted), Some(quadratic)) => {
+            let ratio = fitted.seconds.median / quadratic;
+            let [own, other] = [fitted.seconds.median, quadratic].map(|seconds| significant(1e3 * seconds, 3));
+            Target { measured: format!("{ratio:.3} ({own} ms against {other} ms)"), ..at_most(what, limit, ratio) }
+        }
+        (Some(_), None) => Target { measured: "no 8-node mesh that was timed".into(), ..at_most(what, limit, f64::NAN) },
+        (None, _) => Target { measured: "no fitted mesh that was timed".into(), ..at_most(what, limit, f64::NAN) },
+    }
+}
+
+/// Six digits in units of a plain solve.
+fn sixth_digit(record: &Record, plain: Option<&Growth>) -> Target {
+    let dofs = plain.map_or(0, |one| one.counts.dofs);
+    let what = format!("time to {SIXTH:e} in p₀ and a under the worst load, truncated Hertz: fitted ÷ plain solve of {dofs} dofs");
+    let reached = &record.measured.digits;
+    if reached.is_empty() {
+        return unrecorded(what, PLAIN_SOLVES);
+    }
+    let seconds = digits::fitted(reached, SIXTH).map_or(f64::NAN, |one| one.seconds.median);
+    at_most(what, PLAIN_SOLVES, seconds / plain.map_or(f64::NAN, |one| one.plain.median))
 }
 
 /// Our cheapest mesh within the compared accuracy: node elements with kinematic load on truncated Hertz.
@@ -124,7 +187,11 @@ fn to_accuracy(record: &Record, code: Code, asked: f64) -> Target {
             );
             Target { measured, ..at_least(what, asked, ratio) }
         }
-        _ => absent(what, format!("≥ {asked}")),
+        _ if record.measured.of(code).next().is_some() => {
+            let measured = format!("{code} on none of its meshes");
+            Target { measured, ..at_least(what, asked, f64::NAN) }
+        }
+        _ => Target { measured: record.measured.why_not(code), ..absent(what, format!("≥ {asked}")) },
     }
 }
 
@@ -153,4 +220,8 @@ fn at_least(what: String, limit: f64, value: f64) -> Target {
 
 fn absent(what: String, asked: String) -> Target {
     Target { what, asked, measured: "not installed where this was measured".into(), met: None }
+}
+
+fn unrecorded(what: String, limit: f64) -> Target {
+    Target { what, asked: format!("≤ {limit}"), measured: "not part of this record".into(), met: None }
 }

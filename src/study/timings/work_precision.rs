@@ -2,11 +2,11 @@
 
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Bars, Chart, Colour, Direction, Drawing, Guide, Remark, Series, panels};
+use crate::figure::{Axis, Bars, Chart, Direction, Drawing, Guide, Series, panels};
 use crate::markdown::significant;
-use crate::oracle::cross_code::Code;
 use crate::solve::Element;
-use crate::study::timings::others::{OtherPoint, Peer, PeerPoint};
+use crate::study::timings::compared::{TRUNCATED, milliseconds, notes, others, ours_fitted, percent, remark, spread};
+use crate::study::timings::others::{Peer, PeerPoint};
 use crate::study::timings::pareto::{Measure, front, sound, within};
 use crate::study::timings::precision::{Family, LOADS, Point};
 use crate::study::timings::record::Record;
@@ -19,16 +19,15 @@ const COSTS: [Cost; 2] = [
     ("time from the scene to the pressures [s]", |point| point.seconds, milliseconds),
     ("counted operations [floating-point operations]", Point::operations, operations),
 ];
-/// Families of truncated Hertz.
-const TRUNCATED: [Family; 3] = [Family::Truncated, Family::Steep, Family::Uniform];
 
-/// Truncated Hertz, whose answer is known, beside scikit-fem and dolfinx.
+/// Truncated Hertz, whose answer is known, beside meshes fitted to the contact and codes on meshes of their own.
 pub fn truncated(record: &Record) -> Result<Drawing, Error> {
     let mut charts = charts(record, &TRUNCATED);
     for (chart, measure) in charts.iter_mut().step_by(2).zip(Measure::ALL) {
+        ours_fitted(chart, record, measure);
         others(chart, record, measure);
     }
-    charts[0].notes.push(conclusion(record));
+    charts[0].notes.extend(notes(record));
     panels(&format!("What accuracy costs: truncated Hertz, worst error under {LOADS} loads"), &charts, 2)
 }
 
@@ -91,54 +90,8 @@ fn ours(points: &[&Point], measure: Measure, (axis, cost, told): Cost) -> Chart 
     chart
 }
 
-fn spread(ends: Vec<[(f64, f64); 2]>, colour: Colour) -> Bars {
-    Bars { label: format!("upright bar: median to worst of {LOADS} loads"), ends, colour }
-}
-
-fn remark(at: (f64, f64), text: String, right: bool, colour: Colour) -> Remark {
-    Remark { at, text, right, label: format!("cheapest within {}", percent()), colour }
-}
-
-fn percent() -> String {
-    format!("{} %", 100.0 * COMPARED)
-}
-
-fn milliseconds(seconds: f64) -> String {
-    format!("{} ms", significant(1e3 * seconds, 2))
-}
-
 fn operations(count: f64) -> String {
     format!("{} million", significant(1e-6 * count, 2))
-}
-
-/// Errors of another code, median and worst.
-fn errors(measure: Measure, point: &OtherPoint) -> [f64; 2] {
-    match measure {
-        Measure::Peak => [point.peak, point.peak_worst],
-        Measure::HalfWidth => [point.half_width, point.half_width_worst],
-    }
-}
-
-/// Codes that ran under all loads, on meshes of their own.
-fn others(chart: &mut Chart, record: &Record, measure: Measure) {
-    let looks = [(Code::ScikitFem, palette::PURPLE, Marker::Triangle), (Code::Dolfinx, palette::ORANGE, Marker::Wedge)];
-    for (code, colour, marker) in looks {
-        let mut own: Vec<&OtherPoint> = record.measured.others.iter().filter(|point| point.code == code).collect();
-        own.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
-        let ends = |point: &OtherPoint| errors(measure, point).map(|error| (point.seconds, 100.0 * error));
-        let points = own.iter().map(|point| ends(point)[1]).collect();
-        let style = Style::run(colour, Dash::DashDot, marker);
-        chart.series.push(Series {
-            label: format!("{}, meshes of its own", code.name()),
-            points,
-            style,
-            hollow: vec![],
-        });
-        chart.bars.push(spread(own.iter().map(|point| ends(point)).collect(), colour));
-        if let Some(point) = own.iter().find(|point| errors(measure, point)[1] <= COMPARED) {
-            chart.remarks.push(remark(ends(point)[1], milliseconds(point.seconds), code == Code::Dolfinx, colour));
-        }
-    }
 }
 
 /// Codes that ran on our meshes under one load.
@@ -175,27 +128,4 @@ fn counted(record: &Record) -> Vec<String> {
         }
     }
     told
-}
-
-/// The cheapest run of each code that keeps the error in both quantities under every load.
-pub fn conclusion(record: &Record) -> String {
-    let both = |point: &Point| point.peak_worst.max(point.half_width_worst);
-    let points = sound(&record.points, &TRUNCATED);
-    let own = within(&front(&points, |point| point.seconds, &both), COMPARED, &both).map(|point| {
-        let Point { formulation, cell_nodes, elements, dofs, .. } = point;
-        format!(
-            "ours {} ({formulation}, {cell_nodes}-node cells, {elements} per half-width, {dofs} dofs)",
-            milliseconds(point.seconds)
-        )
-    });
-    let theirs = Code::ALL.map(|code| {
-        let enough =
-            |point: &&OtherPoint| point.code == code && point.peak_worst.max(point.half_width_worst) <= COMPARED;
-        let best = record.measured.others.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds));
-        best.map_or(format!("{code} on none of its meshes"), |best| {
-            format!("{code} {} ({} dofs)", milliseconds(best.seconds), best.dofs)
-        })
-    });
-    let own = own.unwrap_or("ours on no mesh".into());
-    format!("Within {} in p₀ and a under each of the {LOADS} loads: {own}; {}.", percent(), theirs.join("; "))
 }
