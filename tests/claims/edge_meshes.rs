@@ -153,3 +153,31 @@ fn every_contact_of_a_body_is_found_alike_by_cells_of_neighbouring_orders() {
         }
     }
 }
+
+/// A whole cylinder, pressed on a rigid plane by a force so far beside its middle: contact holds it, so that its pressure is centred there.
+fn beside_the_middle(shift: f64) -> Scene {
+    let file = std::fs::read_to_string(crate::outputs::scene("whole-disc")).expect("file");
+    let force = "{ traction = { at = \"middle\", value = [0, -36.2491511] } }";
+    let moment = -3624.91511 * shift;
+    let text = file.split("[[check]]").next().expect("a scene");
+    let text = text.replace(force, &format!("{force}, {{ moment = {{ at = \"middle\", value = {moment} }} }}"));
+    Case::parse(std::path::Path::new("beside.toml"), &text).unwrap_or_else(|error| panic!("{error}\n{text}")).scene
+}
+
+#[test]
+fn both_ends_of_a_contact_off_the_middle_of_a_disc_are_found() {
+    for shift in [0.3, -0.2] {
+        let scene = beside_the_middle(shift);
+        let solved = |order| {
+            let fitted = Fitted { order, layers: 3 };
+            let answer = fitted.solve_with_ends(&scene, &Formulation::verification(), 1e-5).expect("solved");
+            assert!(answer.run.solution.converged(), "{shift}");
+            (answer.stretches[0][0], measured(&answer.run)[0])
+        };
+        let [(_, septic), (ends, octic)] = [Order::Septic, Order::Octic].map(solved);
+        for (one, other) in septic.iter().zip(octic) {
+            assert!(relative_error(*one, other) <= 1e-5, "{shift}: {septic:?} {octic:?}");
+        }
+        assert!((0.5 * (ends[0] + ends[1]) - shift).abs() <= 1e-2, "{shift}: {ends:?}");
+    }
+}

@@ -15,6 +15,11 @@ use crate::scene::Sector;
 const CORE: [f64; 2] = [0.45, 0.58];
 
 pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Vec<Block> {
+    if !layout.opposite
+        && let Some(blocks) = framed(layout, centre, radius, sector)
+    {
+        return blocks;
+    }
     let right = match sector.has_upper_part() {
         true if layout.opposite => fine_at_both_ends(layout, centre, radius),
         half => right_blocks(layout, centre, radius, half),
@@ -29,7 +34,8 @@ pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, sector: Sector
 
 /// The right half as the lower right quarter and its image: as fine at the highest point as at the lowest.
 fn fine_at_both_ends(layout: &Layout, centre: Point, radius: f64) -> Vec<Block> {
-    let quarter = right_blocks(layout, centre, radius, false).into_iter();
+    let framed = framed(layout, centre, radius, Sector::Quarter);
+    let quarter = framed.unwrap_or_else(|| right_blocks(layout, centre, radius, false)).into_iter();
     let lower: Vec<Block> =
         quarter.map(|block| block.instead_of("cut", |points| Side::line("middle", points))).collect();
     let image = |block: &Block| {
@@ -49,39 +55,61 @@ const LARGER: f64 = 3.3;
 
 /// The lower right quarter, or the right half.
 fn right_blocks(layout: &Layout, centre: Point, radius: f64, half: bool) -> Vec<Block> {
-    framed(layout, centre, radius, half).unwrap_or_else(|| {
-        let arcs = arcs(layout, radius, half);
-        let depth = layout.depth(local_size(&arcs, 0, radius), radius * (1.0 - CORE[0]));
-        wheel(layout, centre, radius, &arcs, depth.len() - 1, half)
-    })
+    let arcs = arcs(layout, radius, half);
+    let depth = layout.depth(local_size(&arcs, 0, radius), radius * (1.0 - CORE[0]));
+    wheel(layout, centre, radius, &arcs, depth.len() - 1, half)
 }
 
-/// The same with frames around the contact, the last of which fills the lower quarter; the upper one as coarse as they are.
-fn framed(layout: &Layout, centre: Point, radius: f64, half: bool) -> Option<Vec<Block>> {
+/// A sector with frames around the contact, the last of which fills its lower part; the upper one as coarse as they are.
+fn framed(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Option<Vec<Block>> {
     let is_small = |ends: &&KnownEnds| layout.path.is_straight() && ends.half_width() <= SMALL * radius;
     let ends = layout.same_ends().filter(is_small)?;
-    let angle = |x: f64| (x / radius).asin();
-    let columns: Vec<f64> = ends.of_right_box()?.into_iter().map(angle).collect();
+    let has_left = sector.has_both_sides();
+    let columns =
+        if has_left { ends.of_box(0.0)? } else { ends.of_right_box()?.iter().map(|s| centre[0] + s).collect() };
     // Along the arc in angles, into the depth in radii.
-    let core = Core { columns, depth: DEPTH * ends.half_width() / radius, has_left: false };
-    let frames = Frames::around(core, [0.0, FRAC_PI_2], 1.0, LARGER)?;
-    let [along, parts] = [frames.columns(), layout.parts()];
-    let arcs: Vec<Vec<f64>> = (0..4)
-        .map(|k| {
-            spacing::uniform(k as f64 * FRAC_PI_4, (k + 1) as f64 * FRAC_PI_4, if k % 3 == 0 { along } else { parts })
-        })
-        .collect();
-    let blocks = wheel(layout, centre, radius, &arcs, parts, true);
-    let [right, far] = [&blocks[1].right, &blocks[4].top].map(|side| side.points.clone());
-    let rim = Rim { far, right };
+    let columns = columns.iter().map(|x| ((x - centre[0]) / radius).asin()).collect();
+    let core = Core { columns, depth: DEPTH * ends.half_width() / radius, has_left };
+    let begin = if has_left { -FRAC_PI_2 } else { 0.0 };
+    let frames = Frames::around(core, [begin, FRAC_PI_2], 1.0, LARGER)?;
+
+    let [left, right] = frames.columns().map(|columns| coarse(layout, centre, radius, columns));
+    let mirrored = |point: &Point| [2.0 * centre[0] - point[0], point[1]];
+    let diameter = |half: &[Block]| half[4].top.points.clone();
+    let to_left = diameter(&left).iter().skip(1).rev().map(mirrored).collect::<Vec<_>>();
+    let rim = Rim {
+        far: to_left.into_iter().filter(|_| has_left).chain(diameter(&right)).collect(),
+        right: right[1].right.points.clone(),
+        left: left[1].right.points.iter().map(mirrored).collect(),
+    };
     let place = |angle: f64, depth: f64| polar(centre, radius * (1.0 - depth), angle);
-    let name = |points| if half { Side::line("middle", points) } else { Side::named("cut", points) };
+    let across = |points| match sector.has_upper_part() {
+        true => Side::line("middle", points),
+        false => Side::named("cut", points),
+    };
+    let axis = |points| if has_left { across(points) } else { Side::named("axis", points) };
     let lower = frames.blocks(layout, &place, Some(&rim)).into_iter();
-    let lower = lower.map(|block| {
-        block.instead_of("far", name).instead_of("right", name).instead_of("left", |points| Side::named("axis", points))
-    });
-    let upper = [2, 3, 5].map(|k| blocks[k].clone()).into_iter().filter(|_| half);
-    Some(lower.chain(upper).collect())
+    let lower = lower.map(|block| block.instead_of("far", across).instead_of("right", across).instead_of("left", axis));
+    let upper = |half: &[Block]| [2, 3, 5].map(|k| half[k].clone());
+    let all = match (sector.has_upper_part(), has_left) {
+        (false, _) => lower.collect(),
+        (true, false) => lower.chain(upper(&right)).collect(),
+        (true, true) => {
+            let left = upper(&left).map(|block| block.seen_in_mirror(centre[0]));
+            lower.chain(upper(&right).into_iter().chain(left).map(|block| block.without("axis"))).collect()
+        }
+    };
+    Some(all)
+}
+
+/// The right half with so many columns at the highest and the lowest point, and no more elements than it must have.
+fn coarse(layout: &Layout, centre: Point, radius: f64, columns: usize) -> Vec<Block> {
+    let parts = layout.parts();
+    let arc = |k: usize| {
+        let [from, to] = [k, k + 1].map(|k| k as f64 * FRAC_PI_4);
+        spacing::uniform(from, to, if k % 3 == 0 { columns.max(1) } else { parts })
+    };
+    wheel(layout, centre, radius, &[0, 1, 2, 3].map(arc), parts, true)
 }
 
 /// Blocks of so many rows between the pieces of an arc and a polygon, then those of the core.

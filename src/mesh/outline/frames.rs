@@ -12,6 +12,8 @@
 //!   └──┴──┴──┴──┴──┘   side that touches; one that begins on a symmetry line has the right half of it
 //! ```
 
+use std::cmp::Ordering;
+
 use super::layout::Layout;
 use super::points::between;
 use crate::mesh::block::{Block, Point, Side};
@@ -96,9 +98,13 @@ impl Frames {
         Some(Self { columns, begins, ends, depths, has_left, far: vec![] })
     }
 
-    /// Columns of the box.
-    pub(super) fn columns(&self) -> usize {
-        self.columns.len() - 1
+    /// Columns of the box to the left and to the right of about its middle; all of them to the right of a symmetry line.
+    pub(super) fn columns(&self) -> [usize; 2] {
+        let (count, middle) = (self.columns.len() - 1, 0.5 * (self.columns[0] + self.columns[self.columns.len() - 1]));
+        let away = |k: &usize| (self.columns[*k] - middle).abs();
+        let nearest = (1..count).min_by(|a, b| away(a).total_cmp(&away(b))).filter(|_| self.has_left);
+        let left = nearest.unwrap_or(0);
+        [left, count - left]
     }
 
     /// The blocks, from the point at a place along the side that touches and a depth below it; the last frame ends on a line of its own
@@ -119,6 +125,8 @@ pub(super) struct Rim {
     pub far: Vec<Point>,
     /// On the right, from the side that touches to the end of `far`.
     pub right: Vec<Point>,
+    /// On the left, from the side that touches to the begin of `far`; nothing where the frames begin on a symmetry line.
+    pub left: Vec<Point>,
 }
 
 /// Draws the blocks of the frames.
@@ -147,10 +155,10 @@ impl Draft<'_> {
     /// The part of a frame that lies below the one inside it, as deep as it is thick.
     fn below(&self, k: usize) -> Block {
         let frames = self.frames;
-        let left = self.outwards(k, &frames.begins, &frames.depths);
+        let left = self.diagonal(k, &frames.begins);
         Block {
             bottom: Side::inner(self.across(k - 1)),
-            right: Side::inner(self.diagonal(k)),
+            right: Side::inner(self.diagonal(k, &frames.ends)),
             top: self.outer(k, "far", self.across(k)),
             left: if frames.has_left { Side::inner(left) } else { Side::named("left", left) },
         }
@@ -162,7 +170,7 @@ impl Draft<'_> {
         Block {
             bottom: Side::named(CONTACT, self.outwards(k, ends, &self.surface())),
             right: self.outer(k, "right", self.downwards(k, ends[k])),
-            top: Side::inner(self.diagonal(k)),
+            top: Side::inner(self.diagonal(k, ends)),
             left: Side::inner(self.downwards(k - 1, ends[k - 1])),
         }
     }
@@ -173,7 +181,7 @@ impl Draft<'_> {
         Block {
             bottom: Side::named(CONTACT, self.outwards(k, begins, &self.surface())).backwards(),
             right: Side::inner(self.downwards(k - 1, begins[k - 1])),
-            top: Side::inner(self.outwards(k, begins, &self.frames.depths)).backwards(),
+            top: Side::inner(self.diagonal(k, begins)).backwards(),
             left: self.outer(k, "left", self.downwards(k, begins[k])),
         }
     }
@@ -214,18 +222,23 @@ impl Draft<'_> {
     /// Beside the box or a frame, from the side that touches to its depth.
     fn downwards(&self, k: usize, x: f64) -> Vec<Point> {
         if let Some(rim) = self.rim(k) {
-            return rim.right.clone();
+            return if x < self.frames.ends[k] { rim.left.clone() } else { rim.right.clone() };
         }
         let depth = self.frames.depths[k];
         self.layout.along(&self.parts(), |t| (self.place)(x, if t < 1.0 { t * depth } else { depth }))
     }
 
-    /// From the lower right corner of the frame inside to that of a frame.
-    fn diagonal(&self, k: usize) -> Vec<Point> {
-        let Frames { ends, depths, .. } = self.frames;
-        let Some(rim) = self.rim(k) else { return self.outwards(k, ends, depths) };
-        let (from, to) = ((self.place)(ends[k - 1], depths[k - 1]), rim.far[rim.far.len() - 1]);
-        self.layout.along(&self.parts(), |t| between(from, to, t))
+    /// From a lower corner of the frame inside to that of a frame.
+    fn diagonal(&self, k: usize, x: &[f64]) -> Vec<Point> {
+        let depths = &self.frames.depths;
+        let to = self.rim(k).and_then(|rim| match x[k].total_cmp(&x[k - 1]) {
+            Ordering::Less => rim.far.first(),
+            Ordering::Equal => None,
+            Ordering::Greater => rim.far.last(),
+        });
+        let Some(to) = to else { return self.outwards(k, x, depths) };
+        let from = (self.place)(x[k - 1], depths[k - 1]);
+        self.layout.along(&self.parts(), |t| between(from, *to, t))
     }
 
     /// From a corner of the frame inside to that of a frame.
