@@ -124,7 +124,7 @@ fn a_block_held_at_a_point_of_its_far_side_has_a_node_there() {
     let scene = drawn("eccentric-to-accuracy");
     let answer =
         Fitted { order: Order::Sextic, layers: 1 }.solve(&scene, &Formulation::verification()).expect("solved");
-    assert!(answer.discretisation.mesh.points.iter().any(|point| *point == [0.0, 80.0]));
+    assert!(answer.discretisation.mesh.points.contains(&[0.0, 80.0]));
 }
 
 fn drawn(name: &str) -> Scene {
@@ -156,7 +156,7 @@ fn every_contact_of_a_body_is_found_alike_by_cells_of_neighbouring_orders() {
 
 /// A whole cylinder, pressed on a rigid plane by a force so far beside its middle: contact holds it, so that its pressure is centred there.
 fn beside_the_middle(shift: f64) -> Scene {
-    let file = std::fs::read_to_string(crate::outputs::scene("whole-disc")).expect("file");
+    let file = std::fs::read_to_string(scene("whole-disc")).expect("file");
     let force = "{ traction = { at = \"middle\", value = [0, -36.2491511] } }";
     let moment = -3624.91511 * shift;
     let text = file.split("[[check]]").next().expect("a scene");

@@ -107,7 +107,7 @@ fn coarse(layout: &Layout, centre: Point, radius: f64, columns: usize) -> Vec<Bl
     let parts = layout.parts();
     let arc = |k: usize| {
         let [from, to] = [k, k + 1].map(|k| k as f64 * FRAC_PI_4);
-        spacing::uniform(from, to, if k % 3 == 0 { columns.max(1) } else { parts })
+        spacing::uniform(from, to, if k.is_multiple_of(3) { columns.max(1) } else { parts })
     };
     wheel(layout, centre, radius, &[0, 1, 2, 3].map(arc), parts, true)
 }

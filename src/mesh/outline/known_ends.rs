@@ -30,8 +30,8 @@ impl<'a> KnownEnds<'a> {
     }
 
     /// Positions of the candidates from 0 on, with ends on either side of it.
-    pub fn from_origin(&self) -> Vec<f64> {
-        self.cut(&self.breaks_from_origin())
+    pub fn to_the_right(&self) -> Vec<f64> {
+        self.cut(&self.breaks_to_the_right())
     }
 
     /// Positions of the candidates from `−stretch` on, with a position half way between neighbouring ends.
@@ -55,7 +55,7 @@ impl<'a> KnownEnds<'a> {
     /// The same from 0 on, with ends on either side of it.
     pub fn of_right_box(&self) -> Option<Vec<f64>> {
         let last = self.pair.ends.places.iter().map(|end| end.abs()).fold(0.0, f64::max);
-        self.near(self.breaks_from_origin(), [0.0, last])
+        self.near(self.breaks_to_the_right(), [0.0, last])
     }
 
     /// Those of ascending breaks that are near the first and the last end, the intervals between them cut.
@@ -67,7 +67,7 @@ impl<'a> KnownEnds<'a> {
         holds_all.then(|| self.cut(&columns))
     }
 
-    fn breaks_from_origin(&self) -> Vec<f64> {
+    fn breaks_to_the_right(&self) -> Vec<f64> {
         self.breaks(self.pair.ends.places.iter().map(|end| end.abs()), 0.0)
     }
 

@@ -58,7 +58,7 @@ impl<'a> Layout<'a> {
     /// Positions of the candidate stretch in the contact coordinate, from 0 on.
     pub fn candidates(&self) -> Vec<f64> {
         if let Some(ends) = &self.ends {
-            return ends.from_origin();
+            return ends.to_the_right();
         }
         let n = elements_on(self.stretch * self.path.metric(), self.elements / self.grading.unit);
         spacing::broken(0.0, self.stretch, n, self.grading.end, &self.kinks)
@@ -146,7 +146,7 @@ impl Fine {
         let (straight, both_sides) = (pair.path.is_straight(), is_rectangle && pair.path.has_both_sides());
         let origin = if straight { pair.path.origin()[0] } else { 0.0 };
         if let Some(ends) = KnownEnds::of(pair, parts) {
-            let positions = if both_sides { ends.across() } else { ends.from_origin() };
+            let positions = if both_sides { ends.across() } else { ends.to_the_right() };
             return Self { origin, positions, size: ends.half_width() / parts as f64, straight };
         }
         let size = pair.stretch / elements_on(pair.stretch * pair.path.metric(), per_length) as f64;
