@@ -48,6 +48,8 @@ fn fine_at_both_ends(layout: &Layout, centre: Point, radius: f64) -> Vec<Block> 
 
 /// Largest half-width of a contact over the radius that frames are laid around.
 const SMALL: f64 = 0.25;
+/// Farthest that the box around it may reach from the middle of the disc, over the radius.
+const REACH: f64 = 0.8;
 /// Depth of the box on the contact over the half-width, and about how much larger a frame is than the one inside it: two cylinders are
 /// found to 8e-6 with 2,161 dofs, with 1 and 2.8 to 2e-5 with as many.
 const DEPTH: f64 = 0.75;
@@ -65,8 +67,12 @@ fn framed(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Option
     let is_small = |ends: &&KnownEnds| layout.path.is_straight() && ends.half_width() <= SMALL * radius;
     let ends = layout.same_ends().filter(is_small)?;
     let has_left = sector.has_both_sides();
-    let columns =
-        if has_left { ends.of_box(0.0)? } else { ends.of_right_box()?.iter().map(|s| centre[0] + s).collect() };
+    let from_centre = |s: &f64| centre[0] + s;
+    let columns: Vec<f64> =
+        if has_left { ends.of_box(centre[0])? } else { ends.of_right_box()?.iter().map(from_centre).collect() };
+    if columns.iter().any(|x| (x - centre[0]).abs() > REACH * radius) {
+        return None;
+    }
     // Along the arc in angles, into the depth in radii.
     let columns = columns.iter().map(|x| ((x - centre[0]) / radius).asin()).collect();
     let core = Core { columns, depth: DEPTH * ends.half_width() / radius, has_left };
