@@ -6,7 +6,7 @@ use contact_vv::case::Case;
 use contact_vv::measure::relative_error;
 use contact_vv::mesh::{Mesh, Order, spacing};
 use contact_vv::scene::{Circle, Ends, Face, Line, Path, Scene, Sector, Shape};
-use contact_vv::solve::{Fitted, Formulation, Run};
+use contact_vv::solve::{Element, Fitted, Formulation, Iteration, Run};
 
 use crate::outputs::scene;
 use crate::workbench::{area, of_shape, resolution};
@@ -179,5 +179,34 @@ fn both_ends_of_a_contact_off_the_middle_of_a_disc_are_found() {
             assert!(relative_error(*one, other) <= 1e-5, "{shift}: {septic:?} {octic:?}");
         }
         assert!((0.5 * (ends[0] + ends[1]) - shift).abs() <= 1e-2, "{shift}: {ends:?}");
+    }
+}
+
+#[test]
+fn bodies_have_their_nodes_at_the_same_places_and_line_elements_do_not_oscillate_there() {
+    for name in ["cylinder-on-block", "two-cylinders", "hollow-circle"] {
+        let scene = drawn(name);
+        let line = Formulation::new(Element::Line, Iteration::Kinematic).tolerance(1e-6);
+        let solved = |formulation: &Formulation| {
+            let answer = Fitted { order: Order::Sextic, layers: 1 }.solve(&scene, formulation).expect("solved");
+            assert!(answer.run.solution.converged(), "{name}");
+            answer
+        };
+        let answer = solved(&Formulation::verification());
+        let mesh = &answer.discretisation.mesh;
+        let [_, end] = answer.stretches[0][0];
+        let along = |body: usize| {
+            let nodes = mesh.boundary(&answer.discretisation.scene, body, "contact").expect("side").iter().flatten();
+            let mut x: Vec<f64> = nodes.map(|&node| mesh.points[node][0]).filter(|x| *x <= end).collect();
+            x.sort_by(f64::total_cmp);
+            x.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * end);
+            x
+        };
+        let [one, other] = [0, 1].map(along);
+        assert!(one.len() == other.len() && one.len() > 12, "{name}: {} {}", one.len(), other.len());
+        assert!(one.iter().zip(&other).all(|(a, b)| (a - b).abs() <= 1e-12 * end), "{name}: {one:?} {other:?}");
+        let [node, line] = [measured(&answer.run)[0], measured(&solved(&line).run)[0]];
+        let apart = [0, 1].map(|k| relative_error(line[k], node[k]));
+        assert!(apart[0] <= 2e-3 && apart[1] <= 1e-4, "{name}: {apart:?}");
     }
 }

@@ -67,17 +67,16 @@ fn framed(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Option
     let is_small = |ends: &&KnownEnds| layout.path.is_straight() && ends.half_width() <= SMALL * radius;
     let ends = layout.same_ends().filter(is_small)?;
     let has_left = sector.has_both_sides();
-    let from_centre = |s: &f64| centre[0] + s;
-    let columns: Vec<f64> =
-        if has_left { ends.of_box(centre[0])? } else { ends.of_right_box()?.iter().map(from_centre).collect() };
-    if columns.iter().any(|x| (x - centre[0]).abs() > REACH * radius) {
+    // Along x and into the depth in radii: bodies in contact have their nodes at the same x.
+    let columns = if has_left { ends.of_box(0.0)? } else { ends.of_right_box()? };
+    let middle = if has_left { centre[0] } else { 0.0 };
+    let columns: Vec<f64> = columns.iter().map(|x| (x - middle) / radius).collect();
+    if columns.iter().any(|x| x.abs() > REACH) {
         return None;
     }
-    // Along the arc in angles, into the depth in radii.
-    let columns = columns.iter().map(|x| ((x - centre[0]) / radius).asin()).collect();
     let core = Core { columns, depth: DEPTH * ends.half_width() / radius, has_left };
-    let begin = if has_left { -FRAC_PI_2 } else { 0.0 };
-    let frames = Frames::around(core, [begin, FRAC_PI_2], 1.0, LARGER)?;
+    let begin = if has_left { -1.0 } else { 0.0 };
+    let frames = Frames::around(core, [begin, 1.0], 1.0, LARGER)?;
 
     let [left, right] = frames.columns().map(|columns| coarse(layout, centre, radius, columns));
     let mirrored = |point: &Point| [2.0 * centre[0] - point[0], point[1]];
@@ -88,7 +87,8 @@ fn framed(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Option
         right: right[1].right.points.clone(),
         left: left[1].right.points.iter().map(mirrored).collect(),
     };
-    let place = |angle: f64, depth: f64| polar(centre, radius * (1.0 - depth), angle);
+    let inner = frames.inner();
+    let place = |x: f64, depth: f64| polar(centre, radius * (1.0 - depth), angle(x, inner));
     let across = |points| match sector.has_upper_part() {
         true => Side::line("middle", points),
         false => Side::named("cut", points),
@@ -106,6 +106,20 @@ fn framed(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Option
         }
     };
     Some(all)
+}
+
+/// Angle of the point of the unit circle at x; beyond the inner frames, where x would crowd towards the horizontal diameter, evenly up to
+/// that.
+fn angle(x: f64, inner: [f64; 2]) -> f64 {
+    let beyond = |end: f64| {
+        let (from, side) = (end.asin(), end.signum());
+        from + (side * FRAC_PI_2 - from) * (x - end) / (side - end)
+    };
+    match inner {
+        [begin, _] if x < begin => beyond(begin),
+        [_, end] if x > end => beyond(end),
+        _ => x.asin(),
+    }
 }
 
 /// The right half with so many columns at the highest and the lowest point, and no more elements than it must have.
@@ -130,13 +144,19 @@ fn wheel(layout: &Layout, centre: Point, radius: f64, arcs: &[Vec<f64>], rows: u
             spoke(layout, polar(centre, radius, angle), corner(k), rows, local_size(arcs, k, radius))
         })
         .collect();
+    let at = |angle: f64| polar(centre, radius, angle);
+    let arc = |k: usize| match k {
+        // Evenly along x next to the contact: bodies have their nodes at the same x there.
+        0 if layout.ends.is_some() && layout.path.is_straight() => {
+            let breaks: Vec<f64> = arcs[0].iter().map(|angle| angle.sin()).collect();
+            layout.along(&breaks, |x| at(x.asin()))
+        }
+        _ => layout.along(&arcs[k], at),
+    };
     let polygon: Vec<Vec<Point>> = (0..arcs.len()).map(|k| chord(layout, &arcs[k], corner(k), corner(k + 1))).collect();
     let mut blocks: Vec<Block> = (0..arcs.len())
         .map(|k| Block {
-            bottom: Side::named(
-                if k < 2 { "contact" } else { "top" },
-                layout.along(&arcs[k], |angle| polar(centre, radius, angle)),
-            ),
+            bottom: Side::named(if k < 2 { "contact" } else { "top" }, arc(k)),
             right: last_side(&spokes[k + 1], k + 1, half),
             top: Side::inner(polygon[k].clone()),
             left: if k == 0 { Side::named("axis", spokes[0].clone()) } else { Side::inner(spokes[k].clone()) },

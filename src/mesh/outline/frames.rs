@@ -107,6 +107,12 @@ impl Frames {
         [left, count - left]
     }
 
+    /// From where to where the frames inside the last one reach.
+    pub(super) fn inner(&self) -> [f64; 2] {
+        let inside = self.ends.len() - 2;
+        [self.begins[inside], self.ends[inside]]
+    }
+
     /// The blocks, from the point at a place along the side that touches and a depth below it; the last frame ends on a line of its own
     /// where that is given.
     pub(super) fn blocks(&self, layout: &Layout, place: &dyn Fn(f64, f64) -> Point, rim: Option<&Rim>) -> Vec<Block> {

@@ -66,9 +66,12 @@ impl Closed {
     }
 
     /// How far each end shall move outwards, with all points between the ends closed and all others open.
-    pub(super) fn moves(&self, made: &Discretisation, formulation: &Formulation) -> Result<Vec<Vec<[f64; 2]>>, Error> {
-        let points = made.points(formulation);
-        let problem = made.problem(formulation, &points);
+    ///
+    /// By node elements, whatever is solved with after: the end is the mesh's, and others have more points than displacements can follow.
+    pub(super) fn moves(&self, made: &Discretisation) -> Result<Vec<Vec<[f64; 2]>>, Error> {
+        let formulation = Formulation::verification();
+        let points = made.points(&formulation);
+        let problem = made.problem(&formulation, &points);
         let closed: Vec<bool> = points.iter().map(|point| self.holds(point)).collect();
         let refused = |what: &str| Error::at(made.scene.name.as_str(), what.to_string(), REMEDY);
         let iterate = Exact::bilateral(&problem, &closed)

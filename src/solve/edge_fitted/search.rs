@@ -70,7 +70,7 @@ impl Fitted {
             let last = mesh == self;
             for _ in 0..MESHES {
                 let discretisation = ends.discretised(scene, mesh)?;
-                let moves = ends.moves(&discretisation, formulation)?;
+                let moves = ends.moves(&discretisation)?;
                 let moved = moves.iter().flatten().flatten().fold(0.0_f64, |most, delta| most.max(delta.abs()));
                 let (dofs, cells) = (discretisation.system.dofs(), discretisation.mesh.cells());
                 tried.push(Tried { order: mesh.order, dofs, cells, moved });

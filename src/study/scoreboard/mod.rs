@@ -28,5 +28,6 @@ pub use section::section;
 pub const ABOUT: About = About {
     title: "Scoreboard of contact codes",
     asked: "How far other codes are from the truths of exported cases, with the contact they document and with the best setting tried.",
-    limits: "One mesh a case, settings tried by us, seconds of one machine; another user may find better settings.",
+    limits: "One mesh a case, settings tried by us, seconds of one machine; another user may find better settings. Looked at and not asked: \
+             FreeFEM, which leaves contact to an optimiser, MFEM's wheel, which has none, and Elmer and code_aster, which neither Debian 12 nor PyPI holds.",
 };
