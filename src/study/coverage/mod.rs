@@ -1,4 +1,4 @@
-//! Whether error bars hold: random scenes of closed form on random meshes, and their true errors.
+//! Whether error bars hold: random scenes whose truth is known on random meshes, and their true errors.
 //!
 //! * `sites` — which scenes.
 //! * `setup` — on which mesh, by which formulation.
@@ -33,5 +33,5 @@ pub use sites::sites;
 pub const ABOUT: About = About {
     title: "Whether error bars hold",
     asked: "How often the true error is within the error bar that was printed.",
-    limits: "Random scenes of closed form: what has none is not among them.",
+    limits: "Random scenes whose truth is a closed form, or that of a boundary method: what has neither is not among them.",
 };

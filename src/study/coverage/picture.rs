@@ -8,7 +8,7 @@ use crate::study::coverage::group::Group;
 use crate::study::coverage::run::{Kind, Numbers, Record};
 
 /// Numbers that have a panel: errors of the others are mostly round-off.
-const SHOWN: [Kind; 3] = [Kind::Peak, Kind::HalfWidth, Kind::Edge];
+const SHOWN: [Kind; 3] = [Kind::Peak, Kind::SecondMomentWidth, Kind::Edge];
 /// Ends of both axes.
 const RANGE: [f64; 2] = [1e-5, 1.0];
 /// Ranges of bars in a decade.
@@ -37,7 +37,12 @@ fn panel(recorded: &[Record], kind: Kind) -> Chart {
         chart.series.push(Series { label: label.into(), points, style, hollow: Vec::new() });
     }
     let diagonal = RANGE.map(|end| (end, end)).into();
-    chart.series.push(Series { label: "error = bar".into(), points: diagonal, style: Style::reference(), hollow: Vec::new() });
+    chart.series.push(Series {
+        label: "error = bar".into(),
+        points: diagonal,
+        style: Style::reference(),
+        hollow: Vec::new(),
+    });
     chart
 }
 

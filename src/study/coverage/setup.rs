@@ -14,6 +14,8 @@ pub const ELEMENTS: [f64; 2] = [3.0, 30.0];
 const GROWTH: [[f64; 2]; 2] = [[1.2, 1.6], [1.2, 1.5]];
 /// Candidate stretch over half of the contact.
 const STRETCH: [f64; 2] = [1.3, 2.5];
+/// Most candidate elements on a side: a contact far from s = 0 has them all the way from there.
+const CANDIDATES: f64 = 160.0;
 /// Of iterations that end early, the tolerance.
 const EARLY: f64 = 1e-2;
 /// Of those that end late.
@@ -45,10 +47,11 @@ impl Setup {
         let pair = &scene.contacts[0];
         let ends_there = matches!(pair.profile, Profile::Uniform(_) | Profile::Punch { .. });
         // A symmetric contact begins as far before s = 0 as it ends after it.
-        let end = sample.truth(0, Quantity::End(0));
+        let end = sample.end(0);
         let begin = Some(sample.truth(0, Quantity::Begin(0))).filter(|begin| begin.is_finite()).unwrap_or(-end);
         let (half, outer) = (0.5 * (end - begin), end.max(-begin));
         let [fewest, most] = ELEMENTS;
+        let most = most.min(CANDIDATES * half / (STRETCH[1] * outer)).max(fewest);
         let per = draw.decades(fewest.max(sample.fewest.min(most)), most);
         let (per, elements) = if ends_there { (per.ceil(), per.ceil()) } else { (per, per.ceil()) };
         if !ends_there {

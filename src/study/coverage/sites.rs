@@ -2,7 +2,7 @@
 
 use crate::study::random::{Site, unseen};
 
-pub use crate::study::random::unseen::{EACH, FAMILIES, FIRST};
+pub use crate::study::random::unseen::{EACH, FAMILIES, FIRST, JUDGED};
 
 /// Every scene, in the order of the record.
 pub fn sites() -> Vec<Site> {

@@ -21,8 +21,11 @@ fn as_recorded(recorded: &[Record], fresh: &[Record]) -> Judged {
     let moved = fresh.iter().filter(|fresh| !recorded.iter().any(|kept| is_as_recorded(kept, fresh))).count();
     let quantity = Quantity::at("recomputed answer that is not the recorded one", format!("of {}", fresh.len()));
     let record = Reference::own("snapshots/met.csv", 0.0);
-    Check::at_most(quantity, record, "mesh, estimate and errors; `met` renews the record")
-        .judge(if fresh.is_empty() { f64::NAN } else { moved as f64 })
+    Check::at_most(quantity, record, "mesh, estimate and errors; `met` renews the record").judge(if fresh.is_empty() {
+        f64::NAN
+    } else {
+        moved as f64
+    })
 }
 
 /// Whether a fresh answer is the recorded one: mesh and verdict always, errors but for the iteration.
@@ -59,6 +62,9 @@ pub fn consistent(recorded: &[Record]) -> Judged {
         format!("of {} answers", recorded.len()),
     );
     let because = "an estimate beyond what was asked is the reason why it is not met";
-    Check::at_most(quantity, Reference::own("the estimate", 0.0), because)
-        .judge(if recorded.is_empty() { f64::NAN } else { wrong as f64 })
+    Check::at_most(quantity, Reference::own("the estimate", 0.0), because).judge(if recorded.is_empty() {
+        f64::NAN
+    } else {
+        wrong as f64
+    })
 }

@@ -1,4 +1,4 @@
-//! Whether an accuracy called met is met: random scenes of closed form, solved to three accuracies, from guesses of the
+//! Whether an accuracy called met is met: random scenes whose truth is known, solved to five accuracies, from guesses of the
 //! candidate stretch up to ten times too long or three times too short.
 //!
 //! * `sites` — which scenes, and which accuracies.
@@ -28,5 +28,5 @@ pub use sites::{ASKED, families, sites};
 pub const ABOUT: About = About {
     title: "Whether an accuracy called met is met",
     asked: "How often an answer that is called accurate is not.",
-    limits: "Random scenes of closed form, as for error bars.",
+    limits: "Random scenes whose truth is known, as for error bars.",
 };

@@ -4,8 +4,8 @@ use crate::error::Error;
 use crate::markdown;
 use crate::measure::larger;
 use crate::study::Found;
-use crate::study::met::sites::{ASKED, families};
 use crate::study::met::run::{Numbers, Record};
+use crate::study::met::sites::{ASKED, families};
 use crate::study::random::{Family, GUESS};
 
 /// Columns.
@@ -24,9 +24,9 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let [shortest, longest] = GUESS;
     let rows: Vec<Vec<String>> = findings.iter().flat_map(|found| by_family(&found.numbers.recorded)).collect();
     Ok(format!(
-        "The random scenes of *Whether error bars hold*, but for flat punches, whose peak has no limit; such scenes with a coarse mesh \
+        "The random scenes of *Whether error bars hold*, but for flat punches and polygons, whose peak has no limit; such scenes with a coarse mesh \
          given for the body, its inner nodes shaken, and two of them in one, whatever their sizes. Size, material, load and the guess of the candidate stretch, {shortest} to {longest} times the contact, are drawn. The error is \
-         the larger one of peak pressure and half-width against the closed form, over both contacts. `cargo run --release -- met` renews the record; the \
+         the larger one of peak pressure and second-moment width against the truth, over both contacts. `cargo run --release -- met` renews the record; the \
          report recomputes a part of it.\n\n{}\n",
         markdown::table(&HEAD.map(String::from), &rows)
     ))

@@ -1,94 +1,29 @@
-//! Blocks pressed by profiles, or by their own load, on which the closed forms hold exactly.
+//! Blocks on which closed forms hold exactly, pressed by parabolas, waves and punches or by their own load.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::accuracy::{Quantity, Subject};
 use crate::case::library::{FlatPunch, TruncatedHertz};
-use crate::oracle::analytic::even_gap::EvenGap;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::punch;
 use crate::oracle::analytic::waves::Waves;
 use crate::scene::{
-    Body, Component, ContactPair, Face, Grading, Line, Load, Material, MonotoneCubic, Path, Place, PlaneHypothesis,
-    Profile, ReferenceValues, Scene, Shape, StressField, Support,
+    Body, Component, ContactPair, Face, Grading, Line, Load, Material, Path, Place, PlaneHypothesis, Profile,
+    ReferenceValues, Scene, Shape, StressField, Support,
 };
 use crate::study::random::draw::Draw;
 use crate::study::random::half_plane::{largest_shear, sunk};
 use crate::study::random::sample::Sample;
 
-/// Terms of the series of a wedge: what is left out is 1e-8 of the peak.
-const TERMS: usize = 4000;
-/// Elements on the tip of a wedge: on fewer, no coarser mesh sees it.
-const ON_TIP: f64 = 4.0;
-/// Points on half of a contact at which a drawn polynomial is looked at.
-const LOOKED_AT: usize = 200;
 /// Part of the height of a block at which a point on its axis is looked at.
 const LOOKED_INTO: f64 = 0.3;
-/// Length over which a cubic rounds the corner of a wedge's curvature, over the length of its tip.
-const CORNER: f64 = 1e-4;
-
-/// A block with the half-plane's stresses on its sides, pressed by a profile.
-fn block(solution: EvenGap, material: Material, profile: Profile, [size, guess]: [f64; 2]) -> Sample {
-    let (a, slope) = (solution.half_width, solution.slopes[0]);
-    let Material { young, poisson } = material;
-    let numbers = TruncatedHertz { radius: a / slope, young, poisson, a_over_r: slope, size, stretch: guess.min(size) };
-    let place = solution.peak_place();
-    let truths = [
-        (Quantity::PeakPressure, solution.pressure(place)),
-        (Quantity::PeakPlace, a * place.cos()),
-        (Quantity::HalfWidth, solution.second_moment()),
-        (Quantity::End(0), a),
-        (Quantity::Resultant, solution.load()),
-    ];
-    let solution = Arc::new(solution);
-    let field = solution.clone();
-    let mut scene = numbers.scene_under(StressField(Arc::new(move |[x, depth]: [f64; 2]| field.stress(x, depth))));
-    scene.contacts[0].profile = profile;
-    let stress = |[x, depth]: [f64; 2]| solution.stress(x, depth);
-    on_axis(Sample::of(scene, truths), material, stress, size * a).sheared(largest_shear(stress, a))
-}
 
 /// The sample with how far a point on the axis sinks, given the stresses and the height of the block; the point on the surface
 /// above touches and does not move.
-fn on_axis(sample: Sample, material: Material, stress: impl Fn([f64; 2]) -> [f64; 3], height: f64) -> Sample {
+pub fn on_axis(sample: Sample, material: Material, stress: impl Fn([f64; 2]) -> [f64; 3], height: f64) -> Sample {
     let depth = LOOKED_INTO * height;
     sample.moved(0, Place::Point([0.0, depth]), Component::Y, sunk(stress, material, depth))
-}
-
-/// `g = c₂ s² + c₄ s⁴ + c₆ s⁶`, drawn until it is pressed all over the contact, and open all over the block beyond it.
-pub fn polynomial(draw: &mut Draw, material: Material, guess: f64, off_centre: bool) -> Sample {
-    let modulus = material.plane_modulus(PlaneHypothesis::Strain);
-    let (a, slope, size) = (draw.decades(0.01, 100.0), draw.decades(1e-4, 1e-2), draw.between(4.0, 14.0));
-    loop {
-        let parts = [draw.between(0.0, 1.0), draw.between(-0.5, 1.0), draw.between(-0.5, 1.0)];
-        let coefficients = [0, 1, 2].map(|k| slope * parts[k] / (2.0 * (k + 1) as f64 * a.powi(2 * k as i32 + 1)));
-        let solution = EvenGap::polynomial(modulus, a, coefficients);
-        let steepness = |x: f64| (0..3).map(|k| slope * parts[k] * (x / a).powi(2 * k as i32 + 1)).sum::<f64>();
-        let mean = solution.slopes[0];
-        let phi = |k: usize| FRAC_PI_2 * (k as f64 + 0.5) / LOOKED_AT as f64;
-        let pressed = |k: usize| 2.0 * solution.pressure(phi(k)) / (modulus * phi(k).sin()) > 0.1 * mean;
-        let beyond = |k: usize| a * (1.0 + (size - 1.0) * (k as f64 + 1.0) / LOOKED_AT as f64);
-        let open = |k: usize| solution.opening(beyond(k), steepness(beyond(k))) > 0.0;
-        let hollow = solution.peak_pressure() > 1.01 * solution.pressure(FRAC_PI_2);
-        if mean > 0.1 * slope && hollow == off_centre && (0..LOOKED_AT).all(|k| pressed(k) && open(k)) {
-            return block(solution, material, Profile::Even { coefficients: coefficients.into() }, [size, guess]);
-        }
-    }
-}
-
-/// `g' = s/R` up to a tenth to eight tenths of the contact, and constant beyond: a cubic through points, which is exact but
-/// for the corner of its curvature.
-pub fn wedge(draw: &mut Draw, material: Material, guess: f64) -> Sample {
-    let modulus = material.plane_modulus(PlaneHypothesis::Strain);
-    let (a, slope, size) = (draw.decades(0.01, 100.0), draw.decades(1e-4, 1e-2), draw.between(4.0, 14.0));
-    let round = a * draw.between(0.1, 0.8);
-    let radius = round / slope;
-    let gap = |s: f64| if s < round { 0.5 * s * s / radius } else { round / radius * (s - 0.5 * round) };
-    let places = [0.0, 0.5 * round, round * (1.0 - CORNER), round, round * (1.0 + CORNER), size * a];
-    let cubic = MonotoneCubic::through(&places.map(|s| [s, gap(s)]));
-    let solution = EvenGap::rounded_wedge(modulus, a, radius, round, TERMS);
-    block(solution, material, Profile::Smooth(Arc::new(cubic)), [size, guess]).seen_by(ON_TIP * a / round)
 }
 
 /// Westergaard's waves on half a wave of a block, under the mean pressure `p* sin² ψ` that makes contact up to `a`, `ψ = πa/λ`.
@@ -126,7 +61,7 @@ pub fn cosine(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let truths = [
         (Quantity::PeakPressure, peak),
         (Quantity::PeakPlace, 0.0),
-        (Quantity::HalfWidth, waves.second_moment()),
+        (Quantity::SecondMomentWidth, waves.second_moment()),
         (Quantity::End(0), half_width),
         (Quantity::Resultant, 2.0 * side * waves.mean),
     ];
@@ -147,7 +82,7 @@ pub fn hertz(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let hertz = Hertz { load: numbers.load(), radius, modulus: scene.contact_modulus() };
     let stress = |[x, depth]: [f64; 2]| hertz.stress(x, depth);
     let sample = on_axis(Sample::of(scene, of_hertz(&hertz)), material, stress, size * numbers.half_width());
-    sample.sheared(largest_shear(stress, numbers.half_width()))
+    sample.sheared(0, largest_shear(stress, [0.0, numbers.half_width()]))
 }
 
 /// A whole block under Hertz's stresses for a contact beside the vertex of the parabola, whose tangent it takes there: a small rotation
@@ -184,7 +119,7 @@ pub fn rolling(draw: &mut Draw, material: Material, guess: f64) -> Sample {
         [
             (Quantity::PeakPressure, hertz.peak_pressure()),
             (Quantity::PeakPlace, centre),
-            (Quantity::HalfWidth, a),
+            (Quantity::SecondMomentWidth, a),
             (Quantity::Centre, centre),
             (Quantity::Begin(0), centre - a),
             (Quantity::End(0), centre + a),
@@ -199,7 +134,7 @@ pub fn of_hertz(hertz: &Hertz) -> [(Quantity, f64); 5] {
     [
         (Quantity::PeakPressure, hertz.peak_pressure()),
         (Quantity::PeakPlace, 0.0),
-        (Quantity::HalfWidth, hertz.half_width()),
+        (Quantity::SecondMomentWidth, hertz.half_width()),
         (Quantity::End(0), hertz.half_width()),
         (Quantity::Resultant, hertz.load),
     ]
@@ -240,7 +175,7 @@ pub fn eccentric(draw: &mut Draw, material: Material) -> Sample {
         [
             (Quantity::PeakPressure, mean + (slope * half).abs()),
             (Quantity::PeakPlace, half.copysign(slope)),
-            (Quantity::HalfWidth, half_width),
+            (Quantity::SecondMomentWidth, half_width),
             (Quantity::Centre, centre),
             (Quantity::Begin(0), -half),
             (Quantity::End(0), half),
@@ -263,8 +198,12 @@ pub fn flat_punch(draw: &mut Draw, material: Material) -> Sample {
     let field = StressField(Arc::new(move |[x, depth]: [f64; 2]| solution.stress(x, depth)));
     let sides = ["right", "far"].map(|side| Load::Stress { boundary: side.into(), field: field.clone() });
     scene.bodies[0].loads = sides.into();
-    let truths =
-        [(Quantity::HalfWidth, solution.second_moment()), (Quantity::End(0), half_width), (Quantity::Resultant, load)];
+    let truths = [
+        (Quantity::PeakPressure, f64::INFINITY),
+        (Quantity::SecondMomentWidth, solution.second_moment()),
+        (Quantity::End(0), half_width),
+        (Quantity::Resultant, load),
+    ];
     let stress = |[x, depth]: [f64; 2]| solution.stress(x, depth);
     on_axis(Sample::of(scene, truths), material, stress, size * half_width)
 }

@@ -1,8 +1,8 @@
-//! Kinds of scenes with a closed form.
+//! Kinds of scenes whose truth is known.
 
 use serde::{Deserialize, Serialize};
 
-/// A kind of scene with a closed form.
+/// A kind of scene whose truth is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Family {
@@ -32,6 +32,22 @@ pub enum Family {
     Punch,
     /// Whole blocks that roll on a parabola until the contact lies beside its vertex.
     Rolling,
+    /// Powers of the distance, from 1.5 to 30.
+    Power,
+    /// Flat bottoms with round shoulders.
+    Flat,
+    /// Different powers on both sides.
+    Skew,
+    /// Humps beside the middle: one half of two that are alike, or two of different heights.
+    Hump,
+    /// Waves on a parabola: one stretch or several.
+    Ripple,
+    /// Polygons, whose pressure has no limit at the corners.
+    Kink,
+    /// Two elastic blocks, gaps of all these kinds.
+    Blocks,
+    /// Elastic rings on rigid pins.
+    Ring,
 }
 
 /// A scene of a family.
@@ -67,6 +83,14 @@ impl Family {
             Self::Eccentric => "eccentric",
             Self::Punch => "punch",
             Self::Rolling => "rolling",
+            Self::Power => "power",
+            Self::Flat => "flat",
+            Self::Skew => "skew",
+            Self::Hump => "hump",
+            Self::Ripple => "ripple",
+            Self::Kink => "kink",
+            Self::Blocks => "blocks",
+            Self::Ring => "ring",
         }
     }
 
@@ -86,6 +110,14 @@ impl Family {
             Self::Eccentric => "block under an eccentric load",
             Self::Punch => "flat punch on a block",
             Self::Rolling => "block that rolls on a parabola, contact beside its vertex",
+            Self::Power => "power of the distance, 1.5 to 30, on a block",
+            Self::Flat => "flat bottom with round shoulders on a block",
+            Self::Skew => "different powers on both sides of a block",
+            Self::Hump => "one or two humps on a block",
+            Self::Ripple => "waves on a parabola, on a block",
+            Self::Kink => "polygon on a block",
+            Self::Blocks => "two blocks of different moduli",
+            Self::Ring => "ring on a rigid pin",
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::scene::{Material, PlaneHypothesis};
 
 /// Parts of the Simpson rule over the depth, graded towards the surface.
 const PARTS: usize = 200;
-/// Places of the coarse search for the largest shear stress along half of the contact, and into the depth.
+/// Places of the coarse search for the largest shear stress along the contact, and into the depth.
 const PLACES: [usize; 2] = [32, 48];
 /// Half-widths down to which it is looked for.
 const DEPTH: f64 = 2.0;
@@ -31,10 +31,11 @@ pub fn sunk(stress: impl Fn([f64; 2]) -> [f64; 3], material: Material, depth: f6
     sum / (3.0 * PARTS as f64 * modulus)
 }
 
-/// Largest in-plane shear stress `½ (σ₁ − σ₂)` below half of a contact \[MPa\], and its depth \[mm\].
-pub fn largest_shear(stress: impl Fn([f64; 2]) -> [f64; 3], half_width: f64) -> [f64; 2] {
+/// Largest in-plane shear stress `½ (σ₁ − σ₂)` below a part of the surface \[MPa\], and its depth \[mm\].
+pub fn largest_shear(stress: impl Fn([f64; 2]) -> [f64; 3], [from, to]: [f64; 2]) -> [f64; 2] {
+    let length = to - from;
     let value = |[x, z]: [f64; 2]| {
-        let [along, into, shear] = stress([half_width * x, half_width * z]);
+        let [along, into, shear] = stress([from + length * x, length * z]);
         (0.5 * (along - into)).hypot(shear)
     };
     let [across, down] = PLACES;
@@ -58,5 +59,5 @@ pub fn largest_shear(stress: impl Fn([f64; 2]) -> [f64; 3], half_width: f64) -> 
         }
         step *= 0.5;
     }
-    [best, half_width * at[1]]
+    [best, length * at[1]]
 }

@@ -1,9 +1,11 @@
-//! Random scenes of closed form, and what is true of them: the same ones for every study that asks.
+//! Random scenes, and what is true of them by closed forms or a boundary method: the same ones for every study that asks.
 //!
 //! * [`draw`] — the random numbers.
 //! * [`family`] — kinds of scenes.
 //! * [`sample`] — a scene and the truths about it.
-//! * `blocks` — blocks pressed by profiles.
+//! * `blocks` — blocks under parabolas, waves and punches.
+//! * `gaps` — gaps of all other kinds, whose truth is that of the boundary method.
+//! * `pressed` — blocks cut out of the half-plane that they press.
 //! * `half_plane` — what the stresses below them say.
 //! * `round` — cylinders, pins and rings.
 //! * [`unseen`] — scenes that bars and accuracies are tested with.
@@ -17,7 +19,9 @@
 mod blocks;
 pub mod draw;
 pub mod family;
+mod gaps;
 mod half_plane;
+mod pressed;
 mod round;
 pub mod sample;
 mod scenes;

@@ -1,6 +1,7 @@
 //! Cylinders, pins and rings.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
+use std::sync::Arc;
 
 use crate::accuracy::Quantity;
 use crate::case::library::{Cylinder, CylinderModel, PinPlate, PressFit};
@@ -8,9 +9,10 @@ use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::lame;
 use crate::oracle::analytic::persson::PinInHole;
+use crate::oracle::boundary::Ring;
 use crate::scene::{
-    Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
-    ReferenceValues, Scene, Sector, Shape, Support,
+    Body, Circle, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
+    ReferenceValues, Scene, Sector, Shape, Support, TractionField,
 };
 use crate::study::random::blocks::of_hertz;
 use crate::study::random::draw::Draw;
@@ -61,7 +63,7 @@ pub fn pin(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let truths = [
         (Quantity::PeakPressure, solution.peak_pressure()),
         (Quantity::PeakPlace, 0.0),
-        (Quantity::HalfWidth, solution.second_moment()),
+        (Quantity::SecondMomentWidth, solution.second_moment()),
         (Quantity::End(0), half_angle),
         (Quantity::Resultant, load),
     ];
@@ -143,7 +145,7 @@ pub fn press_fit(draw: &mut Draw, inside: Material) -> Sample {
         numbers.scene(),
         [
             (Quantity::PeakPressure, pressure),
-            (Quantity::HalfWidth, 2.0 * FRAC_PI_2 / 3f64.sqrt()),
+            (Quantity::SecondMomentWidth, 2.0 * FRAC_PI_2 / 3f64.sqrt()),
             (Quantity::End(0), FRAC_PI_2),
             (Quantity::Resultant, 2.0 * on_cut),
         ],
@@ -153,4 +155,60 @@ pub fn press_fit(draw: &mut Draw, inside: Material) -> Sample {
     .moved(1, Place::Boundary("outer".into()), Component::Y, -lame.outer_displacement(numbers.outer) / FRAC_PI_2)
     .moved(1, Place::Point([within, -within]), Component::X, FRAC_1_SQRT_2 * lame.outer_displacement(middle))
     .seen_by(ACROSS * FRAC_PI_2 * interface / thinner)
+}
+
+/// Half of a ring on a rigid pin, pressed on it by `P cos θ` on all of its outside, of which πbP is the resultant.
+pub fn ring(draw: &mut Draw, material: Material, guess: f64) -> Sample {
+    let (inner, plane) = (draw.decades(0.1, 1000.0), PlaneHypothesis::Strain);
+    let outer = inner * draw.between(1.3, 3.0);
+    let clearance = inner * draw.decades(1e-5, 1e-3);
+    let profile = Profile::Pin { radius: inner - clearance, clearance };
+    let Material { young, poisson } = material;
+    let elastic = Ring { radii: [inner, outer], young, poisson, plane: plane.into(), pressure: 0.0 };
+    let contact = loop {
+        let half_angle = draw.between(8.0, 80.0).to_radians();
+        if let Some(contact) = elastic.on_pin(&profile, half_angle) {
+            break contact;
+        }
+    };
+    let (half_angle, load, [peak, place]) = (contact.half_angle, contact.load(), contact.peak());
+    let along = load / (PI * outer);
+    // The cosine of the angle from the downward vertical is −y/r, and presses inwards.
+    let pressed = move |[x, y]: [f64; 2]| [x, y].map(|part| along * y * part / (x * x + y * y));
+    let circle = |radius| Circle { centre: [0.0, 0.0], radius };
+    let held = |side: &'static str| Support { at: Place::Boundary(side.into()), component: Component::X, value: 0.0 };
+    let stretch = (guess * half_angle).min(FRAC_PI_2);
+    let scene = Scene {
+        name: "ring on a pin".into(),
+        plane,
+        thickness: 1.0,
+        bodies: vec![Body {
+            density: 1.0,
+            name: "ring".into(),
+            shape: Shape::Ring {
+                pole: [0.0, 0.0],
+                inner: circle(inner),
+                outer: circle(outer),
+                sweep: PI,
+                contact: Face::Bottom,
+            },
+            material,
+            supports: ["start", "end"].map(held).into(),
+            loads: vec![Load::TractionField { boundary: "outer".into(), field: TractionField(Arc::new(pressed)) }],
+        }],
+        contacts: vec![ContactPair {
+            above: false,
+            ..ContactPair::new(None, Path::Arc(circle(inner)), profile, stretch)
+        }],
+        reference: ReferenceValues { length: inner * half_angle, pressure: peak, gap: clearance },
+        grading: Grading { unit: inner * half_angle, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
+    };
+    let truths = [
+        (Quantity::PeakPressure, peak),
+        (Quantity::PeakPlace, place),
+        (Quantity::SecondMomentWidth, contact.second_moment()),
+        (Quantity::End(0), half_angle),
+        (Quantity::Resultant, load),
+    ];
+    Sample::of(scene, truths)
 }

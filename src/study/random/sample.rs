@@ -31,7 +31,17 @@ impl Sample {
     /// A scene with one contact, that any mesh sees.
     pub fn of<const N: usize>(scene: Scene, truths: [(Quantity, f64); N]) -> Self {
         let truth = |(quantity, value)| Truth { subject: Subject::Contact(0, quantity), value };
-        Self { scene, truths: truths.map(truth).into(), fewest: 0.0 }
+        let sample = Self { scene, truths: truths.map(truth).into(), fewest: 0.0 };
+        // Half of what lies between the first begin and the last end; where the contact begins on a symmetry line, that is its end.
+        let begin = sample.truth(0, Quantity::Begin(0));
+        let ends = (0..N).map(|k| sample.truth(0, Quantity::End(k))).filter(|end| end.is_finite());
+        let end = ends.reduce(f64::max).unwrap_or(f64::NAN);
+        let half_width = 0.5 * (end - begin);
+        if half_width.is_nan() || begin.is_nan() {
+            sample
+        } else {
+            sample.with(Subject::Contact(0, Quantity::HalfWidth), half_width)
+        }
     }
 
     /// The same with the force of a support of a body \[N\].
@@ -50,9 +60,22 @@ impl Sample {
         self.with(Subject::Displacement(Displaced { body, at, component }), value)
     }
 
-    /// The same with the largest shear stress below the contact in the first body, and its depth \[MPa, mm\].
-    pub fn sheared(self, [stress, depth]: [f64; 2]) -> Self {
-        self.with(Subject::Shear(0, 0), stress).with(Subject::ShearDepth(0, 0), depth)
+    /// The same with the largest shear stress below the contact in a body, and its depth \[MPa, mm\].
+    pub fn sheared(self, body: usize, [stress, depth]: [f64; 2]) -> Self {
+        self.with(Subject::Shear(0, body), stress).with(Subject::ShearDepth(0, body), depth)
+    }
+
+    /// The same where the pressure has no limit, so that nothing is known of its place nor of the shear stress.
+    pub fn without_peak(mut self) -> Self {
+        self.truths.retain_mut(|truth| match truth.subject {
+            Subject::Contact(_, Quantity::PeakPressure) => {
+                truth.value = f64::INFINITY;
+                true
+            }
+            Subject::Contact(_, Quantity::PeakPlace) | Subject::Shear(..) | Subject::ShearDepth(..) => false,
+            _ => true,
+        });
+        self
     }
 
     /// The displacements that its truths are of.
@@ -67,6 +90,12 @@ impl Sample {
     /// The same where it takes some elements on half of the contact to see all there is.
     pub fn seen_by(self, fewest: f64) -> Self {
         Self { fewest, ..self }
+    }
+
+    /// Outermost end of a contact; NaN where the closed form does not say.
+    pub fn end(&self, contact: usize) -> f64 {
+        let ends = (0..).map(|k| self.truth(contact, Quantity::End(k)));
+        ends.take_while(|end| end.is_finite()).last().unwrap_or(f64::NAN)
     }
 
     /// The true value of a number of a contact; NaN where the closed form does not say.

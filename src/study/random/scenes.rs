@@ -11,7 +11,7 @@ use crate::solve::Displaced;
 use crate::study::random::draw::Draw;
 use crate::study::random::family::{Family, Site};
 use crate::study::random::sample::{GUESS, Sample, Truth};
-use crate::study::random::{blocks, round};
+use crate::study::random::{blocks, gaps, round};
 
 impl Site {
     /// The scene.
@@ -28,8 +28,8 @@ impl Family {
         // The first number of a seed is like that of the next one.
         let guess = draw.decades(GUESS[0], GUESS[1]);
         Ok(match self {
-            Self::Polynomial => blocks::polynomial(draw, material, guess, number % 2 == 1),
-            Self::Wedge => blocks::wedge(draw, material, guess),
+            Self::Polynomial => gaps::polynomial(draw, material, guess, number % 2 == 1),
+            Self::Wedge => gaps::wedge(draw, material, guess),
             Self::Cosine => blocks::cosine(draw, material, guess),
             Self::Cylinder => round::cylinder(draw, material, guess),
             Self::Pin => round::pin(draw, material, guess),
@@ -41,6 +41,14 @@ impl Family {
             Self::Eccentric => blocks::eccentric(draw, material),
             Self::Punch => blocks::flat_punch(draw, material),
             Self::Rolling => blocks::rolling(draw, material, guess),
+            Self::Power => gaps::powers(draw, material, guess, number),
+            Self::Flat => gaps::flat_bottom(draw, material, guess),
+            Self::Skew => gaps::uneven(draw, material, guess),
+            Self::Hump => gaps::hump(draw, material, guess, number),
+            Self::Ripple => gaps::ripple(draw, material, guess),
+            Self::Kink => gaps::kink(draw, material, guess, number),
+            Self::Blocks => gaps::blocks(draw, material, guess, number),
+            Self::Ring => round::ring(draw, material, guess),
         })
     }
 }
