@@ -1,13 +1,14 @@
 //! Checks beside the error bars of the numbers that they judge.
 
 use crate::accuracy::{self, Barred, Subject};
-use crate::case::check::Relation;
+use crate::case::check::{Against, Check, Reference, Relation};
 use crate::case::definition::Case;
 use crate::case::judged::Judged;
 use crate::case::meshed::Meshed;
 use crate::case::quantity::Quantity;
 use crate::error::Error;
-use crate::oracle::ReferenceKind;
+use crate::markdown;
+use crate::oracle::{self, ReferenceKind};
 use crate::solve::Run;
 
 impl Judged {
@@ -20,6 +21,9 @@ impl Judged {
         Some(match &self.check.quantity {
             Quantity::PeakPressure => Subject::Contact(contact, accuracy::Quantity::PeakPressure),
             Quantity::HalfWidth | Quantity::HalfAngle => Subject::Contact(contact, accuracy::Quantity::HalfWidth),
+            Quantity::SecondMomentWidth | Quantity::SecondMomentAngle => {
+                Subject::Contact(contact, accuracy::Quantity::SecondMomentWidth)
+            }
             Quantity::Centre => Subject::Contact(contact, accuracy::Quantity::Centre),
             Quantity::Resultant => Subject::Contact(contact, accuracy::Quantity::Resultant),
             Quantity::Reaction { body, support } => Subject::Reaction(*body, *support),
@@ -40,7 +44,8 @@ impl Judged {
     /// The check with the bar of the number that it judges; NaN where that is among those that have one, and it is not known.
     pub fn with_bar(self, bars: &[Barred]) -> Self {
         // Bars of angles are in radians, as what the run measures.
-        let unit = if self.check.quantity == Quantity::HalfAngle { 1f64.to_degrees() } else { 1.0 };
+        let is_angle = matches!(self.check.quantity, Quantity::HalfAngle | Quantity::SecondMomentAngle);
+        let unit = if is_angle { 1f64.to_degrees() } else { 1.0 };
         let of = |subject: Subject| {
             let found = bars.iter().find(|one| one.subject == subject);
             found.map_or(f64::NAN, |one| unit * one.bar.total())
@@ -61,7 +66,128 @@ impl Judged {
     }
 }
 
+/// Difference of a force from the load of its closed form, over the latter, beyond which it is noted: loads are told to three digits.
+const LOAD: f64 = 1e-3;
+/// The same where the bar of the force is not known.
+const UNBARRED: f64 = 1e-2;
+/// The same of other numbers, which a closed form may idealise.
+const NOTED: f64 = 0.05;
+/// Digits that a file gives.
+const DIGITS: f64 = 1e-6;
+
 impl Case {
+    /// Peak, second-moment width and force of a converged run, each held against what the closed form of its contact says: it shall be
+    /// within its bar and what the case states of the closed form. Bars that are not given are none.
+    pub fn beside_closed_forms(&self, run: &Run, bars: &[Barred]) -> Vec<Judged> {
+        let contacts = (0..run.contacts.len()).filter(|_| run.solution.converged());
+        contacts.flat_map(|contact| self.beside_closed_form(run, bars, contact)).collect()
+    }
+
+    fn beside_closed_form(&self, run: &Run, bars: &[Barred], contact: usize) -> Vec<Judged> {
+        let found = &run.contacts[contact];
+        let read = |quantity| self.reading_of(contact, quantity);
+        let width = if self.scene.contacts[contact].path.is_straight() {
+            (Quantity::SecondMomentWidth, found.measures.second_moment_width, read(oracle::Quantity::SecondMoment))
+        } else {
+            let angle = read(oracle::Quantity::SecondMoment).in_degrees();
+            (Quantity::SecondMomentAngle, found.measures.second_moment_width.to_degrees(), angle)
+        };
+        let peak = (Quantity::PeakPressure, found.measures.peak.pressure, read(oracle::Quantity::PeakPressure));
+        let force = read(oracle::Quantity::Resultant).times(self.scene.thickness);
+        let bounded = [peak].into_iter().filter(|_| found.unbounded.is_none());
+        let force = (Quantity::Resultant, found.transmitted, force);
+        let all = [force].into_iter().chain(bounded).chain([width]);
+        let all =
+            all.filter(|(_, _, reference)| reference.value.abs() > 0.0 && reference.kind == ReferenceKind::Analytic);
+        let judged = all.map(|(quantity, value, reference)| {
+            let model = self.model_error(contact, &quantity);
+            let because = "its error bar, and what the case states that its closed form is off";
+            let check = Check { contact, ..Check::near(quantity, reference, DIGITS + model, because).leaving(model) };
+            let judged = check.judge(value);
+            let judged = if bars.is_empty() { judged } else { judged.with_bar(bars) };
+            match judged.bar_as_error() {
+                Some(bar) if bar.is_finite() => {
+                    let tolerance = judged.check.tolerance + bar;
+                    Judged { check: Check { tolerance, ..judged.check }, ..judged }
+                }
+                _ => judged,
+            }
+        });
+        judged.collect()
+    }
+
+    /// What the case states that its closed form is off: for the quantity, else the most that it states for any.
+    fn model_error(&self, contact: usize, quantity: &Quantity) -> f64 {
+        let analytic = |check: &&Check| match &check.against {
+            Against::Oracle => true,
+            Against::Value(reference) => reference.kind == ReferenceKind::Analytic,
+            Against::Verification => false,
+        };
+        let stated =
+            || self.checks.iter().filter(|check| check.contact == contact && check.model > 0.0).filter(analytic);
+        let own = stated().find(|check| check.quantity == *quantity).map(|check| check.model);
+        own.unwrap_or_else(|| stated().map(|check| check.model).fold(0.0, f64::max))
+    }
+
+    /// What the closed forms say that the run contradicts, with both numbers: another load than the contact carries, or a contact
+    /// that no mesh and no stated model error explains.
+    pub fn notes(&self, run: &Run, bars: &[Barred]) -> Vec<String> {
+        let beyond = |one: &Judged| {
+            let is_known = one.bar.is_some_and(f64::is_finite);
+            let slack = match one.check.quantity {
+                Quantity::Resultant if is_known => LOAD + run.formulation.settings.tolerance,
+                Quantity::Resultant => UNBARRED,
+                _ => NOTED,
+            };
+            let within = one.error <= one.check.tolerance + slack;
+            !within
+        };
+        self.beside_closed_forms(run, bars)
+            .iter()
+            .filter(|one| one.value.is_finite() && beyond(one))
+            .map(|one| self.note(one))
+            .collect()
+    }
+
+    fn note(&self, one: &Judged) -> String {
+        let Judged { check, reference, value, .. } = one;
+        let bar = one.bar.filter(|bar| bar.is_finite());
+        let bar = bar.map_or_else(String::new, |bar| format!(" ± {}", markdown::significant(bar, 2)));
+        let contact = &self.scene.contacts[check.contact].name;
+        let [closed, found] = [reference.value, *value].map(markdown::value);
+        let (name, unit) = (&reference.name, check.quantity.unit().unwrap_or_default());
+        match check.quantity {
+            Quantity::Resultant => format!(
+                "the closed form of contact `{contact}` is not of this scene: {name} has a load of {closed} N, and the contact carries {found}{bar} N, both halves of a symmetric one"
+            ),
+            _ => format!(
+                "the closed form of contact `{contact}` is not of this scene, or leaves more out than its checks state as `model-error`: {} is {closed} {unit} by {name}, and {found}{bar} {unit} here",
+                check.quantity.name()
+            ),
+        }
+    }
+
+    /// The numbers of a run beside its closed forms as checks of the suite: each error over its bar and the model error stated.
+    pub fn held_to_closed_forms(&self, meshed: &Meshed, run: &Run) -> Result<Vec<Judged>, Error> {
+        if self.oracles.iter().flatten().next().is_none() || !run.solution.converged() {
+            return Ok(Vec::new());
+        }
+        let family = meshed.family(run, &self.displaced());
+        let bars = accuracy::of_family(&meshed.discretisation, run, family, None)?;
+        let barred = self.beside_closed_forms(run, &bars).into_iter();
+        let barred = barred.filter(|one| one.bar.is_some_and(f64::is_finite));
+        Ok(barred.map(|one| self.over_what_is_allowed(one)).collect())
+    }
+
+    /// The error over what is allowed, as an error of its own.
+    fn over_what_is_allowed(&self, Judged { check, reference, error, .. }: Judged) -> Judged {
+        let place = format!("{} of {}", check.quantity.name(), self.scene.contacts[check.contact].name);
+        let quantity = Quantity::at("error against the closed form over bar and model error stated", place);
+        let because = "a closed form that is off by more is not of this scene, or its case does not say so";
+        let reference = Reference { value: 0.0, ..reference };
+        Check::error(quantity, reference, 1.0, because).judge(error / check.tolerance)
+    }
+
     /// Judged checks of a converged run with the bars of their numbers; what coarser meshes say is solved for once for each
     /// contact element, and for no check that has no bar.
     pub(super) fn with_bars(&self, meshed: &Meshed, run: &Run, judged: Vec<Judged>) -> Result<Vec<Judged>, Error> {

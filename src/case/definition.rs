@@ -1,5 +1,7 @@
 //! A case: a scene with its mesh, the formulations that solve it, its oracle and its checks.
 
+use std::path::PathBuf;
+
 use crate::accuracy::Asked;
 use crate::case::check::{Check, Reference};
 use crate::case::file::Places;
@@ -26,8 +28,8 @@ pub struct Case {
     pub accuracy: Option<Asked>,
     /// What it is solved by.
     pub formulations: Vec<Formulation>,
-    /// Independent truth.
-    pub oracle: Option<SharedOracle>,
+    /// Independent truth of each contact, in the order of the scene; what is left out has none.
+    pub oracles: Vec<Option<SharedOracle>>,
     /// What shall hold; a case without checks is reported.
     pub checks: Vec<Check>,
     /// Where bodies and contacts stand in its file; none where it is built in.
@@ -45,7 +47,7 @@ impl Case {
             resolution: Resolution { elements, refinement: 0, order: Order::Quadratic },
             accuracy: None,
             formulations: vec![Formulation::verification()],
-            oracle: None,
+            oracles: Vec::new(),
             checks: Vec::new(),
             places: None,
         }
@@ -54,6 +56,11 @@ impl Case {
     /// The same under another name.
     pub fn named(self, name: impl Into<String>) -> Self {
         Self { name: name.into(), ..self }
+    }
+
+    /// The files that it was read from: its own, and meshes; none of a case of the library.
+    pub fn read_files(&self) -> Vec<PathBuf> {
+        self.places.iter().flat_map(|places| places.read().cloned()).collect()
     }
 
     /// The displacements that its checks ask for.
@@ -65,14 +72,29 @@ impl Case {
         self.checks.iter().filter_map(displaced).collect()
     }
 
+    /// The oracle of the first contact.
+    pub fn oracle(&self) -> Option<&SharedOracle> {
+        self.oracle_of(0)
+    }
+
+    /// The oracle of a contact.
+    pub fn oracle_of(&self, contact: usize) -> Option<&SharedOracle> {
+        self.oracles.get(contact)?.as_ref()
+    }
+
     /// The oracle's pressure at a contact coordinate \[MPa\]; NaN where there is no oracle or it cannot say.
     pub fn reference_pressure(&self, at: f64) -> f64 {
         self.reading(oracle::Quantity::Pressure { at }).value
     }
 
-    /// What the oracle reads; NaN, which no check passes, where there is none or it cannot say.
+    /// What the oracle of the first contact reads.
     pub fn reading(&self, quantity: oracle::Quantity) -> Reference {
-        match &self.oracle {
+        self.reading_of(0, quantity)
+    }
+
+    /// What the oracle of a contact reads; NaN, which no check passes, where there is none or it cannot say.
+    pub fn reading_of(&self, contact: usize, quantity: oracle::Quantity) -> Reference {
+        match self.oracle_of(contact) {
             Some(oracle) => Reference::read(oracle.as_ref(), quantity),
             None => Reference::own("no oracle", f64::NAN),
         }

@@ -13,7 +13,7 @@ pub fn errors(run: &Run, exact: &Hertz) -> [f64; 3] {
     let measures = run.measures();
     [
         away(measures.peak.pressure, exact.peak_pressure()),
-        away(measures.half_width, exact.half_width()),
+        away(measures.second_moment_width, exact.half_width()),
         profile::relative_l2(&run.solution.points, |x| exact.pressure(x), 1.5 * exact.half_width()),
     ]
 }

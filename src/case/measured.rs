@@ -34,8 +34,10 @@ impl Solved<'_> {
             // A peak without a limit is no number to be judged.
             Quantity::PeakPressure if unbounded.is_some() => f64::NAN,
             Quantity::PeakPressure => measures.peak.pressure,
-            Quantity::HalfWidth => measures.half_width,
-            Quantity::HalfAngle => measures.half_width.to_degrees(),
+            Quantity::HalfWidth => measures.half_width(),
+            Quantity::HalfAngle => measures.half_width().to_degrees(),
+            Quantity::SecondMomentWidth => measures.second_moment_width,
+            Quantity::SecondMomentAngle => measures.second_moment_width.to_degrees(),
             Quantity::Centre => measures.centre,
             Quantity::Resultant => *transmitted,
             Quantity::Pressure { at } => {
@@ -68,8 +70,10 @@ impl Solved<'_> {
         let case = self.case;
         match quantity {
             Quantity::PeakPressure => case.reading(oracle::Quantity::PeakPressure),
-            Quantity::HalfWidth => case.reading(oracle::Quantity::SecondMoment),
-            Quantity::HalfAngle => case.reading(oracle::Quantity::SecondMoment).in_degrees(),
+            Quantity::HalfWidth => case.reading(oracle::Quantity::HalfWidth),
+            Quantity::HalfAngle => case.reading(oracle::Quantity::ContactAngle).in_degrees(),
+            Quantity::SecondMomentWidth => case.reading(oracle::Quantity::SecondMoment),
+            Quantity::SecondMomentAngle => case.reading(oracle::Quantity::SecondMoment).in_degrees(),
             Quantity::Pressure { at } => case.reading(oracle::Quantity::Pressure { at: at.value() }),
             Quantity::HoopStress { at } => case.reading(oracle::Quantity::HoopStress { at: *at }),
             Quantity::Resultant => {

@@ -12,10 +12,14 @@ use crate::solve::Displaced;
 pub enum Quantity {
     /// Largest pressure of the profile \[MPa\].
     PeakPressure,
-    /// Half-width by second moment, `2 √(∫p s²/∫p)`, on a straight path \[mm\].
+    /// Half-width: half of what lies between begin and end of the contact, on a straight path \[mm\].
     HalfWidth,
-    /// The same functional of the angle on an arc \[°\].
+    /// The same on an arc \[°\].
     HalfAngle,
+    /// Second-moment width `2 √(∫p s²/∫p)` on a straight path \[mm\].
+    SecondMomentWidth,
+    /// The same functional of the angle on an arc \[°\].
+    SecondMomentAngle,
     /// Centre of pressure \[mm\].
     Centre,
     /// Force on the whole contact along the load line \[N\].
@@ -78,8 +82,9 @@ impl Quantity {
     pub fn name(&self) -> &str {
         match self {
             Self::PeakPressure => "peak pressure",
-            Self::HalfWidth => "half-width by second moment",
-            Self::HalfAngle => "half-angle by second moment",
+            Self::HalfWidth => "half-width",
+            Self::HalfAngle => "half-angle",
+            Self::SecondMomentWidth | Self::SecondMomentAngle => "second-moment width",
             Self::Centre => "centre of pressure",
             Self::Resultant => "contact resultant",
             Self::Pressure { .. } => "contact pressure",
@@ -101,10 +106,13 @@ impl Quantity {
     pub fn unit(&self) -> Option<&'static str> {
         match self {
             Self::PeakPressure | Self::Pressure { .. } | Self::HoopStress { .. } | Self::Shear { .. } => Some("MPa"),
-            Self::HalfAngle => Some("°"),
-            Self::HalfWidth | Self::Centre | Self::Displacement(_) | Self::Approach | Self::ShearDepth { .. } => {
-                Some("mm")
-            }
+            Self::HalfAngle | Self::SecondMomentAngle => Some("°"),
+            Self::HalfWidth
+            | Self::SecondMomentWidth
+            | Self::Centre
+            | Self::Displacement(_)
+            | Self::Approach
+            | Self::ShearDepth { .. } => Some("mm"),
             Self::Resultant | Self::Reaction { .. } => Some("N"),
             _ => None,
         }

@@ -3,12 +3,12 @@
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::elasticity::ElasticSystem;
 use crate::error::Error;
-use crate::measure::{larger, profile, whole};
+use crate::measure::{larger, profile};
 use crate::mesh::Mesh;
 use crate::mesh::variant::noise;
-use crate::scene::{ContactPair, Path, Scene};
+use crate::scene::{Path, Scene};
 use crate::solution::{EdgeState, EnergyError, Share};
-use crate::solve::run::{Contact, Run};
+use crate::solve::run::{BALANCED, Run};
 use crate::solve::{Discretisation, Formulation};
 use crate::stability::conditioning::{self, Influence};
 
@@ -19,8 +19,9 @@ const NOISE: f64 = 1e-12;
 /// The variant in which x has the other sign.
 const MIRROR_IMAGE: &str = "mirror image";
 
-/// Why a balance of forces has the tolerance of its run.
-const BALANCE: &str = "balance is part of convergence: the run's own tolerance";
+/// What is left over of the forces on a body.
+const IMBALANCE: &str =
+    "imbalance of loads, contact and reactions of a body, in force and moment, over the largest of them";
 
 /// Round-off in sums over the whole system, relative to the size of their terms.
 const ROUND_OFF: f64 = 1e-9;
@@ -46,7 +47,7 @@ const SQUARED: f64 = 1e-8;
 pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
     let mut checks = Vec::new();
     let limit = limit(discretisation, run)?;
-    checks.extend(equilibrium(discretisation, run));
+    checks.push(equilibrium(discretisation, run));
     checks.extend(nothing_where_open(discretisation, run, limit));
     for contact in 0..discretisation.scene.contacts.len() {
         checks.push(frictionless(discretisation, run, contact)?);
@@ -59,48 +60,17 @@ pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>,
     Ok(checks.into_iter().map(|judged| Judged { check: judged.check.universal(), ..judged }).collect())
 }
 
-/// Contact resultant = applied load, on a body that only contact holds along the load line.
-fn equilibrium(discretisation: &Discretisation, run: &Run) -> Option<Judged> {
-    let scene = &discretisation.scene;
-    let [pair] = &scene.contacts[..] else { return balance(discretisation, run) };
-    let free = pair.bodies().find(|&body| !fixed_vertically(scene, body))?;
-    let applied = whole(pair) * discretisation.system.bodies[free].applied_vertical().abs();
-    let check = Check::near(
-        "resultant of the reported pressures",
-        Reference::own("the applied load", applied),
-        run.formulation.settings.tolerance,
-        BALANCE,
-    );
-    Some(check.judge(run.transmitted()))
-}
-
-/// Several contacts: on each body that only they hold along the load line, their forces and the applied load add up to 0.
-fn balance(discretisation: &Discretisation, run: &Run) -> Option<Judged> {
-    let scene = &discretisation.scene;
-    let free: Vec<usize> = (0..scene.bodies.len()).filter(|&body| !fixed_vertically(scene, body)).collect();
-    let imbalance = |&body: &usize| {
-        let force = |(pair, contact): (&ContactPair, &Contact)| {
-            let upwards = if pair.above == (body == pair.first) { 1.0 } else { -1.0 };
-            let takes_part = pair.bodies().any(|other| other == body);
-            if takes_part { upwards * contact.transmitted / whole(pair) } else { 0.0 }
-        };
-        let forces: Vec<f64> = scene.contacts.iter().zip(&run.contacts).map(force).collect();
-        let applied = discretisation.system.bodies[body].applied_vertical();
-        let pressing: f64 = forces.iter().map(|force| force.abs()).sum();
-        (applied + forces.iter().sum::<f64>()).abs() / pressing.max(applied.abs())
-    };
-    let worst = free.iter().map(imbalance).reduce(larger)?;
+/// Loads, contact pressures as they are reported, and reactions of every body add up to nothing, in force and in moment.
+fn equilibrium(discretisation: &Discretisation, run: &Run) -> Judged {
+    let worst = run.equilibrium.iter().max_by(|a, b| a.largest().total_cmp(&b.largest()));
+    let body = worst.map_or("", |worst| discretisation.scene.bodies[worst.body].name.as_str());
     let check = Check::error(
-        "imbalance of contact forces and load on a free body, over the pressing forces",
+        Quantity::at(IMBALANCE, body),
         Reference::own("equilibrium", 0.0),
-        run.formulation.settings.tolerance,
-        BALANCE,
+        run.formulation.settings.tolerance.max(BALANCED),
+        "balance is part of convergence: the run's own tolerance, or 1e-7 for the round-off of the stiffness",
     );
-    Some(check.judge(worst))
-}
-
-fn fixed_vertically(scene: &Scene, body: usize) -> bool {
-    scene.bodies[body].supports.iter().any(|support| support.component == crate::scene::Component::Y)
+    check.judge(run.imbalance())
 }
 
 /// Tangential contact forces vanish; on arcs this is the moment about the centre.

@@ -1,6 +1,7 @@
 //! Independent truth: what a result is held against, where it comes from, and how far it can be trusted.
 //!
 //! * [`analytic`]: closed forms, one file each.
+//! * [`boundary`]: any profile on the half-plane, by a boundary method.
 //! * [`cross_code`]: other finite element codes, run through Python or read from what such a run left.
 //! * [`digitised`]: curves read off published figures, admitted only with their provenance.
 //!
@@ -17,6 +18,7 @@ use std::fmt;
 use std::sync::Arc;
 
 pub mod analytic;
+pub mod boundary;
 pub mod cross_code;
 pub mod digitised;
 

@@ -53,6 +53,6 @@ pub(super) fn refuse_other(
 }
 
 /// Five significant digits.
-fn rounded(x: f64) -> f64 {
+pub(super) fn rounded(x: f64) -> f64 {
     format!("{x:.4e}").parse().unwrap_or(x)
 }

@@ -13,7 +13,7 @@ use crate::case::file::scene::Tables;
 use crate::case::file::tables::{BodyTable, ContactTable, ContactTables, Keyed, Name, Number, ReferenceTable};
 use crate::case::file::units::{Units, UnitsTable};
 use crate::case::file::unsupported::Unsupported;
-use crate::case::file::{Source, nearest_to};
+use crate::case::file::{Source, hypotheses, nearest_to};
 use crate::error::Error;
 use crate::mesh::size::solvable;
 use crate::solve::{Element, Formulation, Iteration, Start};
@@ -111,6 +111,7 @@ impl Document {
         let stiffness = self.solve.as_ref().and_then(|table| table.get_ref().stiffness.as_ref());
         Places {
             file: source.file.into(),
+            meshes: self.body.get_ref().iter().filter_map(|body| body.shape.get_ref().mesh(source.file)).collect(),
             text: source.text.into(),
             bodies: self.body.get_ref().iter().map(|body| body.name.span()).collect(),
             loads: self.body.get_ref().iter().map(|body| body.loads.iter().map(Spanned::span).collect()).collect(),
@@ -157,6 +158,11 @@ impl Document {
         let oracles = contacts.iter().enumerate().map(oracle).collect::<Result<Vec<_>, _>>()?;
         let checks = self.check.iter().map(|check| check.check(source, &units, bodies, &scene, &oracles));
         let checks = checks.collect::<Result<_, _>>()?;
+        for (contact, (table, oracle)) in contacts.iter().zip(&oracles).enumerate() {
+            if let (Some(given), Some(oracle)) = (&table.oracle, oracle) {
+                hypotheses::refuse_other_scene(source, &units, given, (&scene, contact), oracle)?;
+            }
+        }
         let title = self.title.clone().unwrap_or_else(|| "a scene file".into());
         Ok(Case {
             resolution,
@@ -164,7 +170,7 @@ impl Document {
             source: self.source.clone().unwrap_or_default(),
             formulations: vec![formulation],
             checks,
-            oracle: oracles.into_iter().next().flatten(),
+            oracles,
             places: Some(self.places(source)),
             ..Case::of(name, title, scene, resolution.elements)
         })

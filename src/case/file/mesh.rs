@@ -8,6 +8,7 @@ use toml::Spanned;
 use crate::accuracy::{self, Asked, KINKED, Quantity, UNKINKED};
 use crate::case::file::Source;
 use crate::case::file::tables::{GrowthTable, Keyed, Name, Number};
+use crate::case::file::wanted::{self, HALF_WIDTH, SECOND_MOMENT_WIDTH};
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Body, Scene, Shape};
@@ -61,14 +62,21 @@ impl MeshTable {
             let remedy = format!("leave `{key}` out, or `accuracy`");
             return Err(source.refused(place, format!("`{key}` cannot be used: `accuracy` chooses the mesh"), remedy));
         }
-        let Some(relative) = accuracy::percentage(accuracy.get_ref()) else {
-            let message = format!("`accuracy` is \"{}\"", accuracy.get_ref());
-            return Err(source.refused(accuracy.span(), message, accuracy::remedy()));
-        };
+        let relative = accuracy::percentage(accuracy.get_ref()).map_err(|expected| {
+            let message = format!("`accuracy` is \"{}\", but {expected}", accuracy.get_ref());
+            source.refused(accuracy.span(), message, accuracy::remedy())
+        })?;
         let mut asked = Asked::new(relative);
         if let Some(list) = &self.quantity {
-            let known = Quantity::ASKED.map(|quantity| (quantity.name(), quantity));
-            let names = list.get_ref().iter().map(|name| source.choice("quantity with an accuracy", name, &known));
+            let known = [
+                ("peak-pressure", Quantity::PeakPressure),
+                (HALF_WIDTH, Quantity::HalfWidth),
+                (SECOND_MOMENT_WIDTH, Quantity::SecondMomentWidth),
+            ];
+            let names = list.get_ref().iter().map(|name| {
+                wanted::refuse_old(source, name)?;
+                source.choice("quantity with an accuracy", name, &known)
+            });
             asked.quantities = names.collect::<Result<_, _>>()?;
             if asked.quantities.is_empty() {
                 return Err(source.refused(

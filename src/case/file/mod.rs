@@ -20,7 +20,7 @@
 //! * `reference` — reference values.
 //! * [`document`] — the whole file, `scene` — its scene.
 //! * `folder` — the files of a folder.
-//! * [`oracle`] — the closed form of a contact.
+//! * [`oracle`] — the closed form of a contact, `hypotheses` — what it takes for granted.
 //! * `mesh` — `[mesh]`.
 //! * `wanted` — the checks, `support` — the support of one.
 //! * [`places`] — where things are in the file.
@@ -41,6 +41,7 @@ mod gap;
 pub mod gap_keys;
 mod gmsh;
 mod hertz_load;
+mod hypotheses;
 pub mod load_keys;
 mod loads;
 mod mesh;

@@ -14,12 +14,13 @@ use crate::oracle::SharedOracle;
 use crate::oracle::analytic::even_gap::EvenGap;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::lame::{PressFit, RingMaterial};
+use crate::oracle::analytic::on_arc::OnArc;
 use crate::oracle::analytic::persson::PinInHole;
 use crate::oracle::analytic::punch::FlatPunch;
 use crate::oracle::analytic::uniform::Uniform;
 use crate::oracle::analytic::waves::Waves;
 use crate::oracle::analytic::{bars, weight};
-use crate::scene::Scene;
+use crate::scene::{ContactPair, Path, Scene};
 
 /// Terms of the series of a rounded wedge.
 const TERMS: usize = 400;
@@ -34,7 +35,7 @@ pub enum OracleTable {
     Hertz(Keyed<HertzTable>),
     /// A pin in a hole with clearance.
     Persson(Keyed<PerssonTable>),
-    /// A press fit: the first body is the inner ring.
+    /// A press fit.
     Lame(Keyed<LameTable>),
     /// A rigid flat punch.
     FlatPunch(Keyed<PunchTable>),
@@ -56,86 +57,86 @@ pub enum OracleTable {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HertzTable {
-    load: Number,
-    radius: Number,
+    pub(super) load: Number,
+    pub(super) radius: Number,
 }
 
 /// `{ load = F, radius = R, clearance = c }`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PerssonTable {
-    load: Number,
-    radius: Number,
-    clearance: Number,
+    pub(super) load: Number,
+    pub(super) radius: Number,
+    pub(super) clearance: Number,
 }
 
 /// `{ radii = [a, b, c], interference = d }`: the bore, where the rings meet, and the outside.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LameTable {
-    radii: Pair,
-    interference: Number,
+    pub(super) radii: Pair,
+    pub(super) interference: Number,
 }
 
 /// `{ load = F, half-width = a }`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct PunchTable {
-    load: Number,
-    half_width: Number,
+    pub(super) load: Number,
+    pub(super) half_width: Number,
 }
 
 /// `{ pressure = q, width = B }`: the whole width.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct UniformTable {
-    pressure: Number,
-    width: Number,
+    pub(super) pressure: Number,
+    pub(super) width: Number,
 }
 
 /// `{ lengths = [L1, L2], width = B, gap = g, push = u }`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BarsTable {
-    lengths: Pair,
-    width: Number,
-    gap: Number,
-    push: Number,
+    pub(super) lengths: Pair,
+    pub(super) width: Number,
+    pub(super) gap: Number,
+    pub(super) push: Number,
 }
 
 /// `{ weight = w, height = H, width = B }`: force per volume.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct WeightTable {
-    weight: Number,
-    height: Number,
-    width: Number,
+    pub(super) weight: Number,
+    pub(super) height: Number,
+    pub(super) width: Number,
 }
 
 /// `{ load = F, coefficients = [c2, c4, c6] }`, as `gap = { even = … }` has them.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PolynomialTable {
-    load: Number,
-    coefficients: Pair,
+    pub(super) load: Number,
+    pub(super) coefficients: Pair,
 }
 
 /// `{ load = F, radius = R, round = b }`: the gap has the slope s/R up to b, and b/R beyond.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct WedgeTable {
-    load: Number,
-    radius: Number,
-    round: Number,
+    pub(super) load: Number,
+    pub(super) radius: Number,
+    pub(super) round: Number,
 }
 
 /// `{ load = F, amplitude = D, wavelength = l }`: the force on a whole wave.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CosineTable {
-    load: Number,
-    amplitude: Number,
-    wavelength: Number,
+    pub(super) load: Number,
+    pub(super) amplitude: Number,
+    pub(super) wavelength: Number,
 }
 
 /// What turns the numbers of a table into those of a closed form.
@@ -150,7 +151,7 @@ impl OracleTable {
     /// The closed form for a contact of the scene.
     pub fn read(&self, source: Source, units: &Units, scene: &Scene, contact: usize) -> Result<SharedOracle, Error> {
         let reader = Reader { source, units, scene, contact };
-        Ok(match self {
+        let closed: SharedOracle = match self {
             Self::Hertz(t) => Arc::new(Hertz {
                 load: reader.load(&t.load)?,
                 radius: reader.length("radius", &t.radius)?,
@@ -196,7 +197,16 @@ impl OracleTable {
                     mean: reader.load(&t.load)? / wavelength,
                 })
             }
+        };
+        Ok(match (&scene.contacts[contact].path, self.is_of_a_line()) {
+            (Path::Arc(arc), true) => Arc::new(OnArc { straight: closed, radius: arc.radius }),
+            _ => closed,
         })
+    }
+
+    /// Whether its coordinate is a length along a straight line.
+    fn is_of_a_line(&self) -> bool {
+        matches!(self, Self::Hertz(_) | Self::FlatPunch(_) | Self::Polynomial(_) | Self::Wedge(_) | Self::Cosine(_))
     }
 }
 
@@ -234,7 +244,7 @@ impl Reader<'_> {
 
     fn lame(&self, t: &LameTable) -> Result<PressFit, Error> {
         let [bore, interface, outside] = self.source.entries("radii", &t.radii)?;
-        let pair = &self.scene.contacts[self.contact];
+        let [inner, outer] = rings(&self.scene.contacts[self.contact]);
         let material = |body: usize| {
             let material = self.scene.bodies[body].material;
             RingMaterial { young: material.young, poisson: material.poisson }
@@ -245,8 +255,8 @@ impl Reader<'_> {
             interface: self.length("radii", interface)?,
             outside: self.length("radii", outside)?,
             interference: self.length("interference", &t.interference)?,
-            inner: material(pair.first),
-            outer: material(pair.second.unwrap_or(pair.first)),
+            inner: material(inner),
+            outer: material(outer),
             plane: self.scene.plane.into(),
         })
     }
@@ -262,4 +272,10 @@ impl Reader<'_> {
             displacement: self.length("push", &t.push)?,
         })
     }
+}
+
+/// The inner and the outer ring of a contact.
+pub(super) fn rings(pair: &ContactPair) -> [usize; 2] {
+    let second = pair.second.unwrap_or(pair.first);
+    if pair.above { [pair.first, second] } else { [second, pair.first] }
 }

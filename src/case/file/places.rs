@@ -13,6 +13,8 @@ use crate::error::{Error, Located, Part, Place};
 pub struct Places {
     /// The file.
     pub(super) file: PathBuf,
+    /// The meshes that it names.
+    pub(super) meshes: Vec<PathBuf>,
     /// Its text.
     pub(super) text: String,
     /// The bodies.
@@ -51,6 +53,11 @@ impl PlacesOfContact {
 }
 
 impl Places {
+    /// The file itself, and the meshes that it names.
+    pub fn read(&self) -> impl Iterator<Item = &PathBuf> {
+        std::iter::once(&self.file).chain(&self.meshes)
+    }
+
     /// Text of the file.
     pub fn text(&self) -> &str {
         &self.text

@@ -1,6 +1,7 @@
 //! The keys of a scene file.
 
 use std::fmt;
+use std::path::{Path, PathBuf};
 
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{MapAccess, SeqAccess, Visitor};
@@ -51,6 +52,16 @@ pub enum ShapeTable {
     Gmsh(Keyed<GmshTable>),
 }
 
+impl ShapeTable {
+    /// The mesh that it is read from, named in a scene file.
+    pub fn mesh(&self, scene: &Path) -> Option<PathBuf> {
+        match self {
+            Self::Gmsh(table) => Some(table.path(scene)),
+            _ => None,
+        }
+    }
+}
+
 /// `{ corners = [[x, y], …], elements = [n, m], bottom = "contact", … }`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -98,6 +109,13 @@ pub struct GmshTable {
     pub group: Name,
     /// Physical curve that carries the contact.
     pub contact: Name,
+}
+
+impl GmshTable {
+    /// Where the mesh of a scene file is.
+    pub fn path(&self, scene: &Path) -> PathBuf {
+        scene.parent().unwrap_or(Path::new("")).join(self.file.get_ref())
+    }
 }
 
 /// `rectangle = { x = [left, right], y = [lower, upper], contact = "bottom" }`.

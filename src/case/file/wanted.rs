@@ -39,6 +39,7 @@ pub(super) struct CheckTable {
 enum Asked {
     PeakPressure,
     HalfWidth,
+    SecondMomentWidth,
     Centre,
     Resultant,
     Pressure,
@@ -49,9 +50,10 @@ enum Asked {
     ShearDepth,
 }
 
-const QUANTITIES: [(&str, Asked); 10] = [
+const QUANTITIES: [(&str, Asked); 11] = [
     ("peak-pressure", Asked::PeakPressure),
-    ("half-width", Asked::HalfWidth),
+    (HALF_WIDTH, Asked::HalfWidth),
+    (SECOND_MOMENT_WIDTH, Asked::SecondMomentWidth),
     ("centre", Asked::Centre),
     ("resultant", Asked::Resultant),
     ("pressure", Asked::Pressure),
@@ -61,6 +63,24 @@ const QUANTITIES: [(&str, Asked); 10] = [
     ("shear", Asked::Shear),
     ("shear-depth", Asked::ShearDepth),
 ];
+/// Names of the half-width, half of what lies between begin and end, and of the second-moment width, which had another.
+pub(super) const HALF_WIDTH: &str = "contact-half-width";
+pub(super) const SECOND_MOMENT_WIDTH: &str = "second-moment-width";
+const OLD: &str = "half-width";
+
+/// Refuses the name that the second-moment width had: of a contact that is no semi-ellipse it is no half-width.
+pub(super) fn refuse_old(source: Source, name: &Name) -> Result<(), Error> {
+    if name.get_ref() != OLD {
+        return Ok(());
+    }
+    let message =
+        format!("the quantity `{OLD}` was the second-moment width, which is the half-width of a semi-ellipse alone");
+    let remedy = format!(
+        "write `{SECOND_MOMENT_WIDTH}`, 2 √(∫p (s − c)²/∫p), or `{HALF_WIDTH}`, half of what lies between begin and end"
+    );
+    Err(source.refused(name.span(), message, remedy))
+}
+
 /// What is said of keys that belong to other quantities.
 const SUPPORT: [&str; 2] = ["only a `reaction` has a support", "leave `support` out"];
 const OF: [&str; 2] = ["only a `displacement` is that of a place", "leave `of` out"];
@@ -108,6 +128,7 @@ impl CheckTable {
         scene: &Scene,
         oracles: &[Option<SharedOracle>],
     ) -> Result<Check, Error> {
+        refuse_old(source, &self.quantity)?;
         let asked = source.choice("quantity", &self.quantity, &QUANTITIES)?;
         let contact = self.contact(source, asked, scene)?;
         let pair = &scene.contacts[contact];
@@ -118,8 +139,10 @@ impl CheckTable {
         let (quantity, unit) = match asked {
             Asked::PeakPressure => (Quantity::PeakPressure, units.stress),
             Asked::HalfWidth if pair.path.is_straight() => (Quantity::HalfWidth, units.length),
-            // Given and told in degrees.
             Asked::HalfWidth => (Quantity::HalfAngle, 1.0),
+            Asked::SecondMomentWidth if pair.path.is_straight() => (Quantity::SecondMomentWidth, units.length),
+            // Given and told in degrees.
+            Asked::SecondMomentWidth => (Quantity::SecondMomentAngle, 1.0),
             Asked::Centre => (Quantity::Centre, along),
             Asked::Resultant => (Quantity::Resultant, units.force),
             Asked::Pressure if pair.path.is_straight() => {
@@ -252,8 +275,10 @@ impl CheckTable {
         let read = |asked| Reference::read(oracle.as_ref(), asked);
         let reference = match quantity {
             Quantity::PeakPressure => read(oracle::Quantity::PeakPressure),
-            Quantity::HalfWidth => read(oracle::Quantity::SecondMoment),
-            Quantity::HalfAngle => read(oracle::Quantity::SecondMoment).in_degrees(),
+            Quantity::HalfWidth => read(oracle::Quantity::HalfWidth),
+            Quantity::HalfAngle => read(oracle::Quantity::ContactAngle).in_degrees(),
+            Quantity::SecondMomentWidth => read(oracle::Quantity::SecondMoment),
+            Quantity::SecondMomentAngle => read(oracle::Quantity::SecondMoment).in_degrees(),
             Quantity::Pressure { at } => read(oracle::Quantity::Pressure { at: at.value() }),
             Quantity::Resultant => {
                 let per_thickness = read(oracle::Quantity::Resultant);

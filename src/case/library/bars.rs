@@ -73,7 +73,7 @@ impl Bars {
             gap: self.gap,
             displacement: self.push * self.gap,
         };
-        Case { oracle: Some(Arc::new(oracle)), ..Case::of("bars", TITLE, self.scene(), 2) }
+        Case { oracles: vec![Some(Arc::new(oracle))], ..Case::of("bars", TITLE, self.scene(), 2) }
     }
 }
 

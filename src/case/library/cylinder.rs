@@ -115,7 +115,7 @@ impl Cylinder {
         let scene = self.scene();
         let oracle = Hertz { load: self.load(), radius: self.radius, modulus: scene.contact_modulus() };
         let source = SOURCE.into();
-        Case { source, oracle: Some(Arc::new(oracle)), ..Case::of("cylinder", TITLE, scene, 12) }
+        Case { source, oracles: vec![Some(Arc::new(oracle))], ..Case::of("cylinder", TITLE, scene, 12) }
     }
 }
 

@@ -60,7 +60,7 @@ impl OwnWeight {
     /// The case, with `p = ρ g H`.
     pub fn case(&self) -> Case {
         let oracle = weight::OwnWeight { specific_weight: self.weight, height: self.height, width: 2.0 * self.width };
-        Case { oracle: Some(Arc::new(oracle)), ..Case::of("own-weight", TITLE, self.scene(), 4) }
+        Case { oracles: vec![Some(Arc::new(oracle))], ..Case::of("own-weight", TITLE, self.scene(), 4) }
     }
 }
 

@@ -64,7 +64,7 @@ impl Patch {
     /// The case of all nine, with its closed form `p = q`.
     pub fn case(&self) -> Case {
         let oracle = Uniform { applied: self.pressure, width: 2.0 * self.side };
-        Case { oracle: Some(Arc::new(oracle)), ..Case::of("patch", TITLE, self.scene(), 3) }
+        Case { oracles: vec![Some(Arc::new(oracle))], ..Case::of("patch", TITLE, self.scene(), 3) }
     }
 }
 

@@ -124,6 +124,6 @@ pub const NINE: &str = "pin-rod";
 pub(super) fn cases() -> Vec<Case> {
     let near = |quantity| Check::near(quantity, Against::Verification, 1e-2, ENGINEERING);
     let profile = Check::error(Quantity::EdgeMeans, Against::Verification, 1e-2, ENGINEERING);
-    let checks = vec![near(Quantity::PeakPressure), near(Quantity::HalfAngle), profile];
+    let checks = vec![near(Quantity::PeakPressure), near(Quantity::SecondMomentAngle), profile];
     vec![Case { formulations: Formulation::compared(), checks, ..PinRod::default().case() }]
 }

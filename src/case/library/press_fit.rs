@@ -108,7 +108,7 @@ impl PressFit {
             outer,
             plane: self.plane.into(),
         };
-        Case { oracle: Some(Arc::new(oracle)), ..Case::of("press-fit", TITLE, self.scene(), 32) }
+        Case { oracles: vec![Some(Arc::new(oracle))], ..Case::of("press-fit", TITLE, self.scene(), 32) }
     }
 }
 

@@ -98,7 +98,10 @@ impl TruncatedHertz {
 
     /// The case, with Hertz's solution.
     pub fn case(&self) -> Case {
-        Case { oracle: Some(Arc::new(self.closed_form())), ..Case::of("truncated-hertz", TITLE, self.scene(), 8) }
+        Case {
+            oracles: vec![Some(Arc::new(self.closed_form()))],
+            ..Case::of("truncated-hertz", TITLE, self.scene(), 8)
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 //! * [`hertz`]: line contact and the stresses below it.
 //! * [`even_gap`]: a rigid profile of even gap on a half-plane, and the stresses below it.
 //! * [`persson`]: a pin in a hole with clearance.
+//! * [`on_arc`]: one of a straight line, read on an arc.
 //! * [`lame`]: press fit of two rings.
 //! * [`bars`]: two bars closing a gap.
 //! * [`punch`]: a rigid flat punch on a half-plane.
@@ -17,6 +18,7 @@ pub mod bars;
 pub mod even_gap;
 pub mod hertz;
 pub mod lame;
+pub mod on_arc;
 pub mod persson;
 pub mod punch;
 pub mod uniform;

@@ -34,7 +34,11 @@ pub(super) type Shared = Arc<OnceLock<Result<Meshed, Error>>>;
 pub(super) fn run(case: &Arc<Case>, mesh: &Shared, formulation: &Formulation) -> Result<Numbers, Error> {
     let meshed = mesh.get_or_init(|| case.meshed()).as_ref().map_err(Error::clone)?;
     let run = case.run(meshed, formulation)?;
-    let judged = case.judge(meshed, &run)?;
+    let mut judged = case.judge(meshed, &run)?;
+    // Once for all formulations: the closed form is that of the scene.
+    if formulation.name() == case.formulation().name() {
+        judged.extend(case.held_to_closed_forms(meshed, &run)?);
+    }
     Ok(Numbers { case: case.clone(), run, judged })
 }
 

@@ -16,7 +16,7 @@ const HEAD: [&str; 10] = [
     "factorisations",
     "back-substitutions",
     "peak [MPa]",
-    "half-width by moment",
+    "second-moment width",
     "by counting",
     "last active point",
     "resultant [N]",
@@ -31,7 +31,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
         if rows.iter().any(|row| row[0] == link) {
             continue;
         }
-        let reference = numbers.case.oracle.as_ref().map_or("its own checks".into(), |oracle| oracle.name().to_owned());
+        let reference = numbers.case.oracle().map_or("its own checks".into(), |oracle| oracle.name().to_owned());
         rows.push(vec![link, numbers.case.title.clone(), reference, sources(numbers).join("; ")]);
     }
     Ok(table(&["case", "what it is", "reference", "source"].map(String::from), &rows) + "\n")
@@ -39,7 +39,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
 
 /// Where a case and its closed form come from.
 pub fn sources(numbers: &Numbers) -> Vec<String> {
-    let cited = numbers.case.oracle.iter().map(|oracle| {
+    let cited = numbers.case.oracle().into_iter().map(|oracle| {
         let source = oracle.source();
         format!("{}: {} ({})", oracle.name(), source.citation, source.note)
     });
@@ -52,7 +52,7 @@ pub fn results(runs: &[(String, &Numbers, &[Judged])]) -> String {
     let unit = if straight { "mm" } else { "°" };
     let rows: Vec<Vec<String>> = runs.iter().map(|(name, numbers, judged)| row(name, numbers, judged)).collect();
     let head = HEAD.map(|name| match name {
-        "half-width by moment" | "by counting" | "last active point" => format!("{name} [{unit}]"),
+        "second-moment width" | "by counting" | "last active point" => format!("{name} [{unit}]"),
         other => other.into(),
     });
     table(&head, &rows)
@@ -67,7 +67,7 @@ fn row(name: &str, Numbers { case, run, .. }: &Numbers, judged: &[Judged]) -> Ve
     };
     let quoted = [
         (measures.peak.pressure, bar(Quantity::PeakPressure)),
-        (factor * measures.half_width, bar(Quantity::HalfWidth).map(|bar| factor * bar)),
+        (factor * measures.second_moment_width, bar(Quantity::SecondMomentWidth).map(|bar| factor * bar)),
         (factor * measures.half_width_nodes, None),
         (factor * measures.edge(), None),
         (run.transmitted(), bar(Quantity::Resultant)),

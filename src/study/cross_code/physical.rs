@@ -196,9 +196,9 @@ pub fn ours(benchmark: &Benchmark) -> Result<(Vec<PhysicalAnswer>, f64), Error> 
         let run = Run::of(&discretisation, &Formulation::verification())?;
         let converged = |value: f64| if run.solution.converged() { value } else { f64::NAN };
         let means = profile::means(&run.solution.edges, &benchmark.physical.stations);
-        peak_as_theirs = converged(parabola::peak(&run.solution.edges, run.measures().half_width));
+        peak_as_theirs = converged(parabola::peak(&run.solution.edges, run.measures().second_moment_width));
         Ok(PhysicalAnswer {
-            half_width: converged(run.measures().half_width),
+            half_width: converged(run.measures().second_moment_width),
             peak: converged(run.measures().peak.pressure),
             resultant: converged(run.transmitted()),
             pressure: means.into_iter().map(converged).collect(),
@@ -214,7 +214,7 @@ const SAMPLES: usize = 100;
 
 /// What the closed form says of a scene, if there is one.
 pub fn closed_form(benchmark: &Benchmark) -> Option<ClosedForm> {
-    let oracle = benchmark.case.oracle.as_deref()?;
+    let oracle = benchmark.case.oracle()?;
     let value = |quantity| match oracle.read(quantity) {
         Reading::Value { value, .. } => value,
         Reading::Silent | Reading::Unavailable(_) => f64::NAN,

@@ -147,7 +147,7 @@ pub fn of(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[Bar
 }
 
 fn sources(case: &Case) -> Vec<String> {
-    let of_oracle = case.oracle.iter().map(|oracle| {
+    let of_oracle = case.oracle().into_iter().map(|oracle| {
         let source = oracle.source();
         format!("{}: {} ({})", oracle.name(), source.citation, source.note)
     });
@@ -160,13 +160,13 @@ fn closed_form(case: &Case, subject: &Subject) -> Option<f64> {
     let Subject::Contact(0, quantity) = subject else { return None };
     let (asked, factor) = match quantity {
         Quantity::PeakPressure => (oracle::Quantity::PeakPressure, 1.0),
-        Quantity::HalfWidth => (oracle::Quantity::SecondMoment, 1.0),
+        Quantity::SecondMomentWidth => (oracle::Quantity::SecondMoment, 1.0),
         Quantity::End(0) if case.scene.contact().path.is_straight() => (oracle::Quantity::HalfWidth, 1.0),
         Quantity::End(0) => (oracle::Quantity::ContactAngle, 1.0),
         Quantity::Resultant => (oracle::Quantity::Resultant, case.scene.thickness),
         _ => return None,
     };
-    match case.oracle.as_ref()?.read(asked) {
+    match case.oracle()?.read(asked) {
         Reading::Value { value, .. } => Some(factor * value),
         Reading::Silent | Reading::Unavailable(_) => None,
     }
@@ -176,7 +176,7 @@ fn closed_form(case: &Case, subject: &Subject) -> Option<f64> {
 fn other(script: Script, series: &[PhysicalAnswer], subject: &Subject, factor: f64) -> Option<Other> {
     let of: fn(&PhysicalAnswer) -> f64 = match subject {
         Subject::Contact(0, Quantity::PeakPressure) => |answer| answer.peak,
-        Subject::Contact(0, Quantity::HalfWidth) => |answer| answer.half_width,
+        Subject::Contact(0, Quantity::SecondMomentWidth) => |answer| answer.half_width,
         _ => return None,
     };
     let [coarse, medium, fine] = series else { return None };

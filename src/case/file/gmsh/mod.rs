@@ -31,10 +31,10 @@ type SideKey = [u64; 2];
 
 /// The physical surface of a mesh file as a body.
 pub fn shape(source: Source, units: &Units, table: &GmshTable) -> Result<Shape, Error> {
-    let path = source.file.parent().unwrap_or(Path::new("")).join(table.file.get_ref());
+    let path = table.path(source.file);
     let text = text(source, &path, &table.file)?;
     let gmsh = Gmsh::parse(Source { file: &path, text: &text })?;
-    let cells = cells(source, table, &gmsh)?;
+    let (cells, turned) = cells(source, table, &gmsh)?;
     let sides = sides(&cells);
     let mut numbers = HashMap::new();
     let mut points = Vec::new();
@@ -77,7 +77,7 @@ pub fn shape(source: Source, units: &Units, table: &GmshTable) -> Result<Shape, 
     }
     let contact = contact.clone();
     boundaries.insert(CONTACT.into(), contact);
-    Ok(Shape::Given(Arc::new(GivenMesh { points, cells: own, boundaries, inner })))
+    Ok(Shape::Given(Arc::new(GivenMesh { points, cells: own, boundaries, inner, turned })))
 }
 
 /// The names there are, or what to do where there are none.
@@ -106,8 +106,9 @@ fn text(source: Source, path: &Path, name: &Spanned<String>) -> Result<String, E
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// Cells of the physical surface, counter-clockwise; Gmsh lists them clockwise where its surface is turned over.
-fn cells(source: Source, table: &GmshTable, gmsh: &Gmsh) -> Result<Vec<Vec<u64>>, Error> {
+/// Cells of the physical surface, counter-clockwise, and how many were turned: Gmsh lists cells clockwise where their surface is
+/// turned over.
+fn cells(source: Source, table: &GmshTable, gmsh: &Gmsh) -> Result<(Vec<Vec<u64>>, usize), Error> {
     let name = &table.group;
     let Some(blocks) = gmsh.surfaces.get(name.get_ref()) else {
         let known: Vec<&str> = gmsh.surfaces.keys().map(String::as_str).collect();
@@ -137,22 +138,27 @@ fn cells(source: Source, table: &GmshTable, gmsh: &Gmsh) -> Result<Vec<Vec<u64>>
         let at = |k: usize| gmsh.nodes.get(&piece.nodes[k % 4]).copied().unwrap_or([f64::NAN; 2]);
         (0..4).map(|k| at(k)[0] * at(k + 1)[1] - at(k + 1)[0] * at(k)[1]).sum::<f64>()
     };
-    let clockwise = area(first) < 0.0;
-    if let Some(piece) = pieces().find(|piece| area(piece) == 0.0 || (area(piece) < 0.0) != clockwise) {
-        let message = format!(
-            "cell {} of `{}` is degenerate, or turned over against cell {}",
-            piece.tag,
-            name.get_ref(),
-            first.tag
-        );
-        return refused(message, "orient all surfaces of the body alike (Reverse Surface), and repair the mesh");
+    if let Some(piece) = pieces().find(|piece| area(piece).is_nan() || area(piece) == 0.0) {
+        return refused(format!("cell {} of `{}` is degenerate", piece.tag, name.get_ref()), "repair the mesh");
     }
-    let turned = |piece: &Piece| match (clockwise, piece.nodes.len()) {
+    let clockwise = |piece: &Piece| area(piece) < 0.0;
+    let counter_clockwise = |piece: &Piece| match (clockwise(piece), piece.nodes.len()) {
         (false, _) => piece.nodes.clone(),
         (true, 4) => [0, 3, 2, 1].map(|k: usize| piece.nodes[k]).to_vec(),
         (true, _) => [0, 3, 2, 1, 7, 6, 5, 4].map(|k: usize| piece.nodes[k]).to_vec(),
     };
-    Ok(pieces().map(turned).collect())
+    let cells: Vec<Vec<u64>> = pieces().map(counter_clockwise).collect();
+    // Of two cells beside one another each runs along their common side the other way.
+    let mut along = HashMap::new();
+    for (piece, cell) in pieces().zip(&cells) {
+        for k in 0..4 {
+            if let Some(other) = along.insert([cell[k], cell[(k + 1) % 4]], piece.tag) {
+                let message = format!("cells {other} and {} of `{}` lie over one another", piece.tag, name.get_ref());
+                return refused(message, "repair the mesh: it is folded");
+            }
+        }
+    }
+    Ok((cells, pieces().filter(|piece| clockwise(piece)).count()))
 }
 
 /// Every side of a cell: first, last and middle node, a cell to its left; and of how many cells it is one.

@@ -1,0 +1,390 @@
+//! What a closed form takes for granted of bodies, materials and gap: a scene that has something else is refused.
+//!
+//! What shows only when the scene is solved, as the force on the contact, is told beside the run
+//! ([`Case::beside_closed_forms`](crate::case::Case::beside_closed_forms)).
+
+use std::sync::Arc;
+
+use toml::Spanned;
+
+use crate::case::file::Source;
+use crate::case::file::compared::rounded;
+use crate::case::file::oracle::{
+    BarsTable, LameTable, OracleTable, PerssonTable, PunchTable, WedgeTable, WeightTable, rings,
+};
+use crate::case::file::side::Side;
+use crate::case::file::units::Units;
+use crate::case::file::values::Number;
+use crate::error::Error;
+use crate::oracle::{Quantity, Reading, SharedOracle};
+use crate::scene::{Component, ContactPair, DrawnGap, Load, Path, Profile, Scene, Shape};
+
+/// Difference, over the larger number, up to which two are one: a circle is as good as its parabola.
+const ALIKE: f64 = 0.01;
+/// The same of gaps between points: chords of a circle lie inside it.
+const SAMPLED: f64 = 0.02;
+/// Difference of Poisson's ratios up to which they are one.
+const POISSON: f64 = 0.005;
+/// Places along a contact at which gaps are compared.
+const PLACES: u32 = 64;
+/// Difference of curvatures at two distances, over one of them, that chords of a parabola may have.
+const PARABOLIC: f64 = 0.2;
+/// Halvings of the stretch on which a curvature is looked for.
+const HALVINGS: i32 = 6;
+
+/// A scene held against the hypotheses of the closed form of one of its contacts.
+struct Bench<'a> {
+    source: Source<'a>,
+    units: &'a Units,
+    given: &'a Spanned<OracleTable>,
+    scene: &'a Scene,
+    pair: &'a ContactPair,
+    /// The gap where a formula or the drawing tells it.
+    profile: Profile,
+}
+
+/// Refuses a scene that is not that of the closed form named.
+pub(super) fn refuse_other_scene(
+    source: Source,
+    units: &Units,
+    given: &Spanned<OracleTable>,
+    (scene, contact): (&Scene, usize),
+    oracle: &SharedOracle,
+) -> Result<(), Error> {
+    let pair = &scene.contacts[contact];
+    let profile = match &pair.profile {
+        Profile::Drawn => drawn(scene, pair),
+        told => told.clone(),
+    };
+    let bench = Bench { source, units, given, scene, pair, profile };
+    match given.get_ref() {
+        OracleTable::Hertz(t) => bench.curved(&t.radius),
+        OracleTable::Persson(t) => bench.persson(t, oracle),
+        OracleTable::Lame(t) => bench.lame(t),
+        OracleTable::FlatPunch(t) => bench.punch(t),
+        OracleTable::Bars(t) => bench.bars(t),
+        OracleTable::OwnWeight(t) => bench.weight(t),
+        OracleTable::Polynomial(t) => {
+            let list = t.coefficients.get_ref().iter().zip(0..);
+            let coefficients = list.map(|(c, k)| c.get_ref() * units.length.powi(-1 - 2 * k)).collect();
+            bench.shaped("polynomial", &Profile::Even { coefficients }, oracle)
+        }
+        OracleTable::Wedge(t) => bench.wedge(t, oracle),
+        OracleTable::Cosine(t) => {
+            let [amplitude, wavelength] = [&t.amplitude, &t.wavelength].map(|given| units.length * given.get_ref());
+            bench.shaped("cosine", &Profile::Cosine { amplitude, wavelength }, oracle)
+        }
+        // Its force tells it: pressure times width.
+        OracleTable::Uniform(_) => Ok(()),
+    }
+}
+
+/// The gap between the sides as their meshes draw them.
+fn drawn(scene: &Scene, pair: &ContactPair) -> Profile {
+    let side = |body: usize| Side::of(&scene.bodies[body].shape, pair.side(body), &pair.path, pair.stretch);
+    match pair.bodies().map(side).collect::<Option<Vec<Side>>>() {
+        Some(sides) => {
+            let sides = sides.into_iter().map(|side| side.curves).collect();
+            Profile::Bodies(Arc::new(DrawnGap { sides, path: pair.path, above: pair.above }))
+        }
+        None => Profile::Drawn,
+    }
+}
+
+impl Bench<'_> {
+    /// Refuses a number of the table that the scene has otherwise; both in the units of the scene, told over `unit`.
+    fn same(&self, key: &str, value: &Number, [given, has]: [f64; 2], unit: f64, what: &str) -> Result<(), Error> {
+        let allowed = self.allowed() * given.abs().max(has.abs());
+        if !has.is_finite() || (given - has).abs() <= allowed {
+            return Ok(());
+        }
+        let shown = rounded(has / unit);
+        let message = format!("{key} is {}, and {what} is {shown}", value.get_ref());
+        let remedy = "a closed form is compared only with the scene it is of: correct one of the two, or leave `oracle` out and give checks a `value`";
+        Err(self.source.refused(value.span(), message, format!("give {shown}; {remedy}")))
+    }
+
+    /// Refuses the closed form as a whole.
+    fn refuse(&self, message: String) -> Result<(), Error> {
+        let remedy = "correct the `oracle` or the scene, or leave `oracle` out and give checks a `value`";
+        Err(self.source.refused(self.given.span(), message, remedy))
+    }
+
+    fn allowed(&self) -> f64 {
+        match self.profile {
+            Profile::Bodies(_) | Profile::Drawn | Profile::Table(_) | Profile::Smooth(_) => SAMPLED,
+            _ => ALIKE,
+        }
+    }
+
+    /// Where the gap is smallest, and how far it can be looked at to both sides of there; none where that is not in the middle.
+    fn vertex(&self) -> Option<[f64; 2]> {
+        let stretch = self.pair.stretch;
+        if !self.pair.path.has_both_sides() {
+            let lowest = self.places(stretch).map(|s| self.profile.gap(s)).fold(f64::INFINITY, f64::min);
+            let at_0 = self.profile.gap(0.0);
+            let size = (self.profile.gap(stretch) - at_0).abs();
+            return (at_0 - lowest <= ALIKE * size).then_some([0.0, stretch]);
+        }
+        let all = (-i64::from(PLACES)..=i64::from(PLACES)).map(|k| stretch * k as f64 / f64::from(PLACES));
+        let told = all.map(|s| [s, self.profile.gap(s)]).filter(|[_, gap]| gap.is_finite());
+        let [s, _] = told.min_by(|a, b| a[1].total_cmp(&b[1]).then(a[0].abs().total_cmp(&b[0].abs())))?;
+        let reach = stretch - s.abs();
+        (reach > 0.25 * stretch).then_some([s, reach])
+    }
+
+    /// Places from 0 to an end.
+    fn places(&self, end: f64) -> impl Iterator<Item = f64> + use<> {
+        (1..=PLACES).map(move |k| end * f64::from(k) / f64::from(PLACES))
+    }
+
+    /// How much the gap grows from its vertex to a distance from there, the mean of both sides \[mm\].
+    fn rise(&self, vertex: f64, s: f64) -> f64 {
+        if !self.pair.path.has_both_sides() {
+            return self.profile.gap(s) - self.profile.gap(0.0);
+        }
+        0.5 * (self.profile.gap(vertex + s) + self.profile.gap(vertex - s)) - self.profile.gap(vertex)
+    }
+
+    /// Refuses a radius that is not that of curvature of the gap, `1/R = g″(0)`, whatever part of the stretch it is taken on.
+    fn curved(&self, radius: &Number) -> Result<(), Error> {
+        let Some([vertex, reach]) = self.vertex() else { return Ok(()) };
+        let given = self.units.length * radius.get_ref();
+        let curvature = |k: i32| {
+            let s = reach * 0.5f64.powi(k);
+            2.0 * self.rise(vertex, s) / (self.pair.path.metric() * s).powi(2)
+        };
+        let told: Vec<f64> = (0..=HALVINGS).map(curvature).filter(|curvature| curvature.is_finite()).collect();
+        let Some(finest) = told.last() else { return Ok(()) };
+        // The same at half the distance, roughly: a wedge has any radius somewhere.
+        let fits = |two: &[f64]| {
+            (two[0] * given - 1.0).abs() <= self.allowed() && (two[1] - two[0]).abs() <= PARABOLIC * two[0].abs()
+        };
+        if told.windows(2).any(fits) {
+            return Ok(());
+        }
+        let sampled = self.allowed() > ALIKE;
+        // A half of the stretch holds enough points of a table.
+        let curvature = told.get(1).filter(|_| sampled).unwrap_or(finest);
+        if (*curvature * given - 1.0).abs() <= ALIKE {
+            return self.refuse(
+                "`hertz` is of a gap that is a parabola where the bodies touch, and that of the contact is none".into(),
+            );
+        }
+        if *curvature <= ALIKE * ALIKE / given {
+            let message = format!("`radius` is {}, and the gap is flat", radius.get_ref());
+            return Err(self.source.refused(
+                radius.span(),
+                message,
+                "leave `oracle` out, or give the gap that it is of",
+            ));
+        }
+        let what = "the radius of curvature of the gap";
+        self.same("`radius`", radius, [given, 1.0 / curvature], self.units.length, what)
+    }
+
+    /// Refuses a gap that differs from that of the closed form where the latter is in contact.
+    fn shaped(&self, name: &str, closed: &Profile, oracle: &SharedOracle) -> Result<(), Error> {
+        let Some([vertex, reach]) = self.vertex() else { return Ok(()) };
+        let on_arc = !self.pair.path.is_straight();
+        let asked = if on_arc { Quantity::ContactAngle } else { Quantity::HalfWidth };
+        let end = match oracle.read(asked) {
+            Reading::Value { value, .. } => reach.min(value),
+            Reading::Silent | Reading::Unavailable(_) => reach,
+        };
+        // Holes are functions of the angle, all others of the length along the path.
+        let is_angle = matches!(closed, Profile::Hole { .. });
+        let metric = if is_angle { 1.0 } else { self.pair.path.metric() };
+        let both = self.places(end).map(|s| [s, closed.gap(metric * s), self.rise(vertex, s)]);
+        let told: Vec<[f64; 3]> = both.filter(|[_, _, has]| has.is_finite()).collect();
+        let size = told.iter().map(|[_, gap, _]| gap.abs()).fold(0.0, f64::max);
+        let apart = |one: &[f64; 3]| (one[1] - one[2]).abs();
+        let Some(worst) = told.iter().max_by(|a, b| apart(a).total_cmp(&apart(b))) else { return Ok(()) };
+        if apart(worst) <= self.allowed() * size {
+            return Ok(());
+        }
+        let [given, has] = [worst[1], worst[2]].map(|gap| rounded(gap / self.units.length));
+        let place = if on_arc { rounded(worst[0].to_degrees()) } else { rounded(worst[0] / self.units.length) };
+        self.refuse(format!(
+            "at s = {place} the gap of `{name}` has grown to {given}, and that of the contact to {has}"
+        ))
+    }
+
+    fn wedge(&self, t: &WedgeTable, oracle: &SharedOracle) -> Result<(), Error> {
+        let [radius, round] = [&t.radius, &t.round].map(|given| self.units.length * given.get_ref());
+        if let Profile::Wedge { slope } = self.profile {
+            let given = round / radius;
+            if (given - slope).abs() <= ALIKE * slope {
+                return Ok(());
+            }
+            let [given, slope] = [given, slope].map(rounded);
+            return self.refuse(format!(
+                "`round` over `radius`, the slope of `wedge`, is {given}, and that of the gap is {slope}"
+            ));
+        }
+        let tip = |s: f64| if s <= round { 0.5 * s * s / radius } else { round / radius * (s - 0.5 * round) };
+        let end = self.pair.stretch * self.pair.path.metric();
+        let ends = [0.0].into_iter().chain(self.places(round)).chain(self.places(end).filter(|s| *s > round));
+        let points: Vec<[f64; 2]> = ends.map(|s| [s, tip(s)]).collect();
+        self.shaped("wedge", &Profile::Table(points.into()), oracle)
+    }
+
+    fn persson(&self, t: &PerssonTable, oracle: &SharedOracle) -> Result<(), Error> {
+        let (Path::Arc(arc), Some(_)) = (&self.pair.path, self.pair.second) else {
+            let has = if self.pair.second.is_some() { "a straight path" } else { "a rigid other side" };
+            return self.refuse(format!(
+                "`persson` is of an elastic pin in an elastic hole on an `arc`, and the contact has {has}"
+            ));
+        };
+        self.refuse_other_materials("persson", "a pin and a plate")?;
+        let [radius, clearance] = [&t.radius, &t.clearance].map(|given| self.units.length * given.get_ref());
+        match self.profile {
+            Profile::Hole { radius: own, clearance: free } | Profile::Pin { radius: own, clearance: free } => {
+                self.same("`radius`", &t.radius, [radius, own], self.units.length, "the pin's radius in the gap")?;
+                self.same("`clearance`", &t.clearance, [clearance, free], self.units.length, "that of the gap")
+            }
+            _ => {
+                // The arc may be the pin's or the hole's.
+                let own = if (radius - arc.radius).abs() <= clearance { radius } else { arc.radius };
+                self.same("`radius`", &t.radius, [radius, own], self.units.length, "the radius of the arc")?;
+                self.shaped("persson", &Profile::Hole { radius, clearance }, oracle)
+            }
+        }
+    }
+
+    /// Refuses bodies of two materials.
+    fn refuse_other_materials(&self, name: &str, of: &str) -> Result<(), Error> {
+        let bodies: Vec<_> = self.pair.bodies().map(|body| &self.scene.bodies[body]).collect();
+        let [first, .., last] = bodies.as_slice() else { return Ok(()) };
+        let [a, b] = [first.material, last.material];
+        if (a.young - b.young).abs() <= ALIKE * a.young.max(b.young) && (a.poisson - b.poisson).abs() <= POISSON {
+            return Ok(());
+        }
+        let told = [first, last].map(|body| {
+            let young = rounded(body.material.young / self.units.stress);
+            format!("`{}` has `young` {young} and `poisson` {}", body.name, body.material.poisson)
+        });
+        self.refuse(format!("`{name}` is of {of} of one material, and {}", told.join(", ")))
+    }
+
+    fn lame(&self, t: &LameTable) -> Result<(), Error> {
+        let (Path::Arc(arc), Some(_)) = (&self.pair.path, self.pair.second) else {
+            let has = if self.pair.second.is_some() { "a straight path" } else { "a rigid other side" };
+            return self.refuse(format!("`lame` is of two elastic rings on an `arc`, and the contact has {has}"));
+        };
+        let [bore, fit, outside] = self.source.entries("radii", &t.radii)?;
+        let [inner, outer] = rings(self.pair).map(|body| &self.scene.bodies[body]);
+        let ([least, _], [_, most]) = (extent(&inner.shape, arc.centre), extent(&outer.shape, arc.centre));
+        let told = [
+            (bore, "the bore in `radii`", least, format!("the inner radius of `{}`", inner.name)),
+            (fit, "the fit in `radii`", arc.radius, "the radius of the arc".into()),
+            (outside, "the outside in `radii`", most, format!("the outer radius of `{}`", outer.name)),
+        ];
+        for (given, key, has, what) in told {
+            let radius = self.units.length * given.get_ref();
+            // A bore of nothing is as good as one that is small beside the fit.
+            if !has.is_finite() || (radius - has).abs() > ALIKE * ALIKE * arc.radius {
+                self.same(key, given, [radius, has], self.units.length, &what)?;
+            }
+        }
+        let given = self.units.length * t.interference.get_ref();
+        let has = 0.0 - self.profile.gap(0.5 * self.pair.stretch);
+        self.same("`interference`", &t.interference, [given, has], self.units.length, "that of the gap")
+    }
+
+    fn punch(&self, t: &PunchTable) -> Result<(), Error> {
+        let given = self.units.length * t.half_width.get_ref();
+        let unit = self.units.length;
+        if let Profile::Punch { half_width } = self.profile {
+            return self.same("`half-width`", &t.half_width, [given, half_width], unit, "that of the gap");
+        }
+        let Some([vertex, reach]) = self.vertex() else { return Ok(()) };
+        let metric = self.pair.path.metric();
+        let load = self.units.force * t.load.get_ref() / self.scene.thickness;
+        let flat = ALIKE * load / self.scene.modulus_of(self.pair);
+        let open = self.places(reach).find(|s| self.rise(vertex, *s).abs() > flat);
+        match open {
+            Some(s) if metric * s < (1.0 - ALIKE) * given => {
+                let has = [metric * s, self.rise(vertex, s)].map(|x| rounded(x / unit));
+                let [place, gap] = has;
+                self.refuse(format!("`flat-punch` has no gap up to its `half-width` {}, and at s = {place} that of the contact has grown by {gap}", t.half_width.get_ref()))
+            }
+            Some(_) => Ok(()),
+            None => {
+                let has = metric * reach;
+                self.same("`half-width`", &t.half_width, [given, has], unit, "the stretch on which the gap is flat")
+            }
+        }
+    }
+
+    fn bars(&self, t: &BarsTable) -> Result<(), Error> {
+        let Some(second) = self.pair.second else {
+            return self.refuse("`bars` is of two elastic bars, and the other side of the contact is rigid".into());
+        };
+        self.refuse_other_materials("bars", "two bars")?;
+        let material = self.scene.bodies[self.pair.first].material;
+        let plane = material.plane_modulus(self.scene.plane);
+        if (plane - material.young).abs() > ALIKE * plane {
+            return self.refuse(format!(
+                "`bars` is of bars that are free sideways, and in plane strain `poisson` {} makes them stiffer",
+                material.poisson
+            ));
+        }
+        let lengths = self.source.entries::<_, 2>("lengths", &t.lengths)?;
+        for (given, body) in lengths.iter().zip([self.pair.first, second]) {
+            let body = &self.scene.bodies[body];
+            self.height("an entry of `lengths`", given, &body.shape, &format!("the length of `{}`", body.name))?;
+        }
+        let gap = self.units.length * t.gap.get_ref();
+        self.same("`gap`", &t.gap, [gap, self.profile.gap(0.0)], self.units.length, "that of the contact")?;
+        let pushed = |body: usize| {
+            let supports = self.scene.bodies[body].supports.iter();
+            let along = supports.filter(|support| support.component == Component::Y);
+            along.map(|support| support.value.abs()).fold(0.0, f64::max)
+        };
+        let push = self.units.length * t.push.get_ref();
+        match [self.pair.first, second].map(pushed) {
+            [moved, other] if moved > 0.0 && other <= 0.0 => {
+                self.same("`push`", &t.push, [push, moved], self.units.length, "the displacement prescribed")
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn weight(&self, t: &WeightTable) -> Result<(), Error> {
+        let body = &self.scene.bodies[self.pair.first];
+        self.height("`height`", &t.height, &body.shape, &format!("the height of `{}`", body.name))?;
+        let unit = self.units.force / self.units.length.powi(3);
+        let weights = body.loads.iter().filter_map(|load| match load {
+            Load::BodyForce(force) => Some(force[1].abs()),
+            _ => None,
+        });
+        match weights.sum() {
+            none if none <= 0.0 => {
+                self.refuse(format!("`own-weight` is of a block that has weight, and `{}` has no such load", body.name))
+            }
+            has => self.same("`weight`", &t.weight, [unit * t.weight.get_ref(), has], unit, "that of the load"),
+        }
+    }
+
+    /// Refuses a height that is not that of a rectangle.
+    fn height(&self, key: &str, given: &Number, shape: &Shape, what: &str) -> Result<(), Error> {
+        let Shape::Rectangle { y, .. } = shape else { return Ok(()) };
+        self.same(key, given, [self.units.length * given.get_ref(), y[1] - y[0]], self.units.length, what)
+    }
+}
+
+/// Smallest and largest radius of a body about a centre \[mm\]; NaN where the outline does not tell.
+fn extent(shape: &Shape, centre: [f64; 2]) -> [f64; 2] {
+    let of = |points: &mut dyn Iterator<Item = [f64; 2]>| {
+        let radii = points.map(|point| (point[0] - centre[0]).hypot(point[1] - centre[1]));
+        radii.fold([f64::INFINITY, 0.0], |[least, most], radius| [least.min(radius), most.max(radius)])
+    };
+    match shape {
+        Shape::Ring { inner, outer, .. } => [inner.radius, outer.radius],
+        Shape::Disc { radius, .. } => [0.0, *radius],
+        Shape::Given(mesh) => of(&mut mesh.points.iter().copied()),
+        Shape::Blocks(blocks) => of(&mut blocks.iter().flat_map(|block| block.corners)),
+        Shape::Rectangle { .. } | Shape::Eye { .. } => [f64::NAN; 2],
+    }
+}
