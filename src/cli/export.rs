@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::case::Case;
+use crate::cli::outputs::{self, Output};
 use crate::cli::solve::profile;
 use crate::cli::terminal::say;
-use crate::cli::{judge, vtu};
+use crate::cli::{judge, vtu, writable};
 use crate::error::Error;
 use crate::referee::Truth;
 use crate::referee::document::{Document, schema};
@@ -24,21 +25,32 @@ pub struct Arguments {
     /// Folder to write into; it is made where it is not there.
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
+    /// Replace files there that hold something else than what is written; files that the scene reads are never replaced.
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// Writes the files, and names them.
 pub fn run(arguments: &Arguments) -> Result<(), Error> {
     let case = judge::named(&arguments.case)?;
+    let folder = &arguments.folder;
+    writable::folder(folder, "name a folder that may be written")?;
     let places = case.places.clone();
     let written = files(&case).map_err(|error| match &places {
         Some(places) => places.locate(error),
         None => error,
     })?;
-    let folder = &arguments.folder;
+    let paths: Vec<PathBuf> = written.iter().map(|(name, ..)| folder.join(name)).collect();
+    // The folders above an export are made with it.
+    let there = paths.iter().zip(&written).filter(|_| folder.exists());
+    let files = there.map(|(path, (_, text, _))| {
+        let is_earlier = Box::new(move |there: &str| there == text);
+        Output { option: "file", path, is_earlier }
+    });
+    outputs::refuse("export", &files.collect::<Vec<_>>(), &case.read_files(), arguments.force)?;
     fs::create_dir_all(folder).map_err(|error| Error::unwritable(folder, error))?;
-    for (name, text, what) in written {
-        let path = folder.join(&name);
-        fs::write(&path, text).map_err(|error| Error::unwritable(&path, error))?;
+    for (path, (_, text, what)) in paths.iter().zip(written) {
+        fs::write(path, text).map_err(|error| Error::unwritable(path, error))?;
         say(format!("{}: {what}", path.display()));
     }
     Ok(())

@@ -1,6 +1,6 @@
 //! What `solve` found.
 
-use crate::accuracy::Bars;
+use crate::accuracy::{Barred, Bars};
 use crate::case::{Case, Judged};
 use crate::cli::reactions::ReactionReading;
 use crate::mesh::Resolution;
@@ -20,4 +20,12 @@ pub struct Found<'a> {
     pub bars: Option<Bars>,
     /// The file's own checks, and that of the accuracy asked for.
     pub checks: Vec<Judged>,
+}
+
+impl Found<'_> {
+    /// What closed forms say that the run contradicts.
+    pub fn notes(&self) -> Vec<String> {
+        let bars: &[Barred] = self.bars.as_ref().map_or(&[], |bars| &bars.all);
+        self.problem.notes(self.run, bars)
+    }
 }

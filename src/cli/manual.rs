@@ -1,10 +1,11 @@
 //! Shell completions and manual pages, made of the command line itself.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::Command;
 use clap_complete::Shell;
 
+use crate::cli::outputs::{self, Output};
 use crate::cli::terminal::say;
 use crate::cli::writable;
 use crate::error::Error;
@@ -20,7 +21,7 @@ pub fn completions(shell: Shell, mut command: Command) {
 }
 
 /// Prints the page of the program, or writes those of all its commands into a folder.
-pub fn man(folder: Option<&Path>, command: Command) -> Result<(), Error> {
+pub fn man(folder: Option<&Path>, command: Command, force: bool) -> Result<(), Error> {
     let Some(folder) = folder else {
         let mut page = Vec::new();
         let made = clap_mangen::Man::new(command).render(&mut page);
@@ -29,6 +30,11 @@ pub fn man(folder: Option<&Path>, command: Command) -> Result<(), Error> {
         return Ok(());
     };
     writable::folder(folder, "name a folder that may be written")?;
+    let pages = if folder.is_dir() { pages(NAME, &command) } else { vec![] };
+    let pages: Vec<PathBuf> = pages.iter().map(|page| folder.join(page)).collect();
+    let is_page = |text: &str| text.contains("\n.TH contact-vv");
+    let pages = pages.iter().map(|path| Output { option: "page", path, is_earlier: Box::new(is_page) });
+    outputs::refuse("man", &pages.collect::<Vec<_>>(), &[], force)?;
     let unwritable = |error: std::io::Error| Error::unwritable(folder, error);
     std::fs::create_dir_all(folder).map_err(unwritable)?;
     clap_mangen::generate_to(command, folder).map_err(unwritable)?;
@@ -37,4 +43,11 @@ pub fn man(folder: Option<&Path>, command: Command) -> Result<(), Error> {
         folder.display()
     ));
     Ok(())
+}
+
+/// The names of a command's page and of those of its own commands.
+fn pages(name: &str, command: &Command) -> Vec<String> {
+    let below = command.get_subcommands().filter(|own| !own.is_hide_set());
+    let below = below.flat_map(|own| pages(&format!("{name}-{}", own.get_name()), own));
+    std::iter::once(format!("{name}.1")).chain(below).collect()
 }

@@ -19,7 +19,7 @@
 //! * [`vtu`] — its fields for ParaView.
 //! * [`new`] — scene files to begin with.
 //! * [`manual`] — shell completions and manual pages; [`examples`] — those in the help.
-//! * [`writable`] — whether results can be written.
+//! * [`writable`] — whether results can be written; [`outputs`] — and whether nothing is lost by it.
 
 pub mod accuracy;
 pub mod atlas;
@@ -32,6 +32,7 @@ pub mod json;
 pub mod judge;
 pub mod manual;
 pub mod new;
+pub mod outputs;
 pub mod reactions;
 pub mod review;
 pub mod scoreboard;
@@ -123,8 +124,11 @@ enum Command {
         /// Measure only what error bars cost, on one thread and on all.
         #[arg(long)]
         bars: bool,
-        /// Ask only this code on meshes of its own; its part of the record is marked as a run of its own.
+        /// Measure only our own points of speed against accuracy; what other codes took is marked as of another run.
         #[arg(long, conflicts_with = "bars")]
+        points: bool,
+        /// Ask only this code on meshes of its own; its part of the record is marked as a run of its own.
+        #[arg(long, conflicts_with_all = ["bars", "points"])]
         ask: Option<Code>,
     },
     /// Ask CalculiX, GetFEM, NGSolve, SfePy, Kratos, Akantu, FElupe, scikit-fem and dolfinx for exported cases, and keep what they write in oracles/frozen/scoreboard.
@@ -163,6 +167,9 @@ enum Command {
     Man {
         /// Folder to write into; left out, the page of the program is printed.
         folder: Option<PathBuf>,
+        /// Replace files there that are no manual pages of this program.
+        #[arg(long)]
+        force: bool,
     },
     /// Ask the other codes for everything again, write oracles/frozen and show what changed.
     #[cfg(feature = "python")]
@@ -193,6 +200,7 @@ pub fn main() -> ExitCode {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Ended::Well)
         }
         Command::Timings { bars: true, .. } => timings::bars().map(|()| Ended::Well),
+        Command::Timings { points: true, .. } => timings::points().map(|()| Ended::Well),
         Command::Timings { ask: Some(code), .. } => timings::ask(code).map(|()| Ended::Well),
         Command::Timings { .. } => timings::run().map(|()| Ended::Well),
         Command::Scoreboard => scoreboard::run().map(|()| Ended::Well),
@@ -219,7 +227,7 @@ pub fn main() -> ExitCode {
             manual::completions(shell, command());
             Ok(Ended::Well)
         }
-        Command::Man { folder } => manual::man(folder.as_deref(), command()).map(|()| Ended::Well),
+        Command::Man { folder, force } => manual::man(folder.as_deref(), command(), force).map(|()| Ended::Well),
         #[cfg(feature = "python")]
         Command::Freeze => freeze().map(|()| Ended::Well),
     };

@@ -116,6 +116,32 @@ fn measure() -> Result<Record, Error> {
     Ok(Record { measured, points })
 }
 
+/// Measures our own points of speed against accuracy again, and marks what other codes took as of another run.
+pub fn points() -> Result<(), Error> {
+    writable::folder(&root().join(FOLDER), writable::CHECKOUT)?;
+    let mut record = Record::read()?;
+    record.points = pool(1)?.install(|| {
+        let meshes = precision::meshes();
+        let (bar, answers) = (progress(meshes.len()), Answers::of(Family::Cylinder)?);
+        let mut points = Vec::new();
+        for (family, order, elements) in meshes {
+            bar.inc(1);
+            let answers = if family == Family::Cylinder { &answers } else { &Answers::HERTZ };
+            points.extend(precision::measure(family, order, elements, answers)?);
+        }
+        bar.finish_and_clear();
+        Ok::<_, Error>(points)
+    })?;
+    let machine = record.measured.machine.clone();
+    record.measured.beside.iter_mut().for_each(|beside| {
+        beside.apart.get_or_insert_with(|| machine.clone());
+    });
+    record.write()?;
+    apart(&record).into_iter().for_each(say);
+    say(format!("written: {FOLDER}; `cargo run --release` draws it"));
+    Ok(())
+}
+
 /// What a code answers, or why it does not; and our own cheapest solve before and after it.
 fn asked(code: Code, points: &[Point]) -> Result<(Result<Vec<OtherPoint>, String>, Beside), Error> {
     let mut own = targets::cheapest_laps(points)?;

@@ -20,6 +20,8 @@ struct Verified {
     formulation: String,
     run: Run,
     judged: Vec<Judged>,
+    /// What the closed forms of the file say that the run contradicts.
+    notes: Vec<String>,
 }
 
 /// Solves scene files in the order of their names, prints the verdicts and tells how they ended.
@@ -72,7 +74,7 @@ fn tell_lines(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
 /// satisfy.
 fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     let mut table = table(["file", "formulation", "outcome", "iterations", "its own checks", "checks of every run"]);
-    for Verified { name, formulation, run, judged } in verified.iter().flatten() {
+    for Verified { name, formulation, run, judged, .. } in verified.iter().flatten() {
         let outcome = run.solution.outcome.to_string();
         let counted = [Scope::Own, Scope::Universal].map(|scope| counted(judged, scope));
         let iterations = run.solution.work.iterations.to_string();
@@ -80,7 +82,8 @@ fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     }
     say(table);
     say(checks(verified));
-    for Verified { name, judged, .. } in verified.iter().flatten() {
+    for Verified { name, judged, notes, .. } in verified.iter().flatten() {
+        notes.iter().for_each(|note| say(format!("{name}: note: {note}")));
         for one in judged.iter().filter(|one| one.verdict != Verdict::Pass) {
             say(match one.check.scope {
                 Scope::Own => told(name, one),
@@ -172,5 +175,6 @@ fn verify(file: &Path) -> Result<Verified, Error> {
     let case = Case::read(file)?;
     let (meshed, run) = case.solve()?;
     let judged = case.judge(&meshed, &run)?;
-    Ok(Verified { formulation: case.formulation().name(), name: case.name, run, judged })
+    let notes = case.notes(&run, &[]);
+    Ok(Verified { formulation: case.formulation().name(), name: case.name, run, judged, notes })
 }

@@ -59,6 +59,11 @@ pub fn text(discretisation: &Discretisation, run: &Run) -> Result<String, Error>
     Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
+/// Whether a text is such a file.
+pub fn is_ours(text: &str) -> bool {
+    text.starts_with("<VTKFile type=\"UnstructuredGrid\"") && text.contains("Name=\"contact_pressure\"")
+}
+
 fn in_space(plane: &[[f64; 2]]) -> Vec<f64> {
     plane.iter().flat_map(|[x, y]| [*x, *y, 0.0]).collect()
 }

@@ -4,7 +4,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io;
 use std::path::Path;
 
-use crate::error::Error;
+use crate::error::{Error, Kind};
 
 /// What to do where the records of the checkout cannot be written.
 pub const CHECKOUT: &str = "give the right to write to the checkout that the program was built in";
@@ -23,9 +23,14 @@ pub fn file(path: &Path, remedy: &str) -> Result<(), Error> {
         return OpenOptions::new().append(true).open(path).map(drop).map_err(|error| refused(path, &error, remedy));
     }
     match path.parent().map(or_here).filter(|above| !above.is_dir()) {
-        Some(above) => Err(Error::missing_file(above, remedy)),
+        Some(above) => Err(Error { kind: Kind::MissingFile, ..Error::file(above, missing(above), remedy) }),
         None => folder(path, remedy),
     }
+}
+
+/// What is wrong with a folder in which a file shall be made.
+fn missing(folder: &Path) -> &'static str {
+    if folder.exists() { "this is no folder, so that no file can be made in it" } else { "the folder is missing" }
 }
 
 /// The parent of a bare name is the folder that the program runs in.

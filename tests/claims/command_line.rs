@@ -174,10 +174,33 @@ fn read_only_checkout_is_refused_before_the_suite_runs() {
 #[test]
 fn output_that_cannot_be_written_is_refused_before_anything_is_solved() {
     let folder = tempfile::tempdir().expect("a folder");
-    for (option, name) in [("--json", "a.json"), ("--csv", "a.csv"), ("--vtu", "a.vtu"), ("--plot", "a.svg")] {
-        let file = folder.path().join("missing").join(name).display().to_string();
-        let (sound, told, error) = contact_vv(&["solve", "patch", option, &file]);
-        assert!(!sound && told.is_empty() && error.contains("missing"), "{option}: {told}{error}");
+    let outputs =
+        [("--json", "a.json"), ("--csv", "a.csv"), ("--vtu", "a.vtu"), ("--plot", "a.svg"), ("--curve", "a.csv")];
+    for (option, name) in outputs {
+        let file = folder.path().join("absent").join(name).display().to_string();
+        let (sound, told, error) = contact_vv(&["solve", "patch", "--increments", "2", option, &file]);
+        assert!(!sound && told.is_empty() && error.contains("the folder is missing"), "{option}: {told}{error}");
+        assert!(error.contains("absent`") && error.contains("name a file in a folder that exists"), "{error}");
+    }
+}
+
+#[test]
+fn numbers_out_of_range_are_refused_with_what_they_may_be() {
+    for (option, value, wanted) in [
+        ("--max-iterations", "0", "at least 1 is needed"),
+        ("--increments", "0", "at least 1 is needed"),
+        ("--tolerance", "nan", "a finite value above 0"),
+        ("--accuracy", "50 %", "between 0.0001 % and 20 %"),
+        ("--accuracy", "0 %", "between 0.0001 % and 20 %"),
+        ("--accuracy", "-1 %", "between 0.0001 % and 20 %"),
+        ("--accuracy", "nan %", "between 0.0001 % and 20 %"),
+        ("--accuracy", "abc", "must be a percentage, with the sign %"),
+        ("--accuracy", "1", "must be a percentage, with the sign %"),
+        ("--increments", "-1", "invalid value '-1' for '--increments"),
+        ("--max-iterations", "-1", "invalid value '-1' for '--max-iterations"),
+    ] {
+        let (sound, told, error) = contact_vv(&["solve", "patch", option, value]);
+        assert!(!sound && told.is_empty() && error.contains(wanted), "{option} {value}: {told}{error}");
     }
 }
 

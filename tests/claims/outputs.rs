@@ -248,3 +248,174 @@ fn bar_of_a_peak_without_a_limit_and_of_a_mesh_made_elsewhere_is_unknown() {
     let (_, table, _) = contact_vv(&["solve", &scene("rings-from-gmsh")]);
     assert!(table.contains("± unknown") && table.contains("`--accuracy`"), "{table}");
 }
+
+/// A small scene, quickly solved.
+const SMALL: &str = "plane = \"strain\"
+thickness = 1
+[[body]]
+name = \"block\"
+young = 1000
+poisson = 0.3
+shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }
+supports = [{ at = \"left\", component = \"x\" }]
+loads = [{ traction = { at = \"far\", value = [0, -1] } }]
+[contact]
+first = \"block\"
+gap = { uniform = 0 }
+stretch = 10
+[mesh]
+elements = 2
+per = 10
+[solve]
+increments = 2
+";
+
+/// The program in a folder: its exit code, and what it says of what is wrong.
+fn within(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_contact-vv")).args(arguments).current_dir(folder).output();
+    let output = output.expect("started");
+    (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+/// What a folder holds, by name.
+fn kept(folder: &Path) -> std::collections::BTreeMap<String, Vec<u8>> {
+    let entries = std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry"));
+    let files = entries.filter(|entry| entry.path().is_file());
+    files
+        .map(|entry| (entry.file_name().to_string_lossy().into_owned(), std::fs::read(entry.path()).expect("read")))
+        .collect()
+}
+
+#[test]
+fn no_output_takes_the_place_of_what_is_read_or_of_another_output() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    std::fs::write(folder.join("s.toml"), SMALL).expect("written");
+    std::fs::write(folder.join("ours.csv"), "position [mm],pressure [MPa]\n0,1\n5,1\n10,1\n").expect("written");
+    std::fs::hard_link(folder.join("s.toml"), folder.join("linked.vtu")).expect("linked");
+    #[cfg(unix)]
+    std::os::unix::fs::symlink("s.toml", folder.join("same.svg")).expect("linked");
+    let before = kept(folder);
+    let here = folder.join("a").display().to_string();
+    let mut all: Vec<Vec<&str>> = vec![
+        vec!["solve", "s.toml", "--csv", "s.toml"],
+        vec!["solve", "s.toml", "--json", "./s.toml", "--force"],
+        vec!["solve", "./s.toml", "--vtu", "linked.vtu", "--force"],
+        vec!["solve", "s.toml", "--csv", "a", "--json", "./a"],
+        vec!["solve", "s.toml", "--csv", "a", "--json", &here, "--force"],
+        vec!["solve", "s.toml", "--csv", "a.csv", "--curve", "a.csv", "--force"],
+    ];
+    #[cfg(unix)]
+    all.push(vec!["solve", "s.toml", "--plot", "same.svg", "--force"]);
+    #[cfg(unix)]
+    all.push(vec!["judge", "s.toml", "ours.csv", "--plot", "same.svg", "--force"]);
+    for arguments in all {
+        let (code, error) = within(folder, &arguments);
+        assert_eq!(code, Some(2), "{arguments:?}: {error}");
+        assert!(error.contains("an output never replaces"), "{arguments:?}: {error}");
+        assert_eq!(kept(folder), before, "{arguments:?}");
+    }
+}
+
+#[test]
+fn outputs_replace_earlier_ones_of_their_kind_and_others_by_force_only() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    std::fs::write(folder.join("s.toml"), SMALL).expect("written");
+    let all = [
+        ("--csv", "p.csv"),
+        ("--json", "r.json"),
+        ("--curve", "c.csv"),
+        ("--curve", "c.json"),
+        ("--vtu", "f.vtu"),
+        ("--plot", "d.svg"),
+    ];
+    for (option, name) in all {
+        let solve =
+            |more: &[&str]| within(folder, &[&["solve", "s.toml", "--no-error-bar", option, name], more].concat());
+        // A file that nobody wrote yet, an empty one, and what was written there before.
+        std::fs::write(folder.join(name), "").expect("written");
+        for _ in 0..2 {
+            assert_eq!(solve(&[]).0, Some(0), "{option}");
+        }
+        let written = kept(folder);
+        for other in [
+            b"my own notes\n".to_vec(),
+            SMALL.into(),
+            vec![0xff, 0x00],
+            [&written[name][..], b"\nmine, and more\n"].concat(),
+        ] {
+            // Words behind a drawing or fields are no part of them; those behind a table are a row.
+            if other.len() > written[name].len() && ["--vtu"].contains(&option) {
+                continue;
+            }
+            std::fs::write(folder.join(name), &other).expect("written");
+            let (code, error) = solve(&[]);
+            assert_eq!(code, Some(2), "{option}: {error}");
+            assert!(error.contains(name) && error.contains("--force"), "{error}");
+            assert_eq!(kept(folder)[name], other, "{option}");
+            assert_eq!(solve(&["--force"]).0, Some(0), "{option}");
+            assert_ne!(kept(folder)[name], other, "{option}");
+        }
+    }
+    #[cfg(unix)]
+    assert_eq!(within(folder, &["solve", "s.toml", "--csv", "/dev/null", "--json", "/dev/null"]).0, Some(0));
+}
+
+#[test]
+fn an_export_replaces_no_mesh_that_the_scene_reads_and_no_answer_that_was_filled_in() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    std::fs::write(folder.join("s.toml"), SMALL).expect("written");
+    // The same files once more are no loss; none of them stays behind where one of them would be.
+    for _ in 0..2 {
+        assert_eq!(within(folder, &["export", "s.toml", "e"]).0, Some(0));
+    }
+    let exported = kept(&folder.join("e"));
+    std::fs::copy(folder.join("e/ours.json"), folder.join("e/answer.json")).expect("filled in");
+    std::fs::remove_file(folder.join("e/s.md")).expect("removed");
+    let filled_in = kept(&folder.join("e"));
+    let (code, error) = within(folder, &["export", "s.toml", "e"]);
+    assert_eq!(code, Some(2), "{error}");
+    assert!(error.contains("answer.json") && error.contains("--force") && !error.contains("ours.json"), "{error}");
+    assert_eq!(kept(&folder.join("e")), filled_in);
+    assert_eq!(within(folder, &["export", "s.toml", "e", "--force"]).0, Some(0));
+    assert_eq!(kept(&folder.join("e")), exported);
+    // A scene beside its mesh, which has the name that the exported one would have.
+    let mesh = std::fs::read_to_string(folder.join("e/s.msh")).expect("read");
+    let given = SMALL.replace("elements = 2\nper = 10\n", "").replace("at = \"left\"", "at = \"block left\"");
+    let given = given.replace("at = \"far\"", "at = \"block far\"").replace(
+        "rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" }",
+        "gmsh = { file = \"s.msh\", group = \"block\", contact = \"block contact\" }",
+    );
+    std::fs::create_dir(folder.join("g")).expect("made");
+    std::fs::write(folder.join("g/s.toml"), given).expect("written");
+    std::fs::write(folder.join("g/s.msh"), &mesh).expect("written");
+    for force in [&[][..], &["--force"]] {
+        let (code, error) = within(folder, &[&["export", "g/s.toml", "g"], force].concat());
+        assert_eq!(code, Some(2), "{error}");
+        assert!(error.contains("s.msh") && error.contains("never replaces an input"), "{error}");
+        assert_eq!(kept(&folder.join("g")).len(), 2);
+        assert_eq!(kept(&folder.join("g"))["s.msh"], mesh.as_bytes());
+    }
+}
+
+#[test]
+fn candidates_of_all_contacts_together_bound_a_scene() {
+    let scene = |blocks: usize, elements: usize| {
+        let block = |k: usize| {
+            let [from, to] = [20 * k, 20 * k + 10];
+            format!(
+                "[[body]]\nname = \"b{k}\"\nyoung = 1e5\npoisson = 0.3\nshape = {{ rectangle = {{ x = [{from}, {to}], y = [0, 10], contact = \"bottom\" }} }}\nsupports = [{{ at = \"left\", component = \"x\" }}]\nloads = [{{ traction = {{ at = \"far\", value = [0, -1] }} }}]\n[[contact]]\nname = \"c{k}\"\nfirst = \"b{k}\"\norigin = [{from}, 0]\ngap = {{ parabola = 500 }}\nstretch = 5\n"
+            )
+        };
+        let blocks: String = (0..blocks).map(block).collect();
+        format!("plane = \"strain\"\nthickness = 1\n{blocks}[mesh]\nelements = {elements}\nper = 1\n")
+    };
+    let read = |blocks, elements| Case::parse(Path::new("many.toml"), &scene(blocks, elements)).map(|_| ());
+    assert!(read(50, 8).is_ok());
+    let error = read(51, 8).expect_err("40 each").to_string();
+    assert!(error.contains("2040 candidate elements in all 51 contacts together"), "{error}");
+    let error = read(400, 8).expect_err("40 each").to_string();
+    assert!(error.contains("16000 candidate elements in all 400 contacts together"), "{error}");
+}

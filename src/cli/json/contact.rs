@@ -17,8 +17,10 @@ pub struct Contact<'a> {
     name: &'a str,
     /// What its coordinate is.
     coordinate: Coordinate,
-    /// Half-width by second moment.
+    /// Half-width: half of what lies between where the contact begins and ends.
     half_width: Number,
+    /// Second-moment width.
+    second_moment_width: Number,
     /// Half-width by counting pressed points.
     half_width_nodes: Number,
     /// Centre of pressure, of a contact on both sides of s = 0.
@@ -29,8 +31,8 @@ pub struct Contact<'a> {
     /// Where every closed stretch begins and ends.
     closed: Vec<[Number; 2]>,
     /// What to know before quoting it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    note: Option<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
     /// Largest pressure; null where it has no limit.
     peak_pressure: Number,
     /// Where it is.
@@ -107,12 +109,13 @@ impl<'a> Contact<'a> {
         Self {
             name: &pair.name,
             coordinate: if pair.path.is_straight() { Coordinate::Length } else { Coordinate::Angle },
-            half_width: measures.half_width.into(),
+            half_width: measures.half_width().into(),
+            second_moment_width: measures.second_moment_width.into(),
             half_width_nodes: measures.half_width_nodes.into(),
             centre: pair.path.has_both_sides().then_some(measures.centre.into()),
             active_points: measures.active,
             closed: measures.stretches.iter().map(|one| [one.begin, one.end].map(Number::from)).collect(),
-            note: run.note(contact),
+            notes: run.notes(contact),
             peak_pressure: found.unbounded.is_none().then_some(measures.peak.pressure).into(),
             peak_position: measures.peak.position.into(),
             peak_growth: found.unbounded.map(|unbounded| unbounded.growth.into()),

@@ -63,6 +63,12 @@ impl Answer<'_> {
     }
 }
 
+/// Whether a text is a result of `solve`.
+pub fn is_result(text: &str) -> bool {
+    let found = serde_json::from_str::<serde_json::Value>(text);
+    found.is_ok_and(|found| ["case", "outcome", "seconds", "contacts"].iter().all(|key| found.get(key).is_some()))
+}
+
 /// The schema of all that is printed as JSON (JSON Schema, draft 7).
 pub fn schema() -> String {
     let schema = SchemaSettings::draft07().for_serialize().into_generator().into_root_schema_for::<Answer>();

@@ -28,10 +28,10 @@ pub struct OracleReading {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Read {
-    /// Half-width by second moment.
+    /// Half-width: half of what lies between begin and end.
     HalfWidth,
-    /// Half of what is closed.
-    Edge,
+    /// Second-moment width.
+    SecondMomentWidth,
     /// Largest pressure.
     PeakPressure,
     /// Pressure at s = 0.
@@ -45,7 +45,7 @@ impl Read {
     pub fn name(self) -> &'static str {
         match self {
             Self::HalfWidth => "half-width",
-            Self::Edge => "edge",
+            Self::SecondMomentWidth => "second-moment width",
             Self::PeakPressure => "peak pressure",
             Self::PressureAtZero => "pressure at 0",
             Self::Resultant => "resultant",
@@ -55,14 +55,14 @@ impl Read {
 
 /// Readings of the problem's oracle for the quantities it knows, each beside the same quantity of the run.
 pub fn readings(problem: &Case, run: &Run) -> Vec<OracleReading> {
-    let Some(oracle) = &problem.oracle else { return Vec::new() };
+    let Some(oracle) = problem.oracle() else { return Vec::new() };
     let read = |quantity| Reference::read(oracle.as_ref(), quantity).value;
     let resultant = read(Quantity::Resultant) * problem.scene.thickness;
     let measures = run.measures();
     let edge = if problem.scene.contact().path.is_straight() { Quantity::HalfWidth } else { Quantity::ContactAngle };
     let all = [
-        (Read::HalfWidth, measures.half_width, read(Quantity::SecondMoment)),
-        (Read::Edge, 0.5 * (measures.edge() - measures.begin()), read(edge)),
+        (Read::HalfWidth, measures.half_width(), read(edge)),
+        (Read::SecondMomentWidth, measures.second_moment_width, read(Quantity::SecondMoment)),
         (Read::PeakPressure, measures.peak.pressure, read(Quantity::PeakPressure)),
         (Read::PressureAtZero, measures.pressure_at_origin, read(Quantity::Pressure { at: 0.0 })),
         (Read::Resultant, run.transmitted(), resultant),

@@ -24,6 +24,9 @@ pub struct Refereed {
     mistakes: Vec<String>,
     /// What could not be judged.
     missing: Vec<Missing>,
+    /// What the closed forms of the case say that our own run contradicts.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
 }
 
 /// Something that could not be judged.
@@ -49,6 +52,7 @@ impl Refereed {
             checks: found.ruled.iter().flat_map(|ruled| &ruled.judged).map(Checked::of).collect(),
             mistakes: found.mistakes.clone(),
             missing: missing.chain(absent).collect(),
+            notes: truth.notes(),
         }
     }
 }

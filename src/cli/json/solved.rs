@@ -67,6 +67,8 @@ pub struct Solved<'a> {
     iteration_error: IterationParts,
     /// The contacts, in the order of the scene.
     contacts: Vec<Contact<'a>>,
+    /// What is left over of loads, contact and reactions of a body, over the largest of them, at the worst body.
+    imbalance: Number,
     /// What the supports exert.
     reactions: &'a [ReactionReading],
     /// How far each number may be from the truth; left out where that was not asked for.
@@ -77,6 +79,9 @@ pub struct Solved<'a> {
     checks: Vec<Checked>,
     /// What the closed form of the case says.
     oracles: Vec<OracleReading>,
+    /// What the closed forms of the case say that the run contradicts, with both numbers.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
     /// What came of an accuracy that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     accuracy: Option<accuracy::Document>,
@@ -148,10 +153,12 @@ impl<'a> Solved<'a> {
             seconds: run.seconds.iter().map(|&(stage, seconds)| (stage.name(), seconds)).collect(),
             iteration_error: solution.error().into(),
             contacts: (0..run.contacts.len()).map(|contact| Contact::of(problem, run, contact)).collect(),
+            imbalance: run.imbalance().into(),
             reactions,
             error_bars: bars::Document::all(found),
             checks: checks.iter().map(Checked::of).collect(),
             oracles: oracle::readings(problem, run),
+            notes: found.notes(),
             accuracy,
         }
     }

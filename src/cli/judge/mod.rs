@@ -22,6 +22,7 @@ pub use options::{Arguments, named};
 pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
     arguments.refuse()?;
     let case = arguments.named()?;
+    arguments.refuse_unwritable(&case)?;
     let (asked, tolerance) = (arguments.asked()?, arguments.tolerance()?);
     let answers = arguments.answers.iter().map(|file| read::read(file, &case, &asked));
     let answers = answers.collect::<Result<Vec<_>, Error>>()?;

@@ -6,8 +6,9 @@ use clap::Args;
 
 use crate::accuracy;
 use crate::case::{Case, library};
-use crate::cli::writable;
+use crate::cli::outputs::{self, Output};
 use crate::error::Error;
+use crate::figure;
 use crate::mesh::Order;
 use crate::referee::Asked;
 use crate::referee::judge::ENGINEERING;
@@ -37,7 +38,7 @@ pub struct Arguments {
     #[arg(long)]
     tension_positive: bool,
     /// Relative error that is accepted, such as "0.1 %"; 1 % by default.
-    #[arg(long, value_name = "PERCENT")]
+    #[arg(long, value_name = "PERCENT", allow_hyphen_values = true)]
     tolerance: Option<String>,
     /// The answers are a series of meshes, coarse to fine: print observed orders, the bound of Richardson's extrapolation, and
     /// whether it goes to the truth.
@@ -46,6 +47,9 @@ pub struct Arguments {
     /// Draw the profile on the truth, with the differences, as SVG; of one answer.
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
+    /// Replace a file that is no earlier drawing; files that are read are never replaced.
+    #[arg(long)]
+    force: bool,
     /// Print the verdicts as JSON, a line an answer.
     #[arg(long)]
     pub json: bool,
@@ -93,14 +97,22 @@ impl Arguments {
         if path.extension().is_none_or(|end| end != "svg") {
             return Err(Error::value("judge", "--plot", path.display(), "plots are SVG", "end the file name in .svg"));
         }
-        writable::file(path, "name a file in a folder that exists and may be written")
+        Ok(())
+    }
+
+    /// Refuses a drawing that cannot be written, or by which something would be lost.
+    pub fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
+        let drawing = |path| Output { option: "--plot", path, is_earlier: Box::new(figure::is_drawing) };
+        let drawing = self.plot.as_deref().map(drawing);
+        let inputs = [self.answers.clone(), case.read_files()].concat();
+        outputs::refuse("judge", drawing.as_slice(), &inputs, self.force)
     }
 
     /// The tolerance asked for.
     pub fn tolerance(&self) -> Result<f64, Error> {
         let Some(text) = &self.tolerance else { return Ok(ENGINEERING) };
-        let refused = || Error::value("judge", "--tolerance", text, "it must be a percentage", accuracy::remedy());
-        accuracy::percentage(text).ok_or_else(refused)
+        let refused = |expected| Error::value("judge", "--tolerance", text, expected, accuracy::remedy());
+        accuracy::percentage(text).map_err(refused)
     }
 }
 

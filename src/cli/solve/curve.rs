@@ -75,6 +75,16 @@ pub fn text(discretisation: &Discretisation, run: &Run, path: &Path) -> Result<S
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
+/// Whether a text is such a curve.
+pub fn is_curve(text: &str) -> bool {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    if reader.headers().is_ok_and(|head| head.get(0) == Some("load_factor")) {
+        return reader.records().all(|row| row.is_ok());
+    }
+    let rows = serde_json::from_str::<Vec<serde_json::Value>>(text);
+    rows.is_ok_and(|rows| rows.iter().all(|row| row.get("load_factor").is_some()))
+}
+
 fn rows<'a>(scene: &'a Scene, point: &'a CurvePoint) -> impl Iterator<Item = Row<'a>> {
     scene.contacts.iter().zip(&point.contacts).map(move |(pair, contact)| Row::of(point, pair, contact))
 }

@@ -3,10 +3,10 @@
 //! * [`options`] — what the user asks for.
 //! * `stages` — the stage it is in, on a terminal.
 //! * `table` — the result in lines.
-//! * `curve` — the load–approach curve.
+//! * [`curve`] — the load–approach curve.
 //! * [`profile`] — the pressure profile as CSV.
 
-mod curve;
+pub mod curve;
 pub mod options;
 pub mod profile;
 mod stages;
@@ -24,6 +24,7 @@ use crate::cli::terminal::say;
 use crate::cli::{self, reactions, vtu};
 use crate::clock::{Clock, Stage};
 use crate::error::Error;
+use crate::markdown;
 use crate::report::pictures;
 use crate::solution::Outcome;
 use crate::solve::Discretisation;
@@ -47,7 +48,7 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
 
 fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
     arguments.refuse_endings()?;
-    arguments.refuse_unwritable()?;
+    arguments.refuse_unwritable(&problem)?;
     let formulation = arguments.formulation(problem.formulation().clone());
     curve::refuse(arguments.curve.as_deref(), formulation.settings.increments)?;
     formulation.validate(&problem.scene)?;
@@ -91,6 +92,7 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
             (discretisation, run)
         }
     };
+    let run = run.with_doubts(&discretisation);
     let resolution = problem.resolution;
     stages.write();
     let mut checks = problem.own(&discretisation, &run)?;
@@ -119,16 +121,16 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
         accurate.iter().for_each(cli::accuracy::print);
     }
     if let Some(remedy) = remedy(&run) {
-        // The iteration is not to blame where a support is missing.
-        let unheld = discretisation.unheld(1.0)?;
-        let remedy = unheld.map_or_else(|| remedy.into(), |error| format!("{}: {}", error.message, error.remedy));
+        // The iteration is not to blame where a support is missing, or where round-off takes the forces.
+        let unheld = discretisation.unheld(1.0)?.map(|error| format!("{}: {}", error.message, error.remedy));
+        let remedy = unheld.or_else(|| unbalanced(&problem, &run)).unwrap_or_else(|| remedy.into());
         eprintln!("not converged: these numbers are those of the last iteration; {remedy}");
     }
     let passed = found.checks.iter().all(|check| check.verdict != Verdict::Fail);
     Ok(Ended::of(&run, Ended::checked(passed)))
 }
 
-/// Writes the files that were asked for.
+/// Writes the files that were asked for, once all of them are made.
 fn write_files(
     arguments: &Arguments,
     document: &str,
@@ -136,25 +138,37 @@ fn write_files(
     found: &Found,
 ) -> Result<(), Error> {
     let Found { problem, run, .. } = found;
+    let mut files = Vec::new();
     if let Some(path) = arguments.json.as_ref().filter(|path| path.as_os_str() != STDOUT) {
-        write(path, document)?;
+        files.push((path, document.to_owned()));
     }
     if let Some(path) = &arguments.csv {
-        write(path, &profile::csv(&problem.scene, run, path)?)?;
+        files.push((path, profile::csv(&problem.scene, run, path)?));
     }
     if let Some(path) = &arguments.curve {
-        write(path, &curve::text(discretisation, run, path)?)?;
+        files.push((path, curve::text(discretisation, run, path)?));
     }
     if let Some(path) = &arguments.vtu {
-        write(path, &vtu::text(discretisation, run)?)?;
+        files.push((path, vtu::text(discretisation, run)?));
     }
     if let Some(path) = &arguments.plot {
-        write(
-            path,
-            &pictures::solve::sheet(problem, discretisation, run)?.drawing()?.svg(crate::figure::Theme::Light),
-        )?;
+        let sheet = pictures::solve::sheet(problem, discretisation, run)?;
+        files.push((path, sheet.drawing()?.svg(crate::figure::Theme::Light)));
     }
-    Ok(())
+    files.into_iter().try_for_each(|(path, text)| write(path, &text))
+}
+
+/// What to say of a body that is out of balance although its contact has converged.
+fn unbalanced(problem: &Case, run: &Run) -> Option<String> {
+    let worst = run.equilibrium.iter().max_by(|a, b| a.largest().total_cmp(&b.largest()))?;
+    let within = run.solution.error().largest() <= run.formulation.settings.tolerance;
+    (run.solution.outcome == Outcome::Stalled && within).then(|| {
+        format!(
+            "loads, contact and reactions of `{}` are out of balance by {}: its stiffness, or that of a body it touches, is so large that round-off takes the forces; make such a body rigid, or fix it",
+            problem.scene.bodies[worst.body].name,
+            markdown::error(worst.largest())
+        )
+    })
 }
 
 /// What to do where an iteration did not converge.

@@ -7,8 +7,11 @@ use clap::Args;
 use crate::accuracy::{self, Asked};
 use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule};
 use crate::case::{Case, library};
-use crate::cli::writable;
+use crate::cli::outputs::{self, Output};
+use crate::cli::solve::{curve, profile};
+use crate::cli::{json, vtu};
 use crate::error::Error;
+use crate::figure;
 use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Body;
@@ -57,27 +60,27 @@ pub struct Arguments {
     order: Option<Order>,
     /// Elements per half-width, or per 10 mm of arc on pins; in a scene file per the length it names. Growth away from
     /// the contact gets gentler with more of them.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     resolution: Option<usize>,
     /// Put mesh lines on the ends of the contact, with layers of cells towards them; order 6 is the default then, chosen for
     /// four digits, 8 for six.
     #[arg(long)]
     fitted: bool,
-    /// Relative error that peak and half-width may have, such as "0.1 %": chooses elements, growth and candidates of
+    /// Relative error that peak and second-moment width may have, such as "0.1 %": chooses elements, growth and candidates of
     /// 8-node cells.
-    #[arg(long, value_name = "PERCENT")]
+    #[arg(long, value_name = "PERCENT", allow_hyphen_values = true)]
     accuracy: Option<String>,
     /// What shall fall below the tolerance; error by default, which alone says something of the answer.
     #[arg(long, value_enum)]
     criterion: Option<Criterion>,
     /// Load increments.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     increments: Option<usize>,
     /// Largest error accepted of peak, profile, width and approach against the solution of the same discrete problem.
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Most iterations, over all increments.
-    #[arg(long, value_name = "N", alias = "max-steps")]
+    #[arg(long, value_name = "N", alias = "max-steps", allow_negative_numbers = true)]
     max_iterations: Option<usize>,
     /// Do not solve coarser meshes for error bars.
     #[arg(long)]
@@ -97,6 +100,9 @@ pub struct Arguments {
     /// Draw the deformed shape with its stresses, the pressure and the iteration error of every iteration as SVG.
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
+    /// Replace files that are not earlier outputs of the same option; files that are read, and other outputs, are never replaced.
+    #[arg(long)]
+    force: bool,
 }
 
 impl Arguments {
@@ -119,9 +125,10 @@ impl Arguments {
     pub fn asked(&self, of_file: Option<Asked>) -> Result<Option<Asked>, Error> {
         let asked = match &self.accuracy {
             None => of_file,
-            Some(text) => Some(accuracy::percentage(text).ok_or_else(|| {
-                Error::value("solve", "--accuracy", text, "it must be a percentage", accuracy::remedy())
-            })?)
+            Some(text) => Some(
+                accuracy::percentage(text)
+                    .map_err(|expected| Error::value("solve", "--accuracy", text, expected, accuracy::remedy()))?,
+            )
             .map(|relative| Asked { relative, ..of_file.unwrap_or_else(|| Asked::new(relative)) }),
         };
         let order = self.order.is_some() && !self.fitted;
@@ -203,16 +210,25 @@ impl Arguments {
             .map_err(|(message, remedy)| Error::value("solve", "--resolution", elements, message, remedy))
     }
 
-    /// Refuses outputs that cannot be written, before anything is solved.
-    pub fn refuse_unwritable(&self) -> Result<(), Error> {
-        let outputs = [&self.json, &self.csv, &self.vtu, &self.plot].into_iter().flatten();
-        let mut files = outputs.filter(|path| path.as_os_str() != STDOUT);
-        files.try_for_each(|path| writable::file(path, "name a file in a folder that exists and may be written"))
+    /// Refuses outputs that cannot be written, or by which something would be lost, before anything is solved.
+    pub fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
+        let all = [
+            ("--json", &self.json, json::is_result as fn(&str) -> bool),
+            ("--csv", &self.csv, profile::is_profile),
+            ("--curve", &self.curve, curve::is_curve),
+            ("--vtu", &self.vtu, vtu::is_ours),
+            ("--plot", &self.plot, figure::is_drawing),
+        ];
+        let files = all.into_iter().filter_map(|(option, path, is_earlier)| {
+            let path = path.as_deref().filter(|path| path.as_os_str() != STDOUT)?;
+            Some(Output { option, path, is_earlier: Box::new(is_earlier) })
+        });
+        outputs::refuse("solve", &files.collect::<Vec<_>>(), &case.read_files(), self.force)
     }
 
     /// Refuses names of outputs that would not tell their format.
     pub fn refuse_endings(&self) -> Result<(), Error> {
-        let outputs = [("--csv", &self.csv), ("--vtu", &self.vtu), ("--plot", &self.plot)];
+        let outputs = [("--csv", &self.csv), ("--curve", &self.curve), ("--vtu", &self.vtu), ("--plot", &self.plot)];
         let to_stdout = |path: &Option<PathBuf>| path.as_deref() == Some(Path::new(STDOUT));
         if let Some((option, _)) = outputs.into_iter().find(|(_, path)| to_stdout(path)) {
             let remedy = "name a file; `--json -` writes to standard output";

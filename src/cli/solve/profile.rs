@@ -30,6 +30,16 @@ pub fn csv(scene: &Scene, run: &Run, path: &Path) -> Result<String, Error> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
+/// Whether a text is such a table, every row as long as the head.
+pub fn is_profile(text: &str) -> bool {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let is_head = reader.headers().is_ok_and(|head| {
+        let (positions, rest) = head.iter().partition::<Vec<_>, _>(|title| title.starts_with("position ["));
+        !positions.is_empty() && rest == HEAD
+    });
+    is_head && reader.records().all(|row| row.is_ok())
+}
+
 /// What a position is.
 #[derive(Clone, Copy)]
 enum Kind {

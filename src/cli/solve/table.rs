@@ -26,7 +26,7 @@ pub fn print(found: &Found) {
         if several {
             say(format!("contact `{}`:", pair.name));
         }
-        print_contact(pair, &run.contacts[index], run.note(index), if several { "  " } else { "" });
+        print_contact(pair, &run.contacts[index], &run.notes(index), if several { "  " } else { "" });
     }
     print_reactions(run, reactions);
     bars::print(found);
@@ -34,14 +34,15 @@ pub fn print(found: &Found) {
         say(verify::told("check", check));
     }
     oracle::readings(problem, run).iter().for_each(|oracle| say(of_oracle(problem.scene.contact(), oracle)));
+    found.notes().iter().for_each(|note| say(format!("note: {note}")));
 }
 
 /// What an oracle says of a quantity of the first contact, and how far the run is from it.
 fn of_oracle(pair: &ContactPair, oracle: &OracleReading) -> String {
     let OracleReading { name, kind, quantity, reference, error } = oracle;
     let (unit, factor) = match quantity {
-        Read::HalfWidth | Read::Edge if pair.path.is_straight() => ("mm", 1.0),
-        Read::HalfWidth | Read::Edge => ("°", display_factor(&pair.path)),
+        Read::HalfWidth | Read::SecondMomentWidth if pair.path.is_straight() => ("mm", 1.0),
+        Read::HalfWidth | Read::SecondMomentWidth => ("°", display_factor(&pair.path)),
         Read::PeakPressure | Read::PressureAtZero => ("MPa", 1.0),
         Read::Resultant => ("N", 1.0),
     };
@@ -81,19 +82,22 @@ fn print_reactions(run: &Run, reactions: &[ReactionReading]) {
         let force = if force.abs() < ROUND_OFF * largest { 0.0 } else { *force };
         say(format!("reaction on `{body}` at {at}: {component} {} N", markdown::value(force)));
     }
+    say(format!("equilibrium: every body within {} of its largest force", markdown::error(run.imbalance())));
 }
 
 /// What was measured of one contact.
-fn print_contact(pair: &ContactPair, found: &Contact, note: Option<String>, indent: &str) {
+fn print_contact(pair: &ContactPair, found: &Contact, notes: &[String], indent: &str) {
     let factor = display_factor(&pair.path);
     let unit = if factor > 1.0 { "°" } else { "mm" };
     let measures = &found.measures;
     say(format!(
-        "{indent}half-width by second moment {} {unit}, by counting {} {unit}",
-        markdown::value(factor * measures.half_width),
+        "{indent}half-width {} {unit}, second-moment width {} {unit}, by counting {} {unit}",
+        markdown::value(factor * measures.half_width()),
+        markdown::value(factor * measures.second_moment_width),
         markdown::value(factor * measures.half_width_nodes)
     ));
-    let place = |s: f64| markdown::value(if s.abs() < ROUND_OFF * measures.half_width { 0.0 } else { factor * s });
+    let place =
+        |s: f64| markdown::value(if s.abs() < ROUND_OFF * measures.second_moment_width { 0.0 } else { factor * s });
     let peak = match found.unbounded {
         None => format!("{} MPa", markdown::value(measures.peak.pressure)),
         Some(_) => "without limit".into(),
@@ -116,7 +120,7 @@ fn print_contact(pair: &ContactPair, found: &Contact, note: Option<String>, inde
     if !pressed.is_empty() {
         say(format!("{indent}pressed {pressed} {unit}{centre}"));
     }
-    if let Some(note) = note {
+    for note in notes {
         say(format!("{indent}note: {note}"));
     }
 }

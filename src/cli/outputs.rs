@@ -1,0 +1,96 @@
+//! Files that a command writes: none takes the place of an input, of another output, or of what the command did not write.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::cli::writable;
+use crate::error::Error;
+
+/// What to do about a file that would be lost.
+const FORCE: &str = "name another file, or add --force to replace it";
+
+/// A file that a command is to write.
+pub struct Output<'a> {
+    /// What asks for it.
+    pub option: &'static str,
+    /// Where.
+    pub path: &'a Path,
+    /// Whether a text that is there is an earlier output of this kind, which may be replaced.
+    pub is_earlier: Box<dyn Fn(&str) -> bool + 'a>,
+}
+
+/// Refuses outputs that cannot be written, that are a file which the command reads or another output, and, unless it is forced,
+/// those in whose place there is something else than an earlier output of the same kind.
+pub fn refuse(command: &str, outputs: &[Output], inputs: &[PathBuf], force: bool) -> Result<(), Error> {
+    let refused = |output: &Output, message: &str, remedy: &str| {
+        Err(Error::value(command, output.option, output.path.display(), message, remedy))
+    };
+    for (k, output) in outputs.iter().enumerate().filter(|(_, output)| holds_text(output.path)) {
+        if let Some(input) = inputs.iter().find(|input| is_same(input, output.path)) {
+            let message = format!("`{}` is read by this command: an output never replaces an input", input.display());
+            return refused(output, &message, "name another file");
+        }
+        if let Some(other) = outputs[..k].iter().find(|other| is_same(other.path, output.path)) {
+            let message = format!("`{}` is the same file: an output never replaces another", other.option);
+            return refused(output, &message, "name another file for one of them");
+        }
+        writable::file(output.path, "name a file in a folder that exists and may be written")?;
+    }
+    let lost: Vec<&Output> = outputs.iter().filter(|output| !force && !output.may_be_replaced()).collect();
+    match lost[..] {
+        [] => Ok(()),
+        [output] => refused(output, "that file is there, and is not an earlier output as it was written", FORCE),
+        _ => {
+            let names: Vec<String> = lost.iter().map(|output| format!("`{}`", output.path.display())).collect();
+            let message = format!("these files are there and hold something else: {}", names.join(", "));
+            Err(Error::at(command, message, "name another place, or add --force to replace them all"))
+        }
+    }
+}
+
+impl Output<'_> {
+    /// Whether nothing is lost: no file is there, an empty one, or an earlier output.
+    fn may_be_replaced(&self) -> bool {
+        if !self.path.exists() || !holds_text(self.path) {
+            return true;
+        }
+        fs::read(self.path).is_ok_and(|bytes| {
+            bytes.is_empty() || std::str::from_utf8(&bytes).is_ok_and(|text| (self.is_earlier)(text))
+        })
+    }
+}
+
+/// Whether a path is that of a file, there or not: a device or a pipe holds nothing that could be lost.
+fn holds_text(path: &Path) -> bool {
+    fs::metadata(path).map_or(true, |found| found.is_file() || found.is_dir())
+}
+
+/// Whether two paths lead to one file.
+fn is_same(a: &Path, b: &Path) -> bool {
+    resolved(a) == resolved(b) || is_linked(a, b)
+}
+
+/// The path without links; of a file that is not there yet, that of its folder, and of a link to one where it leads.
+fn resolved(path: &Path) -> PathBuf {
+    if let Ok(found) = fs::canonicalize(path) {
+        return found;
+    }
+    let path = fs::read_link(path).map_or(path.to_path_buf(), |to| path.parent().unwrap_or(path).join(to));
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder = fs::canonicalize(folder).unwrap_or(folder.to_path_buf());
+    path.file_name().map_or(folder.clone(), |name| folder.join(name))
+}
+
+/// Whether two names are of one file on the disk.
+#[cfg(unix)]
+fn is_linked(a: &Path, b: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let number = |path| fs::metadata(path).map(|found| (found.dev(), found.ino()));
+    number(a).is_ok_and(|own| number(b).is_ok_and(|other| own == other))
+}
+
+/// Whether two names are of one file on the disk, where that cannot be asked.
+#[cfg(not(unix))]
+fn is_linked(_: &Path, _: &Path) -> bool {
+    false
+}

@@ -1,0 +1,82 @@
+//! What of a result is hardly meant is noted with the number that shows it, and only that.
+
+use std::path::Path;
+
+use contact_vv::case::Case;
+
+/// A block of 10 mm on another, pressed from above.
+const BLOCKS: &str = "plane = \"strain\"
+thickness = 1
+[[body]]
+name = \"upper\"
+young = 200000
+poisson = 0.3
+shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }
+supports = [{ at = \"left\", component = \"x\" }]
+loads = [{ traction = { at = \"far\", value = [0, -100] } }]
+[[body]]
+name = \"lower\"
+young = 200000
+poisson = 0.3
+shape = { rectangle = { x = [0, 20], y = [-20, 0], contact = \"top\" } }
+supports = [{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\" }]
+[contact]
+first = \"upper\"
+second = \"lower\"
+gap = { parabola = 1000 }
+stretch = 10
+[mesh]
+elements = 8
+per = 10
+";
+
+/// The notes on the first contact of a scene.
+fn notes(text: &str) -> Vec<String> {
+    let (meshed, run) = Case::parse(Path::new("scene.toml"), text).expect("sound").solve().expect("solved");
+    run.with_doubts(&meshed.discretisation).notes(0)
+}
+
+#[test]
+fn what_is_hardly_meant_is_noted_with_its_number() {
+    assert_eq!(notes(BLOCKS), Vec::<String>::new());
+    let gpa = BLOCKS.replace("young = 200000", "young = 200");
+    let pa = BLOCKS.replace("young = 200000", "young = 200e9");
+    let deep = BLOCKS.replace("gap = { parabola = 1000 }", "gap = { uniform = -1.5 }");
+    let apart = BLOCKS.replace("x = [0, 20], y = [-20, 0]", "x = [0, 20000], y = [-20000, 0]");
+    let apart = apart.replace("elements = 8\n", "elements = 4\n");
+    let squeezed = BLOCKS.replace("{ traction = { at = \"far\", value = [0, -100] } }", "");
+    let squeezed = squeezed.replace("loads = []\n", "");
+    let squeezed = squeezed.replacen(
+        "{ at = \"left\", component = \"x\" }]",
+        "{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\", value = -2 }]",
+        1,
+    );
+    for (text, wanted) in [
+        (&gpa, ["of the contact modulus", "is `young` of `upper`, 200 MPa, in GPa?"]),
+        (&gpa, ["`upper` moves by up to", "% of its size"]),
+        (&pa, ["pressure is only", "2.00e11 MPa, in Pa?"]),
+        (&deep, ["the bodies begin 1.50 mm within one another", "15 % of the size of `upper`"]),
+        (&apart, ["`lower` is 20000 mm large and `upper` 10.0 mm", "2000 times less"]),
+        (&squeezed, ["`upper` moves by up to 2.0", "20 % of its size"]),
+    ] {
+        let found = notes(text);
+        let holds = |note: &String| wanted.iter().all(|part| note.contains(part));
+        assert!(found.iter().any(holds), "{wanted:?} in {found:?}");
+    }
+}
+
+#[test]
+fn notes_are_told_in_the_table_and_in_the_document() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("scene.toml");
+    std::fs::write(&file, BLOCKS.replace("young = 200000", "young = 200")).expect("written");
+    let file = file.display().to_string();
+    let (_, table, _) = crate::outputs::contact_vv(&["solve", &file, "--no-error-bar"]);
+    let (_, document, _) = crate::outputs::contact_vv(&["solve", &file, "--no-error-bar", "--json", "-"]);
+    let document: serde_json::Value = serde_json::from_str(&document).expect("JSON");
+    let notes = document["contacts"][0]["notes"].as_array().expect("a list");
+    assert!(notes.len() >= 2, "{notes:?}");
+    for note in notes {
+        assert!(table.contains(&format!("note: {}", note.as_str().expect("a text"))), "{table}");
+    }
+}
