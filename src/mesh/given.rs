@@ -54,6 +54,7 @@ impl Mesh {
                 .map(|(name, edges)| (name.clone(), edges.iter().map(|edge| shifted(edge)).collect()))
                 .collect(),
             inner: own.lines.keys().cloned().collect(),
+            turned: 0,
         }
     }
 }

@@ -3,39 +3,62 @@
 use std::f64::consts::PI;
 
 use crate::mesh::Resolution;
-use crate::scene::{ContactPair, Path, Scene, Shape};
+use crate::mesh::outline::WIDEST;
+use crate::scene::{Body, ContactPair, Path, Scene, Shape};
 
-/// Most cells and most candidate elements that are meshed: a solve then stays within about 4 GB.
+/// Most cells, and most candidate elements of all contacts together, whose nodes share one dense matrix: a solve then stays
+/// within about 4 GB.
 pub const MOST: [f64; 2] = [500e3, 2e3];
 
-/// About how many cells and how many candidate elements a mesh would have.
+/// About how many cells and how many candidate elements a mesh would have; of a contact those of its finer body count.
 pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
-    let sizes: Vec<[f64; 2]> = (0..scene.bodies.len()).map(|body| of_body(scene, resolution, body)).collect();
-    let cells: f64 = sizes.iter().map(|[cells, _]| cells).sum();
-    let largest = sizes.iter().map(|[_, candidates]| *candidates).fold(0.0, f64::max);
+    let cells: f64 = (0..scene.bodies.len()).map(|body| cells(scene, resolution, body)).sum();
+    let of_pair =
+        |pair: &ContactPair| pair.bodies().map(|b| candidates(scene, resolution, b, pair)).fold(0.0, f64::max);
+    let along: f64 = scene.contacts.iter().map(of_pair).sum();
     let halved = 2.0_f64.powi(resolution.refinement as i32);
     // Cells of order p count as the 8-node ones, two intervals wide, that have as many nodes along a side.
     let wide = resolution.order.intervals() as f64 / 2.0;
-    [cells * (halved * wide).powi(2), largest * halved * wide]
+    [cells * (halved * wide).powi(2), along * halved * wide]
 }
 
-/// Cells and candidate elements of one body.
-fn of_body(scene: &Scene, resolution: Resolution, body: usize) -> [f64; 2] {
-    let (pair, grading) = (scene.contact_of(body), &scene.grading);
-    let index = body;
-    let own = || scene.contacts_of(index);
-    let touching = own().map(move |pair| pair.side(index));
-    let body = &scene.bodies[index];
+/// Candidate elements of a body for one of its contacts.
+fn candidates(scene: &Scene, resolution: Resolution, body: usize, pair: &ContactPair) -> f64 {
+    let (side, body) = (pair.side(body), &scene.bodies[body]);
+    match &body.shape {
+        Shape::Given(mesh) => mesh.boundaries.get(side).map_or(0.0, |edges| edges.len() as f64),
+        Shape::Blocks(blocks) => {
+            let sides = blocks.iter().flat_map(|block| (0..4).map(move |k| (&block.names[k], block.elements[k % 2])));
+            sides.filter(|(name, _)| name.as_deref() == Some(side)).map(|(_, n)| n as f64).sum()
+        }
+        _ => sides_of(pair) * along(scene, resolution, body, pair),
+    }
+}
+
+/// Parts of a contact on either side of s = 0.
+fn sides_of(pair: &ContactPair) -> f64 {
+    if pair.path.has_both_sides() { 2.0 } else { 1.0 }
+}
+
+/// Candidate elements on one side of s = 0, of a body that is meshed for its contacts.
+fn along(scene: &Scene, resolution: Resolution, body: &Body, pair: &ContactPair) -> f64 {
+    let kinks = pair.profile.kinks().iter().filter(|s| **s < pair.stretch).count() as f64;
+    counted_on(scene, resolution, body, pair.stretch * pair.path.metric()) + kinks
+}
+
+/// Elements on a length of a body's surface.
+fn counted_on(scene: &Scene, resolution: Resolution, body: &Body, length: f64) -> f64 {
+    (resolution.elements as f64 * body.density * length / scene.grading.unit).round().max(1.0)
+}
+
+/// Cells of one body.
+fn cells(scene: &Scene, resolution: Resolution, index: usize) -> f64 {
+    let (pair, grading, body) = (scene.contact_of(index), &scene.grading, &scene.bodies[index]);
     let length = pair.stretch * pair.path.metric();
-    let kinks_of = |pair: &ContactPair| pair.profile.kinks().iter().filter(|s| **s < pair.stretch).count() as f64;
-    let elements = resolution.elements as f64 * body.density;
-    let counted_on = |length: f64| (elements * length / grading.unit).round().max(1.0);
-    let sides_of = |pair: &ContactPair| if pair.path.has_both_sides() { 2.0 } else { 1.0 };
-    let (candidates, sides) = (counted_on(length) + kinks_of(pair), sides_of(pair));
-    let others = || own().filter(|other| !std::ptr::eq(*other, pair));
-    let more: f64 = others()
-        .map(|other| sides_of(other) * (counted_on(other.stretch * other.path.metric()) + kinks_of(other)))
-        .sum();
+    let counted_on = |length: f64| counted_on(scene, resolution, body, length);
+    let (candidates, sides) = (along(scene, resolution, body, pair), sides_of(pair));
+    let others = || scene.contacts_of(index).filter(|other| !std::ptr::eq(*other, pair));
+    let more: f64 = others().map(|other| sides_of(other) * along(scene, resolution, body, other)).sum();
     // The smallest of the candidates, as a length and in the contact coordinate.
     let even = grading.end.min(1.0 / grading.end);
     let [mut size, mut step] = [length, pair.stretch].map(|whole| even * whole / candidates);
@@ -52,7 +75,7 @@ fn of_body(scene: &Scene, resolution: Resolution, body: usize) -> [f64; 2] {
     let arc = |[size, step]: [f64; 2], radius: f64, deep: f64| {
         let angle = if matches!(pair.path, Path::Arc(_)) { step } else { size / radius };
         let first = angle * radius * grading.first;
-        let along = counted(PI, angle, grading.along, 1.6 * grading.coarsest);
+        let along = counted(PI, angle, grading.along, WIDEST * grading.coarsest);
         [along, counted(deep, first, grading.depth, grading.coarsest * deep)]
     };
     let structured = || {
@@ -69,20 +92,9 @@ fn of_body(scene: &Scene, resolution: Resolution, body: usize) -> [f64; 2] {
         columns * (candidates.min(along) + depth * (1.0 + others.min(1.0)))
     };
     match &body.shape {
-        Shape::Given(mesh) => {
-            let touching = touching.map(|side| mesh.boundaries.get(side).map_or(0, Vec::len) as f64);
-            [mesh.cells.len() as f64, touching.sum()]
-        }
-        Shape::Blocks(blocks) => {
-            let cells = blocks.iter().map(|block| block.elements[0] as f64 * block.elements[1] as f64).sum();
-            let sides = blocks.iter().flat_map(|block| (0..4).map(move |k| (&block.names[k], block.elements[k % 2])));
-            let elements = |side: &str| -> f64 {
-                let own = sides.clone().filter(|(name, _)| name.as_deref() == Some(side));
-                own.map(|(_, n)| n as f64).sum()
-            };
-            [cells, touching.map(elements).sum()]
-        }
-        _ => [structured(), sides * candidates + more],
+        Shape::Given(mesh) => mesh.cells.len() as f64,
+        Shape::Blocks(blocks) => blocks.iter().map(|block| block.elements[0] as f64 * block.elements[1] as f64).sum(),
+        _ => structured(),
     }
 }
 
@@ -93,11 +105,17 @@ pub fn solvable(scene: &Scene, resolution: Resolution) -> Result<(), (String, St
     if total <= most && candidates <= along {
         return Ok(());
     }
-    let message = format!("the mesh would have about {total:.1e} cells and {candidates:.0} candidate elements");
+    let together = match scene.contacts.len() {
+        1 => String::new(),
+        contacts => format!(" in all {contacts} contacts together"),
+    };
+    let message =
+        format!("the mesh would have about {total:.1e} cells and {candidates:.0} candidate elements{together}");
     let kinks = scene.contacts.iter().map(|pair| pair.profile.kinks().len()).max().unwrap_or(0);
     let smooth = if kinks > resolution.elements { "`smooth = true` for the table, " } else { "" };
+    let scenes = if scene.contacts.len() > 1 { ", or make scenes of fewer contacts" } else { "" };
     let remedy = format!(
-        "ask for {smooth}fewer `elements`, a longer `stretch` or faster growth: {most:.0e} and {along} are solved"
+        "ask for {smooth}fewer `elements`, a longer `per`, a shorter `stretch` or faster growth{scenes}: {most:.0e} and {along} are solved"
     );
     Err((message, remedy))
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use contact_vv::accuracy::{self, reading::Quantity, reading::Subject};
+use contact_vv::case::Case;
 use contact_vv::case::library::{Patch, PinPlate, TruncatedHertz};
 use contact_vv::measure::relative_error;
 use contact_vv::mesh::{Mesh, Order};
@@ -31,12 +32,12 @@ fn solved(fitted: Fitted, scene: &Scene) -> Answer {
     answer
 }
 
-/// Relative errors of peak and half-width.
+/// Relative errors of peak and second-moment width.
 fn errors(run: &Run, hertz: &Hertz) -> [f64; 2] {
     let measures = run.measures();
     [
         relative_error(measures.peak.pressure, hertz.peak_pressure()),
-        relative_error(measures.half_width, hertz.half_width()),
+        relative_error(measures.second_moment_width, hertz.half_width()),
     ]
 }
 
@@ -121,6 +122,44 @@ fn two_bodies_of_other_moduli_are_found_to_as_many_digits() {
     }
 }
 
+/// A block pressed on a rigid hump on either side of its middle, `g = c₄ s⁴ − 2 c₄ s₀² s²`; one half of it, or all.
+fn humps(coefficient: f64, hump: f64, pressure: f64, whole: bool, per: f64) -> Scene {
+    let (left, held, both) = if whole { (-10, "[0, 15]", "true") } else { (0, "\"left\"", "false") };
+    let even = [-2.0 * coefficient * hump * hump, coefficient];
+    let text = format!(
+        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 1e4\npoisson = 0.3\n\
+         shape = {{ rectangle = {{ x = [{left}, 10], y = [0, 15], contact = \"bottom\" }} }}\n\
+         supports = [{{ at = {held}, component = \"x\" }}]\n\
+         loads = [{{ traction = {{ at = \"far\", value = [0, -{pressure}] }} }}]\n[contact]\nfirst = \"block\"\n\
+         gap = {{ even = {even:?} }}\nstretch = 5\nboth-sides = {both}\n[mesh]\nelements = 8\nper = {per:?}\n"
+    );
+    Case::parse(std::path::Path::new("humps.toml"), &text).expect("sound").scene
+}
+
+#[test]
+fn contact_that_begins_away_from_its_symmetry_line_is_found_as_on_the_whole_body() {
+    for (coefficient, hump, pressure) in [(1e-4, 2.0, 0.2), (1e-4, 3.5, 3.0), (1e-3, 1.0, 1.0), (1e-3, 2.0, 3.0)] {
+        let [half, whole] = [false, true].map(|whole| {
+            solved(Fitted { order: Order::Sextic, layers: 1 }, &humps(coefficient, hump, pressure, whole, 1.0))
+        });
+        // A first mesh on which the hump is narrower than an element.
+        let coarse = humps(coefficient, hump, pressure, false, 5.0);
+        let coarse = solved(Fitted { order: Order::Sextic, layers: 1 }, &coarse).run.measures().peak.pressure;
+        let what = format!("humps at {hump} mm, {coefficient} under {pressure} MPa");
+        let [[begin, end]] = half.stretches[0][..] else { panic!("{what}: {:?}", half.stretches) };
+        let [.., [other, last]] = whole.stretches[0][..] else { panic!("{what}: {:?}", whole.stretches) };
+        assert!(begin > 0.0 && begin < hump && hump < end, "{what}: {begin} to {end}");
+        let width = end - begin;
+        assert!(
+            (begin - other).abs() <= 2e-3 * width && (end - last).abs() <= 2e-3 * width,
+            "{what}: {other} to {last}"
+        );
+        let [own, others] = [&half, &whole].map(|answer| answer.run.measures().peak.pressure);
+        assert!(relative_error(own, others) <= 1e-3, "{what}: {own} and {others} MPa");
+        assert!(relative_error(coarse, own) <= 1e-3, "{what}: {coarse} and {own} MPa");
+    }
+}
+
 /// A whole block whose contact lies off its middle by so many half-widths.
 fn off_the_middle(shift: f64) -> (Scene, Hertz) {
     let (one, hertz) = under(OFF);
@@ -201,7 +240,7 @@ fn bars_of_fitted_meshes_hold_the_error_of_peak_width_and_ends() {
             let bars = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
             let truths = [
                 (Quantity::PeakPressure, hertz.peak_pressure()),
-                (Quantity::HalfWidth, hertz.half_width()),
+                (Quantity::SecondMomentWidth, hertz.half_width()),
                 (Quantity::End(0), hertz.half_width()),
             ];
             for (quantity, truth) in truths {
@@ -226,7 +265,7 @@ fn pins_in_plates_are_found_alike_by_cells_of_neighbouring_orders() {
             fitted.solve_with_ends(&scene, &Formulation::verification(), 1e-5).expect("answer")
         });
         let [one, other] = [&septic, &octic].map(|answer| answer.run.measures());
-        let widths = relative_error(one.half_width, other.half_width);
+        let widths = relative_error(one.second_moment_width, other.second_moment_width);
         let peaks = relative_error(one.peak.pressure, other.peak.pressure);
         let ends = relative_error(septic.stretches[0][0][1], octic.stretches[0][0][1]);
         assert!(widths <= 5e-7 && peaks <= 5e-6 && ends <= 1e-5, "{degrees}°: {widths:.1e} {peaks:.1e} {ends:.1e}");

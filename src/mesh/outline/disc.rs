@@ -64,7 +64,7 @@ fn right_blocks(layout: &Layout, centre: Point, radius: f64, half: bool) -> Vec<
 
 /// A sector with frames around the contact, the last of which fills its lower part; the upper one as coarse as they are.
 fn framed(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Option<Vec<Block>> {
-    let is_small = |ends: &&KnownEnds| layout.path.is_straight() && ends.half_width() <= SMALL * radius;
+    let is_small = |ends: &&KnownEnds| layout.path.is_straight() && ends.reach() <= SMALL * radius;
     let ends = layout.same_ends().filter(is_small)?;
     let has_left = sector.has_both_sides();
     // Along x and into the depth in radii: bodies in contact have their nodes at the same x.
@@ -74,7 +74,7 @@ fn framed(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Option
     if columns.iter().any(|x| x.abs() > REACH) {
         return None;
     }
-    let core = Core { columns, depth: DEPTH * ends.half_width() / radius, has_left };
+    let core = Core { columns, depth: DEPTH * ends.reach() / radius, has_left };
     let begin = if has_left { -1.0 } else { 0.0 };
     let frames = Frames::around(core, [begin, 1.0], 1.0, LARGER)?;
 

@@ -23,9 +23,9 @@ pub(super) fn blocks(layout: &Layout, shape: &Shape) -> Vec<Block> {
     let [before, last] = last_two(&surface);
     let grading = layout.grading;
     let fine = CORNER * hole.radius * (surface[1] - surface[0]);
-    let (along, coarsest) = (grading.along, 1.6 * grading.coarsest);
-    let towards =
-        spacing::growing_from_both(last, corner, [(last - before) * along, fine / outer_radius], along, coarsest);
+    let (along, coarsest) = (grading.along, layout.widest());
+    let next = ((last - before) * along).min(coarsest);
+    let towards = spacing::growing_from_both(last, corner, [next, fine / outer_radius], along, coarsest);
     let angles = spacing::joined(&[surface, towards]);
     let rest = spacing::growing(corner, PI, fine / outer_radius, along, coarsest);
     let depth = outer_radius - hole.radius;

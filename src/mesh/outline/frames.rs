@@ -31,7 +31,8 @@ const LEAST: f64 = 1.25;
 pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -> Option<Vec<Block>> {
     let ends = layout.same_ends().filter(|_| !layout.opposite)?;
     let columns = ends.of_box(x[0])?;
-    let core = Core { columns, depth: ends.half_width(), has_left: layout.path.has_both_sides() };
+    let has_left = layout.path.has_both_sides() || columns[0] > x[0];
+    let core = Core { columns, depth: ends.half_width(), has_left };
     let opposite = if contact == Face::Bottom { y[1] } else { y[0] };
     let far = layout.points.iter().filter(|point| point[1] == opposite).map(|point| point[0]).collect();
     let frames = Frames { far, ..Frames::around(core, x, y[1] - y[0], LARGER)? };

@@ -5,6 +5,8 @@ use crate::scene::ContactPair;
 
 /// Widest cell on an arc that carries a contact \[rad\].
 const WIDEST: f64 = 0.8;
+/// Size of a cell over that of the one nearer to an end, as of the frames of a rectangle.
+const LARGER: f64 = 2.8;
 /// Difference of positions, over the stretch, below which they are one.
 const SAME: f64 = 1e-9;
 
@@ -20,13 +22,28 @@ impl<'a> KnownEnds<'a> {
         (!pair.ends.places.is_empty()).then_some(Self { pair, parts })
     }
 
-    /// Half the width of the contact: from s = 0 to its end, or half way from its first to its last.
+    /// Half the distance of the two ends that are nearest to one another, of one contact half its width; from a symmetry line on
+    /// where the contact begins there.
     pub fn half_width(&self) -> f64 {
+        let places = &self.pair.ends.places;
+        let on_line = places[..1].iter().copied().filter(|_| self.begins_on_line());
+        let between = places.windows(2).map(|two| 0.5 * (two[1] - two[0]));
+        let narrowest = on_line.chain(between).fold(f64::INFINITY, f64::min);
+        if narrowest.is_finite() { narrowest } else { self.pair.stretch }
+    }
+
+    /// Half way from the first end to the last, or from a symmetry line to the last.
+    pub fn reach(&self) -> f64 {
         match self.pair.ends.places[..] {
-            [.., last] if !self.pair.path.has_both_sides() => last,
+            [.., last] if self.begins_on_line() => last,
             [first, .., last] => 0.5 * (last - first),
             _ => self.pair.stretch,
         }
+    }
+
+    /// Whether the contact begins on a symmetry line: all stretches but the first have two ends.
+    fn begins_on_line(&self) -> bool {
+        !self.pair.path.has_both_sides() && self.pair.ends.places.len() % 2 == 1
     }
 
     /// Positions of the candidates from 0 on, with ends on either side of it.
@@ -42,12 +59,13 @@ impl<'a> KnownEnds<'a> {
     /// Positions across a box on the contact: its ends, and half its width beyond them, or up to the end of the stretch where
     /// that is about as near; none where a kink of the gap lies outside.
     ///
-    /// From the left side of the body on, or on both sides of the path's origin.
+    /// From the left side of the body on where the contact begins there or near it, or on both sides of the path's origin.
     pub fn of_box(&self, left: f64) -> Option<Vec<f64>> {
         let (path, places) = (&self.pair.path, &self.pair.ends.places);
         let (columns, origin) = match path.has_both_sides() {
             true => (self.near(self.breaks_across(), [places[0], places[places.len() - 1]]), path.origin()[0]),
-            false => (self.of_right_box(), left),
+            false if self.begins_on_line() => (self.of_right_box(), left),
+            false => (self.near(self.breaks_to_the_right(), [places[0], places[places.len() - 1]]), left),
         };
         columns.map(|columns| columns.iter().map(|s| origin + s).collect())
     }
@@ -60,7 +78,7 @@ impl<'a> KnownEnds<'a> {
 
     /// Those of ascending breaks that are near the first and the last end, the intervals between them cut.
     fn near(&self, breaks: Vec<f64>, [first, last]: [f64; 2]) -> Option<Vec<f64>> {
-        let far = (1.5 + SAME) * self.half_width();
+        let far = (1.5 + SAME) * self.reach();
         let is_near = |s: &f64| first - far <= *s && *s <= last + far;
         let columns: Vec<f64> = breaks.into_iter().filter(is_near).collect();
         let holds_all = columns.len() > 1 && self.pair.profile.kinks().iter().all(is_near);
@@ -68,29 +86,43 @@ impl<'a> KnownEnds<'a> {
     }
 
     fn breaks_to_the_right(&self) -> Vec<f64> {
-        self.breaks(self.pair.ends.places.iter().map(|end| end.abs()), 0.0)
+        let places = &self.pair.ends.places;
+        if self.pair.path.has_both_sides() {
+            return self.breaks(places.iter().map(|end| end.abs()).collect(), 0.0);
+        }
+        let line = places[..1].iter().filter(|_| !self.begins_on_line());
+        let before = line.flat_map(|begin| towards(*begin, 0.0, self.half_width()));
+        self.breaks(places.iter().copied().chain(self.between()).chain(before).collect(), 0.0)
     }
 
     fn breaks_across(&self) -> Vec<f64> {
         let (places, stretch) = (&self.pair.ends.places, self.pair.stretch);
-        let middles = places.windows(2).map(|two| 0.5 * (two[0] + two[1]));
-        let beyond = places[0] - self.half_width();
-        let begins = (beyond + stretch > 0.5 * self.half_width()).then_some(beyond);
-        self.breaks(places.iter().copied().chain(middles).chain(begins), -stretch)
+        let before = towards(places[0], -stretch, self.half_width());
+        self.breaks(places.iter().copied().chain(self.between()).chain(before).collect(), -stretch)
     }
 
-    /// Positions from a place on: such ends, kinks of the gap, as far again beyond the last, and the end of the stretch.
-    fn breaks(&self, ends: impl Iterator<Item = f64>, from: f64) -> Vec<f64> {
+    /// Half way between neighbouring ends, and between there and both of them.
+    fn between(&self) -> impl Iterator<Item = f64> {
+        let size = self.half_width();
+        self.pair.ends.places.windows(2).flat_map(move |two| {
+            let middle = 0.5 * (two[0] + two[1]);
+            let from_both = two.iter().flat_map(move |end| towards(*end, middle, size));
+            from_both.chain([middle])
+        })
+    }
+
+    /// Positions from a place on: those given, kinks of the gap, others beyond the last, and the end of the stretch.
+    fn breaks(&self, mut breaks: Vec<f64>, from: f64) -> Vec<f64> {
         let stretch = self.pair.stretch;
-        let mut breaks: Vec<f64> = ends.chain(self.pair.profile.kinks()).filter(|s| *s > from).collect();
+        breaks.extend(self.pair.profile.kinks());
+        breaks.retain(|s| *s > from);
         breaks.sort_by(f64::total_cmp);
         let near = SAME * stretch;
         breaks.retain(|s| *s < stretch - near);
         breaks.dedup_by(|next, before| *next - *before <= near);
         let last = breaks.last().copied().unwrap_or(from);
-        let beyond = last + self.half_width();
-        let wide = stretch - beyond > 0.5 * self.half_width();
-        [from].into_iter().chain(breaks).chain(wide.then_some(beyond)).chain([stretch]).collect()
+        let beyond = towards(last, stretch, self.half_width());
+        [from].into_iter().chain(breaks).chain(beyond).chain([stretch]).collect()
     }
 
     /// Each interval cut as often as is asked, on an arc so that none is wide.
@@ -102,4 +134,16 @@ impl<'a> KnownEnds<'a> {
         });
         spacing::joined(&pieces.collect::<Vec<_>>())
     }
+}
+
+/// Places from an end towards another place, ever farther apart: the first of them by a size.
+fn towards(end: f64, place: f64, size: f64) -> Vec<f64> {
+    let (mut at, away) = (end, (place - end).signum());
+    let sizes = std::iter::successors(Some(size), |size| Some(LARGER * size));
+    let places = sizes.map_while(|size| {
+        let has_room = (place - at).abs() > 1.5 * size;
+        at += away * size;
+        has_room.then_some(at)
+    });
+    places.collect()
 }

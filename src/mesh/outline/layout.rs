@@ -7,6 +7,9 @@ use crate::mesh::{Order, Resolution};
 use crate::scene::contact_pair::CONTACT;
 use crate::scene::{Body, ContactPair, Grading, Load, Path, Place, Scene, Shape};
 
+/// Angle of the widest cell on an arc over the coarsest element's part of the body \[rad\].
+pub(crate) const WIDEST: f64 = 1.6;
+
 /// What the outlines need to know of the scene: where the candidates end and how fine they are.
 pub(crate) struct Layout<'a> {
     pub grading: &'a Grading,
@@ -84,12 +87,19 @@ impl<'a> Layout<'a> {
         for &end in until {
             let [before, last] = last_two(&angles);
             if end > last + 1e-9 {
-                let first = (last - before) * self.grading.along;
-                let more = spacing::growing(last, end, first, self.grading.along, self.grading.coarsest * 1.6);
+                let next = (last - before) * self.grading.along;
+                // Where a body bends around its contact.
+                let first = if self.path.is_straight() { next } else { next.min(self.widest()) };
+                let more = spacing::growing(last, end, first, self.grading.along, self.widest());
                 angles = spacing::joined(&[angles, more]);
             }
         }
         angles
+    }
+
+    /// Widest cell on an arc beyond the candidates \[rad\].
+    pub fn widest(&self) -> f64 {
+        WIDEST * self.grading.coarsest
     }
 
     /// Angles of the candidates of all contacts on an arc: every stretch ends on one, and elements are as fine as each asks.

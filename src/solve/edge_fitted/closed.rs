@@ -77,12 +77,17 @@ impl Closed {
         let iterate = Exact::bilateral(&problem, &closed)
             .ok_or_else(|| refused("the closed stretches do not hold the bodies"))?;
         let at_end = |contact: usize, one: &Stretch, end: f64, inwards: f64| -> Result<f64, Error> {
-            let half_width = if begins_within(one) { 0.5 * (one.end - one.begin) } else { one.end };
+            let half_width = half_width(one);
             let own = points.iter().zip(&closed).zip(&iterate.pressure);
             let own = own.filter(|((point, closed), _)| **closed && point.contact == contact);
             let near: Vec<[f64; 2]> = own.map(|((point, _), p)| [(point.position - end) * inwards, *p]).collect();
             let moved = root::beyond(&near, half_width);
-            let moved = moved.ok_or_else(|| refused("the pressure does not fall towards an end of the contact"))?;
+            let moved = moved.map_err(|unfit| {
+                let pair = &made.scene.contacts[contact];
+                let message =
+                    format!("the end of the contact at s = {} is not found: {unfit}", pair.path.reported(end));
+                Error::at(made.scene.place_of(contact, Part::Stretch), message, REMEDY)
+            })?;
             Ok(moved / half_width)
         };
         let of_stretch = |contact: usize, one: &Stretch| -> Result<[f64; 2], Error> {
@@ -103,12 +108,15 @@ impl Closed {
         })
     }
 
-    /// Moves every end, given outwards over the half-width of its stretch.
-    pub(super) fn moved(&mut self, moves: &[Vec<[f64; 2]>]) {
-        for (one, [begin, end]) in self.stretches.iter_mut().flatten().zip(moves.iter().flatten()) {
-            let half_width = if begins_within(one) { 0.5 * (one.end - one.begin) } else { one.end };
-            one.begin -= begin * half_width;
-            one.end += end * half_width;
+    /// Moves every end, given outwards over the half-width of its stretch; none beyond a symmetry line.
+    pub(super) fn moved(&mut self, scene: &Scene, moves: &[Vec<[f64; 2]>]) {
+        for ((pair, stretches), moves) in scene.contacts.iter().zip(&mut self.stretches).zip(moves) {
+            let least = if pair.path.has_both_sides() { f64::NEG_INFINITY } else { 0.0 };
+            for (one, [begin, end]) in stretches.iter_mut().zip(moves) {
+                let half_width = half_width(one);
+                one.begin = (one.begin - begin * half_width).max(least);
+                one.end += end * half_width;
+            }
         }
     }
 }
@@ -123,6 +131,11 @@ fn places(stretches: &[Stretch]) -> Vec<f64> {
     let mut places: Vec<f64> = begins.chain(ends).collect();
     places.sort_by(f64::total_cmp);
     places
+}
+
+/// Half its width, or all of it where it begins on a symmetry line.
+fn half_width(one: &Stretch) -> f64 {
+    if begins_within(one) { 0.5 * (one.end - one.begin) } else { one.end }
 }
 
 /// Whether a stretch begins at an end of its own, and not on a symmetry line.

@@ -12,7 +12,7 @@ pub struct Fitted {
 }
 
 impl Fitted {
-    /// For so many digits of peak and half-width: order `digits + 2`; a layer up to four digits, one more for each beyond.
+    /// For so many digits of peak and second-moment width: order `digits + 2`; a layer up to four digits, one more for each beyond.
     pub fn of_digits(digits: usize) -> Self {
         let order = Order::numbered(digits + 2).unwrap_or(if digits < 4 { Order::Quartic } else { Order::Octic });
         Self { order, layers: digits.saturating_sub(3).clamp(1, 3) }

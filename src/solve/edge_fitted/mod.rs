@@ -9,6 +9,7 @@
 //! * `search` — the ends sought on coarse meshes, then on the one asked for.
 //! * `refused` — what no mesh is fitted to.
 //! * `closed` — the closed stretches, a mesh with lines on their ends, and how far these shall move.
+//! * `told` — where a contact ends on a mesh with a line there.
 //! * `root` — where a contact ends, from its pressures near an expected end.
 
 mod closed;
@@ -16,6 +17,8 @@ mod fitted;
 mod refused;
 mod root;
 mod search;
+mod told;
 
 pub use fitted::Fitted;
 pub use search::{Answer, Tried};
+pub(super) use told::of_lines;

@@ -1,5 +1,7 @@
 //! Where a contact ends, from pressures that were found with all points closed up to an expected end.
 
+use std::fmt;
+
 use nalgebra::{DMatrix, DVector};
 
 /// Distance from the end, over the half-width, up to which pressures take part: the outermost layer of cells.
@@ -13,23 +15,44 @@ const EACH: usize = 3;
 /// Most that an end moves at once, over the half-width.
 const FARTHEST: f64 = 0.5;
 
-/// How far the end lies beyond the expected one, from `[distance from that end, pressure]` of closed points; none where
-/// too few are near, or they do not fall towards an end.
+/// Why an end is not found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Unfit {
+    /// So many points are near, too few for the series.
+    TooFew(usize),
+    /// The pressure does not fall towards an end.
+    Rising,
+}
+
+impl fmt::Display for Unfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [fewest, _] = TERMS;
+        match self {
+            Self::TooFew(found) => {
+                write!(f, "{found} closed points lie within {NEAR:.2} half-widths of it, and {fewest} are needed")
+            }
+            Self::Rising => write!(f, "the pressure does not fall towards it"),
+        }
+    }
+}
+
+/// How far the end lies beyond the expected one, from `[distance from that end, pressure]` of closed points.
 ///
 /// Closed up to a place e that is not the end, a frictionless contact has the pressure of a sharp corner,
 /// `p √d = A₀ + B₀ d + C₀ d² + …` at the distance d from e. At the end itself A₀, its stress intensity, vanishes. Where the end
 /// lies at e + δ, `p ∝ √(δ + d) = √d + δ/(2√d) + …`, so that `δ = 2 A₀/B₀`.
-pub(super) fn beyond(points: &[[f64; 2]], half_width: f64) -> Option<f64> {
+pub(super) fn beyond(points: &[[f64; 2]], half_width: f64) -> Result<f64, Unfit> {
     let near = points.iter().filter(|[d, _]| *d > AT_END * half_width && *d <= NEAR * half_width);
     let near: Vec<[f64; 2]> = near.map(|[d, p]| [d / half_width, *p]).collect();
     if near.len() < TERMS[0] {
-        return None;
+        return Err(Unfit::TooFew(near.len()));
     }
     let [least, most] = TERMS;
     let terms = (near.len() / EACH).clamp(least, most);
     let powers = DMatrix::from_fn(near.len(), terms, |row, k| near[row][0].powi(k as i32));
     let rooted = DVector::from_fn(near.len(), |row, _| near[row][1] * near[row][0].sqrt());
-    let series = powers.svd(true, true).solve(&rooted, f64::EPSILON).ok()?;
+    let series = powers.svd(true, true).solve(&rooted, f64::EPSILON).map_err(|_| Unfit::Rising)?;
     let delta = 2.0 * series[0] / series[1];
-    (series[1] > 0.0 && delta.is_finite()).then(|| half_width * delta.clamp(-FARTHEST, FARTHEST))
+    let falls = series[1] > 0.0 && delta.is_finite();
+    if falls { Ok(half_width * delta.clamp(-FARTHEST, FARTHEST)) } else { Err(Unfit::Rising) }
 }

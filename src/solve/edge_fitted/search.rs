@@ -4,6 +4,7 @@ use super::closed::Closed;
 use super::fitted::Fitted;
 use super::refused::{REMEDY, on_fitted, refuse_given};
 use crate::error::Error;
+use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solve::{Discretisation, Formulation, Run};
@@ -34,8 +35,34 @@ pub struct Answer {
     pub tried: Vec<Tried>,
 }
 
+impl Answer {
+    /// Whether every contact is closed between the ends that were found, and open beyond.
+    ///
+    /// Where a first mesh takes two stretches for one, or one that begins away from a symmetry line for one that begins on it, the
+    /// fitted mesh has no line where the contact ends.
+    fn is_where_it_was_sought(&self) -> bool {
+        self.stretches.iter().enumerate().all(|(contact, stretches)| {
+            let (mut open, mut within, mut outside, mut force) = (0.0, 0.0, 0.0, 0.0);
+            for point in self.run.solution.points_of(contact) {
+                let is_in = stretches.iter().any(|[begin, end]| *begin <= point.position && point.position <= *end);
+                let carried = point.weight * point.pressure;
+                force += carried;
+                within += if is_in { point.weight } else { 0.0 };
+                open += if is_in && point.pressure <= 0.0 { point.weight } else { 0.0 };
+                outside += if is_in { 0.0 } else { carried };
+            }
+            open <= ELSEWHERE * within && outside <= ELSEWHERE * force
+        })
+    }
+}
+
+/// Part of a contact that may be open between its ends, and part of its force that may act beyond them: an end at rest is off by less.
+const ELSEWHERE: f64 = 0.05;
+
 /// Mesh that finds about where the contact is: 8-node cells, so many on the grading's unit of length.
 const FIRST: Resolution = Resolution { elements: 3, refinement: 0, order: Order::Quadratic };
+/// Times that this mesh is halved where the contact found on it is not that of the fitted mesh.
+const HALVED: u32 = 5;
 /// Mesh on which its ends are sought first.
 const COARSE: Fitted = Fitted { order: Order::Quartic, layers: 1 };
 /// Move of an end, over the half-width, from which on the last mesh is worth while.
@@ -44,7 +71,7 @@ const NEAR: f64 = 2e-2;
 const MESHES: usize = 5;
 
 impl Fitted {
-    /// Solves a scene on such a mesh, whose ends are found on the way, as well as peak and half-width need it.
+    /// Solves a scene on such a mesh, whose ends are found on the way, as well as peak and second-moment width need it.
     pub fn solve(self, scene: &Scene, formulation: &Formulation) -> Result<Answer, Error> {
         self.solve_with_ends(scene, formulation, self.at_rest())
     }
@@ -52,18 +79,35 @@ impl Fitted {
     /// The same with ends that move no farther than so many half-widths.
     pub fn solve_with_ends(self, scene: &Scene, formulation: &Formulation, at_rest: f64) -> Result<Answer, Error> {
         refuse_given(scene)?;
-        let made = Discretisation::of(scene.clone(), FIRST).map_err(on_fitted)?;
-        let first = Run::of(&made, formulation)?;
-        let cells = made.mesh.cells();
-        let mut answer = self.around(scene, &first, formulation, at_rest)?;
-        answer.tried.insert(0, Tried { order: FIRST.order, dofs: first.dofs, cells, moved: f64::NAN });
-        Ok(answer)
+        let mut tried = Vec::new();
+        let mut refused = None;
+        for halved in 0..=HALVED {
+            let resolution = Resolution { elements: FIRST.elements << halved, ..FIRST };
+            if refused.is_some() && solvable(scene, resolution).is_err() {
+                break;
+            }
+            let made = Discretisation::of(scene.clone(), resolution).map_err(on_fitted)?;
+            let first = Run::of(&made, formulation)?;
+            found(&first).refuse(scene)?;
+            tried.push(Tried { order: FIRST.order, dofs: first.dofs, cells: made.mesh.cells(), moved: f64::NAN });
+            match self.around(scene, &first, formulation, at_rest) {
+                Ok(mut answer) => {
+                    tried.append(&mut answer.tried);
+                    if answer.is_where_it_was_sought() {
+                        return Ok(Answer { tried, ..answer });
+                    }
+                    let message = "the contact is not closed where its ends were found: the mesh that it was sought on is too coarse";
+                    refused = Some(Error::at(scene.name.as_str(), message, REMEDY));
+                }
+                Err(error) => refused = Some(error),
+            }
+        }
+        Err(refused.unwrap_or_else(|| Error::at(scene.name.as_str(), "no mesh was solved", REMEDY)))
     }
 
     /// The same where a run on another mesh tells about where the contacts are.
     pub fn around(self, scene: &Scene, first: &Run, formulation: &Formulation, at_rest: f64) -> Result<Answer, Error> {
-        let found = |contact: &crate::solve::run::Contact| contact.measures.stretches.clone();
-        let mut ends = Closed { stretches: first.contacts.iter().map(found).collect() };
+        let mut ends = found(first);
         let mut tried = Vec::new();
         ends.refuse(scene)?;
         for (mesh, enough) in [(COARSE, NEAR), (self, at_rest)] {
@@ -77,12 +121,12 @@ impl Fitted {
                 let resting = moved <= enough;
                 if last && resting {
                     let run = Run::of(&discretisation, formulation)?;
-                    ends.moved(&moves);
+                    ends.moved(scene, &moves);
                     let stretches = ends.stretches.iter();
                     let stretches = stretches.map(|all| all.iter().map(|one| [one.begin, one.end]).collect()).collect();
                     return Ok(Answer { discretisation, run, stretches, tried });
                 }
-                ends.moved(&moves);
+                ends.moved(scene, &moves);
                 if resting {
                     break;
                 }
@@ -95,4 +139,9 @@ impl Fitted {
             REMEDY,
         ))
     }
+}
+
+/// The closed stretches that a run found.
+fn found(run: &Run) -> Closed {
+    Closed { stretches: run.contacts.iter().map(|contact| contact.measures.stretches.clone()).collect() }
 }
