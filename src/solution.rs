@@ -17,6 +17,8 @@
 
 use std::ops::Range;
 
+use crate::error::Coordinate;
+
 /// How an iteration ended; not converging is a result, never an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 pub enum Outcome {
@@ -56,8 +58,9 @@ impl std::fmt::Display for Outcome {
 pub struct IterationError {
     /// `|p − p*|/p*` of the largest pressure.
     pub peak: f64,
-    /// Share of the force at the wrong place, `½ Σ A |p̄ − p̄*| / Σ A p̄*` over the means of the candidate edges; of a contact
-    /// that is open in the discrete solution the force that it carries over the largest force.
+    /// Share of the force at the wrong place, `½ Σ A |p̄ − p̄*| / Σ A p̄*` over the means of the candidate edges, and of tension, which
+    /// is cut from the pressures told; of a contact that is open in the discrete solution the force
+    /// that it carries over the largest force.
     pub force: f64,
     /// `|a − a*|/a*`, a the half-width by second moment, or `|c − c*|/a*` of the centre of pressure if that is larger.
     pub width: f64,
@@ -267,6 +270,18 @@ pub struct Increment {
     pub contact_force: Vec<f64>,
 }
 
+/// Penetration of the surfaces of a contact where no contact point is.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Unseen {
+    /// Where.
+    #[serde(skip)]
+    pub position: Coordinate,
+    /// How deep \[mm\].
+    pub penetration: f64,
+    /// Whether it lies on a candidate edge, between its points; else beyond the candidates.
+    pub is_candidate: bool,
+}
+
 /// Result of a contact iteration.
 #[derive(Clone, Debug, serde::Serialize)]
 pub struct Solution {
@@ -291,6 +306,10 @@ pub struct Solution {
     pub displacement: Vec<f64>,
     /// Force of the contact on the retained dofs, `−Σ A p b` \[N\].
     pub contact_force: Vec<f64>,
+    /// What is passed over of each contact: penetrations between its points and beside them; nothing is known before it has converged.
+    pub unseen: Vec<Vec<Unseen>>,
+    /// Force that is none: what rounding leaves where bodies just touch \[N\].
+    pub round_off: f64,
     /// Every load increment that was begun; empty where all of the load is applied at once.
     pub increments: Vec<Increment>,
     /// Every iteration.

@@ -10,7 +10,6 @@
 //! of equal springs that stiffen.
 
 use crate::algorithm::{ContactProblem, Iterate, Springs};
-use crate::contact::ContactPoint;
 use crate::solution::Work;
 
 /// What a closed point does.
@@ -33,8 +32,9 @@ pub struct Exact {
     pub sets: usize,
 }
 
-/// Springs that hold closed points of the mean area of their contact, over the mean diagonal of S there. What they yield
-/// is carried over until it is round-off.
+/// Springs that hold closed points of the mean area of their contact, over what both bodies resist there, one behind the other. What
+/// they yield is carried over until it is round-off. Of a stiff body on a soft one that is the soft one's: springs as stiff as the stiff
+/// one would leave the soft one's forces to round-off.
 const HOLDING: f64 = 1e5;
 /// Times what the springs carry is handed over: each leaves about `1/HOLDING` of the penetration before.
 const HANDED: usize = 4;
@@ -65,12 +65,10 @@ fn holding(problem: &ContactProblem, law: Law) -> Vec<f64> {
     if law == Law::Springs {
         return problem.initial.clone();
     }
-    let diagonal =
-        |point: &ContactPoint| -> f64 { point.row.iter().map(|&(dof, b)| b * b * problem.stiffness[(dof, dof)]).sum() };
     let mut sums = vec![[0.0; 2]; contacts(problem)];
     for point in problem.points {
         let [stiffness, area] = &mut sums[point.contact];
-        *stiffness += diagonal(point);
+        *stiffness += problem.resistance(point);
         *area += point.weight;
     }
     problem.points.iter().map(|point| HOLDING * sums[point.contact][0] / sums[point.contact][1]).collect()
@@ -145,21 +143,28 @@ impl Search<'_> {
         let mut largest = vec![0.0_f64; contacts(self.problem)];
         points.iter().zip(&iterate.pressure).for_each(|(at, p)| largest[at.contact] = largest[at.contact].max(p.abs()));
         let overall = largest.iter().copied().fold(0.0, f64::max);
+        let round_off = self.problem.round_off(&iterate.displacement);
         let mut longest = vec![0.0_f64; largest.len()];
         for point in points.iter().filter(|point| point.gap.is_finite()) {
             let length = point.gap.abs() + point.size_of_approach(&iterate.displacement);
             longest[point.contact] = longest[point.contact].max(length);
         }
         let each = (0..points.len()).map(|i| {
-            let (p, depth) = (iterate.pressure[i], iterate.approach[i] - points[i].gap);
-            let scale = largest[points[i].contact].max(PULLS * overall);
+            let (pressure, depth) = (iterate.pressure[i], iterate.approach[i] - points[i].gap);
+            let is_none = pressure.abs() * points[i].weight <= round_off[points[i].contact];
+            let p = if is_none { 0.0 } else { pressure };
+            let scale = largest[points[i].contact].max(PULLS * overall).max(f64::MIN_POSITIVE);
+            // What it would take to close it.
+            let pressing = depth * self.holding[i] / HOLDING;
             match closed[i] {
                 true if p < -PULLS * scale => -p / scale,
-                true => 0.0,
-                false if depth > PENETRATES * longest[points[i].contact] => {
-                    depth * self.holding[i] / HOLDING / scale.max(f64::MIN_POSITIVE)
+                false
+                    if pressing * points[i].weight > round_off[points[i].contact]
+                        && depth > PENETRATES * longest[points[i].contact] =>
+                {
+                    pressing / scale
                 }
-                false => 0.0,
+                _ => 0.0,
             }
         });
         let each: Vec<f64> = each.collect();

@@ -301,6 +301,8 @@ impl<'a> Run<'a> {
             points: states.points,
             edges: states.edges,
             contacts,
+            unseen: Vec::new(),
+            round_off: self.problem.round_off(&last.displacement).iter().sum(),
             target: told(&self.target),
             rigid: told(&self.rigid),
             spring_pressures: last.pressure,

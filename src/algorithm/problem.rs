@@ -41,6 +41,9 @@ pub const LIMITS: [f64; 2] = [1e-12, 1e6];
 /// Pressure over `k |g|` of the deepest interference above which it presses: hard springs give way to all but this part.
 const PRESSED: f64 = 1e-9;
 
+/// Part of what bodies resist a displacement with that is no force.
+const NO_FORCE: f64 = 1e-12;
+
 /// Springs whose `k |b| |u|` and `k |γ|` are together more than so many times the forces lose a digit where they cancel.
 const CANCELLING: f64 = 10.0;
 
@@ -154,6 +157,23 @@ impl ContactProblem<'_> {
     pub fn terms_of_internal_force(&self, u: &[f64]) -> Vec<f64> {
         let n = u.len();
         (0..n).map(|i| (0..n).map(|j| (self.stiffness[(i, j)] * u[j]).abs()).sum()).collect()
+    }
+
+    /// What both bodies resist at a point, one behind the other: `1/Σ (b²/S_dd)` of the diagonal of S [N/mm].
+    pub fn resistance(&self, point: &ContactPoint) -> f64 {
+        1.0 / point.row.iter().map(|&(dof, b)| b * b / self.stiffness[(dof, dof)]).sum::<f64>()
+    }
+
+    /// Force of each contact below which there is none, `1e-12 Σ s |b||u|` over its points, s their resistance: what rounding leaves where
+    /// bodies just touch \[N\]. Gaps do not count: far candidates have wide ones, whatever small force the contact carries.
+    ///
+    /// Of equal bodies that is about `1e-12 Σ |S||u|`; of a stiff one on a soft one it knows that only the soft one's forces matter.
+    pub fn round_off(&self, displacement: &[f64]) -> Vec<f64> {
+        let mut forces = vec![0.0; self.compliance.len()];
+        for point in self.points {
+            forces[point.contact] += NO_FORCE * self.resistance(point) * point.size_of_approach(displacement);
+        }
+        forces
     }
 
     /// Whether interference presses with every point closed: not where the bodies are free to move out of it.

@@ -44,8 +44,11 @@ struct OfContact {
 impl Target {
     /// Looks for the discrete solution from a set of closed points.
     pub fn of(problem: &ContactProblem, load: &[f64], law: Law, start: &[bool]) -> Option<Self> {
-        let exact = Exact::of(problem, load, law, start)?;
-        let states = states(problem.points, &exact.iterate);
+        let mut exact = Exact::of(problem, load, law, start)?;
+        let states = told_states(problem, &exact.iterate);
+        // What is round-off of a contact's force is none, wherever the solution is asked.
+        let told = exact.iterate.pressure.iter_mut().zip(&states);
+        told.filter(|(_, state)| state.pressure <= 0.0).for_each(|(pressure, _)| *pressure = pressure.min(0.0));
         let ranges = parts::points(problem.points).zip(parts::edges(problem.edges));
         let contacts = ranges.enumerate().map(|(contact, (points, edges))| {
             let moments = Moments::of(&states[points.clone()]);
@@ -77,24 +80,29 @@ impl Target {
     ) -> IterationError {
         let wanted = &contact.moments;
         if wanted.force <= 0.0 {
+            let own_contact = problem.points[contact.points.start].contact;
             let carried = contact.points.clone().map(|i| problem.points[i].weight * iterate.pressure[i].abs());
             let force: f64 = carried.sum();
-            let force = if force > 0.0 { force / self.largest_force } else { force };
+            let round_off = problem.round_off(&iterate.displacement)[own_contact];
+            let force = if force <= round_off { 0.0 } else { force / self.largest_force };
             return IterationError { force, ..IterationError::NONE };
         }
         let found = Moments::of(&states[contact.points.clone()]);
         let own = &problem.points[contact.points.clone()];
         let means = parts::means(&problem.edges[contact.edges.clone()], own, &states[contact.points.clone()]);
         let peak = peak::of(&means, found.centre).pressure;
-        let (mut work, mut force) = (0.0, 0.0);
+        let (mut work, mut force, mut cut) = (0.0, 0.0, 0.0);
         for i in contact.points.clone() {
-            let carried = problem.points[i].weight * self.exact.iterate.pressure[i].max(0.0);
+            let weight = problem.points[i].weight;
+            let carried = weight * self.exact.iterate.pressure[i].max(0.0);
             work += carried * (iterate.approach[i] - self.exact.iterate.approach[i]).abs();
             force += carried;
+            // Tension is cut from the pressures told, and felt by the displacements all the same.
+            cut += weight * (states[i].pressure - iterate.pressure[i]);
         }
         IterationError {
             peak: (peak / contact.peak - 1.0).abs(),
-            force: profile::misplaced(&means, &contact.means),
+            force: profile::misplaced(&means, &contact.means) + cut / force,
             width: found.apart(wanted),
             approach: work / (force * contact.approach),
         }
@@ -152,7 +160,7 @@ impl Moments {
 
 /// Points and edges as a solution tells them.
 pub(super) fn told(problem: &ContactProblem, iterate: &Iterate) -> States {
-    let states = states(problem.points, iterate);
+    let states = told_states(problem, iterate);
     let ranges = parts::points(problem.points).zip(parts::edges(problem.edges));
     let means = ranges.flat_map(|(points, edges)| {
         parts::means(&problem.edges[edges], &problem.points[points.clone()], &states[points])
@@ -171,6 +179,19 @@ fn states(points: &[ContactPoint], iterate: &Iterate) -> Vec<PointState> {
         gap: point.gap - w,
     })
     .collect()
+}
+
+/// The same, in which a contact whose force is no more than round-off presses nowhere.
+fn told_states(problem: &ContactProblem, iterate: &Iterate) -> Vec<PointState> {
+    let mut states = states(problem.points, iterate);
+    let round_off = problem.round_off(&iterate.displacement);
+    for own in parts::points(problem.points) {
+        let force: f64 = states[own.clone()].iter().map(|state| state.weight * state.pressure).sum();
+        if force <= round_off[problem.points[own.start].contact] {
+            states[own].iter_mut().for_each(|state| state.pressure = 0.0);
+        }
+    }
+    states
 }
 
 /// Pressure over the largest of its contact from which on a point is a closed one to begin the search with.

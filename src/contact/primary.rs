@@ -72,7 +72,7 @@ impl PrimarySurface {
 
 /// ξ with `Σ N_a(ξ) s_a = s` on an edge of 2 nodes, or of 3 (first, last, middle): the root between the ends of
 /// `s_m + ½(s₂ − s₁) ξ + (½(s₁ + s₂) − s_m) ξ² = s`; of more by Newton's method.
-pub(super) fn natural(coordinates: &[f64], s: f64) -> f64 {
+pub(crate) fn natural(coordinates: &[f64], s: f64) -> f64 {
     let (first, last) = (coordinates[0], coordinates[1]);
     if coordinates.len() > 3 {
         return inverted(coordinates, s, (2.0 * s - first - last) / (last - first));

@@ -192,6 +192,44 @@ impl Profile {
         }
     }
 
+    /// Contact coordinates of the points that it is given by, on either side of s = 0; none of a formula \[mm, or rad on an arc\].
+    pub fn places(&self) -> Vec<f64> {
+        let points: &[[f64; 2]] = match self {
+            Self::Table(points) => points,
+            Self::Smooth(cubic) => &cubic.points,
+            _ => return Vec::new(),
+        };
+        let images = points.iter().filter(|_| is_even(points)).map(|point| -point[0]);
+        images.chain(points.iter().map(|point| point[0])).collect()
+    }
+
+    /// Contact coordinates at which the slope of the gap leaps upwards, and by how much, so that a tip is pressed: the pressure has no limit
+    /// there. None where only the bodies' meshes tell the gap \[mm, or rad on an arc; 1, or mm/rad\].
+    pub fn tips(&self) -> Option<Vec<[f64; 2]>> {
+        let slope = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]) / (b[0] - a[0]);
+        let leap = |at: [[f64; 2]; 3]| {
+            let [before, after] = [slope(at[0], at[1]), slope(at[1], at[2])];
+            (after - before > STRAIGHT * (after.abs() + before.abs())).then_some([at[1][0], after - before])
+        };
+        Some(match self {
+            Self::Drawn => return None,
+            Self::Wedge { slope } => vec![[0.0, 2.0 * slope]],
+            Self::Table(points) => {
+                let even = is_even(points);
+                let images = points.iter().rev().filter(|point| even && point[0] > 0.0).map(|[s, gap]| [-s, *gap]);
+                let all: Vec<[f64; 2]> = images.chain(points.iter().copied()).collect();
+                all.windows(3).filter_map(|at| leap([at[0], at[1], at[2]])).collect()
+            }
+            Self::Bodies(drawn) => {
+                let ends = drawn.corners();
+                let near = NEAR * ends.iter().fold(0.0, |farthest: f64, s| farthest.max(s.abs()));
+                let at = |s: f64| [s, drawn.gap(s)];
+                ends.into_iter().filter_map(|s| leap([at(s - near), at(s), at(s + near)])).collect()
+            }
+            _ => Vec::new(),
+        })
+    }
+
     /// Distances from s = 0, ascending, at which the slope of the gap leaps on either side of it.
     pub fn kinks(&self) -> Vec<f64> {
         let Self::Table(points) = self else { return Vec::new() };
@@ -205,6 +243,9 @@ impl Profile {
         places
     }
 }
+
+/// Distance over which the slope of a drawn gap is taken on either side of a corner, over the farthest one.
+const NEAR: f64 = 1e-4;
 
 /// Difference of slopes, over their sum, up to which three points lie in line.
 const STRAIGHT: f64 = 1e-9;

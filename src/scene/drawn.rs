@@ -45,6 +45,12 @@ impl DrawnGap {
         }
     }
 
+    /// Contact coordinates at which a piece of a side begins or ends \[mm, or rad on an arc\].
+    pub fn corners(&self) -> Vec<f64> {
+        let curves = self.sides.iter().flatten();
+        curves.flat_map(|curve| [0.0, 1.0].map(|t| curve.at(&self.path, t)[0])).collect()
+    }
+
     /// The same with every point, and the path, taken to another place.
     pub fn moved(&self, path: Path, place: impl Fn([f64; 2]) -> [f64; 2]) -> Self {
         let side = |curves: &Vec<Curve>| curves.iter().map(|curve| curve.moved(&place)).collect();

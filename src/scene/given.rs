@@ -15,6 +15,8 @@ pub struct GivenMesh {
     pub boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>>,
     /// Those of them that run inside the body: no side of them is the outer one.
     pub inner: BTreeSet<BoundaryName>,
+    /// Cells that were listed clockwise where they were made, and have been turned.
+    pub turned: usize,
 }
 
 /// Largest turn from one chord of an arc to the next: the corners of a square lie on a circle too \[rad\].

@@ -106,6 +106,11 @@ pub struct Body {
 }
 
 impl Scene {
+    /// Whether a body bends far away from its contacts.
+    pub fn bends(&self) -> bool {
+        self.bodies.iter().any(|body| body.shape.bends())
+    }
+
     /// The first contact, which is the only one of most scenes.
     pub fn contact(&self) -> &ContactPair {
         &self.contacts[0]

@@ -1,22 +1,38 @@
-//! Contact that reaches the end of the candidate surface: the pressure found is that of a shorter body, and is refused.
+//! Surfaces that meet where no contact point is: beyond the candidates, where the pressure found is that of a shorter body and is
+//! refused, and within a candidate edge between its points, which is noted.
+//!
+//! The gap is a known function, and so is the displacement along an edge: `w − g` is looked at inside every edge of the side that
+//! touches, and at every point of a table, wherever nodes are.
 
 use std::collections::HashSet;
 
-use crate::contact::Interface;
+use crate::contact::{Interface, primary};
+use crate::elasticity::shape_functions;
 use crate::error::{Error, Kind, Part};
+use crate::mesh::Edge;
 use crate::scene::{ContactPair, Profile};
-use crate::solution::{EdgeState, Solution};
+use crate::solution::{EdgeState, Solution, Unseen};
 use crate::solve::{Change, Discretisation};
 
 /// Difference of contact coordinates, relative, that rounding explains.
 const SAME: f64 = 1e-9;
+/// Parts of an edge at whose ends it is looked at.
+const PARTS: usize = 16;
+/// Penetration over the approach of the contact up to which a place of its own is noted instead of refused, beyond candidates that are
+/// open, or whose outermost stretch carries no more than that part of the force, as next to a clamp: about as much is not seen.
+const ASIDE: f64 = 1e-2;
+/// Penetration over the approach of the contact between its points from which on it is noted. A parabola on linear elements, N to a
+/// half-width, leaves `1/2πN²`: this for three.
+const BETWEEN: f64 = 2e-2;
+/// Penetration over the displacements that it is the difference of, which rounding explains.
+const ROUNDING: f64 = 1e-9;
 
-/// How deep the surfaces penetrate beyond an outermost candidate, at the worst node.
+/// How deep the surfaces penetrate beyond an outermost candidate, at the worst place.
 #[derive(Clone, Copy, Debug)]
 pub struct Beyond {
     /// Contact coordinate of that candidate \[mm, or rad on an arc\].
     pub end: f64,
-    /// Contact coordinate of the node \[mm, or rad on an arc\].
+    /// Contact coordinate of the place \[mm, or rad on an arc\].
     pub position: f64,
     /// Penetration `w − g` there \[mm\]; negative is a gap.
     pub penetration: f64,
@@ -48,98 +64,183 @@ impl End {
     }
 }
 
-/// The deepest penetration beyond an end of the candidates of an interface, in a solution whose outermost point is
-/// closed, its gap being no more than the length accepted, or beyond whose outermost point the initial gap narrows
-/// again.
-///
-/// None where that point is open and the gap goes on widening, and where the surface of either body ends with the
-/// candidates: a patch, a ring, a punch.
-pub fn deepest(
-    discretisation: &Discretisation,
-    interface: &Interface,
-    solution: &Solution,
-    change: Change,
-    accepted: f64,
-    at: End,
-) -> Result<Option<Beyond>, Error> {
-    let pair = &interface.pair;
-    let Some(last) = at.outermost(&interface.nodes) else { return Ok(None) };
-    let end = last.coordinate;
-    let surfaces: Vec<Vec<Surface>> =
-        pair.bodies().map(|body| surface(discretisation, interface, body)).collect::<Result<_, _>>()?;
-    let beyond = |node: &&Surface| at.outwards(node.coordinate) > at.outwards(end) * (1.0 + SAME);
-    if surfaces.iter().any(|surface| !surface.iter().any(|node| beyond(&node))) {
-        return Ok(None);
+/// The sides of a contact as a solution displaces them.
+pub struct Sides<'a> {
+    discretisation: &'a Discretisation,
+    interface: &'a Interface,
+    clearance: f64,
+    displacement: &'a [[f64; 2]],
+    /// Edges of the first body, and of the second one.
+    edges: Vec<Vec<Strip>>,
+}
+
+/// An edge of a side with the contact coordinates of its nodes.
+struct Strip {
+    nodes: Edge,
+    coordinates: Vec<f64>,
+}
+
+impl Strip {
+    /// Where it begins and ends.
+    fn ends(&self) -> [f64; 2] {
+        let [a, b] = [self.coordinates[0], self.coordinates[1]];
+        [a.min(b), a.max(b)]
     }
-    let deep = |node: &Surface| pair.path.depth(discretisation.mesh.points[node.node]);
-    let gap = |node: &Surface| match &pair.profile {
-        Profile::Drawn => {
-            let opposite =
-                surfaces.get(1).map_or(Some(pair.path.own_depth()), |other| between(other, node.coordinate, deep));
-            opposite.map(|opposite| pair.drawn(deep(node), opposite))
-        }
-        profile => Some(profile.gap(node.coordinate)),
-    };
-    let closed = at.outermost(solution.points_of(interface.contact)).is_some_and(|point| point.gap <= accepted);
-    let narrows = || surfaces[0].iter().filter(beyond).filter_map(gap).any(|gap| gap <= last.gap);
-    if !closed && !narrows() {
-        return Ok(None);
+
+    /// Whether a contact coordinate lies on it.
+    fn holds(&self, s: f64) -> bool {
+        let [low, high] = self.ends();
+        let slack = SAME * (high - low);
+        low - slack <= s && s <= high + slack
     }
-    let unknowns = discretisation.condensed.recover_under(change.load, &solution.displacement);
-    let displacement = discretisation.system.nodal_displacements(&unknowns);
-    let outward =
-        |node: &Surface| node.normal[0] * displacement[node.node][0] + node.normal[1] * displacement[node.node][1];
-    let depth = |node: &Surface| {
-        let opposite = match surfaces.get(1) {
-            None => 0.0,
-            // Both normals are those of the first body: the second body's outward one is their opposite.
-            Some(other) => -between(other, node.coordinate, outward)?,
+
+    /// Shape functions at a contact coordinate.
+    fn shapes(&self, s: f64) -> Vec<f64> {
+        let xi = primary::natural(&self.coordinates, s).clamp(-1.0, 1.0);
+        shape_functions::edge(self.nodes.len(), xi).into_iter().map(|shape| shape.0).collect()
+    }
+}
+
+impl<'a> Sides<'a> {
+    /// Those of an interface, given the displacement of every node \[mm\].
+    pub fn of(
+        discretisation: &'a Discretisation,
+        interface: &'a Interface,
+        change: Change,
+        displacement: &'a [[f64; 2]],
+    ) -> Result<Self, Error> {
+        let strips = interface.pair.bodies().map(|body| strips(discretisation, interface, body));
+        let edges = strips.collect::<Result<Vec<_>, Error>>()?;
+        Ok(Self { discretisation, interface, clearance: change.clearance, displacement, edges })
+    }
+
+    /// The deepest penetration beyond an end of the candidates; none where the surface of either body ends with them: a patch, a ring,
+    /// a punch.
+    pub fn deepest_beyond(&self, at: End) -> Option<Beyond> {
+        let end = at.outermost(&self.interface.nodes)?.coordinate;
+        let is_beyond = |strip: &&Strip| {
+            let [low, high] = strip.ends();
+            at.outwards(0.5 * (low + high)) > at.outwards(end) * (1.0 + SAME)
         };
-        let penetration = outward(node) + opposite - gap(node)? - change.clearance;
-        Some(Beyond { end, position: node.coordinate, penetration })
-    };
-    let depths = surfaces[0].iter().filter(beyond).filter_map(depth);
-    Ok(depths.max_by(|a, b| a.penetration.total_cmp(&b.penetration)))
-}
-
-/// Refuses a converged solution whose contact reaches the end of the candidate surface, by the criterion of the candidates themselves:
-/// penetration over the approach that its own force makes within the tolerance.
-///
-/// Beyond steeply growing elements the next node may lie where the surfaces have parted again. A contact cut short shows all
-/// the same: its pressure rises towards the cut, as under the corner of a punch, where a contact that ends falls to zero.
-pub(super) fn refuse(
-    discretisation: &Discretisation,
-    solution: &Solution,
-    change: Change,
-    tolerance: f64,
-) -> Result<(), Error> {
-    if !solution.converged() {
-        return Ok(());
+        if self.edges.iter().any(|edges| !edges.iter().any(|strip| is_beyond(&strip))) {
+            return None;
+        }
+        // The candidate itself is no place beyond: the other side may end with it.
+        let away = |[s, _]: &[f64; 2]| at.outwards(*s) - at.outwards(end) > SAME * end.abs();
+        let places = self.edges[0].iter().filter(is_beyond).flat_map(|strip| self.inside(strip)).filter(away);
+        let deepest = places.max_by(|a, b| a[1].total_cmp(&b[1]))?;
+        Some(Beyond { end, position: deepest[0], penetration: deepest[1] })
     }
-    discretisation.interfaces.iter().try_for_each(|one| refuse_one(discretisation, one, solution, change, tolerance))
+
+    /// The deepest penetration within the candidate edges, between their points: contact coordinate and depth \[mm\].
+    pub fn deepest_between(&self) -> Option<[f64; 2]> {
+        let nodes = &self.interface.nodes;
+        let (first, last) = (nodes.first()?.coordinate, nodes.last()?.coordinate);
+        let is_within = |strip: &&Strip| {
+            let [low, high] = strip.ends();
+            let middle = 0.5 * (low + high);
+            first < middle && middle < last
+        };
+        let places = self.edges[0].iter().filter(is_within).flat_map(|strip| self.inside(strip));
+        places.max_by(|a, b| a[1].total_cmp(&b[1]))
+    }
+
+    /// Contact coordinates and penetrations at the places where an edge is looked at.
+    fn inside<'b>(&'b self, strip: &'b Strip) -> impl Iterator<Item = [f64; 2]> + 'b {
+        let [low, high] = strip.ends();
+        let even = (0..=PARTS).map(move |k| low + (high - low) * k as f64 / PARTS as f64);
+        let told = self.interface.pair.profile.places().into_iter().filter(move |s| low < *s && *s < high);
+        even.chain(told).filter_map(|s| self.penetration(strip, s))
+    }
+
+    /// Contact coordinate and `w − g` at a place of an edge of the first body; none where nothing faces it.
+    fn penetration(&self, strip: &Strip, s: f64) -> Option<[f64; 2]> {
+        let shapes = strip.shapes(s);
+        let pair = &self.interface.pair;
+        let mesh = &self.discretisation.mesh;
+        let sum = |strip: &Strip, shapes: &[f64], of: &dyn Fn(usize) -> f64| -> f64 {
+            strip.nodes.iter().zip(shapes).map(|(&node, shape)| shape * of(node)).sum()
+        };
+        let outward = |node: usize| {
+            let [n, u] = [pair.normal(mesh.points[node]), self.displacement[node]];
+            n[0] * u[0] + n[1] * u[1]
+        };
+        let depth = |node: usize| pair.path.depth(mesh.points[node]);
+        let (opposite, faced) = match self.edges.get(1) {
+            None => (0.0, pair.path.own_depth()),
+            Some(edges) => {
+                let other = edges.iter().find(|other| other.holds(s))?;
+                let shapes = other.shapes(s);
+                // Both normals are those of the first body: the second body's outward one is their opposite.
+                (-sum(other, &shapes, &outward), sum(other, &shapes, &depth))
+            }
+        };
+        let gap = match &pair.profile {
+            Profile::Drawn => pair.drawn(sum(strip, &shapes, &depth), faced),
+            profile => profile.gap(s),
+        };
+        let approach = sum(strip, &shapes, &outward) + opposite;
+        let penetration = approach - gap - self.clearance;
+        // What rounding leaves of surfaces that just touch is no penetration.
+        let noise = ROUNDING * (approach.abs() + gap.abs());
+        Some([s, if penetration.abs() <= noise && gap.is_finite() { 0.0 } else { penetration }])
+    }
 }
 
-fn refuse_one(
+/// Refuses a converged solution whose contact reaches the end of the candidate surface, or that touches beyond it, by the criterion of
+/// the candidates themselves: penetration over the approach that its own force makes within the tolerance. What it passes over is told
+/// contact by contact: the deepest penetration between the points, and beside the candidates.
+///
+/// A contact cut short shows all the same: its pressure rises towards the cut, as under the corner of a punch, where a contact that ends
+/// falls to zero.
+pub(super) fn look(
     discretisation: &Discretisation,
-    interface: &Interface,
     solution: &Solution,
     change: Change,
     tolerance: f64,
-) -> Result<(), Error> {
-    let accepted = tolerance * solution.contacts[interface.contact].approach;
-    let edges = solution.edges_of(interface.contact);
+    displacement: &[[f64; 2]],
+) -> Result<Vec<Vec<Unseen>>, Error> {
+    let interfaces = discretisation.interfaces.iter();
+    interfaces
+        .map(|one| {
+            let sides = Sides::of(discretisation, one, change, displacement)?;
+            let mut unseen = beside(&sides, solution, tolerance)?;
+            let approach = solution.contacts[one.contact].approach;
+            let deep = sides.deepest_between().filter(|[_, depth]| *depth > BETWEEN * approach);
+            let place = |s: f64| one.pair.path.reported(s);
+            unseen.extend(deep.map(|[s, penetration]| Unseen { position: place(s), penetration, is_candidate: true }));
+            Ok(unseen)
+        })
+        .collect()
+}
+
+/// Refuses what matters beyond the candidates; penetrations there that do not.
+fn beside(sides: &Sides, solution: &Solution, tolerance: f64) -> Result<Vec<Unseen>, Error> {
+    let interface = sides.interface;
+    let approach = solution.contacts[interface.contact].approach;
+    let accepted = tolerance * approach;
+    let (points, edges) = (solution.points_of(interface.contact), solution.edges_of(interface.contact));
+    let mut unseen = Vec::new();
     for &at in End::of(&interface.pair) {
-        match deepest(discretisation, interface, solution, change, accepted, at)? {
-            Some(Beyond { end, position, penetration }) if penetration.is_nan() || penetration > accepted => {
-                return Err(too_short(discretisation, interface, end, Some((position, penetration))));
+        let Some(Beyond { end, position, penetration }) = sides.deepest_beyond(at) else { continue };
+        let touches = at.outermost(points).is_some_and(|point| point.gap <= accepted);
+        let closed = touches && !(share_at(edges, at) <= ASIDE);
+        let most = if closed { accepted } else { accepted.max(ASIDE * approach) };
+        match penetration {
+            deep if deep.is_nan() || deep > most => {
+                return Err(too_short(sides.discretisation, interface, end, Some((position, deep))));
             }
-            Some(Beyond { end, penetration, .. }) if penetration.is_finite() && rises(edges, tolerance, at) => {
-                return Err(too_short(discretisation, interface, end, None));
+            _ if penetration.is_finite() && closed && rises(edges, tolerance, at) => {
+                return Err(too_short(sides.discretisation, interface, end, None));
+            }
+            deep if deep > accepted => {
+                let position = interface.pair.path.reported(position);
+                unseen.push(Unseen { position, penetration, is_candidate: false });
             }
             _ => {}
         }
     }
-    Ok(())
+    Ok(unseen)
 }
 
 /// Error of a contact that reaches the end of the candidate surface, with the deepest penetration beyond, if it is seen.
@@ -151,11 +252,21 @@ fn too_short(discretisation: &Discretisation, interface: &Interface, end: f64, d
         None => "the pressure rises towards it although the surfaces go on".into(),
     };
     let message = format!(
-        "the contact reaches the end of the candidate surface at s = {end}: {seen}, and the pressure found is that of a shorter contact"
+        "the contact reaches the end of the candidate surface at s = {end}, or goes on beyond: {seen}, and the pressure found is that of a shorter contact"
     );
     let place = discretisation.scene.place_of(interface.contact, Part::Stretch);
     let kind = Kind::ContactBeyondCandidates { end, deepest };
     Error { kind, ..Error::at(place, message, "widen the candidate stretch") }
+}
+
+/// Share of the contact's force on the stretch that goes on to an end of the candidates.
+fn share_at(edges: &[EdgeState], at: End) -> f64 {
+    let force = |edge: &EdgeState| edge.weight * edge.pressure;
+    let outer: f64 = match at {
+        End::First => edges.iter().take_while(|edge| edge.pressure > 0.0).map(force).sum(),
+        End::Last => edges.iter().rev().take_while(|edge| edge.pressure > 0.0).map(force).sum(),
+    };
+    outer / edges.iter().map(force).sum::<f64>()
 }
 
 /// Whether the mean pressure of the outermost edge is above that of its neighbour by more than the tolerance explains.
@@ -171,38 +282,16 @@ fn rises(edges: &[EdgeState], tolerance: f64, at: End) -> bool {
     }
 }
 
-/// A node of a body's contact boundary.
-struct Surface {
-    node: usize,
-    coordinate: f64,
-    normal: [f64; 2],
-}
-
-/// Nodes of the contact boundary of a body, by contact coordinate, with the normals of the first body; those that are
-/// candidates of another contact are left to it.
-fn surface(discretisation: &Discretisation, interface: &Interface, body: usize) -> Result<Vec<Surface>, Error> {
+/// Edges of the contact boundary of a body; those between candidates of another contact are left to it.
+fn strips(discretisation: &Discretisation, interface: &Interface, body: usize) -> Result<Vec<Strip>, Error> {
     let (scene, mesh, pair) = (&discretisation.scene, &discretisation.mesh, &interface.pair);
     let others = mesh.bodies[body].candidates.iter().filter(|candidate| candidate.contact != interface.contact);
     let others: HashSet<usize> = others.map(|candidate| candidate.node).collect();
-    let mut nodes: Vec<usize> = mesh.boundary(scene, body, pair.side(body))?.iter().flatten().copied().collect();
-    nodes.sort_unstable();
-    nodes.dedup();
-    nodes.retain(|node| !others.contains(node));
-    let all = nodes.into_iter().map(|node| {
-        let point = mesh.points[node];
-        Surface { node, coordinate: pair.path.coordinate(point), normal: pair.normal(point) }
-    });
-    let mut all: Vec<Surface> = all.collect();
-    all.sort_by(|a, b| a.coordinate.total_cmp(&b.coordinate));
-    Ok(all)
-}
-
-/// A nodal value between the nodes of a surface, linear; none beyond its outermost nodes.
-fn between(nodes: &[Surface], at: f64, value: impl Fn(&Surface) -> f64) -> Option<f64> {
-    if nodes.first().is_some_and(|first| at < first.coordinate) {
-        return None;
-    }
-    let pair = nodes.windows(2).find(|pair| at <= pair[1].coordinate)?;
-    let t = (at - pair[0].coordinate) / (pair[1].coordinate - pair[0].coordinate);
-    Some(value(&pair[0]) + t * (value(&pair[1]) - value(&pair[0])))
+    let own = mesh.boundary(scene, body, pair.side(body))?.iter();
+    let own = own.filter(|edge| !edge.iter().any(|node| others.contains(node)));
+    let strip = |edge: &Edge| {
+        let coordinates = edge.iter().map(|&node| pair.path.coordinate(mesh.points[node])).collect();
+        Strip { nodes: edge.clone(), coordinates }
+    };
+    Ok(own.map(strip).collect())
 }

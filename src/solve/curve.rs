@@ -26,7 +26,7 @@ pub struct CurveContact {
     pub resultant: f64,
     /// Approach of its bodies \[mm\]; none where it is not defined.
     pub approach: Option<f64>,
-    /// Half-width by second moment \[mm, or rad on an arc\].
+    /// Half-width: half of what lies between where the contact begins and ends \[mm, or rad on an arc\].
     pub half_width: f64,
     /// Largest pressure \[MPa\]; none where it has no limit.
     pub peak: Option<f64>,
@@ -49,7 +49,7 @@ impl Discretisation {
             Ok(CurveContact {
                 resultant: transmitted(&self.interfaces[index], &increment.contact_force),
                 approach: self.approach(&displacement, index)?,
-                half_width: measures.half_width,
+                half_width: measures.half_width(),
                 peak: run.contacts[index].unbounded.is_none().then_some(measures.peak.pressure),
             })
         };

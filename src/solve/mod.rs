@@ -9,16 +9,17 @@
 //! * `active_set` — which points were closed on another mesh.
 //! * `unheld` — what no support holds and contact cannot.
 //! * `refusals` — problems that have no solution.
-//! * [`candidate_end`] — contact that reaches the end of the candidate surface.
+//! * [`candidate_end`] — surfaces that meet beyond the candidates, or between contact points.
 //! * [`edge_fitted`] — meshes whose lines lie on the ends of the contact, found on the way.
 //! * [`fields`] — displacements and stresses of a solution.
+//! * [`mod@equilibrium`] — of every body: loads, contact and reactions.
 //! * [`mod@reactions`] — what the supports exert.
 //! * [`mod@displaced`] — displacements of sides and points, the approach of bodies.
 //! * [`mod@shear`] — the largest shear stress below a contact.
 //! * `uncondensed` — its pressures once more without condensation.
 //! * [`curve`] — what every load increment came to.
 //! * [`run`] — one scene solved by one formulation, measured.
-//! * [`unbounded`] — peaks without a limit.
+//! * [`unbounded`] — peaks without a limit; [`mod@plausible`] — what else of a result is hardly meant.
 //!
 //! ```
 //! use contact_vv::case::library::Cylinder;
@@ -40,9 +41,11 @@ pub mod curve;
 pub mod discretisation;
 pub mod displaced;
 pub mod edge_fitted;
+pub mod equilibrium;
 pub mod fields;
 pub mod formulation;
 pub mod origin;
+pub mod plausible;
 pub mod reactions;
 mod refusals;
 mod road;
@@ -61,6 +64,7 @@ pub use change::Change;
 pub use discretisation::Discretisation;
 pub use displaced::Displaced;
 pub use edge_fitted::Fitted;
+pub use equilibrium::Equilibrium;
 pub use fields::Fields;
 pub use formulation::Formulation;
 pub use origin::{Origin, Start};

@@ -17,8 +17,12 @@ impl Discretisation {
         let problem = self.problem_under(formulation, &points, &load);
         self.refuse_nothing(&problem)?;
         let iterated = self.iterated(&problem, formulation, origin, change);
-        let solution = iterated.map_err(|error| self.named(error, change.load))?;
-        candidate_end::refuse(self, &solution, change, formulation.settings.tolerance)?;
+        let mut solution = iterated.map_err(|error| self.named(error, change.load))?;
+        if solution.converged() {
+            let displacement = self.displacement_under(change.load, &solution);
+            let tolerance = formulation.settings.tolerance;
+            solution.unseen = candidate_end::look(self, &solution, change, tolerance, &displacement)?;
+        }
         Ok(solution)
     }
 }

@@ -5,14 +5,21 @@ use crate::clock::{Clock, Seconds, Stage};
 use crate::contact::Interface;
 use crate::error::Error;
 use crate::measure::{Measures, larger, nodal, profile, whole};
-use crate::solution::{Solution, States};
-use crate::solve::{Change, Discretisation, Formulation, Origin};
+use crate::solution::{Outcome, Solution, States, Unseen};
+use crate::solve::{Change, Discretisation, Equilibrium, Formulation, Origin, edge_fitted};
 
 /// Active points and pressed edges on a half-width from which on it is worth quoting.
 pub const RESOLVED: [usize; 2] = [4, 3];
 
+/// Width of a contact over the edge in which it lies, below which it is narrower; where a mesh line lies on its end, round-off
+/// does not count.
+const NARROW: f64 = 0.98;
+
 /// A point that carries so many times the peak is no part of the profile around it.
 const ABOVE: f64 = 1.2;
+
+/// Imbalance of a body that the round-off of its stiffness may leave, whatever the tolerance.
+pub const BALANCED: f64 = 1e-7;
 
 /// Part of the contact in which oscillation is looked for: nearer its end a smooth pressure bends as strongly.
 pub const INSIDE: f64 = 0.8;
@@ -37,6 +44,9 @@ pub struct Contact {
     pub unbounded: Option<Unbounded>,
     /// Whether the contact is open in the discrete solution; none where that was not found.
     pub open: Option<bool>,
+    /// What of it is hardly meant; nothing where that was not asked.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub doubts: Vec<String>,
 }
 
 /// A peak that grows with every halving of the elements.
@@ -62,7 +72,11 @@ impl Errors {
     fn between(found: &Measures, wanted: &Measures) -> Self {
         let error = |found: f64, wanted: f64| (found - wanted) / wanted;
         // On one point the second moment about it vanishes.
-        let half_width = if wanted.half_width > 0.0 { error(found.half_width, wanted.half_width) } else { 0.0 };
+        let half_width = if wanted.second_moment_width > 0.0 {
+            error(found.second_moment_width, wanted.second_moment_width)
+        } else {
+            0.0
+        };
         Self { peak: error(found.peak.pressure, wanted.peak.pressure), half_width }
     }
 
@@ -85,6 +99,8 @@ pub struct Run {
     pub solution: Solution,
     /// The numbers one quotes, contact by contact.
     pub contacts: Vec<Contact>,
+    /// What is left over of the forces on each body.
+    pub equilibrium: Vec<Equilibrium>,
     /// Operations of the sparse factorisation that condensed the bodies.
     pub sparse_operations: f64,
     /// What its stages took.
@@ -106,15 +122,28 @@ impl Run {
     ) -> Result<Self, Error> {
         let mut clock = Clock::silent().after(&discretisation.seconds);
         let solution = clock.time(Stage::Iteration, || discretisation.solve_from(origin, formulation, change))?;
-        Ok(Self {
+        let mut run = Self {
             formulation: formulation.clone(),
             dofs: discretisation.system.dofs(),
             retained: discretisation.condensed.retained(),
             sparse_operations: discretisation.condensed.operations(),
-            contacts: discretisation.interfaces.iter().map(|one| measured(discretisation, one, &solution)).collect(),
+            contacts: measured(discretisation, &solution),
+            equilibrium: Vec::new(),
             solution,
             seconds: clock.seconds,
-        })
+        };
+        run.equilibrium = discretisation.equilibrium(change.load * run.share(), &run.solution)?;
+        // Its iteration error is that of the condensed bodies: where these have lost the forces in round-off, it does not see that.
+        let is_balanced = run.imbalance() <= formulation.settings.tolerance.max(BALANCED);
+        if run.solution.converged() && !is_balanced {
+            run.solution.outcome = Outcome::Stalled;
+        }
+        Ok(run)
+    }
+
+    /// What is left over of the forces on a body, at the worst one; NaN where that is not known.
+    pub fn imbalance(&self) -> f64 {
+        largest(self.equilibrium.iter().map(Equilibrium::largest))
     }
 
     /// The numbers of the first contact, which is the only one of most scenes.
@@ -133,7 +162,7 @@ impl Run {
         self.solution.history.last().map_or(1.0, |iteration| iteration.increment as f64 / increments as f64)
     }
 
-    /// Largest iteration error of peak and half-width over all contacts, of those that are open in the discrete solution the
+    /// Largest iteration error of peak and second-moment width over all contacts, of those that are open in the discrete solution the
     /// force that they carry; NaN where it is not known.
     pub fn iteration_error(&self) -> f64 {
         let of = |contact: &Contact| match contact.open {
@@ -143,7 +172,7 @@ impl Run {
         largest(self.contacts.iter().map(of))
     }
 
-    /// Largest error of peak and half-width that a penalty makes; 0 without one, NaN where it is not known.
+    /// Largest error of peak and second-moment width that a penalty makes; 0 without one, NaN where it is not known.
     pub fn penalty_error(&self) -> f64 {
         if self.formulation.rule != StiffnessRule::Penalty {
             return 0.0;
@@ -155,54 +184,95 @@ impl Run {
         largest(self.contacts.iter().map(of))
     }
 
-    /// What a user must know before quoting a contact of a converged run: no contact, contact on too few points, pressures
-    /// that oscillate, an open middle, what a penalty costs.
-    pub fn note(&self, contact: usize) -> Option<String> {
-        let points = self.solution.points_of(contact);
-        let all = [points.len(), self.solution.edges_of(contact).len()];
+    /// What a user must know before quoting a contact: of a converged run what its solution shows, of every run what is hardly meant.
+    /// One note hides no other.
+    pub fn notes(&self, contact: usize) -> Vec<String> {
+        [self.shown(contact), self.contacts[contact].doubts.clone()].concat()
+    }
+
+    /// What a converged solution shows: no contact, what a penalty costs, contact on too few points, pressures that oscillate, a
+    /// point above its neighbours, an open middle.
+    fn shown(&self, contact: usize) -> Vec<String> {
+        if !self.solution.converged() {
+            return Vec::new();
+        }
         let Contact { measures, penalty, open, unbounded, .. } = &self.contacts[contact];
+        if *open == Some(true) {
+            return vec!["no contact: every candidate is open".into()];
+        }
+        let points = self.solution.points_of(contact);
         let (begin, edge) = (measures.begin(), measures.edge());
         let (middle, reach) = (0.5 * (begin + edge), 0.5 * (edge - begin));
         let rough = profile::oscillation(&profile::about(points, middle), INSIDE * reach) / measures.peak.pressure;
         let highest = measures.largest.pressure;
+        let penalty = penalty.map(|errors| {
+            let [peak, half_width] = [errors.peak, errors.half_width].map(|error| 100.0 * error);
+            format!("the springs of the penalty cost {peak:+.2} % of the peak and {half_width:+.2} % of the half-width")
+        });
+        let unbounded = unbounded.map(|Unbounded { growth, .. }| format!(
+            "the peak has grown by {:.0} % with the last halving of the elements: it has no limit, or is narrower than the mesh shows",
+            100.0 * growth
+        ));
+        let rough = (rough > ROUGH).then(|| format!(
+            "pressures of neighbouring points depart from one another by {:.0} % of the peak: quote means over edges, or use the node element",
+            100.0 * rough
+        ));
+        let above = (highest > ABOVE * measures.peak.pressure).then(|| format!(
+            "a point carries {highest:.4} MPa, more than the peak through its neighbours: a corner, or too coarse a mesh"
+        ));
+        let open_between = (measures.stretches.len() > 1).then(|| {
+            format!(
+                "the contact is closed on {} stretches and open between them: the half-width is that of all together",
+                measures.stretches.len()
+            )
+        });
+        let notes = [penalty, unbounded, self.unresolved(contact), rough, above, open_between].into_iter().flatten();
+        notes.chain(self.unseen(contact)).collect()
+    }
+
+    /// Penetrations that no contact point sees.
+    fn unseen(&self, contact: usize) -> impl Iterator<Item = String> {
+        let approach = self.solution.contacts[contact].approach;
+        self.solution.unseen.get(contact).into_iter().flatten().map(move |one| {
+            let Unseen { position, penetration, is_candidate } = one;
+            let part = 100.0 * penetration / approach;
+            let (place, remedy) = match is_candidate {
+                true => ("between contact points", "the gap is narrower there than an element: refine the mesh"),
+                false => ("beyond the candidates", "widen the candidate stretch, or add a contact there"),
+            };
+            format!("{place}, at s = {position}, the surfaces penetrate by {penetration:.2e} mm, {part:.1} % of the approach that the contact's force makes: {remedy}")
+        })
+    }
+
+    /// That a contact rests on too few points, or else on too few edges.
+    fn unresolved(&self, contact: usize) -> Option<String> {
+        let points = self.solution.points_of(contact);
+        let measures = &self.contacts[contact].measures;
         // As many on each side of x = 0, where the point there may be common to both.
         let across = points.first().is_some_and(|point| point.position < 0.0);
         let resolved = RESOLVED.map(|number| if across { 2 * number - 1 } else { number });
-        match measures.active {
-            _ if !self.solution.converged() => None,
-            _ if *open == Some(true) => Some("no contact: every candidate is open".into()),
-            _ if let Some(errors) = penalty => Some(format!(
-                "the springs of the penalty cost {:+.2} % of the peak and {:+.2} % of the half-width",
-                100.0 * errors.peak,
-                100.0 * errors.half_width
-            )),
-            _ if let Some(Unbounded { growth, .. }) = unbounded => Some(format!(
-                "the peak has grown by {:.0} % with the last halving of the elements: it has no limit, or is narrower than the mesh shows",
-                100.0 * growth
-            )),
-            n if n < resolved[0].min(all[0]) => {
-                Some(format!("contact rests on {n} of {} candidate points: refine before quoting it", all[0]))
-            }
-            // An edge of many nodes is as good as several.
-            _ if !nodal::are_many(self.solution.part(contact)) && measures.pressed_edges < resolved[1].min(all[1]) => {
-                Some(format!(
-                    "contact rests on {} of {} candidate edges: refine before quoting it",
-                    measures.pressed_edges, all[1]
-                ))
-            }
-            _ if rough > ROUGH => Some(format!(
-                "pressures of neighbouring points depart from one another by {:.0} % of the peak: quote means over edges, or use the node element",
-                100.0 * rough
-            )),
-            _ if highest > ABOVE * measures.peak.pressure => Some(format!(
-                "a point carries {highest:.4} MPa, more than the peak through its neighbours: a corner, or too coarse a mesh"
-            )),
-            _ if measures.stretches.len() > 1 => Some(format!(
-                "the contact is closed on {} stretches and open between them: the half-width is that of all together",
-                measures.stretches.len()
-            )),
-            _ => None,
-        }
+        let all = [points.len(), self.solution.edges_of(contact).len()];
+        let rests = |on: usize, k: usize, what: &str| {
+            let few = on < resolved[k].min(all[k]);
+            few.then(|| format!("contact rests on {on} of {} candidate {what}: refine before quoting it", all[k]))
+        };
+        // An edge of many nodes is as good as several.
+        let by_edges = !nodal::are_many(self.solution.part(contact));
+        let few = || if by_edges { rests(measures.pressed_edges, 1, "edges") } else { self.narrow(contact) };
+        rests(measures.active, 0, "points").or_else(few)
+    }
+
+    /// That a closed stretch is narrower than the edge in which it lies, however many nodes that has.
+    fn narrow(&self, contact: usize) -> Option<String> {
+        let edges = self.solution.edges_of(contact);
+        self.contacts[contact].measures.stretches.iter().find_map(|one| {
+            let middle = 0.5 * (one.begin + one.end);
+            let edge = edges.iter().find(|edge| edge.ends[0] <= middle && middle <= edge.ends[1])?;
+            let part = (one.end - one.begin) / edge.length();
+            let told =
+                || format!("contact is narrower than an element, {part:.2} of its length: refine before quoting it");
+            (part < NARROW).then(told)
+        })
     }
 
     /// Decades between the last iteration error and the tolerance, and between the last but one and the tolerance.
@@ -220,13 +290,32 @@ fn largest(errors: impl Iterator<Item = f64>) -> f64 {
     errors.fold(0.0, larger)
 }
 
-/// What was found of one contact.
-fn measured(discretisation: &Discretisation, interface: &Interface, solution: &Solution) -> Contact {
-    let (scene, contact) = (&discretisation.scene, interface.contact);
-    let of = |states: &States| Measures::of(scene, contact, states.part(&solution.contacts[contact]));
-    let measures = Measures::of(scene, contact, solution.part(contact));
-    let target = solution.target.as_ref().map(of);
-    let rigid = solution.rigid.as_ref().map(of);
+/// What was found of every contact.
+fn measured(discretisation: &Discretisation, solution: &Solution) -> Vec<Contact> {
+    let scene = &discretisation.scene;
+    let with_lines = |of: &dyn Fn(usize) -> Measures| {
+        let mut all: Vec<Measures> = (0..scene.contacts.len()).map(of).collect();
+        edge_fitted::of_lines(discretisation, &mut all.iter_mut().collect::<Vec<_>>());
+        all
+    };
+    let of =
+        |states: &States| with_lines(&|contact| Measures::of(scene, contact, states.part(&solution.contacts[contact])));
+    let measures = with_lines(&|contact| Measures::of(scene, contact, solution.part(contact)));
+    let [target, rigid] = [&solution.target, &solution.rigid].map(|states| states.as_ref().map(of));
+    let one = |(interface, measures): (&Interface, Measures)| {
+        let found = |all: &Option<Vec<Measures>>| all.as_ref().map(|all| all[interface.contact].clone());
+        contact(interface, solution, measures, [found(&target), found(&rigid)])
+    };
+    discretisation.interfaces.iter().zip(measures).map(one).collect()
+}
+
+/// What was found of one contact, given its measures, those of what the iteration shall end in, and of the discrete solution.
+fn contact(
+    interface: &Interface,
+    solution: &Solution,
+    measures: Measures,
+    [target, rigid]: [Option<Measures>; 2],
+) -> Contact {
     let presses = |measures: &&Measures| measures.largest.pressure > 0.0;
     let (pressing, rigidly) = (target.as_ref().filter(presses), rigid.as_ref().filter(presses));
     let discrete = rigid.as_ref().or(target.as_ref());
@@ -235,6 +324,7 @@ fn measured(discretisation: &Discretisation, interface: &Interface, solution: &S
         iteration: pressing.map(|target| Errors::between(&measures, target)),
         penalty: pressing.zip(rigidly).map(|(target, rigid)| Errors::between(target, rigid)),
         unbounded: None,
+        doubts: Vec::new(),
         open: discrete.map(|discrete| discrete.largest.pressure <= 0.0),
         exact: target.clone().map(|target| [target.clone(), rigid.unwrap_or(target)]),
         measures,

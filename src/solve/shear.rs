@@ -32,8 +32,13 @@ pub struct Shear {
 impl Shear {
     /// How far above or below the largest the shear stress is nearly as large, by no more than a difference \[mm\].
     pub fn farthest(&self, difference: f64) -> f64 {
-        let near = self.samples.iter().filter(|sample| sample[1] >= self.stress - difference);
-        let farthest = near.map(|sample| (sample[0] - self.depth).abs()).fold(0.0, f64::max);
+        // Towards a lower sample as far as the parabola through the largest one is as high: a cell may be wider than the top.
+        let of_sample = |&[depth, stress]: &[f64; 2]| {
+            let below = self.stress - stress;
+            let part = if below <= difference { 1.0 } else { (difference / below).sqrt() };
+            part * (depth - self.depth).abs()
+        };
+        let farthest = self.samples.iter().map(of_sample).fold(0.0, f64::max);
         if difference.is_nan() { f64::NAN } else { farthest }
     }
 }
@@ -111,7 +116,7 @@ impl<'a> Below<'a> {
         let inwards = if (body == pair.first) == pair.above { -1.0 } else { 1.0 };
         let [begin, end] = [measures.stretches.first().map(|s| s.begin), measures.stretches.last().map(|s| s.end)];
         let ends = [begin, end].map(|end| end.unwrap_or(f64::NAN));
-        let deepest = DEPTH * measures.half_width * pair.path.metric();
+        let deepest = DEPTH * measures.second_moment_width * pair.path.metric();
         let below = Self { discretisation, contact, body, surface, inwards, ends, deepest, depths: Vec::new() };
         let depths = mesh.points[mesh.bodies[body].nodes.clone()].iter().map(|&point| below.depth(point)).collect();
         Ok(Self { depths, ..below })

@@ -41,6 +41,10 @@ impl Formulation {
             let remedy = "use 1 for the whole load at once";
             return Err(Error::value(place, "increments", 0, "at least 1 is needed", remedy));
         }
+        if self.settings.max_iterations == 0 {
+            let expected = "at least 1 is needed: nothing is solved without an iteration";
+            return Err(Error::value(place, "max-iterations", 0, expected, "use 2000, or leave it out"));
+        }
         let offered = [self.algorithm.rules(), self.algorithm.further_rules()].concat();
         if !offered.contains(&self.rule) {
             let names: Vec<&str> = offered.iter().map(|rule| rule.name()).collect();

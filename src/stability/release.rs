@@ -38,7 +38,7 @@ pub fn iterations(problem: &ContactProblem, limit: &Limit, rule: StiffnessRule, 
             let (p, gap) = (pressure[i], problem.points[i].gap);
             let w = approach(i, p);
             pressure[i] = match rule {
-                StiffnessRule::Correction => p - (p / w).max(problem.initial[i]) * (gap - w),
+                StiffnessRule::Correction => (p - (p / w).max(problem.initial[i]) * (gap - w)).max(0.0),
                 _ => p * w / gap,
             };
         }
