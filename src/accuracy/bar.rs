@@ -5,7 +5,8 @@
 //!
 //! `u = F max |f₀ − fᵢ| / (rᵢ^q − 1) + C (h/a)^s + D`,
 //!
-//! where `counted` has the constants of each kind of number. It takes the worst of four neighbours instead of extrapolating: the
+//! where `counted` has the constants of each kind of number, and with it what the growth leaves where a body bends, and what the error of
+//! its force leaves in the other numbers of a contact (`family`). It takes the worst of four neighbours instead of extrapolating: the
 //! end of a contact lies at another place of its element on each mesh, and two of them may agree by accident. A series that
 //! oscillates or has not begun to converge makes it wider. Where a maximum lies is known no better than how high it is:
 //! it may be wherever the pressure comes near it.
@@ -18,7 +19,8 @@ use crate::accuracy::recovered::{Recovered, recovered};
 use crate::algorithm::StiffnessRule;
 use crate::error::Error;
 use crate::measure::{Measures, larger};
-use crate::solve::{Change, Discretisation, Displaced, Formulation, Origin, Run};
+use crate::solution::PointState;
+use crate::solve::{Change, Discretisation, Displaced, Element, Formulation, Origin, Run};
 
 /// Part of the bar of a largest value within which those elsewhere may be the true one: their errors are alike.
 const FLAT: f64 = 0.5;
@@ -139,13 +141,25 @@ fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> 
     readings.iter().map(one).collect()
 }
 
-/// How far the peak is from the outermost end of an edge whose mean comes near it.
+/// How far the peak is from the outermost end of an edge, or from a point, whose pressure comes near it; and where between that and the
+/// next point the parabola through the peak still does, since a cell may be wider than the top.
 fn farthest(run: &Run, contact: usize, bar: f64) -> f64 {
-    let edges = &run.solution.edges[run.solution.contacts[contact].edges.clone()];
+    if bar.is_nan() {
+        return f64::NAN;
+    }
+    let part = run.solution.part(contact);
     let peak = &run.contacts[contact].measures.peak;
-    let near = edges.iter().filter(|edge| edge.pressure >= peak.pressure - FLAT * bar);
-    let farthest = near.flat_map(|edge| edge.ends).map(|end| (end - peak.position).abs()).fold(0.0, f64::max);
-    if bar.is_nan() { f64::NAN } else { farthest }
+    let away = |s: f64| (s - peak.position).abs();
+    let near = part.edges.iter().filter(|edge| edge.pressure >= peak.pressure - FLAT * bar);
+    let of_edges = near.flat_map(|edge| edge.ends).map(away).fold(0.0, f64::max);
+    if run.formulation.element != Element::Node {
+        return of_edges;
+    }
+    let of_point = |point: &PointState| match peak.pressure - point.pressure {
+        below if below <= FLAT * bar => away(point.position),
+        below => away(point.position) * (FLAT * bar / below).sqrt(),
+    };
+    part.points.iter().map(of_point).fold(of_edges, f64::max)
 }
 
 /// Numbers of the displacements, whose discrete solutions are solved for: what is recorded of those has none.
@@ -213,9 +227,11 @@ fn beyond(run: &Run, subject: &Subject, size: &[f64]) -> f64 {
     let &Subject::Contact(contact, quantity) = subject else { return 0.0 };
     let reaches =
         |k: usize, side: usize| run.contacts[contact].measures.stretches.get(k).is_some_and(|s| s.reaches[side]);
+    let stretches = run.contacts[contact].measures.stretches.len();
     let cut = match quantity {
         Quantity::Begin(k) => reaches(k, 0),
         Quantity::End(k) => reaches(k, 1),
+        Quantity::HalfWidth => [0, 1].into_iter().any(|side| (0..stretches).any(|k| reaches(k, side))),
         _ => false,
     };
     if cut { 0.5 * size[contact] } else { 0.0 }

@@ -30,7 +30,9 @@ const SLOW: f64 = 0.5;
 
 /// Whether such meshes are tried.
 pub(super) fn applies(formulation: &Formulation, asked: &Asked) -> bool {
-    let known = |quantity: &Quantity| matches!(quantity, Quantity::PeakPressure | Quantity::HalfWidth);
+    let known = |quantity: &Quantity| {
+        matches!(quantity, Quantity::PeakPressure | Quantity::HalfWidth | Quantity::SecondMomentWidth)
+    };
     asked.relative <= PAYS && formulation.element == Element::Node && asked.quantities.iter().all(known)
 }
 

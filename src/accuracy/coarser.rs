@@ -1,4 +1,4 @@
-//! The same scene on coarser meshes of the same family.
+//! The same scene on coarser meshes of the same family, and on one whose growth alone is gentler.
 
 use crate::mesh::size::expected;
 use crate::mesh::{Order, Resolution};
@@ -9,6 +9,8 @@ use crate::scene::{BlockShape, Scene, Shape};
 pub const RATIOS: [f64; 4] = [1.99, 2.51, 3.17, 3.97];
 /// Those of small meshes: they cost nothing there, and on half as many elements little is left of a contact.
 pub const CLOSE: [f64; 4] = [1.59, 1.99, 2.51, 3.17];
+/// By how much the growth is gentler: as that of a mesh with so many times as many elements.
+const GENTLER: f64 = 2.0;
 /// Cells of a small mesh.
 const SMALL: f64 = 2e3;
 
@@ -32,6 +34,16 @@ pub fn coarser(scene: &Scene, resolution: Resolution) -> Vec<(Scene, Resolution)
     let [cells, _] = expected(scene, resolution);
     let ratios = if cells < SMALL { CLOSE } else { RATIOS };
     ratios.into_iter().map(|ratio| (by(scene, resolution, ratio), resolution)).collect()
+}
+
+/// The scene with the same elements on the contacts and gentler growth away from them; none where no body bends.
+///
+/// Far cells are few on a body that bends: coarser meshes may have the same ones, and what they leave cancels from every difference.
+pub fn gentler(scene: &Scene, resolution: Resolution) -> Option<(Scene, Resolution)> {
+    let has_other_family = scene.bodies.iter().any(|body| matches!(body.shape, Shape::Given(_)))
+        || scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
+    let grading = resolution.order.refined(&scene.grading, GENTLER);
+    (scene.bends() && !has_other_family).then(|| (Scene { grading, ..scene.clone() }, resolution))
 }
 
 /// The scene with elements larger by a ratio.

@@ -43,11 +43,13 @@ impl Counted {
             (Quantity::PeakPressure | Quantity::PeakPlace, Order::Linear) if ends_at_candidates => {
                 [1.5, 1.0, 0.25, 2.0]
             }
-            (Quantity::HalfWidth | Quantity::Centre | Quantity::Moment, Order::Linear) if ends_at_candidates => {
+            (Quantity::SecondMomentWidth | Quantity::Centre | Quantity::Moment, Order::Linear)
+                if ends_at_candidates =>
+            {
                 [1.5, 1.5, 0.15, 2.0]
             }
             (Quantity::PeakPressure | Quantity::PeakPlace, _) if ends_at_candidates => [1.5, 1.6, 0.0, 0.0],
-            (Quantity::HalfWidth | Quantity::Centre | Quantity::Moment, _) if ends_at_candidates => {
+            (Quantity::SecondMomentWidth | Quantity::Centre | Quantity::Moment, _) if ends_at_candidates => {
                 [1.5, 1.6, 0.0, 0.0]
             }
             (Quantity::PeakPressure, Order::Linear) if is_node => [1.5, 0.85, 0.035, 2.0],
@@ -58,16 +60,18 @@ impl Counted {
             (Quantity::PeakPlace, Order::Linear) => [1.0, 0.8, 0.22, 2.0],
             (Quantity::PeakPlace, _) if is_node => [1.5, 0.7, 0.06, 2.0],
             (Quantity::PeakPlace, _) => [1.0, 0.9, 0.2, 2.0],
-            (Quantity::Begin(_) | Quantity::End(_), Order::Linear) if is_node => [2.5, 0.4, 0.24, 1.0],
-            (Quantity::Begin(_) | Quantity::End(_), Order::Linear) => [2.5, 1.2, 1.6, 1.0],
-            (Quantity::Begin(_) | Quantity::End(_), _) if is_node => [3.0, 6.5, 0.45, 2.0],
-            (Quantity::Begin(_) | Quantity::End(_), _) => [2.5, 3.5, 0.12, 1.0],
-            (Quantity::HalfWidth | Quantity::Centre | Quantity::Moment, Order::Linear) if is_node => {
+            (Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_), Order::Linear) if is_node => {
+                [2.5, 0.4, 0.24, 1.0]
+            }
+            (Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_), Order::Linear) => [2.5, 1.2, 1.6, 1.0],
+            (Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_), _) if is_node => [3.0, 6.5, 0.45, 2.0],
+            (Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_), _) => [2.5, 3.5, 0.12, 1.0],
+            (Quantity::SecondMomentWidth | Quantity::Centre | Quantity::Moment, Order::Linear) if is_node => {
                 [1.5, 0.9, 0.15, 2.0]
             }
-            (Quantity::HalfWidth | Quantity::Centre | Quantity::Moment, Order::Linear) => [1.5, 0.6, 0.5, 2.0],
-            (Quantity::HalfWidth | Quantity::Centre | Quantity::Moment, _) if is_node => [2.0, 0.8, 0.07, 2.0],
-            (Quantity::HalfWidth | Quantity::Centre | Quantity::Moment, _) => [2.0, 0.95, 0.09, 2.0],
+            (Quantity::SecondMomentWidth | Quantity::Centre | Quantity::Moment, Order::Linear) => [1.5, 0.6, 0.5, 2.0],
+            (Quantity::SecondMomentWidth | Quantity::Centre | Quantity::Moment, _) if is_node => [2.0, 0.8, 0.07, 2.0],
+            (Quantity::SecondMomentWidth | Quantity::Centre | Quantity::Moment, _) => [2.0, 0.95, 0.09, 2.0],
         };
         Self { exponent, factor, hidden, power }
     }

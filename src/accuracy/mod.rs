@@ -65,11 +65,15 @@ pub use told::Told;
 /// Smallest and largest relative error that may be asked for.
 pub const RANGE: [f64; 2] = [1e-6, 0.2];
 
-/// A relative error from a percentage, as users write it: `0.1 %`; none where it is no percentage within [`RANGE`].
-pub fn percentage(text: &str) -> Option<f64> {
-    let number = text.trim().strip_suffix('%')?.trim().parse::<f64>().ok()?;
+/// A relative error from a percentage, as users write it: `0.1 %`; what is expected where it is none, or not within [`RANGE`].
+pub fn percentage(text: &str) -> Result<f64, String> {
+    let written = text.trim().strip_suffix('%').and_then(|number| number.trim().parse::<f64>().ok());
+    let number = written.ok_or("it must be a percentage, with the sign %")?;
     let [least, most] = RANGE;
-    Some(0.01 * number).filter(|error| *error >= least * (1.0 - 1e-9) && *error <= most * (1.0 + 1e-9))
+    let is_within = |error: &f64| *error >= least * (1.0 - 1e-9) && *error <= most * (1.0 + 1e-9);
+    let error = Some(0.01 * number).filter(is_within);
+    let [least, most] = RANGE.map(in_percent);
+    error.ok_or_else(|| format!("it must lie between {least} % and {most} %"))
 }
 
 /// A relative error in percent, as users write it: without the digits that rounding adds.

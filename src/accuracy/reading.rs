@@ -11,8 +11,10 @@ pub enum Quantity {
     PeakPressure,
     /// Where it lies \[mm, or rad on arcs\].
     PeakPlace,
-    /// Half-width by second moment; on arcs the same functional of the angle.
+    /// Half-width: half of what lies between where the contact begins and ends.
     HalfWidth,
+    /// Second-moment width; on arcs the same functional of the angle.
+    SecondMomentWidth,
     /// Centre of pressure of a contact on both sides of s = 0.
     Centre,
     /// Where a closed stretch begins.
@@ -66,7 +68,7 @@ impl Subject {
 
 impl Quantity {
     /// Those that an accuracy may be asked for.
-    pub const ASKED: [Self; 2] = [Self::PeakPressure, Self::HalfWidth];
+    pub const ASKED: [Self; 2] = [Self::PeakPressure, Self::SecondMomentWidth];
 
     /// Name in scene files and results.
     pub fn name(self) -> &'static str {
@@ -74,6 +76,7 @@ impl Quantity {
             Self::PeakPressure => "peak-pressure",
             Self::PeakPlace => "peak-place",
             Self::HalfWidth => "half-width",
+            Self::SecondMomentWidth => "second-moment-width",
             Self::Centre => "centre",
             Self::Begin(_) => "begin",
             Self::End(_) => "end",
@@ -88,7 +91,8 @@ impl Quantity {
         match self {
             Self::PeakPressure => measures.peak.pressure,
             Self::PeakPlace => measures.peak.position,
-            Self::HalfWidth => measures.half_width,
+            Self::HalfWidth => measures.half_width(),
+            Self::SecondMomentWidth => measures.second_moment_width,
             Self::Centre => measures.centre,
             Self::Begin(k) => stretch(k).map_or(f64::NAN, |stretch| stretch.begin),
             Self::End(k) => stretch(k).map_or(f64::NAN, |stretch| stretch.end),
@@ -100,7 +104,8 @@ impl Quantity {
     /// Those of a contact: what a symmetry line fixes is none.
     pub fn all(pair: &ContactPair, measures: &Measures) -> Vec<Self> {
         let across = pair.path.has_both_sides();
-        let mut all = vec![Self::PeakPressure, Self::PeakPlace, Self::HalfWidth, Self::Resultant];
+        let mut all =
+            vec![Self::PeakPressure, Self::PeakPlace, Self::HalfWidth, Self::SecondMomentWidth, Self::Resultant];
         if across {
             all.push(Self::Centre);
         }
@@ -121,8 +126,8 @@ impl Quantity {
         match self {
             Self::PeakPressure => measures.peak.pressure,
             Self::Resultant => measures.resultant,
-            Self::Moment => measures.resultant * measures.half_width,
-            _ => measures.half_width,
+            Self::Moment => measures.resultant * measures.second_moment_width,
+            _ => measures.second_moment_width,
         }
     }
 }

@@ -37,7 +37,7 @@ pub(super) fn recovered(discretisation: &Discretisation, run: &Run, wanted: &[Di
     let shears = shears(discretisation, run, &displacement)?;
     for ([contact, body], shear) in &shears {
         let measures = &run.contacts[*contact].measures;
-        let width = measures.half_width * discretisation.scene.contacts[*contact].path.metric();
+        let width = measures.second_moment_width * discretisation.scene.contacts[*contact].path.metric();
         let [stress, depth] = [Subject::Shear(*contact, *body), Subject::ShearDepth(*contact, *body)];
         readings.push(Reading { subject: stress, value: shear.stress, scale: measures.peak.pressure });
         readings.push(Reading { subject: depth, value: shear.depth, scale: width });

@@ -74,7 +74,7 @@ pub enum Measured {
     /// Where that is.
     Place,
     /// Half-width by second moment.
-    HalfWidth,
+    SecondMomentWidth,
     /// Where the contact ends.
     End,
     /// Force of the whole contact.
@@ -93,7 +93,7 @@ impl Known {
 
 impl Measured {
     const ALL: [Self; 7] =
-        [Self::Origin, Self::Peak, Self::Place, Self::HalfWidth, Self::End, Self::Resultant, Self::Across];
+        [Self::Origin, Self::Peak, Self::Place, Self::SecondMomentWidth, Self::End, Self::Resultant, Self::Across];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -101,7 +101,7 @@ impl Measured {
             Self::Origin => "pressure at s = 0",
             Self::Peak => "peak-pressure",
             Self::Place => "peak-place",
-            Self::HalfWidth => "half-width",
+            Self::SecondMomentWidth => "half-width",
             Self::End => "end",
             Self::Resultant => "resultant",
             Self::Across => "force across the load, of one half",
@@ -113,7 +113,7 @@ impl Measured {
         match self {
             Self::Peak => Some(Quantity::PeakPressure),
             Self::Place => Some(Quantity::PeakPlace),
-            Self::HalfWidth => Some(Quantity::HalfWidth),
+            Self::SecondMomentWidth => Some(Quantity::SecondMomentWidth),
             Self::End => Some(Quantity::End(0)),
             Self::Resultant => Some(Quantity::Resultant),
             Self::Origin | Self::Across => None,
@@ -126,8 +126,8 @@ impl Measured {
         match self {
             Self::Origin | Self::Peak => ("MPa", 1.0),
             Self::Resultant | Self::Across => ("N", 1.0),
-            Self::Place | Self::HalfWidth | Self::End if factor > 1.0 => ("°", factor),
-            Self::Place | Self::HalfWidth | Self::End => ("mm", 1.0),
+            Self::Place | Self::SecondMomentWidth | Self::End if factor > 1.0 => ("°", factor),
+            Self::Place | Self::SecondMomentWidth | Self::End => ("mm", 1.0),
         }
     }
 
@@ -139,7 +139,7 @@ impl Measured {
             Self::Origin => measures.pressure_at_origin,
             Self::Peak => measures.peak.pressure,
             Self::Place => measures.peak.position,
-            Self::HalfWidth => measures.half_width,
+            Self::SecondMomentWidth => measures.second_moment_width,
             Self::End => end,
             Self::Resultant => measures.resultant,
             // On an arc, whose coordinate is the angle from the load line.
@@ -160,7 +160,7 @@ pub fn answer(scene: &Scene) -> Result<Answer, Error> {
         Ok((Run::of(&Discretisation::of(answer.discretisation.scene, resolution)?, &formulation)?, end))
     });
     let solved = solved.collect::<Result<Vec<(Run, f64)>, Error>>()?;
-    let half_width = solved[0].0.measures().half_width;
+    let half_width = solved[0].0.measures().second_moment_width;
     let known = |measured: Measured| {
         let [value, a, b, c] = [0, 1, 2, 3].map(|mesh| measured.of(&solved[mesh].0, solved[mesh].1));
         let scale = if measured == Measured::Place { half_width } else { value.abs() };

@@ -16,7 +16,7 @@ pub fn about(points: &[PointState], place: f64) -> Vec<PointState> {
 }
 
 /// `a = 2 √(Σ A p s² / Σ A p)`, exact for a semi-ellipse.
-pub fn second_moment_half_width(points: &[PointState]) -> f64 {
+pub fn second_moment_width(points: &[PointState]) -> f64 {
     let moment: f64 = points.iter().map(|p| p.weight * p.pressure * p.position * p.position).sum();
     let total: f64 = points.iter().map(|p| p.weight * p.pressure).sum();
     2.0 * (moment / total).sqrt()

@@ -12,7 +12,7 @@ use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use contact_vv::study::coverage::group::Group;
 use contact_vv::study::coverage::judge::{as_recorded, beyond, narrow, within};
 use contact_vv::study::coverage::run::{Kind, Record, records};
-use contact_vv::study::coverage::sites::FAMILIES;
+use contact_vv::study::coverage::sites::JUDGED as FAMILIES;
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::{file, read};
 
@@ -110,7 +110,7 @@ fn parts_of_iteration_and_penalty_are_distances_to_the_discrete_solution() {
         stiffness: 30.0,
         ..Formulation::new(Element::Node, Iteration::Kinematic).tolerance(1e-8)
     };
-    for quantity in [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::End(0)] {
+    for quantity in [Quantity::PeakPressure, Quantity::SecondMomentWidth, Quantity::End(0)] {
         let (run, bars) = cylinder(&hasty, 12);
         let apart = (quantity.of(run.measures()) - quantity.of(wanted.measures())).abs();
         let bar = bars.of_contact(0, quantity).expect("a bar");
@@ -235,4 +235,69 @@ fn accuracy_that_is_met_and_the_bar_are_one_number() {
         assert!((bar.total() / value - quoted.relative()).abs() <= 1e-6, "{bar:?}, {quoted:?}");
     }
     assert_eq!(answer.estimates.len(), 2);
+}
+
+#[test]
+fn what_one_cell_over_half_a_ring_leaves_is_in_the_bars() {
+    let text = include_str!("../../src/cli/new/pin-in-hole.toml");
+    let growth = "growth = { along = 4.0, depth = 3.5, coarsest = 1.0 }\nelements = 8";
+    let on = |text: &str| {
+        let case = Case::parse(Path::new("pin-in-hole.toml"), text).unwrap_or_else(|error| panic!("{error}"));
+        let discretisation = Discretisation::of(case.scene, case.resolution).expect("a mesh");
+        let run = Run::of(&discretisation, &Formulation::verification()).expect("a run");
+        let bars = bars(&discretisation, &run, &[]).expect("bars");
+        (run, bars)
+    };
+    let (fine, _) = on(&text.replace("elements = 8", "elements = 24"));
+    let (coarse, bars) = on(&text.replace("elements = 8", growth));
+    for quantity in [Quantity::PeakPressure, Quantity::HalfWidth] {
+        let [coarse, fine] = [&coarse, &fine].map(|run| quantity.of(run.measures()));
+        let (error, bar) = ((coarse - fine).abs(), bars.of_contact(0, quantity).expect("a bar").total());
+        assert!(error > 0.005 * fine && error <= bar, "{}: {error} beyond {bar}", quantity.name());
+    }
+}
+
+#[test]
+fn peaks_contain_what_a_force_that_statics_do_not_give_leaves() {
+    let text = r#"
+title = "cam below a plate that its corner and the cam carry"
+plane = "strain"
+thickness = 14
+[[body]]
+name = "follower"
+young = 210e3
+poisson = 0.3
+shape = { rectangle = { x = [-15, 15], y = [0, 4], contact = "bottom" } }
+loads = [{ traction = { at = "far", part = { along = "x", from = -4, to = 4 }, force = [0, -900] } }]
+supports = [{ at = "left", component = "x" }, { at = [-15, 4], component = "y" }]
+[[body]]
+name = "cam"
+young = 150e3
+poisson = 0.27
+shape = { disc = { centre = [3, -5], radius = 5, contact = "top" } }
+supports = [{ at = "cut", component = "y" }, { at = "cut", component = "x" }]
+[contact]
+first = "follower"
+second = "cam"
+origin = [3, 0]
+both-sides = true
+gap = "drawn"
+stretch = 0.1
+[mesh]
+elements = 16
+per = 0.1
+growth = { along = 1.3, depth = 1.3, coarsest = 0.1 }
+"#;
+    let case = Case::parse(Path::new("cam.toml"), text).unwrap_or_else(|error| panic!("{error}"));
+    let fine = Discretisation::of(case.scene.clone(), case.resolution).expect("a mesh");
+    let fine = Run::of(&fine, &Formulation::verification()).expect("a run");
+    for asked in [3e-2, 1e-2, 3e-3] {
+        let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+        let answer = accuracy::solve(&case.scene, &formulation, &Asked::new(asked)).expect("an answer");
+        for quoted in &answer.estimates {
+            let [found, fine] = [&answer.run, &fine].map(|run| quoted.quantity.of(run.measures()));
+            let error = (found - fine).abs() / fine;
+            assert!(error <= quoted.relative(), "{asked}: {} {error:e}", quoted.quantity.name());
+        }
+    }
 }
