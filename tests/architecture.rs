@@ -34,7 +34,7 @@ const ALLOWED: [(&str, May); 25] = [
     ("elasticity", Only(&["error", "scene", "mesh"])),
     ("condensation", Only(&["error", "clock", "elasticity"])),
     ("contact", Only(&["error", "named", "scene", "mesh", "elasticity", "condensation"])),
-    ("solution", Only(&[])),
+    ("solution", Only(&["error"])),
     ("measure", Only(&["scene", "mesh", "solution", "uncertainty"])),
     ("algorithm", Only(&["error", "named", "condensation", "contact", "solution", "measure"])),
     ("stability", Only(&["error", "condensation", "contact", "solution", "measure", "algorithm"])),

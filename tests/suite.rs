@@ -140,7 +140,7 @@ fn summary(run: &Run) -> String {
         "active points by iteration: {}",
         run_lengths(solution.history.iter().map(|iteration| iteration.active))
     );
-    let _ = writeln!(text, "half-width: {}", significant(measures.half_width, 6));
+    let _ = writeln!(text, "half-width: {}", significant(measures.second_moment_width, 6));
     let _ = writeln!(text, "half-width by counting: {}", significant(measures.half_width_nodes, 6));
     let _ = writeln!(text, "peak pressure: {}", significant(measures.peak.pressure, 6));
     let _ = writeln!(text, "resultant: {}", significant(run.transmitted(), 6));

@@ -68,6 +68,11 @@ impl Drawing {
     }
 }
 
+/// Whether a text is a drawing of this program.
+pub fn is_drawing(text: &str) -> bool {
+    text.starts_with("<svg font-family=\"sans-serif\" font-size=") && text.trim_end().ends_with("</svg>")
+}
+
 /// Writes shapes for a page.
 struct Writer {
     theme: Theme,

@@ -60,7 +60,7 @@ pub use class_map::{ClassMap, MapPanel};
 pub use colour_map::ColourMap;
 pub use contact_elements::contact_elements;
 pub use contact_problem::contact_problem;
-pub use drawing::Drawing;
+pub use drawing::{Drawing, is_drawing};
 pub use field::{Detail, Field, Window};
 pub use iteration_path::{IterationPaths, Path, State};
 pub use multiples::panels;

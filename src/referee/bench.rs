@@ -66,7 +66,7 @@ impl Bench<'_> {
 
     /// What the contact is scaled by: the half-width of the truth \[mm, or rad\].
     pub fn half_width_known(&self) -> Known {
-        self.truth.known(self.profile.contact, Quantity::HalfWidth, oracle::Quantity::SecondMoment)
+        self.truth.known(self.profile.contact, Quantity::SecondMomentWidth, oracle::Quantity::SecondMoment)
     }
 
     /// Where the truth ends, from the middle \[mm, or rad\].

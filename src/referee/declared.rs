@@ -34,8 +34,10 @@ fn value(bench: &Bench, quantity: &Asked) -> Option<f64> {
     let measures = bench.measures;
     match quantity {
         Asked::PeakPressure => Some(measures.peak.pressure),
-        Asked::HalfWidth => Some(measures.half_width),
-        Asked::HalfAngle => Some(measures.half_width.to_degrees()),
+        Asked::HalfWidth => Some(measures.half_width()),
+        Asked::HalfAngle => Some(measures.half_width().to_degrees()),
+        Asked::SecondMomentWidth => Some(measures.second_moment_width),
+        Asked::SecondMomentAngle => Some(measures.second_moment_width.to_degrees()),
         Asked::Centre => Some(measures.centre),
         Asked::Resultant => Some(measures.resultant),
         Asked::Pressure { at: Coordinate::Length(at) | Coordinate::Angle(at) } => {

@@ -50,10 +50,10 @@ impl Bench<'_> {
         let known = self.half_width_known();
         let pair = self.profile.pair();
         if pair.path.is_straight() {
-            return self.near(Asked::HalfWidth, self.measures.half_width, known);
+            return self.near(Asked::SecondMomentWidth, self.measures.second_moment_width, known);
         }
         let degrees = Known { reference: known.reference.in_degrees(), bar: known.bar.to_degrees() };
-        self.near(Asked::HalfAngle, self.measures.half_width.to_degrees(), degrees)
+        self.near(Asked::SecondMomentAngle, self.measures.second_moment_width.to_degrees(), degrees)
     }
 
     /// The peak; where that has no limit the pressure at the middle.

@@ -57,13 +57,13 @@ fn of(truth: &Truth, answers: &[Verdicts], contact: usize) -> Option<Series> {
     if ruled.len() < 2 || ruled.len() != answers.len() || handed.len() != ruled.len() {
         return None;
     }
-    let width = truth.known(contact, Quantity::HalfWidth, oracle::Quantity::SecondMoment);
+    let width = truth.known(contact, Quantity::SecondMomentWidth, oracle::Quantity::SecondMoment);
     let peak = truth.known(contact, Quantity::PeakPressure, oracle::Quantity::PeakPressure);
     let reach = truth.run.contacts[contact].measures.edge().abs();
     let sizes: Vec<f64> =
         handed.iter().map(|profile| mean_edge(&profile.edges, reach) / width.reference.value).collect();
     let numbers = [
-        ("half-width by second moment", width, ruled.iter().map(|one| one.measures.half_width).collect::<Vec<f64>>()),
+        ("second-moment width", width, ruled.iter().map(|one| one.measures.second_moment_width).collect::<Vec<f64>>()),
         ("peak pressure", peak, ruled.iter().map(|one| one.measures.peak.pressure).collect()),
     ];
     let bounded = numbers.into_iter().filter(|(name, ..)| *name != "peak pressure" || !truth.is_unbounded(contact));

@@ -54,12 +54,17 @@ impl Truth {
         }
         let run = run.with_limits(&discretisation)?;
         let mut bars = bars(&discretisation, &run, &case.displaced())?.all;
-        if let (None, [_]) = (&case.oracle, &case.scene.contacts[..]) {
+        if let (None, [_]) = (case.oracle(), &case.scene.contacts[..]) {
             // Where a mesh can be fitted to the contact.
             let answer = reference::answer(&case.scene);
             answer.iter().flat_map(|answer| &answer.known).for_each(|known| takes(&mut bars, known));
         }
         Ok(Self { case, discretisation, run, bars })
+    }
+
+    /// What the closed forms of the case say that our own run contradicts.
+    pub fn notes(&self) -> Vec<String> {
+        self.case.notes(&self.run, &self.bars)
     }
 
     /// Our own value of a number of a contact, with its bar.
@@ -90,7 +95,7 @@ impl Truth {
 
     /// What the oracle of the case reads; none where it is silent, or of another contact.
     pub fn closed(&self, asked: oracle::Quantity) -> Option<Reference> {
-        let only = self.case.oracle.is_some() && self.case.scene.contacts.len() == 1;
+        let only = self.case.oracle().is_some() && self.case.scene.contacts.len() == 1;
         Some(self.case.reading(asked)).filter(|reference| only && reference.value.is_finite())
     }
 
@@ -99,6 +104,7 @@ impl Truth {
         let is_it = |asked: &Asked| match quantity {
             Quantity::PeakPressure => *asked == Asked::PeakPressure,
             Quantity::HalfWidth => matches!(asked, Asked::HalfWidth | Asked::HalfAngle),
+            Quantity::SecondMomentWidth => matches!(asked, Asked::SecondMomentWidth | Asked::SecondMomentAngle),
             _ => false,
         };
         let stated = self.case.checks.iter().filter(|check| is_it(&check.quantity));
@@ -111,7 +117,7 @@ impl Truth {
         let s = if pair.path.has_both_sides() { s } else { s.abs() };
         if self.has_closed_profile() {
             let peak = self.run.contacts[contact].measures.peak.pressure;
-            return match self.case.oracle.as_deref().map(|oracle| oracle.read(oracle::Quantity::Pressure { at: s })) {
+            return match self.case.oracle().map(|oracle| oracle.read(oracle::Quantity::Pressure { at: s })) {
                 Some(oracle::Reading::Value { value, .. })
                     if s.abs() <= pair.stretch * (1.0 + 1e-9) && value < UNLIMITED * peak =>
                 {

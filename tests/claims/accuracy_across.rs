@@ -58,7 +58,7 @@ fn by_hand(text: &str) -> Run {
 }
 
 fn both(run: &Run) -> [f64; 2] {
-    [run.measures().peak.pressure, run.measures().half_width]
+    [run.measures().peak.pressure, run.measures().second_moment_width]
 }
 
 /// That an answer is met, within what is asked and what is estimated, but for what the truth itself leaves.
@@ -75,7 +75,11 @@ fn covers(answer: &Answer, place: &str) {
     assert_eq!(ends::filled(solution.part(0), pair), [false; 2], "{place}");
     let outer = answer.run.measures().edge().max(-answer.run.measures().begin());
     assert!(pair.stretch > outer, "{place}: {} and {outer}", pair.stretch);
-    assert!(pair.stretch < outer + 1.5 * answer.run.measures().half_width, "{place}: {} and {outer}", pair.stretch);
+    assert!(
+        pair.stretch < outer + 1.5 * answer.run.measures().second_moment_width,
+        "{place}: {} and {outer}",
+        pair.stretch
+    );
 }
 
 /// Symmetric scenes: the half and the whole.
@@ -168,7 +172,7 @@ fn both_ends_are_found_within_a_tenth_of_an_element() {
         let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
         let found = ends::ends(run.solution.part(0), scene.contact());
         for (found, side) in found.into_iter().zip([-1.0, 1.0]) {
-            let exact = centre + side * run.measures().half_width;
+            let exact = centre + side * run.measures().second_moment_width;
             let off = (found - exact) / (a / elements as f64);
             assert!(off.abs() < 0.15, "{a} at {centre}: {found}, off by {off}");
         }

@@ -72,17 +72,17 @@ fn half_width_of_a_pin_is_judged_in_degrees() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("pin.toml").display().to_string();
     let (_, text, _) = contact_vv(&["new", "pin-in-hole"]);
-    let asked = "\n[[check]]\nquantity = \"half-width\"\nvalue = 90\ntolerance = 0.9\nbecause = \"any\"\n";
+    let asked = "\n[[check]]\nquantity = \"second-moment-width\"\nvalue = 90\ntolerance = 0.9\nbecause = \"any\"\n";
     std::fs::write(&path, text + asked).expect("written");
     let (_, document, _) = contact_vv(&["solve", &path, "--json", "-"]);
     let solved: Value = serde_json::from_str(&document).expect("JSON");
     let check = solved["checks"].as_array().and_then(|all| all.last()).expect("a check");
-    let angle = solved["contacts"][0]["half_width"].as_f64().expect("an angle");
+    let angle = solved["contacts"][0]["second_moment_width"].as_f64().expect("an angle");
     let judged = check["value"].as_f64().expect("a number");
     assert_eq!(check["unit"], "°");
     assert!((judged - angle.to_degrees()).abs() < 1e-9 && judged > 10.0, "{judged}");
     let (_, table, _) = contact_vv(&["solve", &path]);
-    assert!(table.contains("half-angle by second moment [°] is"), "{table}");
+    assert!(table.contains("second-moment width [°] is"), "{table}");
 }
 
 #[test]

@@ -41,7 +41,7 @@ fn half_width_and_peak_grow_as_the_square_root_of_the_load_and_the_approach_as_i
         assert_relative_eq!(falls, load * 2f64.ln() / (PI * modulus), max_relative = 0.01);
     }
     let last = curve[7].contacts[0];
-    assert!((last.half_width - run.measures().half_width).abs() <= 0.0);
+    assert!((last.half_width - run.measures().half_width()).abs() <= 0.0);
     assert!((last.resultant - run.transmitted()).abs() <= 0.0);
     assert_eq!(curve.iter().map(|point| point.iterations).sum::<usize>(), run.solution.work.iterations);
 }

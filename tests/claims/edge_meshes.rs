@@ -131,9 +131,9 @@ fn drawn(name: &str) -> Scene {
     Case::read(std::path::Path::new(&scene(name))).expect("sound").scene
 }
 
-/// Peak and half-width of all contacts.
+/// Peak and second-moment width of all contacts.
 fn measured(run: &Run) -> Vec<[f64; 2]> {
-    run.contacts.iter().map(|one| [one.measures.peak.pressure, one.measures.half_width]).collect()
+    run.contacts.iter().map(|one| [one.measures.peak.pressure, one.measures.second_moment_width]).collect()
 }
 
 #[test]

@@ -94,7 +94,7 @@ fn cylinder_carries_its_load_with_all_nine_formulations() {
         let measures = contact_vv::measure::Measures::of(&discretisation.scene, 0, solution.part(0));
         // Six elements per half-width: 3 %.
         assert_relative_eq!(measures.peak.pressure, peak, max_relative = 0.03);
-        assert_relative_eq!(measures.half_width, numbers.half_width(), max_relative = 0.03);
+        assert_relative_eq!(measures.second_moment_width, numbers.half_width(), max_relative = 0.03);
     }
 }
 

@@ -60,7 +60,7 @@ fn outline_on_a_circle_is_seen_and_nothing_else_is() {
     // The corners of a square lie on a circle.
     let points = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let boundaries = [("contact".into(), vec![vec![0, 1]])].into();
-    let square = GivenMesh { points, cells: vec![vec![0, 1, 2, 3]], boundaries, inner: Default::default() };
+    let square = GivenMesh { points, cells: vec![vec![0, 1, 2, 3]], boundaries, inner: Default::default(), turned: 0 };
     assert!(square.arcs().is_empty());
 }
 
@@ -184,7 +184,7 @@ fn random_meshes_are_given() {
 fn weak_contact_beside_a_strong_one_is_solved_to_its_own_digits() {
     let sample = Site { family: Family::Pair, number: 43 }.sample().expect("a scene");
     let mut scene = sample.scene.clone();
-    let half_width = |contact| sample.truth(contact, Quantity::HalfWidth);
+    let half_width = |contact| sample.truth(contact, Quantity::SecondMomentWidth);
     scene.contacts.iter_mut().enumerate().for_each(|(contact, pair)| pair.stretch = 1.5 * half_width(contact));
     let (scene, resolution) = accuracy::first(&scene);
     let mut alone = scene.clone();
@@ -239,7 +239,7 @@ fn flat_between_two_bevels_is_no_circle() {
         vec![[-2.0, 0.1], [-1.0, 0.0], [1.0, 0.0], [2.0, 0.1], [2.0, 2.0], [1.0, 2.0], [-1.0, 2.0], [-2.0, 2.0]];
     let cells = vec![vec![0, 1, 6, 7], vec![1, 2, 5, 6], vec![2, 3, 4, 5]];
     let boundaries = [("contact".into(), vec![vec![0, 1], vec![1, 2], vec![2, 3]])].into();
-    assert!(GivenMesh { points, cells, boundaries, inner: Default::default() }.arcs().is_empty());
+    assert!(GivenMesh { points, cells, boundaries, inner: Default::default(), turned: 0 }.arcs().is_empty());
 }
 
 #[test]

@@ -344,7 +344,8 @@ fn contact_errors(discretisation: &Discretisation) -> [f64; 3] {
     assert!(run.solution.converged(), "{}", run.solution.outcome);
     let reference = &discretisation.scene.reference;
     let rough = profile::oscillation(&run.solution.points, 0.8 * reference.length);
-    let ratios = [run.measures().peak.pressure / reference.pressure, run.measures().half_width / reference.length];
+    let ratios =
+        [run.measures().peak.pressure / reference.pressure, run.measures().second_moment_width / reference.length];
     [ratios[0] - 1.0, ratios[1] - 1.0, rough / reference.pressure]
 }
 

@@ -6,6 +6,7 @@ mod iterate;
 mod primary;
 mod problem;
 mod spacing;
+mod unseen;
 mod workbench;
 
 mod accuracy;
@@ -15,9 +16,11 @@ mod answers;
 #[path = "../architecture.rs"]
 mod architecture;
 mod atlas;
+mod balance;
 mod barred;
 mod bars;
 mod both_sides;
+mod boundary;
 mod command_line;
 mod condensation;
 mod contact;
@@ -55,6 +58,7 @@ mod outputs;
 mod pages;
 mod photoelastic;
 mod pictures;
+mod plausible;
 mod reactions;
 #[cfg(feature = "python")]
 mod readers;
@@ -73,6 +77,7 @@ mod scene;
 mod scene_file;
 mod scene_fuzz;
 mod scene_gap;
+mod scene_hypotheses;
 mod scene_lists;
 mod scene_mistakes;
 mod scene_oracle;

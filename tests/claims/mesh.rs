@@ -4,6 +4,8 @@ use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::accuracy::fitted::{Plan, level};
+use contact_vv::case::Case;
 use contact_vv::case::library::{Cylinder, Patch, PinPlate, PinRod, PressFit};
 use contact_vv::elasticity::{element, quadrature};
 use contact_vv::mesh::{Mesh, Order, candidates::candidate_edges};
@@ -481,4 +483,28 @@ fn eye_has_no_element_longer_than_its_coarsest() {
     let angle = |node: usize| (mesh.points[node][0] - hole.centre[0]).atan2(mesh.points[node][1] - hole.centre[1]);
     let longest = edges.iter().map(|edge| (angle(edge[1]) - angle(edge[0])).abs()).fold(0.0, f64::max);
     assert!(longest <= 1.01 * 1.6 * scene.grading.coarsest, "{longest}");
+}
+
+#[test]
+fn no_cell_of_a_ring_is_wider_beyond_its_candidates_than_its_coarsest() {
+    let scene = PinRod::default().scene();
+    let text = include_str!("../../src/cli/new/pin-in-hole.toml");
+    let ring = Case::parse(std::path::Path::new("pin-in-hole.toml"), text).expect("sound").scene;
+    for (scene, elements) in [(&scene, 2), (&ring, 2), (&ring, 3), (&ring, 8)] {
+        let plan = Plan::around([-0.8, 0.8], 1.5, elements, Order::Quadratic, level(elements));
+        let scene = plan.scene(scene);
+        let mesh = Mesh::of(&scene, plan.resolution()).expect("mesh");
+        let body = scene.bodies.len() - 1;
+        let centre = match scene.bodies[body].shape {
+            Shape::Eye { hole, .. } => hole.centre,
+            Shape::Ring { inner, .. } => inner.centre,
+            _ => panic!("neither ring nor eye"),
+        };
+        let angle = |node: usize| (mesh.points[node][0] - centre[0]).atan2(centre[1] - mesh.points[node][1]);
+        let edges = mesh.boundary(&scene, body, "contact").expect("a side");
+        let beyond = edges.iter().map(|edge| [edge[0], edge[1]].map(angle));
+        let beyond = beyond.filter(|ends| ends.iter().all(|end| *end > 0.999 * scene.contact().stretch));
+        let widest = beyond.map(|[from, to]| (to - from).abs()).fold(0.0, f64::max);
+        assert!(widest > 0.0 && widest <= 33f64.to_radians(), "{elements}: {}°", widest.to_degrees());
+    }
 }

@@ -84,7 +84,7 @@ fn our_own_answer_is_judged_as_what_solve_says_on_every_case() {
                 assert!((a - b).abs() <= 1e-9 * b.abs(), "{name}, {element:?}, {what}: {a} for {b}")
             };
             near(theirs.peak.pressure, ours.peak.pressure, "peak");
-            near(theirs.half_width, ours.half_width, "half-width");
+            near(theirs.second_moment_width, ours.second_moment_width, "half-width");
             near(theirs.resultant, ours.resultant, "resultant");
             near(theirs.edge(), ours.edge(), "end");
             near(theirs.pressure_at_origin, ours.pressure_at_origin, "pressure at 0");
@@ -162,15 +162,15 @@ fn planted_faults_are_found_and_named() {
     };
     for (fault, spoiled, what, named) in [
         ("pressure 3 % off", half().scaled(1.0, 1.03), "peak pressure", ""),
-        ("shifted by one node", shifted(half()), "half-width", "shifted by one node"),
+        ("shifted by one node", shifted(half()), "second-moment width", "shifted by one node"),
         ("wrong sign", half().scaled(1.0, -1.0), "tension", "--tension-positive"),
         ("pressures in Pa called MPa", half().scaled(1.0, 1e6), "peak pressure", "in Pa are called MPa"),
-        ("positions in m called mm", half().scaled(1e-3, 1.0), "half-width", "in m are called mm"),
+        ("positions in m called mm", half().scaled(1e-3, 1.0), "second-moment width", "in m are called mm"),
         ("half the load", half().scaled(1.0 / root, 1.0 / root), "resultant", "the load is half"),
         ("twice the load", half().scaled(root, root), "resultant", "the load is twice"),
         ("twice the radius", half().scaled(root, 1.0 / root), "peak pressure", "the radius is twice"),
         ("plane stress", half().scaled(1.0 / plane, plane), "peak pressure", "plane stress was solved"),
-        ("width for half-width", half().scaled(2.0, 1.0), "half-width", "positions are doubled"),
+        ("width for half-width", half().scaled(2.0, 1.0), "second-moment width", "positions are doubled"),
         ("a missing half", one_half(Sampled::of(&truth, true)), "moment", "left half of the profile is missing"),
         ("off the middle", offset(Sampled::of(&truth, true)), "moment", "all positions are off by about 0.4"),
     ] {
@@ -228,7 +228,11 @@ fn our_own_answer_to_every_scene_file_is_judged_as_what_solve_says() {
         assert!(found.met() && found.absent.is_empty(), "{name}: {:?}", failed(&found));
         for (ruled, contact) in found.ruled.iter().zip(&run.contacts) {
             assert_relative_eq!(ruled.measures.peak.pressure, contact.measures.peak.pressure, max_relative = 1e-9);
-            assert_relative_eq!(ruled.measures.half_width, contact.measures.half_width, max_relative = 1e-9);
+            assert_relative_eq!(
+                ruled.measures.second_moment_width,
+                contact.measures.second_moment_width,
+                max_relative = 1e-9
+            );
             assert_relative_eq!(ruled.measures.resultant, contact.measures.resultant, max_relative = 1e-9);
         }
     }

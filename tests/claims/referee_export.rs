@@ -96,7 +96,7 @@ fn our_own_fields_for_paraview_are_judged_as_what_solve_says() {
         let (theirs, ours) = (&found.ruled[0].measures, &run.contacts[0].measures);
         // Mid-sides of curved edges do not lie in the middle of their projection.
         assert_relative_eq!(theirs.peak.pressure, ours.peak.pressure, max_relative = 1e-4);
-        assert_relative_eq!(theirs.half_width, ours.half_width, max_relative = 1e-4);
+        assert_relative_eq!(theirs.second_moment_width, ours.second_moment_width, max_relative = 1e-4);
     }
 }
 

@@ -68,7 +68,7 @@ fn one_answer_in_every_format_is_judged_alike() {
         let answer = parsed(&truth, name, text, &deck).unwrap_or_else(|error| panic!("{name}: {error}"));
         let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
         let measures = &found.ruled[0].measures;
-        [measures.peak.pressure, measures.half_width, measures.resultant, measures.edge()]
+        [measures.peak.pressure, measures.second_moment_width, measures.resultant, measures.edge()]
     };
     let [wanted, others @ ..] = &formats.iter().map(measured).collect::<Vec<_>>()[..] else { panic!("formats") };
     for (other, (name, _)) in others.iter().zip(&formats[1..]) {

@@ -20,7 +20,7 @@ fn bounds_of_reference_answers_hold_the_error_of_truncated_hertz_and_are_below_1
             (Measured::Origin, hertz.peak_pressure()),
             (Measured::Peak, hertz.peak_pressure()),
             (Measured::Place, 0.0),
-            (Measured::HalfWidth, hertz.half_width()),
+            (Measured::SecondMomentWidth, hertz.half_width()),
             (Measured::End, hertz.half_width()),
             (Measured::Resultant, hertz.load),
         ];
@@ -57,7 +57,7 @@ fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
     assert_eq!(failed(&sound), Vec::<String>::new());
     let spoiled = |spoil: fn(&mut (Known, Option<[f64; 2]>))| {
         let mut other = sound.clone();
-        spoil(other.known.iter_mut().find(|(one, _)| one.measured == Measured::HalfWidth).expect("measured"));
+        spoil(other.known.iter_mut().find(|(one, _)| one.measured == Measured::SecondMomentWidth).expect("measured"));
         failed(&other)
     };
     assert_eq!(spoiled(|(one, _)| one.bound = 2e-5 * one.scale), ["relative bound of a reference answer, half-width"]);

@@ -87,7 +87,7 @@ fn a_half_width_without_an_order_must_still_fall_with_the_second_power() {
             orders.levels.iter_mut().zip(half_width).for_each(|(level, error)| level.half_width = error);
         }
         let judged = refinement::judge(&numbers).expect("judged");
-        let own = judged.iter().filter(|one| one.check.quantity.name().contains("half-width"));
+        let own = judged.iter().filter(|one| one.check.quantity.name().contains("second-moment width"));
         assert_eq!(own.clone().filter(|one| one.check.quantity.name().contains("order")).count(), 0);
         own.filter(|one| one.verdict == Verdict::Fail).count()
     };

@@ -24,6 +24,12 @@ pub fn text_of(name: &str) -> String {
     std::fs::read_to_string(folder().join(name)).expect("text")
 }
 
+/// The scene of a file without its closed forms and its checks, which would be of another one once it is changed.
+pub fn scene_alone(text: &str) -> String {
+    let scene = text.split("[[check]]").next().unwrap_or(text);
+    scene.lines().filter(|line| !line.starts_with("oracle = ")).map(|line| format!("{line}\n")).collect()
+}
+
 fn solved(file: &Case) -> (Meshed, Run) {
     file.solve().expect("solved")
 }
@@ -146,7 +152,7 @@ fn scene_in_metres_is_the_cylinder_of_the_library() {
     let [own, read] = [own, read].map(|one| Run::of(&one, &formulation).expect("solved"));
     assert_eq!(own.dofs, read.dofs);
     assert_relative_eq!(read.measures().peak.pressure, own.measures().peak.pressure, max_relative = 1e-9);
-    assert_relative_eq!(read.measures().half_width, own.measures().half_width, max_relative = 1e-9);
+    assert_relative_eq!(read.measures().second_moment_width, own.measures().second_moment_width, max_relative = 1e-9);
     assert_relative_eq!(read.transmitted(), own.transmitted(), max_relative = 1e-9);
 }
 
@@ -184,7 +190,7 @@ fn rigid_profiles_are_their_formulas_in_any_unit() {
         ("{ circle = 9 }", |s| 9.0 - (81.0 - s * s).sqrt()),
         ("{ table = [[0, 0], [1, 0.1], [3, 0.5], [5, 2]] }", |s| if s <= 1.0 { 0.1 * s } else { 0.2 * s - 0.1 }),
     ];
-    let text = text_of("rigid-cosine.toml");
+    let text = scene_alone(&text_of("rigid-cosine.toml"));
     let (was, stretch) = ("{ cosine = { amplitude = 0.01, wavelength = 40 } }", "stretch = 16");
     assert!(text.contains(was) && text.contains(stretch));
     for (gap, wanted) in cases {

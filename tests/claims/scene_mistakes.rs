@@ -2,7 +2,7 @@
 
 use contact_vv::case::Case;
 
-use crate::scene_file::{folder, text_of};
+use crate::scene_file::{folder, scene_alone, text_of};
 
 /// What is spoiled in which file so that only meshing or solving it shows; the line the message must name; what it says.
 const LATER: &[(&str, &str, &str, &str, &str)] = &[
@@ -83,7 +83,7 @@ fn mistakes_that_show_only_when_solving_name_the_line_of_their_body_or_contact()
     for (name, was, is, anchor, found) in LATER {
         let text = text_of(&format!("{name}.toml"));
         assert!(text.contains(was), "{name}: {was}");
-        let spoiled = text.replacen(was, is, 1);
+        let spoiled = scene_alone(&text.replacen(was, is, 1));
         let file = Case::parse(&later, &spoiled).unwrap_or_else(|error| panic!("{is}: {error}"));
         let error = file.solve().map(|_| ()).expect_err(is).to_string();
         let line = 1 + spoiled[..spoiled.find(anchor).expect("a place")].matches('\n').count();
@@ -162,7 +162,7 @@ const MISTAKES: &[Mistake] = &[
     ),
     (
         "cylinder-on-block",
-        "quantity = \"half-width\"",
+        "quantity = \"second-moment-width\"",
         "quantity = \"centre\"",
         ["quantity = \"centre\"", "begins at x = 0 has no `centre`", "`both-sides = true`"],
     ),
@@ -495,7 +495,7 @@ const MISTAKES: &[Mistake] = &[
         "cylinder-to-accuracy",
         "[mesh]\n",
         "[mesh]\nquantity = [\"resultant\"]\n",
-        ["quantity = [\"resultant\"]", "no quantity with an accuracy `resultant`", "`half-width`"],
+        ["quantity = [\"resultant\"]", "no quantity with an accuracy `resultant`", "`contact-half-width`"],
     ),
     (
         "cylinder-on-block",

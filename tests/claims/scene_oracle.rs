@@ -18,14 +18,14 @@ fn references(text: &str) -> Vec<(f64, ReferenceKind)> {
     case.checks.iter().map(|check| value(&check.against)).collect()
 }
 
-/// A block on a rigid profile with an oracle and a check of its peak and half-width.
+/// A block on a rigid profile with an oracle and a check of its peak and second-moment width.
 fn block(gap: &str, oracle: &str) -> String {
     format!(
         "plane = \"strain\"\nthickness = 2\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
          shape = {{ rectangle = {{ x = [0, 20], y = [0, 20], contact = \"bottom\" }} }}\n\
          supports = [{{ at = \"left\", component = \"x\" }}]\nloads = [{{ traction = {{ at = \"far\", value = [0, -1] }} }}]\n\
          [contact]\nfirst = \"block\"\ngap = {gap}\nstretch = 4\noracle = {oracle}\n[mesh]\nelements = 4\nper = 4\n\
-         [[check]]\nquantity = \"peak-pressure\"\ntolerance = 0.1\n[[check]]\nquantity = \"half-width\"\ntolerance = 0.1\n\
+         [[check]]\nquantity = \"peak-pressure\"\ntolerance = 0.1\n[[check]]\nquantity = \"second-moment-width\"\ntolerance = 0.1\n\
          [[check]]\nquantity = \"resultant\"\ntolerance = 0.1\n"
     )
 }

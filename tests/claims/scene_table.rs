@@ -10,13 +10,13 @@ use contact_vv::scene::{MonotoneCubic, Profile, Scene};
 use contact_vv::solve::Discretisation;
 use contact_vv::solve::Run;
 
-use crate::scene_file::text_of;
+use crate::scene_file::{scene_alone, text_of};
 
 const KINKED: &str = "{ table = [[0, 0], [1.3, 0.01], [2.9, 0.04], [3, 0.05], [20, 2]] }";
 
 /// A file with another gap, and other changes.
 fn read(name: &str, gap: &str, changes: &[(&str, &str)]) -> Case {
-    let text = text_of(&format!("{name}.toml"));
+    let text = scene_alone(&text_of(&format!("{name}.toml")));
     let start = text.find("gap = ").expect("a gap");
     let end = start + text[start..].find('\n').expect("a line");
     let text = format!("{}gap = {gap}{}", &text[..start], &text[end..]);
@@ -145,7 +145,8 @@ fn smooth_table_is_the_same_in_metres_and_mirrored() {
 fn accuracy_is_not_promised_where_kinks_fix_the_mesh() {
     let text = |smooth: &str| {
         let gap = format!("gap = {{ table = [{}]{smooth} }}", parabola(2000.0, 2.0, 10));
-        let text = text_of("rigid-cosine.toml").replace("elements = 16\nper = 8\n", "accuracy = \"5 %\"\n");
+        let text =
+            scene_alone(&text_of("rigid-cosine.toml")).replace("elements = 16\nper = 8\n", "accuracy = \"5 %\"\n");
         text.replace("gap = { cosine = { amplitude = 0.01, wavelength = 40 } }", &gap)
     };
     let error = Case::parse(Path::new("kinks.toml"), &text("")).map(|_| ()).expect_err("kinks").to_string();

@@ -87,7 +87,7 @@ fn stack_of_blocks_carries_one_pressure_through_both_contacts() {
                     assert_relative_eq!(point.pressure, 100.0, max_relative = 1e-5);
                 }
                 assert_relative_eq!(found.transmitted, 4000.0, max_relative = 1e-5);
-                assert_eq!(run.note(contact), None);
+                assert!(run.notes(contact).is_empty());
             }
         }
     }
@@ -156,7 +156,7 @@ fn order_of_contacts_does_not_matter() {
     let (forth, back) = (run(&[one.clone(), other.clone()]), run(&[other, one]));
     for (contact, opposite) in [(0, 1), (1, 0)] {
         let [a, b] = [&forth.contacts[contact].measures, &back.contacts[opposite].measures];
-        assert_relative_eq!(a.half_width, b.half_width, max_relative = 1e-9);
+        assert_relative_eq!(a.second_moment_width, b.second_moment_width, max_relative = 1e-9);
         assert_relative_eq!(a.peak.pressure, b.peak.pressure, max_relative = 1e-9);
         assert_abs_diff_eq!(a.centre, b.centre, epsilon = 1e-9);
     }
@@ -305,11 +305,11 @@ fn weak_contact_beside_a_strong_one_is_converged_on_its_own_scale() {
     // The strong one carries ten thousand times as much.
     let error =
         |of: fn(&Measures) -> f64| (of(&coarse.contacts[1].measures) / of(&fine.contacts[1].measures) - 1.0).abs();
-    for error in [error(|weak| weak.peak.pressure), error(|weak| weak.half_width)] {
+    for error in [error(|weak| weak.peak.pressure), error(|weak| weak.second_moment_width)] {
         assert!(error <= 1e-3, "{error:e}");
     }
     for run in [coarse, fine] {
-        assert!(run.solution.converged() && run.note(0).is_none() && run.note(1).is_none());
+        assert!(run.solution.converged() && run.notes(0).is_empty() && run.notes(1).is_empty());
         let weak = &run.contacts[1];
         assert!(weak.measures.active > 10, "{} active points", weak.measures.active);
         assert_relative_eq!(weak.transmitted, 0.3, max_relative = 1e-2);
@@ -427,7 +427,7 @@ fn outputs_tell_every_contact_by_its_name() {
 fn worked_scenes_with_several_contacts_pass_and_fail_on_other_values() {
     for (name, was, is, failing) in [
         ("three-rings", "value = 15.853095", "value = 15.86", 1),
-        // Peak and half-width of one contact.
+        // Peak and second-moment width of one contact.
         ("roller-between-plates", "load = 2000", "load = 2100", 2),
         ("plate-on-two-supports", "value = 600", "value = 601.5", 1),
     ] {

@@ -14,7 +14,7 @@ fn a_value_that_another_code_does_not_meet_turns_red() {
     let sound = solve("pin-rod").expect("solved");
     assert!(green(&sound));
     let asked: Vec<usize> = (0..sound.values.len()).filter(|&k| !sound.values[k].others.is_empty()).collect();
-    assert_eq!(asked.len(), 2, "peak and half-width");
+    assert_eq!(asked.len(), 2, "peak and second-moment width");
     for k in asked {
         for times in [0.996, 1.004, f64::NAN] {
             let mut spoiled = sound.clone();

@@ -12,7 +12,7 @@ use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 
 use crate::outputs::{contact_vv, scene};
-use crate::scene_file::text_of;
+use crate::scene_file::{scene_alone, text_of};
 use crate::workbench::resolution;
 
 /// A block under a rigid profile, pressed by `load` N/mm on its half.
@@ -175,7 +175,7 @@ fn exit_codes_tell_how_a_command_ended() {
     let failing = add("failing.toml", blocks.replace("value = 4000", "value = 4100"));
     let broken = add("broken.toml", blocks.replace("young = 70e3", "young = 0"));
     let slow = add("slow.toml", text_of("cylinder-in-metres.toml"));
-    let open = add("open.toml", text_of("press-fit.toml").replace("uniform = -0.02", "uniform = 0.02"));
+    let open = add("open.toml", scene_alone(&text_of("press-fit.toml")).replace("uniform = -0.02", "uniform = 0.02"));
     for (arguments, wanted) in [
         (vec!["solve", &scene("blocks")], 0),
         (vec!["verify", &scene("blocks")], 0),

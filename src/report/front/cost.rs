@@ -10,7 +10,7 @@ use crate::study::{Finding, Found, Numbers, Room};
 /// The chart, and what it shows.
 const CHART: [&str; 2] = [
     "work-precision.svg",
-    "Truncated Hertz: error of peak and half-width against seconds and work, the worst of the loads, other codes beside ours",
+    "Truncated Hertz: error of peak and second-moment width against seconds and work, the worst of the loads, other codes beside ours",
 ];
 
 /// The conclusion of the recorded timings; says so where there are none.

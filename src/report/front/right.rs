@@ -55,7 +55,7 @@ pub fn right(findings: &[Finding]) -> String {
 fn hertz(findings: &[Finding]) -> String {
     let found = Findings(findings);
     let worst = |quantity| found.error(cylinder::NINE, &quantity);
-    let [peak, width] = [worst(Quantity::PeakPressure), worst(Quantity::HalfWidth)];
+    let [peak, width] = [worst(Quantity::PeakPressure), worst(Quantity::SecondMomentWidth)];
     if peak.is_nan() || width.is_nan() {
         return " The nine formulations were not held against Hertz.".into();
     }

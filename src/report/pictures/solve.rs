@@ -52,11 +52,12 @@ fn charts(problem: &Case, run: &Run) -> Vec<Vec<Chart>> {
 
 /// The notes on the contacts, by name where there are several.
 fn notes(problem: &Case, run: &Run) -> Vec<String> {
+    let several = run.contacts.len() > 1;
     let of = |(index, pair): (usize, &ContactPair)| {
-        let note = run.note(index)?;
-        Some(if run.contacts.len() > 1 { format!("{}: {note}.", pair.name) } else { sentence(note) })
+        let told = |note| if several { format!("{}: {note}.", pair.name) } else { sentence(note) };
+        run.notes(index).into_iter().map(told).collect::<Vec<_>>()
     };
-    problem.scene.contacts.iter().enumerate().filter_map(of).collect()
+    problem.scene.contacts.iter().enumerate().flat_map(of).collect()
 }
 
 /// A quantity of the points of one contact against the contact coordinate.
@@ -95,7 +96,7 @@ pub fn pressure(problem: &Case, run: &Run, contact: usize) -> Chart {
     let mut chart =
         profile(problem, run, contact, ["Contact pressure", "contact pressure [MPa]"], |point| point.pressure);
     let pair = &problem.scene.contacts[contact];
-    if let (Some(oracle), 0) = (&problem.oracle, contact) {
+    if let (Some(oracle), 0) = (problem.oracle(), contact) {
         let factor = display_factor(&pair.path);
         let places = (0..=INTERVALS).map(|k| k as f64 / INTERVALS as f64 * pair.stretch);
         let curve = places.map(|s| (factor * s, problem.reference_pressure(s))).collect();

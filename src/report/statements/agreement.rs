@@ -28,7 +28,7 @@ pub fn of_all(f: &Findings) -> Statement {
         measured: format!(
             "cylinder, all nine: p₀ within {:.2} %, a within {:.2} %; pin–rod, all nine: peak within {:.2} %, edge means within {:.2} %",
             worst(cylinder::NINE, Quantity::PeakPressure),
-            worst(cylinder::NINE, Quantity::HalfWidth),
+            worst(cylinder::NINE, Quantity::SecondMomentWidth),
             worst(pin_rod::NINE, Quantity::PeakPressure),
             worst(pin_rod::NINE, Quantity::EdgeMeans),
         ),
@@ -45,7 +45,7 @@ pub fn no_difference(f: &Findings) -> Statement {
         let [low, high] = extremes(runs.iter().map(|run| of(run)));
         100.0 * (high / low - 1.0)
     };
-    let (peak, width) = (spread(|r| r.measures().peak.pressure), spread(|r| r.measures().half_width));
+    let (peak, width) = (spread(|r| r.measures().peak.pressure), spread(|r| r.measures().second_moment_width));
     Statement {
         text: "Within the prescribed accuracy there is no remarkable difference between elements or algorithms; the differences are in iterations and time",
         clause: format!("spread {peak:.2} % in p₀; {low} to {high} iterations"),

@@ -67,10 +67,10 @@ impl ByHand {
     }
 }
 
-/// Peak and half-width of the same scene on a mesh far finer than any that is answered.
+/// Peak and second-moment width of the same scene on a mesh far finer than any that is answered.
 pub fn truth(subject: Subject) -> Result<[f64; 2], Error> {
     let (elements, growth) = TRUTH;
     let fine = ByHand { order: Order::Quadratic, elements, beyond: elements / 8, end: 1.0, first: 1.0, growth };
     let run = fine.solved(&subject.loaded(1.0).scene, subject.nominal())?;
-    Ok([run.measures().peak.pressure, run.measures().half_width])
+    Ok([run.measures().peak.pressure, run.measures().second_moment_width])
 }

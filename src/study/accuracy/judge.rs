@@ -15,7 +15,7 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
     let &Numbers { asked, met, estimate, by_hand, .. } = numbers;
     let closed_form = || Reference::analytic("the closed form", 0.0);
     let own = |name: &str, value: f64| Reference::own(name, value);
-    let larger = |name: &'static str| Quantity::at(name, "larger one of peak and half-width");
+    let larger = |name: &'static str| Quantity::at(name, "larger one of peak and second-moment width");
     let promised = if met { estimate } else { f64::NAN };
     let most = |times: f64| own(&format!("{times} times those of the mesh made by hand"), (times * by_hand.dofs as f64).floor());
     let in_all = Quantity::at("degrees of freedom of all meshes solved", "");

@@ -27,5 +27,5 @@ pub use subject::{Subject, closed_form, error};
 pub const ABOUT: About = About {
     title: "An accuracy asked for instead of a mesh",
     asked: "What an accuracy costs that is asked for, beside a mesh made by hand.",
-    limits: "Peak pressure and half-width; other numbers have bars, but are not asked for.",
+    limits: "Peak pressure and second-moment width; other numbers have bars, but are not asked for.",
 };

@@ -17,7 +17,7 @@ const fn by_hand(order: Order, elements: usize, end: f64, first: f64, growth: [f
 ///
 /// Of about 5,000 meshes a scene: 4-node and 8-node cells; 1 to 12 elements (16 on the pin) in the half-width; 1 to 3 beyond
 /// it; candidates equal, or ending at a half or a quarter of the first; first rows of 1 or 2 sizes; growths 1.5/1.4 to 4/3.5;
-/// coarsest element 0.3, 0.5 or 1 body. Kept is the one of fewest degrees of freedom whose worst errors of peak and half-width against
+/// coarsest element 0.3, 0.5 or 1 body. Kept is the one of fewest degrees of freedom whose worst errors of peak and second-moment width against
 /// the closed form, over eight loads that move the contact edge across one element, are both within the asked one.
 const BY_HAND: [(Subject, [ByHand; 3]); 3] = [
     (

@@ -8,7 +8,7 @@ use crate::solve::{Element, Formulation, Iteration};
 use crate::study::accuracy::by_hand::{ByHand, Price, truth};
 use crate::study::accuracy::subject::{Subject, closed_form, error};
 
-/// What an accuracy costs, and whether it is kept; errors are relative, the larger ones of peak and half-width.
+/// What an accuracy costs, and whether it is kept; errors are relative, the larger ones of peak and second-moment width.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Numbers {
     /// Error asked for.
@@ -38,7 +38,7 @@ pub fn numbers(subject: Subject, asked: f64, by_hand: ByHand) -> Result<Numbers,
 }
 
 impl Numbers {
-    /// Of an answer, given peak and half-width by the closed form and by the finer mesh.
+    /// Of an answer, given peak and second-moment width by the closed form and by the finer mesh.
     pub fn of(answer: &Answer, asked: f64, [exact, finer]: [[f64; 2]; 2], by_hand: Price) -> Self {
         Self {
             asked,

@@ -23,7 +23,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     Ok(format!(
         "`accuracy = \"0.1 %\"` in a scene file, or `--accuracy`, chooses elements, growth and candidates of 8-node cells, from 0.1 % on \
          the order of cells fitted to the contact. Errors are the \
-         larger ones of peak pressure and half-width (second-moment angle). A mesh made by hand is the cheapest found whose worst \
+         larger ones of peak pressure and second-moment width (second-moment angle). A mesh made by hand is the cheapest found whose worst \
          error over eight loads is within the asked one. The estimate is the error bar of every solve: *dofs of all \
          meshes* counts those of the meshes before the one answered, and of the coarser ones of their bars.\n\n{}\n",
         markdown::table(&HEAD.map(String::from), &rows)

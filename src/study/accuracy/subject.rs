@@ -58,15 +58,15 @@ impl Subject {
     }
 }
 
-/// Peak pressure and half-width, or second-moment angle, by the closed form.
+/// Peak pressure and second-moment width, or second-moment angle, by the closed form.
 pub fn closed_form(case: &Case) -> [f64; 2] {
     [Quantity::PeakPressure, Quantity::SecondMoment].map(|quantity| case.reading(quantity).value)
 }
 
-/// Larger relative error of peak and half-width; NaN where either is or the run did not converge.
+/// Larger relative error of peak and second-moment width; NaN where either is or the run did not converge.
 pub fn error(run: &Run, truth: [f64; 2]) -> f64 {
     let measures = run.measures();
-    let found = [measures.peak.pressure, measures.half_width];
+    let found = [measures.peak.pressure, measures.second_moment_width];
     let [peak, half_width] = [0, 1].map(|k| (found[k] / truth[k] - 1.0).abs());
     if run.solution.converged() { larger(peak, half_width) } else { f64::NAN }
 }

@@ -90,6 +90,6 @@ fn on_mesh(mesh: &Discretisation, closed: &Formulation) -> Result<OnMesh, Error>
 }
 
 fn difference(scene: &Scene, solutions: [&Solution; 2]) -> f64 {
-    let [one, other] = solutions.map(|solution| Measures::of(scene, 0, solution.part(0)).half_width);
+    let [one, other] = solutions.map(|solution| Measures::of(scene, 0, solution.part(0)).second_moment_width);
     relative_error(one, other)
 }

@@ -140,7 +140,7 @@ fn solve(rod: &PinRod) -> Result<Ended, Error> {
         return Ok(Ended::NotConverged);
     }
     let pressure = run.measures().peak.pressure * rod.pin_radius * rod.thickness / rod.force;
-    let placed = Placed { pressure, angle: run.measures().half_width };
+    let placed = Placed { pressure, angle: run.measures().second_moment_width };
     Ok(if run.measures().edge() > REACHES * rod.stretch { Ended::Beyond } else { Ended::Converged(placed) })
 }
 

@@ -1,4 +1,4 @@
-//! So many digits of peak and half-width for so many degrees of freedom, under the worst of all loads, and five of other scenes.
+//! So many digits of peak and second-moment width for so many degrees of freedom, under the worst of all loads, and five of other scenes.
 
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
@@ -28,7 +28,7 @@ fn elsewhere(one: &Elsewhere) -> [Judged; 3] {
     let bound = Reference::own("asked of five digits", dofs as f64);
     [
         error("relative error of the peak pressure on a mesh fitted to the contact", one.peak),
-        error("relative error of the half-width on a mesh fitted to the contact", one.half_width),
+        error("relative error of the second-moment width on a mesh fitted to the contact", one.half_width),
         Check::at_most(cost, bound, "an accuracy counts only with what it costs").judge(one.dofs as f64),
     ]
 }
@@ -48,7 +48,7 @@ fn of(asked: &Asked, numbers: &Numbers) -> [Judged; 3] {
     let dofs = Check::at_most(dofs, bound, "an accuracy counts only with what it costs");
     [
         error("relative error of the peak pressure on a mesh fitted to the contact", |mesh| mesh.peak),
-        error("relative error of the half-width on a mesh fitted to the contact", |mesh| mesh.half_width),
+        error("relative error of the second-moment width on a mesh fitted to the contact", |mesh| mesh.half_width),
         dofs.judge(value(|mesh| mesh.dofs as f64)),
     ]
 }

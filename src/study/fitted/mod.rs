@@ -1,4 +1,4 @@
-//! Cells of high order fitted to the end of the contact: how many digits of peak and half-width they give, for how many degrees
+//! Cells of high order fitted to the end of the contact: how many digits of peak and second-moment width they give, for how many degrees
 //! of freedom.
 //!
 //! * `plan` — which meshes, and what is asked of them.

@@ -10,7 +10,7 @@ use crate::study::fitted::run::{self, Numbers};
 pub struct Asked {
     /// Digits that its order and layers are chosen for.
     pub digits: usize,
-    /// Relative error of peak and half-width.
+    /// Relative error of peak and second-moment width.
     pub error: f64,
     /// Degrees of freedom.
     pub dofs: usize,

@@ -41,7 +41,7 @@ pub struct Mesh {
     pub in_all: usize,
     /// Relative error of the peak pressure.
     pub peak: f64,
-    /// Relative error of the half-width.
+    /// Relative error of the second-moment width.
     pub half_width: f64,
 }
 
@@ -57,7 +57,7 @@ pub enum Cells {
 }
 
 impl Mesh {
-    /// The larger error of peak and half-width; NaN where either is.
+    /// The larger error of peak and second-moment width; NaN where either is.
     pub fn error(&self) -> f64 {
         larger(self.peak, self.half_width)
     }
@@ -134,6 +134,6 @@ fn solved(cells: Cells, factor: f64) -> Result<Mesh, Error> {
     };
     let measures = run.measures();
     let peak = error(measures.peak.pressure, hertz.peak_pressure());
-    let half_width = error(measures.half_width, hertz.half_width());
+    let half_width = error(measures.second_moment_width, hertz.half_width());
     Ok(Mesh { cells, dofs: run.dofs, in_all, peak, half_width })
 }

@@ -14,7 +14,7 @@ use crate::scene::Scene;
 use crate::solve::{Fitted, Formulation};
 use crate::study::random::{Family, Site};
 
-/// Relative error that is asked of peak and half-width, and the most degrees of freedom.
+/// Relative error that is asked of peak and second-moment width, and the most degrees of freedom.
 pub const ASKED: (f64, usize) = (1e-5, 3000);
 
 /// Mesh whose numbers are taken for right where no closed form is.
@@ -33,13 +33,13 @@ pub struct Elsewhere {
     pub dofs: usize,
     /// Relative error of the peak pressure.
     pub peak: f64,
-    /// Relative error of the half-width.
+    /// Relative error of the second-moment width.
     pub half_width: f64,
     /// Whether a closed form says so, and not the best mesh.
     pub exact: bool,
 }
 
-/// A scene, its mesh, and peak and half-width where a closed form has them.
+/// A scene, its mesh, and peak and second-moment width where a closed form has them.
 struct Asked {
     name: String,
     scene: Scene,
@@ -61,7 +61,7 @@ pub(super) fn numbers() -> Result<Vec<Elsewhere>, Error> {
         Ok::<_, Error>(Asked { name: name.into(), scene: case.scene, fitted, truth: None })
     };
     let sample = Site { family: Family::Polynomial, number: OFF_CENTRE }.sample()?;
-    let truth = [Quantity::PeakPressure, Quantity::HalfWidth].map(|quantity| sample.truth(0, quantity));
+    let truth = [Quantity::PeakPressure, Quantity::SecondMomentWidth].map(|quantity| sample.truth(0, quantity));
     let name = "block under a pressure with its peak off the centre".into();
     let off_centre = Asked { name, scene: sample.scene, fitted: mesh(Order::Octic, 3), truth: Some(truth) };
     let asked = vec![
@@ -84,7 +84,7 @@ impl Asked {
             let answer = fitted.solve_with_ends(&self.scene, &Formulation::verification(), AT_REST)?;
             let measures = answer.run.measures();
             let found = match answer.run.solution.converged() {
-                true => [measures.peak.pressure, measures.half_width],
+                true => [measures.peak.pressure, measures.second_moment_width],
                 false => [f64::NAN; 2],
             };
             Ok::<_, Error>((answer.run.dofs, found))

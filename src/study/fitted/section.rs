@@ -32,11 +32,11 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
          until that no longer matters. Beside them are the meshes that `--accuracy` chooses by their error bars, 8-node cells above 0.1 % and from \
          there on fitted ones, of higher order until the bars are within what is asked; and 8-node cells that are as fine on all candidates.\n\n{}\n{}\n\
          ## Other scenes\n\n\
-         Peak and half-width to five digits with at most {} degrees of freedom. Rectangles have frames of ever larger cells around a contact, \
+         Peak and second-moment width to five digits with at most {} degrees of freedom. Rectangles have frames of ever larger cells around a contact, \
          discs too where the contact is small, and rings rows of cells whose radii grow in geometric progression.\n\n{}",
         LOADS.len(),
         markdown::table(&HEAD.map(String::from), &rows),
-        picture(FILE, "Truncated Hertz: larger error of peak pressure and half-width, under the worst of all loads"),
+        picture(FILE, "Truncated Hertz: larger error of peak pressure and second-moment width, under the worst of all loads"),
         scenes::ASKED.1,
         markdown::table(&ELSEWHERE.map(String::from), &findings.iter().flat_map(|found| found.numbers.scenes.iter().map(elsewhere)).collect::<Vec<_>>()),
     ))

@@ -125,7 +125,7 @@ fn penalty(benchmark: &Benchmark) -> Result<[f64; 2], Error> {
     let numbers = |formulation: &Formulation| -> Result<[f64; 2], Error> {
         let run = Run::of(&discretisation, formulation)?;
         let measures = run.measures();
-        Ok([measures.peak.pressure, measures.half_width].map(|x| if run.solution.converged() { x } else { f64::NAN }))
+        Ok([measures.peak.pressure, measures.second_moment_width].map(|x| if run.solution.converged() { x } else { f64::NAN }))
     };
     let [soft, exact] = [numbers(&springs)?, numbers(&Formulation::verification())?];
     Ok([0, 1].map(|k| (soft[k] - exact[k]).abs()))

@@ -16,7 +16,7 @@ pub enum Seen {
         /// How.
         outcome: Outcome,
         /// What must be known before it is quoted.
-        note: Option<String>,
+        notes: Vec<String>,
     },
     /// With an error.
     Refused(Refusal),
@@ -52,7 +52,7 @@ impl Seen {
     /// What is seen of a result.
     pub(super) fn of(result: &Result<Run, Error>) -> Self {
         match result {
-            Ok(run) => Self::Ended { outcome: run.solution.outcome, note: run.note(0) },
+            Ok(run) => Self::Ended { outcome: run.solution.outcome, notes: run.notes(0) },
             Err(error) => Self::Refused(Refusal::of(error)),
         }
     }
@@ -77,7 +77,7 @@ impl Seen {
 
     /// Whether the run ended without a note.
     pub(super) fn is_unnoted(&self) -> bool {
-        matches!(self, Self::Ended { note: None, .. })
+        matches!(self, Self::Ended { notes, .. } if notes.is_empty())
     }
 }
 
@@ -113,8 +113,8 @@ pub(super) fn told(refusal: Option<&Refusal>) -> [String; 2] {
 impl fmt::Display for Seen {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Ended { outcome, note: Some(note) } => write!(f, "{outcome}, note: {note}"),
-            Self::Ended { outcome, note: None } => write!(f, "{outcome}"),
+            Self::Ended { outcome, notes } if notes.is_empty() => write!(f, "{outcome}"),
+            Self::Ended { outcome, notes } => write!(f, "{outcome}, note: {}", notes.join("; ")),
             Self::Refused(refusal) => write!(f, "{refusal}"),
         }
     }

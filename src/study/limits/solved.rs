@@ -95,7 +95,7 @@ pub(super) fn hertz_errors(scene: &Scene, run: &Run) -> Errors {
     let (measures, reference) = (run.measures(), &scene.reference);
     Errors {
         peak: error(measures.peak.pressure, reference.pressure),
-        half_width: error(measures.half_width, reference.length),
+        half_width: error(measures.second_moment_width, reference.length),
     }
 }
 

@@ -4,7 +4,7 @@ use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::study::quarter::run::{Change, Contact, Numbers};
 
-/// Change of peak and half-width below which the top quarter may be left out.
+/// Change of peak and second-moment width below which the top quarter may be left out.
 pub const LEFT_OUT: f64 = 1e-3;
 /// Largest a/R at which that is required.
 const JUDGED: f64 = 0.025;

@@ -1,7 +1,7 @@
 //! The half cylinder against the quarter: the top may be left out while the contact is small.
 //!
 //! * `plan` — one trial.
-//! * `run` — change of peak and half-width by a/R.
+//! * `run` — change of peak and second-moment width by a/R.
 //! * `judge` — no more than `judge::LEFT_OUT` at small a/R.
 //! * `section` — a row for each a/R.
 

@@ -40,7 +40,7 @@ pub struct Contact {
 }
 
 impl Change {
-    /// Larger relative change of peak and half-width when the half loaded on the same line is modelled instead of the quarter.
+    /// Larger relative change of peak and second-moment width when the half loaded on the same line is modelled instead of the quarter.
     pub fn largest(&self) -> f64 {
         let (half, quarter) = (&self.half, &self.quarter);
         larger(relative_error(half.peak, quarter.peak), relative_error(half.half_width, quarter.half_width))
@@ -66,5 +66,5 @@ fn contact(a_over_r: f64, model: CylinderModel) -> Result<Contact, Error> {
     if !run.solution.converged() {
         return Ok(Contact { peak: f64::NAN, half_width: f64::NAN });
     }
-    Ok(Contact { peak: run.measures().peak.pressure, half_width: run.measures().half_width })
+    Ok(Contact { peak: run.measures().peak.pressure, half_width: run.measures().second_moment_width })
 }

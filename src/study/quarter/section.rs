@@ -5,7 +5,7 @@ use crate::markdown;
 use crate::study::Found;
 use crate::study::quarter::run::{Change, Numbers};
 
-/// Changes of peak and half-width.
+/// Changes of peak and second-moment width.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let head = ["a/R", "p₀, loaded on the same line", "a, same line", "p₀, loaded on the upper arc", "a, upper arc"];
     let rows: Vec<Vec<String>> = findings.iter().flat_map(|found| &found.numbers.changes).map(row).collect();

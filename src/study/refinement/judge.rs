@@ -28,7 +28,7 @@ fn accuracy(orders: &Orders) -> Vec<Judged> {
     let half_width = match orders.order {
         Order::Linear => below_second_order(orders),
         _ => {
-            reaches(orders, "observed order of the half-width", 2.0, "the edge lies on a node", |level| level.half_width)
+            reaches(orders, "observed order of the second-moment width", 2.0, "the edge lies on a node", |level| level.half_width)
         }
     };
     let edge = "square-root edge (Drouet & Hild 2015; Belhachmi & Ben Belgacem 2003): capped near 1";
@@ -75,7 +75,7 @@ fn below_second_order(orders: &Orders) -> Vec<Judged> {
         "the midpoint rule's h²/24; errors that change their sign or do not fall have no order"
     };
     let judged = orders.levels.iter().map(|level| {
-        let quantity = Quantity::at("error of the half-width over (h/a)²", format!("h/a = {}", level.size));
+        let quantity = Quantity::at("error of the second-moment width over (h/a)²", format!("h/a = {}", level.size));
         Check::error(quantity, Reference::analytic("Hertz", 0.0), 1.0 / 24.0, because)
             .judge(level.half_width.abs() / level.size.powi(2))
     });
@@ -88,9 +88,9 @@ type Named<N, T> = (&'static str, fn(&N) -> T);
 /// Numbers of the cylinder over those of Hertz.
 const RATIOS: [Named<Ratio, Departure>; 2] = [
     ("peak pressure over that of Hertz", |ratio| ratio.peak),
-    ("half-width over that of Hertz", |ratio| ratio.half_width),
+    ("second-moment width over the half-width of Hertz", |ratio| ratio.half_width),
 ];
-/// How near peak and half-width of the smallest contact must come to Hertz's.
+/// How near peak and second-moment width of the smallest contact must come to Hertz's.
 const SMALL: [f64; 2] = [1e-4, 1.5e-4];
 /// How near the powers must come to 2, relative to that.
 const POWER: f64 = 0.1;

@@ -199,7 +199,7 @@ fn errors(numbers: &TruncatedHertz, order: Order, refinement: u32) -> Result<Err
         size: 1.0 / (COARSEST << refinement) as f64,
         dofs: run.dofs,
         peak: converged(&run, run.measures().largest.pressure / exact.peak_pressure() - 1.0),
-        half_width: converged(&run, run.measures().half_width / exact.half_width() - 1.0),
+        half_width: converged(&run, run.measures().second_moment_width / exact.half_width() - 1.0),
         l2: converged(&run, profile::relative_l2(&run.solution.points, |x| exact.pressure(x), within)),
         load: relative_error(load, numbers.load()),
         edge: converged(&run, within_element(&run)),
@@ -220,7 +220,7 @@ pub fn model_error() -> Result<ModelError, Error> {
         Ok(Ratio {
             a_over_r,
             peak: departure(numbers.scene().reference.pressure, |run| converged(run, run.measures().peak.pressure)),
-            half_width: departure(numbers.half_width(), |run| converged(run, run.measures().half_width)),
+            half_width: departure(numbers.half_width(), |run| converged(run, run.measures().second_moment_width)),
             dofs: runs[2].dofs,
         })
     };
@@ -251,7 +251,7 @@ fn series(order: Order, runs: &[Run; LEVELS as usize]) -> PinSeries {
             elements: COARSEST_PIN << refinement,
             dofs: run.dofs,
             peak: converged(run, run.measures().peak.pressure),
-            angle: converged(run, run.measures().half_width),
+            angle: converged(run, run.measures().second_moment_width),
             edge: converged(run, within_element(run)),
         }
     };

@@ -66,7 +66,7 @@ fn orders(numbers: &Orders) -> (String, String) {
     let mut table = markdown::table(&head, &rows.collect::<Vec<_>>());
     if is_withheld(&pairs[1]) {
         let edges: Vec<f64> = numbers.levels.iter().map(|level| level.edge).collect();
-        table += &format!("\n{}\n", why_withheld("the error of the half-width", &edges));
+        table += &format!("\n{}\n", why_withheld("the error of the second-moment width", &edges));
     }
     let title = format!("Truncated Hertz, {}-node: errors on nested meshes", numbers.order.nodes_per_cell());
     (title, table)

@@ -32,12 +32,12 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
     let renewed = format!("{FOLDER} is of the present meshes: {RENEW}");
     Ok(vec![
         none("frozen answers that cannot be read", unread, "what a code wrote once is read as it was"),
-        none("frozen answers judged otherwise than when they were written", moved, "peak and half-width within 1e-6"),
+        none("frozen answers judged otherwise than when they were written", moved, "peak and second-moment width within 1e-6"),
         none("scripts changed since their answers were frozen", numbers.changed.len(), RENEW),
         Check::at_most(named("degrees of freedom that the exported mesh has changed by"), Reference::own("none", 0.0), renewed)
             .judge(now.abs_diff(then) as f64),
         agrees(0, "relative error of the peak pressure of the nearest code"),
-        agrees(1, "relative error of the half-width of the nearest code"),
+        agrees(1, "relative error of the second-moment width of the nearest code"),
     ])
 }
 

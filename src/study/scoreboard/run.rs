@@ -60,7 +60,7 @@ pub enum Ended {
         scores: [Score; 2],
         /// What is not met.
         failed: Vec<String>,
-        /// Largest relative change of peak and half-width since they were judged by the live run.
+        /// Largest relative change of peak and second-moment width since they were judged by the live run.
         moved: f64,
     },
     /// Without one, or with one that cannot be read: why.
@@ -97,7 +97,7 @@ impl Row {
         }
     }
 
-    /// The larger error of peak and half-width; NaN of a run that failed.
+    /// The larger error of peak and second-moment width; NaN of a run that failed.
     pub fn error(&self) -> f64 {
         match &self.ended {
             Ended::Judged { scores: [peak, width], .. } => larger(peak.error.abs(), width.error.abs()),
@@ -159,7 +159,7 @@ fn row(truth: &Truth, discretisation: &Discretisation, told: &Told) -> Option<Ro
     Some(Row { setting, version: told.version.clone(), seconds: told.seconds / told.cholesky, ended })
 }
 
-/// Peak and half-width of a file that a code wrote for an exported case, and what of all that is judged is not met.
+/// Peak and second-moment width of a file that a code wrote for an exported case, and what of all that is judged is not met.
 pub fn scored(
     truth: &Truth,
     discretisation: &Discretisation,
@@ -178,7 +178,7 @@ pub fn scored(
         })
     };
     let peak = score(&|quantity| *quantity == Quantity::PeakPressure);
-    let width = score(&|quantity| matches!(quantity, Quantity::HalfWidth | Quantity::HalfAngle));
+    let width = score(&|quantity| matches!(quantity, Quantity::SecondMomentWidth | Quantity::SecondMomentAngle));
     let failed = judged.iter().filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string());
     Ok(([peak, width], failed.collect()))
 }

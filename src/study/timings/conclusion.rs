@@ -28,7 +28,7 @@ fn ranked(record: &Record) -> Vec<&Point> {
 
 fn ours(record: &Record) -> String {
     let ranked = ranked(record);
-    let asked = format!("{} % in peak and half-width, truncated Hertz, median of {LOADS} loads", 100.0 * COMPARED);
+    let asked = format!("{} % in peak and second-moment width, truncated Hertz, median of {LOADS} loads", 100.0 * COMPARED);
     let Some(best) = ranked.first() else { return format!("No formulation reaches {asked}. ") };
     let times = |point: &Point| significant(point.seconds / best.seconds, 2);
     let others = match &ranked[1..] {

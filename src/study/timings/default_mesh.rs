@@ -40,7 +40,7 @@ pub struct Tried {
     pub dofs: usize,
     /// Relative error of the peak, with sign.
     pub peak: f64,
-    /// Relative error of the half-width, with sign.
+    /// Relative error of the second-moment width, with sign.
     pub half_width: f64,
 }
 
@@ -54,7 +54,7 @@ pub fn measure(case: &Case) -> Result<DefaultMesh, Error> {
         let run = solved(case, growth, elements)?;
         let (found, wanted) = (run.measures(), finer.measures());
         let [peak, half_width] =
-            [found.peak.pressure / wanted.peak.pressure - 1.0, found.half_width / wanted.half_width - 1.0];
+            [found.peak.pressure / wanted.peak.pressure - 1.0, found.second_moment_width / wanted.second_moment_width - 1.0];
         Ok(Tried { growth, dofs: run.dofs, peak, half_width })
     };
     let is_other = |growth: &[f64; 3]| growth.map(f64::to_bits) != own.map(f64::to_bits);

@@ -116,7 +116,7 @@ fn counts_as_recorded(Recounted { recorded, fresh }: &Recounted) -> Judged {
 }
 
 fn fine_enough(mesh: &DefaultMesh) -> Judged {
-    let quantity = Quantity::at("error of the default mesh", "larger one of peak and half-width");
+    let quantity = Quantity::at("error of the default mesh", "larger one of peak and second-moment width");
     let because = format!("half of the {} % that the Hertz rows ask", 200.0 * ACCEPTED);
     Check::error(quantity, Reference::own("the finer mesh", 0.0), ACCEPTED, because)
         .judge(larger(mesh.own.peak.abs(), mesh.own.half_width.abs()))

@@ -237,7 +237,7 @@ fn exported(elements: usize, refinement: u32, [peak, half_width]: [f64; 2]) -> R
     let discretisation = Discretisation::of(scene, growth::resolution(elements, refinement))?;
     let run = crate::solve::Run::of(&discretisation, &Formulation::verification())?;
     let measures = run.measures();
-    let errors = [(measures.peak.pressure / peak - 1.0).abs(), (measures.half_width / half_width - 1.0).abs()];
+    let errors = [(measures.peak.pressure / peak - 1.0).abs(), (measures.second_moment_width / half_width - 1.0).abs()];
     let file = root().join("target").join(format!("cylinder-{elements}-{refinement}.json"));
     handed_over::export(&discretisation, &file)?;
     let ours = growth::contact_seconds(elements, refinement, 5)?;

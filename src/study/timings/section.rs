@@ -87,7 +87,7 @@ fn precision() -> String {
         Code::Ngsolve.cells(),
         significant(PARABOLA, 1)
     );
-    text += &picture("work-precision.svg", "Truncated Hertz: worst error of peak and half-width against seconds and counted operations");
+    text += &picture("work-precision.svg", "Truncated Hertz: worst error of peak and second-moment width against seconds and counted operations");
     text += &picture("work-precision-cylinder.svg", "Cylinder: the same, and GetFEM and CalculiX on our meshes under one load");
     let detail = picture("work-precision-detail.svg", "Worst error against seconds of all nine formulations; hollow: some load did not converge");
     text + &markdown::folded("By formulation and kind of cells", &detail, false)
