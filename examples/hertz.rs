@@ -29,7 +29,7 @@ fn main() -> Result<(), Error> {
     let measures = run.measures();
     for (name, ours, exact) in [
         ("peak pressure [MPa]", measures.peak.pressure, hertz.peak_pressure()),
-        ("half-width [mm]", measures.half_width, hertz.half_width()),
+        ("half-width [mm]", measures.half_width(), hertz.half_width()),
     ] {
         println!("{name}: {ours:.4}, Hertz {exact:.4} ({:+.2} %)", 100.0 * (ours / exact - 1.0));
     }

@@ -224,7 +224,8 @@ fn beside(sides: &Sides, solution: &Solution, tolerance: f64) -> Result<Vec<Unse
     for &at in End::of(&interface.pair) {
         let Some(Beyond { end, position, penetration }) = sides.deepest_beyond(at) else { continue };
         let touches = at.outermost(points).is_some_and(|point| point.gap <= accepted);
-        let closed = touches && !(share_at(edges, at) <= ASIDE);
+        let share = share_at(edges, at);
+        let closed = touches && (share > ASIDE || share.is_nan());
         let most = if closed { accepted } else { accepted.max(ASIDE * approach) };
         match penetration {
             deep if deep.is_nan() || deep > most => {

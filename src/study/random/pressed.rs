@@ -72,10 +72,10 @@ pub fn sample(contact: HalfPlane, materials: &[Material], cut: Cut) -> Sample {
     }
     let modelled: Vec<[f64; 2]> =
         contact.stretches.iter().copied().filter(|[_, end]| cut.whole || *end > 0.0).collect();
-    if let ([[begin, _], ..], [.., [_, end]]) = (&modelled[..], &modelled[..]) {
-        if cut.whole || *begin > 0.0 {
-            sample = sample.with(number(Quantity::HalfWidth), 0.5 * (end - begin));
-        }
+    if let ([[begin, _], ..], [.., [_, end]]) = (&modelled[..], &modelled[..])
+        && (cut.whole || *begin > 0.0)
+    {
+        sample = sample.with(number(Quantity::HalfWidth), 0.5 * (end - begin));
     }
     for (k, [begin, end]) in modelled.iter().enumerate() {
         if cut.whole || *begin > 0.0 {
