@@ -41,6 +41,8 @@ pub const LIMITS: [f64; 2] = [1e-12, 1e6];
 /// Pressure over `k |g|` of the deepest interference above which it presses: hard springs give way to all but this part.
 const PRESSED: f64 = 1e-9;
 
+/// Part of the load that is a force, whatever rounding leaves.
+const OF_LOAD: f64 = 1e-9;
 /// Part of what bodies resist a displacement with that is no force.
 const NO_FORCE: f64 = 1e-12;
 
@@ -173,6 +175,9 @@ impl ContactProblem<'_> {
         for point in self.points {
             forces[point.contact] += NO_FORCE * self.resistance(point) * point.size_of_approach(displacement);
         }
+        // A body that hardly anything holds moves far, and its load is a force all the same.
+        let most = OF_LOAD * absolute(self.load);
+        forces.iter_mut().for_each(|force| *force = force.min(most));
         forces
     }
 
