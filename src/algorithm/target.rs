@@ -119,40 +119,31 @@ impl Target {
     }
 }
 
-/// Force, centre and second moment of the pressures of one contact.
+/// Force, centre and width of the pressures of one contact.
 #[derive(Clone, Copy, Debug)]
 struct Moments {
     /// `Σ A p` \[N\].
     force: f64,
     /// `Σ A p s/Σ A p`; 0 where the contact begins at s = 0.
     centre: f64,
-    /// `Σ A p s²/Σ A p`, about s = 0.
-    second: f64,
+    /// Second-moment width about it; 0 on a single point.
+    width: f64,
 }
 
 impl Moments {
     fn of(states: &[PointState]) -> Self {
-        let sum = |of: &dyn Fn(f64) -> f64| -> f64 {
-            states.iter().map(|state| state.weight * state.pressure * of(state.position)).sum()
-        };
-        let force = sum(&|_| 1.0);
         let across = states.first().is_some_and(|state| state.position < 0.0);
-        let centre = if across { sum(&|s| s) / force } else { 0.0 };
-        Self { force, centre, second: sum(&|s| s * s) / force }
+        let centre = if across { profile::centre(states) } else { 0.0 };
+        let force = states.iter().map(|state| state.weight * state.pressure).sum();
+        Self { force, centre, width: profile::second_moment_width(states, centre) }
     }
 
-    /// Half-width by second moment about a centre, `2 √(Σ A p (s − c)²/Σ A p)`.
-    fn half_width(&self) -> f64 {
-        2.0 * (self.second - self.centre * self.centre).max(0.0).sqrt()
-    }
-
-    /// The larger of the errors of half-width and centre, over the wanted half-width; 0 where that vanishes.
+    /// The larger of the errors of width and centre, over the wanted width; 0 where that vanishes.
     fn apart(&self, wanted: &Self) -> f64 {
-        let (own, size) = (self.half_width(), wanted.half_width());
-        let far = (own - size).abs().max((self.centre - wanted.centre).abs());
+        let far = (self.width - wanted.width).abs().max((self.centre - wanted.centre).abs());
         match () {
-            _ if own.is_nan() || self.centre.is_nan() => f64::NAN,
-            _ if size > 0.0 => far / size,
+            _ if self.width.is_nan() || self.centre.is_nan() => f64::NAN,
+            _ if wanted.width > 0.0 => far / wanted.width,
             _ => 0.0,
         }
     }

@@ -90,7 +90,7 @@ impl Measures {
         };
         let nodal::Reading { peak, through_points, at_origin } = nodal::read(part, centre).unwrap_or_else(in_pairs);
         Self {
-            second_moment_width: profile::second_moment_width(&profile::about(points, centre)),
+            second_moment_width: profile::second_moment_width(points, centre),
             centre,
             half_width_nodes: active().map(|p| p.weight).sum::<f64>() / (sides * scene.thickness * pair.path.metric()),
             active: active().count(),

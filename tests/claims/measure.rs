@@ -8,7 +8,7 @@ use contact_vv::measure::order::{Observed, Why, bound_of_two, of_changes, pairs,
 use contact_vv::measure::parabola;
 use contact_vv::measure::peak::{self, Peak};
 use contact_vv::measure::profile::{
-    means, misplaced, relative_l2, relative_l2_between, resultant, second_moment_width, weighted_line,
+    centre, means, misplaced, relative_l2, relative_l2_between, resultant, second_moment_width, weighted_line,
 };
 use contact_vv::measure::{Measures, display_factor, relative_error, whole};
 use contact_vv::scene::{Circle, Path};
@@ -52,7 +52,7 @@ fn semi_ellipse(peak: f64, a: f64) -> impl Fn(f64) -> f64 {
 #[test]
 fn second_moment_gives_the_half_width_of_a_semi_ellipse_in_the_limit() {
     let a = 1.7;
-    let error = |n: usize| (second_moment_width(&sampled(3.0, n, semi_ellipse(5.0, a))) - a).abs() / a;
+    let error = |n: usize| (second_moment_width(&sampled(3.0, n, semi_ellipse(5.0, a)), 0.0) - a).abs() / a;
     // The midpoint rule at a square-root end errs by O(h^1.5): 3e-6 here at 10,000 intervals.
     assert!(error(10_000) <= 3e-6, "{}", error(10_000));
     assert!(error(10_000) < error(1_000) && error(1_000) < error(100));
@@ -62,7 +62,7 @@ fn second_moment_gives_the_half_width_of_a_semi_ellipse_in_the_limit() {
 fn second_moment_of_a_uniform_pressure_is_its_radius_of_gyration() {
     // ∫s² / ∫1 over 0 … b is b²/3, so that the functional is 2b/√3.
     let n = 1000;
-    let found = second_moment_width(&sampled(3.0, n, |_| 4.0));
+    let found = second_moment_width(&sampled(3.0, n, |_| 4.0), 0.0);
     // The midpoint rule errs by 1/(8 n²) relative on s².
     assert_relative_eq!(found, 2.0 * 3.0 / 3f64.sqrt(), max_relative = 1.0 / (n * n) as f64);
 }
@@ -70,9 +70,19 @@ fn second_moment_of_a_uniform_pressure_is_its_radius_of_gyration() {
 #[test]
 fn half_width_weighs_points_by_their_area() {
     let point = |position: f64, weight: f64| PointState { position, weight, pressure: 2.0, gap: 0.0 };
-    let found = second_moment_width(&[point(0.0, 3.0), point(2.0, 1.0)]);
+    let found = second_moment_width(&[point(0.0, 3.0), point(2.0, 1.0)], 0.0);
     // (3·0 + 1·4)/4 = 1, twice its root.
     assert_relative_eq!(found, 2.0, max_relative = 1e-15);
+}
+
+#[test]
+fn second_moment_of_a_single_point_vanishes_wherever_it_lies() {
+    for at in [0.1, 0.7, -17.3, 1e-9] {
+        let pressed = PointState { position: at, weight: 0.3, pressure: 0.7, gap: 0.0 };
+        let point = |position: f64| PointState { position, pressure: 0.0, ..pressed };
+        let points = [point(at - 1.0), pressed, point(at + 1.0)];
+        assert_eq!(second_moment_width(&points, centre(&points)), 0.0, "at {at}");
+    }
 }
 
 #[test]

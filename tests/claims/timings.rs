@@ -187,13 +187,14 @@ fn row(record: &Record, start: &str, holds: &str) -> Target {
     found.next().expect("a row of the table")
 }
 
-/// The committed record without NGSolve and without digits, as it was before they were timed.
+/// The committed record without NGSolve and without digits, as it was before they were timed, all codes in one run.
 fn old() -> Record {
     let mut record = Record::read().expect("the committed record");
     record.measured.others.retain(|point| point.code != Code::Ngsolve);
     record.measured.beside.retain(|beside| beside.code != Code::Ngsolve);
     record.measured.absent.retain(|why| !Code::Ngsolve.is_named_by(why));
     record.measured.digits.clear();
+    record.measured.beside.iter_mut().for_each(|beside| beside.apart = None);
     record
 }
 

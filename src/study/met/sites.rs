@@ -11,7 +11,7 @@ const EACH: usize = 20;
 /// Scenes of each family of drawn gaps, whose sharp tops take large meshes.
 const DRAWN: usize = 30;
 /// Scenes of each other family.
-const OTHERS: usize = 60;
+const OTHERS: usize = 90;
 
 /// All families but those whose peak has no limit.
 pub fn families() -> impl Iterator<Item = Family> {
