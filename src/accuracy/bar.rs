@@ -28,6 +28,10 @@ const FLAT: f64 = 0.5;
 /// leaves for round-off.
 const SAME: f64 = 1e-10;
 
+/// Why a bar is not known.
+const NOT_FOUND: &str = "the discrete solution was not found";
+const TOO_WIDE: &str = "the bar would be larger than the number itself";
+
 /// How far a number may be from the truth of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar {
@@ -55,6 +59,8 @@ pub struct Barred {
     pub value: f64,
     /// How far it may be off.
     pub bar: Bar,
+    /// Why that is not known; none where it is.
+    pub unknown: Option<&'static str>,
 }
 
 /// The bars of all numbers of a run.
@@ -71,9 +77,18 @@ pub struct Bars {
 impl Barred {
     /// A number as the iteration left it, the mesh's part of its bar, and its value where the iteration should end, and in the
     /// discrete solution.
-    fn of(reading: &Reading, mesh: f64, [ended, discrete]: [f64; 2]) -> Self {
+    fn of(reading: &Reading, mesh: f64, [ended, discrete]: [f64; 2], family: &Family) -> Self {
         let bar = Bar { mesh, iteration: (reading.value - ended).abs(), penalty: (ended - discrete).abs() };
-        Self { subject: reading.subject.clone(), value: reading.value, bar }
+        let one = Self { subject: reading.subject.clone(), value: reading.value, bar, unknown: None };
+        match () {
+            _ if (bar.iteration + bar.penalty).is_nan() => Self { unknown: Some(NOT_FOUND), ..one },
+            _ if mesh.is_nan() => Self { unknown: Some(family.why_unknown()), ..one },
+            // It says nothing.
+            _ if bar.total() > reading.size() => {
+                Self { unknown: Some(TOO_WIDE), bar: Bar { mesh: f64::NAN, ..bar }, ..one }
+            }
+            _ => one,
+        }
     }
 }
 
@@ -134,7 +149,7 @@ fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> 
             }
             _ => larger(family.mesh(run, reading, discrete), beyond(run, &reading.subject, &family.sizes)),
         };
-        let barred = Barred::of(reading, mesh, [ended, discrete]);
+        let barred = Barred::of(reading, mesh, [ended, discrete], family);
         let value = if is_unbounded(run, &reading.subject) { f64::NAN } else { reading.value };
         Barred { value, ..barred }
     };
@@ -197,7 +212,7 @@ fn of_displacements(
             Subject::ShearDepth(contact, body) => family.mesh(run, reading, discrete) + flat(contact, body),
             _ => family.mesh(run, reading, discrete),
         };
-        Barred::of(reading, mesh, [ended, discrete])
+        Barred::of(reading, mesh, [ended, discrete], family)
     };
     Ok(readings.iter().map(one).collect())
 }

@@ -55,6 +55,20 @@ pub struct Reading {
     pub scale: f64,
 }
 
+impl Reading {
+    /// What its bar must stay below to say anything: the number itself; of what may vanish, as places, centres, moments, reactions and
+    /// displacements do, its scale.
+    pub(super) fn size(&self) -> f64 {
+        use Quantity::{HalfWidth, PeakPressure, Resultant, SecondMomentWidth};
+        match self.subject {
+            Subject::Contact(_, PeakPressure | HalfWidth | SecondMomentWidth | Resultant) | Subject::Shear(..) => {
+                self.value.abs()
+            }
+            _ => self.scale.abs(),
+        }
+    }
+}
+
 impl Subject {
     /// The contact by whose elements the mesh is measured: its own, else the first.
     pub(super) fn contact(&self) -> usize {

@@ -4,7 +4,7 @@ use crate::case::check::Reference;
 use crate::case::definition::Case;
 use crate::case::quantity::Quantity;
 use crate::error::Error;
-use crate::measure::{larger, profile};
+use crate::measure::{larger, nodal, profile};
 use crate::oracle;
 use crate::solve::run::Contact;
 use crate::solve::{Discretisation, Run, Shear};
@@ -41,7 +41,8 @@ impl Solved<'_> {
             Quantity::Centre => measures.centre,
             Quantity::Resultant => *transmitted,
             Quantity::Pressure { at } => {
-                profile::interpolate(points, self.discretisation.scene.contacts[contact].stretch, at.value())
+                let stretch = self.discretisation.scene.contacts[contact].stretch;
+                nodal::pressure_at(self.run.solution.part(contact), stretch, at.value())
             }
             Quantity::HoopStress { at } => self.hoop_stress(contact, *at)?,
             Quantity::Reaction { body, support } => self.reaction([*body, *support])?,

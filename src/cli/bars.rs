@@ -27,6 +27,9 @@ pub struct Document {
     iteration: Number,
     /// What the springs of a penalty leave.
     penalty: Number,
+    /// Why the bound is not known, where it is not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unknown: Option<&'static str>,
 }
 
 impl Document {
@@ -36,7 +39,7 @@ impl Document {
             let Told { of, quantity, .. } = Told::of(&found.problem.scene, found.run, one);
             let Bar { mesh, iteration, penalty } = one.bar;
             let [mesh, iteration, penalty] = [mesh, iteration, penalty].map(Number::from);
-            Self { of, quantity, value: one.value.into(), bound: one.bar.total().into(), mesh, iteration, penalty }
+            Self { of, quantity, value: one.value.into(), bound: one.bar.total().into(), mesh, iteration, penalty, unknown: one.unknown }
         };
         found.bars.iter().flat_map(|bars| bars.all.iter()).map(one).collect()
     }
@@ -46,6 +49,7 @@ impl Document {
 pub fn print(found: &Found) {
     let Some(Bars { all, meshes, .. }) = &found.bars else { return };
     let mut table = table(["of", "quantity", "value ± bound", "unit", "mesh", "iteration", "penalty"]);
+    let mut unknown: Vec<(&str, Vec<String>)> = Vec::new();
     for one in all {
         let Told { of, quantity, unit, factor } = Told::of(&found.problem.scene, found.run, one);
         let Bar { mesh, iteration, penalty } = one.bar;
@@ -55,13 +59,22 @@ pub fn print(found: &Found) {
             value if value.is_nan() => "unknown".into(),
             value => format!("{} ± {}", markdown::value(factor * value), part(one.bar.total())),
         };
+        if let Some(why) = one.unknown {
+            let named = format!("{quantity} of `{of}`");
+            match unknown.iter_mut().find(|(known, _)| *known == why) {
+                Some((_, numbers)) => numbers.push(named),
+                None => unknown.push((why, vec![named])),
+            }
+        }
         table.add_row([of, quantity, value, unit.into(), part(mesh), part(iteration), part(penalty)]);
     }
     say(table);
+    for (why, numbers) in unknown {
+        let of = if numbers.len() == all.len() { "every number".into() } else { numbers.join(", ") };
+        say(format!("unknown, since {why}: {of}"));
+    }
     if *meshes == 0 {
-        say(
-            "the mesh's part is unknown: no coarser mesh of this scene holds the contact, or a body is one element deep; give more elements, or for a mesh made elsewhere `--accuracy`, which halves it",
-        );
+        say("give more elements, or for a mesh made elsewhere `--accuracy`, which halves it");
     }
 }
 

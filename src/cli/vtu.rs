@@ -20,7 +20,7 @@ use vtkio::model::{
 
 use crate::elasticity::{shape_functions, stress};
 use crate::error::Error;
-use crate::measure::profile;
+use crate::measure::{nodal, profile};
 use crate::mesh::{Mesh, Order};
 use crate::solution::PointState;
 use crate::solve::fields::Fields;
@@ -142,7 +142,8 @@ fn of_bodies(discretisation: &Discretisation) -> Vec<Attribute> {
     std::iter::once(Attribute::scalars("body", 1).with_data(numbers)).chain(all).collect()
 }
 
-/// Pressure, gap and number of the contact at the candidate nodes of all bodies, at their places in the file, linear between the contact points.
+/// Pressure, gap and number of the contact at the candidate nodes of all bodies, at their places in the file; between contact points the pressure
+/// is that of the edge's polynomial, the gap linear.
 fn on_candidates(discretisation: &Discretisation, run: &Run, places: &[[f64; 2]]) -> [Attribute; 3] {
     let mesh = &discretisation.mesh;
     let (mut pressure, mut gap) = (vec![0.0; mesh.points.len()], vec![f64::NAN; mesh.points.len()]);
@@ -156,7 +157,7 @@ fn on_candidates(discretisation: &Discretisation, run: &Run, places: &[[f64; 2]]
                 let coordinate = pair.path.coordinate(places[candidate.node]);
                 // Of the primary body an edge may reach beyond the stretch, where there is no gap to tell.
                 if coordinate.abs() <= pair.stretch * (1.0 + 1e-9) {
-                    pressure[candidate.node] = profile::interpolate(points, pair.stretch, coordinate);
+                    pressure[candidate.node] = nodal::pressure_at(run.solution.part(contact), pair.stretch, coordinate);
                     gap[candidate.node] = profile::interpolate(&gaps, pair.stretch, coordinate);
                     of_contact[candidate.node] = contact as i32;
                 }

@@ -6,6 +6,8 @@
 use std::ops::Range;
 
 use crate::measure::peak::{DROP, Fit, Peak, ROUNDING};
+use crate::measure::profile;
+use crate::mesh::lobatto::lagrange;
 use crate::solution::{Part, PointState};
 
 /// Nodes of an edge beyond which its points tell the profile better than means over edges.
@@ -57,6 +59,23 @@ pub fn read(part: Part, centre: f64) -> Option<Reading> {
 /// where meshes do not match, and single pressures then hang on round-off.
 pub fn are_many(part: Part) -> bool {
     !part.edges.is_empty() && part.nodes > MANY
+}
+
+/// Pressure at a place: where all points of an edge press that are as many as its nodes, the polynomial through them, which is the edge's
+/// own; elsewhere the line between the two points around it. Zero beyond the candidate stretch.
+pub fn pressure_at(part: Part, stretch: f64, position: f64) -> f64 {
+    let near = ROUNDING * stretch;
+    let on = |[from, to]: [f64; 2]| move |at: f64| from - near <= at && at <= to + near;
+    let own = part.edges.iter().find(|edge| on(edge.ends)(position)).filter(|_| are_many(part)).map(|edge| {
+        part.points.iter().filter(|point| on(edge.ends)(point.position) && point.pressure > 0.0).collect::<Vec<_>>()
+    });
+    match own.filter(|own| own.len() == part.nodes) {
+        Some(own) => {
+            let places: Vec<f64> = own.iter().map(|point| point.position).collect();
+            lagrange(&places, position).iter().zip(own).map(|((shape, _), point)| shape * point.pressure).sum()
+        }
+        None => profile::interpolate(part.points, stretch, position),
+    }
 }
 
 /// Where a stretch ends, from its pressed points in the order towards that end \[mm, or rad\].

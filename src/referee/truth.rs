@@ -4,7 +4,7 @@ use crate::accuracy::reference::{self, Known as Answered};
 use crate::accuracy::{Bar, Barred, Quantity, Subject, bars};
 use crate::case::{Case, Quantity as Asked, Reference};
 use crate::error::Error;
-use crate::measure::{larger, profile};
+use crate::measure::{larger, nodal};
 use crate::mesh::Resolution;
 use crate::mesh::size::solvable;
 use crate::oracle::{self, ReferenceKind};
@@ -127,7 +127,7 @@ impl Truth {
                 _ => f64::INFINITY,
             };
         }
-        profile::interpolate(self.run.solution.points_of(contact), pair.stretch, s)
+        nodal::pressure_at(self.run.solution.part(contact), pair.stretch, s)
     }
 
     /// Whether the profile is that of a closed form.
