@@ -20,7 +20,7 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// A relative error in peak and second-moment width, by meshes of any size that is solved at all.
+    /// A relative error in peak and half-width, by meshes of any size that is solved at all.
     pub fn new(relative: f64) -> Self {
         Self { relative, quantities: Quantity::ASKED.into(), most_cells: MOST[0] }
     }

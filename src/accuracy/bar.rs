@@ -28,6 +28,10 @@ const FLAT: f64 = 0.5;
 /// leaves for round-off.
 const SAME: f64 = 1e-10;
 
+/// Mean pressure of the outermost edge over that of the edge before, from which on a contact goes on to the end of its candidates: one that
+/// ends there or before as `√(a − s)` has `1/(2^{3/2} − 1) = 0.55` at most.
+const GOES_ON: f64 = 0.8;
+
 /// Why a bar is not known.
 const NOT_FOUND: &str = "the discrete solution was not found";
 const TOO_WIDE: &str = "the bar would be larger than the number itself";
@@ -147,7 +151,10 @@ fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> 
             Subject::Contact(contact, Quantity::PeakPlace) if !family.is_at_end(run, contact) => {
                 family.mesh(run, reading, discrete) + flat(contact)
             }
-            _ => larger(family.mesh(run, reading, discrete), beyond(run, &reading.subject, &family.sizes)),
+            _ => match of_candidates(run, &reading.subject, &family.sizes) {
+                Some(0.0) => 0.0,
+                least => larger(family.mesh(run, reading, discrete), least.unwrap_or(0.0)),
+            },
         };
         let barred = Barred::of(reading, mesh, [ended, discrete], family);
         let value = if is_unbounded(run, &reading.subject) { f64::NAN } else { reading.value };
@@ -237,17 +244,31 @@ fn is_unbounded(run: &Run, subject: &Subject) -> bool {
     }
 }
 
-/// Where a contact goes on to its outermost candidate, the mesh does not tell where it ends within that.
-fn beyond(run: &Run, subject: &Subject, size: &[f64]) -> f64 {
-    let &Subject::Contact(contact, quantity) = subject else { return 0.0 };
-    let reaches =
-        |k: usize, side: usize| run.contacts[contact].measures.stretches.get(k).is_some_and(|s| s.reaches[side]);
-    let stretches = run.contacts[contact].measures.stretches.len();
-    let cut = match quantity {
-        Quantity::Begin(k) => reaches(k, 0),
-        Quantity::End(k) => reaches(k, 1),
-        Quantity::HalfWidth => [0, 1].into_iter().any(|side| (0..stretches).any(|k| reaches(k, side))),
-        _ => false,
+/// Within what an end of a contact lies, whatever coarser meshes say; none where they tell.
+///
+/// A contact that goes on to its outermost candidate ends there. Only where its pressure falls towards that, it may end anywhere within
+/// the last element.
+fn of_candidates(run: &Run, subject: &Subject, sizes: &[f64]) -> Option<f64> {
+    let &Subject::Contact(contact, quantity) = subject else { return None };
+    let edges = run.solution.part(contact).edges;
+    let falls = |side: usize| match edges {
+        [first, second, ..] if side == 0 => first.pressure < GOES_ON * second.pressure,
+        [.., before, last] if side == 1 => last.pressure < GOES_ON * before.pressure,
+        _ => true,
     };
-    if cut { 0.5 * size[contact] } else { 0.0 }
+    let stretches = &run.contacts[contact].measures.stretches;
+    let within = |k: usize, side: usize| {
+        let reaches = stretches.get(k).is_some_and(|one| one.reaches[side]);
+        reaches.then(|| if falls(side) { 0.5 * sizes[contact] } else { 0.0 })
+    };
+    match quantity {
+        Quantity::Begin(k) => within(k, 0),
+        Quantity::End(k) => within(k, 1),
+        Quantity::HalfWidth => {
+            let end = within(stretches.len().checked_sub(1)?, 1)?;
+            let begin = if run.contacts[contact].measures.across { within(0, 0)? } else { end };
+            Some(0.5 * (begin + end))
+        }
+        _ => None,
+    }
 }

@@ -6,7 +6,7 @@ use crate::accuracy::coarser::{coarser, gentler};
 use crate::accuracy::counted::Counted;
 use crate::accuracy::reading::{Quantity, Reading, Subject, of_discrete, value_of};
 use crate::accuracy::recovered::recovered;
-use crate::measure::{Measures, larger};
+use crate::measure::{Measures, Stretch, larger};
 use crate::mesh::Order;
 use crate::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Run, Settings};
 
@@ -18,8 +18,11 @@ const FEWEST: (usize, f64) = (2, 2.4);
 const TOLERANCE: f64 = 1e-9;
 /// Factor on the distance between two readings of a peak.
 const READINGS: f64 = 1.8;
-/// Part of the half-width by which the series near an end may tell it from mesh to mesh, whatever the order.
-const SERIES: f64 = 6e-5;
+/// Factor on the distance between two readings of an end by the series near it; part of the half-width that both may miss with three layers
+/// of cells, whatever their order, and what every further layer leaves of that.
+const SERIES: (f64, f64) = (2.0, 4e-5);
+const LAYERS: usize = 3;
+const LEFT: f64 = 1.0 / 3.0;
 /// Largest pressure at a node over the peak that consistent nodal pressures of smooth contacts show: those of corners and middles of
 /// 3-node edges differ by 0.5 % on four elements.
 const ALTERNATES: f64 = 1.01;
@@ -44,6 +47,8 @@ pub struct Family {
     cells: usize,
     /// Whether mesh lines lie on the ends of the contacts.
     on_ends: bool,
+    /// Layers of cells towards those.
+    layers: usize,
     /// Whether a body is one element deep below a contact, which no coarser mesh tells from a finer one.
     shallow: bool,
     coarse: Vec<Other>,
@@ -82,8 +87,9 @@ impl Family {
         let (sizes, cells) = (sizes(discretisation), discretisation.mesh.cells());
         let order = discretisation.resolution.order;
         let on_ends = discretisation.scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
+        let layers = discretisation.scene.contacts.iter().map(|pair| pair.ends.layers).min().unwrap_or(0);
         let shallow = !on_ends && is_shallow(discretisation);
-        Self { formulation, order, sizes, cells, on_ends, shallow, coarse, gentler }
+        Self { formulation, order, sizes, cells, on_ends, layers, shallow, coarse, gentler }
     }
 
     /// How many of them tell something.
@@ -180,26 +186,23 @@ impl Family {
             // An end gains far more than that from order 4 to 5: a twentieth is left on truncated Hertz.
             let is_end = !matches!(quantity, Quantity::PeakPressure | Quantity::SecondMomentWidth);
             let factor = if apart.len() < fewest && !is_end { alone * BY_ORDERS } else { BY_ORDERS };
-            let series = if is_end { SERIES } else { 0.0 };
             let apart = apart.into_iter().reduce(larger).unwrap_or(f64::NAN);
-            let read = match quantity {
-                Quantity::PeakPressure => self.missed_by_reading(measures),
-                _ => 0.0,
-            };
             return factor * apart
-                + (Fitted::misfit(self.order) + series + ROUND_OFF) * quantity.scale(measures).abs()
-                + read;
+                + (Fitted::misfit(self.order) + ROUND_OFF) * quantity.scale(measures).abs()
+                + self.missed_by_reading(*quantity, measures);
         }
         let is_force = matches!(subject, Subject::Contact(_, Quantity::Resultant) | Subject::Reaction(..));
         let hidden = match self.on_ends {
             // What statics give is the same wherever the contact ends.
             true if is_force && known.iter().all(|apart| *apart <= ROUND_OFF * reading.scale.abs()) => 0.0,
             true => Fitted::misfit(self.order),
-            false => counted.hidden * (self.sizes[contact] / measures.second_moment_width).powf(counted.power),
+            false => counted.hidden * (self.sizes[contact] / width_of(subject, measures)).powf(counted.power),
         };
         let [scale, read] = match subject {
-            Subject::Contact(_, Quantity::PeakPressure) => [measures.peak.pressure, self.missed_by_reading(measures)],
-            Subject::Contact(_, quantity) => [quantity.scale(measures), 0.0],
+            Subject::Contact(_, Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_)) => {
+                [width_of(subject, measures), self.missed_by_end(measures)]
+            }
+            Subject::Contact(_, quantity) => [quantity.scale(measures), self.missed_by_reading(*quantity, measures)],
             // Below a sharp top the shear stress is missed as its pressure is.
             Subject::Shear(..) => {
                 let peak = measures.peak.pressure;
@@ -210,10 +213,24 @@ impl Family {
         factor * known.into_iter().fold(0.0, f64::max) + (hidden + ROUND_OFF) * scale.abs() + read
     }
 
-    /// What the reading of a peak may miss, on this mesh and on all coarser ones alike: how far two readings of it are apart, and a point
-    /// that stands above it, as under a sharp top. Points of line and layer elements oscillate and say nothing of that.
-    fn missed_by_reading(&self, measures: &Measures) -> f64 {
-        READINGS * (measures.peak_by_parabola - measures.peak.pressure).abs() + self.above(measures)
+    /// What the reading of a number may miss, on this mesh and on all coarser ones alike: of a peak how far two readings of it are apart,
+    /// and a point that stands above it, as under a sharp top; of an end that a mesh line tells how far two series are apart. Points of
+    /// line and layer elements oscillate and say nothing of a top.
+    fn missed_by_reading(&self, quantity: Quantity, measures: &Measures) -> f64 {
+        match quantity {
+            Quantity::PeakPressure => {
+                READINGS * (measures.peak_by_parabola - measures.peak.pressure).abs() + self.above(measures)
+            }
+            Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) => self.missed_by_end(measures),
+            _ => 0.0,
+        }
+    }
+
+    /// The same of an end; 0 where no mesh line tells it.
+    fn missed_by_end(&self, measures: &Measures) -> f64 {
+        let (factor, missed) = SERIES;
+        let missed = missed * LEFT.powi(self.layers.saturating_sub(LAYERS) as i32);
+        if self.on_ends { factor * measures.ends_apart + missed * measures.half_width() } else { 0.0 }
     }
 
     /// By how much a node stands above the peak, beyond what alternates \[MPa\].
@@ -234,6 +251,18 @@ impl Family {
         let Measures { peak, stretches, .. } = &run.contacts[contact].measures;
         let near = |end: f64| (peak.position - end).abs() < self.sizes[contact];
         stretches.iter().any(|one| (one.reaches[0] && near(one.begin)) || (one.reaches[1] && near(one.end)))
+    }
+}
+
+/// What elements are small beside: of an end half of its own stretch, of the half-width that of the shortest one, of others the
+/// second-moment width.
+fn width_of(subject: &Subject, measures: &Measures) -> f64 {
+    let half = |one: &Stretch| if one.begin > 0.0 || measures.across { 0.5 * (one.end - one.begin) } else { one.end };
+    let all = measures.stretches.iter();
+    match subject {
+        Subject::Contact(_, Quantity::Begin(k) | Quantity::End(k)) => all.map(half).nth(*k).unwrap_or(f64::NAN),
+        Subject::Contact(_, Quantity::HalfWidth) => all.map(half).reduce(f64::min).unwrap_or(f64::NAN),
+        _ => measures.second_moment_width,
     }
 }
 

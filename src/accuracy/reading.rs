@@ -57,13 +57,14 @@ pub struct Reading {
 
 impl Reading {
     /// What its bar must stay below to say anything: the number itself; of what may vanish, as places, centres, moments, reactions and
-    /// displacements do, its scale.
+    /// displacements do, its scale. A depth is told within whatever lies between where the stress comes near its largest.
     pub(super) fn size(&self) -> f64 {
         use Quantity::{HalfWidth, PeakPressure, Resultant, SecondMomentWidth};
         match self.subject {
             Subject::Contact(_, PeakPressure | HalfWidth | SecondMomentWidth | Resultant) | Subject::Shear(..) => {
                 self.value.abs()
             }
+            Subject::ShearDepth(..) => f64::INFINITY,
             _ => self.scale.abs(),
         }
     }
@@ -82,7 +83,7 @@ impl Subject {
 
 impl Quantity {
     /// Those that an accuracy may be asked for.
-    pub const ASKED: [Self; 2] = [Self::PeakPressure, Self::SecondMomentWidth];
+    pub const ASKED: [Self; 2] = [Self::PeakPressure, Self::HalfWidth];
 
     /// Name in scene files and results.
     pub fn name(self) -> &'static str {

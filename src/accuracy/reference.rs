@@ -73,7 +73,7 @@ pub enum Measured {
     Peak,
     /// Where that is.
     Place,
-    /// Half-width by second moment.
+    /// Second-moment width.
     SecondMomentWidth,
     /// Where the contact ends.
     End,
@@ -101,7 +101,7 @@ impl Measured {
             Self::Origin => "pressure at s = 0",
             Self::Peak => "peak-pressure",
             Self::Place => "peak-place",
-            Self::SecondMomentWidth => "half-width",
+            Self::SecondMomentWidth => "second-moment-width",
             Self::End => "end",
             Self::Resultant => "resultant",
             Self::Across => "force across the load, of one half",

@@ -119,7 +119,7 @@ impl Tried {
     /// What a run says of each contact of its scene.
     pub(super) fn contacts(scene: &Scene, run: &Run) -> Vec<TriedContact> {
         let one = |(pair, contact): (&ContactPair, &Contact)| {
-            let (peak, half_width) = (contact.measures.peak.pressure, contact.measures.second_moment_width);
+            let (peak, half_width) = (contact.measures.peak.pressure, contact.measures.half_width());
             TriedContact { stretch: pair.stretch, peak, half_width }
         };
         scene.contacts.iter().zip(&run.contacts).map(one).collect()

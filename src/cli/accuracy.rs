@@ -86,7 +86,7 @@ struct OneContact {
     stretch: Number,
     /// Largest pressure.
     peak_pressure: Number,
-    /// Half-width by second moment.
+    /// Half-width.
     half_width: Number,
 }
 

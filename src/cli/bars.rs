@@ -39,7 +39,16 @@ impl Document {
             let Told { of, quantity, .. } = Told::of(&found.problem.scene, found.run, one);
             let Bar { mesh, iteration, penalty } = one.bar;
             let [mesh, iteration, penalty] = [mesh, iteration, penalty].map(Number::from);
-            Self { of, quantity, value: one.value.into(), bound: one.bar.total().into(), mesh, iteration, penalty, unknown: one.unknown }
+            Self {
+                of,
+                quantity,
+                value: one.value.into(),
+                bound: one.bar.total().into(),
+                mesh,
+                iteration,
+                penalty,
+                unknown: one.unknown,
+            }
         };
         found.bars.iter().flat_map(|bars| bars.all.iter()).map(one).collect()
     }

@@ -52,6 +52,9 @@ pub struct Measures {
     pub pressed_edges: usize,
     /// Closed stretches, in the order of the contact coordinate.
     pub stretches: Vec<Stretch>,
+    /// How far apart two readings of their ends are, where mesh lines tell them; 0 elsewhere \[mm, or rad\].
+    #[serde(skip)]
+    pub ends_apart: f64,
     /// The largest pressure of the profile, wherever it lies.
     pub peak: Peak,
     /// The same read by a parabola through the highest means, or by a quartic through the five highest points \[MPa\].
@@ -64,7 +67,7 @@ pub struct Measures {
     /// Force on the whole contact along the load line, both halves \[N\].
     pub resultant: f64,
     /// Whether the contact lies on both sides of s = 0.
-    across: bool,
+    pub(crate) across: bool,
 }
 
 /// Pressure over the largest of its contact from which on a point, or an edge, counts as pressed.
@@ -96,6 +99,7 @@ impl Measures {
             active: active().count(),
             pressed_edges: edges.iter().filter(|edge| edge.pressure > floor).count(),
             stretches: stretch::closed(pair, part, floor),
+            ends_apart: 0.0,
             peak: if across { peak } else { Peak { position: peak.position.abs(), ..peak } },
             peak_by_parabola: through_points,
             pressure_at_origin: at_origin,

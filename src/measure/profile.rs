@@ -15,15 +15,15 @@ pub fn about(points: &[PointState], place: f64) -> Vec<PointState> {
     points.iter().map(|p| PointState { position: p.position - place, ..*p }).collect()
 }
 
-/// Distance of points from their centre, over how far that is from s = 0, which rounding leaves of a single point.
+/// Width over how far its centre is from s = 0, which rounding leaves of a single point.
 const ROUNDING: f64 = 1e-14;
 
 /// `a = 2 √(Σ A p (s − c)² / Σ A p)` about a centre c, exact for a semi-ellipse; 0 on a single point.
 pub fn second_moment_width(points: &[PointState], centre: f64) -> f64 {
     let moment: f64 = points.iter().map(|p| p.weight * p.pressure * (p.position - centre).powi(2)).sum();
     let total: f64 = points.iter().map(|p| p.weight * p.pressure).sum();
-    let spread = (moment / total).sqrt();
-    if spread <= ROUNDING * centre.abs() { 0.0 } else { 2.0 * spread }
+    let width = 2.0 * (moment / total).sqrt();
+    if width <= ROUNDING * centre.abs() { 0.0 } else { width }
 }
 
 /// Contact force along the load line on the modelled part, `Σ A p cos θ` (cos θ = 1 on planes) \[N\].

@@ -35,8 +35,9 @@ pub fn closed(pair: &ContactPair, part: Part, floor: f64) -> Vec<Stretch> {
 /// The stretch of the edges from one on, up to another.
 fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> Stretch {
     let Part { points, edges, .. } = part;
-    let on_line = from == 0 && !pair.path.has_both_sides();
     let [first, last] = [points.first(), points.last()].map(|p| p.is_some_and(|point| point.pressure > floor));
+    // A cell with many points may be open on the symmetry line and pressed farther out.
+    let on_line = from == 0 && !pair.path.has_both_sides() && (first || !nodal::are_many(part));
     let reaches = [from == 0 && !on_line && first, to == edges.len() && last];
     // The half that ends there, so that a mirror image ends where its image does.
     let half = if on_line { to - from } else { (to - from).div_ceil(2) };
@@ -51,7 +52,8 @@ fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> St
     let begin = match () {
         _ if on_line => 0.0,
         _ if reaches[0] => edges[0].ends[0],
-        _ if many => -nodal::end(&images()),
+        _ if many && pair.path.has_both_sides() => -nodal::end(&images()),
+        _ if many => (-nodal::end(&images())).max(0.0),
         _ => -end(&mirrored),
     };
     let end = match () {

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use contact_vv::accuracy::longest::longest;
-use contact_vv::accuracy::{self, Answer, Asked, ends, fitted};
+use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted};
 use contact_vv::case::Case;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Scene;
@@ -47,7 +47,8 @@ fn parsed(text: &str) -> Case {
 }
 
 fn answered(scene: &Scene, asked: f64) -> Answer {
-    accuracy::solve(scene, &Formulation::verification(), &Asked::new(asked)).expect("solved")
+    let quantities = vec![Quantity::PeakPressure, Quantity::SecondMomentWidth];
+    accuracy::solve(scene, &Formulation::verification(), &Asked { quantities, ..Asked::new(asked) }).expect("solved")
 }
 
 fn by_hand(text: &str) -> Run {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use contact_vv::accuracy::{self, reading::Quantity, reading::Subject};
 use contact_vv::case::Case;
 use contact_vv::case::library::{Patch, PinPlate, TruncatedHertz};
-use contact_vv::measure::relative_error;
+use contact_vv::measure::{nodal, profile, relative_error};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::scene::{
@@ -351,4 +351,29 @@ fn columns_beyond_a_contact_on_both_sides_grow_from_its_last_cell_where_frames_h
     for (column, wanted) in columns.iter().zip(wanted) {
         assert!((column - wanted).abs() <= 1e-12, "{column} {wanted}");
     }
+}
+
+#[test]
+fn pressure_between_nodes_is_the_polynomial_of_the_cell_and_the_bar_of_a_force_of_statics_is_round_off() {
+    let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/rigid-cosine.toml");
+    let case = Case::read(&file).expect("sound");
+    let answer = solved(Fitted { order: Order::Octic, layers: 3 }, &case.scene);
+    let wanted = case.reading(contact_vv::oracle::Quantity::Pressure { at: 4.0 }).value;
+    let part = answer.run.solution.part(0);
+    let stretch = answer.discretisation.scene.contact().stretch;
+    // The block is one wavelength high, and its load drawn for an infinite one.
+    let error = relative_error(nodal::pressure_at(part, stretch, 4.0), wanted);
+    assert!(error <= 3e-4, "{error}");
+    let straight = relative_error(profile::interpolate(part.points, stretch, 4.0), wanted);
+    assert!(straight > 2e-3, "{straight}");
+    let bars = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
+    for order in [Order::Quartic, Order::Octic] {
+        let answer = solved(Fitted { order, layers: 1 }, &case.scene);
+        let force = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
+        let bar = force.of_contact(0, Quantity::Resultant).expect("barred").total();
+        assert!(bar <= 1e-7 * answer.run.measures().resultant, "{order:?}: {bar}");
+    }
+    assert!(
+        bars.of_contact(0, Quantity::HalfWidth).expect("barred").total() <= 2e-4 * answer.run.measures().half_width()
+    );
 }

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::{Cylinder, PinRod};
+use contact_vv::measure::nodal;
 use contact_vv::measure::order::{Observed, Why, bound_of_two, of_changes, pairs, richardson, slope};
 use contact_vv::measure::parabola;
 use contact_vv::measure::peak::{self, Peak};
@@ -536,4 +537,26 @@ fn pressure_between_points_is_linear_and_that_of_the_outermost_up_to_the_ends_of
     assert_abs_diff_eq!(interpolate(&across[1..], 4.0, 0.0), 30.0, epsilon = 1e-12);
     assert_abs_diff_eq!(interpolate(&[], 4.0, 0.0), 0.0, epsilon = 0.0);
     assert!(interpolate(&[point(0.0, f64::NAN), point(1.0, 1.0)], 4.0, 0.5).is_nan());
+}
+
+#[test]
+fn cell_of_many_nodes_is_read_by_its_polynomial_where_all_press_and_is_open_on_the_line_where_its_first_does_not() {
+    let nodes = [0.0, 0.6, 2.0, 3.4, 4.0];
+    let cubic = |s: f64| 1.0 + 0.5 * s - 0.1 * s * s + 0.01 * s * s * s;
+    let edge = EdgeState { ends: [0.0, 4.0], weight: 4.0, pressure: 1.0 };
+    let all = nodes.map(|position| PointState { position, weight: 0.8, pressure: cubic(position), gap: 0.0 });
+    let part = |points| Part { points, edges: std::slice::from_ref(&edge), nodes: 5 };
+    for s in [0.0, 0.3, 1.1, 2.9, 4.0] {
+        assert_relative_eq!(nodal::pressure_at(part(&all), 4.0, s), cubic(s), max_relative = 1e-12);
+    }
+    assert_eq!(nodal::pressure_at(part(&all), 4.0, 4.1), 0.0);
+    // Open on the symmetry line: a straight line between points, and a stretch that does not begin there.
+    let mut open = all;
+    open[..2].iter_mut().for_each(|point| point.pressure = 0.0);
+    assert_relative_eq!(nodal::pressure_at(part(&open), 4.0, 1.3), 0.5 * cubic(2.0), max_relative = 1e-12);
+    let scene = Cylinder::default().scene();
+    let rooted = open.map(|point| PointState { pressure: (point.position - 1.5).max(0.0).sqrt(), ..point });
+    let begin = Measures::of(&scene, 0, part(&rooted)).stretches[0].begin;
+    assert_relative_eq!(begin, 1.5, max_relative = 1e-9);
+    assert_eq!(Measures::of(&scene, 0, part(&all)).stretches[0].begin, 0.0);
 }

@@ -66,7 +66,7 @@ pub struct Arguments {
     /// four digits, 8 for six.
     #[arg(long)]
     fitted: bool,
-    /// Relative error that peak and second-moment width may have, such as "0.1 %": chooses elements, growth and candidates of
+    /// Relative error that peak and half-width may have, such as "0.1 %": chooses elements, growth and candidates of
     /// 8-node cells.
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true)]
     accuracy: Option<String>,

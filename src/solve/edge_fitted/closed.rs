@@ -2,7 +2,7 @@
 
 use super::fitted::Fitted;
 use super::refused::{REMEDY, on_fitted};
-use super::root;
+use super::root::{self, Beyond};
 use crate::algorithm::Exact;
 use crate::contact::ContactPoint;
 use crate::error::{Error, Part};
@@ -65,10 +65,10 @@ impl Closed {
         Ok(made)
     }
 
-    /// How far each end shall move outwards, with all points between the ends closed and all others open.
+    /// How far each end shall move outwards, over the half-width of its stretch, with all points between the ends closed and all others open.
     ///
     /// By node elements, whatever is solved with after: the end is the mesh's, and others have more points than displacements can follow.
-    pub(super) fn moves(&self, made: &Discretisation) -> Result<Vec<Vec<[f64; 2]>>, Error> {
+    pub(super) fn moves(&self, made: &Discretisation) -> Result<Vec<Vec<[Beyond; 2]>>, Error> {
         let formulation = Formulation::verification();
         let points = made.points(&formulation);
         let problem = made.problem(&formulation, &points);
@@ -76,23 +76,23 @@ impl Closed {
         let refused = |what: &str| Error::at(made.scene.name.as_str(), what.to_string(), REMEDY);
         let iterate = Exact::bilateral(&problem, &closed)
             .ok_or_else(|| refused("the closed stretches do not hold the bodies"))?;
-        let at_end = |contact: usize, one: &Stretch, end: f64, inwards: f64| -> Result<f64, Error> {
+        let at_end = |contact: usize, one: &Stretch, end: f64, inwards: f64| -> Result<Beyond, Error> {
             let half_width = half_width(one);
             let own = points.iter().zip(&closed).zip(&iterate.pressure);
             let own = own.filter(|((point, closed), _)| **closed && point.contact == contact);
             let near: Vec<[f64; 2]> = own.map(|((point, _), p)| [(point.position - end) * inwards, *p]).collect();
             let moved = root::beyond(&near, half_width);
-            let moved = moved.map_err(|unfit| {
+            moved.map_err(|unfit| {
                 let pair = &made.scene.contacts[contact];
                 let message =
                     format!("the end of the contact at s = {} is not found: {unfit}", pair.path.reported(end));
                 Error::at(made.scene.place_of(contact, Part::Stretch), message, REMEDY)
-            })?;
-            Ok(moved / half_width)
+            })
         };
-        let of_stretch = |contact: usize, one: &Stretch| -> Result<[f64; 2], Error> {
-            let begin = if one.reaches[0] || !begins_within(one) { 0.0 } else { at_end(contact, one, one.begin, 1.0)? };
-            let end = if one.reaches[1] { 0.0 } else { at_end(contact, one, one.end, -1.0)? };
+        let of_stretch = |contact: usize, one: &Stretch| -> Result<[Beyond; 2], Error> {
+            let is_fixed = [one.reaches[0] || !begins_within(one), one.reaches[1]];
+            let begin = if is_fixed[0] { Beyond::default() } else { at_end(contact, one, one.begin, 1.0)? };
+            let end = if is_fixed[1] { Beyond::default() } else { at_end(contact, one, one.end, -1.0)? };
             Ok([begin, end])
         };
         let of_contact =
@@ -109,13 +109,13 @@ impl Closed {
     }
 
     /// Moves every end, given outwards over the half-width of its stretch; none beyond a symmetry line.
-    pub(super) fn moved(&mut self, scene: &Scene, moves: &[Vec<[f64; 2]>]) {
+    pub(super) fn moved(&mut self, scene: &Scene, moves: &[Vec<[Beyond; 2]>]) {
         for ((pair, stretches), moves) in scene.contacts.iter().zip(&mut self.stretches).zip(moves) {
             let least = if pair.path.has_both_sides() { f64::NEG_INFINITY } else { 0.0 };
             for (one, [begin, end]) in stretches.iter_mut().zip(moves) {
                 let half_width = half_width(one);
-                one.begin = (one.begin - begin * half_width).max(least);
-                one.end += end * half_width;
+                one.begin = (one.begin - begin.by * half_width).max(least);
+                one.end += end.by * half_width;
             }
         }
     }
@@ -131,6 +131,12 @@ fn places(stretches: &[Stretch]) -> Vec<f64> {
     let mut places: Vec<f64> = begins.chain(ends).collect();
     places.sort_by(f64::total_cmp);
     places
+}
+
+/// Largest distance between two readings of the ends of some stretches.
+pub(super) fn apart(stretches: &[Stretch], moves: &[[Beyond; 2]]) -> f64 {
+    let of = |(one, ends): (&Stretch, &[Beyond; 2])| half_width(one) * ends[0].apart.max(ends[1].apart);
+    stretches.iter().zip(moves).map(of).fold(0.0, f64::max)
 }
 
 /// Half its width, or all of it where it begins on a symmetry line.

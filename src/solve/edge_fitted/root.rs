@@ -15,6 +15,15 @@ const EACH: usize = 3;
 /// Most that an end moves at once, over the half-width.
 const FARTHEST: f64 = 0.5;
 
+/// How far an end lies beyond the place that was expected.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Beyond {
+    /// By the series of most terms.
+    pub(super) by: f64,
+    /// How far the series of one term less is from that.
+    pub(super) apart: f64,
+}
+
 /// Why an end is not found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Unfit {
@@ -36,12 +45,12 @@ impl fmt::Display for Unfit {
     }
 }
 
-/// How far the end lies beyond the expected one, from `[distance from that end, pressure]` of closed points.
+/// How far the end lies beyond the expected one, from `[distance from that end, pressure]` of closed points, both over the half-width.
 ///
 /// Closed up to a place e that is not the end, a frictionless contact has the pressure of a sharp corner,
 /// `p √d = A₀ + B₀ d + C₀ d² + …` at the distance d from e. At the end itself A₀, its stress intensity, vanishes. Where the end
 /// lies at e + δ, `p ∝ √(δ + d) = √d + δ/(2√d) + …`, so that `δ = 2 A₀/B₀`.
-pub(super) fn beyond(points: &[[f64; 2]], half_width: f64) -> Result<f64, Unfit> {
+pub(super) fn beyond(points: &[[f64; 2]], half_width: f64) -> Result<Beyond, Unfit> {
     let near = points.iter().filter(|[d, _]| *d > AT_END * half_width && *d <= NEAR * half_width);
     let near: Vec<[f64; 2]> = near.map(|[d, p]| [d / half_width, *p]).collect();
     if near.len() < TERMS[0] {
@@ -49,10 +58,16 @@ pub(super) fn beyond(points: &[[f64; 2]], half_width: f64) -> Result<f64, Unfit>
     }
     let [least, most] = TERMS;
     let terms = (near.len() / EACH).clamp(least, most);
+    let [delta, other] = [by_series(&near, terms)?, by_series(&near, terms - 1)?];
+    Ok(Beyond { by: delta.clamp(-FARTHEST, FARTHEST), apart: (delta - other).abs() })
+}
+
+/// `δ = 2 A₀/B₀` of the series of so many terms, in half-widths.
+fn by_series(near: &[[f64; 2]], terms: usize) -> Result<f64, Unfit> {
     let powers = DMatrix::from_fn(near.len(), terms, |row, k| near[row][0].powi(k as i32));
     let rooted = DVector::from_fn(near.len(), |row, _| near[row][1] * near[row][0].sqrt());
     let series = powers.svd(true, true).solve(&rooted, f64::EPSILON).map_err(|_| Unfit::Rising)?;
     let delta = 2.0 * series[0] / series[1];
     let falls = series[1] > 0.0 && delta.is_finite();
-    if falls { Ok(half_width * delta.clamp(-FARTHEST, FARTHEST)) } else { Err(Unfit::Rising) }
+    if falls { Ok(delta) } else { Err(Unfit::Rising) }
 }

@@ -40,7 +40,7 @@ impl Answer {
     ///
     /// Where a first mesh takes two stretches for one, or one that begins away from a symmetry line for one that begins on it, the
     /// fitted mesh has no line where the contact ends.
-    fn is_where_it_was_sought(&self) -> bool {
+    pub fn is_where_it_was_sought(&self) -> bool {
         self.stretches.iter().enumerate().all(|(contact, stretches)| {
             let (mut open, mut within, mut outside, mut force) = (0.0, 0.0, 0.0, 0.0);
             for point in self.run.solution.points_of(contact) {
@@ -115,7 +115,7 @@ impl Fitted {
             for _ in 0..MESHES {
                 let discretisation = ends.discretised(scene, mesh)?;
                 let moves = ends.moves(&discretisation)?;
-                let moved = moves.iter().flatten().flatten().fold(0.0_f64, |most, delta| most.max(delta.abs()));
+                let moved = moves.iter().flatten().flatten().fold(0.0_f64, |most, one| most.max(one.by.abs()));
                 let (dofs, cells) = (discretisation.system.dofs(), discretisation.mesh.cells());
                 tried.push(Tried { order: mesh.order, dofs, cells, moved });
                 let resting = moved <= enough;

@@ -3,7 +3,7 @@
 //! Read from pressures alone, as on any mesh, an end is ten times less accurate than the line that was laid on it, on cells of order 5 and
 //! more: on those of order 4 the series near the end is as rough.
 
-use super::closed::Closed;
+use super::closed::{Closed, apart};
 use crate::measure::{Measures, Stretch};
 use crate::mesh::Order;
 use crate::solve::Discretisation;
@@ -27,7 +27,8 @@ pub(in crate::solve) fn of_lines(discretisation: &Discretisation, measures: &mut
     let mut closed = Closed { stretches };
     let Ok(moves) = closed.moves(discretisation) else { return };
     closed.moved(&discretisation.scene, &moves);
-    for (own, stretches) in measures.iter_mut().zip(closed.stretches) {
+    for ((own, stretches), moves) in measures.iter_mut().zip(closed.stretches).zip(&moves) {
+        own.ends_apart = apart(&stretches, moves);
         own.stretches = stretches;
     }
 }

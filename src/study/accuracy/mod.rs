@@ -27,5 +27,5 @@ pub use subject::{Subject, closed_form, error};
 pub const ABOUT: About = About {
     title: "An accuracy asked for instead of a mesh",
     asked: "What an accuracy costs that is asked for, beside a mesh made by hand.",
-    limits: "Peak pressure and second-moment width; other numbers have bars, but are not asked for.",
+    limits: "Peak pressure and second-moment width, which meshes made by hand are chosen by; `--accuracy` alone asks for the half-width instead.",
 };

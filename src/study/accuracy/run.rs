@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::accuracy::{self, Answer, Asked};
+use crate::accuracy::{self, Answer, Asked, Quantity};
 use crate::error::Error;
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::accuracy::by_hand::{ByHand, Price, truth};
@@ -33,7 +33,8 @@ pub struct Numbers {
 pub fn numbers(subject: Subject, asked: f64, by_hand: ByHand) -> Result<Numbers, Error> {
     let case = subject.loaded(1.0);
     let plain = Formulation::new(Element::Node, Iteration::Kinematic);
-    let answer = accuracy::solve(&case.scene, &plain, &Asked::new(asked))?;
+    let quantities = vec![Quantity::PeakPressure, Quantity::SecondMomentWidth];
+    let answer = accuracy::solve(&case.scene, &plain, &Asked { quantities, ..Asked::new(asked) })?;
     Ok(Numbers::of(&answer, asked, [closed_form(&case), truth(subject)?], by_hand.price(subject)?))
 }
 

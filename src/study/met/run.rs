@@ -39,11 +39,11 @@ pub struct Record {
     pub asked: f64,
     /// Whether it is said to be met.
     pub met: bool,
-    /// Estimated relative error, the larger one of peak and second-moment width; NaN where there is none.
+    /// Estimated relative error, the larger one of peak and half-width; NaN where there is none.
     pub estimate: f64,
     /// Relative error of the peak, with sign; the larger one of several contacts.
     pub peak: f64,
-    /// Relative error of the second-moment width, with sign.
+    /// Relative error of the half-width, with sign.
     pub half_width: f64,
     /// Degrees of freedom of the mesh answered.
     pub dofs: usize,
@@ -74,7 +74,7 @@ impl Record {
         }
     }
 
-    /// The larger error of peak and second-moment width; NaN where either is.
+    /// The larger error of peak and half-width; NaN where either is.
     pub fn error(&self) -> f64 {
         larger(self.peak.abs(), self.half_width.abs())
     }

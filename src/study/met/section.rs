@@ -26,7 +26,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     Ok(format!(
         "The random scenes of *Whether error bars hold*, but for flat punches and polygons, whose peak has no limit; such scenes with a coarse mesh \
          given for the body, its inner nodes shaken, and two of them in one, whatever their sizes. Size, material, load and the guess of the candidate stretch, {shortest} to {longest} times the contact, are drawn. The error is \
-         the larger one of peak pressure and second-moment width against the truth, over both contacts. `cargo run --release -- met` renews the record; the \
+         the larger one of peak pressure and half-width against the truth, over both contacts. `cargo run --release -- met` renews the record; the \
          report recomputes a part of it.\n\n{}\n",
         markdown::table(&HEAD.map(String::from), &rows)
     ))

@@ -32,16 +32,17 @@ impl Sample {
     pub fn of<const N: usize>(scene: Scene, truths: [(Quantity, f64); N]) -> Self {
         let truth = |(quantity, value)| Truth { subject: Subject::Contact(0, quantity), value };
         let sample = Self { scene, truths: truths.map(truth).into(), fewest: 0.0 };
-        // Half of what lies between the first begin and the last end; where the contact begins on a symmetry line, that is its end.
-        let begin = sample.truth(0, Quantity::Begin(0));
-        let ends = (0..N).map(|k| sample.truth(0, Quantity::End(k))).filter(|end| end.is_finite());
-        let end = ends.reduce(f64::max).unwrap_or(f64::NAN);
-        let half_width = 0.5 * (end - begin);
-        if half_width.is_nan() || begin.is_nan() {
-            sample
-        } else {
-            sample.with(Subject::Contact(0, Quantity::HalfWidth), half_width)
-        }
+        let half_width = sample.half_width(0);
+        if half_width.is_nan() { sample } else { sample.with(Subject::Contact(0, Quantity::HalfWidth), half_width) }
+    }
+
+    /// Half of what lies between where a contact begins and ends; NaN where the closed form does not say.
+    fn half_width(&self, contact: usize) -> f64 {
+        let end = self.end(contact);
+        let begin = self.truth(contact, Quantity::Begin(0));
+        let on_symmetry_line = begin.is_nan() && !self.scene.contacts[contact].path.has_both_sides();
+        let begin = if on_symmetry_line { -end } else { begin };
+        0.5 * (end - begin)
     }
 
     /// The same with the force of a support of a body \[N\].
@@ -101,6 +102,10 @@ impl Sample {
     /// The true value of a number of a contact; NaN where the closed form does not say.
     pub fn truth(&self, contact: usize, quantity: Quantity) -> f64 {
         let subject = Subject::Contact(contact, quantity);
-        self.truths.iter().find(|truth| truth.subject == subject).map_or(f64::NAN, |truth| truth.value)
+        let known = self.truths.iter().find(|truth| truth.subject == subject).map(|truth| truth.value);
+        match quantity {
+            Quantity::HalfWidth => known.unwrap_or_else(|| self.half_width(contact)),
+            _ => known.unwrap_or(f64::NAN),
+        }
     }
 }
