@@ -56,15 +56,15 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// What its bar must stay below to say anything: the number itself; of what may vanish, as places, centres, moments, reactions and
-    /// displacements do, its scale. A depth is told within whatever lies between where the stress comes near its largest.
+    /// What its bar must stay below to say anything: the number itself; of what may vanish, as ends, centres, moments, reactions and
+    /// displacements do, its scale. Where a maximum lies is told within whatever it may be: where values come near the largest.
     pub(super) fn size(&self) -> f64 {
         use Quantity::{HalfWidth, PeakPressure, Resultant, SecondMomentWidth};
         match self.subject {
             Subject::Contact(_, PeakPressure | HalfWidth | SecondMomentWidth | Resultant) | Subject::Shear(..) => {
                 self.value.abs()
             }
-            Subject::ShearDepth(..) => f64::INFINITY,
+            Subject::Contact(_, Quantity::PeakPlace) | Subject::ShearDepth(..) => f64::INFINITY,
             _ => self.scale.abs(),
         }
     }
