@@ -178,7 +178,8 @@ def peak(place, pressure, area, half_width):
     even = top < 0.3 * half_width
     powers, centre, reach = ([0, 2, 4, 6], 0.0, 0.5) if even else (range(6), top, 0.25)
     t = (place - centre) / half_width
-    near = np.abs(t.mean(axis=1)) < max(reach, np.sort(np.abs(t.mean(axis=1)))[len(powers)])
+    # Two edges as far to either side are both in or both out, whatever rounding makes of them.
+    near = np.abs(t.mean(axis=1)) < max(reach, np.sort(np.abs(t.mean(axis=1)))[len(powers)]) * (1.0 - 1e-9)
     terms = np.array([(area * t**k).sum(axis=1) / weight for k in powers]).T
     root = np.sqrt(weight[near])
     found = np.linalg.lstsq(root[:, None] * terms[near], root * means[near], rcond=None)[0]
