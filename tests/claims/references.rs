@@ -60,7 +60,10 @@ fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
         spoil(other.known.iter_mut().find(|(one, _)| one.measured == Measured::SecondMomentWidth).expect("measured"));
         failed(&other)
     };
-    assert_eq!(spoiled(|(one, _)| one.bound = 2e-5 * one.scale), ["relative bound of a reference answer, second-moment-width"]);
+    assert_eq!(
+        spoiled(|(one, _)| one.bound = 2e-5 * one.scale),
+        ["relative bound of a reference answer, second-moment-width"]
+    );
     assert_eq!(spoiled(|(one, _)| one.bound = f64::NAN), ["relative bound of a reference answer, second-moment-width"]);
     let off = "difference of 8-node cells over what both may be off, second-moment-width";
     assert_eq!(spoiled(|(one, eight)| *eight = Some([1.01 * one.value, 1e-3 * one.value])), [off]);
