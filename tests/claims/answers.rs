@@ -51,6 +51,23 @@ fn line_of_a_check_carries_its_numbers_its_verdict_and_why_it_failed() {
 }
 
 #[test]
+fn every_contact_is_read_beside_its_own_oracle() {
+    let (_, document, _) = contact_vv(&["solve", &scene("roller-between-plates"), "--json", "-"]);
+    let solved: Value = serde_json::from_str(&document).expect("JSON");
+    let named: Vec<&str> =
+        solved["contacts"].as_array().expect("contacts").iter().filter_map(|one| one["name"].as_str()).collect();
+    let oracles = solved["oracles"].as_array().expect("oracles");
+    assert_eq!(named.len(), 2, "{solved}");
+    for contact in named {
+        let own: Vec<&Value> = oracles.iter().filter(|one| one["contact"] == contact).collect();
+        assert!(
+            own.len() >= 4 && own.iter().all(|one| one["error"].as_f64().is_some_and(|error| error < 0.05)),
+            "{contact}: {own:?}"
+        );
+    }
+}
+
+#[test]
 fn angles_are_told_in_degrees_where_they_are_given_in_degrees() {
     let folder = tempfile::tempdir().expect("a folder");
     let csv = folder.path().join("p.csv").display().to_string();

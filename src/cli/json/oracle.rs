@@ -5,13 +5,15 @@ use serde::Serialize;
 
 use crate::case::{Case, Reference};
 use crate::oracle::{Quantity, ReferenceKind};
-use crate::solve::Run;
+use crate::solve::run::{Contact, Run};
 
 use super::Number;
 
 /// What an oracle says of a quantity, and how far the run is from it.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct OracleReading {
+    /// Contact that it is of.
+    pub contact: String,
     /// Name of the oracle.
     pub name: String,
     /// What kind of truth it is.
@@ -53,23 +55,28 @@ impl Read {
     }
 }
 
-/// Readings of the problem's oracle for the quantities it knows, each beside the same quantity of the run.
+/// Readings of the oracle of each contact for the quantities it knows, each beside the same quantity of the run.
 pub fn readings(problem: &Case, run: &Run) -> Vec<OracleReading> {
-    let Some(oracle) = problem.oracle() else { return Vec::new() };
+    (0..run.contacts.len()).flat_map(|contact| of_contact(problem, run, contact)).collect()
+}
+
+fn of_contact(problem: &Case, run: &Run, contact: usize) -> Vec<OracleReading> {
+    let Some(oracle) = problem.oracle_of(contact) else { return Vec::new() };
     let read = |quantity| Reference::read(oracle.as_ref(), quantity).value;
     let resultant = read(Quantity::Resultant) * problem.scene.thickness;
-    let measures = run.measures();
-    let edge = if problem.scene.contact().path.is_straight() { Quantity::HalfWidth } else { Quantity::ContactAngle };
+    let (pair, Contact { measures, transmitted, .. }) = (&problem.scene.contacts[contact], &run.contacts[contact]);
+    let edge = if pair.path.is_straight() { Quantity::HalfWidth } else { Quantity::ContactAngle };
     let all = [
         (Read::HalfWidth, measures.half_width(), read(edge)),
         (Read::SecondMomentWidth, measures.second_moment_width, read(Quantity::SecondMoment)),
         (Read::PeakPressure, measures.peak.pressure, read(Quantity::PeakPressure)),
         (Read::PressureAtZero, measures.pressure_at_origin, read(Quantity::Pressure { at: 0.0 })),
-        (Read::Resultant, run.transmitted(), resultant),
+        (Read::Resultant, *transmitted, resultant),
     ];
     all.into_iter()
         .filter(|(_, _, reference)| reference.is_finite())
         .map(|(quantity, value, reference)| OracleReading {
+            contact: pair.name.clone(),
             name: oracle.name().into(),
             kind: oracle.kind(),
             quantity,

@@ -33,21 +33,23 @@ pub fn print(found: &Found) {
     for check in checks {
         say(verify::told("check", check));
     }
-    oracle::readings(problem, run).iter().for_each(|oracle| say(of_oracle(problem.scene.contact(), oracle)));
+    oracle::readings(problem, run).iter().for_each(|oracle| say(of_oracle(&problem.scene.contacts, oracle)));
     found.notes().iter().for_each(|note| say(format!("note: {note}")));
 }
 
-/// What an oracle says of a quantity of the first contact, and how far the run is from it.
-fn of_oracle(pair: &ContactPair, oracle: &OracleReading) -> String {
-    let OracleReading { name, kind, quantity, reference, error } = oracle;
-    let (unit, factor) = match quantity {
-        Read::HalfWidth | Read::SecondMomentWidth if pair.path.is_straight() => ("mm", 1.0),
-        Read::HalfWidth | Read::SecondMomentWidth => ("°", display_factor(&pair.path)),
-        Read::PeakPressure | Read::PressureAtZero => ("MPa", 1.0),
-        Read::Resultant => ("N", 1.0),
+/// What an oracle says of a quantity of its contact, and how far the run is from it.
+fn of_oracle(contacts: &[ContactPair], oracle: &OracleReading) -> String {
+    let OracleReading { contact, name, kind, quantity, reference, error } = oracle;
+    let arc = contacts.iter().find(|pair| pair.name == *contact && !pair.path.is_straight());
+    let (unit, factor) = match (quantity, arc) {
+        (Read::HalfWidth | Read::SecondMomentWidth, None) => ("mm", 1.0),
+        (Read::HalfWidth | Read::SecondMomentWidth, Some(pair)) => ("°", display_factor(&pair.path)),
+        (Read::PeakPressure | Read::PressureAtZero, _) => ("MPa", 1.0),
+        (Read::Resultant, _) => ("N", 1.0),
     };
+    let of = if contacts.len() > 1 { format!("contact `{contact}`: ") } else { String::new() };
     let (reference, error) = (markdown::value(factor * reference.value()), markdown::error(error.value()));
-    format!("{name} ({kind}) {}: {reference} {unit}, error {error}", quantity.name())
+    format!("{of}{name} ({kind}) {}: {reference} {unit}, error {error}", quantity.name())
 }
 
 /// By what it was solved, how it ended, and what that took.
