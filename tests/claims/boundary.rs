@@ -10,7 +10,7 @@ use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::oracle::analytic::punch::FlatPunch;
 use contact_vv::oracle::analytic::waves::Waves;
 use contact_vv::oracle::boundary::elements::Elements;
-use contact_vv::oracle::boundary::{HalfPlane, Ring};
+use contact_vv::oracle::boundary::{HalfPlane, Ring, Strip};
 use contact_vv::scene::{MonotoneCubic, Profile};
 use contact_vv::study::met::run::record;
 use contact_vv::study::random::{Family, Site};
@@ -282,9 +282,43 @@ fn truths_of_drawn_gaps_are_what_fine_meshes_converge_to() {
         (Family::Ripple, 90002),
         (Family::Blocks, 90002),
         (Family::Ring, 90010),
+        (Family::Layer, 90002),
+        (Family::Layer, 90003),
+        (Family::Row, 90002),
     ] {
         let site = Site { family, number };
         let found = record(&site, 3e-3, &site.sample().expect("a scene")).expect("solved");
         assert!(found.error() <= 1.5e-3, "{}: {found:?}", family.name());
     }
+}
+
+#[test]
+fn rows_are_westergaards_waves_and_deep_layers_hertz() {
+    let (modulus, amplitude, wavelength) = (2.1e5, 1e-3, 4.0);
+    for half_width in [0.2, 0.9, 1.7] {
+        let profile = Profile::Cosine { amplitude, wavelength };
+        let found = Strip::Row(wavelength).pressed(modulus, &profile, half_width, 2.0).expect("a contact");
+        let waves = Waves { modulus, amplitude, wavelength, mean: found.load() / wavelength };
+        assert_relative_eq!(waves.half_width(), half_width, max_relative = PROMISED);
+        assert_relative_eq!(waves.pressure(0.0), found.peak()[0], max_relative = PROMISED);
+        assert_relative_eq!(waves.second_moment(), found.second_moment(), max_relative = PROMISED);
+    }
+    let profile = Profile::Parabola { radius: 100.0 };
+    let hertz = Hertz { load: Hertz::load_for(1.0, 100.0, modulus), radius: 100.0, modulus };
+    for strip in [Strip::Sliding(3e3), Strip::Bonded(3e3, 0.3)] {
+        let found = strip.pressed(modulus, &profile, 1.0, 10.0).expect("a contact");
+        assert_relative_eq!(found.peak()[0], hertz.peak_pressure(), max_relative = 1e-6);
+        assert_relative_eq!(found.load(), hertz.load, max_relative = 1e-6);
+    }
+}
+
+#[test]
+fn a_thin_layer_is_a_row_of_springs() {
+    // p = E* (d − s²/2R)/h, but for the last few h before the end of the contact: at ten layers from there nothing is left of it.
+    let (modulus, radius, thickness) = (2.1e5, 1e3, 0.1);
+    let profile = Profile::Parabola { radius };
+    let found = Strip::Sliding(thickness).pressed(modulus, &profile, 1.0, 2.0).expect("a contact");
+    assert_relative_eq!(found.peak()[0], modulus * found.approach / thickness, max_relative = 1e-9);
+    let beside = found.pressure(0.95) * thickness / modulus - found.approach + 0.95 * 0.95 / (2.0 * radius);
+    assert!(beside.abs() > 1e-3 * found.approach, "near its end it is not: {beside}");
 }

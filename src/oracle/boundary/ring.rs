@@ -148,8 +148,8 @@ fn moments(sine: f64) -> Vec<Vec<f64>> {
     all
 }
 
-/// `∫ p ln 2|cos θ − cos φ| dφ` over half of the contact, of a polynomial at y; `y > 1` beyond it.
-fn logarithm(k: usize, y: f64, sine: f64) -> f64 {
+/// `∫₀^π sin ψ sin (2k + 1)ψ ln|y − cos ψ| dψ`; `y > 1` beyond the contact.
+pub(super) fn under_logarithm(k: usize, y: f64) -> f64 {
     // ∫₀^π cos mψ ln|y − cos ψ| dψ = −(π/m) T_m(y), of which beyond the contact e^{−mη} is left.
     let cosine = |m: f64| if y <= 1.0 { (m * y.acos()).cos() } else { (-m * y.acosh()).exp() };
     let integral = |m: usize| match m {
@@ -157,9 +157,13 @@ fn logarithm(k: usize, y: f64, sine: f64) -> f64 {
         0 => PI * (y.acosh() - LN_2),
         _ => -PI / m as f64 * cosine(m as f64),
     };
-    let own = 0.5 * (integral(2 * k) - integral(2 * k + 2));
+    0.5 * (integral(2 * k) - integral(2 * k + 2))
+}
+
+/// `∫ p ln 2|cos θ − cos φ| dφ` over half of the contact, of a polynomial at y; `y > 1` beyond it.
+fn logarithm(k: usize, y: f64, sine: f64) -> f64 {
     let weight = if k == 0 { 0.25 * PI } else { 0.0 };
-    2.0 * sine * (own + weight * (4.0 * sine * sine).ln())
+    2.0 * sine * (under_logarithm(k, y) + weight * (4.0 * sine * sine).ln())
 }
 
 impl OnPin {

@@ -8,7 +8,7 @@ pub const ASKED: [f64; 5] = [3e-2, 1e-2, 3e-3, 1e-3, 3e-4];
 pub const EVENLY: [Family; 2] = [Family::Mesh, Family::Pair];
 /// Scenes of each of these.
 const EACH: usize = 20;
-/// Scenes of each family of drawn gaps, whose sharp tops take large meshes.
+/// Scenes of each family of drawn gaps: sharp tops take large meshes.
 const DRAWN: usize = 30;
 /// Scenes of each other family.
 const OTHERS: usize = 90;
@@ -24,6 +24,7 @@ pub fn sites() -> Vec<Site> {
     let each = |family: Family| match family {
         Family::Mesh | Family::Pair => EACH,
         Family::Power | Family::Flat | Family::Skew | Family::Hump | Family::Ripple | Family::Blocks => DRAWN,
+        Family::Layer | Family::Row => DRAWN,
         _ => OTHERS,
     };
     families().flat_map(|family| unseen::of(family).take(each(family))).collect()

@@ -48,6 +48,10 @@ pub enum Family {
     Blocks,
     /// Elastic rings on rigid pins.
     Ring,
+    /// Layers on rigid profiles, sliding on their base or bonded to it.
+    Layer,
+    /// One of a row of contacts.
+    Row,
 }
 
 /// A scene of a family.
@@ -91,6 +95,8 @@ impl Family {
             Self::Kink => "kink",
             Self::Blocks => "blocks",
             Self::Ring => "ring",
+            Self::Layer => "layer",
+            Self::Row => "row",
         }
     }
 
@@ -118,6 +124,8 @@ impl Family {
             Self::Kink => "polygon on a block",
             Self::Blocks => "two blocks of different moduli",
             Self::Ring => "ring on a rigid pin",
+            Self::Layer => "layer, sliding or bonded",
+            Self::Row => "row of contacts",
         }
     }
 }

@@ -8,6 +8,7 @@
 //! * `pressed` — blocks cut out of the half-plane that they press.
 //! * `half_plane` — what the stresses below them say.
 //! * `round` — cylinders, pins and rings.
+//! * `strips` — layers and rows.
 //! * [`unseen`] — scenes that bars and accuracies are tested with.
 //! * `scenes` — a scene of each family; such scenes with a coarse mesh given, and two of them in one.
 //!
@@ -25,6 +26,7 @@ mod pressed;
 mod round;
 pub mod sample;
 mod scenes;
+mod strips;
 pub mod unseen;
 
 pub use draw::Draw;

@@ -11,7 +11,7 @@ use crate::solve::Displaced;
 use crate::study::random::draw::Draw;
 use crate::study::random::family::{Family, Site};
 use crate::study::random::sample::{GUESS, Sample, Truth};
-use crate::study::random::{blocks, gaps, round};
+use crate::study::random::{blocks, gaps, round, strips};
 
 impl Site {
     /// The scene.
@@ -49,6 +49,8 @@ impl Family {
             Self::Kink => gaps::kink(draw, material, guess, number),
             Self::Blocks => gaps::blocks(draw, material, guess, number),
             Self::Ring => round::ring(draw, material, guess),
+            Self::Layer => strips::layer(draw, material, guess, number),
+            Self::Row => strips::row(draw, material, guess),
         })
     }
 }

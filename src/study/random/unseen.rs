@@ -7,7 +7,7 @@ pub const EACH: usize = 200;
 /// Number of the first one: from scenes of lower numbers the constants of the bars were chosen.
 pub const FIRST: usize = 90_000;
 /// Families with one contact and a mesh made here.
-pub const FAMILIES: [Family; 19] = [
+pub const FAMILIES: [Family; 21] = [
     Family::Hertz,
     Family::Polynomial,
     Family::Wedge,
@@ -27,9 +27,12 @@ pub const FAMILIES: [Family; 19] = [
     Family::Kink,
     Family::Blocks,
     Family::Ring,
+    Family::Layer,
+    Family::Row,
 ];
 
-/// Families whose bars are judged; of the others, any gap with its truth by the boundary method or a series, it is reported how many hold.
+/// Families of smooth tops, of which every bar is judged; of the others, any gap with its truth by the boundary method or a series, those that
+/// are told.
 pub const JUDGED: [Family; 11] = [
     Family::Hertz,
     Family::Polynomial,
