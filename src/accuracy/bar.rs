@@ -13,7 +13,7 @@
 //!
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
-use crate::accuracy::family::Family;
+use crate::accuracy::family::{Family, discrete_of};
 use crate::accuracy::reading::{self, Quantity, Reading, Subject, of_discrete, value_of};
 use crate::accuracy::recovered::{Recovered, recovered};
 use crate::algorithm::StiffnessRule;
@@ -81,12 +81,13 @@ pub struct Bars {
 impl Barred {
     /// A number as the iteration left it, the mesh's part of its bar, and its value where the iteration should end, and in the
     /// discrete solution.
-    fn of(reading: &Reading, mesh: f64, [ended, discrete]: [f64; 2], family: &Family) -> Self {
+    fn of(reading: &Reading, mesh: f64, [ended, discrete]: [f64; 2], (run, family): (&Run, &Family)) -> Self {
+        let measures = discrete_of(run, reading.subject.contact());
         let bar = Bar { mesh, iteration: (reading.value - ended).abs(), penalty: (ended - discrete).abs() };
         let one = Self { subject: reading.subject.clone(), value: reading.value, bar, unknown: None };
         match () {
             _ if (bar.iteration + bar.penalty).is_nan() => Self { unknown: Some(NOT_FOUND), ..one },
-            _ if mesh.is_nan() => Self { unknown: Some(family.why_unknown()), ..one },
+            _ if mesh.is_nan() => Self { unknown: Some(family.why_unknown(&reading.subject, measures)), ..one },
             // It says nothing.
             _ if bar.total() > reading.size() => {
                 Self { unknown: Some(TOO_WIDE), bar: Bar { mesh: f64::NAN, ..bar }, ..one }
@@ -148,6 +149,9 @@ fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> 
     let one = |reading: &Reading| {
         let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, &reading.subject));
         let mesh = match reading.subject {
+            Subject::Contact(contact, Quantity::PeakPlace) if family.rises_to_end(discrete_of(run, contact)) => {
+                family.mesh(run, reading, discrete) + 2.0 * family.sizes[contact]
+            }
             Subject::Contact(contact, Quantity::PeakPlace) if !family.is_at_end(run, contact) => {
                 family.mesh(run, reading, discrete) + flat(contact)
             }
@@ -156,7 +160,7 @@ fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> 
                 least => larger(family.mesh(run, reading, discrete), least.unwrap_or(0.0)),
             },
         };
-        let barred = Barred::of(reading, mesh, [ended, discrete], family);
+        let barred = Barred::of(reading, mesh, [ended, discrete], (run, family));
         let value = if is_unbounded(run, &reading.subject) { f64::NAN } else { reading.value };
         Barred { value, ..barred }
     };
@@ -219,7 +223,7 @@ fn of_displacements(
             Subject::ShearDepth(contact, body) => family.mesh(run, reading, discrete) + flat(contact, body),
             _ => family.mesh(run, reading, discrete),
         };
-        Barred::of(reading, mesh, [ended, discrete], family)
+        Barred::of(reading, mesh, [ended, discrete], (run, family))
     };
     Ok(readings.iter().map(one).collect())
 }

@@ -2,7 +2,7 @@
 //!
 //! `u = F max |f₀ − fᵢ| / (rᵢ^q − 1) + C (h/a)^s + D`: the finest value f₀, those of meshes of the sizes `rᵢ h`, the part C that
 //! the end of a contact may hide, as it lies somewhere within an element of each mesh and all of them may agree by accident, and
-//! of a peak how far two readings of it are apart on the mesh itself.
+//! of a peak how far two readings of it are apart on the mesh itself, and what a top narrower than its elements hides (`family`).
 //!
 //! The numbers were chosen on random scenes of closed form for the narrowest bars that hold in each of their families, and that no
 //! error is far beyond; the study *coverage* tests them on others. q is no claim of an order: pressures at the points of line and

@@ -23,6 +23,11 @@ const READINGS: f64 = 1.8;
 const SERIES: (f64, f64) = (2.0, 4e-5);
 const LAYERS: usize = 3;
 const LEFT: f64 = 1.0 / 3.0;
+/// What a fourth difference of one at the top of the pressure may hide: of the peak and of the largest shear stress over themselves, of an
+/// end and of the second-moment width over an element.
+const UNDRAWN: [f64; 4] = [0.2, 0.3, 0.6, 0.05];
+/// Fourth difference from which on a top in the last edge of its stretch is not told, by node elements one edge farther.
+const RISES: f64 = 1.0;
 /// Largest pressure at a node over the peak that consistent nodal pressures of smooth contacts show: those of corners and middles of
 /// 3-node edges differ by 0.5 % on four elements.
 const ALTERNATES: f64 = 1.01;
@@ -98,8 +103,12 @@ impl Family {
     }
 
     /// Why they do not tell the mesh's part of a number.
-    pub(super) fn why_unknown(&self) -> &'static str {
+    pub(super) fn why_unknown(&self, subject: &Subject, measures: &Measures) -> &'static str {
+        let is_largest = matches!(subject, Subject::Contact(_, Quantity::PeakPressure) | Subject::Shear(..));
         match () {
+            _ if is_largest && self.rises_to_end(measures) => {
+                "the pressure rises up to the last element of the contact"
+            }
             _ if self.shallow => "a body is one element deep",
             _ if self.coarse.is_empty() => "no coarser mesh of this scene holds the contact",
             _ => "no coarser mesh has this number",
@@ -146,7 +155,7 @@ impl Family {
         let subject = &reading.subject;
         let contact = subject.contact();
         let measures = discrete_of(run, contact);
-        let ends_at_candidates = measures.stretches.iter().any(|stretch| stretch.reaches.contains(&true));
+        let ends_at_candidates = fills_candidates(measures);
         let counted = Counted::of(subject, self.formulation.element, self.order, ends_at_candidates);
         let along = |other: &Other| other.sizes[contact] / self.sizes[contact];
         // Where all of the mesh counts alike, and not the elements at the end of a contact, cells tell how much coarser it is:
@@ -210,6 +219,7 @@ impl Family {
             }
             _ => [reading.scale, 0.0],
         };
+        let read = read + self.undrawn(subject, reading.value, contact, measures);
         factor * known.into_iter().fold(0.0, f64::max) + (hidden + ROUND_OFF) * scale.abs() + read
     }
 
@@ -231,6 +241,31 @@ impl Family {
         let (factor, missed) = SERIES;
         let missed = missed * LEFT.powi(self.layers.saturating_sub(LAYERS) as i32);
         if self.on_ends { factor * measures.ends_apart + missed * measures.half_width() } else { 0.0 }
+    }
+
+    /// What elements too wide to draw the top hide in a number, on this mesh and on all coarser ones alike; NaN where the pressure rises up
+    /// to the end, so that its largest value lies in the last element.
+    fn undrawn(&self, subject: &Subject, value: f64, contact: usize, measures: &Measures) -> f64 {
+        use Quantity::{Begin, End, HalfWidth, PeakPressure, SecondMomentWidth};
+        if self.on_ends || self.order > Order::Quadratic || fills_candidates(measures) {
+            return 0.0;
+        }
+        let [peak, shear, end, width] = UNDRAWN.map(|part| part * measures.drawn.rough);
+        let rises = if self.rises_to_end(measures) { f64::NAN } else { 0.0 };
+        match subject {
+            Subject::Contact(_, PeakPressure) => peak * measures.peak.pressure + rises,
+            Subject::Shear(..) => shear * value.abs() + rises,
+            Subject::Contact(_, HalfWidth | Begin(_) | End(_)) => end * self.sizes[contact],
+            Subject::Contact(_, SecondMomentWidth) => width * self.sizes[contact],
+            _ => 0.0,
+        }
+    }
+
+    /// Whether the pressure rises up to the last element of the contact.
+    pub(super) fn rises_to_end(&self, measures: &Measures) -> bool {
+        let within = if self.formulation.element == Element::Node { 1 } else { 0 };
+        let draws = !self.on_ends && self.order <= Order::Quadratic && !fills_candidates(measures);
+        draws && measures.drawn.rough > RISES && measures.drawn.from_end <= within
     }
 
     /// By how much a node stands above the peak, beyond what alternates \[MPa\].
@@ -266,8 +301,13 @@ fn width_of(subject: &Subject, measures: &Measures) -> f64 {
     }
 }
 
+/// Whether a stretch goes on to its outermost candidate.
+fn fills_candidates(measures: &Measures) -> bool {
+    measures.stretches.iter().any(|stretch| stretch.reaches.contains(&true))
+}
+
 /// The measures of a contact wherever the iteration ended.
-fn discrete_of(run: &Run, contact: usize) -> &Measures {
+pub(super) fn discrete_of(run: &Run, contact: usize) -> &Measures {
     match &run.contacts[contact].exact {
         Some([_, discrete]) => discrete,
         None => &run.contacts[contact].measures,

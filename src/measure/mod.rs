@@ -33,7 +33,7 @@ use crate::scene::{ContactPair, Path, Scene};
 use crate::solution::Part;
 
 pub use crate::solution::{larger, largest};
-pub use peak::Peak;
+pub use peak::{Drawn, Peak};
 pub use stretch::Stretch;
 
 /// Measures of the pressures of one contact.
@@ -60,6 +60,9 @@ pub struct Measures {
     /// The same read by a parabola through the highest means, or by a quartic through the five highest points \[MPa\].
     #[serde(skip)]
     pub peak_by_parabola: f64,
+    /// How well the elements draw the top.
+    #[serde(skip)]
+    pub drawn: Drawn,
     /// Pressure at s = 0 \[MPa\].
     pub pressure_at_origin: f64,
     /// The largest pressure of a contact point.
@@ -102,6 +105,7 @@ impl Measures {
             ends_apart: 0.0,
             peak: if across { peak } else { Peak { position: peak.position.abs(), ..peak } },
             peak_by_parabola: through_points,
+            drawn: peak::drawn(edges, floor),
             pressure_at_origin: at_origin,
             largest: Peak { position: at, pressure: largest },
             resultant: whole(pair) * profile::resultant(points, &pair.path),

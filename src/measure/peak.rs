@@ -103,8 +103,7 @@ pub fn pressure_at(edges: &[EdgeState], place: f64) -> f64 {
 /// Neighbouring edges two by two, each with the one after it, and with their images where the contact begins on a symmetry
 /// line, s = 0; a single edge stays alone.
 fn pairs(edges: &[EdgeState]) -> Vec<EdgeState> {
-    let on_one_side = edges.first().zip(edges.last()).is_some_and(|(a, b)| a.ends[0].abs() <= ROUNDING * b.ends[1]);
-    let images = if on_one_side { edges.iter().rev().map(EdgeState::mirrored).collect() } else { Vec::new() };
+    let images = if on_one_side(edges) { edges.iter().rev().map(EdgeState::mirrored).collect() } else { Vec::new() };
     let all = [images, edges.to_vec()].concat();
     let joined = |two: &[EdgeState]| {
         let weight = two[0].weight + two[1].weight;
@@ -112,6 +111,11 @@ fn pairs(edges: &[EdgeState]) -> Vec<EdgeState> {
         EdgeState { ends: [two[0].ends[0], two[1].ends[1]], weight, pressure: force / weight }
     };
     if all.len() < 2 { all } else { all.windows(2).map(joined).collect() }
+}
+
+/// Whether a contact begins on a symmetry line, s = 0.
+fn on_one_side(edges: &[EdgeState]) -> bool {
+    edges.first().zip(edges.last()).is_some_and(|(a, b)| a.ends[0].abs() <= ROUNDING * b.ends[1])
 }
 
 /// The pair of the largest mean, first and last of neighbours that are the same; none where a mean is no number.
@@ -263,6 +267,37 @@ fn least_squares(count: usize, rows: impl Iterator<Item = (f64, DVector<f64>, f6
     let squares = rows.clone().map(|(_, row, value)| (row.dot(&solved) - value).powi(2));
     let misfit = (squares.sum::<f64>() / rows.count().saturating_sub(count).max(1) as f64).sqrt();
     (solved.iter().copied().collect(), misfit)
+}
+
+/// How well its elements draw the top of a profile.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Drawn {
+    /// Largest fourth difference of the means over pairs at the highest one and its neighbours, over that mean: `3 (h/a)⁴` in the middle of
+    /// a semi-ellipse, and of order one of a top that is narrower than its elements. 0 without pressure, NaN where
+    /// that is no number.
+    pub rough: f64,
+    /// Pressed edges between the highest one and the nearer end of its stretch.
+    pub from_end: usize,
+}
+
+/// How well the edges of a contact draw its top; beyond them there is no pressure.
+pub fn drawn(edges: &[EdgeState], floor: f64) -> Drawn {
+    let pairs = pairs(edges);
+    let Some([first, last]) = highest(&pairs) else { return Drawn { rough: f64::NAN, from_end: 0 } };
+    if pairs[first].pressure <= 0.0 {
+        return Drawn::default();
+    }
+    let mean = |k: isize| usize::try_from(k).ok().and_then(|k| pairs.get(k)).map_or(0.0, |pair| pair.pressure);
+    let difference = |k: isize| 6.0 * mean(k) - 4.0 * (mean(k - 1) + mean(k + 1)) + mean(k - 2) + mean(k + 2);
+    let around = first as isize - 1..=last as isize + 1;
+    let rough = around.map(|k| difference(k).abs()).fold(0.0, larger) / pairs[first].pressure;
+    let top = edges.iter().enumerate().max_by(|a, b| a.1.pressure.total_cmp(&b.1.pressure)).map_or(0, |(k, _)| k);
+    let pressed = |edge: &&EdgeState| edge.pressure > floor;
+    let above = edges[top + 1..].iter().take_while(pressed).count();
+    // On a symmetry line a stretch goes on.
+    let below = edges[..top].iter().rev().take_while(pressed).count();
+    let below = if below == top && on_one_side(edges) { usize::MAX } else { below };
+    Drawn { rough, from_end: above.min(below) }
 }
 
 /// Pressed pairs around some: those that differ from them by no more than a drop, and as many as a polynomial needs.

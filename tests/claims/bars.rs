@@ -10,7 +10,7 @@ use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{Component, Place, Scene, Support};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use contact_vv::study::coverage::group::Group;
-use contact_vv::study::coverage::judge::{as_recorded, beyond, narrow, within};
+use contact_vv::study::coverage::judge::{as_recorded, beyond, narrow, told, within};
 use contact_vv::study::coverage::run::{Kind, Record, records};
 use contact_vv::study::coverage::sites::JUDGED as FAMILIES;
 use contact_vv::study::random::{Family, Site};
@@ -51,6 +51,10 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
     let narrower = |record: &mut Record| record.bar *= 0.2;
     assert_eq!(verdicts(&narrower), [fail.clone(), fail.clone(), pass.clone()]);
     assert_eq!(verdicts(&|record| record.bar *= 3.0), [pass.clone(), pass.clone(), fail.clone()]);
+    for (factor, verdict) in [(1.0, &pass), (0.5, &fail), (f64::NAN, &fail)] {
+        let spoiled: Vec<Record> = all.iter().map(|one| Record { bar: factor * one.bar, ..one.clone() }).collect();
+        assert_eq!(told(&spoiled).verdict, *verdict, "{factor}");
+    }
     // Unknown bars are no bars.
     let unknown = |record: &mut Record| {
         if record.family == Family::Pin && record.number.is_multiple_of(10) {

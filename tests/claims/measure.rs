@@ -490,6 +490,25 @@ fn measures(profile: &[EdgeState]) -> Measures {
 }
 
 #[test]
+fn how_well_elements_draw_a_top_is_its_fourth_difference() {
+    // 3 (h/a)⁴ in the middle of a semi-ellipse.
+    let [coarse, fine] = [10, 20].map(|n| measures(&edges(-1.0, 1.0, n, force_of_semi_ellipse(5.0, 1.0))).drawn);
+    assert_relative_eq!(fine.rough, 3.0 * 0.1_f64.powi(4), max_relative = 0.1);
+    assert!(coarse.rough > 14.0 * fine.rough && fine.from_end == 9, "{coarse:?}, {fine:?}");
+    // As high as the edges beside it are not.
+    let spike = |k: usize| if k == 12 { 5.0 } else { 1.0 };
+    let rises = |k: usize| if k < 13 { 2.0_f64.powi(k as i32 - 12) } else { 0.0 };
+    let of = |pressure: &dyn Fn(usize) -> f64| {
+        let profile = edges(-1.0, 1.0, 20, |_| 0.0).into_iter().enumerate();
+        measures(&profile.map(|(k, edge)| EdgeState { pressure: pressure(k), ..edge }).collect::<Vec<_>>()).drawn
+    };
+    let (spike, rises) = (of(&spike), of(&rises));
+    assert!(spike.rough > 1.0 && spike.from_end == 7, "{spike:?}");
+    assert!(rises.rough > 1.0 && rises.from_end == 0, "{rises:?}");
+    assert!(of(&|_| f64::NAN).rough.is_nan());
+}
+
+#[test]
 fn every_closed_stretch_is_told_with_both_its_ends() {
     // Two humps of half-width 1 at 3 and 8, nothing between them.
     let hump = |s: f64, centre: f64| force_of_semi_ellipse(5.0, 1.0)(s - centre);
