@@ -23,9 +23,10 @@ const READINGS: f64 = 1.8;
 const SERIES: (f64, f64) = (2.0, 4e-5);
 const LAYERS: usize = 3;
 const LEFT: f64 = 1.0 / 3.0;
-/// What a fourth difference of one at the top of the pressure may hide: of the peak and of the largest shear stress over themselves, of an
-/// end and of the second-moment width over an element.
-const UNDRAWN: [f64; 4] = [0.2, 0.3, 0.6, 0.05];
+/// What a fourth difference at the top of the pressure that is larger by one than that of a smooth top on three elements may hide: of the
+/// peak and of the largest shear stress over themselves, of an end and of the second-moment width over an element.
+const UNDRAWN: [f64; 4] = [0.3, 0.5, 0.8, 0.08];
+const SMOOTH: f64 = 0.1;
 /// Fourth difference from which on a top in the last edge of its stretch is not told, by node elements one edge farther.
 const RISES: f64 = 1.0;
 /// Largest pressure at a node over the peak that consistent nodal pressures of smooth contacts show: those of corners and middles of
@@ -250,7 +251,8 @@ impl Family {
         if self.on_ends || self.order > Order::Quadratic || fills_candidates(measures) {
             return 0.0;
         }
-        let [peak, shear, end, width] = UNDRAWN.map(|part| part * measures.drawn.rough);
+        let rough = larger(measures.drawn.rough - SMOOTH, 0.0);
+        let [peak, shear, end, width] = UNDRAWN.map(|part| part * rough);
         let rises = if self.rises_to_end(measures) { f64::NAN } else { 0.0 };
         match subject {
             Subject::Contact(_, PeakPressure) => peak * measures.peak.pressure + rises,

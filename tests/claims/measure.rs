@@ -493,7 +493,7 @@ fn measures(profile: &[EdgeState]) -> Measures {
 fn how_well_elements_draw_a_top_is_its_fourth_difference() {
     // 3 (h/a)⁴ in the middle of a semi-ellipse.
     let [coarse, fine] = [10, 20].map(|n| measures(&edges(-1.0, 1.0, n, force_of_semi_ellipse(5.0, 1.0))).drawn);
-    assert_relative_eq!(fine.rough, 3.0 * 0.1_f64.powi(4), max_relative = 0.1);
+    assert_relative_eq!(fine.rough, 3.0 * 0.1_f64.powi(4), max_relative = 0.2);
     assert!(coarse.rough > 14.0 * fine.rough && fine.from_end == 9, "{coarse:?}, {fine:?}");
     // As high as the edges beside it are not.
     let spike = |k: usize| if k == 12 { 5.0 } else { 1.0 };
