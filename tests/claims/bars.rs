@@ -12,6 +12,7 @@ use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use contact_vv::study::coverage::group::Group;
 use contact_vv::study::coverage::judge::{as_recorded, beyond, narrow, told, within};
 use contact_vv::study::coverage::run::{Kind, Record, records};
+use contact_vv::study::coverage::setup::Setup;
 use contact_vv::study::coverage::sites::JUDGED as FAMILIES;
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::{file, read};
@@ -55,6 +56,11 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
         let spoiled: Vec<Record> = all.iter().map(|one| Record { bar: factor * one.bar, ..one.clone() }).collect();
         assert_eq!(told(&spoiled).verdict, *verdict, "{factor}");
     }
+    let none_told = all.iter().map(|one| match (one.family, one.kind) {
+        (Family::Power, Kind::Peak) => Record { bar: f64::NAN, ..one.clone() },
+        _ => one.clone(),
+    });
+    assert_eq!(told(&none_told.collect::<Vec<_>>()).verdict, fail, "a number of which no bar is told");
     // Unknown bars are no bars.
     let unknown = |record: &mut Record| {
         if record.family == Family::Pin && record.number.is_multiple_of(10) {
@@ -82,6 +88,25 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
         assert_eq!(as_recorded(&all, &moved).verdict, fail);
     }
     assert_eq!(as_recorded(&all, &first[1..]).verdict, fail, "a number less");
+}
+
+#[test]
+fn peak_that_rises_up_to_the_last_element_is_unknown_for_that_reason() {
+    // A power of the distance on six elements, and on eighteen.
+    for (number, told) in [(90_005, false), (90_011, true)] {
+        let site = Site { family: Family::Power, number };
+        let sample = site.sample().expect("a scene");
+        let Setup { scene, resolution, formulation, .. } = Setup::of(&site, &sample);
+        let discretisation = Discretisation::of(scene, resolution).expect("a mesh");
+        let run = Run::of(&discretisation, &formulation).expect("a run");
+        let bars = bars(&discretisation, &run, &[]).expect("bars").all;
+        let of = |quantity| bars.iter().find(|one| one.subject == Subject::Contact(0, quantity)).expect("a bar");
+        let peak = of(Quantity::PeakPressure);
+        let reason = (!told).then_some("the pressure rises up to the last element of the contact");
+        assert_eq!((peak.unknown, peak.bar.total().is_finite()), (reason, told), "{peak:?}");
+        // Where it lies is known within the last two elements.
+        assert!(of(Quantity::PeakPlace).bar.total().is_finite(), "{number}");
+    }
 }
 
 #[test]

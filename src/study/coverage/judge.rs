@@ -49,7 +49,8 @@ pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
     key(kept) == key(fresh) && alike(kept.error, fresh.error) && alike(kept.bar, fresh.bar)
 }
 
-/// The share of errors within their bars, an unknown one being outside, of each number of each family on each kind of cells, where it is smallest.
+/// The share of errors within their bars, an unknown one being outside, of each number of each family on each kind of cells, where it is
+/// smallest.
 pub fn within(recorded: &[Record]) -> Judged {
     let groups = JUDGED.into_iter().flat_map(|family| Kind::ALL.map(|kind| (family, kind)));
     let groups = groups.flat_map(|(family, kind)| CELLS.map(|cell| (family, kind, cell)));
@@ -58,26 +59,35 @@ pub fn within(recorded: &[Record]) -> Judged {
         let at = || format!("{}, {}, {cell}-node cells", kind.title(), family.title());
         (!group.records.is_empty()).then(|| (at(), group.within(1.0)))
     });
-    let least = shares.reduce(|a, b| if b.1 < a.1 || b.1.is_nan() { b } else { a });
-    let (at, share) = least.unwrap_or((String::new(), f64::NAN));
-    let quantity = Quantity::at("share of the true errors within their bars, where it is smallest", at);
+    let quantity = "share of the true errors within their bars, where it is smallest";
     let bound = Reference::analytic("closed forms", SHARE);
-    Check::at_least(quantity, bound, "of each number of each family on each kind of cells").judge(share)
+    smallest(shares, quantity, bound, "of each number of each family on each kind of cells")
 }
 
-/// The share of errors within the bars that are told, of each number of every family, where it is smallest.
+/// The share of errors within the bars that are told, of each number of every family, where it is smallest; none told is no share.
 pub fn told(recorded: &[Record]) -> Judged {
     let groups = FAMILIES.into_iter().flat_map(|family| Kind::ALL.map(|kind| (family, kind)));
     let shares = groups.filter_map(|(family, kind)| {
-        let group = Group::of(recorded, |one| one.family == family && one.kind == kind && !one.bar.is_nan());
+        let is_own = |one: &Record| one.family == family && one.kind == kind;
+        let told = Group::of(recorded, |one| is_own(one) && !one.bar.is_nan());
         let at = || format!("{}, {}", kind.title(), family.title());
-        (!group.records.is_empty()).then(|| (at(), group.within(1.0)))
+        recorded.iter().any(is_own).then(|| (at(), told.within(1.0)))
     });
+    let quantity = "share of the true errors within the bars that are told, where it is smallest";
+    let bound = Reference::analytic("closed forms and boundary methods", SHARE);
+    smallest(shares, quantity, bound, "of each number of every family")
+}
+
+/// The smallest of some shares, which shall not be below a bound; one that is no number is the smallest.
+fn smallest(
+    shares: impl Iterator<Item = (String, f64)>,
+    quantity: &'static str,
+    bound: Reference,
+    because: &'static str,
+) -> Judged {
     let least = shares.reduce(|a, b| if b.1 < a.1 || b.1.is_nan() { b } else { a });
     let (at, share) = least.unwrap_or((String::new(), f64::NAN));
-    let quantity = Quantity::at("share of the true errors within the bars that are told, where it is smallest", at);
-    let bound = Reference::analytic("closed forms and boundary methods", SHARE);
-    Check::at_least(quantity, bound, "of each number of every family").judge(share)
+    Check::at_least(Quantity::at(quantity, at), bound, because).judge(share)
 }
 
 /// Errors far outside the bars that are known.

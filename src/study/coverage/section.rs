@@ -37,9 +37,8 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
          (`src/accuracy/bar.rs`). Here they are held against random scenes whose true errors are known, by closed forms or a boundary method, on random \
          meshes: {fewest} to {most} elements on half of the contact, which ends anywhere within one of them, and enough \
          for the tip of a wedge and the thickness of a ring (what is smaller than the elements no coarser mesh sees); random growth; 4- and 8-node cells, line, layer and node \
-         elements, iterations that end late, early, or with a penalty. The constants of the bars were chosen on other scenes of the same \
-         families. Where the pressure rises up to the last element of a contact, its peak and the shear stress below are not told: of powers and flat bottoms on \
-         so few elements that is often so. `cargo run --release -- coverage` renews the record; the report recomputes a part of it.\n\n{}\n\n{}{}\n\
+         elements, iterations that end late, early, or with a penalty. The constants of the bars were chosen on other scenes. Where the pressure rises up \
+         to the last element of a contact, neither its peak nor the shear stress below has a bar. `cargo run --release -- coverage` renews the record; the report recomputes a part of it.\n\n{}\n\n{}{}\n\
          Errors of the peak are relative to it, of places and widths to the half-width, of forces to the force; *bar over error* leaves \
          out errors that are round-off.\n",
         summary(&recorded),
