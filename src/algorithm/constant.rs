@@ -62,7 +62,7 @@ impl Algorithm for Constant {
         Some(iterate)
     }
 
-    fn reload(&mut self) {
+    fn reload(&mut self, _: &ContactProblem, _: &mut Springs) {
         self.accelerator = None;
     }
 }

@@ -145,7 +145,7 @@ impl<'a> Run<'a> {
         let law = if algorithm.is_elastic() { Law::Springs } else { Law::Rigid };
         let mut course = Course { first: self.history.len(), ..Course::default() };
         let mut outcome = Outcome::Capped;
-        algorithm.reload();
+        algorithm.reload(self.problem, springs);
         while self.work.iterations < self.settings.max_iterations {
             let stiffness = springs.stiffness[0];
             let Some(iterate) = algorithm.next(self.problem, &load, springs, &mut self.work) else {

@@ -51,7 +51,7 @@ impl Iteration {
         tolerance: f64,
     ) -> Box<dyn Algorithm> {
         match self {
-            Self::Varying => Box::new(Varying::changing(rule, leeway)),
+            Self::Varying => Box::new(Varying::accelerated(rule, leeway, acceleration)),
             Self::Constant => Box::new(Constant::accelerated(rule, acceleration)),
             Self::Kinematic => Box::new(Kinematic::new(rule, tolerance)),
         }

@@ -2,9 +2,10 @@
 //!
 //! * [`problem`] — what an algorithm sees: matrices, points and scales, no geometry.
 //! * [`springs`] — the springs between two iterations, and what an iteration finds.
+//! * [`unit`] — what their initial stiffness is a multiple of.
 //! * [`rule`] — how the springs' strain drives their stiffness or force.
 //! * [`varying`], [`constant`], [`kinematic`] — equations (3.2)–(3.14), one iteration each.
-//! * [`acceleration`] — of the fixed point of constant stiffness; an option.
+//! * [`acceleration`] — of a fixed point from its last states; [`logarithms`] — of varying stiffness, on those that press.
 //! * [`kept`], [`settling`] — their factors, where few springs change and where most come to rest.
 //! * [`exact`] — the discrete solution that all of them shall end in.
 //! * [`target`] — how far an iterate is from it.
@@ -38,12 +39,14 @@ pub mod iterate;
 pub mod iteration;
 pub mod kept;
 pub mod kinematic;
+pub mod logarithms;
 pub mod parts;
 pub mod problem;
 pub mod rule;
 pub mod settling;
 pub mod springs;
 pub mod target;
+pub mod unit;
 pub mod varying;
 
 use crate::solution::Work;
@@ -59,6 +62,7 @@ pub use problem::{ContactProblem, Scale};
 pub use rule::{Leeway, Spring, StiffnessRule};
 pub use springs::{Iterate, Springs};
 pub use target::Target;
+pub use unit::StiffnessUnit;
 pub use varying::Varying;
 
 /// An iteration algorithm: one iteration from springs to an iterate and to the next springs.
@@ -74,8 +78,8 @@ pub trait Algorithm {
         work: &mut Work,
     ) -> Option<Iterate>;
 
-    /// Told before the first iteration of each load increment: the load is no longer what it was.
-    fn reload(&mut self) {}
+    /// Told before the first iteration of each load increment: the load is no longer what it was. It may change the springs.
+    fn reload(&mut self, _problem: &ContactProblem, _springs: &mut Springs) {}
 
     /// Whether penetration is the springs' own law (penalty) instead of an error to be iterated away.
     fn is_elastic(&self) -> bool {

@@ -1,5 +1,7 @@
 //! Iteration with varying stiffness, equations (3.2)–(3.5): the system is factorised at every iteration.
 
+use crate::algorithm::acceleration::Acceleration;
+use crate::algorithm::logarithms::Logarithms;
 use crate::algorithm::rule::{self, Leeway, Spring, StiffnessRule};
 use crate::algorithm::settling::Settling;
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
@@ -13,6 +15,9 @@ pub struct Varying {
     pub rule: StiffnessRule,
     /// How far the rule may go in an iteration; `Correction` asks no bound.
     pub leeway: Leeway,
+    /// How the fixed point of a factor is approached; none is the paper's own iteration.
+    pub acceleration: Acceleration,
+    logarithms: Logarithms,
     kept: Settling,
 }
 
@@ -24,7 +29,12 @@ impl Varying {
 
     /// The same with another bound, or stiffnesses of elements.
     pub fn changing(rule: StiffnessRule, leeway: Leeway) -> Self {
-        Self { rule, leeway, kept: Settling::default() }
+        Self::accelerated(rule, leeway, Acceleration::None)
+    }
+
+    /// The same with an acceleration.
+    pub fn accelerated(rule: StiffnessRule, leeway: Leeway, acceleration: Acceleration) -> Self {
+        Self { rule, leeway, acceleration, logarithms: Logarithms::new(acceleration), kept: Settling::default() }
     }
 
     /// Factors on the stiffnesses: `Σ A w` and `Σ A g` of what has one stiffness put into the rule, over `Σ A`.
@@ -65,7 +75,12 @@ impl Algorithm for Varying {
         let scale = &problem.scale;
         if self.rule != StiffnessRule::Correction {
             let factors = self.factors(problem, &iterate.approach);
+            let before = springs.stiffness.clone();
             springs.stiffness.iter_mut().zip(factors).for_each(|(k, factor)| *k = scale.clip(*k * factor));
+            if self.acceleration != Acceleration::None {
+                let (logarithms, after) = (&mut self.logarithms, &mut springs.stiffness);
+                logarithms.accelerate(problem, &iterate, &before, after, &mut work.rejected);
+            }
             return Some(iterate);
         }
         for (i, point) in problem.points.iter().enumerate() {
@@ -74,5 +89,13 @@ impl Algorithm for Varying {
             springs.stiffness[i] = scale.clip(wanted / scale.above_zero(w));
         }
         Some(iterate)
+    }
+    /// Accelerated, springs that were open under the load before start as they did at first: by the rule alone they would take as
+    /// many iterations to press again as they took to fall.
+    fn reload(&mut self, problem: &ContactProblem, springs: &mut Springs) {
+        if self.acceleration != Acceleration::None {
+            self.logarithms = Logarithms::new(self.acceleration);
+            springs.stiffness.iter_mut().zip(&problem.initial).for_each(|(k, initial)| *k = k.max(*initial));
+        }
     }
 }
