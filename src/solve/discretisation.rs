@@ -100,16 +100,17 @@ impl Discretisation {
         let scale = Scale { gap: reference.gap, stiffness: unit };
         let compliance =
             self.scene.contacts.iter().map(|pair| 1.0 / (self.scene.modulus_of(pair) * self.scene.thickness));
-        let nominal = formulation.stiffness * unit;
-        let initial = |(i, point): (usize, &ContactPoint)| scale.clip(nominal * pattern(i) * point.relative_stiffness);
-        ContactProblem {
+        let mut problem = ContactProblem {
             stiffness: &self.condensed.stiffness,
             load,
             points,
             edges: &self.edges,
             scale,
             compliance: compliance.collect(),
-            initial: points.iter().enumerate().map(initial).collect(),
-        }
+            initial: Vec::new(),
+        };
+        let initial = |(i, unit): (usize, f64)| scale.clip(formulation.stiffness * pattern(i) * unit);
+        problem.initial = formulation.stiffness_unit.of(&problem).into_iter().enumerate().map(initial).collect();
+        problem
     }
 }

@@ -84,10 +84,19 @@ impl Formulation {
     fn validate_options(&self, place: Place) -> Result<(), Error> {
         let refused = |message: String, remedy: &str| Err(Error::at(place, message, remedy));
         let algorithm = self.algorithm.name();
-        if self.acceleration != Acceleration::None && self.algorithm != Iteration::Constant {
+        let has_fixed_point = match self.algorithm {
+            Iteration::Varying => self.rule == StiffnessRule::Secant,
+            Iteration::Constant => true,
+            Iteration::Kinematic => false,
+        };
+        if self.acceleration != Acceleration::None && !has_fixed_point {
+            let rule = self.rule.name();
             return refused(
-                format!("the {algorithm} algorithm has no fixed point for `{}`", self.acceleration.name()),
-                "accelerate the constant algorithm, or choose the acceleration `none`",
+                format!(
+                    "the {algorithm} algorithm with rule `{rule}` has no fixed point for `{}`",
+                    self.acceleration.name()
+                ),
+                "accelerate the constant algorithm, or varying with the rule secant, or choose the acceleration `none`",
             );
         }
         if self.start != Start::Closed && self.algorithm != Iteration::Kinematic {

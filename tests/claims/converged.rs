@@ -25,12 +25,12 @@ fn meshed(scene: Scene, elements: usize) -> Discretisation {
     Discretisation::of(scene, resolution(elements, 0, Order::Quadratic)).expect("meshed")
 }
 
-/// All nine, and the accelerations of the constant one.
+/// All nine, as they stand in the paper and as the program takes them, and the accelerations of the constant one.
 fn all() -> Vec<Formulation> {
     let accelerated = Acceleration::ALL.into_iter().flat_map(|acceleration| {
         Element::ALL.map(|element| Formulation { acceleration, ..Formulation::new(element, Iteration::Constant) })
     });
-    Formulation::nine().into_iter().chain(accelerated).collect()
+    Formulation::nine().into_iter().chain(Formulation::compared()).chain(accelerated).collect()
 }
 
 /// Peak and second-moment width of each contact.

@@ -172,15 +172,16 @@ fn cures_of_another_algorithm_are_refused_by_name() {
         let base = Formulation::new(Element::Node, algorithm);
         let accelerated = Formulation { acceleration: Acceleration::Anderson, ..base.clone() };
         let nested = Formulation { start: Start::Nested, ..base };
-        for (formulation, takes, name) in
-            [(accelerated, Iteration::Constant, "anderson"), (nested, Iteration::Kinematic, "nested")]
+        let fixed_points = [Iteration::Varying, Iteration::Constant];
+        for (formulation, take, name) in
+            [(accelerated, &fixed_points[..], "anderson"), (nested, &[Iteration::Kinematic], "nested")]
         {
             match discretisation.solve(&formulation) {
-                Ok(_) => assert_eq!(algorithm, takes),
+                Ok(_) => assert!(take.contains(&algorithm), "{}", formulation.name()),
                 Err(Error { message, remedy, .. }) => {
-                    assert_ne!(algorithm, takes);
+                    assert!(!take.contains(&algorithm), "{}", formulation.name());
                     assert!(message.contains(name) && message.contains(algorithm.name()), "{message}");
-                    assert!(remedy.contains(takes.name()), "{remedy}");
+                    assert!(take.iter().all(|takes| remedy.contains(takes.name())), "{remedy}");
                 }
             }
         }

@@ -9,6 +9,7 @@ mod spacing;
 mod unseen;
 mod workbench;
 
+mod accelerated;
 mod accuracy;
 mod accuracy_across;
 mod algorithm;

@@ -7,7 +7,7 @@ use std::path::Path;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule};
+use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule, StiffnessUnit};
 use crate::case::definition::Case;
 use crate::case::file::scene::Tables;
 use crate::case::file::tables::{BodyTable, ContactTable, ContactTables, Keyed, Name, Number, ReferenceTable};
@@ -183,12 +183,11 @@ impl SolveTable {
         let algorithms = Iteration::ALL.map(|algorithm| (algorithm.name(), algorithm));
         let element = named(source, "contact element", &self.element, &elements)?.unwrap_or(Element::Node);
         let algorithm = named(source, "algorithm", &self.algorithm, &algorithms)?.unwrap_or(Iteration::Kinematic);
-        let mut formulation = Formulation::new(element, algorithm);
         let rules = StiffnessRule::ALL.map(|rule| (rule.name(), rule));
-        formulation.rule = named(source, "rule", &self.rule, &rules)?.unwrap_or(formulation.rule);
+        let rule = named(source, "rule", &self.rule, &rules)?;
         let accelerations = Acceleration::ALL.map(|acceleration| (acceleration.name(), acceleration));
-        formulation.acceleration =
-            named(source, "acceleration", &self.acceleration, &accelerations)?.unwrap_or(Acceleration::None);
+        let acceleration = named(source, "acceleration", &self.acceleration, &accelerations)?;
+        let mut formulation = Formulation::with(element, algorithm, rule, acceleration);
         let starts = [Start::Closed, Start::Nested].map(|start| (start.name(), start));
         formulation.start = named(source, "start", &self.start, &starts)?.unwrap_or(Start::Closed);
         let springs = Spring::ALL.map(|spring| (spring.name(), spring));
@@ -201,6 +200,7 @@ impl SolveTable {
         }
         if let Some(stiffness) = &self.stiffness {
             formulation.stiffness = source.positive("stiffness", stiffness)?;
+            formulation.stiffness_unit = StiffnessUnit::Reference;
         }
         let criteria = Criterion::ALL.map(|criterion| (criterion.name(), criterion));
         formulation.settings.criterion =

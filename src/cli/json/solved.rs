@@ -36,8 +36,10 @@ pub struct Solved<'a> {
     acceleration: &'a str,
     /// Start of the iteration.
     start: &'a str,
-    /// Initial stiffness κ₀ = k_n ℓ/E*.
+    /// Initial stiffness κ₀, in `stiffness_unit`.
     stiffness: Number,
+    /// What the initial stiffness is a multiple of: `reference`, E*/ℓ, or `bodies`, √(E*/L · s).
+    stiffness_unit: &'a str,
     /// Order of the elements: 1 or 2.
     order: u8,
     /// Elements on the length that the scene names.
@@ -140,6 +142,7 @@ impl<'a> Solved<'a> {
             acceleration: formulation.acceleration.name(),
             start: formulation.start.name(),
             stiffness: formulation.stiffness.into(),
+            stiffness_unit: formulation.stiffness_unit.name(),
             order: resolution.order.number(),
             resolution: resolution.elements,
             dofs: run.dofs,

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::accuracy::{self, Asked};
-use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule};
+use crate::algorithm::{Acceleration, Criterion, Settings, Spring, StiffnessRule, StiffnessUnit};
 use crate::case::{Case, library};
 use crate::cli::outputs::{self, Output};
 use crate::cli::solve::{curve, profile};
@@ -34,7 +34,7 @@ pub struct Arguments {
     /// Rule; the algorithm's own by default.
     #[arg(long, value_enum)]
     rule: Option<StiffnessRule>,
-    /// Largest factor by which an iteration of the varying algorithm changes a stiffness; `inf` is none.
+    /// Largest factor by which an iteration of the varying algorithm changes a stiffness, 100 by default; `inf` is none.
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     bound: Option<f64>,
     /// What has a stiffness of its own under the varying algorithm; point by default.
@@ -43,13 +43,15 @@ pub struct Arguments {
     /// Thickness of the layer element over the length of its edge.
     #[arg(long, value_name = "PART", allow_negative_numbers = true)]
     layer_thickness: Option<f64>,
-    /// Acceleration of the constant algorithm; none by default.
+    /// Acceleration of the varying and the constant algorithm: anderson by default under their own rules, none under others;
+    /// with none they are those of the paper.
     #[arg(long, value_enum)]
     acceleration: Option<Acceleration>,
     /// Start of the kinematic algorithm; closed by default.
     #[arg(long, value_enum)]
     start: Option<Start>,
-    /// Initial stiffness κ₀ = k_n ℓ/E*.
+    /// Initial stiffness κ₀ = k_n ℓ/E*: by default 1 for varying, 1e6 for kinematic; for constant by the bodies, 1 (node) or 4
+    /// (line, layer) times the mean of what they resist as a whole and at a point.
     #[arg(long, value_name = "KAPPA", allow_negative_numbers = true)]
     stiffness: Option<f64>,
     /// Hertz half-width over the radius (Hertz scenes only).
@@ -76,10 +78,11 @@ pub struct Arguments {
     /// Load increments.
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     increments: Option<usize>,
-    /// Largest error accepted of peak, profile, width and approach against the solution of the same discrete problem.
+    /// Largest error accepted of peak, profile, width and approach against the solution of the same discrete problem: 1e-3 unless
+    /// the file says otherwise for its own element and algorithm.
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     tolerance: Option<f64>,
-    /// Most iterations, over all increments.
+    /// Most iterations, over all increments; 2000 by default.
     #[arg(long, value_name = "N", alias = "max-steps", allow_negative_numbers = true)]
     max_iterations: Option<usize>,
     /// Do not solve coarser meshes for error bars.
@@ -147,9 +150,13 @@ impl Arguments {
         let element = self.element.unwrap_or(base.element);
         let algorithm = self.algorithm.unwrap_or(base.algorithm);
         let mut formulation = if (element, algorithm) == (base.element, base.algorithm) {
-            base
+            let rule = self.rule.unwrap_or(base.rule);
+            let kept = if rule == base.rule { base.acceleration } else { Acceleration::None };
+            Formulation { rule, acceleration: self.acceleration.unwrap_or(kept), ..base }
         } else {
-            Formulation { settings: base.settings, ..Formulation::new(element, algorithm) }
+            let other = Formulation::with(element, algorithm, self.rule, self.acceleration);
+            let Settings { increments, max_iterations, .. } = base.settings;
+            Formulation { settings: Settings { increments, max_iterations, ..other.settings }, ..other }
         };
         let settings = &mut formulation.settings;
         settings.criterion = self.criterion.unwrap_or(settings.criterion);
@@ -159,10 +166,10 @@ impl Arguments {
         formulation.leeway.bound = self.bound.unwrap_or(formulation.leeway.bound);
         formulation.leeway.spring = self.spring.unwrap_or(formulation.leeway.spring);
         formulation.layer_thickness = self.layer_thickness.unwrap_or(formulation.layer_thickness);
-        formulation.acceleration = self.acceleration.unwrap_or(formulation.acceleration);
         formulation.start = self.start.unwrap_or(formulation.start);
-        formulation.rule = self.rule.unwrap_or(formulation.rule);
-        formulation.stiffness = self.stiffness.unwrap_or(formulation.stiffness);
+        if let Some(stiffness) = self.stiffness {
+            (formulation.stiffness, formulation.stiffness_unit) = (stiffness, StiffnessUnit::Reference);
+        }
         formulation
     }
 

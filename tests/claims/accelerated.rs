@@ -1,0 +1,200 @@
+//! What is added to the paper's iterations: named, exact, and what makes all nine converge as they are typed.
+
+use contact_vv::algorithm::acceleration::{Acceleration, History};
+use contact_vv::algorithm::{StiffnessRule, StiffnessUnit};
+use contact_vv::case::library::{self, Cylinder, TruncatedHertz};
+use contact_vv::mesh::{Order, Resolution};
+use contact_vv::scene::Scene;
+use contact_vv::solution::Solution;
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
+
+use crate::workbench::{distance, resolution};
+
+fn meshed(scene: Scene, elements: usize) -> Discretisation {
+    Discretisation::of(scene, resolution(elements, 0, Order::Quadratic)).expect("meshed")
+}
+
+fn of_library(name: &str, elements: usize) -> Discretisation {
+    meshed(library::find(name, None).expect("a scene of the library").scene, elements)
+}
+
+fn solved(discretisation: &Discretisation, formulation: &Formulation) -> Solution {
+    discretisation.solve(formulation).unwrap_or_else(|error| panic!("{}: {error}", formulation.name()))
+}
+
+/// Iterations to convergence.
+fn iterations(discretisation: &Discretisation, formulation: &Formulation) -> usize {
+    let solution = solved(discretisation, formulation);
+    assert!(solution.converged(), "{}: {}", formulation.name(), solution.outcome);
+    solution.work.iterations
+}
+
+fn plain(element: Element) -> Formulation {
+    let mut plain = Formulation::new(element, Iteration::Varying);
+    plain.settings.max_iterations = 20_000;
+    plain
+}
+
+#[test]
+fn what_is_added_to_the_paper_is_named_and_nothing_is_added_to_kinematic_load() {
+    let names: Vec<String> = Formulation::compared().iter().map(Formulation::name).collect();
+    let of = |element: &str| {
+        [".varying+anderson", ".constant+anderson", ".kinematic"].map(|algorithm| format!("{element}{algorithm}"))
+    };
+    assert_eq!(names, ["line", "layer", "node"].map(of).concat());
+}
+
+#[test]
+fn accelerated_varying_stiffness_ends_in_the_discrete_solution_from_every_initial_stiffness() {
+    let discretisation = of_library("truncated-hertz", 8);
+    for element in Element::ALL {
+        let kinematic = Formulation::new(element, Iteration::Kinematic).tolerance(1e-6);
+        let wanted = Run::of(&discretisation, &kinematic).expect("solved");
+        for stiffness in [1e-3, 1e-1, 1.0, 1e2, 1e4, 1e6] {
+            let formulation = Formulation { stiffness, ..Formulation::accelerated(element, Iteration::Varying) };
+            let run = Run::of(&discretisation, &formulation).expect("solved");
+            let place = format!("{}, κ₀ = {stiffness}", formulation.name());
+            assert!(
+                run.solution.converged() && run.solution.work.iterations <= 150,
+                "{place}: {}",
+                run.solution.outcome
+            );
+            let apart = run.measures().second_moment_width / wanted.measures().second_moment_width - 1.0;
+            assert!(apart.abs() <= 3e-3, "{place}: width off by {apart}");
+        }
+    }
+}
+
+#[test]
+fn plain_iterations_grow_with_the_square_of_the_elements_and_accelerated_ones_do_not() {
+    let meshes = [4, 8].map(|elements| of_library("cylinder", elements));
+    let growth = |formulation: &Formulation| {
+        let [coarse, fine] = [0, 1].map(|mesh: usize| iterations(&meshes[mesh], formulation) as f64);
+        fine / coarse
+    };
+    for element in [Element::Line, Element::Layer] {
+        let [plain, accelerated] =
+            [plain(element), Formulation::accelerated(element, Iteration::Varying)].map(|each| growth(&each));
+        assert!(plain > 3.0 && accelerated < 2.5, "{}: {plain} and {accelerated}", element.name());
+    }
+}
+
+#[test]
+fn accelerated_iteration_is_the_plain_one_until_the_pressing_points_have_stood() {
+    let discretisation = of_library("cylinder", 8);
+    let history = |acceleration| {
+        let formulation = Formulation { acceleration, ..Formulation::new(Element::Node, Iteration::Varying) };
+        solved(&discretisation, &formulation).history.iter().map(|one| one.error.largest()).collect::<Vec<f64>>()
+    };
+    let [plain, accelerated] = [Acceleration::None, Acceleration::Anderson].map(history);
+    let same = plain.iter().zip(&accelerated).take_while(|(a, b)| (*a - *b).abs() <= 0.0).count();
+    assert!((4..50).contains(&same), "{same} iterations are the same");
+    assert!(2 * accelerated.len() < plain.len(), "{} and {}", accelerated.len(), plain.len());
+}
+
+#[test]
+fn all_nine_converge_as_typed_on_four_scenes() {
+    for name in ["cylinder", "cylinder-half", "truncated-hertz", "pin-rod"] {
+        let discretisation = of_library(name, library::find(name, None).expect("a scene").resolution.elements);
+        for formulation in Formulation::compared() {
+            let iterations = iterations(&discretisation, &formulation);
+            let most = if formulation.algorithm == Iteration::Varying { 1000 } else { 150 };
+            assert!(iterations <= most, "{name}, {}: {iterations} iterations", formulation.name());
+        }
+    }
+}
+
+#[test]
+fn all_nine_converge_on_candidates_of_twenty_and_fifty_half_widths() {
+    let (radius, young) = (Cylinder::default().radius, Cylinder::default().young);
+    for stretch in [20.0, 50.0] {
+        let scene = TruncatedHertz { stretch, size: 3.0 * stretch, radius, young, ..TruncatedHertz::default() }.scene();
+        let discretisation = meshed(scene, 4);
+        Formulation::compared().iter().for_each(|formulation| {
+            assert!(iterations(&discretisation, formulation) <= 500, "{stretch}, {}", formulation.name());
+        });
+    }
+}
+
+#[test]
+fn stiffness_by_the_bodies_does_not_depend_on_the_reference() {
+    let scene = Cylinder::default().scene();
+    let mut other = scene.clone();
+    (other.reference.length, other.reference.gap) = (1e4 * scene.reference.length, 1e3 * scene.reference.gap);
+    let [own, other] = [scene, other].map(|scene| meshed(scene, 6));
+    let constant = Formulation::accelerated(Element::Line, Iteration::Constant);
+    let reference = Formulation { stiffness_unit: StiffnessUnit::Reference, ..constant.clone() };
+    let initial = |discretisation: &Discretisation, formulation: &Formulation| {
+        let points = discretisation.points(formulation);
+        discretisation.problem(formulation, &points).initial
+    };
+    let [a, b] = [&own, &other].map(|discretisation| initial(discretisation, &constant));
+    assert!(distance(&a, &b) <= 1e-12 * a[0], "{} and {}", a[0], b[0]);
+    let [a, b] = [&own, &other].map(|discretisation| initial(discretisation, &reference));
+    assert!(a[0] > 1e3 * b[0], "of the reference they do");
+    assert_eq!(iterations(&own, &constant), iterations(&other, &constant));
+}
+
+#[test]
+fn layer_by_the_bodies_has_the_total_stiffness_of_the_line() {
+    let discretisation = of_library("cylinder", 6);
+    let total = |element| {
+        let formulation = Formulation::accelerated(element, Iteration::Constant);
+        let points = discretisation.points(&formulation);
+        let problem = discretisation.problem(&formulation, &points);
+        let area: f64 = points.iter().map(|point| point.weight).sum();
+        points.iter().zip(&problem.initial).map(|(point, k)| point.weight * k).sum::<f64>() / area
+    };
+    let [line, layer] = [Element::Line, Element::Layer].map(total);
+    assert!((layer / line - 1.0).abs() <= 0.05, "{line} and {layer}");
+}
+
+#[test]
+fn springs_that_opened_under_one_load_press_again_under_the_next() {
+    let discretisation = of_library("truncated-hertz", 6);
+    for element in Element::ALL {
+        let with = |acceleration| {
+            let mut formulation = Formulation { acceleration, ..Formulation::new(element, Iteration::Varying) };
+            formulation.settings.increments = 8;
+            solved(&discretisation, &formulation)
+        };
+        assert!(with(Acceleration::Anderson).converged(), "{}", element.name());
+        assert!(!with(Acceleration::None).converged(), "{}: by the rule alone they do not in time", element.name());
+    }
+}
+
+#[test]
+fn only_the_rule_whose_factor_tends_to_one_is_accelerated_under_varying_stiffness() {
+    let scene = Cylinder::default().scene();
+    for rule in Iteration::Varying.rules().iter().chain(Iteration::Varying.further_rules()) {
+        let own = Formulation::with(Element::Line, Iteration::Varying, Some(*rule), None);
+        assert!(own.validate(&scene).is_ok(), "{}", own.name());
+        assert_eq!(own.acceleration == Acceleration::Anderson, *rule == StiffnessRule::Secant, "{}", own.name());
+        let asked = Formulation::with(Element::Line, Iteration::Varying, Some(*rule), Some(Acceleration::Anderson));
+        assert_eq!(asked.validate(&scene).is_ok(), *rule == StiffnessRule::Secant, "{}", asked.name());
+    }
+    let bare = Formulation::with(Element::Line, Iteration::Constant, None, Some(Acceleration::None));
+    assert_eq!(bare.name(), "line.constant");
+    assert_eq!((bare.stiffness, bare.stiffness_unit), (1.0, StiffnessUnit::Reference));
+}
+
+#[test]
+fn bodies_in_free_motion_leave_no_slope_to_accelerate() {
+    // Stiff springs start far too high a load: the residual is the same at every iteration, but for round-off.
+    let mut history = History::new(Acceleration::Anderson);
+    for (k, noise) in [0.0, 1e-13, -1e-13].into_iter().enumerate() {
+        history.push(&[k as f64, 2.0 * k as f64], &[1.0, 2.0 + noise]);
+        assert!(history.step(&[1.0, 1.0]).is_none(), "state {k}");
+    }
+    let patch = Discretisation::of(
+        library::find("patch", None).expect("a scene").scene,
+        Resolution { elements: 4, refinement: 0, order: Order::Quadratic },
+    )
+    .expect("meshed");
+    for stiffness in [10.0, 100.0] {
+        let stiffness_unit = StiffnessUnit::Reference;
+        let accelerated = Formulation::accelerated(Element::Node, Iteration::Constant);
+        let solution = solved(&patch, &Formulation { stiffness, stiffness_unit, ..accelerated });
+        assert!(solution.converged(), "κ₀ = {stiffness}: {}", solution.outcome);
+    }
+}
