@@ -11,7 +11,7 @@ use crate::error::{Error, Kind, Place};
 use crate::solution::{Increment, Iterated, IterationError, Outcome, Share, Solution, States, Work};
 
 /// When to stop.
-#[derive(Clone, Copy, Debug, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Settings {
     /// What shall fall below the tolerance.
     pub criterion: Criterion,

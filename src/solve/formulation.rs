@@ -10,7 +10,7 @@ use crate::solution::Solution;
 use crate::solve::Start;
 
 /// One way of solving a contact problem.
-#[derive(Clone, Debug, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Formulation {
     /// Contact element.
     pub element: Element,
@@ -89,6 +89,12 @@ impl Formulation {
         let acceleration = acceleration.unwrap_or(by_default);
         let is_own = (rule, acceleration) == (own.rule, own.acceleration);
         Self { rule, acceleration, ..if is_own { own } else { Self::new(element, algorithm) } }
+    }
+
+    /// The same in place of a scene's own: it begins from its own defaults, and keeps increments and cap of iterations.
+    pub fn in_place_of(self, own: &Self) -> Self {
+        let Settings { increments, max_iterations, .. } = own.settings;
+        Self { settings: Settings { increments, max_iterations, ..self.settings }, ..self }
     }
 
     /// Node element with kinematic load at tolerance 1e-8: the formulation of the verification rows.

@@ -1,6 +1,7 @@
 //! `solve CASE` or `solve SCENE.toml`: one scene by one formulation, with its outputs.
 //!
 //! * [`options`] — what the user asks for.
+//! * `remedy` — what to do where it does not converge.
 //! * `stages` — the stage it is in, on a terminal.
 //! * `table` — the result in lines.
 //! * [`curve`] — the load–approach curve.
@@ -9,6 +10,7 @@
 pub mod curve;
 pub mod options;
 pub mod profile;
+mod remedy;
 mod stages;
 mod table;
 
@@ -24,14 +26,13 @@ use crate::cli::terminal::say;
 use crate::cli::{self, reactions, vtu};
 use crate::clock::{Clock, Stage};
 use crate::error::Error;
-use crate::markdown;
 use crate::report::pictures;
-use crate::solution::Outcome;
 use crate::solve::Discretisation;
 use crate::solve::Run;
 
 pub use options::Arguments;
 use options::STDOUT;
+use remedy::{converging, remedy, unbalanced};
 use stages::Stages;
 
 /// Solves, prints a table unless JSON goes to standard output, writes what was asked for, and tells how it ended.
@@ -49,7 +50,8 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
 fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
     arguments.refuse_endings()?;
     arguments.refuse_unwritable(&problem)?;
-    let formulation = arguments.formulation(problem.formulation().clone());
+    let own = problem.formulation().clone();
+    let formulation = arguments.formulation(own.clone());
     curve::refuse(arguments.curve.as_deref(), formulation.settings.increments)?;
     formulation.validate(&problem.scene)?;
     let fitted = arguments.fitted()?;
@@ -59,6 +61,7 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
     };
     // A mesh fitted to the contact is asked for in place of what the file asks.
     let asked = arguments.asked(problem.accuracy.clone().filter(|_| fitted.is_none()))?;
+    let asked_mesh = fitted.is_none() && asked.is_none();
     let stages = Stages::new();
     let accurate = match asked {
         None if fitted.is_some() => None,
@@ -123,7 +126,8 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
     if let Some(remedy) = remedy(&run) {
         // The iteration is not to blame where a support is missing, or where round-off takes the forces.
         let unheld = discretisation.unheld(1.0)?.map(|error| format!("{}: {}", error.message, error.remedy));
-        let remedy = unheld.or_else(|| unbalanced(&problem, &run)).unwrap_or_else(|| remedy.into());
+        let tried = || asked_mesh.then(|| converging(arguments, &own, &discretisation, &run)).flatten();
+        let remedy = unheld.or_else(|| unbalanced(&problem, &run)).or_else(tried).unwrap_or_else(|| remedy.into());
         eprintln!("not converged: these numbers are those of the last iteration; {remedy}");
     }
     let passed = found.checks.iter().all(|check| check.verdict != Verdict::Fail);
@@ -156,37 +160,6 @@ fn write_files(
         files.push((path, sheet.drawing()?.svg(crate::figure::Theme::Light)));
     }
     files.into_iter().try_for_each(|(path, text)| write(path, &text))
-}
-
-/// What to say of a body that is out of balance although its contact has converged.
-fn unbalanced(problem: &Case, run: &Run) -> Option<String> {
-    let worst = run.equilibrium.iter().max_by(|a, b| a.largest().total_cmp(&b.largest()))?;
-    let within = run.solution.error().largest() <= run.formulation.settings.tolerance;
-    (run.solution.outcome == Outcome::Stalled && within).then(|| {
-        format!(
-            "loads, contact and reactions of `{}` are out of balance by {}: its stiffness, or that of a body it touches, is so large that round-off takes the forces; make such a body rigid, or fix it",
-            problem.scene.bodies[worst.body].name,
-            markdown::error(worst.largest())
-        )
-    })
-}
-
-/// What to do where an iteration did not converge.
-fn remedy(run: &Run) -> Option<&'static str> {
-    match run.solution.outcome {
-        Outcome::Converged => None,
-        Outcome::Stalled => Some(
-            "nothing changes any more, for round-off or because springs are at their limit: ask for a larger --tolerance, or choose --element node with --algorithm kinematic",
-        ),
-        Outcome::Cycling { .. } => {
-            Some("more iterations would repeat: choose another --stiffness, or --algorithm kinematic")
-        }
-        Outcome::Stopped => Some("stop by --criterion error, or ask this one for a smaller --tolerance"),
-        Outcome::Diverged => Some("choose another --stiffness, or --algorithm kinematic"),
-        Outcome::Capped => {
-            Some("allow more with --max-iterations, choose another --stiffness, or --algorithm kinematic")
-        }
-    }
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Error> {

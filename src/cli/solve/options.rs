@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::accuracy::{self, Asked};
-use crate::algorithm::{Acceleration, Criterion, Settings, Spring, StiffnessRule, StiffnessUnit};
+use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule, StiffnessUnit};
 use crate::case::{Case, library};
 use crate::cli::outputs::{self, Output};
 use crate::cli::solve::{curve, profile};
@@ -21,7 +21,7 @@ use crate::solve::{Element, Fitted, Formulation, Iteration, Start};
 pub const STDOUT: &str = "-";
 
 /// Arguments of `solve`.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub struct Arguments {
     /// Case of the library (`list` names them), or a scene file (tests/cases/README.md describes its keys).
     pub case: String,
@@ -154,9 +154,7 @@ impl Arguments {
             let kept = if rule == base.rule { base.acceleration } else { Acceleration::None };
             Formulation { rule, acceleration: self.acceleration.unwrap_or(kept), ..base }
         } else {
-            let other = Formulation::with(element, algorithm, self.rule, self.acceleration);
-            let Settings { increments, max_iterations, .. } = base.settings;
-            Formulation { settings: Settings { increments, max_iterations, ..other.settings }, ..other }
+            Formulation::with(element, algorithm, self.rule, self.acceleration).in_place_of(&base)
         };
         let settings = &mut formulation.settings;
         settings.criterion = self.criterion.unwrap_or(settings.criterion);
@@ -171,6 +169,44 @@ impl Arguments {
             (formulation.stiffness, formulation.stiffness_unit) = (stiffness, StiffnessUnit::Reference);
         }
         formulation
+    }
+
+    /// The same for the same mesh and load, by an element and an algorithm from their own defaults.
+    pub fn by(&self, element: Element, algorithm: Iteration, tolerance: Option<f64>) -> Self {
+        let (element, algorithm) = (Some(element), Some(algorithm));
+        let [bound, layer_thickness, stiffness] = [None; 3];
+        let (rule, spring, acceleration, start, criterion, max_iterations) = (None, None, None, None, None, None);
+        Self {
+            element,
+            algorithm,
+            rule,
+            bound,
+            spring,
+            layer_thickness,
+            acceleration,
+            start,
+            stiffness,
+            criterion,
+            tolerance,
+            max_iterations,
+            ..self.clone()
+        }
+    }
+
+    /// What one would type: case, load, mesh, element and algorithm, and the tolerance where one is asked for.
+    pub fn typed(&self) -> String {
+        let option = |name: &str, value: Option<String>| value.map(|value| format!(" --{name} {value}"));
+        let options = [
+            option("a-over-r", self.a_over_r.map(|ratio| ratio.to_string())),
+            option("order", self.order.map(|order| order.number().to_string())),
+            option("resolution", self.resolution.map(|elements| elements.to_string())),
+            option("element", self.element.map(|element| element.name().into())),
+            option("algorithm", self.algorithm.map(|algorithm| algorithm.name().into())),
+            option("increments", self.increments.map(|increments| increments.to_string())),
+            option("tolerance", self.tolerance.map(|tolerance| format!("{tolerance:e}"))),
+        ];
+        let case = if self.case.contains(' ') { format!("\"{}\"", self.case) } else { self.case.clone() };
+        format!("contact-vv solve {case}{}", options.into_iter().flatten().collect::<String>())
     }
 
     /// The mesh fitted to the contact that is asked for; none where it is not.
