@@ -27,6 +27,13 @@ Examples:
   contact-vv solve tests/cases/press-fit.toml --csv profile.csv --vtu fields.vtu
   contact-vv solve tests/cases/cylinder-on-block.toml --accuracy \"0.3 %\"";
 
+/// Of `compare`.
+pub const COMPARE: &str = "\
+Examples:
+  contact-vv compare cylinder
+  contact-vv compare mine.toml --json - --plot compared.svg
+  contact-vv compare pin-rod --formulations line.varying,line.varying+anderson";
+
 /// Of `verify`.
 pub const VERIFY: &str = "\
 Examples:

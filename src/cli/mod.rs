@@ -9,6 +9,7 @@
 //! * [`scoreboard`] — asks other codes for exported cases.
 //! * [`suite`] — runs all trials with a progress bar; [`summary`] — what they found.
 //! * [`solve`] — one case, with its outputs.
+//! * [`compare`] — one case by all nine formulations.
 //! * [`verify`] — scene files with their checks.
 //! * [`judge`] — answers of other codes; [`export`] — what they need to run a case.
 //! * `found` — what it found.
@@ -24,6 +25,7 @@
 pub mod accuracy;
 pub mod atlas;
 mod bars;
+pub mod compare;
 pub mod ended;
 pub mod examples;
 pub mod export;
@@ -87,6 +89,9 @@ enum Command {
     /// Solve one case of the library, or a scene file of your own.
     #[command(after_help = examples::SOLVE)]
     Solve(Box<solve::Arguments>),
+    /// Solve one case by all nine formulations, a line each, the recommended one first; 3 where none of them converges.
+    #[command(after_help = examples::COMPARE)]
+    Compare(compare::Arguments),
     /// Solve scene files and judge them by their own checks; fails where one fails.
     #[command(after_help = examples::VERIFY)]
     Verify {
@@ -208,6 +213,7 @@ pub fn main() -> ExitCode {
         Command::Export(arguments) => export::run(&arguments).map(|()| Ended::Well),
         Command::Judge(arguments) => judge::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::List { json } => {
             list(json);
             Ok(Ended::Well)

@@ -23,6 +23,7 @@ mod bars;
 mod both_sides;
 mod boundary;
 mod command_line;
+mod compare;
 mod condensation;
 mod contact;
 mod converged;

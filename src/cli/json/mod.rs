@@ -3,10 +3,12 @@
 //! * [`solved`] — the result of `solve`; [`contact`] — what one contact came to; [`oracle`] — what an oracle reads.
 //! * [`checked`] — a check with its numbers and its verdict, of `solve`, `verify` and `verdicts` alike.
 //! * [`refereed`] — the verdicts on the answer of another code.
+//! * [`compared`] — formulations of one scene side by side.
 //! * [`listed`] — a case of the library.
 //! * [`number`] — a number, which may be unknown.
 
 pub mod checked;
+pub mod compared;
 pub mod contact;
 pub mod listed;
 pub mod number;
@@ -21,6 +23,7 @@ use serde::Serialize;
 use crate::named::named_enum;
 
 pub use checked::{Checked, Line};
+pub use compared::{Compared, Compares};
 pub use listed::Listed;
 pub use number::Number;
 pub use oracle::{OracleReading, Read};
@@ -43,6 +46,8 @@ named_enum! {
 pub enum Answer<'a> {
     /// Of `solve --json`: one document.
     Solved(Box<Solved<'a>>),
+    /// Of `compare --json`: one document.
+    Compared(Box<Compared>),
     /// Of `verdicts` and `verify --json`: a line for each check.
     Line(Box<Line>),
     /// Of `judge --json`: a line for each answer.
@@ -67,6 +72,12 @@ impl Answer<'_> {
 pub fn is_result(text: &str) -> bool {
     let found = serde_json::from_str::<serde_json::Value>(text);
     found.is_ok_and(|found| ["case", "outcome", "seconds", "contacts"].iter().all(|key| found.get(key).is_some()))
+}
+
+/// Whether a text is a result of `compare`.
+pub fn is_comparison(text: &str) -> bool {
+    let found = serde_json::from_str::<serde_json::Value>(text);
+    found.is_ok_and(|found| ["case", "retained", "formulations"].iter().all(|key| found.get(key).is_some()))
 }
 
 /// The schema of all that is printed as JSON (JSON Schema, draft 7).

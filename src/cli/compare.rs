@@ -1,0 +1,235 @@
+//! `compare CASE`: all nine formulations on one scene, a line each, the recommended first.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use crate::case::Case;
+use crate::cli::ended::Ended;
+use crate::cli::json::{Answer, Compared, Compares};
+use crate::cli::outputs::{self, Output};
+use crate::cli::solve::options::STDOUT;
+use crate::cli::terminal::{say, table};
+use crate::cli::{json, judge};
+use crate::clock::Stage;
+use crate::error::{Error, meant};
+use crate::figure::{self, Theme};
+use crate::markdown;
+use crate::report::pictures;
+use crate::solution::Outcome;
+use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
+
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Case of the library (`list` names them), or a scene file.
+    case: String,
+    /// Only these, such as line.constant+anderson, or line.constant as it stands in the paper; by default all nine as `solve` takes them.
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    formulations: Vec<String>,
+    /// Largest error accepted of peak, profile, width and approach against the solution of the same discrete problem, for all of them.
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    tolerance: Option<f64>,
+    /// Write the table as JSON to a file, or to standard output with `-`.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Draw the iteration error of each against its iterations as SVG.
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+    /// Replace files that are not earlier outputs of the same option; files that are read are never replaced.
+    #[arg(long)]
+    force: bool,
+}
+
+/// Solves the scene by each formulation; one that fails is a row with its reason. Well where one of them converges.
+pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
+    let case = judge::named(&arguments.case)?;
+    let formulations = arguments.chosen(&case)?;
+    arguments.refuse_unwritable(&case)?;
+    let discretisation = case.meshed()?.discretisation;
+    let (mut rows, mut runs) = (Vec::new(), Vec::new());
+    for formulation in &formulations {
+        let run = Run::of(&discretisation, formulation);
+        rows.push(arguments.row(formulation, &run));
+        runs.extend(run);
+    }
+    rows.sort_by(|a, b| a.rank().cmp(&b.rank()).then(a.operations.value().total_cmp(&b.operations.value())));
+    let ended = if rows.iter().any(Compares::converged) { Ended::Well } else { Ended::NotConverged };
+    let compared = compared(&case, &discretisation, rows);
+    let to_stdout = arguments.json.as_deref() == Some(Path::new(STDOUT));
+    if !to_stdout {
+        print(&compared);
+    }
+    let drawn = arguments.plot.as_ref().filter(|_| !runs.is_empty());
+    let drawing = drawn.map(|_| pictures::compare::drawing(&compared.case, &runs)).transpose()?;
+    let document = Answer::Compared(Box::new(compared)).document();
+    match &arguments.json {
+        Some(_) if to_stdout => say(document),
+        Some(path) => std::fs::write(path, document).map_err(|error| Error::unwritable(path, error))?,
+        None => {}
+    }
+    if let (Some(path), Some(drawing)) = (&arguments.plot, drawing) {
+        std::fs::write(path, drawing.svg(Theme::Light)).map_err(|error| Error::unwritable(path, error))?;
+    }
+    Ok(ended)
+}
+
+fn compared(case: &Case, discretisation: &Discretisation, formulations: Vec<Compares>) -> Compared {
+    let [dofs, retained] = [discretisation.system.dofs(), discretisation.condensed.retained()];
+    Compared { case: case.name.clone(), dofs, retained, formulations }
+}
+
+impl Arguments {
+    /// The formulations that are asked for, as `solve` takes them.
+    fn chosen(&self, case: &Case) -> Result<Vec<Formulation>, Error> {
+        let base = match &case.places {
+            Some(_) => case.formulation().clone(),
+            None => Formulation::accelerated(Element::Node, Iteration::Kinematic),
+        };
+        let as_typed = |other: Formulation| {
+            let is_own = (other.element, other.algorithm) == (base.element, base.algorithm);
+            if is_own { base.clone() } else { other.in_place_of(&base) }
+        };
+        let all: Vec<Formulation> = Formulation::compared().into_iter().map(as_typed).collect();
+        let plain = || Formulation::nine().into_iter().map(|paper| paper.in_place_of(&base));
+        let known: Vec<Formulation> = all.iter().cloned().chain(plain()).collect();
+        let named = |name: &String| {
+            known.iter().find(|one| one.name() == *name).cloned().ok_or_else(|| {
+                let names: Vec<String> = known.iter().map(Formulation::name).collect();
+                let remedy = meant(name, names.iter().map(String::as_str)) + "choose of " + &names.join(", ");
+                Error::value("compare", "--formulations", name, "no formulation has this name", remedy)
+            })
+        };
+        let chosen = if self.formulations.is_empty() {
+            all
+        } else {
+            self.formulations.iter().map(named).collect::<Result<_, _>>()?
+        };
+        let tolerance = |one: Formulation| match self.tolerance {
+            Some(tolerance) => one.tolerance(tolerance),
+            None => one,
+        };
+        Ok(chosen.into_iter().map(tolerance).collect())
+    }
+
+    /// What one came to.
+    fn row(&self, formulation: &Formulation, run: &Result<Run, Error>) -> Compares {
+        let command = self.command(formulation);
+        let formulation = formulation.name();
+        let run = match run {
+            Ok(run) => run,
+            Err(error) => {
+                let unknown = f64::NAN.into();
+                return Compares {
+                    formulation,
+                    outcome: REFUSED.into(),
+                    iterations: None,
+                    factorisations: None,
+                    operations: unknown,
+                    error: unknown,
+                    seconds: unknown,
+                    reason: Some(format!("{}: {}", error.message, error.remedy)),
+                    command,
+                };
+            }
+        };
+        let (solution, work) = (&run.solution, &run.solution.work);
+        let holds_none = run.contacts.iter().all(|contact| contact.open == Some(true));
+        let reason = match solution.outcome {
+            Outcome::Converged if holds_none => Some("every candidate is open: nothing presses".into()),
+            Outcome::Converged => None,
+            outcome => Some(format!("{outcome} after {} iterations", work.iterations)),
+        };
+        let seconds = run.seconds.iter().find(|(stage, _)| *stage == Stage::Iteration).map(|(_, seconds)| *seconds);
+        Compares {
+            formulation,
+            outcome: if holds_none { NO_CONTACT.into() } else { solution.outcome.to_string() },
+            iterations: Some(work.iterations),
+            factorisations: Some(work.factorisations),
+            operations: work.operations.into(),
+            error: solution.error().largest().into(),
+            seconds: seconds.into(),
+            reason,
+            command,
+        }
+    }
+
+    /// The command that solves the scene by one of them.
+    fn command(&self, formulation: &Formulation) -> String {
+        let (element, algorithm) = (formulation.element, formulation.algorithm);
+        let by_default = Formulation::accelerated(element, algorithm).acceleration;
+        let acceleration = formulation.acceleration;
+        let [tolerance, acceleration] = [
+            self.tolerance.map(|tolerance| format!(" --tolerance {tolerance:e}")),
+            (acceleration != by_default).then(|| format!(" --acceleration {}", acceleration.name())),
+        ]
+        .map(Option::unwrap_or_default);
+        let [element, algorithm] = [element.name(), algorithm.name()];
+        let case = if self.case.contains(' ') { format!("\"{}\"", self.case) } else { self.case.clone() };
+        format!("contact-vv solve {case} --element {element} --algorithm {algorithm}{acceleration}{tolerance}")
+    }
+
+    /// Refuses outputs that cannot be written, or by which something would be lost, before anything is solved.
+    fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
+        if let Some(path) = self.plot.as_ref().filter(|path| path.extension().is_none_or(|end| end != "svg")) {
+            let (path, remedy) = (path.display(), "end the file name in .svg");
+            return Err(Error::value("compare", "--plot", path, "plots are SVG", remedy));
+        }
+        let json = self.json.as_deref().filter(|path| path.as_os_str() != STDOUT);
+        let earlier: [(_, _, fn(&str) -> bool); 2] =
+            [("--json", json, json::is_comparison), ("--plot", self.plot.as_deref(), figure::is_drawing)];
+        let files = earlier.into_iter().filter_map(|(option, path, is_earlier)| {
+            Some(Output { option, path: path?, is_earlier: Box::new(is_earlier) })
+        });
+        outputs::refuse("compare", &files.collect::<Vec<_>>(), &case.read_files(), self.force)
+    }
+}
+
+/// Outcome of a formulation that does not begin, or cannot go on.
+const REFUSED: &str = "refused";
+/// Outcome where nothing presses.
+const NO_CONTACT: &str = "no contact";
+
+impl Compares {
+    /// Whether it gives an answer.
+    fn converged(&self) -> bool {
+        self.reason.is_none()
+    }
+
+    /// Answers first, what is refused last.
+    fn rank(&self) -> u8 {
+        match (self.converged(), self.iterations) {
+            (true, _) => 0,
+            (false, Some(_)) => 1,
+            (false, None) => 2,
+        }
+    }
+}
+
+/// A line each, and the command of the first.
+fn print(compared: &Compared) {
+    say(format!("{}: {} dofs, {} retained", compared.case, compared.dofs, compared.retained));
+    let mut table = table(["formulation", "outcome", "iterations", "factorisations", "error", "seconds"]);
+    let count = |number: Option<usize>| number.map_or_else(|| "–".into(), |number| number.to_string());
+    for row in &compared.formulations {
+        let [error, seconds] = [row.error.value(), row.seconds.value()];
+        table.add_row([
+            row.formulation.clone(),
+            row.outcome.clone(),
+            count(row.iterations),
+            count(row.factorisations),
+            if error.is_nan() { "–".into() } else { markdown::error(error) },
+            if seconds.is_nan() { "–".into() } else { format!("{seconds:.3}") },
+        ]);
+    }
+    say(table);
+    for row in &compared.formulations {
+        row.reason.iter().for_each(|reason| say(format!("{}: {reason}", row.formulation)));
+    }
+    match compared.formulations.iter().find(|row| row.converged()) {
+        Some(first) => {
+            say(format!("recommended, with the fewest operations of those that converge: {}", first.command))
+        }
+        None => say("none of them converges to a contact"),
+    }
+}

@@ -1,0 +1,137 @@
+//! All nine formulations on one scene: a row for each, whatever becomes of it; and the command that converges where another does not.
+
+use std::fs;
+
+use contact_vv::cli::json;
+use serde_json::Value;
+
+use crate::outputs::{contact_vv, scene};
+
+/// A block that does not reach the plane below it.
+const OPEN: &str = r#"
+title = "open"
+plane = "strain"
+thickness = 1.0
+
+[[body]]
+name = "block"
+young = 210e3
+poisson = 0.3
+shape = { rectangle = { x = [0, 20], y = [0, 10], contact = "bottom" } }
+supports = [{ at = "left", component = "x" }, { at = "far", component = "y" }]
+loads = [{ traction = { at = "right", value = [10, 0] } }]
+
+[contact]
+first = "block"
+gap = { uniform = 0.5 }
+stretch = 20
+
+[reference]
+length = 10
+pressure = 10
+
+[mesh]
+elements = 4
+per = 20
+"#;
+
+/// Whether the command ended well, and its rows.
+fn rows(arguments: &[&str]) -> (bool, Vec<Value>) {
+    let (well, text, told) = contact_vv(&[&["compare"], arguments, &["--json", "-"]].concat());
+    let document: Value = serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error}: {text}{told}"));
+    (well, document["formulations"].as_array().expect("rows").clone())
+}
+
+/// Words of a command that was told, after the program's name.
+fn words(command: &str) -> Vec<&str> {
+    command.split_whitespace().skip(1).collect()
+}
+
+fn solved(command: &str) -> Value {
+    let quiet = [words(command), vec!["--no-error-bar", "--json", "-"]].concat();
+    let (_, text, told) = contact_vv(&quiet);
+    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{command}: {error}: {told}"))
+}
+
+#[test]
+fn every_row_is_what_its_command_solves_and_the_first_has_the_fewest_operations() {
+    let path = scene("rigid-cosine");
+    for case in ["cylinder", &path] {
+        let (well, rows) = rows(&[case]);
+        assert!(well && rows.len() == 9, "{case}: {} rows", rows.len());
+        for row in &rows {
+            let run = solved(row["command"].as_str().expect("a command"));
+            assert_eq!((&row["outcome"], &row["steps"]), (&run["outcome"], &run["steps"]), "{row}");
+            assert!(row["error"].as_f64().is_some_and(|error| error <= 1e-3) && row["reason"].is_null(), "{row}");
+        }
+        let operations: Vec<f64> = rows.iter().filter_map(|row| row["operations"].as_f64()).collect();
+        assert!(operations.len() == 9 && operations.is_sorted(), "{case}: {operations:?}");
+    }
+}
+
+#[test]
+fn formulation_that_cannot_take_the_scene_is_a_row_with_its_reason_behind_the_others() {
+    let (well, rows) = rows(&["press-fit"]);
+    assert!(well && rows.len() == 9);
+    let (answers, refused) = rows.split_at(6);
+    assert!(answers.iter().all(|row| row["outcome"] == "converged" && row["reason"].is_null()), "{answers:?}");
+    for row in refused {
+        let reason = row["reason"].as_str().expect("a reason");
+        assert!(row["outcome"] == "refused" && row["steps"].is_null() && reason.contains("interference"), "{row}");
+    }
+    let (_, text, _) = contact_vv(&["compare", "press-fit"]);
+    assert!(text.lines().count() >= 1 + 10 + 3 + 1 && text.contains("recommended"), "{text}");
+}
+
+#[test]
+fn open_contact_and_a_run_that_does_not_converge_are_rows_and_none_is_recommended() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("open.toml").display().to_string();
+    fs::write(&path, OPEN).expect("written");
+    let (well, open) = rows(&[&path]);
+    assert!(!well && open.len() == 9 && open.iter().all(|row| row["outcome"] == "no contact"), "{open:?}");
+    let (well, slow) = rows(&["cylinder", "--formulations", "line.varying,line.varying+anderson"]);
+    assert!(well && slow[0]["formulation"] == "line.varying+anderson" && slow[0]["reason"].is_null(), "{slow:?}");
+    assert!(slow[1]["outcome"] == "not converged" && slow[1]["reason"].as_str().is_some(), "{slow:?}");
+    let (well, text, _) = contact_vv(&["compare", "cylinder", "--formulations", "line.varying"]);
+    assert!(!well && text.contains("none of them") && !text.contains("recommended"), "{text}");
+}
+
+#[test]
+fn outputs_of_a_comparison_are_its_own_and_a_name_that_is_none_is_refused_with_those_that_are() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [json, plot] = ["all.json", "all.svg"].map(|name| folder.path().join(name).display().to_string());
+    for _ in 0..2 {
+        let (well, text, told) = contact_vv(&["compare", "bars", "--json", &json, "--plot", &plot]);
+        assert!(well && text.contains("recommended"), "{told}");
+    }
+    let [json, drawn] = [&json, &plot].map(|path| fs::read_to_string(path).expect("written"));
+    assert!(json::is_comparison(&json) && !json::is_result(&json));
+    assert!(drawn.contains("<svg") && drawn.contains("iteration error"), "a chart");
+    let (well, _, told) = contact_vv(&["compare", "bars", "--formulations", "line.vary"]);
+    assert!(!well && told.contains("did you mean `line.varying`") && told.contains("node.kinematic"), "{told}");
+    fs::write(&plot, "mine").expect("written");
+    let (well, _, told) = contact_vv(&["compare", "bars", "--plot", &plot]);
+    assert!(!well && told.contains("--force"), "{told}");
+}
+
+#[test]
+fn where_a_run_does_not_converge_the_command_that_is_told_does() {
+    let path = scene("cylinder-between-blocks");
+    for asked in [
+        "cylinder --element line --algorithm varying --acceleration none",
+        "cylinder --element line --algorithm constant --stiffness 1e5 --tolerance 1e-6",
+        "cylinder --a-over-r 0.1 --resolution 8 --element node --algorithm constant --acceleration none --stiffness 1e4",
+        &format!("{path} --element line --algorithm varying"),
+    ] {
+        let (well, _, told) = contact_vv(&[vec!["solve", "--no-error-bar"], asked.split(' ').collect()].concat());
+        let command = told.trim().rsplit_once("as was tried: ").map(|(_, command)| command);
+        let command = command.unwrap_or_else(|| panic!("{asked}: {told}"));
+        assert!(!well && command.starts_with("contact-vv solve"), "{told}");
+        let run = solved(command);
+        assert_eq!(run["outcome"], "converged", "{command}");
+        for kept in ["--a-over-r", "--resolution", "--tolerance"] {
+            assert_eq!(asked.contains(kept), command.contains(kept), "{asked}: {command}");
+        }
+    }
+}
