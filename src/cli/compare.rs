@@ -176,8 +176,10 @@ impl Arguments {
             return Err(Error::value("compare", "--plot", path, "plots are SVG", remedy));
         }
         let json = self.json.as_deref().filter(|path| path.as_os_str() != STDOUT);
-        let earlier: [(_, _, fn(&str) -> bool); 2] =
-            [("--json", json, json::is_comparison), ("--plot", self.plot.as_deref(), figure::is_drawing)];
+        let earlier = [
+            ("--json", json, json::is_comparison as fn(&str) -> bool),
+            ("--plot", self.plot.as_deref(), figure::is_drawing),
+        ];
         let files = earlier.into_iter().filter_map(|(option, path, is_earlier)| {
             Some(Output { option, path: path?, is_earlier: Box::new(is_earlier) })
         });

@@ -1,5 +1,6 @@
 //! How formulations are drawn everywhere: colour = element, dash = algorithm; and what a page's picture is called.
 
+use crate::algorithm::Acceleration;
 use crate::figure::palette::{self, Dash, Marker, Style};
 use crate::figure::{Series, Theme};
 use crate::solve::{Formulation, Iteration};
@@ -32,9 +33,11 @@ pub fn style(formulation: &Formulation) -> Style {
     Style::run(colour, dash, marker)
 }
 
-/// Label of a formulation in legends.
+/// Label of a formulation in legends, with its acceleration.
 pub fn label(formulation: &Formulation) -> String {
-    format!("{} · {}", formulation.element.name(), formulation.algorithm.name())
+    let Formulation { element, algorithm, acceleration, .. } = formulation;
+    let added = if *acceleration == Acceleration::None { String::new() } else { format!(" + {}", acceleration.name()) };
+    format!("{} · {}{added}", element.name(), algorithm.name())
 }
 
 /// A picture of the page, for light and for dark ones, with its caption below.

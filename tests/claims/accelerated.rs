@@ -2,11 +2,14 @@
 
 use contact_vv::algorithm::acceleration::{Acceleration, History};
 use contact_vv::algorithm::{StiffnessRule, StiffnessUnit};
+use contact_vv::case::Verdict;
 use contact_vv::case::library::{self, Cylinder, TruncatedHertz};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::Scene;
 use contact_vv::solution::Solution;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use contact_vv::study::Found;
+use contact_vv::study::sweep::{self, Numbers};
 
 use crate::workbench::{distance, resolution};
 
@@ -197,4 +200,26 @@ fn bodies_in_free_motion_leave_no_slope_to_accelerate() {
         let solution = solved(&patch, &Formulation { stiffness, stiffness_unit, ..accelerated });
         assert!(solution.converged(), "κ₀ = {stiffness}: {}", solution.outcome);
     }
+}
+
+#[test]
+fn page_has_plain_beside_accelerated_and_one_that_does_not_converge_turns_red() {
+    let trials = sweep::plan();
+    let trial = trials.iter().find(|trial| trial.case == "before and after, cylinder").expect("planned");
+    let mut numbers = trial.run().expect("run");
+    let verdicts = |numbers: &Numbers| {
+        sweep::judge(numbers).expect("judged").iter().map(|one| one.verdict.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(verdicts(&numbers), [Verdict::Pass, Verdict::Pass]);
+    let found = Found { case: &trial.case, name: &trial.name, numbers: &numbers, judged: &[] };
+    let page = sweep::section(&[found]).expect("a section");
+    let row = page.lines().find(|line| line.starts_with("| line.varying ")).expect("a row");
+    let counts: Vec<usize> = row.split([' ', '|']).filter_map(|word| word.parse().ok()).collect();
+    assert!(row.contains("line.varying+anderson") && counts.len() == 2 && counts[0] > 10 * counts[1], "{row}");
+    let Numbers::Saved(_, saved) = &mut numbers else { panic!("another trial") };
+    saved[3].iterations[1] = None;
+    assert_eq!(verdicts(&numbers), [Verdict::Pass, Verdict::Fail]);
+    let Numbers::Saved(_, saved) = &mut numbers else { panic!("another trial") };
+    saved[3].error = f64::NAN;
+    assert_eq!(verdicts(&numbers), [Verdict::Fail, Verdict::Fail]);
 }

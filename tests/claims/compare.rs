@@ -80,7 +80,7 @@ fn formulation_that_cannot_take_the_scene_is_a_row_with_its_reason_behind_the_ot
         assert!(row["outcome"] == "refused" && row["steps"].is_null() && reason.contains("interference"), "{row}");
     }
     let (_, text, _) = contact_vv(&["compare", "press-fit"]);
-    assert!(text.lines().count() >= 1 + 10 + 3 + 1 && text.contains("recommended"), "{text}");
+    assert!(text.lines().count() > 1 + 10 + 3 && text.contains("recommended"), "{text}");
 }
 
 #[test]

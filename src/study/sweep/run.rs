@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::algorithm::StiffnessRule;
+use crate::algorithm::{StiffnessRule, StiffnessUnit};
 use crate::error::{Error, Kind};
 use crate::measure::larger;
 use crate::solution::Outcome;
@@ -17,6 +17,21 @@ pub enum Numbers {
     Sweep(Sweep),
     /// Every rule of every algorithm.
     Rules(Vec<Rule>),
+    /// What acceleration and initial stiffness save each formulation.
+    Saved(Scene, Vec<Saved>),
+}
+
+/// A formulation as it stands in the paper, and as the program takes it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Saved {
+    /// Name of the element and the algorithm.
+    pub paper: String,
+    /// Name of what the program takes.
+    pub program: String,
+    /// Iterations of both; none where it does not converge.
+    pub iterations: [Option<usize>; 2],
+    /// Error of p₀ and a of what the program takes.
+    pub error: f64,
 }
 
 /// Iterations of one formulation from every initial stiffness.
@@ -56,6 +71,9 @@ pub struct End {
     pub error: Option<f64>,
 }
 
+/// Most iterations of a formulation of the paper: more than any takes on both scenes.
+const ENOUGH: usize = 100_000;
+
 /// Initial stiffnesses of the rules.
 pub(super) const STARTS: [f64; 3] = [0.1, 1.0, 10.0];
 
@@ -65,7 +83,8 @@ pub(super) fn sweep(scene: Scene, formulation: &Formulation) -> Result<Numbers, 
     let discretisation = Discretisation::of(case.scene, case.resolution)?;
     let (mut iterations, mut error) = (Curve::default(), None);
     for stiffness in stiffnesses() {
-        let run = Run::of(&discretisation, &Formulation { stiffness, ..formulation.clone() })?;
+        let stiffness_unit = StiffnessUnit::Reference;
+        let run = Run::of(&discretisation, &Formulation { stiffness, stiffness_unit, ..formulation.clone() })?;
         if !run.solution.converged() {
             iterations.failed.push(stiffness);
             continue;
@@ -76,11 +95,27 @@ pub(super) fn sweep(scene: Scene, formulation: &Formulation) -> Result<Numbers, 
     Ok(Numbers::Sweep(Sweep { scene, formulation: formulation.clone(), iterations, error }))
 }
 
+/// Every formulation as it stands in the paper, for as long as it takes, and as the program takes it, on the mesh of the library.
+pub(super) fn saved(scene: Scene) -> Result<Numbers, Error> {
+    let case = scene.of_library();
+    let discretisation = Discretisation::of(case.scene, case.resolution)?;
+    let pairs = Formulation::nine().into_iter().zip(Formulation::compared());
+    let of = |(mut paper, program): (Formulation, Formulation)| {
+        paper.settings.max_iterations = ENOUGH;
+        let [before, after] = [&paper, &program].map(|formulation| Run::of(&discretisation, formulation));
+        let (before, after) = (before?, after?);
+        let iterations = [&before, &after].map(|run| run.solution.converged().then_some(run.solution.work.iterations));
+        Ok(Saved { paper: paper.name(), program: program.name(), iterations, error: after.iteration_error() })
+    };
+    Ok(Numbers::Saved(scene, pairs.map(of).collect::<Result<_, Error>>()?))
+}
+
 /// Every rule of every algorithm on the cylinder, node element.
 pub(super) fn rules() -> Result<Numbers, Error> {
     let case = Scene::Cylinder.case();
     let discretisation = Discretisation::of(case.scene, case.resolution)?;
-    let rules = Iteration::ALL.into_iter().flat_map(|algorithm| algorithm.rules().iter().map(move |rule| (algorithm, *rule)));
+    let rules =
+        Iteration::ALL.into_iter().flat_map(|algorithm| algorithm.rules().iter().map(move |rule| (algorithm, *rule)));
     let of = |(algorithm, rule): (Iteration, StiffnessRule)| {
         let runs = STARTS.map(|stiffness| {
             let formulation = Formulation { rule, stiffness, ..Formulation::new(Element::Node, algorithm) };

@@ -32,12 +32,21 @@ impl Scene {
 
     /// The case on the mesh of the sweep.
     pub(super) fn case(self) -> Case {
-        let (case, elements) = match self {
-            Self::Cylinder => (Cylinder::default().case(), 8),
-            Self::PinRod => (PinRod::default().case(), 12),
-            Self::AtTheEdge => (Cylinder { stretch: 1.0, ..Default::default() }.case(), 8),
+        let case = self.of_library();
+        let elements = match self {
+            Self::Cylinder | Self::AtTheEdge => 8,
+            Self::PinRod => 12,
         };
         Case { resolution: Resolution { elements, ..case.resolution }, ..case }
+    }
+
+    /// The case on the mesh of the library.
+    pub(super) fn of_library(self) -> Case {
+        match self {
+            Self::Cylinder => Cylinder::default().case(),
+            Self::PinRod => PinRod::default().case(),
+            Self::AtTheEdge => Cylinder { stretch: 1.0, ..Default::default() }.case(),
+        }
     }
 }
 
