@@ -70,6 +70,17 @@ impl Check {
 }
 
 impl Judged {
+    /// The same, not judged where it misses its tolerance by no more than an iteration error that was accepted beforehand.
+    pub fn as_far_as(self, iteration: f64) -> Self {
+        let is_relative = matches!(self.check.relation, Relation::Near | Relation::Error);
+        if self.verdict != Verdict::Fail || !is_relative || self.error > iteration || self.error.is_nan() {
+            return self;
+        }
+        let [asked, accepted] = [self.check.tolerance, iteration].map(markdown::tolerance);
+        let why = format!("not judged: it asks for {asked}, and the iteration may leave {accepted}; give --tolerance");
+        Self { verdict: Verdict::NotRun(why), ..self }
+    }
+
     /// The sentence of what shall hold.
     pub fn requirement(&self) -> String {
         self.check.requirement(&self.reference)

@@ -136,3 +136,24 @@ fn quantity_names_its_place_and_unit() {
     assert_eq!(Quantity::at("order", "4-node").to_string(), "order, 4-node");
     assert_eq!(Quantity::HoopStress { at: std::f64::consts::PI }.to_string(), "hoop stress at 180° [MPa]");
 }
+
+#[test]
+fn check_that_asks_for_more_than_another_formulation_accepts_is_not_judged_and_a_larger_miss_still_fails() {
+    let near = |value: f64| Check::near("length", Reference::analytic("a law", 1.0), 1e-9, "exact").judge(value);
+    assert_eq!(near(1.0).as_far_as(1e-3).verdict, Verdict::Pass);
+    assert!(matches!(near(1.0005).as_far_as(1e-3).verdict, Verdict::NotRun(why) if why.contains("0.10 %")));
+    for missed in [1.002, f64::NAN] {
+        assert_eq!(near(missed).as_far_as(1e-3).verdict, Verdict::Fail, "{missed}");
+    }
+    let absolute = Check::absolute("length", Reference::analytic("a law", 0.0), 1e-9, "exact").judge(5e-4);
+    assert_eq!(absolute.as_far_as(1e-3).verdict, Verdict::Fail, "in its own unit an iteration error says nothing");
+    // Of a file's own formulation every check is judged.
+    let path = crate::outputs::scene("rubber-roller");
+    let told = |options: &[&str]| {
+        let all = [&["solve", &path, "--no-error-bar"], options].concat();
+        let (well, text, _) = crate::outputs::contact_vv(&all);
+        (well, text.contains("not judged"))
+    };
+    assert_eq!(told(&["--element", "node", "--algorithm", "constant"]), (true, true));
+    assert_eq!(told(&["--tolerance", "1e-3", "--algorithm", "kinematic"]), (true, false));
+}
