@@ -1,7 +1,7 @@
 //! Acceleration of a fixed point from its last states: not of the paper, and named beside what is accelerated.
 //!
-//! Varying stiffness is accelerated on the [logarithms](crate::algorithm::logarithms) of its stiffnesses, constant stiffness on its
-//! forces. With the rule `correction` the iteration `x → G(x)` of the carried forces is Douglas–Rachford splitting of elasticity and
+//! Constant stiffness is accelerated on its forces; varying stiffness by Newton's method on the
+//! [logarithms](crate::algorithm::logarithms) of its stiffnesses. With the rule `correction` the iteration `x → G(x)` of the carried forces is Douglas–Rachford splitting of elasticity and
 //! contact (Lions & Mercier 1979). In the norm `‖f‖² = Σ A f²/k₀` it is firmly nonexpansive, so the residual
 //! `f = G(x) − x` never grows in a plain iteration, whatever κ₀, and crossed secant never takes a shorter step than it.
 
@@ -20,14 +20,19 @@ named_enum! {
         CrossedSecant = "crossed-secant",
         /// `x⁺ = x + f − Σ γ (Δx + Δf)`, γ minimising `‖f − Σ γ Δf‖` over the last differences (Walker & Ni 2011).
         Anderson = "anderson",
+        /// `ln k⁺ = ln k + (1 + δ)(M + δ)⁻¹ ln(w/g)`, M what springs and bodies yield together: Newton's method, damped.
+        Newton = "newton",
     }
 }
 
 impl Acceleration {
+    /// Those of the forces of constant stiffness.
+    pub const OF_FORCES: [Self; 3] = [Self::None, Self::CrossedSecant, Self::Anderson];
+
     /// Differences remembered.
     fn depth(self) -> usize {
         match self {
-            Self::None => 0,
+            Self::None | Self::Newton => 0,
             Self::CrossedSecant => 1,
             Self::Anderson => DEPTH,
         }

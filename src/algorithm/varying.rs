@@ -34,24 +34,28 @@ impl Varying {
 
     /// The same with an acceleration.
     pub fn accelerated(rule: StiffnessRule, leeway: Leeway, acceleration: Acceleration) -> Self {
-        Self { rule, leeway, acceleration, logarithms: Logarithms::new(acceleration), kept: Settling::default() }
+        Self { rule, leeway, acceleration, logarithms: Logarithms::default(), kept: Settling::default() }
     }
+}
 
-    /// Factors on the stiffnesses: `Σ A w` and `Σ A g` of what has one stiffness put into the rule, over `Σ A`.
-    fn factors(&self, problem: &ContactProblem, approach: &[f64]) -> Vec<f64> {
-        let Leeway { bound, spring } = self.leeway;
-        let is_one = |a: &ContactPoint, b: &ContactPoint| spring == Spring::Element && in_one_element(a, b);
-        let mut factors = Vec::with_capacity(approach.len());
-        for own in problem.points.chunk_by(is_one) {
-            let first = factors.len();
-            let area: f64 = own.iter().map(|point| point.weight).sum();
-            let w: f64 = own.iter().zip(&approach[first..]).map(|(point, w)| point.weight * w).sum();
-            let g: f64 = own.iter().map(|point| point.weight * point.gap).sum();
-            let factor = rule::factor(self.rule, &problem.scale, w / area, g / area).clamp(1.0 / bound, bound);
-            factors.resize(first + own.len(), factor);
-        }
-        factors
+/// Factors on the stiffnesses: `Σ A w` and `Σ A g` of what has one stiffness put into the rule, over `Σ A`.
+fn factors(
+    rule: StiffnessRule,
+    Leeway { bound, spring }: Leeway,
+    problem: &ContactProblem,
+    approach: &[f64],
+) -> Vec<f64> {
+    let is_one = |a: &ContactPoint, b: &ContactPoint| spring == Spring::Element && in_one_element(a, b);
+    let mut factors = Vec::with_capacity(approach.len());
+    for own in problem.points.chunk_by(is_one) {
+        let first = factors.len();
+        let area: f64 = own.iter().map(|point| point.weight).sum();
+        let w: f64 = own.iter().zip(&approach[first..]).map(|(point, w)| point.weight * w).sum();
+        let g: f64 = own.iter().map(|point| point.weight * point.gap).sum();
+        let factor = rule::factor(rule, &problem.scale, w / area, g / area).clamp(1.0 / bound, bound);
+        factors.resize(first + own.len(), factor);
     }
+    factors
 }
 
 /// Whether two points are quadrature points of one edge; a node, which neighbouring edges share, is an element of its own.
@@ -74,12 +78,11 @@ impl Algorithm for Varying {
         let iterate = problem.equilibrium(factor, load, springs, |_| 0.0, work);
         let scale = &problem.scale;
         if self.rule != StiffnessRule::Correction {
-            let factors = self.factors(problem, &iterate.approach);
+            let factors = factors(self.rule, self.leeway, problem, &iterate.approach);
             let before = springs.stiffness.clone();
             springs.stiffness.iter_mut().zip(factors).for_each(|(k, factor)| *k = scale.clip(*k * factor));
             if self.acceleration != Acceleration::None {
-                let (logarithms, after) = (&mut self.logarithms, &mut springs.stiffness);
-                logarithms.accelerate(problem, &iterate, &before, after, &mut work.rejected);
+                self.logarithms.step((problem, factor), &iterate, &before, &mut springs.stiffness, work);
             }
             return Some(iterate);
         }
@@ -94,7 +97,7 @@ impl Algorithm for Varying {
     /// many iterations to press again as they took to fall.
     fn reload(&mut self, problem: &ContactProblem, springs: &mut Springs) {
         if self.acceleration != Acceleration::None {
-            self.logarithms = Logarithms::new(self.acceleration);
+            self.logarithms = Logarithms::default();
             springs.stiffness.iter_mut().zip(&problem.initial).for_each(|(k, initial)| *k = k.max(*initial));
         }
     }

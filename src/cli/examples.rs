@@ -32,7 +32,7 @@ pub const COMPARE: &str = "\
 Examples:
   contact-vv compare cylinder
   contact-vv compare mine.toml --json - --plot compared.svg
-  contact-vv compare pin-rod --formulations line.varying,line.varying+anderson";
+  contact-vv compare pin-rod --formulations line.varying,line.varying+newton";
 
 /// Of `verify`.
 pub const VERIFY: &str = "\

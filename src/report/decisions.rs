@@ -61,7 +61,7 @@ pub fn open_points() -> String {
          format!("(a), (b): {soft}; (c): {hard:e} with node elements, {gauss} with line and layer elements; as the program takes them, (b), and (c) with line and layer elements, by the bodies; springs within {:e} … {:e} E*/ℓ", LIMITS[0], LIMITS[1]),
          "with line and layer elements, hard springs let an alternating pressure mode grow between Gauss points that no node feels".into()],
         ["Acceleration".into(),
-         "none in the paper; where the program takes (a) or (b), Anderson acceleration under their own rules, and their names say so".into(),
+         "none in the paper; as the program takes them, under their own rules, (a) Newton's method on ln k, (b) Anderson acceleration, and their names say so".into(),
          "iterations only: *Elements and iterations* has both side by side; the atlas, the readings and the rates are of the paper's own".into()],
         ["Penetration of hard springs".into(),
          "(c): where p/k exceeds the tolerance at the stiffest spring, hard points carry their force over to the next iteration".into(),

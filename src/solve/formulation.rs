@@ -68,7 +68,7 @@ impl Formulation {
         let by_the_bodies = |stiffness: f64| Self { stiffness, stiffness_unit: StiffnessUnit::Bodies, ..paper.clone() };
         let acceleration = Acceleration::Anderson;
         match (algorithm, element) {
-            (Iteration::Varying, _) => Self { acceleration, ..paper },
+            (Iteration::Varying, _) => Self { acceleration: Acceleration::Newton, ..paper },
             (Iteration::Constant, Element::Node) => Self { acceleration, ..by_the_bodies(1.0) },
             (Iteration::Constant, _) => Self { acceleration, ..by_the_bodies(4.0) },
             (Iteration::Kinematic, Element::Node) => paper,
@@ -89,6 +89,13 @@ impl Formulation {
         let acceleration = acceleration.unwrap_or(by_default);
         let is_own = (rule, acceleration) == (own.rule, own.acceleration);
         Self { rule, acceleration, ..if is_own { own } else { Self::new(element, algorithm) } }
+    }
+
+    /// The same with a stiffness for every point, or for every element, which is not accelerated unless that is asked for.
+    pub fn with_springs(self, spring: Spring, acceleration: Option<Acceleration>) -> Self {
+        let by_default = if spring == Spring::Point { self.acceleration } else { Acceleration::None };
+        let leeway = Leeway { spring, ..self.leeway };
+        Self { leeway, acceleration: acceleration.unwrap_or(by_default), ..self }
     }
 
     /// The same in place of a scene's own: it begins from its own defaults, and keeps increments and cap of iterations.

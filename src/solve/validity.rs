@@ -1,7 +1,7 @@
 //! What a formulation is not defined for: refused before anything is solved.
 
 use crate::algorithm::problem::LIMITS;
-use crate::algorithm::{Acceleration, Iteration, Leeway, StiffnessRule};
+use crate::algorithm::{Acceleration, Iteration, Leeway, Spring, StiffnessRule};
 use crate::error::{Error, Place};
 use crate::scene::Scene;
 use crate::solve::{Formulation, Start};
@@ -84,9 +84,12 @@ impl Formulation {
     fn validate_options(&self, place: Place) -> Result<(), Error> {
         let refused = |message: String, remedy: &str| Err(Error::at(place, message, remedy));
         let algorithm = self.algorithm.name();
+        let is_point = self.leeway.spring == Spring::Point;
         let has_fixed_point = match self.algorithm {
-            Iteration::Varying => self.rule == StiffnessRule::Secant,
-            Iteration::Constant => true,
+            Iteration::Varying => {
+                self.acceleration == Acceleration::Newton && self.rule == StiffnessRule::Secant && is_point
+            }
+            Iteration::Constant => Acceleration::OF_FORCES.contains(&self.acceleration),
             Iteration::Kinematic => false,
         };
         if self.acceleration != Acceleration::None && !has_fixed_point {
@@ -96,7 +99,7 @@ impl Formulation {
                     "the {algorithm} algorithm with rule `{rule}` has no fixed point for `{}`",
                     self.acceleration.name()
                 ),
-                "accelerate the constant algorithm, or varying with the rule secant, or choose the acceleration `none`",
+                "choose anderson or crossed-secant for constant, newton for varying with the rule secant and springs of points, or `none`",
             );
         }
         if self.start != Start::Closed && self.algorithm != Iteration::Kinematic {

@@ -90,8 +90,8 @@ fn open_contact_and_a_run_that_does_not_converge_are_rows_and_none_is_recommende
     fs::write(&path, OPEN).expect("written");
     let (well, open) = rows(&[&path]);
     assert!(!well && open.len() == 9 && open.iter().all(|row| row["outcome"] == "no contact"), "{open:?}");
-    let (well, slow) = rows(&["cylinder", "--formulations", "line.varying,line.varying+anderson"]);
-    assert!(well && slow[0]["formulation"] == "line.varying+anderson" && slow[0]["reason"].is_null(), "{slow:?}");
+    let (well, slow) = rows(&["cylinder", "--formulations", "line.varying,line.varying+newton"]);
+    assert!(well && slow[0]["formulation"] == "line.varying+newton" && slow[0]["reason"].is_null(), "{slow:?}");
     assert!(slow[1]["outcome"] == "not converged" && slow[1]["reason"].as_str().is_some(), "{slow:?}");
     let (well, text, _) = contact_vv(&["compare", "cylinder", "--formulations", "line.varying"]);
     assert!(!well && text.contains("none of them") && !text.contains("recommended"), "{text}");

@@ -191,7 +191,9 @@ impl SolveTable {
         let starts = [Start::Closed, Start::Nested].map(|start| (start.name(), start));
         formulation.start = named(source, "start", &self.start, &starts)?.unwrap_or(Start::Closed);
         let springs = Spring::ALL.map(|spring| (spring.name(), spring));
-        formulation.leeway.spring = named(source, "spring", &self.spring, &springs)?.unwrap_or(Spring::Point);
+        if let Some(spring) = named(source, "spring", &self.spring, &springs)? {
+            formulation = formulation.with_springs(spring, acceleration);
+        }
         if let Some(bound) = &self.bound {
             formulation.leeway.bound = source.factor("bound", bound)?;
         }

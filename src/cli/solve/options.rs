@@ -43,8 +43,8 @@ pub struct Arguments {
     /// Thickness of the layer element over the length of its edge.
     #[arg(long, value_name = "PART", allow_negative_numbers = true)]
     layer_thickness: Option<f64>,
-    /// Acceleration of the varying and the constant algorithm: anderson by default under their own rules, none under others;
-    /// with none they are those of the paper.
+    /// Acceleration: by default newton of the varying and anderson of the constant algorithm under their own rules, none under
+    /// others; with none they are those of the paper.
     #[arg(long, value_enum)]
     acceleration: Option<Acceleration>,
     /// Start of the kinematic algorithm; closed by default.
@@ -162,7 +162,9 @@ impl Arguments {
         settings.increments = self.increments.unwrap_or(settings.increments);
         settings.max_iterations = self.max_iterations.unwrap_or(settings.max_iterations);
         formulation.leeway.bound = self.bound.unwrap_or(formulation.leeway.bound);
-        formulation.leeway.spring = self.spring.unwrap_or(formulation.leeway.spring);
+        if let Some(spring) = self.spring {
+            formulation = formulation.with_springs(spring, self.acceleration);
+        }
         formulation.layer_thickness = self.layer_thickness.unwrap_or(formulation.layer_thickness);
         formulation.start = self.start.unwrap_or(formulation.start);
         if let Some(stiffness) = self.stiffness {

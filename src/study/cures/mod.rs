@@ -1,4 +1,4 @@
-//! Cures of what fails or is slow: options beside the paper's algorithms, off by default.
+//! Cures of what fails or is slow, beside the paper's algorithms: the program takes Anderson acceleration, the others are options.
 //!
 //! * `plan` — a trial for each element, one for the rules, one for each scene of nested starts.
 //! * `run` — what came out of any of them.
@@ -33,5 +33,5 @@ pub use section::section;
 pub const ABOUT: About = About {
     title: "Cures of what is slow",
     asked: "Whether accelerations and nested starts widen what converges.",
-    limits: "Options beside the paper's algorithms, off by default.",
+    limits: "Beside the paper's algorithms: the program takes Anderson acceleration, the others are options.",
 };

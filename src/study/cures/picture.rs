@@ -34,13 +34,17 @@ pub(super) fn called(acceleration: Acceleration) -> &'static str {
         Acceleration::None => "plain",
         Acceleration::CrossedSecant => "crossed secant",
         Acceleration::Anderson => "Anderson",
+        Acceleration::Newton => "Newton",
     }
 }
 
 fn panel(recorded: &[Runs]) -> Chart {
     let element = recorded.first().map_or("", |runs| runs.element.name());
-    let mut chart =
-        Chart::new(element, Axis::log("initial stiffness κ₀ [–]").over(1e-3, 1e3), Axis::log("iterations [–]").over(5.0, 200.0));
+    let mut chart = Chart::new(
+        element,
+        Axis::log("initial stiffness κ₀ [–]").over(1e-3, 1e3),
+        Axis::log("iterations [–]").over(5.0, 200.0),
+    );
     chart.series = recorded.iter().map(|runs| curve(runs).drawn(called(runs.acceleration), style(runs))).collect();
     chart
 }
@@ -49,7 +53,7 @@ fn style(runs: &Runs) -> Style {
     match runs.acceleration {
         Acceleration::None => Style::run(palette::INK, Dash::Dashed, Marker::Square),
         Acceleration::CrossedSecant => Style::run(palette::ORANGE, Dash::DashDot, Marker::Triangle),
-        Acceleration::Anderson => Style::run(palette::SKY, Dash::Solid, Marker::Circle),
+        Acceleration::Anderson | Acceleration::Newton => Style::run(palette::SKY, Dash::Solid, Marker::Circle),
     }
 }
 

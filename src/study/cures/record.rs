@@ -10,10 +10,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::algorithm::Acceleration;
 use crate::case::library::TruncatedHertz;
+use crate::checkout::root;
 use crate::error::Error;
 use crate::measure::larger;
 use crate::mesh::{Order, Resolution};
-use crate::checkout::root;
 use crate::solution::Solution;
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Settings};
 
@@ -79,7 +79,7 @@ pub fn discretised((stretch, elements): (f64, usize)) -> Result<Discretisation, 
 pub fn measure(element: Element) -> Result<Vec<Measured>, Error> {
     let planes = PLANES.iter().map(|&plane| discretised(plane)).collect::<Result<Vec<_>, _>>()?;
     let exact = planes[DRAWN].solve(&Formulation::new(element, Iteration::Kinematic).tolerance(1e-8))?;
-    Acceleration::ALL.iter().map(|&acceleration| runs(element, acceleration, &planes, &exact)).collect()
+    Acceleration::OF_FORCES.iter().map(|&acceleration| runs(element, acceleration, &planes, &exact)).collect()
 }
 
 fn runs(
@@ -128,7 +128,7 @@ pub fn read(element: Element) -> Result<Vec<Runs>, Error> {
         runs.iterations.iter().all(|planes| planes.len() == PLANES.len())
             && planes.into_iter().all(|plane| plane.len() == stiffnesses().len())
     };
-    if found.iter().map(|runs| runs.acceleration).eq(Acceleration::ALL) && found.iter().all(complete) {
+    if found.iter().map(|runs| runs.acceleration).eq(Acceleration::OF_FORCES) && found.iter().all(complete) {
         return Ok(found);
     }
     Err(Error::file(&path(), format!("runs of `{}` are missing", element.name()), renew))
@@ -139,7 +139,9 @@ pub fn write() -> Result<(), Error> {
     let mut lines = Vec::new();
     for element in Element::ALL {
         for measured in measure(element)? {
-            lines.push(serde_json::to_string(&measured.runs).expect("numbers, strings and lists can be written as JSON"));
+            lines.push(
+                serde_json::to_string(&measured.runs).expect("numbers, strings and lists can be written as JSON"),
+            );
         }
     }
     fs::write(path(), format!("[\n{}\n]\n", lines.join(",\n"))).map_err(|error| Error::unwritable(&path(), error))

@@ -15,7 +15,7 @@ pub struct Rule {
     pub rule: StiffnessRule,
     /// Initial stiffness κ₀.
     pub stiffness: f64,
-    /// How each acceleration ended, in the order of [`Acceleration::ALL`].
+    /// How each acceleration ended, in the order of [`Acceleration::OF_FORCES`].
     pub ended: Vec<Ended>,
 }
 
@@ -53,7 +53,7 @@ pub(super) fn run() -> Result<Vec<Rule>, Error> {
             let formulation = Formulation { rule, stiffness, acceleration, settings, ..base.clone() };
             Ok(Ended::of(&discretisation.solve(&formulation)?))
         };
-        Ok(Rule { rule, stiffness, ended: Acceleration::ALL.iter().map(ended).collect::<Result<_, Error>>()? })
+        Ok(Rule { rule, stiffness, ended: Acceleration::OF_FORCES.iter().map(ended).collect::<Result<_, Error>>()? })
     };
     starts.map(of).collect()
 }

@@ -40,7 +40,8 @@ fn introduction() -> String {
     let (starts, planes, possible) = (stiffnesses(), PLANES.len(), 100.0 / TIMES);
     let [least, most] = [starts[0], starts[starts.len() - 1]];
     format!(
-        "Options beside the paper's algorithms, off by default.\n\n\
+        "Beside the paper's algorithms: the program takes Anderson acceleration, the others are options. Accelerated varying stiffness \
+         stands in *Elements and iterations*.\n\n\
          **Constant stiffness, accelerated.** With the rule `correction` its iteration is Douglas–Rachford splitting (Lions & \
          Mercier 1979): it converges whatever κ₀, but slowly away from the best one. Crossed secant (Ramière & Helfer 2015; \
          for Uzawa's iteration of contact Koliesnikova & Ramière, arXiv:2603.12205) and Anderson acceleration (Walker & Ni \
@@ -89,7 +90,7 @@ fn row_of_shares(plain: &Runs, runs: &Runs, tolerance: usize) -> Vec<String> {
 
 fn head_of_planes() -> Vec<&'static str> {
     let place = ["element", "iteration error ≤", "L/a", "elements per a"];
-    place.into_iter().chain(Acceleration::ALL.map(called)).collect()
+    place.into_iter().chain(Acceleration::OF_FORCES.map(called)).collect()
 }
 
 fn rows_of_planes(Reach { recorded, .. }: &Reach) -> Vec<Vec<String>> {
@@ -97,8 +98,7 @@ fn rows_of_planes(Reach { recorded, .. }: &Reach) -> Vec<Vec<String>> {
         let (stretch, elements) = PLANES[plane];
         let element = recorded.first().map_or("", |runs| runs.element.name()).into();
         let place = [element, format!("{:e}", TOLERANCES[tolerance]), stretch.to_string(), elements.to_string()];
-        let converged =
-            |runs: &Runs| runs.iterations[tolerance][plane].iter().map(Option::is_some).collect::<Vec<_>>();
+        let converged = |runs: &Runs| runs.iterations[tolerance][plane].iter().map(Option::is_some).collect::<Vec<_>>();
         place.into_iter().chain(recorded.iter().map(|runs| interval(&converged(runs)))).collect()
     };
     [0, 1].into_iter().flat_map(|tolerance| (0..PLANES.len()).map(move |plane| row(tolerance, plane))).collect()
@@ -125,7 +125,7 @@ fn rules(findings: &[Found<Numbers>]) -> String {
         let place = [rule.rule.name().to_string(), rule.stiffness.to_string()];
         place.into_iter().chain(rule.ended.iter().map(cell)).collect()
     };
-    let head = ["rule", "κ₀"].into_iter().chain(Acceleration::ALL.map(called));
+    let head = ["rule", "κ₀"].into_iter().chain(Acceleration::OF_FORCES.map(called));
     format!(
         "**Every rule within {ITERATIONS} iterations, iteration error ≤ 1e-3, node element**\n\n{}",
         table(head, &rules.flatten().map(row).collect::<Vec<_>>())

@@ -17,7 +17,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     text += &picture("contact-elements.svg", "As Figs 3, 4 and 5: line, layer and node contact element");
     text += &picture(
         "iterations-against-stiffness.svg",
-        "As Fig. 11 with all nine formulations, by the iteration error: iterations against initial stiffness, as they stand in the paper and, dash-dotted, with Anderson acceleration; runs that did not converge are drawn as hollow markers above the chart",
+        "As Fig. 11 with all nine formulations, by the iteration error: iterations against initial stiffness, as they stand in the paper and, dash-dotted, accelerated; runs that did not converge are drawn as hollow markers above the chart",
     );
     text += &before_and_after(findings);
     let rules = findings.iter().filter_map(|found| match found.numbers {
@@ -53,9 +53,9 @@ fn before_and_after(findings: &[Found<Numbers>]) -> String {
     format!(
         "**Iterations to 1e-3 on the meshes of the library, before → after**\n\n{}\n\
          Two Gauss points on an edge carry differences that the bodies feel only through their change from edge to edge: under varying \
-         stiffness these die out in iterations that grow with the square of the number of edges, whatever κ₀. What the program takes \
-         is Anderson acceleration over five differences: of ln k at the points that press, once these have stood for four iterations, or of \
-         the forces of constant stiffness. Its κ₀ of constant stiffness, and of kinematic load on Gauss points, is a multiple of √(E*/L · s), L the candidate \
+         stiffness these die out in iterations that grow with the square of the number of edges, whatever κ₀. The program takes \
+         varying stiffness by Newton's method on ln k of the points that press, damped, once these have stood for four iterations, each with a \
+         back-substitution for every such point; and constant stiffness by Anderson acceleration of its forces, over five differences. Its κ₀ of constant stiffness, and of kinematic load on Gauss points, is a multiple of √(E*/L · s), L the candidate \
          stretch and s what the bodies resist at a point: 1 for the node element under constant stiffness, 4 for line and layer, 10 under kinematic \
          load. With `--acceleration none` varying and constant stiffness are the paper's.\n\n",
         markdown::table(&head, &rows)
