@@ -1,6 +1,7 @@
 //! What an initial stiffness κ₀ is a multiple of.
 
 use crate::algorithm::{ContactProblem, parts};
+use crate::contact::ContactPoint;
 use crate::named::named_enum;
 
 named_enum! {
@@ -15,21 +16,20 @@ named_enum! {
 }
 
 impl StiffnessUnit {
-    /// Stiffness of κ₀ = 1 at every point [MPa/mm].
+    /// Stiffness of κ₀ = 1 of every point [MPa/mm], where its relative stiffness is 1.
     pub fn of(self, problem: &ContactProblem) -> Vec<f64> {
         if self == Self::Reference {
-            return problem.points.iter().map(|point| problem.scale.stiffness * point.relative_stiffness).collect();
+            return vec![problem.scale.stiffness; problem.points.len()];
         }
         let mut unit = vec![0.0; problem.points.len()];
         for own in parts::points(problem.points) {
             let points = &problem.points[own.clone()];
-            let sum = |of: &dyn Fn(usize) -> f64| own.clone().map(of).sum::<f64>();
-            let area = sum(&|i| problem.points[i].weight);
-            let relative = sum(&|i| problem.points[i].weight * problem.points[i].relative_stiffness) / area;
-            let yields = sum(&|i| problem.points[i].weight.powi(2) / problem.resistance(&problem.points[i])) / area;
+            let sum = |of: &dyn Fn(&ContactPoint) -> f64| points.iter().map(of).sum::<f64>();
+            let area = sum(&|point| point.weight);
+            let relative = sum(&|point| point.weight * point.relative_stiffness) / area;
+            let yields = sum(&|point| point.weight.powi(2) / problem.resistance(point)) / area;
             let stretched = problem.compliance[points[0].contact] * area;
-            let mean = 1.0 / (stretched * yields).sqrt();
-            own.zip(points).for_each(|(i, point)| unit[i] = mean * point.relative_stiffness / relative);
+            unit[own].fill(1.0 / ((stretched * yields).sqrt() * relative));
         }
         unit
     }

@@ -109,7 +109,9 @@ impl Discretisation {
             compliance: compliance.collect(),
             initial: Vec::new(),
         };
-        let initial = |(i, unit): (usize, f64)| scale.clip(formulation.stiffness * pattern(i) * unit);
+        let initial = |(i, unit): (usize, f64)| {
+            scale.clip(formulation.stiffness * unit * pattern(i) * points[i].relative_stiffness)
+        };
         problem.initial = formulation.stiffness_unit.of(&problem).into_iter().enumerate().map(initial).collect();
         problem
     }
