@@ -73,7 +73,8 @@ impl Judged {
     /// The same, not judged where it misses its tolerance by no more than an iteration error that was accepted beforehand.
     pub fn as_far_as(self, iteration: f64) -> Self {
         let is_relative = matches!(self.check.relation, Relation::Near | Relation::Error);
-        if self.verdict != Verdict::Fail || !is_relative || self.error > iteration || self.error.is_nan() {
+        let may_be_the_iteration = is_relative && self.error <= self.check.tolerance + iteration;
+        if self.verdict != Verdict::Fail || !may_be_the_iteration {
             return self;
         }
         let [asked, accepted] = [self.check.tolerance, iteration].map(markdown::tolerance);

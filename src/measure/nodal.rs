@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use crate::measure::peak::{DROP, Fit, Peak, ROUNDING};
+use crate::measure::peak::{DROP, Fit, Peak, ROUNDING, on_one_side};
 use crate::measure::profile;
 use crate::mesh::lobatto::lagrange;
 use crate::solution::{Part, PointState};
@@ -62,7 +62,8 @@ pub fn are_many(part: Part) -> bool {
 }
 
 /// Pressure at a place: where all points of an edge press that are as many as its nodes, the polynomial through them, which is the edge's
-/// own; elsewhere the line between the two points around it. Zero beyond the candidate stretch.
+/// own; elsewhere the line between the two points around it, and between the outermost point and the end of the candidates the line
+/// through the last two where both press, but for a symmetry line. Zero beyond the candidate stretch.
 pub fn pressure_at(part: Part, stretch: f64, position: f64) -> f64 {
     let near = ROUNDING * stretch;
     let on = |[from, to]: [f64; 2]| move |at: f64| from - near <= at && at <= to + near;
@@ -74,7 +75,24 @@ pub fn pressure_at(part: Part, stretch: f64, position: f64) -> f64 {
             let places: Vec<f64> = own.iter().map(|point| point.position).collect();
             lagrange(&places, position).iter().zip(own).map(|((shape, _), point)| shape * point.pressure).sum()
         }
-        None => profile::interpolate(part.points, stretch, position),
+        None if position.abs() <= stretch + near => {
+            beyond(part, position).unwrap_or_else(|| profile::interpolate(part.points, stretch, position))
+        }
+        None => 0.0,
+    }
+}
+
+/// Pressure between the outermost point and the end of the candidates, by the line through the last two points where both press, and
+/// not below 0; none elsewhere, nor at a symmetry line, s = 0.
+fn beyond(Part { points, edges, .. }: Part, position: f64) -> Option<f64> {
+    let line = |a: &PointState, b: &PointState| {
+        let slope = (b.pressure - a.pressure) / (b.position - a.position);
+        (a.pressure > 0.0 && b.pressure > 0.0).then(|| (b.pressure + slope * (position - b.position)).max(0.0))
+    };
+    match points {
+        [.., a, b] if position > b.position => line(a, b),
+        [b, a, ..] if position < b.position && !on_one_side(edges) => line(a, b),
+        _ => None,
     }
 }
 

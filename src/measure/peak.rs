@@ -114,7 +114,7 @@ fn pairs(edges: &[EdgeState]) -> Vec<EdgeState> {
 }
 
 /// Whether a contact begins on a symmetry line, s = 0.
-fn on_one_side(edges: &[EdgeState]) -> bool {
+pub(super) fn on_one_side(edges: &[EdgeState]) -> bool {
     edges.first().zip(edges.last()).is_some_and(|(a, b)| a.ends[0].abs() <= ROUNDING * b.ends[1])
 }
 

@@ -336,7 +336,7 @@ fn blocks_that_cross_the_middle_are_the_rectangle() {
 }
 
 #[test]
-fn pressure_at_the_ends_of_the_candidates_is_that_of_the_outermost_points() {
+fn pressure_at_the_ends_of_the_candidates_is_on_the_line_through_the_last_two_points() {
     let text = text_of("eccentric-load.toml").replace("[solve]", "[solve]\nelement = \"line\"");
     let file = Case::parse(Path::new("ends.toml"), &text).expect("sound");
     let (meshed, run) = file.solve().expect("solved");
@@ -346,8 +346,11 @@ fn pressure_at_the_ends_of_the_candidates_is_that_of_the_outermost_points() {
     let error = |place: &str| {
         checks.iter().find(|check| check.check.quantity.to_string().contains(place)).expect("a check").error
     };
-    assert_relative_eq!(error("s = -10 mm"), (first.pressure - 60.0).abs() / 60.0, max_relative = 1e-9);
-    assert_relative_eq!(error("s = 10 mm"), (last.pressure - 140.0).abs() / 140.0, max_relative = 1e-9);
+    // Navier's 60 and 140 MPa, beyond every point.
+    assert!((first.pressure - 60.0).abs() > 1.0 && (last.pressure - 140.0).abs() > 1.0);
+    for place in ["s = -10 mm", "s = 10 mm"] {
+        assert!(error(place) < 1e-8, "{place}: {}", error(place));
+    }
 }
 
 #[test]

@@ -145,6 +145,9 @@ fn check_that_asks_for_more_than_another_formulation_accepts_is_not_judged_and_a
     for missed in [1.002, f64::NAN] {
         assert_eq!(near(missed).as_far_as(1e-3).verdict, Verdict::Fail, "{missed}");
     }
+    let wide = |value: f64| Check::near("length", Reference::analytic("a law", 1.0), 2e-3, "mesh").judge(value);
+    assert!(matches!(wide(1.0029).as_far_as(1e-3).verdict, Verdict::NotRun(_)));
+    assert_eq!(wide(1.0031).as_far_as(1e-3).verdict, Verdict::Fail);
     let absolute = Check::absolute("length", Reference::analytic("a law", 0.0), 1e-9, "exact").judge(5e-4);
     assert_eq!(absolute.as_far_as(1e-3).verdict, Verdict::Fail, "in its own unit an iteration error says nothing");
     // Of a file's own formulation every check is judged.

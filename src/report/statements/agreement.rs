@@ -4,9 +4,9 @@ use super::found::{Findings, extremes};
 use super::statement::{Judgement, Statement, judged};
 use crate::case::library::{cylinder, pin_rod};
 use crate::case::{Quantity, Verdict};
-use crate::solve::Run;
 use crate::study::digitised::GAERTNER;
 use crate::study::quarter::LEFT_OUT;
+use crate::study::sweep::{self, scene::Scene};
 use crate::study::{Numbers, Room};
 use crate::uncertainty::COVERAGE;
 
@@ -36,21 +36,24 @@ pub fn of_all(f: &Findings) -> Statement {
     }
 }
 
-/// No formulation is more accurate than another.
+/// No formulation is more accurate than another, as they stand in the paper.
 pub fn no_difference(f: &Findings) -> Statement {
-    let work = |run: &&Run| run.solution.work.iterations as f64;
-    let runs = f.runs(cylinder::NINE);
-    let [low, high] = extremes(runs.iter().map(work));
-    let spread = |of: fn(&Run) -> f64| {
-        let [low, high] = extremes(runs.iter().map(|run| of(run)));
+    let nine = f.0.iter().find_map(|finding| match &finding.numbers {
+        Numbers::Sweep(sweep::Numbers::Saved(Scene::Cylinder, saved)) => Some(saved.as_slice()),
+        _ => None,
+    });
+    let nine = nine.unwrap_or_default();
+    let [low, high] = extremes(nine.iter().map(|one| one.iterations[0].map_or(f64::NAN, |count| count as f64)));
+    let spread = |quantity: usize| {
+        let [low, high] = extremes(nine.iter().map(|one| one.measured[quantity]));
         100.0 * (high / low - 1.0)
     };
-    let (peak, width) = (spread(|r| r.measures().peak.pressure), spread(|r| r.measures().second_moment_width));
+    let [peak, width] = [0, 1].map(spread);
     Statement {
         text: "Within the prescribed accuracy there is no remarkable difference between elements or algorithms; the differences are in iterations and time",
         clause: format!("spread {peak:.2} % in p₀; {low} to {high} iterations"),
         measured: format!(
-            "cylinder: spread of the nine {peak:.2} % in p₀, {width:.2} % in a; {low} to {high} iterations"
+            "cylinder: spread of the nine {peak:.2} % in p₀, {width:.2} % in the second-moment width; {low} to {high} iterations"
         ),
         judgement: judged(peak < UNREMARKABLE && width < UNREMARKABLE && high / low > DIFFERENT),
     }
