@@ -10,15 +10,41 @@
 //! * [`handed_over`] — our discretisation as plain numbers, for other codes.
 
 pub mod about;
+pub mod accuracy;
+pub mod atlas;
+pub mod barred;
+pub mod cases;
 pub mod class;
+pub mod converged;
+pub mod coverage;
+pub mod cross_code;
+pub mod cures;
+pub mod digitised;
 pub mod drawn;
+pub mod family;
+pub mod faults;
+pub mod fields;
+pub mod fitted;
 pub mod handed_over;
+pub mod independent;
+pub mod limits;
+pub mod met;
 pub mod method;
 pub mod pairing;
+pub mod photoelastic;
 pub mod present;
+pub mod quarter;
 pub mod random;
+pub mod readings;
 pub mod records;
+pub mod references;
+pub mod refinement;
 mod rooms;
+pub mod scoreboard;
+pub mod sheets;
+pub mod stability;
+pub mod sweep;
+pub mod timings;
 pub mod trial;
 
 use crate::case::judged::{Judged, Verdict, worst};

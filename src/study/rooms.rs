@@ -1,6 +1,6 @@
 //! The list of studies: what a room must have, and how the page meets all of them.
 
-/// Declares the rooms, in the order of the page. Each is a folder with
+/// The rooms, in the order of the page. Each is a module with
 ///
 /// * `ABOUT: About` — what its page is called, what it asks, and what it cannot tell,
 /// * `plan() -> Vec<Planned<Numbers>>` — what is run,
@@ -10,8 +10,6 @@
 /// * `pictures(&[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error>` — file names and charts.
 macro_rules! rooms {
     ($($(#[$about:meta])* $Room:ident in $room:ident),* $(,)?) => {
-        $($(#[$about])* pub mod $room;)*
-
         /// A study.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
         pub enum Room {

@@ -17,7 +17,9 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
     let own = |name: &str, value: f64| Reference::own(name, value);
     let larger = |name: &'static str| Quantity::at(name, "larger one of peak and second-moment width");
     let promised = if met { estimate } else { f64::NAN };
-    let most = |times: f64| own(&format!("{times} times those of the mesh made by hand"), (times * by_hand.dofs as f64).floor());
+    let most = |times: f64| {
+        own(&format!("{times} times those of the mesh made by hand"), (times * by_hand.dofs as f64).floor())
+    };
     let in_all = Quantity::at("degrees of freedom of all meshes solved", "");
     let shown = "the accuracy asked; the finer mesh shows what the closed form leaves out";
     let loads = "eight loads move the contact edge across one element";

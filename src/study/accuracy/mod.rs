@@ -16,9 +16,9 @@ pub mod subject;
 
 use crate::study::about::About;
 
+pub use by_hand::Price;
 pub use judge::judge;
 pub use plan::{ASKED, plan};
-pub use by_hand::Price;
 pub use run::Numbers;
 pub use section::{pictures, section};
 pub use subject::{Subject, closed_form, error};

@@ -1,12 +1,14 @@
 //! What the atlas must hold: a twentieth recomputed is what was recorded, and the predictions are right.
 
+use crate::algorithm::StiffnessRule;
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::measure::larger;
-use crate::algorithm::StiffnessRule;
 use crate::solve::{Element, Iteration, Settings};
 use crate::stability::halving::SOFT;
-use crate::study::atlas::agreement::{FACTOR, HALVINGS, has_rate, is_attracted, is_long, is_seen, ratio, iterations_off};
+use crate::study::atlas::agreement::{
+    FACTOR, HALVINGS, has_rate, is_attracted, is_long, is_seen, iterations_off, ratio,
+};
 use crate::study::atlas::chart::Chart;
 use crate::study::atlas::plane::Plane;
 use crate::study::atlas::record::{RIGHT, Record};
@@ -33,8 +35,11 @@ fn recomputed(numbers: &Numbers) -> Judged {
     let Numbers { recomputed, moved, .. } = *numbers;
     let quantity =
         Quantity::at("point of a recomputed twentieth that is not what was recorded", format!("of {recomputed}"));
-    Check::none(quantity, "classes near a boundary, iterations, errors and predictions elsewhere; `atlas` renews the record")
-        .judge(count(moved, recomputed))
+    Check::none(
+        quantity,
+        "classes near a boundary, iterations, errors and predictions elsewhere; `atlas` renews the record",
+    )
+    .judge(count(moved, recomputed))
 }
 
 /// Three predictions: what fails, what converges, and in how many iterations.
@@ -114,14 +119,14 @@ fn halved(chart: &Chart) -> Option<Judged> {
 
 /// Constant stiffness with correction: whatever the scene and the start, it neither diverges nor cycles.
 fn averaged(chart: &Chart) -> Option<Judged> {
-    let correction = |r: &&Record| (r.method.algorithm, r.method.rule) == (Iteration::Constant, StiffnessRule::Correction);
+    let correction =
+        |r: &&Record| (r.method.algorithm, r.method.rule) == (Iteration::Constant, StiffnessRule::Correction);
     let own: Vec<&Record> = chart.rows.iter().flatten().filter(correction).collect();
     let wrong = own.iter().filter(|r| [Class::Diverged, Class::Cycling].contains(&r.class)).count();
-    let quantity = Quantity::at(
-        "run of constant stiffness with correction that diverges or cycles",
-        format!("of {}", own.len()),
-    );
-    let because = "predicted before any contact is solved: an averaged map comes no farther from its limit at any iteration";
+    let quantity =
+        Quantity::at("run of constant stiffness with correction that diverges or cycles", format!("of {}", own.len()));
+    let because =
+        "predicted before any contact is solved: an averaged map comes no farther from its limit at any iteration";
     (!own.is_empty()).then(|| Check::none(quantity, because).judge(wrong as f64))
 }
 

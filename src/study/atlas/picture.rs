@@ -34,7 +34,11 @@ fn iterations(stretch: &Recorded) -> Result<Drawing, Error> {
     for algorithm in Iteration::ALL {
         for element in Element::ALL {
             let title = format!("{} · {}", element.name(), algorithm.name());
-            let mut chart = Chart::new(&title, Axis::log("initial stiffness κ₀ [–]").over(1e-6, 1e6), Axis::log("iterations [–]").over(1.0, 3000.0));
+            let mut chart = Chart::new(
+                &title,
+                Axis::log("initial stiffness κ₀ [–]").over(1e-6, 1e6),
+                Axis::log("iterations [–]").over(1.0, 3000.0),
+            );
             for &rule in algorithm.rules() {
                 let mut rows = stretch.of_method(Method { element, algorithm, rule });
                 if let Some(row) = rows.find(|row| same(row[0].ordinate, STRETCH)) {

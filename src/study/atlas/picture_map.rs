@@ -19,7 +19,8 @@ const TICKS: [(usize, &str); 5] = [(0, "10⁻⁶"), (6, "10⁻³"), (12, "1"), (
 
 /// One panel a rule and element, with the predicted boundary.
 pub fn map(plane: &Chart) -> Result<Drawing, Error> {
-    let of_rule = |algorithm: Iteration, rule| Element::ALL.map(|element| panel(plane, Method { element, algorithm, rule }));
+    let of_rule =
+        |algorithm: Iteration, rule| Element::ALL.map(|element| panel(plane, Method { element, algorithm, rule }));
     let of_algorithm = |algorithm: Iteration| algorithm.rules().iter().flat_map(move |&rule| of_rule(algorithm, rule));
     let limit = Settings::default().max_iterations;
     let [quick, ordinary] = QUICK;
@@ -51,7 +52,8 @@ fn panel(plane: &Chart, method: Method) -> MapPanel {
 }
 
 fn note(plane: &Chart) -> String {
-    let predicted = |rule| plane.rows.iter().flatten().any(|r| r.method.rule == rule && !r.predicted_iterations.is_nan());
+    let predicted =
+        |rule| plane.rows.iter().flatten().any(|r| r.method.rule == rule && !r.predicted_iterations.is_nan());
     let rules = Iteration::ALL.into_iter().flat_map(Iteration::rules);
     let silent: Vec<String> = rules.filter(|rule| !predicted(**rule)).map(|rule| rule.name().to_string()).collect();
     format!(

@@ -8,8 +8,8 @@ use crate::solution::{IterationError, Solution};
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Formulation, Iteration};
 use crate::stability::{Limit, halving, linear, rate, release};
-use crate::study::atlas::row::Row;
 use crate::study::atlas::record::Record;
+use crate::study::atlas::row::Row;
 use crate::study::class::Class;
 use crate::study::records::rounded;
 

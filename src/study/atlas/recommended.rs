@@ -31,7 +31,8 @@ pub fn recommendation(digests: &[Digest]) -> String {
     let nowhere = digests.iter().filter(|digest| digest.safe.is_none());
     let nowhere: Vec<String> = nowhere.map(|digest| format!("`{}`", digest.method)).collect();
     if !nowhere.is_empty() {
-        let _ = writeln!(text, "* **Do not use** {}: at no initial stiffness do all runs end right.", nowhere.join(", "));
+        let _ =
+            writeln!(text, "* **Do not use** {}: at no initial stiffness do all runs end right.", nowhere.join(", "));
     }
     text
 }
@@ -77,7 +78,8 @@ pub fn methods(digests: &[Digest]) -> String {
         "what stands in its way",
         "rules of the same algorithm with a wider range",
     ];
-    let pairs = Iteration::ALL.into_iter().flat_map(|algorithm| algorithm.rules().iter().map(move |&rule| (algorithm, rule)));
+    let pairs =
+        Iteration::ALL.into_iter().flat_map(|algorithm| algorithm.rules().iter().map(move |&rule| (algorithm, rule)));
     let rows: Vec<Vec<String>> = pairs.map(|(algorithm, rule)| row(digests, algorithm, rule)).collect();
     markdown::table(&head.map(String::from), &rows)
 }
@@ -115,7 +117,8 @@ fn wider(digests: &[Digest], algorithm: Iteration, rule: StiffnessRule) -> Strin
     };
     let mut found = Vec::new();
     for &other in algorithm.rules() {
-        let is_wider = |element: &Element| safe(*element, other).is_some_and(|range| range.is_wider_than(safe(*element, rule)));
+        let is_wider =
+            |element: &Element| safe(*element, other).is_some_and(|range| range.is_wider_than(safe(*element, rule)));
         let elements: Vec<&str> = Element::ALL.iter().filter(|e| is_wider(e)).map(|e| e.name()).collect();
         if !elements.is_empty() {
             found.push(format!("`{}` ({})", other.name(), elements.join(", ")));
@@ -127,7 +130,9 @@ fn wider(digests: &[Digest], algorithm: Iteration, rule: StiffnessRule) -> Strin
 /// What a rule has to overcome, by its own formula.
 fn obstacle(algorithm: Iteration, rule: StiffnessRule) -> &'static str {
     match (algorithm, rule) {
-        (Iteration::Varying, StiffnessRule::Secant) => "an open point loses its force by w/g an iteration, and w/g → 1 at the contact edge",
+        (Iteration::Varying, StiffnessRule::Secant) => {
+            "an open point loses its force by w/g an iteration, and w/g → 1 at the contact edge"
+        }
         (Iteration::Varying, StiffnessRule::Correction) => {
             "a correction by κ ≥ k₀ of points near the edge, where p/w is small: of hard κ₀ it is too large, and they swing"
         }
@@ -135,7 +140,9 @@ fn obstacle(algorithm: Iteration, rule: StiffnessRule) -> &'static str {
             "a closed point keeps 1 − k₀ C of an error at each iteration, nearly all where κ₀ is soft; an open one k₀ C, nearly all where it is hard"
         }
         (Iteration::Constant, StiffnessRule::Secant) => "the spring asked for, p/g, has no bound where g → 0",
-        (Iteration::Constant, StiffnessRule::Literal) => "Σ Δk w is not the change of k w: what is missing stays in points that open",
+        (Iteration::Constant, StiffnessRule::Literal) => {
+            "Σ Δk w is not the change of k w: what is missing stays in points that open"
+        }
         (Iteration::Kinematic, StiffnessRule::Switching) => {
             "the alternating mode of Gauss points, which the halving law of nodes does not know"
         }

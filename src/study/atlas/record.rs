@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkout::root;
 use crate::error::Error;
-use crate::study::atlas::row::Row;
 use crate::study::atlas::plane::Plane;
+use crate::study::atlas::row::Row;
 use crate::study::class::Class;
 use crate::study::method::Method;
 use crate::study::records;

@@ -63,8 +63,8 @@ pub fn is_as_recorded(chart: &Chart, row: usize, column: usize, fresh: &Record) 
     let kept = &chart.rows[row][column];
     let near = |a: f64, b: f64| a.is_finite() && b.is_finite() && (a - b).abs() <= DIGITS * a.abs().max(b.abs());
     let alike = |a: f64, b: f64| (a.is_nan() && b.is_nan()) || a == b || near(a, b);
-    let predictions =
-        alike(kept.predicted_rate, fresh.predicted_rate) && alike(kept.predicted_iterations, fresh.predicted_iterations);
+    let predictions = alike(kept.predicted_rate, fresh.predicted_rate)
+        && alike(kept.predicted_iterations, fresh.predicted_iterations);
     let measured = alike(kept.error, fresh.error)
         && alike(kept.penalty, fresh.penalty)
         && alike(kept.iteration_error, fresh.iteration_error)

@@ -6,10 +6,10 @@ use std::sync::{Mutex, OnceLock};
 use rayon::prelude::*;
 
 use crate::error::Error;
-use crate::study::atlas::row::Row;
 use crate::study::atlas::plane::Plane;
 use crate::study::atlas::point::{Ground, Site, share_ground};
 use crate::study::atlas::record::{self, Record};
+use crate::study::atlas::row::Row;
 use crate::study::records;
 
 /// Rows of some planes by the mesh they share, in groups that also share their contact points.

@@ -16,9 +16,10 @@ pub fn sketch(page: &str) -> Option<String> {
             "scene-cylinder.svg",
             "As Fig. 8. The scene: lower quarter, half by symmetry, uniform load on the horizontal cut",
         ),
-        "pin-rod" => {
-            ("scene-pin-rod.svg", "As Fig. 12. The scene: pin fixed on its horizontal diameter, rod pulled by a rigid end face")
-        }
+        "pin-rod" => (
+            "scene-pin-rod.svg",
+            "As Fig. 12. The scene: pin fixed on its horizontal diameter, rod pulled by a rigid end face",
+        ),
         _ => return None,
     };
     Some(picture(file, caption))
@@ -28,7 +29,10 @@ pub fn sketch(page: &str) -> Option<String> {
 pub fn charts(page: &str) -> Option<String> {
     let charts = match page {
         "cylinder" => [
-            ("figure-10.svg", "Fig. 10: Hertz's exact solution and the five combinations of elements and algorithms that the paper shows"),
+            (
+                "figure-10.svg",
+                "Fig. 10: Hertz's exact solution and the five combinations of elements and algorithms that the paper shows",
+            ),
             ("pressure-cylinder.svg", "As Fig. 10 with all nine formulations, and their difference to Hertz"),
         ],
         "pin-rod" => [

@@ -20,7 +20,11 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
     Ok(vec![
         ("scene-cylinder.svg".into(), scene::cylinder()?),
         ("scene-pin-rod.svg".into(), scene::pin_rod()?),
-        ("figure-10.svg".into(), on_cylinder("Fig. 10: exact and approximate solutions on the cylinder", shown(findings, cylinder::NINE)).drawing()?),
+        (
+            "figure-10.svg".into(),
+            on_cylinder("Fig. 10: exact and approximate solutions on the cylinder", shown(findings, cylinder::NINE))
+                .drawing()?,
+        ),
         ("pressure-cylinder.svg".into(), picture_band::cylinder(&runs(findings, cylinder::NINE).collect::<Vec<_>>())?),
         ("figure-14.svg".into(), on_pin("Fig. 14: pressure on the pin", shown(findings, pin_rod::NINE)).drawing()?),
         ("pressure-pin-rod.svg".into(), picture_band::pin_rod(&runs(findings, pin_rod::NINE).collect::<Vec<_>>())?),
@@ -55,7 +59,11 @@ fn curves<'a>(runs: impl Iterator<Item = &'a Run>, scale: f64, [x, y]: [f64; 2])
 fn on_cylinder<'a>(title: &str, runs: impl Iterator<Item = &'a Run>) -> Chart {
     let problem = Cylinder::default().case();
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
-    let mut pressure = Chart::new(title, Axis::linear("place over half-width x / a [–]").over(0.0, 1.5), Axis::linear("pressure p / p₀ [–]").over(0.0, 1.1));
+    let mut pressure = Chart::new(
+        title,
+        Axis::linear("place over half-width x / a [–]").over(0.0, 1.5),
+        Axis::linear("pressure p / p₀ [–]").over(0.0, 1.1),
+    );
     pressure.series = curves(runs, p0, [1.0 / a, 1.0]);
     let hertz = (0..=INTERVALS).map(|k| 1.5 * k as f64 / INTERVALS as f64);
     let hertz = hertz.map(|x| (x, problem.reference_pressure(x * a) / p0));

@@ -56,14 +56,17 @@ pub fn pin_rod(runs: &[&Run]) -> Result<Drawing, Error> {
     let axis = Axis::linear("difference of R t p / F [% of its largest]");
     let mut difference = Chart::new(&format!("Difference to {}", label(&own)), x(), axis);
     let largest = edges.iter().map(|edge| edge.pressure).fold(f64::NAN, f64::max);
-    let to_own = |k: usize, edge: &EdgeState| edges.get(k).map_or(f64::NAN, |own| 100.0 * (edge.pressure - own.pressure) / largest);
+    let to_own = |k: usize, edge: &EdgeState| {
+        edges.get(k).map_or(f64::NAN, |own| 100.0 * (edge.pressure - own.pressure) / largest)
+    };
     difference.series = differences(runs, degrees, &to_own);
     panels("Pin in a connecting-rod eye: all nine formulations", &[pressure, difference], 2)
 }
 
 /// The least and the largest edge mean of the runs that converged, edge by edge.
 fn band(runs: &[&Run], place: f64, scale: f64) -> Ribbon {
-    let sound: Vec<&[EdgeState]> = runs.iter().filter(|run| run.solution.converged()).map(|run| run.solution.edges.as_slice()).collect();
+    let sound: Vec<&[EdgeState]> =
+        runs.iter().filter(|run| run.solution.converged()).map(|run| run.solution.edges.as_slice()).collect();
     let edges = sound.iter().map(|edges| edges.len()).min().unwrap_or(0);
     let at = |k: usize| {
         let pressures = sound.iter().map(|edges| edges[k].pressure / scale);
@@ -77,7 +80,12 @@ fn band(runs: &[&Run], place: f64, scale: f64) -> Ribbon {
 fn differences(runs: &[&Run], place: f64, of: &dyn Fn(usize, &EdgeState) -> f64) -> Vec<Series> {
     let curve = |run: &&&Run| {
         let points = run.solution.edges.iter().enumerate().map(|(k, edge)| (edge.position() * place, of(k, edge)));
-        Series { label: label(&run.formulation), points: points.collect(), style: style(&run.formulation), hollow: vec![] }
+        Series {
+            label: label(&run.formulation),
+            points: points.collect(),
+            style: style(&run.formulation),
+            hollow: vec![],
+        }
     };
     runs.iter().filter(|run| run.solution.converged()).map(|run| curve(&run)).collect()
 }

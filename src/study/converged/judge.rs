@@ -52,6 +52,9 @@ pub fn right(recorded: &[Record]) -> Judged {
         format!("of {} converged, {} runs in all", converged.len(), recorded.len()),
     );
     let because = "relative to that solution, contact by contact";
-    Check::at_most(quantity, Reference::own("active set", 0.0), because)
-        .judge(if converged.is_empty() { f64::NAN } else { wrong as f64 })
+    Check::at_most(quantity, Reference::own("active set", 0.0), because).judge(if converged.is_empty() {
+        f64::NAN
+    } else {
+        wrong as f64
+    })
 }

@@ -14,8 +14,8 @@ mod picture;
 mod plan;
 pub mod run;
 mod section;
-pub mod sites;
 mod share;
+pub mod sites;
 
 /// Name of the command that surveys it, and of its record.
 pub const NAME: &str = "converged";

@@ -4,9 +4,9 @@ use crate::error::Error;
 use crate::figure::{Axis, Chart, Drawing, panels};
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::Found;
-use crate::study::converged::sites::{STRETCHES, TOLERANCES};
 use crate::study::converged::run::{Numbers, Record};
 use crate::study::converged::share::{same, share};
+use crate::study::converged::sites::{STRETCHES, TOLERANCES};
 use crate::study::drawn::{Curve, label, style};
 use crate::study::pairing::Pairing;
 

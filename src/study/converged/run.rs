@@ -151,7 +151,9 @@ fn one(
             let error = run.iteration_error();
             Ok(Some(record(Class::of(run.solution.outcome), run.solution.work.iterations, error)))
         }
-        Err(Error { kind: Kind::NoSpringLeft { iterations }, .. }) => Ok(Some(record(Class::Unsupported, iterations, f64::NAN))),
+        Err(Error { kind: Kind::NoSpringLeft { iterations }, .. }) => {
+            Ok(Some(record(Class::Unsupported, iterations, f64::NAN)))
+        }
         Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => Ok(Some(record(Class::Beyond, 0, f64::NAN))),
         Err(Error { kind: Kind::Input | Kind::NothingPresses, .. }) => Ok(None),
         Err(error) => Err(error),

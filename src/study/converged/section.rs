@@ -4,9 +4,9 @@ use crate::error::Error;
 use crate::markdown;
 use crate::solve::Settings;
 use crate::study::Found;
-use crate::study::converged::sites::{BOUNDED, LOADS, SIZE, STRETCHES, TOLERANCES};
 use crate::study::converged::run::{Energy, Numbers, Record};
 use crate::study::converged::share::{same, share};
+use crate::study::converged::sites::{BOUNDED, LOADS, SIZE, STRETCHES, TOLERANCES};
 use crate::study::drawn;
 use crate::study::pairing::Pairing;
 

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use crate::case::file::files_in;
 use crate::case::Case;
+use crate::case::file::files_in;
 use crate::case::library::{self, NAMES, TruncatedHertz};
 use crate::checkout::root;
 use crate::error::Error;

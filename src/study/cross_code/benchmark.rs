@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::case::library::{Cylinder, PinPlate, PinRod, TruncatedHertz};
 use crate::case::Case;
+use crate::case::library::{Cylinder, PinPlate, PinRod, TruncatedHertz};
 use crate::oracle::cross_code::PhysicalScene;
 
 /// Meshes of each refinement series.

@@ -36,7 +36,8 @@ fn discrete(compared: &discrete::Compared) -> Vec<Judged> {
 
 /// A live answer is what was frozen; the versions that changed since are named.
 pub fn reproduced(name: &str, live: &Reproduced) -> Judged {
-    let frozen = Reference { name: "frozen results".into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
+    let frozen =
+        Reference { name: "frozen results".into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
     let because = format!("solvers and libraries differ in round-off; {}", live.versions);
     let quantity = Quantity::at("largest relative change of a live answer", name);
     Check::error(quantity, frozen, REPRODUCED, because).judge(live.change)
@@ -62,7 +63,10 @@ fn theirs(name: impl ToString, value: f64) -> Reference {
 }
 
 fn physical(compared: &physical::Compared) -> Vec<Judged> {
-    let live = compared.others.iter().flat_map(|other| other.reproduced.iter().map(|live| reproduced(other.code.name(), live)));
+    let live = compared
+        .others
+        .iter()
+        .flat_map(|other| other.reproduced.iter().map(|live| reproduced(other.code.name(), live)));
     let agreed = compared.counted().flat_map(|found| agreement(compared, found));
     let exact = compared.closed_form.iter().filter(|_| compared.scene.closed_form_is_exact());
     let exact = exact.flat_map(|closed| covered_closed_form(compared, closed));
@@ -87,7 +91,9 @@ pub fn tight(compared: &physical::Compared) -> [Judged; 3] {
     let demanded = demanded(compared.scene);
     let worst = |of: &dyn Fn(&Found) -> f64| compared.counted().map(of).fold(0.0, larger);
     let numbers = Number::ALL.map(|number| {
-        worst(&|found| (number.of(compared.scene, &compared.ours).value / number.of(compared.scene, found).value - 1.0).abs())
+        worst(&|found| {
+            (number.of(compared.scene, &compared.ours).value / number.of(compared.scene, found).value - 1.0).abs()
+        })
     });
     let profile = worst(&|found| l2(&compared.ours.profile, &found.profile));
     let all = [

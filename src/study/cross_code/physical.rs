@@ -13,9 +13,9 @@ use crate::oracle::cross_code::independent::Script;
 use crate::oracle::cross_code::{Code, Method, PhysicalAnswer};
 use crate::oracle::{Quantity, Reading};
 use crate::solve::{Discretisation, Formulation, Run};
+use crate::study::cross_code::Answers;
 use crate::study::cross_code::answers::Reproduced;
 use crate::study::cross_code::benchmark::{Benchmark, LEVELS, Scene};
-use crate::study::cross_code::Answers;
 
 /// A scene in every code.
 #[derive(Clone, Debug, Serialize)]

@@ -23,7 +23,10 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
         drawn.iter().filter_map(|one| one.closed_form.as_ref()).map(|exact| exact.name.as_str()).collect();
     let against = format!("Difference of each code to the closed form ({}), or to ours", closed.join(", "));
     Ok(vec![
-        ("pressure-cross-code.svg".into(), panels("The same physical problem: ours and the assembly twin", &pressures, 2)?),
+        (
+            "pressure-cross-code.svg".into(),
+            panels("The same physical problem: ours and the assembly twin", &pressures, 2)?,
+        ),
         ("difference-cross-code.svg".into(), panels(&against, &differences, 2)?),
     ])
 }

@@ -88,7 +88,12 @@ pub struct Sources {
 impl Sources {
     /// Those that are not nothing, as they stand in a reason.
     pub fn names(&self) -> String {
-        let all = [("our mesh", self.ours), ("their mesh", self.theirs), ("penalty", self.penalty), ("measure", self.measure)];
+        let all = [
+            ("our mesh", self.ours),
+            ("their mesh", self.theirs),
+            ("penalty", self.penalty),
+            ("measure", self.measure),
+        ];
         let told = all.into_iter().filter(|(_, u)| u.is_nan() || *u > 0.0);
         let told: Vec<String> = told.map(|(name, u)| format!("{name} {}", markdown::significant(u, 2))).collect();
         told.join(" ⊕ ")

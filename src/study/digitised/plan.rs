@@ -11,8 +11,7 @@ const SOURCES: [(&str, &str); 2] = [(GAERTNER, "gaertner-1977"), ("ghosh 1982", 
 
 /// A trial a source.
 pub fn plan() -> Vec<Planned<Numbers>> {
-    let trial = |(source, folder)| {
-        Planned::new(source, "digitised curves", move || run::against(source, &run::folder(folder)))
-    };
+    let trial =
+        |(source, folder)| Planned::new(source, "digitised curves", move || run::against(source, &run::folder(folder)));
     SOURCES.map(trial).into()
 }

@@ -30,15 +30,16 @@ fn of_curves(curves: &Curves) -> Vec<Judged> {
     )
     .judge(smallest.to_degrees());
     let [first, other] = &curves.same_place;
-    let placed = [("R t p_max / F", (|p| p.pressure) as fn(&Placed) -> f64), ("angle", |p| p.angle)].map(|(name, of)| {
-        Check::near(
-            Quantity::at("result for another pin of the same three numbers", name),
-            Reference::own("the default pin", of(first)),
-            5e-3,
-            "the family leaves c/R out, which is 0.005 and 0.006 here: results depend on it in that order",
-        )
-        .judge(of(other))
-    });
+    let placed =
+        [("R t p_max / F", (|p| p.pressure) as fn(&Placed) -> f64), ("angle", |p| p.angle)].map(|(name, of)| {
+            Check::near(
+                Quantity::at("result for another pin of the same three numbers", name),
+                Reference::own("the default pin", of(first)),
+                5e-3,
+                "the family leaves c/R out, which is 0.005 and 0.006 here: results depend on it in that order",
+            )
+            .judge(of(other))
+        });
     [lost, embraced].into_iter().chain(placed).collect()
 }
 
@@ -52,12 +53,18 @@ const STEPS: f64 = 0.02;
 
 fn of_slopes(sensitivities: &Sensitivities) -> Vec<Judged> {
     let of_number = |slope: &Slope| {
-        ["p_max", "angle"].into_iter().enumerate().map(|(k, result)| {
-            let quantity = Quantity::at("change of a sensitivity by half the step", format!("{result} by {}", slope.number));
-            let because = "central differences: error of the order of the step squared, and of the mesh that changes with it";
-            Check::error(quantity, Reference::own("half the step", 0.0), STEPS, because)
-                .judge((slope.slope[k] - slope.by_half[k]).abs())
-        }).collect::<Vec<_>>()
+        ["p_max", "angle"]
+            .into_iter()
+            .enumerate()
+            .map(|(k, result)| {
+                let quantity =
+                    Quantity::at("change of a sensitivity by half the step", format!("{result} by {}", slope.number));
+                let because =
+                    "central differences: error of the order of the step squared, and of the mesh that changes with it";
+                Check::error(quantity, Reference::own("half the step", 0.0), STEPS, because)
+                    .judge((slope.slope[k] - slope.by_half[k]).abs())
+            })
+            .collect::<Vec<_>>()
     };
     sensitivities.slopes.iter().flat_map(of_number).collect()
 }

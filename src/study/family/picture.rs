@@ -24,7 +24,12 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
                 Curve { points, failed: failed(curves, line) }.drawn(name, style)
             }));
         }
-        if chart.series.iter().flat_map(|series| &series.points).any(|(clearance, value)| *clearance <= 0.0 && value.is_finite()) {
+        if chart
+            .series
+            .iter()
+            .flat_map(|series| &series.points)
+            .any(|(clearance, value)| *clearance <= 0.0 && value.is_finite())
+        {
             chart.notes.push("The points on the left rim have no clearance.".into());
         }
         chart

@@ -201,7 +201,8 @@ pub fn sensitivities() -> Result<Sensitivities, Error> {
 fn slope(number: &'static str, place: fn(f64) -> Place) -> Result<Slope, Error> {
     let base = PinRod::default();
     let by = |step: f64| -> Result<[f64; 2], Error> {
-        let (up, down) = (solve(&at(&base, place(1.0 + step)))?.placed(), solve(&at(&base, place(1.0 - step)))?.placed());
+        let (up, down) =
+            (solve(&at(&base, place(1.0 + step)))?.placed(), solve(&at(&base, place(1.0 - step)))?.placed());
         let per = ((1.0 + step) / (1.0 - step)).ln();
         Ok([up.pressure / down.pressure, up.angle / down.angle].map(|ratio| ratio.ln() / per))
     };

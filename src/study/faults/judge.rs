@@ -10,10 +10,8 @@ const TRUTHS: [&str; 3] = ["analytic", "cross-code", "self-consistency"];
 /// The check.
 pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
     let missed = numbers.faults.iter().filter(|fault| !is_caught(fault)).count();
-    let quantity = Quantity::at(
-        "planted fault that turns no check against a truth red",
-        format!("of {}", numbers.faults.len()),
-    );
+    let quantity =
+        Quantity::at("planted fault that turns no check against a truth red", format!("of {}", numbers.faults.len()));
     Ok(vec![Check::none(quantity, "snapshots alone verify nothing").judge(missed as f64)])
 }
 

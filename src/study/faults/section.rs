@@ -16,8 +16,16 @@ const DIGITS: usize = 12;
 
 /// A row for each fault: what turned red.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let head =
-        ["planted fault", "in", "sources", "closed forms", "other codes", "self-consistency", "broken off", "for instance"];
+    let head = [
+        "planted fault",
+        "in",
+        "sources",
+        "closed forms",
+        "other codes",
+        "self-consistency",
+        "broken off",
+        "for instance",
+    ];
     let faults: Vec<&Fault> = findings.iter().flat_map(|found| &found.numbers.faults).collect();
     let rows: Vec<Vec<String>> = faults.iter().map(|fault| row(fault)).collect();
     Ok(format!(

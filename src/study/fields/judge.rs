@@ -35,7 +35,9 @@ fn carries(field: &Field, resultant: &Resultant) -> Judged {
             1e-2,
             "trapezoids between nodes, nodal means of the cells; the edge of the contact lies inside an element",
         ),
-        Where::Cut => ("force of the recovered stresses on the cut [N]", 5e-3, "nodal means of the cells, which are coarse there"),
+        Where::Cut => {
+            ("force of the recovered stresses on the cut [N]", 5e-3, "nodal means of the cells, which are coarse there")
+        }
     };
     let load = Reference::own("load", field.load);
     Check::near(Quantity::at(name, resultant.body.clone()), load, tolerance, because).judge(resultant.force)

@@ -3,7 +3,9 @@
 
 use crate::error::Error;
 use crate::figure::palette::{self, Marker, Style};
-use crate::figure::{self, Axis, Band, Chart, ColourMap, Detail, Direction, Drawing, IterationPaths, Path, State, Window, panels};
+use crate::figure::{
+    self, Axis, Band, Chart, ColourMap, Detail, Direction, Drawing, IterationPaths, Path, State, Window, panels,
+};
 use crate::solve::Run;
 use crate::study::Found;
 use crate::study::drawn::{Curve, label, style};

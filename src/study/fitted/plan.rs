@@ -34,5 +34,7 @@ const PLAIN: [usize; 5] = [2, 4, 8, 16, 32];
 pub fn plan() -> Vec<Planned<Numbers>> {
     let asked = ASKED.map(|asked| Fitted::of_digits(asked.digits));
     let fitted: Vec<Fitted> = OTHERS.into_iter().chain(asked).collect();
-    vec![Planned::new("fitted to the contact, truncated hertz", "node.kinematic", move || run::numbers(&fitted, &CHOSEN, &PLAIN))]
+    vec![Planned::new("fitted to the contact, truncated hertz", "node.kinematic", move || {
+        run::numbers(&fitted, &CHOSEN, &PLAIN)
+    })]
 }

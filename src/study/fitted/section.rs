@@ -22,7 +22,9 @@ const ELSEWHERE: [&str; 6] = ["scene", "order, layers", "degrees of freedom", "e
 
 /// The section.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let meshes = findings.iter().flat_map(|found| [&found.numbers.fitted, &found.numbers.chosen, &found.numbers.plain].into_iter().flatten());
+    let meshes = findings
+        .iter()
+        .flat_map(|found| [&found.numbers.fitted, &found.numbers.chosen, &found.numbers.plain].into_iter().flatten());
     let rows: Vec<Vec<String>> = meshes.map(row).collect();
     Ok(format!(
         "Truncated Hertz under {} loads; p₀ is the peak pressure, a the half-width. Cells of order p have (p + 1)² nodes, at products of \
@@ -36,9 +38,15 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
          discs too where the contact is small, and rings rows of cells whose radii grow in geometric progression.\n\n{}",
         LOADS.len(),
         markdown::table(&HEAD.map(String::from), &rows),
-        picture(FILE, "Truncated Hertz: larger error of peak pressure and second-moment width, under the worst of all loads"),
+        picture(
+            FILE,
+            "Truncated Hertz: larger error of peak pressure and second-moment width, under the worst of all loads"
+        ),
         scenes::ASKED.1,
-        markdown::table(&ELSEWHERE.map(String::from), &findings.iter().flat_map(|found| found.numbers.scenes.iter().map(elsewhere)).collect::<Vec<_>>()),
+        markdown::table(
+            &ELSEWHERE.map(String::from),
+            &findings.iter().flat_map(|found| found.numbers.scenes.iter().map(elsewhere)).collect::<Vec<_>>()
+        ),
     ))
 }
 

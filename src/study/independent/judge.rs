@@ -18,7 +18,8 @@ pub fn judge(compared: &Compared) -> Result<Vec<Judged>, Error> {
 /// Somebody must have answered.
 fn served(compared: &Compared) -> Judged {
     let because = "a scene that no other code solves has no witness";
-    Check::at_least("number of independent scripts", Reference::own("at least", 1.0), because).judge(compared.others.len() as f64)
+    Check::at_least("number of independent scripts", Reference::own("at least", 1.0), because)
+        .judge(compared.others.len() as f64)
 }
 
 /// Ours against a script's, with the uncertainties of both meshes and of its penalty.
@@ -45,7 +46,8 @@ fn of_script(compared: &Compared, other: &Other) -> Vec<Judged> {
         Check::error(quantity, Reference::own("what is found", 0.0), TIGHT, because).judge(tolerance / found)
     };
     for (number, tolerance) in [(Number::Peak, demanded[0]), (Number::Width, demanded[1])] {
-        let (name, mine, value) = (number.name(scene), number.of(scene, &compared.ours), number.of(scene, &other.found));
+        let (name, mine, value) =
+            (number.name(scene), number.of(scene, &compared.ours), number.of(scene, &other.found));
         let reference = || Reference { uncertainty: Some(value.uncertainty), ..theirs(value.value) };
         let quantity = Quantity::at(number.noun(), number.unit(scene));
         let near = Check::near(quantity, reference(), tolerance, because.clone()).judge(mine.value);
@@ -59,7 +61,8 @@ fn of_script(compared: &Compared, other: &Other) -> Vec<Judged> {
     judged.push(Check::error(quantity, theirs(0.0), demanded[2], because).judge(difference));
     judged.push(tight("profile in L2".into(), demanded[2], difference));
     judged.push(carried(compared, other));
-    let resultant = Check::near("resultant [N]", theirs(other.found.resultant), RESULTANT, "equilibrium on either mesh");
+    let resultant =
+        Check::near("resultant [N]", theirs(other.found.resultant), RESULTANT, "equilibrium on either mesh");
     judged.push(resultant.judge(compared.ours.resultant));
     judged
 }
@@ -67,7 +70,8 @@ fn of_script(compared: &Compared, other: &Other) -> Vec<Judged> {
 /// The profile of a script shall carry the force that its contact transmits: areas and pressures belong together.
 fn carried(compared: &Compared, other: &Other) -> Judged {
     let same = other.found.profile.len() == compared.carries.len();
-    let force: f64 = other.found.profile.iter().zip(&compared.carries).map(|(pressure, carries)| pressure * carries).sum();
+    let force: f64 =
+        other.found.profile.iter().zip(&compared.carries).map(|(pressure, carries)| pressure * carries).sum();
     let quantity = Quantity::at("force of the profile [N]", other.script.name());
     let reference = Reference::own("resultant of the same script", other.found.resultant);
     let because = "means over stretches, linear between integration points; at most three times what is found";

@@ -12,14 +12,18 @@ use crate::study::independent::run::Compared;
 /// One panel a scene.
 pub fn pictures(findings: &[Found<Compared>]) -> Result<Vec<(String, Drawing)>, Error> {
     let charts: Vec<Chart> = findings.iter().map(|found| difference(found.numbers)).collect();
-    Ok(vec![("difference-independent.svg".into(), panels("Independent codes: difference of the pressure to ours", &charts, 3)?)])
+    Ok(vec![(
+        "difference-independent.svg".into(),
+        panels("Independent codes: difference of the pressure to ours", &charts, 3)?,
+    )])
 }
 
 fn difference(compared: &Compared) -> Chart {
     let axis = Axis::linear(&format!("difference [% of {}]", unit(compared.scene)));
     let mut chart = Chart::new(compared.scene.name(), Axis::linear(abscissa(compared.scene)), axis);
     chart.series.extend(compared.others.iter().map(|other| {
-        let differences: Vec<f64> = other.found.profile.iter().zip(&compared.ours.profile).map(|(p, q)| p - q).collect();
+        let differences: Vec<f64> =
+            other.found.profile.iter().zip(&compared.ours.profile).map(|(p, q)| p - q).collect();
         let points = points(compared.scene, compared.reference, &compared.stations, &differences, 100.0);
         Curve { points, failed: Vec::new() }.drawn(other.script.name(), style(other.script))
     }));

@@ -93,7 +93,8 @@ type Series = (Script, Vec<PhysicalAnswer>, Option<Reproduced>);
 fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Error> {
     let (name, scene) = (benchmark.scene.name(), &benchmark.physical);
     let frozen = Independent::read()?;
-    let kept = frozen.scenes.get(name).ok_or_else(|| Error::missing_key(&file(), name, "the frozen results", REFREEZE))?;
+    let kept =
+        frozen.scenes.get(name).ok_or_else(|| Error::missing_key(&file(), name, "the frozen results", REFREEZE))?;
     if let Some((key, ours, theirs)) = other_scene(scene, &kept.scene) {
         let found = format!("{theirs} in the frozen scene, but {ours} in ours");
         return Err(Error::refused(&file(), &format!("{name}: {key}"), found, REFREEZE));
@@ -125,7 +126,8 @@ fn penalty(benchmark: &Benchmark) -> Result<[f64; 2], Error> {
     let numbers = |formulation: &Formulation| -> Result<[f64; 2], Error> {
         let run = Run::of(&discretisation, formulation)?;
         let measures = run.measures();
-        Ok([measures.peak.pressure, measures.second_moment_width].map(|x| if run.solution.converged() { x } else { f64::NAN }))
+        Ok([measures.peak.pressure, measures.second_moment_width]
+            .map(|x| if run.solution.converged() { x } else { f64::NAN }))
     };
     let [soft, exact] = [numbers(&springs)?, numbers(&Formulation::verification())?];
     Ok([0, 1].map(|k| (soft[k] - exact[k]).abs()))

@@ -36,10 +36,23 @@ pub fn section(findings: &[Found<Compared>]) -> Result<String, Error> {
 }
 
 fn numbers(findings: &[Found<Compared>]) -> String {
-    let head = ["case", "quantity", "ours ± u", "code", "found ± u", "E = ours − theirs", "u_val", "|E| / u_val", "", "to the closed form"];
+    let head = [
+        "case",
+        "quantity",
+        "ours ± u",
+        "code",
+        "found ± u",
+        "E = ours − theirs",
+        "u_val",
+        "|E| / u_val",
+        "",
+        "to the closed form",
+    ];
     let rows = findings.iter().flat_map(|found| {
         let compared = found.numbers;
-        Number::ALL.into_iter().flat_map(move |number| compared.others.iter().map(move |other| row(compared, number, other)))
+        Number::ALL
+            .into_iter()
+            .flat_map(move |number| compared.others.iter().map(move |other| row(compared, number, other)))
     });
     markdown::table(&head.map(String::from), &rows.collect::<Vec<_>>())
 }

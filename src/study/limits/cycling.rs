@@ -78,9 +78,8 @@ impl Cycling {
     }
 
     pub(super) fn detail(&self) -> Option<Detail> {
-        let row = |(factor, outcome): (f64, &Outcome)| {
-            vec![number(factor * self.onset), number(factor), outcome.to_string()]
-        };
+        let row =
+            |(factor, outcome): (f64, &Outcome)| vec![number(factor * self.onset), number(factor), outcome.to_string()];
         Detail::of(
             "Two bars, node.varying.correction: outcome by initial stiffness",
             &["κ₀", "κ₀ / (2u/g)", "outcome"],

@@ -11,9 +11,7 @@ use crate::scene::LARGEST_POISSON;
 use crate::solve::run::{Errors, INSIDE};
 use crate::study::limits::row::{Detail, Limit};
 use crate::study::limits::seen::Refusal;
-use crate::study::limits::solved::{
-    exceeds, hertz_errors, largest, meshed, on_even_cells, truncated, verified, worst,
-};
+use crate::study::limits::solved::{exceeds, hertz_errors, largest, meshed, on_even_cells, truncated, verified, worst};
 use crate::study::limits::written::{bracket, percent, percents, range, size};
 
 /// Poisson's ratios.

@@ -48,10 +48,7 @@ pub(super) fn run() -> Result<LayerThickness, Error> {
     };
     Ok(LayerThickness {
         thicknesses: THICKNESSES.into_iter().map(at).collect::<Result<_, Error>>()?,
-        refused: Refusal::expected(
-            discretisation.solve(&layer(0.0, Iteration::Kinematic)),
-            "a layer of no thickness",
-        )?,
+        refused: Refusal::expected(discretisation.solve(&layer(0.0, Iteration::Kinematic)), "a layer of no thickness")?,
     })
 }
 
@@ -59,11 +56,7 @@ fn layer(layer_thickness: f64, algorithm: Iteration) -> Formulation {
     Formulation { layer_thickness, ..Formulation::new(Element::Layer, algorithm) }
 }
 
-fn of_algorithm(
-    discretisation: &Discretisation,
-    thickness: f64,
-    algorithm: Iteration,
-) -> Result<OfAlgorithm, Error> {
+fn of_algorithm(discretisation: &Discretisation, thickness: f64, algorithm: Iteration) -> Result<OfAlgorithm, Error> {
     let run = Run::of(discretisation, &layer(thickness, algorithm))?;
     Ok(OfAlgorithm {
         outcome: run.solution.outcome,

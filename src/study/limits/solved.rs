@@ -90,8 +90,7 @@ pub(super) fn unchecked(scene: &Scene, mesh: Mesh, resolution: Resolution) -> Re
 
 /// Relative errors of p₀ and a against the scene's reference values; NaN where the run did not converge.
 pub(super) fn hertz_errors(scene: &Scene, run: &Run) -> Errors {
-    let error =
-        |found: f64, wanted: f64| if run.solution.converged() { found / wanted - 1.0 } else { f64::NAN };
+    let error = |found: f64, wanted: f64| if run.solution.converged() { found / wanted - 1.0 } else { f64::NAN };
     let (measures, reference) = (run.measures(), &scene.reference);
     Errors {
         peak: error(measures.peak.pressure, reference.pressure),

@@ -53,11 +53,7 @@ fn at_ratio(ratio: f64, order: Order) -> Result<AtRatio, Error> {
     let run = unchecked(&scene, stretched(&two_blocks(1.0), ratio, resolution)?, resolution)?;
     let (patch, coarse) = (Patch::default(), Resolution { elements: 3, ..resolution });
     let uniform = unchecked(&patch.scene(), stretched(&patch.scene(), ratio, coarse)?, coarse)?;
-    Ok(AtRatio {
-        errors: hertz_errors(&scene, &run),
-        seen: Seen::of(&Ok(run)),
-        patch: patch_error(&patch, &uniform),
-    })
+    Ok(AtRatio { errors: hertz_errors(&scene, &run), seen: Seen::of(&Ok(run)), patch: patch_error(&patch, &uniform) })
 }
 
 /// The mesh with the nodes of its second body moved to `ratio` times their depth.

@@ -30,7 +30,8 @@ impl Field {
         let disc = Cylinder { a_over_r, model: CylinderModel::BetweenPlates, ..Default::default() };
         let mut scene = disc.scene();
         scene.grading = Grading { along: GROWTH, depth: GROWTH, coarsest: COARSEST, ..scene.grading };
-        let discretisation = Discretisation::of(scene, Resolution { elements: ELEMENTS, refinement, order: Order::Quadratic })?;
+        let discretisation =
+            Discretisation::of(scene, Resolution { elements: ELEMENTS, refinement, order: Order::Quadratic })?;
         let run = Run::of(&discretisation, &Formulation::verification())?;
         let fields = discretisation.recover(&run.solution)?;
         let mesh = &discretisation.mesh;
@@ -50,7 +51,10 @@ impl Field {
     fn within(&self, cell: &[usize], point: [f64; 2]) -> Option<f64> {
         let corners = || cell.iter().map(|&node| self.points[node]);
         let outside = |k: usize| {
-            let [low, high] = [corners().map(|p| p[k]).fold(f64::INFINITY, f64::min), corners().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max)];
+            let [low, high] = [
+                corners().map(|p| p[k]).fold(f64::INFINITY, f64::min),
+                corners().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max),
+            ];
             let slack = 0.05 * (high - low);
             !(low - slack <= point[k] && point[k] <= high + slack)
         };

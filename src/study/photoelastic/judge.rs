@@ -14,10 +14,15 @@ const MESH: f64 = 0.01;
 
 /// The checks.
 pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
-    let photograph =
-        || Reference { name: "photograph, shape only, uncalibrated".into(), kind: ReferenceKind::Measured, value: 0.0, uncertainty: None };
+    let photograph = || Reference {
+        name: "photograph, shape only, uncalibrated".into(),
+        kind: ReferenceKind::Measured,
+        value: 0.0,
+        uncertainty: None,
+    };
     let ends = numbers.ends.iter().map(|end| {
-        let quantity = Quantity::at("root mean square of the fringe orders", format!("{}, {} points", end.end, end.points));
+        let quantity =
+            Quantity::at("root mean square of the fringe orders", format!("{}, {} points", end.end, end.points));
         let because = "read to about 0.03 orders; five constants fitted at the bottom, none at the top";
         Check::absolute(quantity, photograph(), ACCEPTED, because).judge(end.rms)
     });

@@ -14,19 +14,26 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
     for found in findings {
         let ends = [(End::Bottom, "bottom, fitted"), (End::Top, "top, predicted")];
         let ends = ends.map(|(end, title)| fringes(found.numbers, end, title));
-        charts.push(("photoelastic-fringes.svg".into(), panels("Isochromatics of a disc between two plates", &ends, 2)?));
+        charts
+            .push(("photoelastic-fringes.svg".into(), panels("Isochromatics of a disc between two plates", &ends, 2)?));
         charts.push(("photoelastic-width.svg".into(), widths(found.numbers)?));
     }
     Ok(charts)
 }
 
 fn fringes(numbers: &Numbers, end: End, title: &str) -> Chart {
-    let mut chart = Chart::new(title, Axis::linear("x / R [–]").over(0.0, 0.3), Axis::linear("distance from the loaded end / R [–]").over(0.0, 0.35));
+    let mut chart = Chart::new(
+        title,
+        Axis::linear("x / R [–]").over(0.0, 0.3),
+        Axis::linear("distance from the loaded end / R [–]").over(0.0, 0.35),
+    );
     for curve in numbers.curves.iter().filter(|curve| curve.end == end) {
         let Curve { channel, computed, measured, .. } = curve;
         let (colour, name, marker) = look(*channel);
         let drawn = |points: &[[f64; 2]]| drawn::Curve { points: points.to_vec(), failed: Vec::new() };
-        chart.series.push(drawn(computed).drawn(format!("{name}, computed"), Style::run(colour, Dash::Solid, Marker::Absent)));
+        chart
+            .series
+            .push(drawn(computed).drawn(format!("{name}, computed"), Style::run(colour, Dash::Solid, Marker::Absent)));
         chart.series.push(drawn(measured).drawn(format!("{name}, read"), Style::run(colour, Dash::Absent, marker)));
     }
     chart

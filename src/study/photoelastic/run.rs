@@ -85,8 +85,10 @@ pub fn compare(fringes: &[Fringe]) -> Result<Numbers, Error> {
     let field = Field::of(best, REFINEMENTS[0])?;
     let (constants, _) = Constants::fitted(&field, &bottom);
     let rms = |sum: f64, points: usize| (sum / points as f64).sqrt();
-    let end = |end: End, own: &[Fringe]| {
-        Residuals { end, points: own.len(), rms: rms(constants.sum_of_squares(&field, own), own.len()) }
+    let end = |end: End, own: &[Fringe]| Residuals {
+        end,
+        points: own.len(),
+        rms: rms(constants.sum_of_squares(&field, own), own.len()),
     };
     let width = |((a_over_r, other), fitted): ((&f64, &Field), &f64)| Width {
         a_over_r: *a_over_r,
@@ -101,7 +103,10 @@ pub fn compare(fringes: &[Fringe]) -> Result<Numbers, Error> {
         ends: vec![end(End::Bottom, &bottom), end(End::Top, &top)],
         widths: WIDTHS.iter().zip(&fields).zip(&sums).map(width).collect(),
         mesh: [rms(squares, fringes.len()), fringes.iter().map(changed).fold(0.0, larger)],
-        curves: [(End::Bottom, &bottom), (End::Top, &top)].into_iter().flat_map(|(end, own)| curves(&field, &constants, end, own)).collect(),
+        curves: [(End::Bottom, &bottom), (End::Top, &top)]
+            .into_iter()
+            .flat_map(|(end, own)| curves(&field, &constants, end, own))
+            .collect(),
         constants,
     })
 }
@@ -126,8 +131,11 @@ fn curves(field: &Field, constants: &Constants, end: End, own: &[Fringe]) -> Vec
             let Some(deepest) = measured.iter().map(|point| point[1]).reduce(f64::max) else { continue };
             let shallowest = measured.iter().map(|point| point[1]).fold(deepest, f64::min);
             let depths = (0..=DEPTHS).map(|k| shallowest + (deepest - shallowest) * k as f64 / DEPTHS as f64);
-            let around = |z: f64| measured.iter().min_by(|a, b| (a[1] - z).abs().total_cmp(&(b[1] - z).abs())).map_or(0.1, |p| p[0]);
-            let computed = depths.filter_map(|z| Some([place(field, constants, channel, order, z, around(z))?, z])).collect();
+            let around = |z: f64| {
+                measured.iter().min_by(|a, b| (a[1] - z).abs().total_cmp(&(b[1] - z).abs())).map_or(0.1, |p| p[0])
+            };
+            let computed =
+                depths.filter_map(|z| Some([place(field, constants, channel, order, z, around(z))?, z])).collect();
             all.push(Curve { end, channel, order, measured, computed });
         }
     }

@@ -14,7 +14,10 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
 fn of(numbers: &Numbers) -> String {
     let [a, deviation] = numbers.half_width;
     let [red, green, blue] = numbers.constants.orders.map(|order| significant(order, 3));
-    let ends = numbers.ends.iter().map(|end| format!("{}: {} orders ({} points)", end.end, significant(end.rms, 3), end.points));
+    let ends = numbers
+        .ends
+        .iter()
+        .map(|end| format!("{}: {} orders ({} points)", end.end, significant(end.rms, 3), end.points));
     let rows: Vec<Vec<String>> = numbers
         .widths
         .iter()
@@ -38,7 +41,13 @@ fn of(numbers: &Numbers) -> String {
         significant(numbers.mesh[0], 2),
         significant(numbers.mesh[1], 2),
         table(&head, &rows),
-        picture("photoelastic-fringes.svg", "Dark fringes near both loaded ends: read from the photograph (points) and computed (lines)"),
-        picture("photoelastic-width.svg", "How sharply the photograph tells the half-width: root mean square at the bottom"),
+        picture(
+            "photoelastic-fringes.svg",
+            "Dark fringes near both loaded ends: read from the photograph (points) and computed (lines)"
+        ),
+        picture(
+            "photoelastic-width.svg",
+            "How sharply the photograph tells the half-width: root mean square at the bottom"
+        ),
     )
 }

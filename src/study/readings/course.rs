@@ -146,7 +146,9 @@ impl Site {
         let base = Formulation { stiffness, layer_thickness: self.thickness, ..self.rule.formulation(self.element) };
         // Kinematic load looks at the tolerance, and is over soon: it is run for each. Of the others one run tells all.
         let met = match self.rule.algorithm {
-            Iteration::Kinematic => Stop::all().iter().map(|stop| own(discretisation, &base, stop)).collect::<Result<_, _>>()?,
+            Iteration::Kinematic => {
+                Stop::all().iter().map(|stop| own(discretisation, &base, stop)).collect::<Result<_, _>>()?
+            }
             _ => of_one(discretisation, &base)?,
         };
         let Rule { algorithm, rule, bound, spring } = self.rule;
@@ -176,7 +178,8 @@ pub fn ends(ground: &Ground, reading: &Reading, starts: &[f64]) -> Result<Vec<(E
     let discretisation = ground.discretised()?;
     let of = |(algorithm, element): (Iteration, Element)| {
         let site = Site { ground: *ground, element, thickness: reading.thickness, rule: reading.rule(algorithm) };
-        let ends = starts.iter().map(|&stiffness| site.end(&discretisation, reading, stiffness)).collect::<Result<_, _>>()?;
+        let ends =
+            starts.iter().map(|&stiffness| site.end(&discretisation, reading, stiffness)).collect::<Result<_, _>>()?;
         Ok((element, algorithm, ends))
     };
     pairs().filter(|&(algorithm, element)| is_shown(element, algorithm)).map(of).collect()

@@ -43,7 +43,9 @@ impl Courses {
                 spring: record.spring,
             };
             let pairs = record.iterations.split(' ').zip(record.errors.split(' '));
-            let met = pairs.map(|(iterations, error)| Some((iterations.parse().ok()?, UNIT * error.parse::<f64>().ok()?))).collect();
+            let met = pairs
+                .map(|(iterations, error)| Some((iterations.parse().ok()?, UNIT * error.parse::<f64>().ok()?)))
+                .collect();
             all.entry(key).or_default().push((record.stiffness, record.retained, met));
         }
         Self(all)

@@ -20,8 +20,12 @@ pub fn of(sentence: Sentence, seen: &[Seen; 2]) -> String {
             let of = |algorithm: Iteration| format!("{} {}", algorithm.name(), both(&|seen| counts(seen, algorithm)));
             format!("starts that ended: {}; {}", of(Varying), of(Constant))
         }
-        Sentence::LineAlways => format!("starts that ended: {}", both(&|seen| count(seen.starts(Element::Line, Varying)))),
-        Sentence::Proviso => format!("starts that ended: {}", both(&|seen| count(seen.starts(Element::Layer, Varying)))),
+        Sentence::LineAlways => {
+            format!("starts that ended: {}", both(&|seen| count(seen.starts(Element::Line, Varying))))
+        }
+        Sentence::Proviso => {
+            format!("starts that ended: {}", both(&|seen| count(seen.starts(Element::Layer, Varying))))
+        }
         Sentence::TwoSteps => {
             let own = |seen: &Seen| range(&[seen.starts(Element::Node, Kinematic)]);
             format!("{} iterations", both(&own))
@@ -38,10 +42,14 @@ pub fn of(sentence: Sentence, seen: &[Seen; 2]) -> String {
             let quotients = |seen: &Seen| {
                 let pairs = if sentence == Sentence::Saves { seen.of_constant() } else { seen.of_kinematic() };
                 let quotients: Vec<f64> = pairs.into_iter().map(|[other, own]| other / own).collect();
-                let [low, high] = [quotients.iter().copied().fold(f64::INFINITY, f64::min), quotients.iter().copied().fold(0.0, larger)];
+                let [low, high] = [
+                    quotients.iter().copied().fold(f64::INFINITY, f64::min),
+                    quotients.iter().copied().fold(0.0, larger),
+                ];
                 format!("{low:.2} to {high:.0}")
             };
-            let whose = if sentence == Sentence::Saves { "varying's over constant's" } else { "the others' over kinematic's" };
+            let whose =
+                if sentence == Sentence::Saves { "varying's over constant's" } else { "the others' over kinematic's" };
             format!("operations, {whose}: {}", both(&quotients))
         }
     }

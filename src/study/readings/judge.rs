@@ -4,9 +4,9 @@ use std::collections::HashSet;
 
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
+use crate::study::readings::axes::starts;
 use crate::study::readings::course::{Record, Site};
 use crate::study::readings::run::Numbers;
-use crate::study::readings::axes::starts;
 
 /// Iterations may differ by this share, and by one: a criterion that is met by a hair's breadth.
 const HAIR: f64 = 0.02;
@@ -49,5 +49,7 @@ fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
 /// What a record is of.
 fn key(record: &Record) -> String {
     let Record { example, candidates, element, thickness, algorithm, rule, bound, spring, stiffness, .. } = record;
-    format!("{example:?} {candidates:?} {element:?} {thickness} {algorithm:?} {rule:?} {bound} {spring:?} {stiffness:e}")
+    format!(
+        "{example:?} {candidates:?} {element:?} {thickness} {algorithm:?} {rule:?} {bound} {spring:?} {stiffness:e}"
+    )
 }

@@ -39,15 +39,21 @@ fn iterations(courses: &Courses, all: &[Judged]) -> Result<Drawing, Error> {
     let readings: Vec<Reading> = std::iter::once(Reading::nearest()).chain(best).collect();
     let panel = |example: Example, (number, reading): (usize, &Reading)| {
         let title = format!("{}, reading {}", example.name(), number + 1);
-        let mut chart = Chart::new(&title, Axis::log("initial stiffness κ₀ [–]").over(1e-3, 1e6), Axis::log("iterations [–]").over(1.0, 3000.0));
+        let mut chart = Chart::new(
+            &title,
+            Axis::log("initial stiffness κ₀ [–]").over(1e-3, 1e6),
+            Axis::log("iterations [–]").over(1.0, 3000.0),
+        );
         let curves = [Iteration::Varying, Iteration::Constant].into_iter().flat_map(|algorithm| {
             [Element::Line, Element::Layer].map(|element| {
                 let formulation = Formulation::new(element, algorithm);
-                curve(&courses.ends(reading, example, element, algorithm)).drawn(label(&formulation), style(&formulation))
+                curve(&courses.ends(reading, example, element, algorithm))
+                    .drawn(label(&formulation), style(&formulation))
             })
         });
         chart.series = curves.collect();
-        chart.notes = readings.iter().enumerate().map(|(k, reading)| format!("{}: {}.", k + 1, reading.name())).collect();
+        chart.notes =
+            readings.iter().enumerate().map(|(k, reading)| format!("{}: {}.", k + 1, reading.name())).collect();
         chart
     };
     let panels_of = |example| readings.iter().enumerate().map(move |numbered| panel(example, numbered));
@@ -94,7 +100,8 @@ fn chart(all: &[Judged]) -> Result<Drawing, Error> {
 }
 
 fn panel(all: &[Judged], most: u32, candidates: Candidates, criterion: Criterion) -> MapPanel {
-    let is_own = |judged: &&Judged| judged.reading.candidates == candidates && judged.reading.stop.criterion == criterion;
+    let is_own =
+        |judged: &&Judged| judged.reading.candidates == candidates && judged.reading.stop.criterion == criterion;
     let own: Vec<&Judged> = all.iter().filter(is_own).collect();
     let row = |varying: Rule| {
         let of_rule: Vec<&&Judged> = own.iter().filter(|judged| judged.reading.varying == varying).collect();

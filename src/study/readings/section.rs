@@ -71,7 +71,14 @@ fn share(all: &[Judged], holds: impl Fn(&Judged) -> bool) -> String {
 
 /// Where each sentence holds.
 fn by_sentence(all: &[Judged], nearest: &Judged) -> String {
-    let head = ["sentence", "nearest reading", "of all readings", "all nine formulations", Example::Cylinder.name(), Example::PinRod.name()];
+    let head = [
+        "sentence",
+        "nearest reading",
+        "of all readings",
+        "all nine formulations",
+        Example::Cylinder.name(),
+        Example::PinRod.name(),
+    ];
     let row = |sentence: Sentence| {
         let share = |of: &dyn Fn(&Judged) -> u16| share(all, |judged| of(judged) & bit(sentence) != 0);
         let own = if nearest.holds(sentence) { "holds" } else { "does not" };

@@ -34,7 +34,9 @@ pub struct Trial {
 /// nearest to the text; the best of them.
 pub fn chosen(all: &[Judged], number: usize) -> Vec<Reading> {
     let nearest = Reading::nearest();
-    let rank = |judged: &Judged| (std::cmp::Reverse(judged.single[0].count_ones()), nearest.differences(&judged.reading).len());
+    let rank = |judged: &Judged| {
+        (std::cmp::Reverse(judged.single[0].count_ones()), nearest.differences(&judged.reading).len())
+    };
     let mut best: Vec<&Judged> = Vec::new();
     for judged in all {
         match best.iter_mut().find(|kept| kind(&kept.reading) == kind(&judged.reading)) {

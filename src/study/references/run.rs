@@ -32,10 +32,16 @@ pub fn numbers(case: &Case) -> Result<Numbers, Error> {
     let barred = bars(&made, &run, &[])?;
     let row = |one: Known| {
         let (_, factor) = one.measured.unit(&case.scene.contact().path);
-        let is_it = |barred: &&Barred| one.measured.quantity().is_some_and(|own| barred.subject == Subject::Contact(0, own));
+        let is_it =
+            |barred: &&Barred| one.measured.quantity().is_some_and(|own| barred.subject == Subject::Contact(0, own));
         let eight = barred.all.iter().find(is_it).map(|of| [factor * of.value, factor * of.bar.total()]);
         (one.times(factor), eight)
     };
     let dofs = [answer, order, layers, cells, run.dofs];
-    Ok(Numbers { case: case.name.clone(), path: case.scene.contact().path, dofs, known: known.into_iter().map(row).collect() })
+    Ok(Numbers {
+        case: case.name.clone(),
+        path: case.scene.contact().path,
+        dofs,
+        known: known.into_iter().map(row).collect(),
+    })
 }

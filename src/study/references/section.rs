@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use crate::accuracy::reference::{Known, MESHES};
 use crate::error::Error;
-use crate::scene::Path;
 use crate::markdown::{significant, table, to_bound};
+use crate::scene::Path;
 use crate::study::Found;
 use crate::study::references::run::Numbers;
 
@@ -47,7 +47,12 @@ fn row(path: &Path, (one, eight): &(Known, Option<[f64; 2]>)) -> Vec<String> {
     let bounded = |value: f64, bound: f64| format!("{} ± {}", to_bound(value, bound), significant(bound, 2));
     let others = one.others.map(|other| to_bound(other, one.bound));
     let eight = eight.map_or("–".into(), |[value, bar]| bounded(value, bar));
-    let start = [one.measured.name().into(), one.measured.unit(path).0.into(), bounded(one.value, one.bound), significant(one.bound / one.scale, 2)];
+    let start = [
+        one.measured.name().into(),
+        one.measured.unit(path).0.into(),
+        bounded(one.value, one.bound),
+        significant(one.bound / one.scale, 2),
+    ];
     start.into_iter().chain(others).chain([eight]).collect()
 }
 

@@ -27,9 +27,9 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
 fn accuracy(orders: &Orders) -> Vec<Judged> {
     let half_width = match orders.order {
         Order::Linear => below_second_order(orders),
-        _ => {
-            reaches(orders, "observed order of the second-moment width", 2.0, "the edge lies on a node", |level| level.half_width)
-        }
+        _ => reaches(orders, "observed order of the second-moment width", 2.0, "the edge lies on a node", |level| {
+            level.half_width
+        }),
     };
     let edge = "square-root edge (Drouet & Hild 2015; Belhachmi & Ben Belgacem 2003): capped near 1";
     let load = Check::error(
@@ -39,12 +39,14 @@ fn accuracy(orders: &Orders) -> Vec<Judged> {
         "16-point Gauss on every edge",
     );
     let largest = orders.levels.iter().map(|level| level.load).fold(0.0, larger);
-    reaches(orders, "observed order of the pressure of the centre node", 2.0, "every pair of meshes", |level| level.peak)
-        .into_iter()
-        .chain(half_width)
-        .chain(reaches(orders, "observed order of the pressure profile in L2", 1.0, edge, |level| level.l2))
-        .chain([load.judge(largest)])
-        .collect()
+    reaches(orders, "observed order of the pressure of the centre node", 2.0, "every pair of meshes", |level| {
+        level.peak
+    })
+    .into_iter()
+    .chain(half_width)
+    .chain(reaches(orders, "observed order of the pressure profile in L2", 1.0, edge, |level| level.l2))
+    .chain([load.judge(largest)])
+    .collect()
 }
 
 /// The order between each two successive meshes reaches the formal one; one that is withheld does not.

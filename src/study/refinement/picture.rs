@@ -13,8 +13,11 @@ const APART: f64 = 1.6;
 
 /// The chart.
 pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
-    let mut chart =
-        Chart::new("Truncated Hertz: errors on nested meshes", Axis::log("mesh size h / a [–]"), Axis::log("|relative error| [–]"));
+    let mut chart = Chart::new(
+        "Truncated Hertz: errors on nested meshes",
+        Axis::log("mesh size h / a [–]"),
+        Axis::log("|relative error| [–]"),
+    );
     let all = findings.iter().filter_map(|found| match found.numbers {
         Numbers::Orders(orders) => Some(orders),
         _ => None,
@@ -55,8 +58,5 @@ fn slopes(all: &[&Orders]) -> Vec<Slope> {
     };
     let above = APART * between(|level| level.peak).fold(f64::NAN, f64::max);
     let below = between(|level| level.l2).fold(f64::NAN, f64::min) / APART;
-    vec![
-        Slope { ends, value: above, order: 2.0, above: true },
-        Slope { ends, value: below, order: 1.0, above: false },
-    ]
+    vec![Slope { ends, value: above, order: 2.0, above: true }, Slope { ends, value: below, order: 1.0, above: false }]
 }

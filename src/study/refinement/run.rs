@@ -216,7 +216,8 @@ pub fn model_error() -> Result<ModelError, Error> {
         };
         let [coarse, medium, fine] = FINE.map(run);
         let runs = [coarse?, medium?, fine?];
-        let departure = |exact: f64, of: fn(&Run) -> f64| Departure::of(runs.each_ref().map(|run| of(run) / exact - 1.0));
+        let departure =
+            |exact: f64, of: fn(&Run) -> f64| Departure::of(runs.each_ref().map(|run| of(run) / exact - 1.0));
         Ok(Ratio {
             a_over_r,
             peak: departure(numbers.scene().reference.pressure, |run| converged(run, run.measures().peak.pressure)),

@@ -7,7 +7,9 @@ use crate::markdown;
 use crate::measure::order::{Observed, Why};
 use crate::study::Found;
 use crate::study::drawn::picture;
-use crate::study::refinement::run::{Departure, Errors, ModelError, Numbers, Orders, PinLevel, PinRod, PinSeries, Ratio};
+use crate::study::refinement::run::{
+    Departure, Errors, ModelError, Numbers, Orders, PinLevel, PinRod, PinSeries, Ratio,
+};
 
 /// How far the contact's edge may move within its element from mesh to mesh and still be said to stay \[elements\].
 const STAYS: f64 = 0.1;
@@ -100,7 +102,8 @@ fn model_error(numbers: &ModelError) -> (String, String) {
         });
         [ratio.a_over_r.to_string()].into_iter().chain(own).chain([ratio.dofs.to_string()]).collect()
     });
-    let head = ["a/R", "p₀ / Hertz − 1", "bound of the mesh", "power", "a / Hertz − 1", "bound of the mesh", "power", "dofs"];
+    let head =
+        ["a/R", "p₀ / Hertz − 1", "bound of the mesh", "power", "a / Hertz − 1", "bound of the mesh", "power", "dofs"];
     let title = format!(
         "Cylinder: model error against Hertz, and the power of a/R by which it falls ({} elements per half-width)",
         numbers.elements
@@ -110,14 +113,18 @@ fn model_error(numbers: &ModelError) -> (String, String) {
 
 fn pin_rod(numbers: &PinRod) -> (String, String) {
     let rows: Vec<Vec<String>> = numbers.series.iter().flat_map(pin_rows).collect();
-    let head =
-        ["cells", "elements / 10 mm", "dofs", "peak [MPa]", "order", "2 √(∫pθ²/∫p) [°]", "order", "edge"].map(String::from);
+    let head = ["cells", "elements / 10 mm", "dofs", "peak [MPa]", "order", "2 √(∫pθ²/∫p) [°]", "order", "edge"]
+        .map(String::from);
     let mut table = markdown::table(&head, &rows);
     for series in &numbers.series {
-        let withheld = is_withheld(&series.pairs(|level| level.peak)) || is_withheld(&series.pairs(|level| level.angle));
+        let withheld =
+            is_withheld(&series.pairs(|level| level.peak)) || is_withheld(&series.pairs(|level| level.angle));
         if withheld {
             let edges = series.levels.each_ref().map(|level| level.edge);
-            table += &format!("\n{}\n", why_withheld(&format!("the series of {}-node cells", series.order.nodes_per_cell()), &edges));
+            table += &format!(
+                "\n{}\n",
+                why_withheld(&format!("the series of {}-node cells", series.order.nodes_per_cell()), &edges)
+            );
         }
     }
     ("Pin–rod: refinement series, orders between successive changes".into(), table)

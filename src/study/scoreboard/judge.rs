@@ -18,7 +18,8 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
     let [now, then] = numbers.dofs;
     let complete = |value: f64| if numbers.rows.len() == Setting::ALL.len() { value } else { f64::NAN };
     let named = |name: &'static str| Quantity::at(name, numbers.case.clone());
-    let none = |name, value: usize, because: &'static str| Check::none(named(name), because).judge(complete(value as f64));
+    let none =
+        |name, value: usize, because: &'static str| Check::none(named(name), because).judge(complete(value as f64));
     let best = numbers.best(|_| true);
     let nearest = |k: usize| match best.map(|row| &row.ended) {
         Some(Ended::Judged { scores, .. }) => (scores[k].error.abs(), scores[k].bar),
@@ -26,16 +27,28 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
     };
     let agrees = |k: usize, name| {
         let (error, bar) = nearest(k);
-        let reference = Reference { kind: crate::oracle::ReferenceKind::CrossCode, ..Reference::own("the nearest of other codes", 0.0) };
-        Check::error(named(name), reference, ENGINEERING + bar, "engineering tolerance, and what the truth may be off").judge(error)
+        let reference = Reference {
+            kind: crate::oracle::ReferenceKind::CrossCode,
+            ..Reference::own("the nearest of other codes", 0.0)
+        };
+        Check::error(named(name), reference, ENGINEERING + bar, "engineering tolerance, and what the truth may be off")
+            .judge(error)
     };
     let renewed = format!("{FOLDER} is of the present meshes: {RENEW}");
     Ok(vec![
         none("frozen answers that cannot be read", unread, "what a code wrote once is read as it was"),
-        none("frozen answers judged otherwise than when they were written", moved, "peak and second-moment width within 1e-6"),
+        none(
+            "frozen answers judged otherwise than when they were written",
+            moved,
+            "peak and second-moment width within 1e-6",
+        ),
         none("scripts changed since their answers were frozen", numbers.changed.len(), RENEW),
-        Check::at_most(named("degrees of freedom that the exported mesh has changed by"), Reference::own("none", 0.0), renewed)
-            .judge(now.abs_diff(then) as f64),
+        Check::at_most(
+            named("degrees of freedom that the exported mesh has changed by"),
+            Reference::own("none", 0.0),
+            renewed,
+        )
+        .judge(now.abs_diff(then) as f64),
         agrees(0, "relative error of the peak pressure of the nearest code"),
         agrees(1, "relative error of the second-moment width of the nearest code"),
     ])

@@ -64,7 +64,11 @@ fn refuse_other_scripts() -> Result<(), Error> {
     for (name, text, _) in problem::SCRIPTS {
         let file = root().join("oracles/peers").join(name);
         if fs::read_to_string(&file).ok().as_deref() != Some(text) {
-            return Err(Error::file(&file, "it has changed since this program was built", "build it again: `cargo build --release`"));
+            return Err(Error::file(
+                &file,
+                "it has changed since this program was built",
+                "build it again: `cargo build --release`",
+            ));
         }
     }
     Ok(())

@@ -111,7 +111,9 @@ impl Numbers {
     pub fn best(&self, of: impl Fn(&Setting) -> bool) -> Option<&Row> {
         let rows = self.rows.iter().filter(|row| of(&row.setting()) && row.error().is_finite());
         // Errors of round-off are equal.
-        rows.min_by(|a, b| a.not_met().cmp(&b.not_met()).then(a.error().max(ROUND_OFF).total_cmp(&b.error().max(ROUND_OFF))))
+        rows.min_by(|a, b| {
+            a.not_met().cmp(&b.not_met()).then(a.error().max(ROUND_OFF).total_cmp(&b.error().max(ROUND_OFF)))
+        })
     }
 }
 
@@ -186,7 +188,8 @@ pub fn scored(
 /// The answer in a file: numbers are in mm, N and MPa, and nodes are those of the exported mesh.
 fn answer(case: &Case, discretisation: &Discretisation, file: &Path, bytes: &[u8]) -> Result<Answer, Error> {
     let named = file.with_extension("");
-    let ending = if file.extension().is_some_and(|ending| ending == "gz") { named.extension() } else { file.extension() };
+    let ending =
+        if file.extension().is_some_and(|ending| ending == "gz") { named.extension() } else { file.extension() };
     let fields = ending.is_some_and(|ending| ending == "frd" || ending == "vtu");
     let units = [(Role::Position, "mm"), (Role::Pressure, "MPa"), (Role::Displacement, "mm")];
     let table = file.extension().is_some_and(|ending| ending == "csv");

@@ -11,7 +11,8 @@ use crate::study::scoreboard::picture::{FILE, FLOOR};
 use crate::study::scoreboard::run::{Ended, Numbers, ROUND_OFF, Row};
 use crate::study::scoreboard::setting::{Code, Setting};
 
-const HEAD: [&str; 8] = ["code", "contact", "p₀ − truth", "a − truth", "truth ±", "iterations", "seconds ÷ Cholesky", "not met"];
+const HEAD: [&str; 8] =
+    ["code", "contact", "p₀ − truth", "a − truth", "truth ±", "iterations", "seconds ÷ Cholesky", "not met"];
 
 /// The section.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
@@ -33,12 +34,16 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     text += &summary(findings);
     text += &picture(
         FILE,
-        &format!("Scoreboard: larger error of p₀ and a over seconds; hollow: runs that failed; errors below {} are drawn there", markdown::bound(FLOOR)),
+        &format!(
+            "Scoreboard: larger error of p₀ and a over seconds; hollow: runs that failed; errors below {} are drawn there",
+            markdown::bound(FLOOR)
+        ),
     );
     for found in findings {
         let numbers = found.numbers;
         let rows: Vec<Vec<String>> = numbers.rows.iter().map(|row| line(numbers, row)).collect();
-        let _ = write!(text, "\n## {}, {} degrees of freedom, truth: {}\n\n", numbers.case, numbers.dofs[0], numbers.kind);
+        let _ =
+            write!(text, "\n## {}, {} degrees of freedom, truth: {}\n\n", numbers.case, numbers.dofs[0], numbers.kind);
         text += &markdown::table(&HEAD.map(String::from), &rows);
     }
     Ok(text)
@@ -46,14 +51,27 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
 
 /// Code by code: how many cases are met, by the first choice and by the best setting.
 fn summary(findings: &[Found<Numbers>]) -> String {
-    let head = ["code", "all met, first choice", "all met, best setting", "worst error, first choice", "worst error, best setting", "runs that failed"];
+    let head = [
+        "code",
+        "all met, first choice",
+        "all met, best setting",
+        "worst error, first choice",
+        "worst error, best setting",
+        "runs that failed",
+    ];
     let row = |code: Code| {
-        let first = |numbers: &'_ Numbers| numbers.rows.iter().find(|row| row.setting().code == code && row.setting().first).cloned();
+        let first = |numbers: &'_ Numbers| {
+            numbers.rows.iter().find(|row| row.setting().code == code && row.setting().first).cloned()
+        };
         let best = |numbers: &'_ Numbers| numbers.best(|setting| setting.code == code).cloned();
         let [first, best] = [&first as &dyn Fn(&Numbers) -> Option<Row>, &best]
             .map(|of| findings.iter().map(|found| of(found.numbers)).collect::<Vec<_>>());
         let met = |rows: &[Option<Row>]| {
-            let met = rows.iter().flatten().filter(|row| matches!(&row.ended, Ended::Judged { failed, .. } if failed.is_empty())).count();
+            let met = rows
+                .iter()
+                .flatten()
+                .filter(|row| matches!(&row.ended, Ended::Judged { failed, .. } if failed.is_empty()))
+                .count();
             format!("{met} of {}", rows.len())
         };
         let worst = |rows: &[Option<Row>]| {

@@ -105,7 +105,12 @@ impl Setting {
         Self::of(Code::Ngsolve, "active-set", "active sets on the exported rows", false),
         Self::of(Code::Sfepy, "contact", "contact term on both sides, cells of 4 nodes, K = 10 E per mm", true),
         Self::of(Code::Sfepy, "stiff-contact", "the same with K = 100 E per mm, quadrature of order 30", false),
-        Self::of(Code::Kratos, "contact", "mortar contact, augmented Lagrangian, cells of 4 nodes, one load step", true),
+        Self::of(
+            Code::Kratos,
+            "contact",
+            "mortar contact, augmented Lagrangian, cells of 4 nodes, one load step",
+            true,
+        ),
         Self::of(Code::Kratos, "contact-in-steps", "the same in 10 load steps", false),
         Self::of(
             Code::Akantu,

@@ -24,7 +24,8 @@ pub fn plane(plane: PlaneHypothesis) -> &'static str {
 }
 
 fn body(body: &Body) -> String {
-    let supports = body.supports.iter().map(|Support { at, component, value }| format!("u_{component} = {value} at `{at}`"));
+    let supports =
+        body.supports.iter().map(|Support { at, component, value }| format!("u_{component} = {value} at `{at}`"));
     let loads = body.loads.iter().map(load);
     let listed = |name: &str, all: Vec<String>| match &all[..] {
         [] => format!("* {name}: none"),
@@ -95,7 +96,9 @@ fn load(load: &Load) -> String {
     match load {
         Load::Traction { boundary, traction } => format!("traction {traction:?} MPa on `{boundary}`"),
         Load::TractionField { boundary, .. } => format!("the traction of the closed form on `{boundary}`"),
-        Load::Stress { boundary, .. } => format!("traction σ n of the closed form's stresses in the half-plane on `{boundary}`"),
+        Load::Stress { boundary, .. } => {
+            format!("traction σ n of the closed form's stresses in the half-plane on `{boundary}`")
+        }
         Load::OnSide { boundary, part, action } => on_side(boundary, part.as_ref(), action),
         Load::BodyForce(force) => format!("force {force:?} N/mm³ in its volume"),
         Load::Force { at, force } => format!("force {force:?} N at {at:?}"),
@@ -126,7 +129,10 @@ fn contact(scene: &Scene, pair: &ContactPair) -> String {
         Path::Straight(line) if line.both_sides => (format!("x from {:?}, on both sides", line.origin), "mm", 1.0),
         Path::Straight(line) => (format!("|x| from {:?}", line.origin), "mm", 1.0),
         Path::Arc(circle) => {
-            let along = format!("the angle from the downward vertical about {:?}, on the circle of radius {}", circle.centre, circle.radius);
+            let along = format!(
+                "the angle from the downward vertical about {:?}, on the circle of radius {}",
+                circle.centre, circle.radius
+            );
             (along, "°", 180.0 / PI)
         }
     };

@@ -6,7 +6,9 @@ use crate::study::sheets::run::{Numbers, Value};
 /// Name of its file and its text.
 pub fn sheet(numbers: &Numbers) -> (String, String) {
     let Numbers { name, title, scene, sources, dofs, values } = numbers;
-    let head = ["of", "quantity", "unit", "value ± bound", "cells", "closed form", "other codes, ± standard uncertainty"].map(String::from);
+    let head =
+        ["of", "quantity", "unit", "value ± bound", "cells", "closed form", "other codes, ± standard uncertainty"]
+            .map(String::from);
     let rows: Vec<Vec<String>> = values.iter().map(row).collect();
     let sources = match &sources[..] {
         [] => "none but this sheet".into(),

@@ -14,5 +14,11 @@ pub fn discretised() -> Result<Discretisation, Error> {
 
 /// The limit of a problem.
 pub fn limit(problem: &ContactProblem) -> Result<Limit, Error> {
-    Limit::of(problem).ok_or_else(|| Error::at("stability", "the problem on which rates are predicted has no discrete solution", "give it a scene whose contact holds its bodies"))
+    Limit::of(problem).ok_or_else(|| {
+        Error::at(
+            "stability",
+            "the problem on which rates are predicted has no discrete solution",
+            "give it a scene whose contact holds its bodies",
+        )
+    })
 }

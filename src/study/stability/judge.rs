@@ -37,7 +37,9 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
         Numbers::Basin(starts) => vec![basin(starts)],
         Numbers::Failing(starts) => failing(starts),
         Numbers::Halving(law) if law.scene == Scene::PinRod => vec![twice_the_elements(law)],
-        Numbers::Halving(law) if law.scene == Scene::TruncatedHertz => vec![threshold(law), halved(law, "hard starts", |k| k >= SOFT)],
+        Numbers::Halving(law) if law.scene == Scene::TruncatedHertz => {
+            vec![threshold(law), halved(law, "hard starts", |k| k >= SOFT)]
+        }
         Numbers::Halving(law) => vec![halved(law, "soft and hard starts", |_| true)],
     })
 }
@@ -168,7 +170,8 @@ fn failing(starts: &[failing::Start]) -> Vec<Judged> {
 
 /// The rate that Hertz's closed form says, against the measured one.
 fn before(starts: &[before::Start]) -> Judged {
-    let factors: Vec<f64> = starts.iter().filter_map(before::Start::ratio).map(|ratio| larger(ratio, 1.0 / ratio)).collect();
+    let factors: Vec<f64> =
+        starts.iter().filter_map(before::Start::ratio).map(|ratio| larger(ratio, 1.0 / ratio)).collect();
     let enough = factors.len() as f64 >= COMPARED;
     Check::at_most(
         Quantity::at(
@@ -218,7 +221,9 @@ fn halved(law: &Law, which: &str, is_judged: fn(f64) -> bool) -> Judged {
 
 /// The pin-rod, whose contact is no Hertz contact: the law is not asked how many iterations, but how many more on a finer mesh.
 fn twice_the_elements(law: &Law) -> Judged {
-    let measured = |mesh: &Mesh| mesh.iterations.map(|iterations| iterations.measured.map_or(f64::NAN, |iterations| iterations as f64));
+    let measured = |mesh: &Mesh| {
+        mesh.iterations.map(|iterations| iterations.measured.map_or(f64::NAN, |iterations| iterations as f64))
+    };
     let more = law.meshes.chunks_exact(PIN_ELEMENTS.len()).flat_map(|pair| {
         let [coarse, fine] = [measured(&pair[0]), measured(&pair[1])];
         fine.into_iter().zip(coarse).map(|(fine, coarse)| fine - coarse).collect::<Vec<_>>()

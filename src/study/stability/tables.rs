@@ -34,7 +34,17 @@ pub fn fixed_target(findings: &[Found<Numbers>]) -> String {
 
 /// Every start, predicted and measured.
 pub fn rates(findings: &[Found<Numbers>]) -> String {
-    let head = ["method", "κ₀", "measured", "predicted ρ", "ln ρ off", "verdict", "linearised, same errors", "ln ρ off", "verdict"];
+    let head = [
+        "method",
+        "κ₀",
+        "measured",
+        "predicted ρ",
+        "ln ρ off",
+        "verdict",
+        "linearised, same errors",
+        "ln ρ off",
+        "verdict",
+    ];
     table(&head, findings, |found| match found.numbers {
         Numbers::Rates(starts) => starts.iter().map(|start| rate(found.name, start)).collect(),
         _ => Vec::new(),
@@ -68,7 +78,15 @@ fn rate(method: &str, start: &rates::Start) -> Vec<String> {
 
 /// Every mesh, predicted by the closed form and measured.
 pub fn before(findings: &[Found<Numbers>]) -> String {
-    let head = ["scene", "L/a", "elements per a", "first node outside, x/a", "ρ by Hertz", "measured ρ", "ln ρ: measured / Hertz"];
+    let head = [
+        "scene",
+        "L/a",
+        "elements per a",
+        "first node outside, x/a",
+        "ρ by Hertz",
+        "measured ρ",
+        "ln ρ: measured / Hertz",
+    ];
     let row = |scene: &str, start: &before::Start| {
         vec![
             scene.into(),

@@ -51,7 +51,10 @@ pub fn dofs(elements: usize, refinement: u32) -> Result<usize, Error> {
 }
 
 /// Measures a mesh so many times on the threads of some pools, one thread first.
-pub fn measure((elements, refinement, repeats): (usize, u32, usize), pools: [&rayon::ThreadPool; 2]) -> Result<BarCost, Error> {
+pub fn measure(
+    (elements, refinement, repeats): (usize, u32, usize),
+    pools: [&rayon::ThreadPool; 2],
+) -> Result<BarCost, Error> {
     let seconds = |pool: &rayon::ThreadPool| -> Result<Vec<[f64; 2]>, Error> {
         pool.install(|| (0..repeats).map(|_| once(elements, refinement)).collect())
     };

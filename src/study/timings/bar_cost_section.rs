@@ -21,14 +21,28 @@ pub fn section(record: &BarCosts) -> String {
     let (dofs, asked) = ASKED;
     let rows: Vec<Vec<String>> = record.costs.iter().map(row).collect();
     let nearest = nearest(record, dofs).map_or("not recorded".into(), |one| {
-        let met = |spread: Spread| if spread.most <= asked { "✓" } else if spread.least <= asked { "~" } else { "✗" };
-        let told = THREADS.iter().zip(one.ratio).map(|(threads, spread)| format!("{} on {threads} {}", told(spread), met(spread)));
+        let met = |spread: Spread| {
+            if spread.most <= asked {
+                "✓"
+            } else if spread.least <= asked {
+                "~"
+            } else {
+                "✗"
+            }
+        };
+        let told = THREADS
+            .iter()
+            .zip(one.ratio)
+            .map(|(threads, spread)| format!("{} on {threads} {}", told(spread), met(spread)));
         format!("{} dofs: {}", one.dofs, told.collect::<Vec<_>>().join(", "))
     });
     format!(
         "## What error bars cost\n\n{}A solve of the cylinder as `solve` does it, with bars over without (`--no-error-bar`), median and from least \
          to most of repeated runs ({}, {} threads). Asked for: at most {asked} at {dofs:e} dofs; {nearest} (✓ all runs, ~ some, ✗ none).\n\n{}\n",
-        picture("bars-cost.svg", "Seconds with error bars over seconds without: median, least and most of repeated runs"),
+        picture(
+            "bars-cost.svg",
+            "Seconds with error bars over seconds without: median, least and most of repeated runs"
+        ),
         record.machine.processor,
         record.machine.threads,
         markdown::table(&HEAD.map(String::from), &rows)
@@ -53,17 +67,27 @@ fn told(spread: Spread) -> String {
 
 /// The chart.
 pub fn chart(record: &BarCosts) -> Result<Drawing, Error> {
-    let mut chart = Chart::new("Cylinder, node + kinematic load", Axis::log("degrees of freedom [–]"), Axis::linear("time with bars ÷ without [–]"));
+    let mut chart = Chart::new(
+        "Cylinder, node + kinematic load",
+        Axis::log("degrees of freedom [–]"),
+        Axis::linear("time with bars ÷ without [–]"),
+    );
     let styles = [(palette::NODE, Dash::Solid, Marker::Circle), (palette::LINE, Dash::Dashed, Marker::Square)];
     for (k, (colour, dash, marker)) in styles.into_iter().enumerate() {
         let at = |one: &BarCost, value: fn(&Spread) -> f64| (one.dofs as f64, value(&one.ratio[k]));
         let points = record.costs.iter().map(|one| at(one, |spread| spread.median)).collect();
         let style = Style::run(colour, dash, marker);
         chart.series.push(Series { label: format!("{}, median", THREADS[k]), points, style, hollow: Vec::new() });
-        let ends = record.costs.iter().map(|one| [at(one, |spread| spread.least), at(one, |spread| spread.most)]).collect();
+        let ends =
+            record.costs.iter().map(|one| [at(one, |spread| spread.least), at(one, |spread| spread.most)]).collect();
         chart.bars.push(Bars { label: "bar: least to most of repeated runs".into(), ends, colour });
     }
     let ends = record.costs.iter().map(|one| (one.dofs as f64, ASKED.1));
-    chart.series.push(Series { label: "asked for".into(), points: ends.collect(), style: Style::reference(), hollow: Vec::new() });
+    chart.series.push(Series {
+        label: "asked for".into(),
+        points: ends.collect(),
+        style: Style::reference(),
+        hollow: Vec::new(),
+    });
     panels("What error bars cost", &[chart], 1)
 }

@@ -28,7 +28,8 @@ fn ranked(record: &Record) -> Vec<&Point> {
 
 fn ours(record: &Record) -> String {
     let ranked = ranked(record);
-    let asked = format!("{} % in peak and second-moment width, truncated Hertz, median of {LOADS} loads", 100.0 * COMPARED);
+    let asked =
+        format!("{} % in peak and second-moment width, truncated Hertz, median of {LOADS} loads", 100.0 * COMPARED);
     let Some(best) = ranked.first() else { return format!("No formulation reaches {asked}. ") };
     let times = |point: &Point| significant(point.seconds / best.seconds, 2);
     let others = match &ranked[1..] {
@@ -62,7 +63,11 @@ fn meshed_by_themselves(record: &Record) -> String {
         Some(format!("{code} takes {ratio} times as long ({least} to {most} over the spread of ours)"))
     });
     let told: Vec<String> = told.collect();
-    if told.is_empty() { String::new() } else { format!("To the same accuracy on meshes of their own {}. ", told.join(", ")) }
+    if told.is_empty() {
+        String::new()
+    } else {
+        format!("To the same accuracy on meshes of their own {}. ", told.join(", "))
+    }
 }
 
 fn on_our_mesh(record: &Record) -> String {
@@ -74,5 +79,9 @@ fn on_our_mesh(record: &Record) -> String {
         Some(format!("{} {least} to {most} times", code.name()))
     });
     let told: Vec<String> = told.collect();
-    if told.is_empty() { String::new() } else { format!("On our meshes of the cylinder the contact solve takes {}.", told.join(", ")) }
+    if told.is_empty() {
+        String::new()
+    } else {
+        format!("On our meshes of the cylinder the contact solve takes {}.", told.join(", "))
+    }
 }

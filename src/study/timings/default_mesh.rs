@@ -53,8 +53,10 @@ pub fn measure(case: &Case) -> Result<DefaultMesh, Error> {
     let tried = |growth: [f64; 3]| -> Result<Tried, Error> {
         let run = solved(case, growth, elements)?;
         let (found, wanted) = (run.measures(), finer.measures());
-        let [peak, half_width] =
-            [found.peak.pressure / wanted.peak.pressure - 1.0, found.second_moment_width / wanted.second_moment_width - 1.0];
+        let [peak, half_width] = [
+            found.peak.pressure / wanted.peak.pressure - 1.0,
+            found.second_moment_width / wanted.second_moment_width - 1.0,
+        ];
         Ok(Tried { growth, dofs: run.dofs, peak, half_width })
     };
     let is_other = |growth: &[f64; 3]| growth.map(f64::to_bits) != own.map(f64::to_bits);

@@ -266,5 +266,12 @@ fn once_all_nine(elements: usize, refinement: u32) -> Result<OnceNine, Error> {
     let (single, one) = solved(&[Formulation::verification()])?;
     let (others, _) = solved(&others)?;
     let (varying, three) = solved(&varying)?;
-    Ok(OnceNine { shared, single, others, varying, iterations: iterations(&one), varying_iterations: iterations(&three) })
+    Ok(OnceNine {
+        shared,
+        single,
+        others,
+        varying,
+        iterations: iterations(&one),
+        varying_iterations: iterations(&three),
+    })
 }

@@ -17,7 +17,12 @@ pub fn growth(growth: &[Growth]) -> Result<Drawing, Error> {
     for (k, stage) in Stage::ALL.into_iter().enumerate().filter(|(_, stage)| *stage != Stage::Interface) {
         let dash = if k % 2 == 0 { Dash::Solid } else { Dash::Dashed };
         let marker = [Marker::Circle, Marker::Square, Marker::Diamond, Marker::Triangle, Marker::Wedge][k % 5];
-        stages.series.push(grown(growth, stage.name(), &|one| one.seconds(&[stage]), Style::run(palette::CURVES[k % palette::CURVES.len()], dash, marker)));
+        stages.series.push(grown(
+            growth,
+            stage.name(),
+            &|one| one.seconds(&[stage]),
+            Style::run(palette::CURVES[k % palette::CURVES.len()], dash, marker),
+        ));
     }
     let mut whole = Chart::new("Whole solves", dofs(), Axis::log("time [s]"));
     let run = |colour: Colour, dash, marker| Style::run(colour, dash, marker);
@@ -37,7 +42,12 @@ pub fn growth(growth: &[Growth]) -> Result<Drawing, Error> {
             &|g| g.seconds(&plain_ours),
             run(palette::GREY, Dash::Dotted, Marker::Diamond),
         ),
-        grown(growth, "from nothing", &|g| g.seconds(&Stage::ALL), run(palette::LAYER, Dash::DashDot, Marker::Triangle)),
+        grown(
+            growth,
+            "from nothing",
+            &|g| g.seconds(&Stage::ALL),
+            run(palette::LAYER, Dash::DashDot, Marker::Triangle),
+        ),
     ];
     let mut memory = Chart::new("Memory", dofs(), Axis::log("memory [MB]"));
     let factor = |g: &Growth| 8.0 / BYTES * g.counts.factor_entries as f64;

@@ -37,8 +37,11 @@ fn points_as_recorded(Precision { recorded, fresh, planned }: &Precision) -> Jud
         "every mesh is computed again; errors within {DIGITS:e}, which the tolerance of the runs leaves; `timings` renews \
          the record"
     );
-    Check::at_most(quantity, Reference::own("snapshots/timings", 0.0), because)
-        .judge(if complete { moved(recorded, fresh) as f64 } else { f64::NAN })
+    Check::at_most(quantity, Reference::own("snapshots/timings", 0.0), because).judge(if complete {
+        moved(recorded, fresh) as f64
+    } else {
+        f64::NAN
+    })
 }
 
 /// How many points are not the recorded ones, or not recorded; seconds are not compared.
@@ -77,7 +80,10 @@ fn digits_as_recorded(Redone { recorded, fresh }: &Redone) -> Judged {
     if recorded.is_empty() {
         let why = "no digits are part of this record: `cargo run --release -- timings` renews it";
         let kept = Reference::own("snapshots/timings", 0.0);
-        return Judged { reference: kept, ..check.not_run(ReferenceKind::SelfConsistency, "snapshots/timings", why.into()) };
+        return Judged {
+            reference: kept,
+            ..check.not_run(ReferenceKind::SelfConsistency, "snapshots/timings", why.into())
+        };
     }
     let kept: Vec<_> = Redone::kept(recorded).collect();
     let complete = recorded.len() == digits::MESHES.len() && fresh.len() == kept.len();
@@ -94,10 +100,16 @@ fn has_same_digits(kept: &Reached, fresh: &Reached) -> bool {
 fn meshes_as_recorded(Recosted { recorded, fresh }: &Recosted) -> Judged {
     let complete = recorded.costs.len() == bar_cost::MESHES.len() && fresh.len() == recorded.costs.len();
     let moved = recorded.costs.iter().zip(fresh).filter(|(kept, fresh)| kept.dofs != **fresh).count();
-    let quantity = Quantity::at("mesh whose degrees of freedom are not those recorded with the cost of error bars", format!("of {}", fresh.len()));
+    let quantity = Quantity::at(
+        "mesh whose degrees of freedom are not those recorded with the cost of error bars",
+        format!("of {}", fresh.len()),
+    );
     let because = "every mesh is counted again; `timings --bars` renews the record";
-    Check::at_most(quantity, Reference::own("snapshots/timings", 0.0), because)
-        .judge(if complete { moved as f64 } else { f64::NAN })
+    Check::at_most(quantity, Reference::own("snapshots/timings", 0.0), because).judge(if complete {
+        moved as f64
+    } else {
+        f64::NAN
+    })
 }
 
 fn counts_as_recorded(Recounted { recorded, fresh }: &Recounted) -> Judged {
@@ -107,12 +119,8 @@ fn counts_as_recorded(Recounted { recorded, fresh }: &Recounted) -> Judged {
         "mesh whose degrees of freedom, iterations or operations are not those recorded with its seconds",
         format!("of {}", fresh.len()),
     );
-    Check::at_most(
-        quantity,
-        Reference::own("snapshots/timings", 0.0),
-        "exact counts; `timings` renews the record",
-    )
-    .judge(if complete { moved as f64 } else { f64::NAN })
+    Check::at_most(quantity, Reference::own("snapshots/timings", 0.0), "exact counts; `timings` renews the record")
+        .judge(if complete { moved as f64 } else { f64::NAN })
 }
 
 fn fine_enough(mesh: &DefaultMesh) -> Judged {

@@ -232,7 +232,11 @@ pub fn cylinder(peer: Peer) -> Result<Result<Vec<PeerPoint>, String>, Error> {
 }
 
 /// Our mesh of the cylinder in a file, our own contact solve on it, its errors against p₀ and a, and its degrees of freedom.
-fn exported(elements: usize, refinement: u32, [peak, half_width]: [f64; 2]) -> Result<(PathBuf, Spread, [f64; 2], usize), Error> {
+fn exported(
+    elements: usize,
+    refinement: u32,
+    [peak, half_width]: [f64; 2],
+) -> Result<(PathBuf, Spread, [f64; 2], usize), Error> {
     let scene = Cylinder::default().scene();
     let discretisation = Discretisation::of(scene, growth::resolution(elements, refinement))?;
     let run = crate::solve::Run::of(&discretisation, &Formulation::verification())?;

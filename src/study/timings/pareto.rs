@@ -40,7 +40,8 @@ pub fn sound<'a>(points: &'a [Point], families: &[Family]) -> Vec<&'a Point> {
 
 /// The points to which none is both as cheap and as exact, the cheapest first.
 pub fn front<'a>(points: &[&'a Point], cost: fn(&Point) -> f64, error: &dyn Fn(&Point) -> f64) -> Vec<&'a Point> {
-    let mut sorted: Vec<&Point> = points.iter().copied().filter(|point| cost(point).is_finite() && error(point).is_finite()).collect();
+    let mut sorted: Vec<&Point> =
+        points.iter().copied().filter(|point| cost(point).is_finite() && error(point).is_finite()).collect();
     sorted.sort_by(|a, b| cost(a).total_cmp(&cost(b)).then(error(a).total_cmp(&error(b))));
     let mut least = f64::INFINITY;
     sorted.retain(|point| {

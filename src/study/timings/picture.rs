@@ -11,7 +11,7 @@ use crate::study::timings::growth_picture::growth;
 use crate::study::timings::precision::{Family, LOADS, Point};
 use crate::study::timings::precision_detail::detail;
 use crate::study::timings::record::Record;
-use crate::study::timings::run::{Numbers, recosted, record};
+use crate::study::timings::run::{Numbers, record, recosted};
 use crate::study::timings::targets::FASTEST;
 use crate::study::timings::work_precision::{cylinder, truncated};
 
@@ -40,7 +40,8 @@ fn what_pays(record: &Record) -> Result<Drawing, Error> {
     let mut charts = Vec::new();
     let axes = [("degrees of freedom [–]", (|p| p.dofs as f64) as fn(&Point) -> f64), ("time [s]", |p| p.seconds)];
     for (axis, cost) in axes {
-        let mut chart = Chart::new("Cells and grading, node", Axis::log(axis), Axis::log("larger error of p₀ and a [%]"));
+        let mut chart =
+            Chart::new("Cells and grading, node", Axis::log(axis), Axis::log("larger error of p₀ and a [%]"));
         for (nodes, colour, marker) in cells {
             for (family, grading, dash) in families {
                 let points = record.of_meshes(family, nodes, FASTEST);
@@ -51,7 +52,8 @@ fn what_pays(record: &Record) -> Result<Drawing, Error> {
         charts.push(chart);
     }
     for (axis, cost) in axes {
-        let mut chart = Chart::new("Elements, 8-node graded", Axis::log(axis), Axis::log("larger error of p₀ and a [%]"));
+        let mut chart =
+            Chart::new("Elements, 8-node graded", Axis::log(axis), Axis::log("larger error of p₀ and a [%]"));
         for formulation in Family::Steep.formulations() {
             let points = record.of_meshes(Family::Truncated, 8, Pairing::of(&formulation));
             chart.series.push(by(&points, cost, label(&formulation), style(&formulation)));

@@ -3,9 +3,9 @@
 use crate::case::library;
 use crate::mesh::Order;
 use crate::study::Planned;
+use crate::study::timings::default_mesh;
 use crate::study::timings::precision::{self, Family};
 use crate::study::timings::run::{self, Numbers};
-use crate::study::timings::default_mesh;
 
 /// Name of the trials.
 const CASE: &str = "speed against accuracy";

@@ -12,7 +12,8 @@ use crate::study::timings::targets::COMPARED;
 /// The chart.
 pub fn detail(record: &Record) -> Result<Drawing, Error> {
     let rows = [Family::Truncated, Family::Cylinder].into_iter().flat_map(|family| [(family, 8), (family, 4)]);
-    let charts: Vec<Chart> = rows.flat_map(|(family, nodes)| Measure::ALL.map(|measure| panel(record, family, nodes, measure))).collect();
+    let charts: Vec<Chart> =
+        rows.flat_map(|(family, nodes)| Measure::ALL.map(|measure| panel(record, family, nodes, measure))).collect();
     panels(&format!("Worst error under {LOADS} loads against time, by formulation"), &charts, 2)
 }
 
@@ -24,7 +25,11 @@ fn panel(record: &Record, family: Family, nodes: usize, measure: Measure) -> Cha
         let points = record.of_meshes(family, nodes, Pairing::of(&formulation));
         chart.series.push(curve(&points, measure, label(&formulation), style(&formulation)));
     }
-    chart.guides.push(Guide { direction: Direction::Horizontal, at: 100.0 * COMPARED, label: format!("{} %", 100.0 * COMPARED) });
+    chart.guides.push(Guide {
+        direction: Direction::Horizontal,
+        at: 100.0 * COMPARED,
+        label: format!("{} %", 100.0 * COMPARED),
+    });
     chart
 }
 

@@ -6,15 +6,15 @@ use crate::solve::{Element, Iteration};
 use crate::study::Found;
 use crate::study::drawn::picture;
 use crate::study::pairing::Pairing;
-use crate::study::timings::default_mesh::{DefaultMesh, FINER, Tried};
 use crate::study::timings::bar_cost_section;
 use crate::study::timings::code::Code;
 use crate::study::timings::compared::apart;
+use crate::study::timings::default_mesh::{DefaultMesh, FINER, Tried};
 use crate::study::timings::digits_section;
 use crate::study::timings::growth_section;
 use crate::study::timings::precision::{ASKED, Family, LOADS, Point, TOLERANCE};
 use crate::study::timings::record::Record;
-use crate::study::timings::run::{Numbers, recosted, record};
+use crate::study::timings::run::{Numbers, record, recosted};
 use crate::study::timings::targets::targets;
 
 /// Families whose meshes are compared, and how they are graded.
@@ -87,9 +87,18 @@ fn precision() -> String {
         Code::Ngsolve.cells(),
         significant(PARABOLA, 1)
     );
-    text += &picture("work-precision.svg", "Truncated Hertz: worst error of peak and second-moment width against seconds and counted operations");
-    text += &picture("work-precision-cylinder.svg", "Cylinder: the same, and GetFEM and CalculiX on our meshes under one load");
-    let detail = picture("work-precision-detail.svg", "Worst error against seconds of all nine formulations; hollow: some load did not converge");
+    text += &picture(
+        "work-precision.svg",
+        "Truncated Hertz: worst error of peak and second-moment width against seconds and counted operations",
+    );
+    text += &picture(
+        "work-precision-cylinder.svg",
+        "Cylinder: the same, and GetFEM and CalculiX on our meshes under one load",
+    );
+    let detail = picture(
+        "work-precision-detail.svg",
+        "Worst error against seconds of all nine formulations; hollow: some load did not converge",
+    );
     text + &markdown::folded("By formulation and kind of cells", &detail, false)
 }
 

@@ -53,11 +53,7 @@ pub fn targets(record: &Record) -> Vec<Target> {
     for one in SIZES.into_iter().filter_map(near) {
         let n = one.counts.dofs;
         all.push(contact(one));
-        all.push(at_most(
-            format!("assembly ÷ plain solve, {n} dofs, one thread"),
-            0.25,
-            one.assembly_ratio[0].median,
-        ));
+        all.push(at_most(format!("assembly ÷ plain solve, {n} dofs, one thread"), 0.25, one.assembly_ratio[0].median));
         all.push(at_most(format!("the same on all threads, {n} dofs"), 0.25, one.assembly_ratio[1].median));
         all.push(at_most(format!("one more solve ÷ the first, {n} dofs"), 0.02, one.again_ratio.median));
     }
@@ -67,7 +63,8 @@ pub fn targets(record: &Record) -> Vec<Target> {
             let what = format!("all nine formulations ÷ one, {mesh}, {threads}");
             all.push(at_most(what, 2.0, nine.all[k].median));
         }
-        let without = format!("the same without varying stiffness and its {} iterations, one thread", nine.varying_iterations);
+        let without =
+            format!("the same without varying stiffness and its {} iterations, one thread", nine.varying_iterations);
         all.push(at_most(without, 2.0, nine.without_varying[0].median));
     }
     let whole: Vec<[f64; 2]> = (growth.iter())
@@ -127,7 +124,9 @@ fn fitted(record: &Record, error: f64, limit: f64) -> Target {
             let [own, other] = [fitted.seconds.median, quadratic].map(|seconds| significant(1e3 * seconds, 3));
             Target { measured: format!("{ratio:.3} ({own} ms against {other} ms)"), ..at_most(what, limit, ratio) }
         }
-        (Some(_), None) => Target { measured: "no 8-node mesh that was timed".into(), ..at_most(what, limit, f64::NAN) },
+        (Some(_), None) => {
+            Target { measured: "no 8-node mesh that was timed".into(), ..at_most(what, limit, f64::NAN) }
+        }
         (None, _) => Target { measured: "no fitted mesh that was timed".into(), ..at_most(what, limit, f64::NAN) },
     }
 }
@@ -135,7 +134,9 @@ fn fitted(record: &Record, error: f64, limit: f64) -> Target {
 /// Six digits in units of a plain solve.
 fn sixth_digit(record: &Record, plain: Option<&Growth>) -> Target {
     let dofs = plain.map_or(0, |one| one.counts.dofs);
-    let what = format!("time to {SIXTH:e} in p₀ and a under the worst load, truncated Hertz: fitted ÷ plain solve of {dofs} dofs");
+    let what = format!(
+        "time to {SIXTH:e} in p₀ and a under the worst load, truncated Hertz: fitted ÷ plain solve of {dofs} dofs"
+    );
     let reached = &record.measured.digits;
     if reached.is_empty() {
         return unrecorded(what, PLAIN_SOLVES);
@@ -146,9 +147,8 @@ fn sixth_digit(record: &Record, plain: Option<&Growth>) -> Target {
 
 /// Our cheapest mesh within the compared accuracy: node elements with kinematic load on truncated Hertz.
 pub fn cheapest(points: &[Point]) -> Option<&Point> {
-    let enough = |point: &&Point| {
-        point.family != Family::Cylinder && point.formulation == FASTEST && point.error() <= COMPARED
-    };
+    let enough =
+        |point: &&Point| point.family != Family::Cylinder && point.formulation == FASTEST && point.error() <= COMPARED;
     points.iter().filter(enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds))
 }
 
