@@ -24,7 +24,8 @@ const SERIES: (f64, f64) = (2.0, 4e-5);
 const LAYERS: usize = 3;
 const LEFT: f64 = 1.0 / 3.0;
 /// What a fourth difference at the top of the pressure that is larger by one than that of a smooth top on three elements may hide: of the
-/// peak and of the largest shear stress over themselves, of an end and of the second-moment width over an element.
+/// peak and of the largest shear stress over themselves, of an end and of the second-moment width over an element. Under a gap that points
+/// tell, whose curvature may leap, any fourth difference hides something.
 const UNDRAWN: [f64; 4] = [0.3, 0.5, 0.8, 0.08];
 const SMOOTH: f64 = 0.1;
 /// Fourth difference from which on a top in the last edge of its stretch is not told, by node elements one edge farther.
@@ -55,6 +56,8 @@ pub struct Family {
     on_ends: bool,
     /// Layers of cells towards those.
     layers: usize,
+    /// Whether points tell the gap of a contact: its curvature may leap, and errors fall less from order to order.
+    by_points: bool,
     /// Whether a body is one element deep below a contact, which no coarser mesh tells from a finer one.
     shallow: bool,
     coarse: Vec<Other>,
@@ -95,7 +98,8 @@ impl Family {
         let on_ends = discretisation.scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
         let layers = discretisation.scene.contacts.iter().map(|pair| pair.ends.layers).min().unwrap_or(0);
         let shallow = !on_ends && is_shallow(discretisation);
-        Self { formulation, order, sizes, cells, on_ends, layers, shallow, coarse, gentler }
+        let by_points = discretisation.scene.contacts.iter().any(|pair| pair.profile.is_by_points());
+        Self { formulation, order, sizes, cells, on_ends, layers, by_points, shallow, coarse, gentler }
     }
 
     /// How many of them tell something.
@@ -195,7 +199,8 @@ impl Family {
             let (fewest, alone) = FEWEST;
             // An end gains far more than that from order 4 to 5: a twentieth is left on truncated Hertz.
             let is_end = !matches!(quantity, Quantity::PeakPressure | Quantity::SecondMomentWidth);
-            let factor = if apart.len() < fewest && !is_end { alone * BY_ORDERS } else { BY_ORDERS };
+            let says_little = self.by_points || apart.len() < fewest && !is_end;
+            let factor = if says_little { alone * BY_ORDERS } else { BY_ORDERS };
             let apart = apart.into_iter().reduce(larger).unwrap_or(f64::NAN);
             return factor * apart
                 + (Fitted::misfit(self.order) + ROUND_OFF) * quantity.scale(measures).abs()
@@ -251,7 +256,8 @@ impl Family {
         if self.on_ends || self.order > Order::Quadratic || fills_candidates(measures) {
             return 0.0;
         }
-        let rough = larger(measures.drawn.rough - SMOOTH, 0.0);
+        let smooth = if self.by_points { 0.0 } else { SMOOTH };
+        let rough = larger(measures.drawn.rough - smooth, 0.0);
         let [peak, shear, end, width] = UNDRAWN.map(|part| part * rough);
         let rises = if self.rises_to_end(measures) { f64::NAN } else { 0.0 };
         match subject {

@@ -230,6 +230,11 @@ impl Profile {
         })
     }
 
+    /// Whether points tell the gap, between which its curvature, or its slope, may leap.
+    pub fn is_by_points(&self) -> bool {
+        matches!(self, Self::Table(_) | Self::Smooth(_))
+    }
+
     /// Distances from s = 0, ascending, at which the slope of the gap leaps on either side of it.
     pub fn kinks(&self) -> Vec<f64> {
         let Self::Table(points) = self else { return Vec::new() };

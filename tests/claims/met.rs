@@ -10,7 +10,7 @@ use contact_vv::oracle::analytic::even_gap::EvenGap;
 use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::solution::EdgeState;
 use contact_vv::solve::{Element, Formulation, Iteration};
-use contact_vv::study::met::judge::{consistent, is_as_recorded, right};
+use contact_vv::study::met::judge::{consistent, is_as_recorded, near, right};
 use contact_vv::study::met::run::record;
 use contact_vv::study::met::{ASKED, Record, families, sites};
 use contact_vv::study::random::{Family, Sample, Site};
@@ -246,6 +246,21 @@ fn judge_fails_on_one_answer_falsely_met_and_on_what_is_not_a_number() {
     assert_eq!(spoiled(|one| one.estimate = 2e-3), wrong);
     assert_eq!(spoiled(|one| one.met = false), [pass.clone(), fail]);
     assert_eq!(spoiled(|one| (one.met, one.estimate) = (false, 2e-3)), [pass.clone(), pass]);
+}
+
+#[test]
+fn one_answer_called_met_and_off_by_twice_what_was_asked_fails_and_none_at_all_does() {
+    let spoiled = |peak: f64, met: bool| {
+        let mut records = sound();
+        (records[1].peak, records[1].met) = (peak, met);
+        near(&records).verdict
+    };
+    assert_eq!(near(&[]).verdict, Verdict::Fail);
+    assert_eq!(
+        [1.4e-3, -2e-3, f64::NAN].map(|peak| spoiled(peak, true)),
+        [Verdict::Pass, Verdict::Fail, Verdict::Fail]
+    );
+    assert_eq!(spoiled(2e-3, false), Verdict::Pass);
 }
 
 #[test]
