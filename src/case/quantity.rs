@@ -125,19 +125,28 @@ impl From<&'static str> for Quantity {
     }
 }
 
+impl Quantity {
+    /// Where it is: `at s = 4 mm`; none where its name says all.
+    pub fn place(&self) -> Option<String> {
+        match self {
+            Self::Pressure { at: Coordinate::Length(at) } => Some(format!("at s = {} mm", markdown::bound(*at))),
+            Self::Pressure { at: Coordinate::Angle(at) } => {
+                Some(format!("at s = {}°", markdown::bound(at.to_degrees())))
+            }
+            Self::HoopStress { at } => Some(format!("at {:.0}°", at.to_degrees())),
+            Self::Named { at, .. } => Some(at.to_string()).filter(|at| !at.is_empty()),
+            _ => None,
+        }
+    }
+}
+
 /// The noun phrase with its place and unit.
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = self.name();
-        match self {
-            Self::Pressure { at: Coordinate::Length(at) } => write!(f, "{name} at s = {} mm", markdown::bound(*at)),
-            Self::Pressure { at: Coordinate::Angle(at) } => {
-                write!(f, "{name} at s = {}°", markdown::bound(at.to_degrees()))
-            }
-            Self::HoopStress { at } => write!(f, "{name} at {:.0}°", at.to_degrees()),
-            Self::Named { at, .. } if !at.is_empty() => write!(f, "{name}, {at}"),
-            _ => f.write_str(name),
-        }?;
+        f.write_str(self.name())?;
+        if let Some(place) = self.place() {
+            write!(f, "{}{place}", if matches!(self, Self::Named { .. }) { ", " } else { " " })?;
+        }
         self.unit().map_or(Ok(()), |unit| write!(f, " [{unit}]"))
     }
 }

@@ -126,14 +126,11 @@ enum Command {
         /// Solve one mesh, elements per half-width and refinement, and print the largest memory of the process in bytes.
         #[arg(long, hide = true, num_args = 2)]
         memory: Option<Vec<u32>>,
-        /// Measure only what error bars cost, on one thread and on all.
-        #[arg(long)]
-        bars: bool,
         /// Measure only our own points of speed against accuracy; what other codes took is marked as of another run.
-        #[arg(long, conflicts_with = "bars")]
+        #[arg(long)]
         points: bool,
         /// Ask only this code on meshes of its own; its part of the record is marked as a run of its own.
-        #[arg(long, conflicts_with_all = ["bars", "points"])]
+        #[arg(long, conflicts_with = "points")]
         ask: Option<Code>,
     },
     /// Ask CalculiX, GetFEM, NGSolve, SfePy, Kratos, Akantu, FElupe, scikit-fem and dolfinx for exported cases, and keep what they write in oracles/frozen/scoreboard.
@@ -204,7 +201,6 @@ pub fn main() -> ExitCode {
         Command::Timings { memory: Some(mesh), .. } => {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Ended::Well)
         }
-        Command::Timings { bars: true, .. } => timings::bars().map(|()| Ended::Well),
         Command::Timings { points: true, .. } => timings::points().map(|()| Ended::Well),
         Command::Timings { ask: Some(code), .. } => timings::ask(code).map(|()| Ended::Well),
         Command::Timings { .. } => timings::run().map(|()| Ended::Well),

@@ -10,33 +10,16 @@ use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
 use crate::study::timings::answers::Answers;
-use crate::study::timings::bar_cost::{self, BarCosts};
 use crate::study::timings::code::Code;
 use crate::study::timings::compared::apart;
 use crate::study::timings::machine::Machine;
 use crate::study::timings::others::{self, OtherPoint, Peer};
 use crate::study::timings::precision::{Family, Point};
-use crate::study::timings::record::{Beside, FOLDER, Measured, Record};
+use crate::study::timings::record::{Absent, Beside, FOLDER, Measured, Record};
 use crate::study::timings::{digits, growth, precision, targets};
 
 /// Repeats of the comparison of nine formulations with one.
 const REPEATS: usize = 5;
-
-/// Measures what error bars cost, and writes its record.
-pub fn bars() -> Result<(), Error> {
-    writable::folder(&root().join(FOLDER), writable::CHECKOUT)?;
-    let pools = [pool(1)?, pool(0)?];
-    let bar = progress(bar_cost::MESHES.len());
-    let measured = bar_cost::MESHES.into_iter().map(|mesh| {
-        bar.inc(1);
-        bar_cost::measure(mesh, [&pools[0], &pools[1]])
-    });
-    let costs = measured.collect::<Result<_, _>>()?;
-    bar.finish_and_clear();
-    BarCosts { machine: Machine::here(), costs }.write()?;
-    say(format!("written: {FOLDER}; `cargo run --release` draws it"));
-    Ok(())
-}
 
 /// So many threads; 0 for as many as the processor offers.
 fn pool(threads: usize) -> Result<rayon::ThreadPool, Error> {
@@ -90,12 +73,13 @@ fn measure() -> Result<Record, Error> {
     for code in Code::ALL {
         step(code.name());
         let (answer, own) = asked(code, &points)?;
-        answer.map_or_else(|why| absent.push(why), |found| others.extend(found));
+        answer.map_or_else(|why| absent.push(Absent { code: code.name().into(), why }), |found| others.extend(found));
         beside.push(own);
     }
     for peer in Peer::ALL {
         step(peer.name());
-        others::cylinder(peer)?.map_or_else(|why| absent.push(why), |found| peers.extend(found));
+        others::cylinder(peer)?
+            .map_or_else(|why| absent.push(Absent { code: peer.name().into(), why }), |found| peers.extend(found));
     }
     step("the report");
     let report = report_seconds(&bar)?;

@@ -2,6 +2,7 @@
 
 use crate::accuracy::Quantity;
 use crate::case::{Check, Judged};
+use crate::measure::Measures;
 use crate::measure::order::{Observed, Richardson, pairs, richardson};
 use crate::oracle;
 use crate::referee::truth::{Known, Truth};
@@ -37,6 +38,11 @@ pub struct Series {
     pub along: Vec<Along>,
 }
 
+/// The numbers that are followed, and what is judged of their limits.
+const WIDTH: [&str; 2] =
+    ["second-moment width", "distance of the limit of the second-moment width from the truth, over both bounds"];
+const PEAK: [&str; 2] = ["peak pressure", "distance of the limit of the peak from the truth, over both bounds"];
+
 /// How far the ratio of two sizes may be from 2: counted edges are whole.
 const HALVED: f64 = 0.1;
 
@@ -62,13 +68,12 @@ fn of(truth: &Truth, answers: &[Verdicts], contact: usize) -> Option<Series> {
     let reach = truth.run.contacts[contact].measures.edge().abs();
     let sizes: Vec<f64> =
         handed.iter().map(|profile| mean_edge(&profile.edges, reach) / width.reference.value).collect();
-    let numbers = [
-        ("second-moment width", width, ruled.iter().map(|one| one.measures.second_moment_width).collect::<Vec<f64>>()),
-        ("peak pressure", peak, ruled.iter().map(|one| one.measures.peak.pressure).collect()),
-    ];
-    let bounded = numbers.into_iter().filter(|(name, ..)| *name != "peak pressure" || !truth.is_unbounded(contact));
-    let along = bounded.map(|(name, known, values)| along(name, known, values, &sizes)).collect();
-    Some(Series { contact, sizes, along })
+    let values = |of: fn(&Measures) -> f64| ruled.iter().map(|one| of(&one.measures)).collect::<Vec<f64>>();
+    let mut numbers = vec![along(WIDTH, width, values(|measures| measures.second_moment_width), &sizes)];
+    if !truth.is_unbounded(contact) {
+        numbers.push(along(PEAK, peak, values(|measures| measures.peak.pressure), &sizes));
+    }
+    Some(Series { contact, sizes, along: numbers })
 }
 
 /// Mean length of the edges within the contact.
@@ -77,7 +82,7 @@ fn mean_edge(edges: &[EdgeState], reach: f64) -> f64 {
     within.iter().sum::<f64>() / within.len() as f64
 }
 
-fn along(name: &'static str, known: Known, values: Vec<f64>, sizes: &[f64]) -> Along {
+fn along([name, distance]: [&'static str; 2], known: Known, values: Vec<f64>, sizes: &[f64]) -> Along {
     let truth = known.reference.value;
     let errors: Vec<f64> = values.iter().map(|value| (value - truth) / truth).collect();
     let orders = pairs(sizes, &errors, known.bar / truth.abs());
@@ -87,10 +92,7 @@ fn along(name: &'static str, known: Known, values: Vec<f64>, sizes: &[f64]) -> A
     };
     let limit = last(sizes).filter(|three| halved(*three)).and_then(|_| last(&values)).map(richardson);
     let check = Check::error(
-        [
-            "distance of the limit of the peak from the truth, over both bounds",
-            "distance of the limit of the half-width from the truth, over both bounds",
-        ][usize::from(name != "peak pressure")],
+        distance,
         known.reference.clone(),
         1.0,
         "the bound of the series (Roache's GCI, or what its changes allow), and the bar of the reference",

@@ -1,14 +1,12 @@
 //! What is said about speed: medians, exponents, targets, and that recorded errors and counts are still the code's.
 
 use approx::assert_relative_eq;
-use contact_vv::case::library;
-use contact_vv::case::{Case, Verdict};
+use contact_vv::case::Verdict;
 use contact_vv::checkout::root;
 use contact_vv::figure::Theme;
 use contact_vv::mesh::Order;
 use contact_vv::study::Found;
 use contact_vv::study::timings::answers::Answers;
-use contact_vv::study::timings::bar_cost::BarCosts;
 use contact_vv::study::timings::code::Code;
 use contact_vv::study::timings::compared::{apart, conclusion};
 use contact_vv::study::timings::digits::{self, Cells, Reached};
@@ -16,11 +14,11 @@ use contact_vv::study::timings::growth::Counts;
 use contact_vv::study::timings::judge::moved;
 use contact_vv::study::timings::others::{OtherPoint, answered};
 use contact_vv::study::timings::precision::{self, Family, LOADS, Point, half_widths};
-use contact_vv::study::timings::record::{Beside, FOLDER, Measured, Record};
-use contact_vv::study::timings::run::{Precision, Recosted, Recounted, Redone};
+use contact_vv::study::timings::record::{Absent, Beside, FOLDER, Measured, Record};
+use contact_vv::study::timings::run::{Precision, Recounted, Redone};
 use contact_vv::study::timings::statistics::{Spread, exponent, upper_quartile};
 use contact_vv::study::timings::targets::{Target, targets};
-use contact_vv::study::timings::{Numbers, default_mesh, growth, judge, pictures, section};
+use contact_vv::study::timings::{Numbers, growth, judge, pictures, section};
 
 #[test]
 fn spread_is_median_least_and_most_and_a_broken_value_spoils_it() {
@@ -107,18 +105,6 @@ fn target_that_is_missed_or_not_a_number_is_not_met() {
 }
 
 #[test]
-fn default_mesh_that_is_too_coarse_or_gives_no_number_is_not_accepted() {
-    let mut problem = library::find("truncated-hertz", None).expect("known");
-    let verdict = |problem: &Case| {
-        let mesh = Numbers::DefaultMesh(default_mesh::measure(problem).expect("solved"));
-        judge(&mesh).expect("judged")[0].verdict.clone()
-    };
-    assert_eq!(verdict(&problem), Verdict::Pass);
-    problem.resolution.elements = 3;
-    assert_eq!(verdict(&problem), Verdict::Fail);
-}
-
-#[test]
 fn record_that_is_not_complete_or_was_not_measured_again_is_not_as_recorded() {
     let Record { measured, points } = Record::read().expect("the committed record");
     let verdict = |numbers: Numbers| judge(&numbers).expect("judged")[0].verdict.clone();
@@ -155,22 +141,6 @@ fn record_is_written_as_it_was_read() {
     assert_eq!(csv, std::fs::read(folder.join("precision.csv")).expect("committed"));
 }
 
-#[test]
-fn cost_of_bars_is_believed_only_with_the_meshes_it_was_measured_on() {
-    let recorded = BarCosts::read().expect("recorded");
-    let dofs: Vec<usize> = recorded.costs.iter().map(|one| one.dofs).collect();
-    let verdict = |recorded: &BarCosts, fresh: &[usize]| {
-        let numbers = Numbers::BarCost(Recosted { recorded: recorded.clone(), fresh: fresh.into() });
-        judge(&numbers).expect("judged")[0].verdict.clone()
-    };
-    assert_eq!(verdict(&recorded, &dofs), Verdict::Pass);
-    let other: Vec<usize> = dofs.iter().map(|dofs| dofs + 1).collect();
-    assert_eq!(verdict(&recorded, &other), Verdict::Fail);
-    assert_eq!(verdict(&recorded, &dofs[1..]), Verdict::Fail, "a mesh less");
-    let fewer = BarCosts { costs: recorded.costs[1..].to_vec(), ..recorded };
-    assert_eq!(verdict(&fewer, &dofs[1..]), Verdict::Fail, "a mesh less in the record");
-}
-
 /// What NGSolve prints of a mesh, with errors so large.
 fn of_ngsolve(mesh: [usize; 2], seconds: f64, error: f64) -> OtherPoint {
     let line = serde_json::json!({
@@ -192,7 +162,7 @@ fn old() -> Record {
     let mut record = Record::read().expect("the committed record");
     record.measured.others.retain(|point| point.code != Code::Ngsolve);
     record.measured.beside.retain(|beside| beside.code != Code::Ngsolve);
-    record.measured.absent.retain(|why| !Code::Ngsolve.is_named_by(why));
+    record.measured.absent.retain(|one| one.code != Code::Ngsolve.name());
     record.measured.digits.clear();
     record.measured.beside.iter_mut().for_each(|beside| beside.apart = None);
     record
@@ -209,8 +179,8 @@ fn record_without_a_code_is_read_and_says_so_and_a_code_asked_later_is_marked() 
     assert!(conclusion(&record).contains(asked));
     assert_eq!(row(&record, "time to 0.1 %", "NGSolve").measured, asked);
     // A reason that is recorded is told instead, once.
-    record.measured.absent.push("NGSolve (netgen) is missing".into());
-    assert_eq!(record.measured.skipped(), ["NGSolve (netgen) is missing"]);
+    record.measured.absent.push(Absent { code: Code::Ngsolve.name().into(), why: "netgen is missing".into() });
+    assert_eq!(record.measured.skipped(), ["NGSolve: netgen is missing"]);
     let seconds = Spread { median: 2e-3, least: 1e-3, most: 3e-3 };
     let beside = Beside { code: Code::Ngsolve, seconds, stages: record.measured.beside[0].stages, apart: None };
     for _ in 0..2 {
@@ -233,7 +203,6 @@ fn shown(record: &Record) -> [String; 2] {
     let numbers = [
         Numbers::Growth(Recounted { recorded: measured, fresh: vec![] }),
         Numbers::Precision(Precision { recorded: points, fresh: vec![], planned: 0 }),
-        Numbers::BarCost(Recosted { recorded: BarCosts::read().expect("recorded"), fresh: vec![] }),
     ];
     let found = numbers.each_ref().map(|numbers| Found { case: "", name: "", numbers, judged: &[] });
     let pictures = pictures(&found).expect("drawn");

@@ -82,14 +82,13 @@ fn row(judged: &Judged) -> [String; 6] {
     let bar = reference.uncertainty.map_or(0.0, |u| COVERAGE * u);
     let bar = if bar > 0.0 { format!(" ± {}", markdown::significant(bar, 2)) } else { String::new() };
     let reference = format!("{}{bar} ({})", markdown::value(reference.value), reference.name);
-    let verdict =
-        if *verdict == Verdict::Pass { "✓ met".into() } else { verdict.to_string().replace("FAIL", "NOT MET") };
+    let verdict = match verdict {
+        Verdict::Pass => "✓ met".into(),
+        Verdict::Fail => "✗ NOT MET".into(),
+        Verdict::NotRun(_) => verdict.to_string(),
+    };
     let error = |of: f64| {
-        if check.quantity.to_string().contains('[') && is_absolute(judged) {
-            markdown::value(of)
-        } else {
-            markdown::error(of)
-        }
+        if check.quantity.unit().is_some() && is_absolute(judged) { markdown::value(of) } else { markdown::error(of) }
     };
     [
         check.quantity.to_string(),

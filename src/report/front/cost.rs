@@ -3,7 +3,7 @@
 use crate::report::links::to_page as link;
 use crate::report::study_page;
 use crate::study::drawn::picture;
-use crate::study::timings::conclusion::conclusion;
+use crate::study::timings::compared::conclusion;
 use crate::study::timings::run::record;
 use crate::study::{Finding, Found, Numbers, Room};
 

@@ -112,13 +112,8 @@ impl CheckRow {
 
 /// Where the quantity is, without its name and unit; contacts count from 1, and the first is not named.
 fn place(quantity: &Quantity, contact: usize) -> String {
-    let whole = quantity.to_string();
-    let unit = quantity.unit().map(|unit| format!(" [{unit}]")).unwrap_or_default();
-    let at = whole.strip_prefix(quantity.name()).and_then(|rest| rest.strip_suffix(&unit)).unwrap_or(&whole);
-    let at = at.trim_start_matches([',', ' ']).to_string();
     let of = (contact > 0).then(|| format!("contact {}", contact + 1));
-    let parts = [Some(at).filter(|at| !at.is_empty()), of];
-    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+    [quantity.place(), of].into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
 /// The error over the tolerance; of a bound that is not 0, how much of it is used.

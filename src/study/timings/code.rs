@@ -40,11 +40,6 @@ impl Code {
         }
     }
 
-    /// Whether a sentence is about it.
-    pub fn is_named_by(self, sentence: &str) -> bool {
-        sentence.starts_with(self.name())
-    }
-
     /// What its meshes are, in a few words.
     pub fn cells(self) -> String {
         match self {

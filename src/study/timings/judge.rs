@@ -2,19 +2,14 @@
 
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
-use crate::measure::larger;
 use crate::oracle::ReferenceKind;
-use crate::study::timings::bar_cost;
-use crate::study::timings::default_mesh::DefaultMesh;
 use crate::study::timings::digits::{self, Reached};
 use crate::study::timings::growth;
 use crate::study::timings::precision::Point;
-use crate::study::timings::run::{Numbers, Precision, Recosted, Recounted, Redone};
+use crate::study::timings::run::{Numbers, Precision, Recounted, Redone};
 
 /// Recorded errors may differ from recomputed ones by this share: other machines round otherwise, and runs stop at 1e-5.
 const DIGITS: f64 = 1e-3;
-/// Error a default mesh may have in the peak and in the half-width: half of what the rows on Hertz and Persson ask.
-const ACCEPTED: f64 = 5e-4;
 
 /// The check of a trial.
 pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
@@ -22,8 +17,6 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
         Numbers::Precision(precision) => points_as_recorded(precision),
         Numbers::Growth(growth) => counts_as_recorded(growth),
         Numbers::Digits(digits) => digits_as_recorded(digits),
-        Numbers::BarCost(cost) => meshes_as_recorded(cost),
-        Numbers::DefaultMesh(mesh) => fine_enough(mesh),
     }])
 }
 
@@ -97,21 +90,6 @@ fn has_same_digits(kept: &Reached, fresh: &Reached) -> bool {
     kept.cells == fresh.cells && kept.dofs == fresh.dofs && pairs.all(|(a, b)| near(a, b))
 }
 
-fn meshes_as_recorded(Recosted { recorded, fresh }: &Recosted) -> Judged {
-    let complete = recorded.costs.len() == bar_cost::MESHES.len() && fresh.len() == recorded.costs.len();
-    let moved = recorded.costs.iter().zip(fresh).filter(|(kept, fresh)| kept.dofs != **fresh).count();
-    let quantity = Quantity::at(
-        "mesh whose degrees of freedom are not those recorded with the cost of error bars",
-        format!("of {}", fresh.len()),
-    );
-    let because = "every mesh is counted again; `timings --bars` renews the record";
-    Check::at_most(quantity, Reference::own("snapshots/timings", 0.0), because).judge(if complete {
-        moved as f64
-    } else {
-        f64::NAN
-    })
-}
-
 fn counts_as_recorded(Recounted { recorded, fresh }: &Recounted) -> Judged {
     let complete = !fresh.is_empty() && recorded.growth.len() == growth::MESHES.len();
     let moved = Recounted::kept(recorded).zip(fresh).filter(|(kept, fresh)| kept != fresh).count();
@@ -121,11 +99,4 @@ fn counts_as_recorded(Recounted { recorded, fresh }: &Recounted) -> Judged {
     );
     Check::at_most(quantity, Reference::own("snapshots/timings", 0.0), "exact counts; `timings` renews the record")
         .judge(if complete { moved as f64 } else { f64::NAN })
-}
-
-fn fine_enough(mesh: &DefaultMesh) -> Judged {
-    let quantity = Quantity::at("error of the default mesh", "larger one of peak and second-moment width");
-    let because = format!("half of the {} % that the Hertz rows ask", 200.0 * ACCEPTED);
-    Check::error(quantity, Reference::own("the finer mesh", 0.0), ACCEPTED, because)
-        .judge(larger(mesh.own.peak.abs(), mesh.own.half_width.abs()))
 }

@@ -9,27 +9,21 @@
 //! * `machine` — processor, compiler and library versions.
 //! * `statistics` — medians and worst values.
 //! * `growth` — one solve from 10³ to 10⁶ degrees of freedom, stage by stage, against one plain sparse Cholesky solve.
-//! * `default_mesh` — the default meshes, and what coarser ones would change.
 //! * `precision` — error against seconds and work, over loads the mesh does not know; `answers` — what errors are held against.
 //! * `family` — which scenes, on which meshes; `pareto` — what is cheapest for an error.
 //! * `digits` — seconds of meshes fitted to the contact, and of 8-node ones with as small an error.
 //! * `others` — the same by codes on meshes of their own; the cylinder by GetFEM and CalculiX. `code` — whom, on which meshes.
-//! * `bar_cost` — what error bars cost, `bar_cost_section` — its part of the page.
 //! * `targets` — what was asked for, and what was measured.
 //! * `judge` — whether errors and counts are still the recorded ones.
-//! * `section` — what each accuracy costs; `conclusion` — the same in sentences.
+//! * `section` — what each accuracy costs.
 //! * `growth_section` — how the cost grows, and where the time goes.
 //! * `digits_section` — what each error costs, here and elsewhere.
 //! * `picture` — all charts; `work_precision`, `precision_detail` — error against seconds and work; `compared` — other codes there.
 //! * `growth_picture` — seconds by stage and memory against the degrees of freedom.
 
 pub mod answers;
-pub mod bar_cost;
-mod bar_cost_section;
 pub mod code;
 pub mod compared;
-pub mod conclusion;
-pub mod default_mesh;
 pub mod digits;
 mod digits_section;
 pub mod family;

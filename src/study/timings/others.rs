@@ -134,8 +134,7 @@ pub fn precision(code: Code) -> Result<Result<Vec<OtherPoint>, String>, Error> {
     let (script, arguments) = code.script();
     let lines = match run(script, &arguments, &request.to_string())? {
         Told::Lines(lines) => lines,
-        Told::Absent(why) if code.is_named_by(&why) => return Ok(Err(why)),
-        Told::Absent(why) => return Ok(Err(format!("{code}: {why}"))),
+        Told::Absent(why) => return Ok(Err(why)),
     };
     Ok(Ok(lines.iter().map(|line| answered(code, line)).collect()))
 }

@@ -6,12 +6,11 @@ use crate::figure::{Axis, Chart, Drawing, Series, panels};
 use crate::study::Found;
 use crate::study::drawn::{label, style};
 use crate::study::pairing::Pairing;
-use crate::study::timings::bar_cost_section;
 use crate::study::timings::growth_picture::growth;
 use crate::study::timings::precision::{Family, LOADS, Point};
 use crate::study::timings::precision_detail::detail;
 use crate::study::timings::record::Record;
-use crate::study::timings::run::{Numbers, record, recosted};
+use crate::study::timings::run::{Numbers, record};
 use crate::study::timings::targets::FASTEST;
 use crate::study::timings::work_precision::{cylinder, truncated};
 
@@ -25,7 +24,6 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
     ];
     charts.push(("what-pays.svg".into(), what_pays(&record)?));
     charts.push(("growth.svg".into(), growth(&record.measured.growth)?));
-    charts.push(("bars-cost.svg".into(), bar_cost_section::chart(recosted(findings)?)?));
     Ok(charts)
 }
 

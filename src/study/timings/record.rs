@@ -1,5 +1,6 @@
 //! What was measured, as it is kept under `snapshots/timings`.
 
+use std::fmt;
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
@@ -40,7 +41,7 @@ pub struct Measured {
     /// Other codes on the cylinder.
     pub peers: Vec<PeerPoint>,
     /// What was not installed.
-    pub absent: Vec<String>,
+    pub absent: Vec<Absent>,
     /// Ours to more digits; none in records from before they were timed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub digits: Vec<Reached>,
@@ -49,15 +50,15 @@ pub struct Measured {
 impl Measured {
     /// Why some codes have no numbers: they were not installed, or are not part of this record.
     pub fn skipped(&self) -> Vec<String> {
-        let told = |code: &Code| self.absent.iter().any(|why| code.is_named_by(why));
+        let told = |code: &Code| self.absent.iter().any(|one| one.code == code.name());
         let unknown = Code::ALL.into_iter().filter(|code| self.of(*code).next().is_none() && !told(code));
-        self.absent.iter().cloned().chain(unknown.map(|code| self.why_not(code))).collect()
+        self.absent.iter().map(Absent::to_string).chain(unknown.map(|code| self.why_not(code))).collect()
     }
 
     /// Why a code has no numbers.
     pub fn why_not(&self, code: Code) -> String {
-        let told = self.absent.iter().find(|why| code.is_named_by(why));
-        told.cloned().unwrap_or_else(|| format!("{code} was not asked when this was recorded"))
+        let told = self.absent.iter().find(|one| one.code == code.name());
+        told.map_or_else(|| format!("{code} was not asked when this was recorded"), Absent::to_string)
     }
 
     /// What a code reached on its own meshes.
@@ -67,11 +68,26 @@ impl Measured {
 
     /// Takes in what a code answered in a run of its own, with our own solve beside it.
     pub fn renew(&mut self, points: Vec<OtherPoint>, beside: Beside) {
-        self.absent.retain(|why| !beside.code.is_named_by(why));
+        self.absent.retain(|one| one.code != beside.code.name());
         self.others.retain(|point| point.code != beside.code);
         self.beside.retain(|kept| kept.code != beside.code);
         self.others.extend(points);
         self.beside.push(Beside { apart: Some(Machine::here()), ..beside });
+    }
+}
+
+/// A code that was not installed.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Absent {
+    /// Its name.
+    pub code: String,
+    /// What was missing.
+    pub why: String,
+}
+
+impl fmt::Display for Absent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.code, self.why)
     }
 }
 

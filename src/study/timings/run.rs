@@ -6,8 +6,6 @@ use crate::error::Error;
 use crate::mesh::Order;
 use crate::study::Found;
 use crate::study::timings::answers::Answers;
-use crate::study::timings::bar_cost::{self, BarCost, BarCosts};
-use crate::study::timings::default_mesh::DefaultMesh;
 use crate::study::timings::digits::{self, RECOMPUTED, Reached};
 use crate::study::timings::growth::{self, Counts, RECOUNTED};
 use crate::study::timings::precision::{self, Family, Point};
@@ -20,12 +18,8 @@ pub enum Numbers {
     Precision(Precision),
     /// Growth of the work with the mesh.
     Growth(Recounted),
-    /// What error bars cost.
-    BarCost(Recosted),
     /// What more digits cost.
     Digits(Redone),
-    /// The default mesh of a scene.
-    DefaultMesh(DefaultMesh),
 }
 
 /// Points of a family, with one order of cells.
@@ -37,15 +31,6 @@ pub struct Precision {
     pub fresh: Vec<Point>,
     /// How many there shall be.
     pub planned: usize,
-}
-
-/// What error bars cost, and the meshes that were measured.
-#[derive(Clone, Debug, Serialize)]
-pub struct Recosted {
-    /// As recorded.
-    pub recorded: BarCosts,
-    /// Degrees of freedom of its meshes as they are now.
-    pub fresh: Vec<usize>,
 }
 
 /// Meshes fitted to the contact and 8-node ones.
@@ -99,28 +84,11 @@ pub fn growth() -> Result<Numbers, Error> {
     Ok(Numbers::Growth(Recounted { recorded, fresh }))
 }
 
-/// The meshes on which the cost of error bars was measured once more.
-pub fn bar_cost() -> Result<Numbers, Error> {
-    let recorded = BarCosts::read()?;
-    let counted = |kept: &BarCost| bar_cost::dofs(kept.elements, kept.refinement);
-    let fresh = recorded.costs.iter().map(counted).collect::<Result<_, _>>()?;
-    Ok(Numbers::BarCost(Recosted { recorded, fresh }))
-}
-
 /// The smaller of the meshes whose digits are recorded once more.
 pub fn digits() -> Result<Numbers, Error> {
     let recorded = Record::read()?.measured.digits;
     let fresh = Redone::kept(&recorded).map(|kept| digits::measure(kept.cells, 1)).collect::<Result<_, _>>()?;
     Ok(Numbers::Digits(Redone { recorded, fresh }))
-}
-
-/// What error bars cost, as recorded.
-pub fn recosted<'a>(findings: &[Found<'a, Numbers>]) -> Result<&'a BarCosts, Error> {
-    let recorded = findings.iter().find_map(|found| match found.numbers {
-        Numbers::BarCost(cost) => Some(&cost.recorded),
-        _ => None,
-    });
-    recorded.ok_or_else(|| Error::at("timings", "the trial on the cost of error bars was not run", "run all trials"))
 }
 
 /// The record that the trials have read.
@@ -130,7 +98,7 @@ pub fn record(findings: &[Found<Numbers>]) -> Result<Record, Error> {
         match found.numbers {
             Numbers::Precision(precision) => points.extend(precision.recorded.iter().cloned()),
             Numbers::Growth(growth) => measured = Some(growth.recorded.clone()),
-            Numbers::DefaultMesh(_) | Numbers::BarCost(_) | Numbers::Digits(_) => {}
+            Numbers::Digits(_) => {}
         }
     }
     let none = || Error::at("timings", "the trial `growth` was not run", "run all trials");

@@ -6,15 +6,13 @@ use crate::solve::{Element, Iteration};
 use crate::study::Found;
 use crate::study::drawn::picture;
 use crate::study::pairing::Pairing;
-use crate::study::timings::bar_cost_section;
 use crate::study::timings::code::Code;
 use crate::study::timings::compared::apart;
-use crate::study::timings::default_mesh::{DefaultMesh, FINER, Tried};
 use crate::study::timings::digits_section;
 use crate::study::timings::growth_section;
 use crate::study::timings::precision::{ASKED, Family, LOADS, Point, TOLERANCE};
 use crate::study::timings::record::Record;
-use crate::study::timings::run::{Numbers, record, recosted};
+use crate::study::timings::run::{Numbers, record};
 use crate::study::timings::targets::targets;
 
 /// Families whose meshes are compared, and how they are graded.
@@ -28,19 +26,13 @@ const PARABOLA: f64 = 3.0 / 35.0 / 8.0 * (0.25 * 0.25 * 0.25 * 0.25);
 /// The whole section.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let record = record(findings)?;
-    let meshes = findings.iter().filter_map(|found| match found.numbers {
-        Numbers::DefaultMesh(mesh) => Some(mesh),
-        _ => None,
-    });
     let parts = [
         machine(&record),
         asked(&record),
         precision(),
         digits_section::section(&record),
         what_pays(&record),
-        default_meshes(meshes),
         growth_section::section(&record),
-        bar_cost_section::section(recosted(findings)?),
     ];
     Ok(parts.concat())
 }
@@ -133,29 +125,4 @@ fn needed(points: &[&Point], error: f64) -> String {
     let enough = points.iter().filter(|point| point.error() <= error);
     let cheapest = enough.min_by(|a, b| a.seconds.total_cmp(&b.seconds));
     cheapest.map_or("–".into(), |p| format!("{}, {} ms", p.dofs, significant(1e3 * p.seconds, 2)))
-}
-
-/// What growth the scenes have by default, and what others would change.
-fn default_meshes<'a>(meshes: impl Iterator<Item = &'a DefaultMesh>) -> String {
-    let tables = meshes.map(default_mesh).collect::<String>();
-    format!("## The default meshes\n\nThe scene's own growth is in the first row, other growth below it.\n\n{tables}")
-}
-
-fn default_mesh(mesh: &DefaultMesh) -> String {
-    let row = |kind: String, tried: &Tried| {
-        let percent = [tried.peak, tried.half_width].map(|error| format!("{:+.3} %", 100.0 * error));
-        [vec![kind, tried.dofs.to_string()], percent.into()].concat()
-    };
-    let growth = |tried: &Tried| tried.growth.map(|number| number.to_string()).join(", ");
-    let own = row(format!("**{}**", growth(&mesh.own)), &mesh.own);
-    let rows: Vec<Vec<String>> =
-        std::iter::once(own).chain(mesh.others.iter().map(|tried| row(growth(tried), tried))).collect();
-    let head = ["growth along, into the depth, coarsest", "dofs", "peak", "half-width or angle"];
-    format!(
-        "{}, {} elements; errors against {FINER} times as many, {} dofs:\n\n{}\n",
-        mesh.scene,
-        mesh.elements,
-        mesh.finer_dofs,
-        markdown::table(&head.map(String::from), &rows)
-    )
 }
