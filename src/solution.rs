@@ -316,8 +316,6 @@ pub struct Solution {
     pub history: Vec<Iterated>,
     /// Work done.
     pub work: Work,
-    /// Work done on coarser meshes to find the start.
-    pub coarser: Work,
 }
 
 impl Solution {

@@ -71,7 +71,7 @@ fn truth(trial: study::Trial, counts: Counts, origins: Origins, findings: Findin
         let mut message = String::new();
         for check in &finding.judged {
             if check.reference.kind == ReferenceKind::CrossCode {
-                let live = matches!(&finding.numbers, Numbers::CrossCode(numbers) if numbers.is_live());
+                let live = matches!(&finding.numbers, Numbers::CrossCode(numbers) if numbers.reproduced.is_some());
                 origins.lock().expect("no test panics while counting")[usize::from(live)] += 1;
             }
             let slot = match &check.verdict {

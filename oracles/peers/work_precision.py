@@ -1,11 +1,11 @@
-"""Work and precision of the Python oracles on truncated Hertz: work_precision.py CODE < request; JSON lines.
+"""Work and precision of scikit-fem and dolfinx on truncated Hertz: work_precision.py CODE < request; JSON lines.
 
 CODE is scikit-fem or dolfinx. Request, one JSON object:
-    scene        numbers of a truncated-hertz scene as in oracles/frozen; its a_over_r is nominal: it grades the mesh,
+    scene        numbers of a truncated-hertz scene as in block.py; its a_over_r is nominal: it grades the mesh,
                  places the candidates (stretch) and starts the iteration
     half_widths  a_k [mm], below the last candidate: load P_k = pi a_k^2 E*/4R, as Hertz's tractions on the far sides
     meshes       sizes n, or [n, level]: cells are at most stretch/n long at the candidates, within 5 %, and grow away
-                 as the oracle's do; `level` cuts every triangle into four. Triangles are bisected, so that the
+                 with half the distance; `level` cuts every triangle into four. Triangles are bisected, so that the
                  candidates have 2^m >= n edges, and the sizes in between differ in how soon the cells grow
     repeats      solutions a load (3)
     method       "penalty" or "active-set" (optional; scikit-fem alone offers the latter)
@@ -55,7 +55,7 @@ def main(name):
         sys.exit(MISSING)
     request = asked(["penalty", "active-set"] if name == "scikit-fem" else ["penalty"], METHOD[name])
     scene, method = request["scene"], request["method"]
-    code = Timed(importlib.import_module("physical_" + name.replace("-", "_")))
+    code = Timed(importlib.import_module("assembled_" + name.replace("-", "_")))
     solved([model(scene, COARSEST, 0)], method, code)  # warm-up
     for mesh in request["meshes"]:
         size, level = mesh if isinstance(mesh, list) else (mesh, 0)
@@ -125,19 +125,20 @@ class Timed(Clock):
 
 
 def model(scene, size, level):
-    """Truncated Hertz with a number of edges on the candidates at level 0; the oracle has it as a constant."""
-    import hertz_scenes
+    """Truncated Hertz with a number of edges on the candidates at level 0."""
+    import block
 
-    hertz_scenes.EDGES = size
-    return hertz_scenes.truncated_hertz(scene, level)
+    return block.truncated_hertz(scene, size, level)
 
 
 def models(scene, size, level, method):
     """The chain of models, coarsest first, and the contact edges of the last; active sets need no other."""
+    import contact
+
     chain = [model(scene, size, level)]
-    edges = len(chain[0].pair.edges(chain[0].bodies[0].mesh, chain[0].pair.stretch))
+    edges = len(contact.contact_edges(chain[0].mesh, chain[0].stretch))
     coarser = edges // 4
-    while method == "penalty" and coarser >= COARSEST and len(chain[0].bodies[0].mesh.points) > SMALL:
+    while method == "penalty" and coarser >= COARSEST and len(chain[0].mesh.points) > SMALL:
         chain.insert(0, model(scene, coarser, 0))
         coarser //= 4
     return chain, edges
@@ -157,16 +158,16 @@ def solved(chain, method, code):
 
 def row(scene, half_width, chain, method, code, request):
     """Times and errors under the load of one half-width, on meshes that do not know it."""
-    import hertz_scenes
+    import block
     import measures
 
-    ratio = half_width / hertz_scenes.hertz(scene)["half_width"]
+    ratio = half_width / block.hertz(scene)["half_width"]
     # the same block in millimetres: only its tractions are used
     loaded = {"a_over_r": scene["a_over_r"] * ratio} | {key: scene[key] / ratio for key in ("stretch", "size")}
     tractions = model(scene | loaded, COARSEST, 0).tractions
     chain = [replace(each, tractions=tractions) for each in chain]
     (points, pressure, freedoms, steps), seconds = code.laps(request["repeats"], lambda: solved(chain, method, code))
-    peak = hertz_scenes.hertz(scene)["modulus"] * half_width / (2.0 * scene["radius"])
+    peak = block.hertz(scene)["modulus"] * half_width / (2.0 * scene["radius"])
     width = measures.half_width(points, pressure)
     return {
         "freedoms": int(freedoms),

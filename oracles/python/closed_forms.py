@@ -1,7 +1,6 @@
 """Closed forms the oracles need: moduli, gaps, the Hertz load and the stress under it. Units mm, N, MPa."""
 
 import numpy as np
-from scipy.optimize import brentq
 
 
 def lame(young, poisson, plane):
@@ -12,12 +11,6 @@ def lame(young, poisson, plane):
     shear = young / (2.0 * (1.0 + poisson))
     bulk = young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
     return (2.0 * bulk * shear / (bulk + 2.0 * shear) if plane == "stress" else bulk), shear
-
-
-def plane_matrix(young, poisson, plane):
-    """Plane stiffness D [MPa]: (sigma_x, sigma_y, tau) = D (eps_x, eps_y, gamma)."""
-    bulk, shear = lame(young, poisson, plane)
-    return np.array([[bulk + 2.0 * shear, bulk, 0.0], [bulk, bulk + 2.0 * shear, 0.0], [0.0, 0.0, shear]])
 
 
 def plane_modulus(young, poisson, plane):
@@ -69,14 +62,3 @@ def hertz_stress(x, depth, half_width, pressure):
     across = -(slope * shifted).real
     down = -(slope * (shifted + 2j * depth)).real
     return across, down, -depth * slope.real
-
-
-def hole_half_angle(modulus, clearance, load):
-    """Contact half-angle of a pin in a wide plate of the same material [rad]; b = tan(angle/2) solves
-    E c/P = (2 - ln(1 + b^2) - 2 b^4)/(pi b^2 (1 + b^2)). Only a start for the iteration here."""
-
-    def surplus(b):
-        lack = 2.0 - np.log1p(b**2) - 2.0 * b**4
-        return lack - modulus * clearance / load * np.pi * b**2 * (1.0 + b**2)
-
-    return 2.0 * np.arctan(brentq(surplus, 1e-9, 1.0))

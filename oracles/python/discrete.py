@@ -15,7 +15,6 @@ import scipy.sparse as sparse
 from scipy.sparse.linalg import splu
 
 import closed_forms
-from problem import free_motions
 
 GAUSS = np.polynomial.legendre.leggauss
 STEPS = 100
@@ -112,6 +111,20 @@ def solve(problem, stiffness, load, edge_functions):
         "pressure": np.array([p for _, p in found]),
         "displacement": np.array([t @ q for q, _ in found]),
     }
+
+
+def free_motions(size, fixed, tied):
+    """Matrix T of u = T q: fixed dofs have no column, tied ones share one."""
+    kept = np.ones(size, bool)
+    kept[fixed] = False
+    column = np.cumsum(kept) - 1
+    if len(tied):
+        others = kept.copy()
+        others[tied] = False
+        column = np.cumsum(others) - 1
+        column[tied] = others.sum()
+    rows = np.flatnonzero(kept)
+    return sparse.csr_matrix((np.ones(len(rows)), (rows, column[rows])), (size, column[rows].max() + 1))
 
 
 def penalty(stiffness, load, b, areas, gaps, k_n):

@@ -11,10 +11,7 @@ def main(installed):
     environment.prepare(installed)
     import numpy as np
 
-    import closed_forms
     import discrete_dolfinx
-    import physical_dolfinx
-    import shapes
     import ufl_penalty
 
     square = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.5, 0], [1, 0.5], [0.5, 1], [0, 0.5]])
@@ -33,8 +30,6 @@ def main(installed):
         for load in (False, True):
             mesh = {"points": square[:nodes], "cells": np.arange(nodes)[None], "hertz_load": load}
             discrete_dolfinx.assembled(one_cell | mesh)
-    matrix = closed_forms.plane_matrix(1.0, 0.3, "strain")
-    physical_dolfinx.stiffness(shapes.rectangle(1.0, 0.5, 1, 0), matrix)
     hertz = {"radius": 1.0, "young": 1.0, "poisson": 0.3, "a_over_r": 0.05, "stretch": 1.6, "size": 8.0, "stations": [0.01, 0.03]}
     for case in ufl_penalty.fan.MESHES:
         ufl_penalty.solve(hertz | {"case": case}, 0)

@@ -11,7 +11,7 @@ use crate::accuracy::{Answer, Asked};
 use crate::error::{Error, Kind, Place};
 use crate::mesh::Resolution;
 use crate::scene::Scene;
-use crate::solve::{Formulation, Start};
+use crate::solve::Formulation;
 
 /// Iteration tolerance over the error asked for.
 const ITERATION: f64 = 0.01;
@@ -28,7 +28,7 @@ const MOST: usize = 24;
 
 /// The mesh by kinematic load.
 pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<Answer, Error> {
-    let mut formulation = Formulation { start: Start::Closed, ..formulation.clone() };
+    let mut formulation = formulation.clone();
     let settings = &mut formulation.settings;
     settings.tolerance = settings.tolerance.min(ITERATION * asked.relative).max(1e-12);
     let mut rungs = Rungs::new(formulation, asked);

@@ -3,7 +3,7 @@
 //! Constant stiffness is accelerated on its forces; varying stiffness by Newton's method on the
 //! [logarithms](crate::algorithm::logarithms) of its stiffnesses. With the rule `correction` the iteration `x → G(x)` of the carried forces is Douglas–Rachford splitting of elasticity and
 //! contact (Lions & Mercier 1979). In the norm `‖f‖² = Σ A f²/k₀` it is firmly nonexpansive, so the residual
-//! `f = G(x) − x` never grows in a plain iteration, whatever κ₀, and crossed secant never takes a shorter step than it.
+//! `f = G(x) − x` never grows in a plain iteration, whatever κ₀.
 
 use std::collections::VecDeque;
 
@@ -16,26 +16,10 @@ named_enum! {
     pub enum Acceleration {
         /// `x⁺ = G(x)`: the paper's own iteration.
         None = "none",
-        /// `x⁺ = x − (Δx·Δf/‖Δf‖²) f`, from the last two residuals (Ramière & Helfer 2015).
-        CrossedSecant = "crossed-secant",
         /// `x⁺ = x + f − Σ γ (Δx + Δf)`, γ minimising `‖f − Σ γ Δf‖` over the last differences (Walker & Ni 2011).
         Anderson = "anderson",
         /// `ln k⁺ = ln k + (1 + δ)(M + δ)⁻¹ ln(w/g)`, M what springs and bodies yield together: Newton's method, damped.
         Newton = "newton",
-    }
-}
-
-impl Acceleration {
-    /// Those of the forces of constant stiffness.
-    pub const OF_FORCES: [Self; 3] = [Self::None, Self::CrossedSecant, Self::Anderson];
-
-    /// Differences remembered.
-    fn depth(self) -> usize {
-        match self {
-            Self::None | Self::Newton => 0,
-            Self::CrossedSecant => 1,
-            Self::Anderson => DEPTH,
-        }
     }
 }
 
@@ -51,18 +35,12 @@ const ROUND_OFF: f64 = 1e-9;
 const SAFEGUARD: (f64, f64) = (100.0, 1.1);
 
 /// The last states `x` of a fixed-point iteration with their residuals `f = G(x) − x`, the latest last.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct History {
-    kind: Acceleration,
     states: VecDeque<[Vec<f64>; 2]>,
 }
 
 impl History {
-    /// Nothing remembered yet.
-    pub fn new(kind: Acceleration) -> Self {
-        Self { kind, states: VecDeque::new() }
-    }
-
     /// Forgets all but the latest states.
     pub fn keep(&mut self, states: usize) {
         self.states.drain(..self.states.len().saturating_sub(states));
@@ -71,7 +49,7 @@ impl History {
     /// Remembers a state, and forgets what lies further back than the acceleration reaches.
     pub fn push(&mut self, x: &[f64], f: &[f64]) {
         self.states.push_back([x.to_vec(), f.to_vec()]);
-        self.keep(self.kind.depth() + 1);
+        self.keep(DEPTH + 1);
     }
 
     /// The step from the latest state that the states remembered make of its residual, in the inner product of some weights; none
@@ -79,18 +57,11 @@ impl History {
     pub fn step(&self, weights: &[f64]) -> Option<Vec<f64>> {
         let pairs = self.states.iter().zip(self.states.iter().skip(1));
         let changes: Vec<[Vec<f64>; 2]> = pairs.map(|(a, b)| [0, 1].map(|k| minus(&b[k], &a[k]))).collect();
-        let ([_, f], [dx, df]) = (self.states.back()?, changes.last()?);
-        let step: Vec<f64> = if self.kind == Acceleration::CrossedSecant {
-            let factor = dot(weights, dx, df) / dot(weights, df, df);
-            f.iter().map(|f| -factor * f).collect()
-        } else {
-            let gamma = least_squares(weights, &changes, f)?;
-            let mut step = f.clone();
-            for (gamma, [dx, df]) in gamma.iter().zip(&changes) {
-                step.iter_mut().zip(dx.iter().zip(df)).for_each(|(x, (dx, df))| *x -= gamma * (dx + df));
-            }
-            step
-        };
+        let [_, f] = self.states.back().filter(|_| !changes.is_empty())?;
+        let mut step = f.clone();
+        for (gamma, [dx, df]) in least_squares(weights, &changes, f)?.iter().zip(&changes) {
+            step.iter_mut().zip(dx.iter().zip(df)).for_each(|(x, (dx, df))| *x -= gamma * (dx + df));
+        }
         step.iter().all(|x| x.is_finite()).then_some(step)
     }
 }
@@ -123,7 +94,7 @@ pub fn dot(weights: &[f64], x: &[f64], y: &[f64]) -> f64 {
 /// Three safeguards. A state reached by acceleration is given up for the plain iteration before it where
 /// `‖f‖ > 100 F (n + 1)^−1.1`, n accelerated iterations so far, F the residual of the first state: a summable bound, which with
 /// nonexpansive plain iterations leaves no way but to converge (Zhang, O'Donoghue & Boyd 2020). A plain iteration follows where
-/// the residual rose, and after every Anderson iteration. A step that is not finite is not made.
+/// the residual rose, and after every accelerated one. A step that is not finite is not made.
 #[derive(Clone, Debug)]
 pub struct Accelerator {
     /// Weight of each component in the inner product, `A/k₀`.
@@ -139,9 +110,8 @@ pub struct Accelerator {
 
 impl Accelerator {
     /// Nothing remembered yet.
-    pub fn new(kind: Acceleration, weights: Vec<f64>) -> Self {
-        let history = History::new(kind);
-        Self { weights, history, first: None, plain: None, accelerated: 0, size: f64::INFINITY }
+    pub fn new(weights: Vec<f64>) -> Self {
+        Self { weights, history: History::default(), first: None, plain: None, accelerated: 0, size: f64::INFINITY }
     }
 
     /// The state after `x`, whose residual is `f = G(x) − x`; adds to `rejected` where `x` is given up.
@@ -158,8 +128,7 @@ impl Accelerator {
         self.size = size;
         self.history.push(x, f);
         let after = |step: &[f64]| -> Vec<f64> { x.iter().zip(step).map(|(x, step)| x + step).collect() };
-        let rests = rose || (self.history.kind == Acceleration::Anderson && before.is_some());
-        let step = if rests { None } else { self.history.step(&self.weights) };
+        let step = if rose || before.is_some() { None } else { self.history.step(&self.weights) };
         let Some(step) = step else { return after(f) };
         self.accelerated += 1;
         self.plain = Some(after(f));

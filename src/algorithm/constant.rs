@@ -56,7 +56,7 @@ impl Algorithm for Constant {
         }
         if self.acceleration != Acceleration::None {
             let change: Vec<f64> = springs.force.iter().zip(&before).map(|(after, before)| after - before).collect();
-            let accelerator = self.accelerator.get_or_insert_with(|| accelerator(problem, self.acceleration));
+            let accelerator = self.accelerator.get_or_insert_with(|| accelerator(problem));
             springs.force = accelerator.next(&before, &change, &mut work.rejected);
         }
         Some(iterate)
@@ -68,9 +68,9 @@ impl Algorithm for Constant {
 }
 
 /// Inner product `Σ A x y/k₀`, in which the rule `correction` is nonexpansive.
-fn accelerator(problem: &ContactProblem, kind: Acceleration) -> Accelerator {
+fn accelerator(problem: &ContactProblem) -> Accelerator {
     let terms = problem.points.iter().zip(&problem.initial);
-    Accelerator::new(kind, terms.map(|(point, k)| point.weight / k).collect())
+    Accelerator::new(terms.map(|(point, k)| point.weight / k).collect())
 }
 
 impl Constant {

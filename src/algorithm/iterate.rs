@@ -311,7 +311,6 @@ impl<'a> Run<'a> {
             increments: self.increments,
             history: self.history,
             work: self.work,
-            coarser: Work::default(),
         }
     }
 }

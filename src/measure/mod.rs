@@ -4,7 +4,6 @@
 //! * [`mod@peak`] — its largest pressure, wherever that lies.
 //! * [`nodal`] — the same where an edge holds many contact points.
 //! * [`stretch`] — where its closed stretches begin and end.
-//! * [`parabola`] — the same as the other codes measure it.
 //! * [`order`] — observed orders of accuracy, Richardson's bound.
 //!
 //! ```
@@ -24,7 +23,6 @@
 
 pub mod nodal;
 pub mod order;
-pub mod parabola;
 pub mod peak;
 pub mod profile;
 pub mod stretch;

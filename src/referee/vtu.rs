@@ -1,5 +1,6 @@
 //! VTU files as other programs write them, made such that their arrays are plain text: binary and appended ones, in base64 or raw, compressed by
-//! zlib or not. `vtkio`, which reads the outcome, fails at the padding that meshio and VTK put between header and data.
+//! zlib or not. `vtkio` 0.6, which reads the outcome, fails at the padding that meshio and VTK put between header and data. Its 0.7.0-rc2 reads
+//! that, but no raw appended data (NGSolve, and VTK by default), takes a last block that is full for none, and panics where a file is cut.
 
 use std::borrow::Cow;
 use std::io::Read;

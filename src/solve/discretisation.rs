@@ -1,7 +1,5 @@
 //! A scene meshed, assembled and condensed: what all nine formulations share, and on which they solve.
 
-use std::sync::OnceLock;
-
 use crate::algorithm::{ContactProblem, Scale};
 use crate::clock::{Clock, Seconds, Stage};
 use crate::condensation::Condensed;
@@ -31,8 +29,6 @@ pub struct Discretisation {
     pub edges: Vec<ContactEdge>,
     /// What its stages took.
     pub seconds: Seconds,
-    /// The same scene half as fine, built when a nested start first asks for it.
-    pub(super) coarser: OnceLock<Box<Discretisation>>,
 }
 
 impl Discretisation {
@@ -65,8 +61,7 @@ impl Discretisation {
         let condensed = system.condense_timed(&mut clock)?;
         let interfaces = clock.time(Stage::Interface, || Interface::all(&scene, &mesh, &condensed))?;
         let edges = interfaces.iter().flat_map(Interface::contact_edges).collect();
-        let (seconds, coarser) = (clock.seconds, OnceLock::new());
-        Ok(Self { scene, resolution, mesh, system, condensed, interfaces, edges, seconds, coarser })
+        Ok(Self { scene, resolution, mesh, system, condensed, interfaces, edges, seconds: clock.seconds })
     }
 
     /// Contact points of a formulation.

@@ -7,7 +7,6 @@ use crate::algorithm::{
 use crate::contact::{ContactPoint, Element, Interface, Quadrature};
 use crate::error::Error;
 use crate::solution::Solution;
-use crate::solve::Start;
 
 /// One way of solving a contact problem.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -32,8 +31,6 @@ pub struct Formulation {
     pub layer_thickness: f64,
     /// Acceleration of varying and constant stiffness; the paper has none.
     pub acceleration: Acceleration,
-    /// Where kinematic load starts; in the paper with every candidate closed.
-    pub start: Start,
     /// When to stop.
     pub settings: Settings,
 }
@@ -52,7 +49,6 @@ impl Formulation {
             quadrature: Quadrature::Gauss,
             layer_thickness: 0.05,
             acceleration: Acceleration::None,
-            start: Start::Closed,
             settings: Settings::default(),
         }
     }
@@ -129,7 +125,7 @@ impl Formulation {
         self
     }
 
-    /// `element.algorithm`, and the rule, its bound, what has a stiffness, the acceleration and the start where they are not the default.
+    /// `element.algorithm`, and the rule, its bound, what has a stiffness, and the acceleration where they are not the default.
     pub fn name(&self) -> String {
         let mut name = format!("{}.{}", self.element.name(), self.algorithm.name());
         if self.rule != self.algorithm.rules()[0] {
@@ -146,9 +142,6 @@ impl Formulation {
         }
         if self.acceleration != Acceleration::None {
             name += &format!("+{}", self.acceleration.name());
-        }
-        if self.start != Start::Closed {
-            name += &format!("+{}", self.start.name());
         }
         name
     }

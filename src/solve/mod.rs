@@ -67,7 +67,7 @@ pub use edge_fitted::Fitted;
 pub use equilibrium::Equilibrium;
 pub use fields::Fields;
 pub use formulation::Formulation;
-pub use origin::{Origin, Start};
+pub use origin::Origin;
 pub use reactions::Reaction;
 pub use run::Run;
 pub use shear::Shear;

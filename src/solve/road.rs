@@ -16,7 +16,7 @@ impl Discretisation {
         let (points, load) = self.changed(formulation, change);
         let problem = self.problem_under(formulation, &points, &load);
         self.refuse_nothing(&problem)?;
-        let iterated = self.iterated(&problem, formulation, origin, change);
+        let iterated = formulation.iterated(&problem, origin);
         let mut solution = iterated.map_err(|error| self.named(error, change.load))?;
         if solution.converged() {
             let displacement = self.displacement_under(change.load, &solution);

@@ -4,7 +4,7 @@ use crate::algorithm::problem::LIMITS;
 use crate::algorithm::{Acceleration, Iteration, Leeway, Spring, StiffnessRule};
 use crate::error::{Error, Place};
 use crate::scene::Scene;
-use crate::solve::{Formulation, Start};
+use crate::solve::Formulation;
 
 /// Tolerances between round-off and no answer at all.
 const TOLERANCES: [f64; 2] = [1e-13, 0.1];
@@ -80,7 +80,7 @@ impl Formulation {
         Ok(())
     }
 
-    /// Refuses an acceleration or a start that the algorithm does not have.
+    /// Refuses an acceleration that the algorithm does not have.
     fn validate_options(&self, place: Place) -> Result<(), Error> {
         let refused = |message: String, remedy: &str| Err(Error::at(place, message, remedy));
         let algorithm = self.algorithm.name();
@@ -89,7 +89,7 @@ impl Formulation {
             Iteration::Varying => {
                 self.acceleration == Acceleration::Newton && self.rule == StiffnessRule::Secant && is_point
             }
-            Iteration::Constant => Acceleration::OF_FORCES.contains(&self.acceleration),
+            Iteration::Constant => self.acceleration == Acceleration::Anderson,
             Iteration::Kinematic => false,
         };
         if self.acceleration != Acceleration::None && !has_fixed_point {
@@ -99,19 +99,7 @@ impl Formulation {
                     "the {algorithm} algorithm with rule `{rule}` has no fixed point for `{}`",
                     self.acceleration.name()
                 ),
-                "choose anderson or crossed-secant for constant, newton for varying with the rule secant and springs of points, or `none`",
-            );
-        }
-        if self.start != Start::Closed && self.algorithm != Iteration::Kinematic {
-            return refused(
-                format!("the {algorithm} algorithm has no active set to start `{}` from", self.start.name()),
-                "start the kinematic algorithm so, or choose the start `closed`",
-            );
-        }
-        if self.start != Start::Closed && self.settings.increments > 1 {
-            return refused(
-                "a nested start carries the contact of the whole load, which increments do not begin with".into(),
-                "use 1 increment, or choose the start `closed`",
+                "choose anderson for constant, newton for varying with the rule secant and springs of points, or `none`",
             );
         }
         Ok(())

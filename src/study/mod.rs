@@ -18,7 +18,6 @@ pub mod class;
 pub mod converged;
 pub mod coverage;
 pub mod cross_code;
-pub mod cures;
 pub mod digitised;
 pub mod drawn;
 pub mod family;
@@ -101,8 +100,6 @@ rooms! {
     Atlas in atlas,
     /// Where methods fail: predicted rates and iterations.
     Stability in stability,
-    /// Cures of what fails or is slow.
-    Cures in cures,
     /// Limits of validity.
     Limits in limits,
     /// Fault injection.

@@ -3,19 +3,15 @@
 use contact_vv::case::library;
 use contact_vv::case::{Judged, Verdict};
 use contact_vv::mesh::{Order, Resolution};
-use contact_vv::oracle::cross_code::frozen::{Digest, Frozen, Series, script_hash};
-use contact_vv::oracle::cross_code::{Code, Method, PhysicalAnswer};
+use contact_vv::oracle::cross_code::Code;
+use contact_vv::oracle::cross_code::frozen::{Digest, Frozen, script_hash};
 use contact_vv::scene::{Load, Path, PlaneHypothesis, Profile, Scene};
 use contact_vv::solve::Discretisation;
-use contact_vv::study::cross_code::Answers;
 use contact_vv::study::cross_code::answers::Reproduced;
-use contact_vv::study::cross_code::benchmark::Scene as Shared;
 use contact_vv::study::cross_code::differences::{changes, largest_change, relative_difference};
 use contact_vv::study::cross_code::discrete::differences;
-use contact_vv::study::cross_code::judge::{agreement, assembled_alike, reproduced, tight};
-use contact_vv::study::cross_code::physical::{Compared, Finder, Found, Measured, Other};
+use contact_vv::study::cross_code::judge::{assembled_alike, reproduced};
 use contact_vv::study::cross_code::twin::{Twin, problems};
-use contact_vv::study::cross_code::validation::{self, Number};
 
 fn all_pass(checks: &[Judged]) -> bool {
     !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)
@@ -113,36 +109,17 @@ fn frozen_results_of_other_scripts_are_refused_with_the_remedy() {
 }
 
 #[test]
-fn a_scene_with_other_numbers_than_the_frozen_one_is_refused_by_key() {
-    for shared in Shared::ALL {
-        let (name, given) = (shared.name(), shared.benchmark());
-        let mut scene = given.physical.clone();
-        assert!(Answers::Frozen.physical(Code::Dolfinx, name, &scene).is_ok());
-        let key = scene.numbers.keys().next().expect("a scene has numbers").clone();
-        scene.numbers.entry(key.clone()).and_modify(|number| *number *= 1.0 + 1e-9);
-        let refused = Answers::Frozen.physical(Code::Dolfinx, name, &scene).expect_err("another scene");
-        assert!(refused.to_string().contains(&key), "{refused}");
-        let mut fewer = given.physical.clone();
-        fewer.stations.pop();
-        assert!(Answers::Frozen.physical(Code::Dolfinx, name, &fewer).is_err());
-        let mut unknown = given.physical.clone();
-        unknown.numbers.remove(&key);
-        assert!(Answers::Frozen.physical(Code::Dolfinx, name, &unknown).is_err());
-    }
-}
-
-#[test]
 fn changed_versions_and_numbers_are_named() {
     let old = Frozen::load(Code::Dolfinx).expect("frozen results");
     let mut new = old.clone();
     assert_eq!(changes(Code::Dolfinx, &old, &new).len(), 1);
     new.versions.insert("numpy".into(), "9.9".into());
-    let series = new.physical.get_mut("pin-rod").expect("the pin–rod is frozen");
-    series.penalty[2].peak *= 1.01;
+    let digest = new.discrete.get_mut("pin-rod, 8-node").expect("the pin–rod is frozen");
+    digest.pressure[1][0] *= 1.01;
     let told = changes(Code::Dolfinx, &old, &new);
     assert!(told[0].contains("numpy") && told[0].contains("9.9"), "{told:?}");
     assert_eq!(told.len(), 2, "{told:?}");
-    assert!(told[1].contains("pin-rod") && told[1].contains("peak"), "{told:?}");
+    assert!(told[1].contains("pin-rod, 8-node, p (group 4)"), "{told:?}");
 }
 
 #[test]
@@ -156,134 +133,6 @@ fn differences_are_not_a_number_where_nothing_can_be_compared() {
     assert!(largest_change(&group(&[1.0]), &[]).is_nan());
     assert!(largest_change(&group(&[1.0, 2.0]), &group(&[1.0])).is_nan());
     approx::assert_relative_eq!(largest_change(&group(&[1.0, 2.2]), &group(&[1.0, 2.0])), 0.1, epsilon = 1e-12);
-}
-
-#[test]
-fn a_code_that_differs_by_more_than_demanded_turns_red() {
-    type Spoil = (&'static str, fn(&mut PhysicalAnswer));
-    let spoils: [Spoil; 8] = [
-        ("peak", |a| a.peak *= 1.006),
-        ("width", |a| a.half_width *= 0.994),
-        ("resultant", |a| a.resultant *= 1.0 + 1e-5),
-        ("profile", |a| a.pressure.iter_mut().for_each(|p| *p *= 1.02)),
-        ("a shifted profile", |a| a.pressure.rotate_right(1)),
-        ("NaN peak", |a| a.peak = f64::NAN),
-        ("NaN in the profile", |a| a.pressure[3] = f64::NAN),
-        ("a missing station", |a| a.pressure.truncate(39)),
-    ];
-    for shared in Shared::ALL {
-        let series = &Frozen::read(Code::ScikitFem).expect("frozen results").physical[shared.name()];
-        let sound = physical(shared, &series.penalty, series);
-        for found in &sound.others[0].found[..1] {
-            assert!(all_pass(&agreement(&sound, found)), "{}", shared.name());
-        }
-        for (what, spoil) in spoils {
-            let mut levels = series.penalty.clone();
-            spoil(&mut levels[2]);
-            let ours = physical(shared, &levels, series);
-            assert!(!all_pass(&agreement(&ours, &ours.others[0].found[0])), "{}: {what} in ours", shared.name());
-            let theirs = physical(shared, &series.penalty, &Series { penalty: levels, ..series.clone() });
-            assert!(!all_pass(&agreement(&theirs, &theirs.others[0].found[0])), "{}: {what} in theirs", shared.name());
-        }
-    }
-    assert!(Found::of(Finder::Ours, &[]).is_err());
-}
-
-/// A scene with given answers for ours, and both methods of a code.
-fn physical(scene: Shared, ours: &[PhysicalAnswer], series: &Series) -> Compared {
-    let found = |by, levels: &[PhysicalAnswer]| Found::of(by, levels).expect("three meshes");
-    let theirs = |method| Finder::Theirs(Code::ScikitFem, method);
-    let both =
-        vec![found(theirs(Method::Penalty), &series.penalty), found(theirs(Method::ActiveSet), &series.active_set)];
-    let ours = found(Finder::Ours, ours);
-    Compared {
-        scene,
-        stations: series.scene.stations.clone(),
-        reference: [1.0, 1.0],
-        closed_form: None,
-        peak_as_theirs: ours.peak.value,
-        ours,
-        others: vec![Other { code: Code::ScikitFem, reproduced: None, found: both }],
-    }
-}
-
-#[test]
-fn a_difference_that_its_uncertainties_do_not_cover_turns_red_within_the_tolerance() {
-    let series = &Frozen::read(Code::ScikitFem).expect("frozen results").physical["truncated Hertz"];
-    let compared = physical(Shared::TruncatedHertz, &series.active_set, series);
-    let exact = &compared.others[0].found[1];
-    for (number, at) in [(Number::Peak, 1), (Number::Width, 3)] {
-        let (comparison, _) = validation::against(&compared, exact, number);
-        assert!(comparison.uncertainty > 0.0);
-        let judged = |by: f64| {
-            let mut moved = compared.clone();
-            let peak = |measured: &mut Measured| {
-                measured.value = number.of(compared.scene, exact).value + by * comparison.uncertainty
-            };
-            match number {
-                Number::Peak => {
-                    peak(&mut moved.ours.peak);
-                    moved.peak_as_theirs = moved.ours.peak.value;
-                }
-                Number::Width => peak(&mut moved.ours.half_width),
-            }
-            agreement(&moved, exact).map(|one| one.verdict)
-        };
-        assert_eq!(judged(1.9)[at], Verdict::Pass, "{number:?}");
-        for by in [2.1, -2.1, f64::NAN] {
-            assert_eq!(judged(by)[at], Verdict::Fail, "{number:?}, {by} u");
-        }
-    }
-    // Uncertainties that are not known, or without end, cover nothing.
-    for spoiled in [f64::NAN, f64::INFINITY] {
-        let mut unknown = compared.clone();
-        unknown.ours.peak.uncertainty = spoiled;
-        assert_eq!(agreement(&unknown, exact)[1].verdict, Verdict::Fail);
-        unknown = compared.clone();
-        unknown.peak_as_theirs = spoiled;
-        assert_eq!(agreement(&unknown, exact)[1].verdict, Verdict::Fail);
-    }
-}
-
-#[test]
-fn what_the_penalty_costs_is_a_source_of_its_own_and_must_be_known() {
-    let series = &Frozen::read(Code::ScikitFem).expect("frozen results").physical["pin-rod"];
-    let compared = physical(Shared::PinRod, &series.active_set, series);
-    let [soft, exact] = [&compared.others[0].found[0], &compared.others[0].found[1]];
-    let (with, sources) = validation::against(&compared, soft, Number::Peak);
-    assert!((sources.penalty - (soft.peak.limit - exact.peak.limit).abs()).abs() <= 1e-12);
-    assert!(sources.penalty > 0.0 && with.uncertainty > sources.penalty);
-    assert!(validation::against(&compared, exact, Number::Peak).1.penalty <= 0.0);
-    // Without the code that solves it both ways, the row cannot pass.
-    let mut alone = compared.clone();
-    alone.others[0].found.truncate(1);
-    assert_eq!(agreement(&alone, soft)[1].verdict, Verdict::Fail);
-}
-
-#[test]
-fn a_tolerance_of_more_than_three_times_what_is_found_turns_red() {
-    let series = &Frozen::read(Code::ScikitFem).expect("frozen results").physical["truncated Hertz"];
-    let verdicts =
-        |ours: &[PhysicalAnswer]| tight(&physical(Shared::TruncatedHertz, ours, series)).map(|one| one.verdict);
-    // Nothing differs from the penalty by less than the active set does.
-    let red = [Verdict::Fail, Verdict::Fail, Verdict::Fail];
-    let nearer: Vec<PhysicalAnswer> =
-        series.penalty.iter().zip(&series.active_set).map(|(a, b)| middle(a, b)).collect();
-    assert_eq!(verdicts(&nearer), red);
-    let mut none = series.penalty.clone();
-    none[2].peak = f64::NAN;
-    assert_eq!(verdicts(&none)[0], Verdict::Fail);
-}
-
-/// The middle of two answers, which differs from either by half as much as they from each other.
-fn middle(a: &PhysicalAnswer, b: &PhysicalAnswer) -> PhysicalAnswer {
-    let pressure = a.pressure.iter().zip(&b.pressure).map(|(p, q)| 0.5 * (p + q)).collect();
-    PhysicalAnswer {
-        peak: 0.5 * (a.peak + b.peak),
-        half_width: 0.5 * (a.half_width + b.half_width),
-        pressure,
-        ..a.clone()
-    }
 }
 
 #[test]
@@ -301,7 +150,7 @@ fn the_fixed_vectors_are_independent() {
 #[test]
 fn a_live_answer_that_is_not_what_was_frozen_turns_red_and_names_the_version() {
     let old = Frozen::read(Code::ScikitFem).expect("frozen results");
-    let kept = old.physical["truncated Hertz"].numbers();
+    let kept = old.discrete["truncated-hertz, 8-node"].numbers();
     let mut versions = old.versions.clone();
     versions.insert("scipy".into(), "9.9".into());
     let judged = |now: &[(String, Vec<f64>)]| {

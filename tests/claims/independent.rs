@@ -4,13 +4,13 @@ use std::fs;
 use std::path::PathBuf;
 
 use contact_vv::case::{Judged, Verdict};
-use contact_vv::oracle::cross_code::PhysicalAnswer;
 use contact_vv::oracle::cross_code::independent::{Folder, Independent, Script};
+use contact_vv::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 use contact_vv::study::cross_code::Answers;
-use contact_vv::study::cross_code::benchmark::Scene;
-use contact_vv::study::cross_code::physical::{Finder, Found};
+use contact_vv::study::independent::benchmark::{STATIONS, Scene};
+use contact_vv::study::independent::found::Found;
 use contact_vv::study::independent::judge;
-use contact_vv::study::independent::run::{Compared, compare};
+use contact_vv::study::independent::run::{Compared, asked, compare};
 
 /// Whether there is a check, and all pass.
 fn all_pass(checks: &[Judged]) -> bool {
@@ -26,7 +26,7 @@ fn with(compared: &Compared, script: Script, series: &[PhysicalAnswer]) -> Compa
     let mut other = compared.clone();
     for one in &mut other.others {
         if one.script == script {
-            one.found = Found::of(Finder::Independent(script), series).expect("three meshes");
+            one.found = Found::of(script.name(), series).expect("three meshes");
         }
     }
     other
@@ -65,6 +65,27 @@ fn a_scene_that_nobody_answers_turns_red() {
     let mut alone = compare(&Scene::PinRod.benchmark(), Answers::Frozen).expect("compared");
     alone.others.clear();
     assert!(!all_pass(&judged(&alone)));
+}
+
+#[test]
+fn a_scene_with_other_numbers_than_the_frozen_one_is_refused_by_key() {
+    for scene in Scene::ALL {
+        let given = scene.benchmark();
+        assert!(asked(&given, Answers::Frozen).is_ok(), "{}", scene.name());
+        let key = given.physical.numbers.keys().next().expect("a scene has numbers").clone();
+        type Spoil<'a> = (&'a str, Box<dyn Fn(&mut PhysicalScene) + 'a>);
+        let spoils: [Spoil; 3] = [
+            (&key, Box::new(|s| s.numbers.values_mut().take(1).for_each(|number| *number *= 1.0 + 1e-9))),
+            (&key, Box::new(|s| s.numbers.retain(|name, _| *name != key))),
+            ("stations", Box::new(|s| s.stations.truncate(STATIONS - 1))),
+        ];
+        for (named, spoil) in spoils {
+            let mut other = scene.benchmark();
+            spoil(&mut other.physical);
+            let refused = asked(&other, Answers::Frozen).expect_err("another scene").to_string();
+            assert!(refused.contains(named), "{}: {refused}", scene.name());
+        }
+    }
 }
 
 fn scripts(folder: Folder) -> Vec<(PathBuf, String)> {

@@ -29,7 +29,6 @@ mod contact;
 mod converged;
 mod corpus;
 mod cross_code;
-mod cures;
 mod curve;
 mod differences;
 mod digitised;

@@ -6,7 +6,6 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::{Cylinder, PinRod};
 use contact_vv::measure::nodal;
 use contact_vv::measure::order::{Observed, Why, bound_of_two, of_changes, pairs, richardson, slope};
-use contact_vv::measure::parabola;
 use contact_vv::measure::peak::{self, Peak};
 use contact_vv::measure::profile::{
     centre, means, misplaced, relative_l2, relative_l2_between, resultant, second_moment_width, weighted_line,
@@ -438,24 +437,6 @@ fn a_comparison_is_covered_by_what_all_its_sources_make() {
     }
     assert!(Comparison::of(f64::NAN, 2.0, [1.0]).ratio().is_nan());
     assert!(Comparison::of(2.0, 2.0, []).ratio().is_nan());
-}
-
-#[test]
-fn parabola_of_the_other_codes_finds_the_top_on_the_line_and_off_it() {
-    // p = 9 − 2 s²: exact by either fit; with its top at 0.617 by five edges.
-    let centred = edges(0.0, 2.0, 20, |s| 9.0 * s - 2.0 / 3.0 * s.powi(3));
-    assert_relative_eq!(parabola::peak(&centred, 2.0), 9.0, max_relative = 1e-12);
-    let top = 0.617;
-    let off = edges(0.0, 2.0, 40, |s: f64| 9.0 * s - 2.0 / 3.0 * (s - top).powi(3));
-    assert_relative_eq!(parabola::peak(&off, 1.0), 9.0, max_relative = 1e-11);
-    // On a semi-ellipse it is biased by what its fourth power adds within a quarter: 3/35 of 1/8 of 4⁻⁴.
-    let ellipse = edges(0.0, 1.5, 1200, force_of_semi_ellipse(5.0, 1.0));
-    let bias = parabola::peak(&ellipse, 1.0) / 5.0 - 1.0;
-    assert_relative_eq!(bias, 3.0 / 35.0 / 8.0 / 256.0, max_relative = 0.1);
-    let mut lost = centred.clone();
-    lost[15].pressure = f64::NAN;
-    assert!(parabola::peak(&lost, 2.0).is_nan());
-    assert!(parabola::peak(&[], 1.0).is_nan());
 }
 
 #[test]

@@ -177,6 +177,12 @@ const MISTAKES: &[Mistake] = &[
     ("cylinder-on-block", "stretch = 5.0", "strech = 5.0", ["strech = 5.0", "unknown field `strech`", "`stretch`"]),
     (
         "cylinder-on-block",
+        "tolerance = 1e-6\n",
+        "start = \"nested\"\n",
+        ["start = \"nested\"", "unknown field `start`", "`stiffness`"],
+    ),
+    (
+        "cylinder-on-block",
         "thickness = 1.0\n",
         "",
         ["# A long", "missing field `thickness`", "add or correct it; tests/cases/README.md"],

@@ -16,7 +16,7 @@ use crate::case::file::unsupported::Unsupported;
 use crate::case::file::{Source, hypotheses, nearest_to};
 use crate::error::Error;
 use crate::mesh::size::solvable;
-use crate::solve::{Element, Formulation, Iteration, Start};
+use crate::solve::{Element, Formulation, Iteration};
 
 use super::mesh::MeshTable;
 use super::places::{Places, PlacesOfContact};
@@ -54,7 +54,6 @@ struct SolveTable {
     stiffness: Option<Number>,
     layer_thickness: Option<Number>,
     acceleration: Option<Name>,
-    start: Option<Name>,
     increments: Option<Spanned<usize>>,
     criterion: Option<Name>,
     tolerance: Option<Number>,
@@ -188,8 +187,6 @@ impl SolveTable {
         let accelerations = Acceleration::ALL.map(|acceleration| (acceleration.name(), acceleration));
         let acceleration = named(source, "acceleration", &self.acceleration, &accelerations)?;
         let mut formulation = Formulation::with(element, algorithm, rule, acceleration);
-        let starts = [Start::Closed, Start::Nested].map(|start| (start.name(), start));
-        formulation.start = named(source, "start", &self.start, &starts)?.unwrap_or(Start::Closed);
         let springs = Spring::ALL.map(|spring| (spring.name(), spring));
         if let Some(spring) = named(source, "spring", &self.spring, &springs)? {
             formulation = formulation.with_springs(spring, acceleration);

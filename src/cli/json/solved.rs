@@ -34,8 +34,6 @@ pub struct Solved<'a> {
     criterion: &'a str,
     /// Acceleration of the iteration.
     acceleration: &'a str,
-    /// Start of the iteration.
-    start: &'a str,
     /// Initial stiffness κ₀, in `stiffness_unit`.
     stiffness: Number,
     /// What the initial stiffness is a multiple of: `reference`, E*/ℓ, or `bodies`, √(E*/L · s).
@@ -60,9 +58,6 @@ pub struct Solved<'a> {
     back_substitutions: usize,
     /// Accelerated iterations that were given up for the plain one.
     rejected: usize,
-    /// Iterations on coarser meshes that found the start.
-    #[serde(rename = "coarser_steps")]
-    coarser_iterations: usize,
     /// Seconds by stage.
     seconds: BTreeMap<&'static str, f64>,
     /// What the iteration was judged by.
@@ -140,7 +135,6 @@ impl<'a> Solved<'a> {
             spring: formulation.leeway.spring.name(),
             criterion: formulation.settings.criterion.name(),
             acceleration: formulation.acceleration.name(),
-            start: formulation.start.name(),
             stiffness: formulation.stiffness.into(),
             stiffness_unit: formulation.stiffness_unit.name(),
             order: resolution.order.number(),
@@ -152,7 +146,6 @@ impl<'a> Solved<'a> {
             factorisations: solution.work.factorisations,
             back_substitutions: solution.work.back_substitutions,
             rejected: solution.work.rejected,
-            coarser_iterations: solution.coarser.iterations,
             seconds: run.seconds.iter().map(|&(stage, seconds)| (stage.name(), seconds)).collect(),
             iteration_error: solution.error().into(),
             contacts: (0..run.contacts.len()).map(|contact| Contact::of(problem, run, contact)).collect(),

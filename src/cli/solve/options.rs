@@ -15,7 +15,7 @@ use crate::figure;
 use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Body;
-use crate::solve::{Element, Fitted, Formulation, Iteration, Start};
+use crate::solve::{Element, Fitted, Formulation, Iteration};
 
 /// What stands for standard output in place of a file.
 pub const STDOUT: &str = "-";
@@ -47,9 +47,6 @@ pub struct Arguments {
     /// others; with none they are those of the paper.
     #[arg(long, value_enum)]
     acceleration: Option<Acceleration>,
-    /// Start of the kinematic algorithm; closed by default.
-    #[arg(long, value_enum)]
-    start: Option<Start>,
     /// Initial stiffness κ₀ = k_n ℓ/E*: by default 1 for varying, 1e6 for kinematic; for constant by the bodies, 1 (node) or 4
     /// (line, layer) times the mean of what they resist as a whole and at a point.
     #[arg(long, value_name = "KAPPA", allow_negative_numbers = true)]
@@ -166,7 +163,6 @@ impl Arguments {
             formulation = formulation.with_springs(spring, self.acceleration);
         }
         formulation.layer_thickness = self.layer_thickness.unwrap_or(formulation.layer_thickness);
-        formulation.start = self.start.unwrap_or(formulation.start);
         if let Some(stiffness) = self.stiffness {
             (formulation.stiffness, formulation.stiffness_unit) = (stiffness, StiffnessUnit::Reference);
         }
@@ -177,7 +173,7 @@ impl Arguments {
     pub fn by(&self, element: Element, algorithm: Iteration, tolerance: Option<f64>) -> Self {
         let (element, algorithm) = (Some(element), Some(algorithm));
         let [bound, layer_thickness, stiffness] = [None; 3];
-        let (rule, spring, acceleration, start, criterion, max_iterations) = (None, None, None, None, None, None);
+        let (rule, spring, acceleration, criterion, max_iterations) = (None, None, None, None, None);
         Self {
             element,
             algorithm,
@@ -186,7 +182,6 @@ impl Arguments {
             spring,
             layer_thickness,
             acceleration,
-            start,
             stiffness,
             criterion,
             tolerance,

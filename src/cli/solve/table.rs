@@ -10,7 +10,6 @@ use crate::markdown;
 use crate::measure::display_factor;
 use crate::mesh::Order;
 use crate::scene::ContactPair;
-use crate::solve::Start;
 use crate::solve::run::{Contact, Run};
 
 /// A reaction below this part of the largest force, or a place below this part of the half-width, is round-off, told as 0.
@@ -66,13 +65,6 @@ fn print_work(run: &Run, order: Order) {
     ));
     if run.formulation.acceleration != Acceleration::None {
         say(format!("{} accelerated iterations given up for the plain one", work.rejected));
-    }
-    if run.formulation.start == Start::Nested {
-        let coarser = &run.solution.coarser;
-        say(format!(
-            "start found by {} iterations and {} factorisations on coarser meshes",
-            coarser.iterations, coarser.factorisations
-        ));
     }
 }
 

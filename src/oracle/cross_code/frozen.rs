@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkout::{root, sha256};
 use crate::error::Error;
-use crate::oracle::cross_code::{Code, DiscreteAnswer, PhysicalAnswer, PhysicalScene, scripts};
+use crate::oracle::cross_code::{Code, DiscreteAnswer, scripts};
 
 /// What renews the frozen results.
 pub const REFREEZE: &str = "run `cargo run --release --features python -- freeze` and review its diff";
@@ -23,19 +23,6 @@ pub struct Frozen {
     pub versions: BTreeMap<String, String>,
     /// The same discrete problems, by name.
     pub discrete: BTreeMap<String, Digest>,
-    /// The same physical problems, by name.
-    pub physical: BTreeMap<String, Series>,
-}
-
-/// A refinement series of a scene, coarse to fine.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Series {
-    /// The scene as it was given.
-    pub scene: PhysicalScene,
-    /// By penalty.
-    pub penalty: Vec<PhysicalAnswer>,
-    /// Without penalty; empty where the code does not do it.
-    pub active_set: Vec<PhysicalAnswer>,
 }
 
 /// A discrete answer small enough to be kept: its products with the ten fixed vectors, and all contact pressures.
@@ -83,26 +70,6 @@ impl Digest {
     }
 }
 
-impl Series {
-    /// All numbers in groups of one unit and scale.
-    pub fn numbers(&self) -> Vec<(String, Vec<f64>)> {
-        self.penalty.iter().chain(&self.active_set).flat_map(PhysicalAnswer::numbers).collect()
-    }
-}
-
-impl PhysicalAnswer {
-    /// All numbers in groups of one unit and scale.
-    pub fn numbers(&self) -> [(String, Vec<f64>); 5] {
-        [
-            ("half-width".into(), vec![self.half_width]),
-            ("peak".into(), vec![self.peak]),
-            ("resultant".into(), vec![self.resultant]),
-            ("profile".into(), self.pressure.clone()),
-            ("dofs".into(), vec![self.dofs as f64]),
-        ]
-    }
-}
-
 impl Frozen {
     /// The frozen results of a code; refused where the scripts have changed since.
     pub fn read(code: Code) -> Result<Self, Error> {
@@ -130,11 +97,9 @@ impl Frozen {
 
     /// All numbers in groups of one unit and scale, by name.
     pub fn numbers(&self) -> BTreeMap<String, Vec<f64>> {
-        let discrete = self.discrete.iter().map(|(name, digest)| (name, digest.numbers()));
-        let physical = self.physical.iter().map(|(name, series)| (name, series.numbers()));
         let mut all = BTreeMap::new();
-        for (name, groups) in discrete.chain(physical) {
-            for (index, (quantity, values)) in groups.into_iter().enumerate() {
+        for (name, digest) in &self.discrete {
+            for (index, (quantity, values)) in digest.numbers().into_iter().enumerate() {
                 all.insert(format!("{name}, {quantity} (group {})", index + 1), values);
             }
         }

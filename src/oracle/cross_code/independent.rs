@@ -174,6 +174,19 @@ pub struct Asked {
     pub series: BTreeMap<Script, Vec<PhysicalAnswer>>,
 }
 
+impl PhysicalAnswer {
+    /// All numbers in groups of one unit and scale.
+    pub fn numbers(&self) -> [(String, Vec<f64>); 5] {
+        [
+            ("half-width".into(), vec![self.half_width]),
+            ("peak".into(), vec![self.peak]),
+            ("resultant".into(), vec![self.resultant]),
+            ("profile".into(), self.pressure.clone()),
+            ("dofs".into(), vec![self.dofs as f64]),
+        ]
+    }
+}
+
 impl Asked {
     /// The numbers of a series in groups of one unit and scale.
     pub fn numbers(series: &[PhysicalAnswer]) -> Vec<(String, Vec<f64>)> {

@@ -10,13 +10,13 @@ use pyo3::types::PyDict;
 use crate::error::Error;
 use crate::oracle::cross_code::independent::Script;
 use crate::oracle::cross_code::interpreter::with_python;
-use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem, Method, PhysicalAnswer, PhysicalScene};
+use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem, PhysicalAnswer, PhysicalScene};
 
 /// Solves our discrete problem by another code.
 pub fn discrete(code: Code, problem: &DiscreteProblem) -> Result<DiscreteAnswer, Error> {
     let problem = problem.clone();
     with_python(move |py| {
-        let answer = py.import(module("discrete", code))?.call_method1("solve", (handed_over(py, &problem)?,))?;
+        let answer = py.import(module(code))?.call_method1("solve", (handed_over(py, &problem)?,))?;
         let (size, stiffnesses) = (2 * problem.points.len(), problem.kappa.len());
         let table = |name: &str, count: usize, length: Option<usize>| {
             let rows = rows(&answer.get_item(name)?)?;
@@ -40,17 +40,8 @@ pub fn discrete(code: Code, problem: &DiscreteProblem) -> Result<DiscreteAnswer,
     })
 }
 
-/// Solves a scene by another code on the twins' mesh of a refinement level.
-pub fn physical(code: Code, scene: &PhysicalScene, level: usize, method: Method) -> Result<PhysicalAnswer, Error> {
-    ask(module("physical", code), scene, level, method.name())
-}
-
 /// Solves a scene by a script that shares nothing.
 pub fn independent(script: Script, scene: &PhysicalScene, level: usize) -> Result<PhysicalAnswer, Error> {
-    ask(script.module().into(), scene, level, script.method())
-}
-
-fn ask(module: String, scene: &PhysicalScene, level: usize, method: &'static str) -> Result<PhysicalAnswer, Error> {
     let scene = scene.clone();
     with_python(move |py| {
         let given = PyDict::new(py);
@@ -59,7 +50,7 @@ fn ask(module: String, scene: &PhysicalScene, level: usize, method: &'static str
             given.set_item(name, number)?;
         }
         given.set_item("stations", PyArray1::from_slice(py, &scene.stations))?;
-        let answer = py.import(module)?.call_method1("solve", (given, level, method))?;
+        let answer = py.import(script.module())?.call_method1("solve", (given, level, script.method()))?;
         Ok(PhysicalAnswer {
             half_width: answer.get_item("half_width")?.extract()?,
             peak: answer.get_item("peak")?.extract()?,
@@ -75,8 +66,8 @@ pub fn versions() -> Result<BTreeMap<String, String>, Error> {
     with_python(|py| py.import("environment")?.call_method0("versions")?.extract())
 }
 
-fn module(sense: &str, code: Code) -> String {
-    format!("{sense}_{}", code.name().replace('-', "_"))
+fn module(code: Code) -> String {
+    format!("discrete_{}", code.name().replace('-', "_"))
 }
 
 fn handed_over<'py>(py: Python<'py>, problem: &DiscreteProblem) -> PyResult<Bound<'py, PyDict>> {

@@ -1,14 +1,11 @@
-//! Other codes: scikit-fem and dolfinx, asked in two senses that must not be mixed.
+//! Other codes, asked in two senses that must not be mixed.
 //!
-//! * *The same discrete problem* ([`DiscreteProblem`]): our mesh, assembled and solved by the other code; agreement to
-//!   round-off.
-//! * *The same physical problem* ([`PhysicalScene`]): the other code's own mesh and elements; agreement within the
-//!   discretisation errors of both.
+//! * *The same discrete problem* ([`DiscreteProblem`]): our mesh, assembled and solved by scikit-fem and dolfinx through Python files
+//!   under `oracles/python`; agreement to round-off.
+//! * *The same physical problem* ([`PhysicalScene`]): scripts in `oracles/dolfinx`, `scikit_fem`, `boundary`, `getfem` and `calculix`
+//!   that share nothing ([`independent`]); agreement within the discretisation errors of both.
 //!
-//! In the first sense and, on shared meshes and contact rows, in the second, the codes are called from Python files under
-//! `oracles/python`: *assembly twins*, one oracle with two assemblers. Scripts in `oracles/dolfinx`, `scikit_fem`, `boundary`, `getfem`
-//! and `calculix` share nothing ([`independent`]). All are run live in `live` (feature `python`), or read from what a live run left under `oracles/frozen`
-//! ([`frozen`]).
+//! Both are run live in `live` (feature `python`), or read from what a live run left under `oracles/frozen` ([`frozen`]).
 
 pub mod frozen;
 pub mod independent;
@@ -25,7 +22,6 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 
 use crate::checkout::root;
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
 
 /// What installs the Python side.
 pub const SET_UP: &str = "run `bash oracles/setup.sh`";
@@ -50,18 +46,6 @@ impl Code {
             Self::ScikitFem => "scikit-fem",
             Self::Dolfinx => "dolfinx",
         }
-    }
-
-    fn source(self) -> Source {
-        let citation = match self {
-            Self::ScikitFem => {
-                "T. Gustafsson, G. D. McBain, scikit-fem: A Python package for finite element assembly, 2020"
-            }
-            Self::Dolfinx => {
-                "I. A. Baratta et al., DOLFINx: the next generation FEniCS problem solving environment, 2023"
-            }
-        };
-        Source::new(citation, "run by the files under oracles/python; results under oracles/frozen")
     }
 }
 
@@ -161,53 +145,6 @@ pub struct PhysicalAnswer {
     pub pressure: Vec<f64>,
     /// Displacement components of the mesh.
     pub dofs: usize,
-}
-
-/// How a code treats the contact conditions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub enum Method {
-    /// `p = k_n (w − g)⁺`.
-    Penalty,
-    /// `p ≥ 0`, `h ≥ 0`, `p h = 0` exactly, by a primal–dual active set.
-    ActiveSet,
-}
-
-impl Method {
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Penalty => "penalty",
-            Self::ActiveSet => "active-set",
-        }
-    }
-}
-
-/// What another code found for a physical scene, with its own uncertainty.
-#[derive(Clone, Debug)]
-pub struct OtherCode {
-    /// The code.
-    pub code: Code,
-    /// Quantities with their values and standard uncertainties.
-    pub found: Vec<(Quantity, [f64; 2])>,
-}
-
-impl Oracle for OtherCode {
-    fn name(&self) -> &str {
-        self.code.name()
-    }
-
-    fn kind(&self) -> ReferenceKind {
-        ReferenceKind::CrossCode
-    }
-
-    fn source(&self) -> Source {
-        self.code.source()
-    }
-
-    fn read(&self, quantity: Quantity) -> Reading {
-        let found = self.found.iter().find(|(known, _)| *known == quantity);
-        found.map_or(Reading::Silent, |&(_, [value, uncertainty])| Reading::Value { value, uncertainty })
-    }
 }
 
 /// Where the Python files are.

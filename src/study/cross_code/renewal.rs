@@ -1,22 +1,10 @@
 //! Asking the codes now, and renewing the frozen files.
 
 use crate::error::{Error, Kind};
-use crate::oracle::cross_code::frozen::{Frozen, Series, script_hash};
-use crate::oracle::cross_code::{Code, Method, PhysicalScene, live};
-use crate::study::cross_code::benchmark::{LEVELS, Scene};
+use crate::oracle::cross_code::frozen::{Frozen, script_hash};
+use crate::oracle::cross_code::{Code, live};
 use crate::study::cross_code::differences::changes;
 use crate::study::cross_code::twin::{Twin, problems};
-
-/// The series of a scene, asked now.
-pub fn ask(code: Code, scene: &PhysicalScene) -> Result<Series, Error> {
-    let levels = |method| (0..LEVELS).map(move |level| live::physical(code, scene, level, method));
-    let penalty = levels(Method::Penalty).collect::<Result<_, _>>()?;
-    let active_set = match code {
-        Code::ScikitFem => levels(Method::ActiveSet).collect::<Result<_, _>>()?,
-        Code::Dolfinx => Vec::new(),
-    };
-    Ok(Series { scene: scene.clone(), penalty, active_set })
-}
 
 /// Asks both codes for everything, writes the frozen files once both have answered, and tells what changed.
 pub fn freeze() -> Result<Vec<String>, Error> {
@@ -35,19 +23,11 @@ pub fn freeze() -> Result<Vec<String>, Error> {
 }
 
 fn ask_all(code: Code) -> Result<Frozen, Error> {
-    let mut all = Frozen {
-        scripts: script_hash()?,
-        versions: live::versions()?,
-        discrete: Default::default(),
-        physical: Default::default(),
-    };
+    let mut all = Frozen { scripts: script_hash()?, versions: live::versions()?, discrete: Default::default() };
     for (name, order) in problems() {
         let twin = Twin::of(name, order)?;
         let answer = live::discrete(code, &twin.problem)?;
         all.discrete.insert(twin.problem.name.clone(), twin.digest_of_other(&answer));
-    }
-    for scene in Scene::ALL {
-        all.physical.insert(scene.name().into(), ask(code, &scene.benchmark().physical)?);
     }
     Ok(all)
 }

@@ -4,9 +4,9 @@ use crate::case::{Check, Judged, Quantity, Reference, covered};
 use crate::error::Error;
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::independent::Script;
-use crate::study::cross_code::benchmark::{STATIONS, Scene};
-use crate::study::cross_code::judge::{TIGHT, l2, reproduced};
-use crate::study::cross_code::validation::Number;
+use crate::study::cross_code::judge::reproduced;
+use crate::study::independent::benchmark::{STATIONS, Scene};
+use crate::study::independent::found::Number;
 use crate::study::independent::run::{Compared, Other};
 use crate::uncertainty::{COVERAGE, Comparison};
 
@@ -78,6 +78,17 @@ fn carried(compared: &Compared, other: &Other) -> Judged {
     Check::near(quantity, reference, CARRIED, because).judge(if same { force } else { f64::NAN })
 }
 
+/// `√( Σ (p − q)² / Σ q² )`; NaN where the lengths differ.
+fn l2(p: &[f64], q: &[f64]) -> f64 {
+    if p.len() != q.len() {
+        return f64::NAN;
+    }
+    let error: f64 = p.iter().zip(q).map(|(p, q)| (p - q).powi(2)).sum();
+    (error / q.iter().map(|q| q * q).sum::<f64>()).sqrt()
+}
+
+/// The most a tolerance may exceed what is found.
+const TIGHT: f64 = 3.0;
 /// Difference of the force of a profile to the resultant that is accepted.
 const CARRIED: f64 = 4e-4;
 /// Difference of resultants that is accepted: equilibrium to the tolerance of their iterations.

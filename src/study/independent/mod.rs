@@ -1,12 +1,16 @@
 //! The same physical problem in other codes that share nothing with one another but the scene: mesh, forms of the contact, iteration and
 //! measures are each script's own.
 //!
+//! * `benchmark` — the scenes, as numbers.
 //! * `plan` — one trial a scene.
 //! * `run` — what every script found, beside ours.
+//! * `found` — the numbers of a series of meshes, with their uncertainty.
 //! * `renewal` — asking the scripts now, and freezing what they answer (feature `python`).
 //! * `judge` — differences within their uncertainty, and within what was found.
 //! * `section`, `picture` — the numbers, the profiles.
 
+pub mod benchmark;
+pub mod found;
 pub mod judge;
 mod picture;
 mod plan;

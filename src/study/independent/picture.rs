@@ -5,8 +5,8 @@ use crate::figure::palette::{self, Dash, Marker, Style};
 use crate::figure::{Axis, Chart, Drawing, panels};
 use crate::oracle::cross_code::independent::Script;
 use crate::study::Found;
-use crate::study::cross_code::picture::{abscissa, points, unit};
 use crate::study::drawn::Curve;
+use crate::study::independent::benchmark::Scene;
 use crate::study::independent::run::Compared;
 
 /// One panel a scene.
@@ -24,10 +24,31 @@ fn difference(compared: &Compared) -> Chart {
     chart.series.extend(compared.others.iter().map(|other| {
         let differences: Vec<f64> =
             other.found.profile.iter().zip(&compared.ours.profile).map(|(p, q)| p - q).collect();
-        let points = points(compared.scene, compared.reference, &compared.stations, &differences, 100.0);
+        let points = points(compared, &differences);
         Curve { points, failed: Vec::new() }.drawn(other.script.name(), style(other.script))
     }));
     chart
+}
+
+/// What profiles are drawn against.
+fn abscissa(scene: Scene) -> &'static str {
+    match scene {
+        Scene::Cylinder | Scene::WiderCylinder | Scene::TruncatedHertz => "place over half-width x / a [–]",
+        Scene::PinRod => "θ from the load line [°]",
+        Scene::PinPlate => "φ from the load line [°]",
+    }
+}
+
+/// What pressures are drawn over.
+fn unit(scene: Scene) -> &'static str {
+    if scene.is_arc() { "F/(R t)" } else { "p₀" }
+}
+
+/// Differences in per cent of what the scene is measured by.
+fn points(compared: &Compared, differences: &[f64]) -> Vec<[f64; 2]> {
+    let [length, pressure] = compared.reference;
+    let scale = if compared.scene.is_arc() { 180.0 / std::f64::consts::PI } else { 1.0 / length };
+    compared.stations.iter().zip(differences).map(|(s, p)| [scale * s, 100.0 * p / pressure]).collect()
 }
 
 fn style(script: Script) -> Style {

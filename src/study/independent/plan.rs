@@ -2,7 +2,7 @@
 
 use crate::study::Planned;
 use crate::study::cross_code::Answers;
-use crate::study::cross_code::benchmark::Scene;
+use crate::study::independent::benchmark::Scene;
 use crate::study::independent::run::{Compared, compare};
 
 /// All scenes, against frozen answers.

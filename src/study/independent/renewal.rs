@@ -8,8 +8,8 @@ use crate::error::Error;
 use crate::oracle::cross_code::independent::{Asked, Independent, Script, hashes};
 use crate::oracle::cross_code::process::{Told, run};
 use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene, live};
-use crate::study::cross_code::benchmark::{LEVELS, Scene};
 use crate::study::cross_code::differences::largest_change;
+use crate::study::independent::benchmark::{LEVELS, Scene};
 
 /// The series of a scene, asked now of a script whose code the set-up of the tests installs.
 pub fn ask(script: Script, scene: &PhysicalScene) -> Result<Vec<PhysicalAnswer>, Error> {

@@ -6,7 +6,6 @@ use crate::algorithm::StiffnessRule;
 use crate::error::Error;
 use crate::measure::whole;
 use crate::mesh::{Order, Resolution};
-use crate::oracle::cross_code::PhysicalAnswer;
 use crate::oracle::cross_code::frozen::REFREEZE;
 #[cfg(feature = "python")]
 use crate::oracle::cross_code::frozen::changed_versions;
@@ -15,11 +14,12 @@ use crate::oracle::cross_code::independent::Asked;
 use crate::oracle::cross_code::independent::{Independent, Script, file};
 #[cfg(feature = "python")]
 use crate::oracle::cross_code::live;
+use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::cross_code::Answers;
-use crate::study::cross_code::answers::{Reproduced, other_scene};
-use crate::study::cross_code::benchmark::{Benchmark, Scene};
-use crate::study::cross_code::physical::{ClosedForm, Finder, Found, closed_form, ours};
+use crate::study::cross_code::answers::Reproduced;
+use crate::study::independent::benchmark::{Benchmark, Scene};
+use crate::study::independent::found::{ClosedForm, Found, closed_form, ours};
 #[cfg(feature = "python")]
 use crate::study::independent::renewal;
 
@@ -61,17 +61,16 @@ pub struct Other {
 /// A scene by every script.
 pub fn compare(benchmark: &Benchmark, answers: Answers) -> Result<Compared, Error> {
     let reference = &benchmark.case.scene.reference;
-    let (levels, _) = ours(benchmark)?;
     let mut others = Vec::new();
     for (script, series, reproduced) in asked(benchmark, answers)? {
-        others.push(Other { script, reproduced, found: Found::of(Finder::Independent(script), &series)? });
+        others.push(Other { script, reproduced, found: Found::of(script.name(), &series)? });
     }
     Ok(Compared {
         scene: benchmark.scene,
         stations: benchmark.physical.stations.clone(),
         reference: [reference.length, reference.pressure],
         closed_form: closed_form(benchmark),
-        ours: Found::of(Finder::Ours, &levels)?,
+        ours: Found::of("ours", &ours(benchmark)?)?,
         others,
         carries: carries(benchmark),
         penalty: penalty(benchmark)?,
@@ -87,10 +86,11 @@ fn carries(benchmark: &Benchmark) -> Vec<f64> {
     stations.iter().map(|&at| scale * along(at)).collect()
 }
 
-type Series = (Script, Vec<PhysicalAnswer>, Option<Reproduced>);
+/// A script, its series, and whether that is what was frozen.
+pub type Series = (Script, Vec<PhysicalAnswer>, Option<Reproduced>);
 
 /// The series of every script that serves a scene.
-fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Error> {
+pub fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Error> {
     let (name, scene) = (benchmark.scene.name(), &benchmark.physical);
     let frozen = Independent::read()?;
     let kept =
@@ -131,4 +131,22 @@ fn penalty(benchmark: &Benchmark) -> Result<[f64; 2], Error> {
     };
     let [soft, exact] = [numbers(&springs)?, numbers(&Formulation::verification())?];
     Ok([0, 1].map(|k| (soft[k] - exact[k]).abs()))
+}
+
+/// The first number in which two scenes differ; NaN where one has none.
+fn other_scene(ours: &PhysicalScene, theirs: &PhysicalScene) -> Option<(String, f64, f64)> {
+    let pairs = |(key, &value): (&String, &f64)| (key.clone(), value, theirs.numbers.get(key).copied());
+    let mut all: Vec<(String, f64, Option<f64>)> = ours.numbers.iter().map(pairs).collect();
+    let surplus = theirs.numbers.iter().filter(|(key, _)| !ours.numbers.contains_key(*key));
+    all.extend(surplus.map(|(key, &value)| (key.clone(), f64::NAN, Some(value))));
+    all.push(("stations".into(), ours.stations.len() as f64, Some(theirs.stations.len() as f64)));
+    let stations = ours.stations.iter().zip(&theirs.stations);
+    all.extend(stations.map(|(&a, &b)| ("a station".to_string(), a, Some(b))));
+    all.push(("case".into(), 0.0, Some(if ours.case == theirs.case { 0.0 } else { 1.0 })));
+    let told = all.into_iter().map(|(key, a, b)| (key, a, b.unwrap_or(f64::NAN)));
+    // Acceptance is stated, so that a missing number is a difference.
+    told.into_iter().find(|(_, a, b)| {
+        let same = (a - b).abs() <= 1e-12 * b.abs();
+        !same
+    })
 }

@@ -6,10 +6,8 @@ use crate::error::Error;
 use crate::markdown;
 use crate::oracle::cross_code::independent::{Folder, Independent};
 use crate::study::Found;
-use crate::study::cross_code::physical::Measured;
-use crate::study::cross_code::section::{percent, shown};
-use crate::study::cross_code::validation::Number;
 use crate::study::drawn::picture;
+use crate::study::independent::found::{Measured, Number};
 use crate::study::independent::judge::against;
 use crate::study::independent::run::{Compared, Other};
 use crate::uncertainty::COVERAGE;
@@ -58,7 +56,11 @@ fn numbers(findings: &[Found<Compared>]) -> String {
 }
 
 fn row(compared: &Compared, number: Number, other: &Other) -> Vec<String> {
-    let quantity = shown(compared.scene, number);
+    let quantity = match number {
+        Number::Peak => "peak [MPa]",
+        Number::Width => number.unit(compared.scene),
+    };
+    let percent = |share: f64| format!("{} %", markdown::significant(100.0 * share, 2));
     let quoted = |of: Measured| format!("{:.5} ± {}", of.value, percent(of.uncertainty / of.value.abs()));
     let (ours, theirs) = (number.of(compared.scene, &compared.ours), number.of(compared.scene, &other.found));
     let comparison = against(compared, other, number);

@@ -1,36 +1,13 @@
-"""Own meshes of curved 6-node triangles: graded towards the contact, nested from level to level.
+"""Own meshes of 6-node triangles: graded towards the contact, nested from level to level.
 
 A coarse triangulation written by hand is refined red-green-blue (longest edge first, so that angles stay
 bounded) until no edge is longer than a size function allows. Each level above that cuts every triangle into
-four. Boundary points, mid-side nodes included, lie exactly on their curves: facets cost 1-16 % of a peak.
+four.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
-
-
-@dataclass
-class Circle:
-    """Circle of a centre and radius [mm]."""
-
-    centre: tuple
-    radius: float
-
-    def holds(self, points):
-        """Which points lie on the circle."""
-        away = np.linalg.norm(points - self.centre, axis=1)
-        return abs(away - self.radius) < 1e-9 * self.radius
-
-    def project(self, points):
-        """Radial projection on to the circle; the middle of a chord goes to the middle of its arc."""
-        ray = points - self.centre
-        return self.centre + self.radius * ray / np.linalg.norm(ray, axis=1)[:, None]
-
-    def at(self, angle):
-        """Points at angles from the downward vertical; sin is exactly 0 on the axis."""
-        sine = np.where(np.isclose(angle, np.pi), 0.0, np.sin(angle))
-        return np.asarray(self.centre) + self.radius * np.column_stack([sine, -np.cos(angle)])
 
 
 @dataclass
@@ -44,15 +21,11 @@ class Line:
         """Which points lie on the line."""
         return abs(points[:, self.axis] - self.value) < 1e-9 * (1.0 + abs(self.value))
 
-    def project(self, points):
-        """The points themselves: a middle of two points of the line is on it."""
-        return points
-
 
 @dataclass
 class Mesh:
     """Points (n, 2); triangles (m, 6): corners 0 1 2, middles of 01, 12, 20; boundary edges (k, 3) by the
-    names of their curves: first, last, middle."""
+    names of their lines: first, last, middle."""
 
     points: np.ndarray
     triangles: np.ndarray
@@ -63,12 +36,8 @@ class Mesh:
         return np.unique(self.boundary[name])
 
 
-def graded(points, triangles, curves, size, level, move=None):
-    """Mesh whose edges are at most `size(points)` long at level 0, halved `level` times.
-
-    `curves` names the boundary curves; `move`, where given, maps the points of level 0, boundaries on to
-    themselves.
-    """
+def graded(points, triangles, curves, size, level):
+    """Mesh whose edges are at most `size(points)` long at level 0, halved `level` times; `curves` names the boundary lines."""
     points, triangles = np.array(points, float), np.array(triangles)
     while True:
         edges, _, _ = edges_of(triangles)
@@ -76,11 +45,9 @@ def graded(points, triangles, curves, size, level, move=None):
         long = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) > 1.05 * size(ends.mean(axis=1))
         if not long.any():
             break
-        points, triangles = cut(points, triangles, curves, long)
-    if move is not None:
-        points = move(points)
+        points, triangles = cut(points, triangles, long)
     for _ in range(level):
-        points, triangles = cut(points, triangles, curves, np.ones(len(edges_of(triangles)[0]), bool))
+        points, triangles = cut(points, triangles, np.ones(len(edges_of(triangles)[0]), bool))
     return with_middles(points, triangles, curves)
 
 
@@ -91,18 +58,9 @@ def edges_of(triangles):
     return edges, index.reshape(-1, 3), count == 1
 
 
-def middles(points, edges, outer, curves):
-    """Middles of edges, those of boundary edges on their curves."""
-    at = points[edges].mean(axis=1)
-    for curve in curves.values():
-        on = outer & curve.holds(points)[edges].all(axis=1)
-        at[on] = curve.project(at[on])
-    return at
-
-
-def cut(points, triangles, curves, marked):
+def cut(points, triangles, marked):
     """Cuts the marked edges, and the longest edge of every triangle that has one: green, blue or red."""
-    edges, of, outer = edges_of(triangles)
+    edges, of, _ = edges_of(triangles)
     length = np.linalg.norm(points[edges[:, 1]] - points[edges[:, 0]], axis=1)
     # a hair of preference by index decides between equal edges, the same way in both neighbours
     longest = np.argmax(length[of] * (1.0 + 1e-9 * of / len(edges)), axis=1)
@@ -117,7 +75,7 @@ def cut(points, triangles, curves, marked):
 
     number = np.full(len(edges), -1)
     number[marked] = len(points) + np.arange(marked.sum())
-    points = np.vstack([points, middles(points, edges, outer, curves)[marked]])
+    points = np.vstack([points, points[edges[marked]].mean(axis=1)])
     corner, middle, split = triangles.T, number[of].T, marked[of].T
     names = {"a": corner[0], "b": corner[1], "c": corner[2], "p": middle[0], "q": middle[1], "r": middle[2]}
     patterns = [
@@ -132,11 +90,11 @@ def cut(points, triangles, curves, marked):
 
 
 def with_middles(points, triangles, curves):
-    """The 6-node mesh of 3-node triangles, its boundary edges sorted by the curves that hold them."""
+    """The 6-node mesh of 3-node triangles, its boundary edges sorted by the lines that hold them."""
     edges, of, outer = edges_of(triangles)
     numbered = np.column_stack([edges, len(points) + np.arange(len(edges))])
     boundary = {
         name: numbered[outer & curve.holds(points)[edges].all(axis=1)] for name, curve in curves.items()
     }
-    everywhere = np.vstack([points, middles(points, edges, outer, curves)])
+    everywhere = np.vstack([points, points[edges].mean(axis=1)])
     return Mesh(everywhere, np.hstack([triangles, len(points) + of]), boundary)

@@ -58,11 +58,6 @@ impl Scene {
         }
     }
 
-    /// Whether its closed form is that of the scene itself: Hertz's half-space and Persson's infinite plate differ from the others.
-    pub fn closed_form_is_exact(self) -> bool {
-        self == Self::TruncatedHertz
-    }
-
     /// Whether the contact coordinate is an angle.
     pub fn is_arc(self) -> bool {
         matches!(self, Self::PinRod | Self::PinPlate)

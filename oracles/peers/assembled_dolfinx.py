@@ -1,6 +1,4 @@
-"""The physical contact problems with stiffness and edge functions of dolfinx 0.5, factorised by MUMPS."""
-
-import sys
+"""Stiffness and edge functions of dolfinx 0.5, factorised by MUMPS."""
 
 from mpi4py import MPI  # before PETSc, which would otherwise start it with fewer threads allowed
 
@@ -13,9 +11,6 @@ from dolfinx.mesh import create_mesh
 from petsc4py import PETSc
 from scipy.sparse import coo_matrix, csr_matrix
 
-import problem
-
-# Curved elements have rational integrands; this leaves 1e-10 of them.
 QUADRATURE = 6
 # dolfinx: corners, then the middles opposite to corner 0, 1, 2; the mesh: middles of 01, 12, 20.
 ORDER = [0, 1, 2, 4, 5, 3]
@@ -23,15 +18,8 @@ ORDER = [0, 1, 2, 4, 5, 3]
 QUADRATIC = ufl.VectorElement("Lagrange", ufl.triangle, 2, variant="equispaced")
 
 
-def solve(scene: dict, level: int, method: str = "penalty") -> dict:
-    """Half-width, peak, resultant and pressures of a scene; method "penalty"."""
-    if method != "penalty":
-        raise ValueError(f"method {method!r}: dolfinx serves 'penalty'")
-    return problem.solve(scene, level, method, sys.modules[__name__])
-
-
 def stiffness(mesh, plane_matrix):
-    """Stiffness of a mesh of curved 6-node triangles, thickness 1 [N/mm]."""
+    """Stiffness of a mesh of 6-node triangles, thickness 1 [N/mm]."""
     cells = mesh.triangles[:, ORDER].astype(np.int64)
     solid = create_mesh(MPI.COMM_SELF, cells, mesh.points, ufl.Mesh(QUADRATIC))
     space = fem.FunctionSpace(solid, QUADRATIC)

@@ -1,25 +1,15 @@
-"""The physical contact problems with stiffness and edge functions of scikit-fem, factorised by scipy."""
-
-import sys
+"""Stiffness and edge functions of scikit-fem, factorised by scipy."""
 
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import splu
 from skfem import Basis, BilinearForm, ElementLineP2, ElementTriP2, ElementVector, MeshTri2
 
-import problem
-
-# Curved elements have rational integrands; this leaves 1e-10 of them.
 QUADRATURE = 6
 
 
-def solve(scene: dict, level: int, method: str = "penalty") -> dict:
-    """Half-width, peak, resultant and pressures of a scene; method "penalty" or "active-set"."""
-    return problem.solve(scene, level, method, sys.modules[__name__])
-
-
 def stiffness(mesh, plane_matrix):
-    """Stiffness of a mesh of curved 6-node triangles, thickness 1 [N/mm]."""
+    """Stiffness of a mesh of 6-node triangles, thickness 1 [N/mm]."""
     solid = MeshTri2(mesh.points.T, mesh.triangles.T)
     basis = Basis(solid, ElementVector(ElementTriP2()), intorder=QUADRATURE)
 

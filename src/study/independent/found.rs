@@ -1,0 +1,168 @@
+//! What a series of three meshes says of a scene: ours, a script's, and what the closed form says.
+
+use std::f64::consts::PI;
+
+use serde::Serialize;
+
+use crate::error::Error;
+use crate::measure::order::richardson;
+use crate::measure::profile;
+use crate::mesh::{Order, Resolution};
+use crate::oracle::cross_code::PhysicalAnswer;
+use crate::oracle::cross_code::frozen::REFREEZE;
+use crate::oracle::{Quantity, Reading};
+use crate::solve::{Discretisation, Formulation, Run};
+use crate::study::independent::benchmark::{Benchmark, LEVELS, Scene};
+
+/// The closed form of a scene.
+#[derive(Clone, Debug, Serialize)]
+pub struct ClosedForm {
+    /// Peak pressure \[MPa\].
+    pub peak: f64,
+    /// Half-width by second moment \[mm, or rad\].
+    pub half_width: f64,
+}
+
+/// What was found on the finest mesh, with its uncertainty.
+#[derive(Clone, Debug, Serialize)]
+pub struct Found {
+    /// Half-width by second moment \[mm, or rad\].
+    pub half_width: Measured,
+    /// Peak pressure \[MPa\].
+    pub peak: Measured,
+    /// Force on the whole contact \[N\].
+    pub resultant: f64,
+    /// Means of the pressure over the stretches \[MPa\].
+    pub profile: Vec<f64>,
+    /// Degrees of freedom.
+    pub dofs: usize,
+}
+
+/// A number on the finest of three meshes.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Measured {
+    /// The number.
+    pub value: f64,
+    /// Its standard uncertainty, by Richardson.
+    pub uncertainty: f64,
+}
+
+impl Measured {
+    fn of(levels: [&PhysicalAnswer; LEVELS], of: fn(&PhysicalAnswer) -> f64) -> Self {
+        let values = levels.map(of);
+        Self { value: values[LEVELS - 1], uncertainty: richardson(values).uncertainty() }
+    }
+
+    /// The same number in another unit.
+    pub fn times(self, factor: f64) -> Self {
+        Self { value: factor * self.value, uncertainty: factor * self.uncertainty }
+    }
+}
+
+impl Found {
+    /// From a refinement series, coarse to fine; `by` is named where it has not three meshes.
+    pub fn of(by: &str, levels: &[PhysicalAnswer]) -> Result<Self, Error> {
+        let [coarse, medium, fine] = levels else {
+            let message = format!("it answered on {} meshes instead of {LEVELS}", levels.len());
+            return Err(Error::at(by, message, REFREEZE));
+        };
+        let measured = |of| Measured::of([coarse, medium, fine], of);
+        Ok(Self {
+            half_width: measured(|answer| answer.half_width),
+            peak: measured(|answer| answer.peak),
+            resultant: fine.resultant,
+            profile: fine.pressure.clone(),
+            dofs: fine.dofs,
+        })
+    }
+}
+
+/// Our own series, in the same form.
+pub fn ours(benchmark: &Benchmark) -> Result<Vec<PhysicalAnswer>, Error> {
+    let level = |refinement: usize| {
+        let resolution =
+            Resolution { elements: benchmark.elements, refinement: refinement as u32, order: Order::Quadratic };
+        let discretisation = Discretisation::of(benchmark.case.scene.clone(), resolution)?;
+        let run = Run::of(&discretisation, &Formulation::verification())?;
+        let converged = |value: f64| if run.solution.converged() { value } else { f64::NAN };
+        let means = profile::means(&run.solution.edges, &benchmark.physical.stations);
+        Ok(PhysicalAnswer {
+            half_width: converged(run.measures().second_moment_width),
+            peak: converged(run.measures().peak.pressure),
+            resultant: converged(run.transmitted()),
+            pressure: means.into_iter().map(converged).collect(),
+            dofs: run.dofs,
+        })
+    };
+    (0..LEVELS).map(level).collect()
+}
+
+/// What the closed form says of a scene, if there is one.
+pub fn closed_form(benchmark: &Benchmark) -> Option<ClosedForm> {
+    let oracle = benchmark.case.oracle()?;
+    let value = |quantity| match oracle.read(quantity) {
+        Reading::Value { value, .. } => value,
+        Reading::Silent | Reading::Unavailable(_) => f64::NAN,
+    };
+    Some(ClosedForm { peak: value(Quantity::PeakPressure), half_width: value(Quantity::SecondMoment) })
+}
+
+/// A number that is compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Number {
+    /// Peak pressure.
+    Peak,
+    /// Half-width by second moment.
+    Width,
+}
+
+impl Number {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Peak, Self::Width];
+
+    /// The number of a code, in its unit.
+    pub fn of(self, scene: Scene, found: &Found) -> Measured {
+        match self {
+            Self::Peak => found.peak,
+            Self::Width => found.half_width.times(self.per_unit(scene)),
+        }
+    }
+
+    /// The number of a closed form, in its unit.
+    pub fn of_closed_form(self, scene: Scene, closed: &ClosedForm) -> f64 {
+        match self {
+            Self::Peak => closed.peak,
+            Self::Width => closed.half_width * self.per_unit(scene),
+        }
+    }
+
+    /// Factor from MPa, mm or rad to its unit: angles are reported in degrees.
+    pub fn per_unit(self, scene: Scene) -> f64 {
+        match self {
+            Self::Width if scene.is_arc() => 180.0 / PI,
+            Self::Peak | Self::Width => 1.0,
+        }
+    }
+
+    /// Its name.
+    pub fn noun(self) -> &'static str {
+        match self {
+            Self::Peak => "peak pressure",
+            Self::Width => "second-moment width",
+        }
+    }
+
+    /// Its unit, and its symbol where that differs from scene to scene.
+    pub fn unit(self, scene: Scene) -> &'static str {
+        match self {
+            Self::Peak => "[MPa]",
+            Self::Width if scene.is_arc() => "2 √(∫pθ²/∫p) [°]",
+            Self::Width => "a [mm]",
+        }
+    }
+
+    /// Its name with its unit.
+    pub fn name(self, scene: Scene) -> String {
+        format!("{}, {}", self.noun(), self.unit(scene))
+    }
+}
