@@ -117,8 +117,6 @@ enum Command {
     Converged,
     /// Survey whether accuracies called met are met and write snapshots/met.csv; interrupted, it resumes.
     Met,
-    /// Survey the readings of the paper and write snapshots/readings.csv; interrupted, it resumes.
-    Readings,
     /// Survey whether error bars hold and write snapshots/coverage.csv; interrupted, it resumes.
     Coverage,
     /// Measure speed against accuracy on one thread and write snapshots/timings; other codes are asked where installed.
@@ -196,7 +194,6 @@ pub fn main() -> ExitCode {
         Command::Atlas => atlas::run().map(|()| Ended::Well),
         Command::Converged => survey::converged().map(|()| Ended::Well),
         Command::Met => survey::met().map(|()| Ended::Well),
-        Command::Readings => survey::readings().map(|()| Ended::Well),
         Command::Coverage => survey::coverage().map(|()| Ended::Well),
         Command::Timings { memory: Some(mesh), .. } => {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Ended::Well)

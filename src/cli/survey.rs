@@ -6,7 +6,7 @@ use serde::de::DeserializeOwned;
 use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
-use crate::study::{converged, coverage, met, random, readings, records};
+use crate::study::{converged, coverage, met, random, records};
 
 /// What is called converged.
 pub fn converged() -> Result<(), Error> {
@@ -21,11 +21,6 @@ pub fn met() -> Result<(), Error> {
 /// Whether error bars hold.
 pub fn coverage() -> Result<(), Error> {
     run(coverage::NAME, &coverage::sites(), random::Site::key, coverage::run::records)
-}
-
-/// Every reading of the paper.
-pub fn readings() -> Result<(), Error> {
-    run(readings::NAME, &readings::course::Site::all(), readings::course::Site::key, readings::course::Site::records)
 }
 
 /// Runs every site that this program has not yet run, then writes the record.

@@ -50,7 +50,7 @@ pub fn open_points() -> String {
         ["The rigid end face of the shank".into(), "u_y common to all its nodes, u_x free".into(), "nothing at the eye (Saint-Venant)".into()],
         ["The rule that changes the stiffness".into(),
          format!("(a) secant, by no more than {bound} times an iteration, (b) correction, (c) its own switching; others selectable"),
-         "whether and how fast (a) and (b) converge: *The paper under every reading*; unbounded, a stiff start raises every other Gauss point, which no node feels".into()],
+         "whether and how fast (a) and (b) converge: *Readings of the paper*; unbounded, a stiff start raises every other Gauss point, which no node feels".into()],
         ["What has a stiffness".into(), "every contact point; `spring = \"element\"` gives one to every element".into(), "with one an element, the pressures of its points cannot differ as they shall".into()],
         ["Tangential dofs of external nodes".into(), "condensed with the interior ones: without friction they carry no force".into(), "nothing in the result; half the retained dofs".into()],
         ["Factorisations of constant stiffness".into(), "one a run; the paper says one an increment, whose K_c0 here stays".into(), "operations of runs in several increments".into()],

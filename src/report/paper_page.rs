@@ -17,11 +17,11 @@ pub fn page(findings: &[Finding]) -> String {
     let own: Vec<String> = Formulation::nine().iter().filter(|f| f.is_in_the_paper()).map(Formulation::name).collect();
     let list = |items: &[&str]| items.iter().map(|item| format!("* {item}\n")).collect::<String>();
     let body = format!(
-        "## Its statements\n\nEach is judged under the reading nearest to the text, at three tolerances, and under \
-         [every other reading](readings.md). [12] is the paper's reference on the change of stiffness, which is not at hand.\n\n{}\n\
+        "## Its statements\n\n{}\n\n{}\n\
          The paper itself shows {} of the nine formulations: {}. The others are ours.\n\n\
          ## Where it is silent\n\nThe figures of the paper are not at hand: none of its dimensions, loads or plotted values is known.\n\n{}\n\
          ## Misprints and gaps\n\n{}\n## Sources\n\n{}",
+        statements::readings::RULE,
         markdown::table(&["statement", "measured", "judgement"].map(String::from), &rows),
         own.len(),
         own.join(", "),

@@ -80,7 +80,7 @@ rooms! {
     Sheets in sheets,
     /// Initial stiffness and rules.
     Sweep in sweep,
-    /// What the paper leaves open: its sentences under every reading.
+    /// What the paper leaves open: its sentences under readings of it.
     Readings in readings,
     /// Speed against accuracy.
     Timings in timings,

@@ -1,21 +1,20 @@
 //! The paper's statements: each judgement follows its numbers, and a counter-example turns it.
 
-use contact_vv::algorithm::StiffnessRule;
+use contact_vv::algorithm::{Criterion, StiffnessRule};
 use contact_vv::case::Verdict;
 use contact_vv::report::statements::readings::judgement;
 use contact_vv::report::statements::{self, Judgement};
 use contact_vv::solve::{Element, Iteration};
-use contact_vv::study::readings::axes::{Candidates, Rule};
-use contact_vv::study::readings::course::Record;
-use contact_vv::study::readings::map::{self, Judged};
-use contact_vv::study::readings::reading::{End, Reading};
-use contact_vv::study::readings::sentence::{Seen, Sentence};
-use contact_vv::study::readings::{self, judge};
-use contact_vv::study::{Finding, Numbers, Room, records};
+use contact_vv::study::readings::fared::Fared;
+use contact_vv::study::readings::reading::{Axis, Candidates, Reading};
+use contact_vv::study::readings::runs::{Course, courses, shown, stopped};
+use contact_vv::study::readings::sentence::{End, Met, Seen, Sentence};
+use contact_vv::study::readings::{self, stops_where_told};
+use contact_vv::study::{Finding, Numbers, Room};
 
 /// An end after so many iterations with 10 dofs retained; none is a start that never ends.
 fn end(iterations: Option<usize>) -> End {
-    End { stiffness: 1.0, iterations, error: 0.01, retained: 10 }
+    End { stiffness: 1.0, retained: 10, met: iterations.map(|iterations| Met { iterations, error: 0.01 }) }
 }
 
 /// Ends of the paper's combinations under which every sentence holds.
@@ -33,15 +32,14 @@ fn fitting(element: Element, algorithm: Iteration) -> Vec<End> {
 /// Both examples, the second spoiled.
 fn spoiled(spoil: impl Fn(Element, Iteration, &mut [End])) -> [Seen; 2] {
     [false, true].map(|is_second| {
-        let pairs = Element::ALL.into_iter().flat_map(|element| Iteration::ALL.map(|algorithm| (element, algorithm)));
-        let of = pairs.map(|(element, algorithm)| {
+        let of = shown().map(|(element, algorithm)| {
             let mut ends = fitting(element, algorithm);
             if is_second {
                 spoil(element, algorithm, &mut ends);
             }
             (element, algorithm, ends)
         });
-        Seen::five(of.collect())
+        Seen { of: of.collect() }
     })
 }
 
@@ -51,19 +49,21 @@ fn every_sentence_holds_under_runs_made_for_it_and_fails_where_they_are_spoiled_
     for sentence in Sentence::ALL {
         assert!(sentence.holds(&sound), "{}", sentence.name());
         let seen = spoiled(|element, algorithm, ends| {
-            let all = |ends: &mut [End], iterations| ends.iter_mut().for_each(|one| one.iterations = iterations);
+            let all = |ends: &mut [End], iterations| ends.iter_mut().for_each(|one| *one = end(iterations));
             match (sentence, element, algorithm) {
-                (Sentence::Agrees, Element::Layer, Iteration::Constant) => ends[1].error = 0.051,
-                (Sentence::VaryingDepends, Element::Line, Iteration::Varying) => ends[0].iterations = Some(11),
-                (Sentence::ConstantDepends, Element::Line, Iteration::Constant) => ends[0].iterations = Some(16),
+                (Sentence::Agrees, Element::Layer, Iteration::Constant) => {
+                    ends[1].met = Some(Met { iterations: 15, error: 0.051 });
+                }
+                (Sentence::VaryingDepends, Element::Line, Iteration::Varying) => ends[0] = end(Some(11)),
+                (Sentence::ConstantDepends, Element::Line, Iteration::Constant) => ends[0] = end(Some(16)),
                 (Sentence::Fails, _, Iteration::Varying | Iteration::Constant) => all(ends, Some(10)),
-                (Sentence::MoreStable, Element::Layer, Iteration::Constant) => ends[0].iterations = Some(50),
-                (Sentence::LineAlways, Element::Line, Iteration::Varying) => ends[2].iterations = None,
-                (Sentence::Proviso, Element::Layer, Iteration::Varying) => ends[3].iterations = Some(40),
-                (Sentence::TwoSteps, Element::Node, Iteration::Kinematic) => ends[1].iterations = Some(3),
-                (Sentence::Fewest, Element::Node, Iteration::Kinematic) => ends[1].iterations = Some(10),
-                (Sentence::LeastWork, Element::Node, Iteration::Kinematic) => ends[0].iterations = Some(7),
-                (Sentence::Saves, Element::Line, Iteration::Constant) => ends[0].iterations = Some(26),
+                (Sentence::MoreStable, Element::Layer, Iteration::Constant) => ends[0] = end(Some(50)),
+                (Sentence::LineAlways, Element::Line, Iteration::Varying) => ends[2] = end(None),
+                (Sentence::Proviso, Element::Layer, Iteration::Varying) => ends[3] = end(Some(40)),
+                (Sentence::TwoSteps, Element::Node, Iteration::Kinematic) => ends[1] = end(Some(3)),
+                (Sentence::Fewest, Element::Node, Iteration::Kinematic) => ends[1] = end(Some(10)),
+                (Sentence::LeastWork, Element::Node, Iteration::Kinematic) => ends[0] = end(Some(7)),
+                (Sentence::Saves, Element::Line, Iteration::Constant) => ends[0] = end(Some(26)),
                 (Sentence::Alike, Element::Layer, Iteration::Varying) => all(&mut ends[..2], None),
                 _ => {}
             }
@@ -71,92 +71,139 @@ fn every_sentence_holds_under_runs_made_for_it_and_fails_where_they_are_spoiled_
         assert!(!sentence.holds(&seen), "{}", sentence.name());
     }
     // Of runs that are not there nothing holds.
-    let none = [0, 1].map(|_| Seen::five(vec![(Element::Line, Iteration::Varying, vec![])]));
+    let none = [0, 1].map(|_| Seen { of: vec![(Element::Line, Iteration::Varying, vec![])] });
     assert!(Sentence::ALL.into_iter().all(|sentence| !sentence.holds(&none)));
 }
 
 #[test]
+fn designed_set_is_small_and_departs_from_the_nearest_reading_by_one_choice_or_by_two() {
+    let [set, departures, pairs] = [Reading::designed(), Reading::departures(), Reading::pairs()];
+    assert!(set.len() <= 200, "{}", set.len());
+    assert!(Reading::nearest().axes().is_empty() && set[0].stop.criterion == Criterion::Conditions);
+    for reading in &departures {
+        assert!(reading.axes().len() == 1 && reading.parts() == [*reading], "{}", reading.name());
+    }
+    for axis in Axis::ALL {
+        assert!(departures.iter().any(|reading| reading.axes() == [axis]), "{axis:?}");
+    }
+    for pair in &pairs {
+        let parts = pair.parts();
+        assert!(parts.len() == 2 && parts.iter().all(|part| departures.contains(part)), "{}", pair.name());
+    }
+    for reading in departures.iter().chain(&pairs).flat_map(Reading::judged) {
+        assert!(set.contains(&reading), "{}", reading.name());
+    }
+}
+
+/// How a sentence fares that holds under some readings, where all count.
+fn fared(holds: impl Fn(&Reading) -> bool) -> Fared {
+    Fared::by(holds, |_| true)
+}
+
+#[test]
 fn judgement_names_what_would_have_to_be_so() {
-    let nearest = Reading::nearest();
-    let holding = |reading| Judged { reading, both: map::bit(Sentence::TwoSteps), single: [0; 2], nine: 0 };
-    let failing = Judged { both: 0, ..holding(nearest) };
-    let judged = |held: [bool; 3], all: &[Judged]| judgement(Sentence::TwoSteps, &nearest, &held, all);
-    let none = [false; 3];
-    assert_eq!(judged([true; 3], &[failing]), Judgement::Reproduced);
-    assert_eq!(judged([false, true, false], &[failing]), Judgement::OnlyIf("the tolerance is 1e-3".into()));
-    assert_eq!(judged(none, &[failing]), Judgement::NotReproduced);
-    let at_edge = Reading { candidates: Candidates::AtEdge, ..nearest };
-    let condition = "candidates that end where the contact does".to_string();
-    assert_eq!(judged(none, &[failing, holding(at_edge)]), Judgement::OnlyIf(condition.clone()));
-    // What differs in more is no nearer; of what differs in as much all is told.
-    let both = Reading { cap: 50, ..at_edge };
-    assert_eq!(judged(none, &[holding(both), holding(at_edge)]), Judgement::OnlyIf(condition.clone()));
-    let capped = Reading { cap: 50, ..nearest };
-    let either = format!("given up after 50 iterations; or {condition}");
-    assert_eq!(judged(none, &[holding(capped), holding(at_edge)]), Judgement::OnlyIf(either));
-    // Another rule alone is what the paper's reference 12 would tell.
-    let rule = Rule { rule: StiffnessRule::Step, ..nearest.varying };
-    let stepping = Reading { varying: rule, ..nearest };
-    let told = Judgement::Undecidable("varying stiffness by step, bound 100".into());
-    assert_eq!(judged(none, &[holding(at_edge), holding(stepping)]), told);
+    let judged = |holds: &dyn Fn(&Reading) -> bool| judgement(&fared(holds));
+    assert_eq!(judged(&|_| true), Judgement::Reproduced);
+    assert_eq!(judged(&|_| false), Judgement::NotReproduced);
+    let exact = |one: &Reading| one.stop.tolerance <= 1e-3;
+    assert_eq!(judged(&exact), Judgement::OnlyIf("the tolerance is 1e-3 or 1e-4".into()));
+    let at_edge = |one: &Reading| one.candidates == Candidates::AtEdge;
+    let condition = "candidates end where the contact does".to_string();
+    assert_eq!(judged(&at_edge), Judgement::OnlyIf(condition.clone()));
+    assert_eq!(judged(&|one| !at_edge(one)), Judgement::Reproduced);
+    let or_capped = |one: &Reading| at_edge(one) || one.cap < 50;
+    assert_eq!(judged(&or_capped), Judgement::OnlyIf(format!("{condition}; or the cap is 20, or 30")));
+    // One that does not hold at every tolerance is none.
+    let or_capped = |one: &Reading| at_edge(one) || one.cap < 50 && one.stop.tolerance > 1e-4;
+    assert_eq!(judged(&or_capped), Judgement::OnlyIf(condition));
+    // Another rule alone is what the paper's reference 12 would tell, whichever way it goes.
+    let by_doubling = |one: &Reading| one.varying.rule == StiffnessRule::Doubling;
+    let told = "varying stiffness changes by doubling";
+    assert_eq!(judged(&|one| at_edge(one) || by_doubling(one)), Judgement::Undecidable(format!("holds if {told}")));
+    assert_eq!(judged(&|one| !by_doubling(one)), Judgement::Undecidable(format!("fails if {told}")));
+    // But not a rule under which nothing agrees.
+    let agrees = |one: &Reading| !by_doubling(one);
+    assert_eq!(judgement(&Fared::by(|one| !by_doubling(one), agrees)), Judgement::Reproduced);
+    assert_eq!(judgement(&Fared::by(by_doubling, agrees)), Judgement::NotReproduced);
 }
 
-/// The record as it is committed.
-fn recorded() -> Vec<Record> {
-    records::read(&records::file(readings::NAME), "").expect("a record")
+#[test]
+fn departures_that_flip_a_sentence_are_told_and_pairs_that_go_another_way_than_their_parts() {
+    let told = |holds: &dyn Fn(&Reading) -> bool| fared(holds).told();
+    let [edge, state] = ["candidates end where the contact does", "runs stop by contact state"];
+    let is_edge = |one: &Reading| one.candidates == Candidates::AtEdge;
+    let is_state = |one: &Reading| one.stop.criterion == Criterion::State;
+    assert_eq!(told(&|_| true), "no departure flips it");
+    assert_eq!(told(&|one| is_edge(one)), format!("holds if {edge}"));
+    assert_eq!(told(&|one| !is_edge(one)), format!("fails if {edge}"));
+    assert_eq!(told(&|one| is_edge(one) && is_state(one)), format!("holds if together {edge} and {state}"));
+    let but = format!("holds if {edge}; not so if {edge} and {state}");
+    assert_eq!(told(&|one| is_edge(one) && !is_state(one)), but);
 }
 
-fn judged(recorded: Vec<Record>, begins: &str) -> Judgement {
-    let numbers = Numbers::Readings(readings::Numbers { recorded, fresh: vec![], trials: vec![] });
+/// Courses of the nearest reading alone.
+fn nearest() -> Vec<Course> {
+    courses(&[Reading::nearest()]).expect("runs")
+}
+
+fn judged(courses: Vec<Course>, sentence: Sentence) -> Judgement {
+    let numbers = Numbers::Readings(readings::Numbers { courses, stopped: vec![] });
     let finding = Finding { room: Room::Readings, case: "r".into(), name: "r".into(), numbers, judged: vec![] };
     let mut all = statements::judge(&[finding]).into_iter();
-    all.find(|statement| statement.text.starts_with(begins)).expect(begins).judgement
+    all.find(|statement| statement.text == sentence.name()).expect("a statement").judgement
 }
 
 #[test]
-fn one_start_of_the_record_that_never_ends_turns_the_sentence_on_every_case() {
-    let begins = "With varying stiffness and line elements";
-    assert_eq!(judged(recorded(), begins), Judgement::Reproduced);
-    let (Rule { rule, bound, spring, .. }, candidates) = (Reading::nearest().varying, Candidates::Wide);
-    let mut one_lost = recorded();
-    let is_own = |record: &&mut Record| {
-        (record.rule, record.bound.to_bits(), record.spring) == (rule, bound.to_bits(), spring)
-            && (record.element, record.candidates) == (Element::Line, candidates)
-    };
-    let lost = one_lost.iter_mut().find(is_own).expect("a start of line elements");
-    lost.iterations = lost.iterations.split(' ').map(|_| "-").collect::<Vec<_>>().join(" ");
-    assert_ne!(judged(one_lost, begins), Judgement::Reproduced);
+fn one_start_that_never_ends_turns_the_sentence_on_every_case() {
+    let all = nearest();
+    assert_eq!(judged(all.clone(), Sentence::LineAlways), Judgement::Reproduced);
+    let mut one_lost = all;
+    let is_line = |course: &&mut Course| course.site.element == Element::Line;
+    let course = one_lost.iter_mut().find(is_line).expect("line elements");
+    course.starts[3].met.iter_mut().for_each(|met| *met = None);
+    assert_ne!(judged(one_lost, Sentence::LineAlways), Judgement::Reproduced);
 }
 
 #[test]
-fn record_of_readings_is_complete_and_one_start_less_or_another_count_is_seen() {
-    let all = recorded();
-    assert!(judge::complete(&all).verdict == Verdict::Pass);
-    assert!(judge::complete(&all[1..]).verdict != Verdict::Pass);
-    let few: Vec<Record> = all[..19].to_vec();
-    assert!(judge::as_recorded(&all, &few).verdict == Verdict::Pass);
-    assert!(judge::as_recorded(&all, &[]).verdict != Verdict::Pass);
-    let mut moved = few.clone();
-    moved[3].iterations = moved[3].iterations.replace(' ', "0 ");
-    assert!(judge::as_recorded(&all, &moved).verdict != Verdict::Pass);
-    let mut fewer = few;
-    fewer[3].iterations = fewer[3].iterations.rsplit_once(' ').expect("several").0.to_string();
-    assert!(judge::as_recorded(&all, &fewer).verdict != Verdict::Pass);
+fn run_that_stops_elsewhere_than_its_course_tells_is_red() {
+    let all = nearest();
+    let found = stopped(&all).expect("runs");
+    assert_eq!(stops_where_told(&found).verdict, Verdict::Pass);
+    assert_eq!(stops_where_told(&[]).verdict, Verdict::Fail, "nothing was looked at");
+    assert_eq!(stops_where_told(&[[None, None]]).verdict, Verdict::Fail, "nothing ended");
+    let mut late = all;
+    for met in late.iter_mut().flat_map(|course| &mut course.starts).flat_map(|start| start.met.iter_mut().flatten()) {
+        met.iterations += 1;
+    }
+    assert_eq!(stops_where_told(&stopped(&late).expect("runs")).verdict, Verdict::Fail);
+    for spoil in [|met: &mut Met| met.error += 1e-8, |met: &mut Met| met.error = f64::NAN] {
+        let mut off = found.clone();
+        off.iter_mut().flatten().flatten().take(1).for_each(spoil);
+        assert_eq!(stops_where_told(&off).verdict, Verdict::Fail);
+    }
 }
 
 #[test]
-fn contradictions_are_the_smallest_sets_that_never_hold_together() {
-    let [a, b, c] = [Sentence::Fails, Sentence::LineAlways, Sentence::Proviso];
-    let judged = |sentences: &[Sentence]| Judged {
-        reading: Reading::nearest(),
-        both: sentences.iter().map(|&one| map::bit(one)).sum(),
-        single: [0; 2],
-        nine: 0,
-    };
-    let others: Vec<Sentence> = Sentence::ALL.into_iter().filter(|one| ![a, b, c].contains(one)).collect();
-    let with = |some: &[Sentence]| judged(&[others.clone(), some.to_vec()].concat());
-    assert_eq!(map::contradictions(&[with(&[a, b]), with(&[b, c]), with(&[a, c])]), [vec![a, b, c]]);
-    assert_eq!(map::contradictions(&[with(&[a, b]), with(&[c])]), [vec![a, c], vec![b, c]]);
-    assert_eq!(map::contradictions(&[with(&[a, b])]), [vec![c]]);
-    assert!(map::contradictions(&[with(&[a, b, c])]).is_empty());
+fn probe() {
+    let planned = &readings::plan()[0];
+    let t = std::time::Instant::now();
+    let numbers = planned.run().expect("runs");
+    println!("{:?}", t.elapsed());
+    let courses = numbers.courses.clone();
+    for sentence in Sentence::ALL {
+        let f = Fared::of(sentence, &courses);
+        println!("{}\n   {:?}\n   {}\n   {}", sentence.name(), f.held, f.told(), judgement(&f));
+    }
+    let own = readings::judge(&numbers).expect("judged");
+    let numbers = Numbers::Readings(numbers);
+    let finding = Finding { room: Room::Readings, case: "r".into(), name: "r".into(), numbers, judged: own };
+    let all = [finding];
+    std::fs::write("/tmp/readings_section.md", Room::Readings.section(&all).expect("section")).expect("w");
+    std::fs::write("/tmp/paper.md", contact_vv::report::paper_page::page(&all)).expect("w");
+    for (name, svg) in Room::Readings.pictures(&all).expect("p") {
+        std::fs::write(format!("/tmp/{name}"), svg).expect("w");
+    }
+    for s in statements::judge(&all) {
+        println!("FRONT {} | {} | {}", s.text, s.judgement.brief(), s.clause);
+    }
 }

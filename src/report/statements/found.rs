@@ -4,7 +4,7 @@ use crate::case::judged::worst;
 use crate::case::{Quantity, Verdict};
 use crate::measure::larger;
 use crate::solve::{Element, Iteration, Run};
-use crate::study::readings::courses::Courses;
+use crate::study::readings::runs::Course;
 use crate::study::{Finding, Numbers};
 
 /// The findings of all studies.
@@ -42,10 +42,10 @@ impl<'a> Findings<'a> {
         errors.reduce(larger).unwrap_or(f64::NAN)
     }
 
-    /// The recorded courses of the readings of the paper; none where they were not asked.
-    pub fn readings(&self) -> Option<Courses> {
+    /// The courses of the readings of the paper; none where they were not asked.
+    pub fn readings(&self) -> Option<&'a [Course]> {
         self.0.iter().find_map(|finding| match &finding.numbers {
-            Numbers::Readings(numbers) => Some(Courses::of(&numbers.recorded)),
+            Numbers::Readings(numbers) => Some(numbers.courses.as_slice()),
             _ => None,
         })
     }

@@ -3,7 +3,7 @@
 //! * [`found`] — look-ups in what was found.
 //! * `statement` — what is said of each.
 //! * `agreement` — what is found is right, whatever the formulation.
-//! * `readings` — what is said of iterations, over all readings of the paper.
+//! * `readings` — what is said of iterations, over a designed set of readings of the paper.
 //! * `work` — what it costs.
 
 mod agreement;

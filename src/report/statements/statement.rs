@@ -7,7 +7,7 @@ pub enum Judgement {
     Reproduced,
     /// It holds under this condition, which the paper does not state.
     OnlyIf(String),
-    /// It hangs on the rule by which stiffnesses change, which the paper's reference 12 would tell: it holds so.
+    /// It hangs on the rule by which stiffnesses change, which the paper's reference 12 would tell: so it does otherwise.
     Undecidable(String),
     /// It does not hold here.
     NotReproduced,
@@ -41,7 +41,7 @@ impl std::fmt::Display for Judgement {
         match self {
             Self::Reproduced => f.write_str("reproduced"),
             Self::OnlyIf(condition) => write!(f, "reproduced only if: {condition}"),
-            Self::Undecidable(condition) => write!(f, "not decidable without [12]: it holds with {condition}"),
+            Self::Undecidable(condition) => write!(f, "not decidable without [12]: it {condition}"),
             Self::NotReproduced => f.write_str("not reproduced"),
             Self::NotJudged => f.write_str("not judged"),
         }

@@ -1,29 +1,69 @@
-//! A reading: one choice on every axis; and how a run from one start ends under it.
+//! A reading: one choice on every axis that the paper leaves open; and the designed set of them.
 
 use serde::Serialize;
 
-use crate::algorithm::{Criterion, Leeway};
-use crate::measure::larger;
+use crate::algorithm::{Criterion, Leeway, Spring, StiffnessRule};
 use crate::named::named_enum;
-use crate::solve::{Iteration, Settings};
-use crate::study::readings::axes::{CAPS, Candidates, Rule, Stop, THICKNESSES};
+use crate::solve::{Element, Formulation, Iteration, Settings};
 
 named_enum! {
-    /// What is open.
+    /// What is open; its name begins a sentence that a choice ends.
     pub enum Axis {
-        /// How varying stiffness changes its springs.
-        Varying = "varying",
-        /// How constant stiffness does.
-        Constant = "constant",
-        /// How thick layers are.
-        Thickness = "thickness",
-        /// How far the candidates reach.
-        Candidates = "candidates",
-        /// When to stop.
-        Stop = "stop",
-        /// When to give up.
-        Cap = "cap",
+        /// Rule of varying stiffness.
+        Varying = "varying stiffness changes by",
+        /// Rule of constant stiffness.
+        Constant = "constant stiffness changes by",
+        /// Thickness of layers.
+        Thickness = "layers over their edges are",
+        /// Reach of the candidates.
+        Candidates = "candidates end",
+        /// Mesh.
+        Mesh = "the mesh has",
+        /// Stop criterion.
+        Stop = "runs stop by",
+        /// Cap of iterations.
+        Cap = "the cap is",
     }
+}
+
+named_enum! {
+    /// How far the candidates reach.
+    pub enum Candidates {
+        /// A "potential contact area".
+        Wide = "beyond the contact",
+        /// As far as the contact does.
+        AtEdge = "where the contact does",
+    }
+}
+
+named_enum! {
+    /// The mesh, whose figures are not at hand.
+    pub enum Mesh {
+        /// That of the stiffness sweep.
+        Sweep = "8-node cells",
+        /// The same with other cells.
+        Linear = "4-node cells",
+        /// The same cells, more of them.
+        Finer = "half as many cells again along the contact",
+    }
+}
+
+/// How an algorithm changes its springs.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Rule {
+    /// Rule.
+    pub rule: StiffnessRule,
+    /// How far an iteration may go, and what has a stiffness of its own.
+    pub leeway: Leeway,
+}
+
+/// A criterion with its tolerance.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Stop {
+    /// Criterion.
+    pub criterion: Criterion,
+    /// Tolerance; of no meaning to the contact state.
+    pub tolerance: f64,
 }
 
 /// One choice on every axis.
@@ -37,27 +77,136 @@ pub struct Reading {
     pub thickness: f64,
     /// How far the candidates reach.
     pub candidates: Candidates,
+    /// Mesh.
+    pub mesh: Mesh,
     /// When to stop.
     pub stop: Stop,
-    /// When to give up.
+    /// Iterations after which a run is given up.
     pub cap: usize,
+}
+
+/// Factors that a rule may be bounded by.
+const BOUNDS: [f64; 3] = [2.0, 10.0, f64::INFINITY];
+/// Another thickness than the program's own: a tenth of it.
+const THIN: f64 = 0.005;
+/// Caps of iterations.
+const CAPS: [usize; 7] = [20, 30, 50, 100, 200, 500, 2000];
+/// Tolerances of each criterion that has one.
+const TOLERANCES: [f64; 6] = [1e-1, 1e-2, 5e-3, 1e-3, 1e-4, 1e-6];
+/// Those at which a statement shall hold.
+pub const JUDGED: [f64; 3] = [1e-2, 1e-3, 1e-4];
+
+impl Rule {
+    /// Those of varying stiffness: its own with another bound or for whole elements, and every other rule.
+    fn varying() -> Vec<Self> {
+        let own = Self::own(Iteration::Varying);
+        let of = |leeway| Self { leeway, ..own };
+        let mut rules = BOUNDS.map(|bound| of(Leeway { bound, ..own.leeway })).to_vec();
+        rules.push(of(Leeway { spring: Spring::Element, ..own.leeway }));
+        let all = Iteration::Varying.rules().iter().chain(Iteration::Varying.further_rules());
+        rules.extend(all.map(|&rule| Self { rule, ..own }));
+        rules
+    }
+
+    /// That of an algorithm where the paper does not tell.
+    fn own(algorithm: Iteration) -> Self {
+        Self { rule: algorithm.rules()[0], leeway: Leeway::default() }
+    }
+
+    /// `squared by at most 2 per element`.
+    fn name(&self, algorithm: Iteration) -> String {
+        use StiffnessRule::{Secant, Squared, Step};
+        let Self { rule, leeway: Leeway { bound, spring } } = self;
+        let bounded = match algorithm == Iteration::Varying && [Secant, Squared, Step].contains(rule) {
+            true if bound.is_finite() => format!(" by at most {bound}"),
+            true => " unbounded".into(),
+            false => String::new(),
+        };
+        format!("{}{bounded}{}", rule.name(), if *spring == Spring::Element { " per element" } else { "" })
+    }
+}
+
+impl Stop {
+    /// All that can be had without the discrete solution.
+    pub fn all() -> Vec<Self> {
+        let visible = Criterion::ALL.into_iter().filter(|criterion| *criterion != Criterion::Error);
+        let of = |criterion: Criterion| {
+            let tolerances = if criterion == Criterion::State { &TOLERANCES[..1] } else { &TOLERANCES[..] };
+            tolerances.iter().map(move |&tolerance| Self { criterion, tolerance })
+        };
+        visible.flat_map(of).collect()
+    }
+
+    /// `residuals 1e-3`.
+    pub fn name(&self) -> String {
+        match self.criterion {
+            Criterion::State => "contact state".into(),
+            criterion => format!("{} {:.0e}", criterion.name(), self.tolerance),
+        }
+    }
 }
 
 impl Reading {
     /// The one nearest to the text and to what it cites: gap elements whose strain drives them (its reference 8), a potential
     /// contact area, contact conditions whose fulfilment is checked; what it does not say as this program has it.
     pub fn nearest() -> Self {
-        let Leeway { bound, spring } = Leeway::default();
-        let of = |algorithm: Iteration| Rule { algorithm, rule: algorithm.rules()[0], bound, spring };
-        let Settings { tolerance, max_iterations, .. } = Settings::default();
+        let Settings { tolerance, max_iterations: cap, .. } = Settings::default();
         Self {
-            varying: of(Iteration::Varying),
-            constant: of(Iteration::Constant),
-            thickness: THICKNESSES[0],
+            varying: Rule::own(Iteration::Varying),
+            constant: Rule::own(Iteration::Constant),
+            thickness: Formulation::new(Element::Layer, Iteration::Varying).layer_thickness,
             candidates: Candidates::Wide,
+            mesh: Mesh::Sweep,
             stop: Stop { criterion: Criterion::Conditions, tolerance },
-            cap: max_iterations,
+            cap,
         }
+    }
+
+    /// Every single departure from the nearest reading, axis by axis.
+    pub fn departures() -> Vec<Self> {
+        let nearest = Self::nearest();
+        let constant = |&rule: &StiffnessRule| Self { constant: Rule { rule, ..nearest.constant }, ..nearest };
+        let mut all: Vec<Self> = Rule::varying().into_iter().map(|varying| Self { varying, ..nearest }).collect();
+        all.extend(Iteration::Constant.rules().iter().map(constant));
+        all.push(Self { thickness: THIN, ..nearest });
+        all.extend(Candidates::ALL.map(|candidates| Self { candidates, ..nearest }));
+        all.extend(Mesh::ALL.map(|mesh| Self { mesh, ..nearest }));
+        all.extend(Stop::all().into_iter().map(|stop| Self { stop, ..nearest }));
+        all.extend(CAPS.map(|cap| Self { cap, ..nearest }));
+        all.retain(|one| *one != nearest);
+        all
+    }
+
+    /// Pairs of departures: candidates that end where the contact does, by every stop. Of kinematic load, whose iterations the paper
+    /// counts, these two decide together: which contacts it has to open, and when their opening is seen to be done.
+    pub fn pairs() -> Vec<Self> {
+        let nearest = Self::nearest();
+        let stops = Stop::all().into_iter().filter(|stop| *stop != nearest.stop);
+        stops.map(|stop| Self { candidates: Candidates::AtEdge, stop, ..nearest }).collect()
+    }
+
+    /// The same at another tolerance.
+    pub fn at(self, tolerance: f64) -> Self {
+        Self { stop: Stop { tolerance, ..self.stop }, ..self }
+    }
+
+    /// The reading at each tolerance of [`JUDGED`]; alone where it stops otherwise than the nearest one.
+    pub fn judged(&self) -> Vec<Self> {
+        match self.stop == Self::nearest().stop {
+            true => JUDGED.map(|tolerance| self.at(tolerance)).to_vec(),
+            false => vec![*self],
+        }
+    }
+
+    /// The designed set: the nearest reading, every departure and pair, at the tolerances that each is judged at.
+    pub fn designed() -> Vec<Self> {
+        let mut set: Vec<Self> = Vec::new();
+        for one in [vec![Self::nearest()], Self::departures(), Self::pairs()].concat().iter().flat_map(Self::judged) {
+            if !set.contains(&one) {
+                set.push(one);
+            }
+        }
+        set
     }
 
     /// The rule of an algorithm.
@@ -65,90 +214,70 @@ impl Reading {
         match algorithm {
             Iteration::Varying => self.varying,
             Iteration::Constant => self.constant,
-            Iteration::Kinematic => Rule::kinematic(),
+            Iteration::Kinematic => Rule::own(algorithm),
         }
     }
 
-    /// All.
-    pub fn all() -> Vec<Self> {
-        let mut all = Vec::new();
-        for varying in Rule::varying() {
-            for constant in Rule::constant() {
-                for thickness in THICKNESSES {
-                    for candidates in Candidates::ALL {
-                        for stop in Stop::all() {
-                            all.extend(CAPS.map(|cap| Self { varying, constant, thickness, candidates, stop, cap }));
-                        }
-                    }
-                }
-            }
+    /// The same with another's choice on an axis.
+    fn with(self, axis: Axis, other: &Self) -> Self {
+        match axis {
+            Axis::Varying => Self { varying: other.varying, ..self },
+            Axis::Constant => Self { constant: other.constant, ..self },
+            Axis::Thickness => Self { thickness: other.thickness, ..self },
+            Axis::Candidates => Self { candidates: other.candidates, ..self },
+            Axis::Mesh => Self { mesh: other.mesh, ..self },
+            Axis::Stop => Self { stop: other.stop, ..self },
+            Axis::Cap => Self { cap: other.cap, ..self },
         }
-        all
     }
 
-    /// Axes on which another reading differs, with what it has there.
-    pub fn differences(&self, other: &Self) -> Vec<(Axis, String)> {
-        let own = self.choices();
-        let others = other.choices().into_iter().zip(Axis::ALL);
-        others.zip(own).filter(|((text, _), own)| text != own).map(|((text, axis), _)| (axis, text)).collect()
+    /// Axes on which it departs from the nearest reading.
+    pub fn axes(&self) -> Vec<Axis> {
+        let nearest = Self::nearest();
+        Axis::ALL.into_iter().filter(|&axis| nearest.with(axis, self) != nearest).collect()
     }
 
-    /// What it has on every axis, in their order.
-    fn choices(&self) -> [String; 6] {
-        let candidates = match self.candidates {
-            Candidates::Wide => "candidates beyond the contact",
-            Candidates::AtEdge => "candidates that end where the contact does",
-        };
-        [
-            format!("varying stiffness by {}", self.varying.name()),
-            format!("constant stiffness by {}", self.constant.name()),
-            format!("layers of {} edge lengths", self.thickness),
-            candidates.to_string(),
-            format!("stopped by {}", self.stop.name()),
-            format!("given up after {} iterations", self.cap),
-        ]
+    /// The single departures that make it up.
+    pub fn parts(&self) -> Vec<Self> {
+        self.axes().into_iter().map(|axis| Self::nearest().with(axis, self)).collect()
+    }
+
+    /// What it has on an axis.
+    fn choice(&self, axis: Axis) -> String {
+        match axis {
+            Axis::Varying => self.varying.name(Iteration::Varying),
+            Axis::Constant => self.constant.name(Iteration::Constant),
+            Axis::Thickness => self.thickness.to_string(),
+            Axis::Candidates => self.candidates.name().into(),
+            Axis::Mesh => self.mesh.name().into(),
+            Axis::Stop => self.stop.name(),
+            Axis::Cap => self.cap.to_string(),
+        }
     }
 
     /// All choices in words.
     pub fn name(&self) -> String {
-        self.choices().join(", ")
+        Axis::ALL.map(|axis| format!("{} {}", axis.name(), self.choice(axis))).join(", ")
     }
 }
 
-/// A run from one start under a reading.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct End {
-    /// Initial stiffness κ₀.
-    pub stiffness: f64,
-    /// Iterations until the criterion was met; none where the cap came first.
-    pub iterations: Option<usize>,
-    /// Error of the peak against the discrete solution then.
-    pub error: f64,
-    /// Dofs of the condensed system.
-    pub retained: usize,
-}
-
-impl End {
-    /// Operations of `factorisations` dense Cholesky factorisations and a pair of substitutions an iteration.
-    pub fn operations(&self, factorises: bool) -> Option<f64> {
-        let [n, iterations] = [self.retained as f64, self.iterations? as f64];
-        let factorisations = if factorises { iterations } else { 1.0 };
-        Some(factorisations * n.powi(3) / 3.0 + 2.0 * iterations * n * n)
+/// Departures in words: `candidates end where the contact does and runs stop by contact state; or the cap is 20, or 30`.
+pub fn told<'a>(readings: impl IntoIterator<Item = &'a Reading>) -> String {
+    let mut groups: Vec<(String, Vec<String>)> = Vec::new();
+    for reading in readings {
+        let axes = reading.axes();
+        let Some((last, before)) = axes.split_last() else { continue };
+        let before: String =
+            before.iter().map(|axis| format!("{} {} and ", axis.name(), reading.choice(*axis))).collect();
+        let begins = before + last.name();
+        match groups.iter_mut().find(|(own, _)| *own == begins) {
+            Some((_, choices)) => choices.push(reading.choice(*last)),
+            None => groups.push((begins, vec![reading.choice(*last)])),
+        }
     }
-}
-
-/// Fewest and most iterations of the starts that ended; none where none did.
-pub fn extremes(ends: &[End]) -> Option<[usize; 2]> {
-    let iterations = || ends.iter().filter_map(|end| end.iterations);
-    Some([iterations().min()?, iterations().max()?])
-}
-
-/// Starts that ended.
-pub fn ended(ends: &[End]) -> usize {
-    ends.iter().filter(|end| end.iterations.is_some()).count()
-}
-
-/// Largest error of those.
-pub fn error(ends: &[End]) -> f64 {
-    ends.iter().filter(|end| end.iterations.is_some()).map(|end| end.error).fold(0.0, larger)
+    groups
+        .iter()
+        .map(|(begins, choices)| format!("{begins} {}", choices.join(", or ")))
+        .collect::<Vec<_>>()
+        .join("; or ")
 }
