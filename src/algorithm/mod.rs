@@ -2,7 +2,7 @@
 //!
 //! * [`problem`] — what an algorithm sees: matrices, points and scales, no geometry.
 //! * [`springs`] — the springs between two iterations, and what an iteration finds.
-//! * [`unit`] — what their initial stiffness is a multiple of.
+//! * [`unit`](mod@unit) — what their initial stiffness is a multiple of.
 //! * [`rule`] — how the springs' strain drives their stiffness or force.
 //! * [`varying`], [`constant`], [`kinematic`] — equations (3.2)–(3.14), one iteration each.
 //! * [`acceleration`] — of a fixed point from its last states; [`logarithms`] — of varying stiffness, on those that press.

@@ -30,7 +30,7 @@ pub struct Saved {
     pub program: String,
     /// Iterations of both; none where it does not converge.
     pub iterations: [Option<usize>; 2],
-    /// Peak pressure [MPa] and second-moment width [mm] of the paper's.
+    /// Peak pressure \[MPa\] and second-moment width \[mm\] of the paper's.
     pub measured: [f64; 2],
     /// Error of p₀ and a of what the program takes.
     pub error: f64,
