@@ -5,7 +5,7 @@ use contact_vv::case::Verdict;
 use contact_vv::report::statements::readings::judgement;
 use contact_vv::report::statements::{self, Judgement};
 use contact_vv::solve::{Element, Iteration};
-use contact_vv::study::readings::fared::Fared;
+use contact_vv::study::readings::fared::{Fared, NONE};
 use contact_vv::study::readings::reading::{Axis, Candidates, Reading};
 use contact_vv::study::readings::runs::{Course, courses, shown, stopped};
 use contact_vv::study::readings::sentence::{End, Met, Seen, Sentence};
@@ -14,7 +14,7 @@ use contact_vv::study::{Finding, Numbers, Room};
 
 /// An end after so many iterations with 10 dofs retained; none is a start that never ends.
 fn end(iterations: Option<usize>) -> End {
-    End { stiffness: 1.0, retained: 10, met: iterations.map(|iterations| Met { iterations, error: 0.01 }) }
+    End { retained: 10, met: iterations.map(|iterations| Met { iterations, error: 0.01 }) }
 }
 
 /// Ends of the paper's combinations under which every sentence holds.
@@ -133,7 +133,7 @@ fn departures_that_flip_a_sentence_are_told_and_pairs_that_go_another_way_than_t
     let [edge, state] = ["candidates end where the contact does", "runs stop by contact state"];
     let is_edge = |one: &Reading| one.candidates == Candidates::AtEdge;
     let is_state = |one: &Reading| one.stop.criterion == Criterion::State;
-    assert_eq!(told(&|_| true), "no departure flips it");
+    assert_eq!(told(&|_| true), NONE);
     assert_eq!(told(&|one| is_edge(one)), format!("holds if {edge}"));
     assert_eq!(told(&|one| !is_edge(one)), format!("fails if {edge}"));
     assert_eq!(told(&|one| is_edge(one) && is_state(one)), format!("holds if together {edge} and {state}"));
@@ -180,30 +180,5 @@ fn run_that_stops_elsewhere_than_its_course_tells_is_red() {
         let mut off = found.clone();
         off.iter_mut().flatten().flatten().take(1).for_each(spoil);
         assert_eq!(stops_where_told(&off).verdict, Verdict::Fail);
-    }
-}
-
-#[test]
-fn probe() {
-    let planned = &readings::plan()[0];
-    let t = std::time::Instant::now();
-    let numbers = planned.run().expect("runs");
-    println!("{:?}", t.elapsed());
-    let courses = numbers.courses.clone();
-    for sentence in Sentence::ALL {
-        let f = Fared::of(sentence, &courses);
-        println!("{}\n   {:?}\n   {}\n   {}", sentence.name(), f.held, f.told(), judgement(&f));
-    }
-    let own = readings::judge(&numbers).expect("judged");
-    let numbers = Numbers::Readings(numbers);
-    let finding = Finding { room: Room::Readings, case: "r".into(), name: "r".into(), numbers, judged: own };
-    let all = [finding];
-    std::fs::write("/tmp/readings_section.md", Room::Readings.section(&all).expect("section")).expect("w");
-    std::fs::write("/tmp/paper.md", contact_vv::report::paper_page::page(&all)).expect("w");
-    for (name, svg) in Room::Readings.pictures(&all).expect("p") {
-        std::fs::write(format!("/tmp/{name}"), svg).expect("w");
-    }
-    for s in statements::judge(&all) {
-        println!("FRONT {} | {} | {}", s.text, s.judgement.brief(), s.clause);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::found::Findings;
 use super::statement::{Judgement, Statement};
-use crate::study::readings::fared::Fared;
+use crate::study::readings::fared::{Fared, NONE};
 use crate::study::readings::reading::{Axis, JUDGED, Reading, told};
 use crate::study::readings::runs::{Example, seen};
 use crate::study::readings::sentence::Sentence;
@@ -33,7 +33,7 @@ fn statement(sentence: Sentence, numbers: &str, fared: &Fared) -> Statement {
     let flips = |axis: &Axis| fared.flips.iter().any(|one| one.axes() == [*axis]);
     let axes: Vec<String> =
         Axis::ALL.iter().filter(|axis| flips(axis)).map(|axis| axis.title().to_lowercase()).collect();
-    let flips = if axes.is_empty() { "no departure flips it".into() } else { format!("hangs on: {}", axes.join(", ")) };
+    let flips = if axes.is_empty() { NONE.into() } else { format!("hangs on: {}", axes.join(", ")) };
     Statement {
         text: sentence.name(),
         clause: format!("holds at {count} of {} tolerances; {flips}", fared.held.len()),

@@ -19,6 +19,9 @@ pub struct Fared {
     pub undone: Vec<Reading>,
 }
 
+/// What is said where none flips it.
+pub const NONE: &str = "no departure that keeps the agreement flips it";
+
 impl Fared {
     /// A sentence over the set; of the agreement itself every departure counts.
     pub fn of(sentence: Sentence, courses: &[Course]) -> Self {
@@ -68,6 +71,6 @@ impl Fared {
             part("not so if".into(), &self.undone),
         ];
         let parts: Vec<String> = parts.into_iter().flatten().collect();
-        if parts.is_empty() { "no departure flips it".into() } else { parts.join("; ") }
+        if parts.is_empty() { NONE.into() } else { parts.join("; ") }
     }
 }

@@ -15,16 +15,14 @@ use serde::Serialize;
 
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
-use crate::figure::{Axis as Scale, Chart, Drawing, panels};
+use crate::figure::Drawing;
 use crate::markdown::table;
-use crate::solve::{Formulation, Iteration};
 use crate::study::about::About;
-use crate::study::drawn::{Curve, label, picture, style};
 use crate::study::{Found, Planned};
 use fared::Fared;
-use reading::{JUDGED, Reading, told};
-use runs::{Course, Example, seen, shown, starts};
-use sentence::{End, GOOD, Met, STRONG, Sentence};
+use reading::{JUDGED, Reading};
+use runs::{Course, starts};
+use sentence::{GOOD, Met, STRONG, Sentence};
 
 /// What its page is called, what it asks, and what it cannot tell.
 pub const ABOUT: About = About {
@@ -93,7 +91,7 @@ fn of(courses: &[Course]) -> String {
          within {} % of the discrete solution whenever a run ends, a strong dependence {STRONG} times as many iterations from one start as \
          from another; constant stiffness and kinematic load save operations where they do from every start. Under a reading it holds where it \
          does at each tolerance; under one with another stop, at that. Only departures under which every combination still agrees are counted: \
-         the paper's do, so that others are not the paper's. The first row names those others.\n\n{}\n{}",
+         the paper's do, so that others are not the paper's. The first row names those others.\n\n{}\n",
         Reading::nearest().name(),
         Reading::designed().len(),
         courses.len(),
@@ -102,11 +100,6 @@ fn of(courses: &[Course]) -> String {
         starts[starts.len() - 1],
         100.0 * GOOD,
         by_sentence(courses),
-        picture(
-            "figure-11.svg",
-            "Fig. 11 with its four curves: under the reading nearest to the text, and under the departure by which most sentences hold; \
-             hollow: given up",
-        ),
     )
 }
 
@@ -121,55 +114,7 @@ fn by_sentence(courses: &[Course]) -> String {
     table(&head, &Sentence::ALL.map(row))
 }
 
-/// Fig. 11: iterations against initial stiffness with line and layer elements under varying and constant stiffness, the four curves
-/// of the paper: a row an example; under the nearest reading, and under the departure under which most sentences hold.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
-    let drawn = |found: &Found<Numbers>| Ok(("figure-11.svg".to_string(), figure_11(&found.numbers.courses)?));
-    findings.iter().map(drawn).collect()
-}
-
-fn figure_11(courses: &[Course]) -> Result<Drawing, Error> {
-    let readings = [Reading::nearest(), best(courses)];
-    let panel = |example: Example, k: usize| {
-        let mut chart = Chart::new(
-            &format!("{}, {}", example.name(), ["nearest reading", "departure"][k]),
-            Scale::log("initial stiffness κ₀ [–]").over(1e-3, 1e6),
-            Scale::log("iterations [–]").over(1.0, 3000.0),
-        );
-        let seen = seen(courses, &readings[k], example);
-        let curves = shown().filter(|(_, algorithm)| *algorithm != Iteration::Kinematic).map(|(element, algorithm)| {
-            let formulation = Formulation::new(element, algorithm);
-            curve(seen.starts(element, algorithm)).drawn(label(&formulation), style(&formulation))
-        });
-        chart.series = curves.collect();
-        chart.notes =
-            vec![format!("Nearest reading: {}.", readings[0].name()), format!("Departure: {}.", told(&readings[1..]))];
-        chart
-    };
-    let charts: Vec<Chart> = Example::ALL.into_iter().flat_map(|example| [0, 1].map(|k| panel(example, k))).collect();
-    panels("Fig. 11: iterations against initial stiffness, by reading", &charts, readings.len())
-}
-
-/// The first departure that counts under which most sentences hold.
-fn best(courses: &[Course]) -> Reading {
-    let count = |reading: &Reading| {
-        let seen = Example::ALL.map(|example| seen(courses, reading, example));
-        Sentence::ALL.into_iter().filter(|sentence| sentence.holds(&seen)).count()
-    };
-    let mut all = Reading::departures();
-    let others = Fared::of(Sentence::Agrees, courses).flips;
-    all.retain(|reading| !others.contains(reading));
-    all.sort_by_cached_key(|reading| std::cmp::Reverse(count(reading)));
-    all[0]
-}
-
-fn curve(ends: &[End]) -> Curve {
-    let mut curve = Curve::default();
-    for end in ends {
-        match end.met {
-            Some(met) => curve.points.push([end.stiffness, met.iterations as f64]),
-            None => curve.failed.push(end.stiffness),
-        }
-    }
-    curve
+/// None: the study of the initial stiffness draws Fig. 11.
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
+    Ok(Vec::new())
 }

@@ -231,7 +231,7 @@ pub fn seen(courses: &[Course], reading: &Reading, example: Example) -> Seen {
     let at = Stop::all().iter().position(|stop| *stop == reading.stop);
     let end = |start: &Start| {
         let met = at.and_then(|at| start.met.get(at).copied().flatten()).filter(|met| met.iterations <= reading.cap);
-        End { stiffness: start.stiffness, retained: start.retained, met }
+        End { retained: start.retained, met }
     };
     let of = |(element, algorithm)| {
         let site = Site::of(reading, example, element, algorithm);

@@ -55,8 +55,6 @@ pub struct Met {
 /// A run from one start under a reading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
-    /// Initial stiffness κ₀.
-    pub stiffness: f64,
     /// Dofs of the condensed system.
     pub retained: usize,
     /// When the criterion was met; none where the cap came first.
