@@ -8,6 +8,8 @@ mod source;
 
 use std::collections::BTreeSet;
 
+use contact_vv::study::Room;
+
 use May::{AllAboveBut, Only};
 use imports::{Tree, circles, from_root};
 use source::Source;
@@ -127,6 +129,34 @@ fn import_check_bites() {
     ] {
         let found = forbidden(&Source::new(&format!("{module}.rs"), snippet));
         assert_eq!(found.len(), wrong, "{module}: {snippet}: {found:?}");
+    }
+}
+
+/// What a study imports from another; what is shared lies beside the studies. What stands in the folder of no study is shared.
+fn of_another_study(source: &Source, studies: &BTreeSet<String>) -> Vec<String> {
+    let own = source.module.get(1).filter(|own| source.link() == "study" && studies.contains(*own));
+    let Some(own) = own else { return Vec::new() };
+    let paths = source.all_paths().filter_map(|path| from_root(&source.module, path));
+    let others =
+        paths.filter(|path| path.first().is_some_and(|link| link == "study")).filter_map(|path| path.get(1).cloned());
+    let others = others.filter(|other| other != own && studies.contains(other));
+    others.map(|other| format!("{}: `{own}` imports `{other}`", source.file)).collect()
+}
+
+#[test]
+fn no_study_imports_another() {
+    let studies: BTreeSet<String> = Room::ALL.iter().map(|room| room.name().to_owned()).collect();
+    assert!(studies.len() > 9, "{studies:?}");
+    let found: Vec<String> = source::all().iter().flat_map(|source| of_another_study(source, &studies)).collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    for (snippet, wrong) in [
+        ("use crate::study::sweep::run::Numbers;", 1),
+        ("fn f() { crate::study::sweep::plan() }", 1),
+        ("use super::super::sweep::plan;", 1),
+        ("use crate::study::atlas::run::Numbers; use crate::study::drawn::label; use super::plane::Plane;", 0),
+    ] {
+        let source = Source::new("study/atlas/judge.rs", snippet);
+        assert_eq!(of_another_study(&source, &studies).len(), wrong, "{snippet}");
     }
 }
 

@@ -7,10 +7,12 @@
 //! * [`class`](mod@class), [`method`], [`pairing`] — how a run ended and what was run, as they are recorded.
 //! * [`random`] — random scenes of closed form.
 //! * [`records`] — files of recorded surveys; [`present`] — whether what scripts record is of the present sources.
-//! * [`handed_over`] — our discretisation as plain numbers, for other codes.
+//! * [`handed_over`] — our discretisation as plain numbers, for other codes; [`answers`] — where theirs come from; [`differences`] — how far
+//!   two of them are apart.
 
 pub mod about;
 pub mod accuracy;
+pub mod answers;
 pub mod atlas;
 pub mod barred;
 pub mod cases;
@@ -18,6 +20,7 @@ pub mod class;
 pub mod converged;
 pub mod coverage;
 pub mod cross_code;
+pub mod differences;
 pub mod digitised;
 pub mod drawn;
 pub mod family;

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use contact_vv::case::{Judged, Verdict};
 use contact_vv::oracle::cross_code::independent::{Folder, Independent, Script};
 use contact_vv::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
-use contact_vv::study::cross_code::Answers;
+use contact_vv::study::answers::Answers;
 use contact_vv::study::independent::benchmark::{STATIONS, Scene};
 use contact_vv::study::independent::found::Found;
 use contact_vv::study::independent::judge;

@@ -22,7 +22,7 @@ use contact_vv::referee::read::parse;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Answer, Asked, Truth, calculix, verdicts};
 use contact_vv::solve::Discretisation;
-use contact_vv::study::cross_code::differences::changes;
+use contact_vv::study::differences::changes;
 
 /// Most cells of a scene that is meshed.
 const FEW: f64 = 1000.0;

@@ -6,9 +6,10 @@ use crate::error::Error;
 use crate::mesh::Order;
 use crate::oracle::cross_code::frozen::Digest;
 use crate::oracle::cross_code::{Code, DiscreteAnswer};
-use crate::study::cross_code::answers::{Answered, Answers, Reproduced};
-use crate::study::cross_code::differences::{relative_difference, worst_difference};
+use crate::study::answers::{Answers, Reproduced};
+use crate::study::cross_code::answers::{Answered, answered};
 use crate::study::cross_code::twin::Twin;
+use crate::study::differences::{relative_difference, worst_difference};
 use crate::study::handed_over::KAPPA;
 
 /// A discrete problem in another code.
@@ -58,7 +59,7 @@ impl Difference {
 /// A scene and order in another code.
 pub fn compare(name: &str, order: Order, code: Code, answers: Answers) -> Result<Compared, Error> {
     let twin = Twin::of(name, order)?;
-    let Answered { digest, whole, reproduced } = answers.discrete(code, &twin)?;
+    let Answered { digest, whole, reproduced } = answered(answers, code, &twin)?;
     let mut differences = differences(&twin.digest(), &digest);
     differences.extend(whole.iter().flat_map(|answer| twin.in_full(answer)));
     Ok(Compared { code, reproduced, differences })

@@ -3,14 +3,12 @@
 //! * `plan` — one trial per problem and code.
 //! * `twin` — our discrete problem as it is handed over.
 //! * `discrete` — ours beside what another code finds: agreement to round-off, a code check.
-//! * `answers` — where the other codes' answers come from: frozen files, or the codes themselves.
-//! * `differences` — how far two answers are apart.
+//! * `answers` — what the other codes answer, frozen or now.
 //! * `renewal` — asking the codes now, and freezing what they answer (feature `python`).
 //! * `judge` — the tolerances, each with its reason.
 //! * `section` — the verdicts.
 
 pub mod answers;
-pub mod differences;
 pub mod discrete;
 pub mod judge;
 mod plan;
@@ -21,7 +19,6 @@ pub mod twin;
 
 use crate::study::about::About;
 
-pub use answers::Answers;
 pub use discrete::Compared as Numbers;
 pub use judge::judge;
 #[cfg(feature = "python")]

@@ -3,8 +3,9 @@
 use crate::mesh::Order;
 use crate::oracle::cross_code::Code;
 use crate::study::Planned;
+use crate::study::answers::Answers;
 use crate::study::cross_code::discrete::{Compared, compare};
-use crate::study::cross_code::{Answers, twin};
+use crate::study::cross_code::twin;
 
 /// All trials, against frozen answers.
 pub fn plan() -> Vec<Planned<Compared>> {

@@ -3,8 +3,8 @@
 use crate::error::{Error, Kind};
 use crate::oracle::cross_code::frozen::{Frozen, script_hash};
 use crate::oracle::cross_code::{Code, live};
-use crate::study::cross_code::differences::changes;
 use crate::study::cross_code::twin::{Twin, problems};
+use crate::study::differences::changes;
 
 /// Asks both codes for everything, writes the frozen files once both have answered, and tells what changed.
 pub fn freeze() -> Result<Vec<String>, Error> {

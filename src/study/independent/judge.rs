@@ -4,7 +4,7 @@ use crate::case::{Check, Judged, Quantity, Reference, covered};
 use crate::error::Error;
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::independent::Script;
-use crate::study::cross_code::judge::reproduced;
+use crate::study::answers::reproduced;
 use crate::study::independent::benchmark::{STATIONS, Scene};
 use crate::study::independent::found::Number;
 use crate::study::independent::run::{Compared, Other};

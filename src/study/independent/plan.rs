@@ -1,7 +1,7 @@
 //! What is run: every scene of the benchmark.
 
 use crate::study::Planned;
-use crate::study::cross_code::Answers;
+use crate::study::answers::Answers;
 use crate::study::independent::benchmark::Scene;
 use crate::study::independent::run::{Compared, compare};
 

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::oracle::cross_code::independent::{Asked, Independent, Script, hashes};
 use crate::oracle::cross_code::process::{Told, run};
 use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene, live};
-use crate::study::cross_code::differences::largest_change;
+use crate::study::differences::largest_change;
 use crate::study::independent::benchmark::{LEVELS, Scene};
 
 /// The series of a scene, asked now of a script whose code the set-up of the tests installs.

@@ -16,8 +16,7 @@ use crate::oracle::cross_code::independent::{Independent, Script, file};
 use crate::oracle::cross_code::live;
 use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
-use crate::study::cross_code::Answers;
-use crate::study::cross_code::answers::Reproduced;
+use crate::study::answers::{Answers, Reproduced};
 use crate::study::independent::benchmark::{Benchmark, Scene};
 use crate::study::independent::found::{ClosedForm, Found, closed_form, ours};
 #[cfg(feature = "python")]
