@@ -117,7 +117,7 @@ fn record_that_is_not_complete_or_was_not_measured_again_is_not_as_recorded() {
     assert_eq!(of_points(&points, &[], all), Verdict::Fail);
     let counts: Vec<Counts> = Recounted::kept(&measured).cloned().collect();
     let of_counts = |recorded: &Measured, fresh: &[Counts]| {
-        verdict(Numbers::Growth(Recounted { recorded: recorded.clone(), fresh: fresh.into() }))
+        verdict(Numbers::Growth(Box::new(Recounted { recorded: recorded.clone(), fresh: fresh.into() })))
     };
     assert_eq!(of_counts(&measured, &counts), Verdict::Pass);
     let mut fewer = measured.clone();
@@ -201,7 +201,7 @@ fn record_without_a_code_is_read_and_says_so_and_a_code_asked_later_is_marked() 
 fn shown(record: &Record) -> [String; 2] {
     let Record { measured, points } = record.clone();
     let numbers = [
-        Numbers::Growth(Recounted { recorded: measured, fresh: vec![] }),
+        Numbers::Growth(Box::new(Recounted { recorded: measured, fresh: vec![] })),
         Numbers::Precision(Precision { recorded: points, fresh: vec![], planned: 0 }),
     ];
     let found = numbers.each_ref().map(|numbers| Found { case: "", name: "", numbers, judged: &[] });

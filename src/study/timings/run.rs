@@ -17,7 +17,7 @@ pub enum Numbers {
     /// Error against work on the meshes of a family.
     Precision(Precision),
     /// Growth of the work with the mesh.
-    Growth(Recounted),
+    Growth(Box<Recounted>),
     /// What more digits cost.
     Digits(Redone),
 }
@@ -81,7 +81,7 @@ pub fn growth() -> Result<Numbers, Error> {
     let recorded = Record::read()?.measured;
     let counted = |kept: &Counts| growth::counts(kept.elements, kept.refinement);
     let fresh = Recounted::kept(&recorded).map(counted).collect::<Result<_, _>>()?;
-    Ok(Numbers::Growth(Recounted { recorded, fresh }))
+    Ok(Numbers::Growth(Box::new(Recounted { recorded, fresh })))
 }
 
 /// The smaller of the meshes whose digits are recorded once more.
