@@ -25,7 +25,7 @@ named_enum! {
 
 /// Differences that Anderson acceleration remembers. Of 3, 5, 8, 12 and 20, five reach the most starts at tolerance 1e-3:
 /// more of them reach back to active sets that are no longer the present one.
-const DEPTH: usize = 5;
+pub const DEPTH: usize = 5;
 /// Singular values of the scaled differences below this part of the largest are left out.
 const CONDITION: f64 = 1e-8;
 /// A difference of residuals below this part of the latest is round-off: of bodies in free motion residuals stay as they are, and

@@ -25,7 +25,7 @@ const PRESSES: f64 = 1e-4;
 const NEAR: f64 = 0.5;
 /// Iterations for which the points that take part must have stood: the first ones, which move the edge of the contact, are left to
 /// the rule.
-const STOOD: usize = 4;
+pub const STOOD: usize = 4;
 /// Largest change of ln k in an iteration: a factor e.
 const LONGEST: f64 = 1.0;
 /// Growth of the residual in an iteration after which one is left to the rule.

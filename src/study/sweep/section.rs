@@ -1,7 +1,10 @@
 //! The section on initial stiffness and rules.
 
+use crate::algorithm::acceleration::DEPTH;
+use crate::algorithm::logarithms::STOOD;
 use crate::error::Error;
 use crate::markdown;
+use crate::solve::{Element, Formulation, Iteration, Settings};
 use crate::study::Found;
 use crate::study::drawn::picture;
 use crate::study::sweep::run::{End, Numbers, Rule, STARTS, Saved};
@@ -50,14 +53,18 @@ fn before_and_after(findings: &[Found<Numbers>]) -> String {
         [one.paper.clone(), one.program.clone()].into_iter().chain(cells).collect()
     };
     let rows: Vec<Vec<String>> = first.iter().enumerate().map(row).collect();
+    let taken = |element, algorithm| Formulation::accelerated(element, algorithm).stiffness;
+    let [of_nodes, of_points] = [Element::Node, Element::Line].map(|element| taken(element, Iteration::Constant));
+    let kinematic = taken(Element::Line, Iteration::Kinematic);
     format!(
-        "**Iterations to 1e-3 on the meshes of the library, before → after**\n\n{}\n\
+        "**Iterations to {:e} on the meshes of the library, before → after**\n\n{}\n\
          Two Gauss points on an edge carry differences that the bodies feel only through their change from edge to edge: under varying \
          stiffness these die out in iterations that grow with the square of the number of edges, whatever κ₀. The program takes \
-         varying stiffness by Newton's method on ln k of the points that press, damped, once these have stood for four iterations, each with a \
-         back-substitution for every such point; and constant stiffness by Anderson acceleration of its forces, over five differences. Its κ₀ of constant stiffness, and of kinematic load on Gauss points, is a multiple of √(E*/L · s), L the candidate \
-         stretch and s what the bodies resist at a point: 1 for the node element under constant stiffness, 4 for line and layer, 10 under kinematic \
+         varying stiffness by Newton's method on ln k of the points that press, damped, once these have stood for {STOOD} iterations, each with a \
+         back-substitution for every such point; and constant stiffness by Anderson acceleration of its forces, over {DEPTH} differences. Its κ₀ of constant stiffness, and of kinematic load on Gauss points, is a multiple of √(E*/L · s), L the candidate \
+         stretch and s what the bodies resist at a point: {of_nodes} for the node element under constant stiffness, {of_points} for line and layer, {kinematic} under kinematic \
          load. With `--acceleration none` varying and constant stiffness are the paper's.\n\n",
+        Settings::default().tolerance,
         markdown::table(&head, &rows)
     )
 }
