@@ -65,6 +65,10 @@ impl Algorithm for Constant {
     fn reload(&mut self, _: &ContactProblem, _: &mut Springs) {
         self.accelerator = None;
     }
+
+    fn remembers(&self) -> bool {
+        self.acceleration != Acceleration::None
+    }
 }
 
 /// Inner product `Σ A x y/k₀`, in which the rule `correction` is nonexpansive.

@@ -81,6 +81,11 @@ pub trait Algorithm {
     /// Told before the first iteration of each load increment: the load is no longer what it was. It may change the springs.
     fn reload(&mut self, _problem: &ContactProblem, _springs: &mut Springs) {}
 
+    /// Whether an iteration hangs on earlier states too, so that one that returns is no cycle.
+    fn remembers(&self) -> bool {
+        false
+    }
+
     /// Whether penetration is the springs' own law (penalty) instead of an error to be iterated away.
     fn is_elastic(&self) -> bool {
         false

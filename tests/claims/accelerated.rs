@@ -385,3 +385,16 @@ fn accelerations_of_another_algorithm_are_refused_by_name() {
         }
     }
 }
+
+/// A state that returns is no cycle where differences of earlier ones are remembered: it was given up once, and goes on otherwise.
+#[test]
+fn what_remembers_is_not_called_cycling() {
+    let scene = TruncatedHertz { stretch: 1.0, ..Default::default() }.case().scene;
+    let discretisation = meshed(scene, 8);
+    let accelerated = Formulation {
+        acceleration: Acceleration::Anderson,
+        stiffness: 10f64.powf(3.5),
+        ..Formulation::new(Element::Layer, Iteration::Constant)
+    };
+    assert!(iterations(&discretisation, &accelerated) > 500);
+}

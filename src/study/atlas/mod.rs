@@ -1,5 +1,5 @@
-//! The stability atlas: outcome, iterations, rate and error of every element × algorithm × rule over initial stiffness and one
-//! other number, each predicted before it is run.
+//! The stability atlas: outcome, iterations, rate and error of every element × algorithm × rule, and of what the program makes of
+//! the first of them, over initial stiffness and one other number; the plain ones predicted before they are run.
 //!
 //! * `plane` — initial stiffness against which other number.
 //! * `row` — a line of a plane.

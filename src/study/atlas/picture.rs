@@ -1,6 +1,6 @@
 //! Iterations against initial stiffness with their prediction (Fig. 11).
 
-use crate::algorithm::StiffnessRule;
+use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
 use crate::figure::{Axis, Chart, Colour, Drawing, Series, panels};
@@ -39,10 +39,10 @@ fn iterations(stretch: &Recorded) -> Result<Drawing, Error> {
                 Axis::log("initial stiffness κ₀ [–]").over(1e-6, 1e6),
                 Axis::log("iterations [–]").over(1.0, 3000.0),
             );
-            for &rule in algorithm.rules() {
-                let mut rows = stretch.of_method(Method { element, algorithm, rule });
+            for method in Method::of(element).into_iter().filter(|method| method.algorithm == algorithm) {
+                let mut rows = stretch.of_method(method);
                 if let Some(row) = rows.find(|row| same(row[0].ordinate, STRETCH)) {
-                    chart.series.extend(curves(row, rule));
+                    chart.series.extend(curves(row, method));
                 }
             }
             charts.push(chart);
@@ -51,9 +51,10 @@ fn iterations(stretch: &Recorded) -> Result<Drawing, Error> {
     panels("Iterations against initial stiffness: measured points on predicted curves", &charts, 3)
 }
 
-/// One colour a rule, whatever the algorithm.
-fn colour(rule: StiffnessRule) -> Colour {
-    match rule {
+/// One colour a rule, whatever the algorithm, and one for what is accelerated.
+fn colour(method: Method) -> Colour {
+    match method.rule {
+        _ if method.is_accelerated() => palette::NODE,
         StiffnessRule::Secant | StiffnessRule::Squared | StiffnessRule::Step | StiffnessRule::Doubling => palette::LINE,
         StiffnessRule::Correction => palette::LAYER,
         StiffnessRule::Literal => palette::PURPLE,
@@ -63,8 +64,12 @@ fn colour(rule: StiffnessRule) -> Colour {
 }
 
 /// Predicted curve, measured points, and the failures by their cause.
-fn curves(row: &[Record], rule: StiffnessRule) -> Vec<Series> {
-    let (colour, rule) = (colour(rule), rule.name());
+fn curves(row: &[Record], method: Method) -> Vec<Series> {
+    let rule = match method.acceleration {
+        Acceleration::None => method.rule.name().to_string(),
+        acceleration => format!("{} + {}", method.rule.name(), acceleration.name()),
+    };
+    let colour = colour(method);
     let points = |of: &dyn Fn(&Record) -> f64| row.iter().map(|r| (r.stiffness, of(r))).collect::<Vec<_>>();
     let predicted = points(&|r| if r.predicted_iterations.is_finite() { r.predicted_iterations } else { f64::NAN });
     let measured = points(&|r| if r.class == Class::Converged { r.iterations as f64 } else { f64::NAN });

@@ -19,15 +19,13 @@ const TICKS: [(usize, &str); 5] = [(0, "10⁻⁶"), (6, "10⁻³"), (12, "1"), (
 
 /// One panel a rule and element, with the predicted boundary.
 pub fn map(plane: &Chart) -> Result<Drawing, Error> {
-    let of_rule =
-        |algorithm: Iteration, rule| Element::ALL.map(|element| panel(plane, Method { element, algorithm, rule }));
-    let of_algorithm = |algorithm: Iteration| algorithm.rules().iter().flat_map(move |&rule| of_rule(algorithm, rule));
+    let on_each = |method: Method| Element::ALL.map(|element| panel(plane, Method { element, ..method }));
     let limit = Settings::default().max_iterations;
     let [quick, ordinary] = QUICK;
     ClassMap {
         title: format!("How runs end on truncated Hertz: {} against initial stiffness", plane.plane.label()),
         axes: ["initial stiffness κ₀ [–]".into(), plane.plane.label().into()],
-        panels: Iteration::ALL.into_iter().flat_map(of_algorithm).collect(),
+        panels: Method::of(Element::Node).into_iter().flat_map(on_each).collect(),
         columns: 3,
         ticks: TICKS.map(|(column, text)| (column, text.to_string())).into(),
         classes: vec![
@@ -47,8 +45,9 @@ pub fn map(plane: &Chart) -> Result<Drawing, Error> {
 
 fn panel(plane: &Chart, method: Method) -> MapPanel {
     let rows = plane.of_method(method).map(|row| (row[0].ordinate.to_string(), row.iter().map(cell).collect()));
-    let Method { element, algorithm, rule } = method;
-    MapPanel { rows: rows.collect(), title: [element.name(), algorithm.name(), rule.name()].join(" · ") }
+    let added = if method.is_accelerated() { format!(" + {}", method.acceleration.name()) } else { String::new() };
+    let [element, algorithm, rule] = [method.element.name(), method.algorithm.name(), method.rule.name()];
+    MapPanel { rows: rows.collect(), title: format!("{element} · {algorithm} · {rule}{added}") }
 }
 
 fn note(plane: &Chart) -> String {
@@ -58,7 +57,7 @@ fn note(plane: &Chart) -> String {
     let silent: Vec<String> = rules.filter(|rule| !predicted(**rule)).map(|rule| rule.name().to_string()).collect();
     format!(
         "Error: the larger one of p₀ and a against the solution of the same discrete problem. The boundary is predicted from the \
-         condensed matrices. Nothing is predicted for: {}.",
+         condensed matrices. Nothing is predicted for what is accelerated, nor for: {}.",
         silent.join(", ")
     )
 }

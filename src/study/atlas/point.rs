@@ -82,10 +82,11 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// Spectral radius on the limit's active set and the iterations it asks for; the halving law for kinematic load.
+    /// Spectral radius on the limit's active set and the iterations it asks for; the halving law for kinematic load; nothing of what
+    /// is accelerated.
     fn predicted(&self, row: &Row, formulation: &Formulation) -> [f64; 2] {
         let Some(limit) = &self.limit else { return [f64::NAN; 2] };
-        if formulation.settings.increments > 1 {
+        if formulation.settings.increments > 1 || row.method.is_accelerated() {
             return [f64::NAN; 2];
         }
         let problem = self.site.discretisation.problem(formulation, &self.points);

@@ -76,29 +76,22 @@ pub fn methods(digests: &[Digest]) -> String {
         "every run ends right for κ₀ from … to",
         "how the runs ended",
         "what stands in its way",
-        "rules of the same algorithm with a wider range",
+        "what else of the same algorithm has a wider range",
     ];
-    let pairs =
-        Iteration::ALL.into_iter().flat_map(|algorithm| algorithm.rules().iter().map(move |&rule| (algorithm, rule)));
-    let rows: Vec<Vec<String>> = pairs.map(|(algorithm, rule)| row(digests, algorithm, rule)).collect();
+    let rows: Vec<Vec<String>> = Method::of(Element::Node).into_iter().map(|method| row(digests, method)).collect();
     markdown::table(&head.map(String::from), &rows)
 }
 
-fn row(digests: &[Digest], algorithm: Iteration, rule: StiffnessRule) -> Vec<String> {
-    let is_own = |digest: &&Digest| (digest.method.algorithm, digest.method.rule) == (algorithm, rule);
+/// What the digests say of a method on each element.
+fn row(digests: &[Digest], method: Method) -> Vec<String> {
+    let is_own = |digest: &&Digest| digest.method == Method { element: digest.method.element, ..method };
     let own: Vec<&Digest> = digests.iter().filter(is_own).collect();
     let range = |digest: &&Digest| {
         let range = digest.safe.map_or("nowhere".into(), |Safe { from, to, .. }| format!("{from:e} … {to:e}"));
         format!("{}: {range}", digest.method.element.name())
     };
     let ranges: Vec<String> = own.iter().map(range).collect();
-    vec![
-        format!("{}.{}", algorithm.name(), rule.name()),
-        ranges.join("; "),
-        ends(&own),
-        obstacle(algorithm, rule).into(),
-        wider(digests, algorithm, rule),
-    ]
+    vec![method.way(), ranges.join("; "), ends(&own), obstacle(method).into(), wider(digests, method)]
 }
 
 /// Runs by how they ended.
@@ -109,27 +102,33 @@ fn ends(own: &[&Digest]) -> String {
     counted.map(|(class, count)| format!("{count} {}", class.name())).collect::<Vec<_>>().join(", ")
 }
 
-/// Other rules of the algorithm, with the elements on which their range is wider.
-fn wider(digests: &[Digest], algorithm: Iteration, rule: StiffnessRule) -> String {
-    let safe = |element, rule| {
-        let method = Method { element, algorithm, rule };
+/// Other methods of the algorithm, with the elements on which their range is wider.
+fn wider(digests: &[Digest], method: Method) -> String {
+    let safe = |element, method| {
+        let method = Method { element, ..method };
         digests.iter().find(|digest| digest.method == method).and_then(|digest| digest.safe)
     };
     let mut found = Vec::new();
-    for &other in algorithm.rules() {
+    for other in Method::of(method.element).into_iter().filter(|other| other.algorithm == method.algorithm) {
         let is_wider =
-            |element: &Element| safe(*element, other).is_some_and(|range| range.is_wider_than(safe(*element, rule)));
+            |element: &Element| safe(*element, other).is_some_and(|range| range.is_wider_than(safe(*element, method)));
         let elements: Vec<&str> = Element::ALL.iter().filter(|e| is_wider(e)).map(|e| e.name()).collect();
         if !elements.is_empty() {
-            found.push(format!("`{}` ({})", other.name(), elements.join(", ")));
+            found.push(format!("`{}` ({})", other.way(), elements.join(", ")));
         }
     }
     if found.is_empty() { "–".into() } else { found.join("; ") }
 }
 
 /// What a rule has to overcome, by its own formula.
-fn obstacle(algorithm: Iteration, rule: StiffnessRule) -> &'static str {
-    match (algorithm, rule) {
+fn obstacle(method: Method) -> &'static str {
+    match (method.algorithm, method.rule) {
+        (Iteration::Varying, _) if method.is_accelerated() => {
+            "points that part from the contact one by one: until those that press stand still, the rule goes alone"
+        }
+        (Iteration::Constant, _) if method.is_accelerated() => {
+            "as without: the last states tell the way only once open and closed points are told apart"
+        }
         (Iteration::Varying, StiffnessRule::Secant) => {
             "an open point loses its force by w/g an iteration, and w/g → 1 at the contact edge"
         }

@@ -1,9 +1,9 @@
-//! Iterations along the slices, at the default initial stiffness of each algorithm.
+//! Iterations along the slices, at the initial stiffness of each algorithm that the paper's forms start from.
 
 use std::fmt::Write;
 
 use crate::markdown;
-use crate::solve::{Element, Iteration};
+use crate::solve::Element;
 use crate::study::atlas::chart::Chart;
 use crate::study::atlas::plane::Plane;
 use crate::study::atlas::record::Record;
@@ -18,8 +18,9 @@ pub fn slices(charts: &[&Chart]) -> String {
     );
     let is_slice = |plane| [Plane::Increments, Plane::Thickness, Plane::Quadrature].contains(&plane);
     for chart in charts.iter().filter(|chart| is_slice(chart.plane)) {
-        let pairs = Element::ALL.into_iter().flat_map(|element| Iteration::ALL.map(|of| Method::usual(element, of)));
-        let rows: Vec<Vec<String>> = pairs.filter_map(|method| row(chart, method)).collect();
+        let methods = Element::ALL.into_iter().flat_map(Method::of);
+        let first = methods.filter(|method| method.rule == method.algorithm.rules()[0]);
+        let rows: Vec<Vec<String>> = first.filter_map(|method| row(chart, method)).collect();
         let ordinates = chart.plane.ordinates().iter().map(f64::to_string);
         let head: Vec<String> = std::iter::once(chart.plane.label().to_string()).chain(ordinates).collect();
         let _ = writeln!(text, "{}", markdown::table(&head, &rows));
