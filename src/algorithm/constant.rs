@@ -1,7 +1,7 @@
 //! Iteration with constant stiffness, equations (3.6)–(3.10): one factorisation, changing forces.
 
-use crate::algorithm::acceleration::{Acceleration, Accelerator};
-use crate::algorithm::rule::{self, StiffnessRule};
+use crate::algorithm::forces::Forces;
+use crate::algorithm::rule::{self, Acceleration, StiffnessRule};
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
 use crate::condensation::dense::DenseFactor;
 use crate::solution::Work;
@@ -13,8 +13,8 @@ pub struct Constant {
     pub rule: StiffnessRule,
     /// How the fixed point of the carried forces is approached.
     pub acceleration: Acceleration,
-    accelerator: Option<Accelerator>,
     factor: Option<DenseFactor>,
+    forces: Option<Forces>,
     /// Stiffnesses stored by the literal reading of (3.10).
     stored: Vec<f64>,
 }
@@ -27,7 +27,7 @@ impl Constant {
 
     /// The same with an acceleration.
     pub fn accelerated(rule: StiffnessRule, acceleration: Acceleration) -> Self {
-        Self { rule, acceleration, accelerator: None, factor: None, stored: Vec::new() }
+        Self { rule, acceleration, factor: None, forces: None, stored: Vec::new() }
     }
 }
 
@@ -43,9 +43,15 @@ impl Algorithm for Constant {
             self.factor = Some(problem.factorise(&problem.initial, work)?);
             self.stored = problem.initial.clone();
         }
+        if self.acceleration != Acceleration::None && self.forces.is_none() {
+            self.forces = self.factor.as_ref().map(|factor| Forces::of(problem, factor, work));
+        }
         let factor = self.factor.as_ref()?;
         let iterate = problem.equilibrium(factor, load, springs, |_| 0.0, work);
-        let before = springs.force.clone();
+        if let Some(step) = self.forces.as_ref().and_then(|forces| forces.step(problem, &iterate, work)) {
+            springs.force.iter_mut().zip(step).for_each(|(force, change)| *force += change);
+            return Some(iterate);
+        }
         for (i, point) in problem.points.iter().enumerate() {
             let (w, p) = (iterate.approach[i], iterate.pressure[i]);
             springs.force[i] += match self.rule {
@@ -54,27 +60,8 @@ impl Algorithm for Constant {
                 _ => rule::correction(p, problem.initial[i], w, point.gap) - p,
             };
         }
-        if self.acceleration != Acceleration::None {
-            let change: Vec<f64> = springs.force.iter().zip(&before).map(|(after, before)| after - before).collect();
-            let accelerator = self.accelerator.get_or_insert_with(|| accelerator(problem));
-            springs.force = accelerator.next(&before, &change, &mut work.rejected);
-        }
         Some(iterate)
     }
-
-    fn reload(&mut self, _: &ContactProblem, _: &mut Springs) {
-        self.accelerator = None;
-    }
-
-    fn remembers(&self) -> bool {
-        self.acceleration != Acceleration::None
-    }
-}
-
-/// Inner product `Σ A x y/k₀`, in which the rule `correction` is nonexpansive.
-fn accelerator(problem: &ContactProblem) -> Accelerator {
-    let terms = problem.points.iter().zip(&problem.initial);
-    Accelerator::new(terms.map(|(point, k)| point.weight / k).collect())
 }
 
 impl Constant {

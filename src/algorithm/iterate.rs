@@ -101,8 +101,6 @@ struct Course {
     noise: usize,
     /// Index of its first iteration in the history.
     first: usize,
-    /// Whether the algorithm remembers earlier states.
-    remembers: bool,
 }
 
 /// What is known of one increment.
@@ -145,8 +143,7 @@ impl<'a> Run<'a> {
         let fraction = increment as f64 / self.settings.increments as f64;
         let load: Vec<f64> = self.problem.load.iter().map(|f| f * fraction).collect();
         let law = if algorithm.is_elastic() { Law::Springs } else { Law::Rigid };
-        let remembers = algorithm.remembers();
-        let mut course = Course { first: self.history.len(), remembers, ..Course::default() };
+        let mut course = Course { first: self.history.len(), ..Course::default() };
         let mut outcome = Outcome::Capped;
         algorithm.reload(self.problem, springs);
         while self.work.iterations < self.settings.max_iterations {
@@ -196,7 +193,7 @@ impl<'a> Run<'a> {
             _ if self.is_met() => return Some(if within { Outcome::Converged } else { Outcome::Stopped }),
             _ => {}
         }
-        if let Some(period) = returned(&course.earlier, &state).filter(|_| !course.remembers) {
+        if let Some(period) = returned(&course.earlier, &state) {
             return Some(Outcome::Cycling { period });
         }
         let own = &self.history[course.first..];

@@ -5,7 +5,7 @@
 //! * [`unit`](mod@unit) — what their initial stiffness is a multiple of.
 //! * [`rule`] — how the springs' strain drives their stiffness or force.
 //! * [`varying`], [`constant`], [`kinematic`] — equations (3.2)–(3.14), one iteration each.
-//! * [`acceleration`] — of a fixed point from its last states; [`logarithms`] — of varying stiffness, on those that press.
+//! * [`logarithms`], [`forces`] — Newton's method for varying and for constant stiffness: not of the paper, and named.
 //! * [`kept`], [`settling`] — their factors, where few springs change and where most come to rest.
 //! * [`exact`] — the discrete solution that all of them shall end in.
 //! * [`target`] — how far an iterate is from it.
@@ -30,11 +30,11 @@
 //! # Ok::<(), contact_vv::error::Error>(())
 //! ```
 
-pub mod acceleration;
 pub mod bound;
 pub mod constant;
 pub mod criterion;
 pub mod exact;
+pub mod forces;
 pub mod iterate;
 pub mod iteration;
 pub mod kept;
@@ -51,7 +51,6 @@ pub mod varying;
 
 use crate::solution::Work;
 
-pub use acceleration::Acceleration;
 pub use constant::Constant;
 pub use criterion::Criterion;
 pub use exact::{Exact, Law};
@@ -59,7 +58,7 @@ pub use iterate::{Settings, iterate, iterate_from};
 pub use iteration::Iteration;
 pub use kinematic::Kinematic;
 pub use problem::{ContactProblem, Scale};
-pub use rule::{Leeway, Spring, StiffnessRule};
+pub use rule::{Acceleration, Leeway, Spring, StiffnessRule};
 pub use springs::{Iterate, Springs};
 pub use target::Target;
 pub use unit::StiffnessUnit;
@@ -80,11 +79,6 @@ pub trait Algorithm {
 
     /// Told before the first iteration of each load increment: the load is no longer what it was. It may change the springs.
     fn reload(&mut self, _problem: &ContactProblem, _springs: &mut Springs) {}
-
-    /// Whether an iteration hangs on earlier states too, so that one that returns is no cycle.
-    fn remembers(&self) -> bool {
-        false
-    }
 
     /// Whether penetration is the springs' own law (penalty) instead of an error to be iterated away.
     fn is_elastic(&self) -> bool {

@@ -28,6 +28,16 @@ named_enum! {
 }
 
 named_enum! {
+    /// How the fixed point of a rule is approached: what is not of the paper is named beside what it is added to.
+    pub enum Acceleration {
+        /// By the rule alone: the paper's own iteration.
+        None = "none",
+        /// By Newton's method, damped: on the logarithms of the stiffnesses (varying), on the forces of the springs (constant).
+        Newton = "newton",
+    }
+}
+
+named_enum! {
     /// What has a stiffness of its own, and changes it by its own approach and gap.
     pub enum Spring {
         /// Every contact point.

@@ -1,8 +1,7 @@
 //! Iteration with varying stiffness, equations (3.2)–(3.5): the system is factorised at every iteration.
 
-use crate::algorithm::acceleration::Acceleration;
 use crate::algorithm::logarithms::Logarithms;
-use crate::algorithm::rule::{self, Leeway, Spring, StiffnessRule};
+use crate::algorithm::rule::{self, Acceleration, Leeway, Spring, StiffnessRule};
 use crate::algorithm::settling::Settling;
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
 use crate::contact::ContactPoint;

@@ -1,5 +1,6 @@
 //! A check that was held against what was found.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use crate::case::check::{Against, Check, Reference, Relation};
@@ -113,12 +114,43 @@ impl Judged {
 
 /// The worst of some verdicts: a failure, else one that was not run, else a pass; none of nothing.
 pub fn worst<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> Option<&'a Verdict> {
-    let severity = |verdict: &&Verdict| match verdict {
-        Verdict::Pass => 0,
-        Verdict::NotRun(_) => 1,
-        Verdict::Fail => 2,
-    };
-    judged.into_iter().map(|judged| &judged.verdict).max_by_key(severity)
+    judged.into_iter().map(|judged| &judged.verdict).max_by_key(|verdict| verdict.severity())
+}
+
+/// What is asked, once each, with its runs, the worst first: a self-consistency asked of several runs is one requirement, any other
+/// check is one by itself.
+pub fn requirements<'a, T>(checks: impl IntoIterator<Item = (T, &'a Judged)>) -> Vec<Vec<(T, &'a Judged)>> {
+    let mut all: Vec<Vec<(T, &Judged)>> = Vec::new();
+    let mut known: BTreeMap<[&str; 2], usize> = BTreeMap::new();
+    for (run, one) in checks {
+        let next = all.len();
+        let is_shared = one.reference.kind == ReferenceKind::SelfConsistency;
+        let asked = [one.check.quantity.name(), &one.reference.name];
+        let place = if is_shared { *known.entry(asked).or_insert(next) } else { next };
+        match all.get_mut(place) {
+            Some(runs) => runs.push((run, one)),
+            None => all.push(vec![(run, one)]),
+        }
+    }
+    for runs in &mut all {
+        let is_worse = |a: &Judged, b: &Judged| {
+            let severity = a.verdict.severity().cmp(&b.verdict.severity());
+            severity.then(a.share_of_tolerance().total_cmp(&b.share_of_tolerance()))
+        };
+        runs.sort_by(|(_, a), (_, b)| is_worse(b, a));
+    }
+    all
+}
+
+impl Verdict {
+    /// A failure is worse than what was not run, and that than a pass.
+    fn severity(&self) -> u8 {
+        match self {
+            Self::Pass => 0,
+            Self::NotRun(_) => 1,
+            Self::Fail => 2,
+        }
+    }
 }
 
 /// A sign and a word.

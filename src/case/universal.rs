@@ -1,6 +1,5 @@
 //! What every converged run must satisfy, whatever the problem: equilibrium, invariance, condensed = full, path independence.
 
-use crate::algorithm::Acceleration;
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::elasticity::ElasticSystem;
 use crate::error::Error;
@@ -43,9 +42,6 @@ pub fn bounded(run: &Run) -> Option<Judged> {
 
 /// Root of the round-off of an energy.
 const SQUARED: f64 = 1e-8;
-
-/// Times that Anderson acceleration may make round-off larger: it divides by differences of residuals, which are small parts of them.
-const EXTRAPOLATED: f64 = 100.0;
 
 /// All universal checks of a converged run.
 pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
@@ -238,8 +234,6 @@ fn same(run: &Run, name: &str, variant: &Discretisation, unit: f64, [scale, limi
         others[share.points.clone()].reverse();
     }
     let difference = largest_difference(pressures, others.into_iter()) / scale;
-    let is_extrapolated = run.formulation.acceleration == Acceleration::Anderson;
-    let limit = if is_extrapolated { EXTRAPOLATED * limit } else { limit };
     // Where the tolerance is as small as the perturbation itself, one iteration more or less is no difference.
     let decidable = run.formulation.settings.tolerance >= 100.0 * limit * NOISE / ROUND_OFF;
     let same_iterations = other.outcome == run.solution.outcome && (!decidable || other.work == run.solution.work);

@@ -24,7 +24,7 @@ use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 pub struct Arguments {
     /// Case of the library (`list` names them), or a scene file.
     case: String,
-    /// Only these, such as line.constant+anderson, or line.constant as it stands in the paper; by default all nine as `solve` takes them.
+    /// Only these, such as line.constant+newton, or line.constant as it stands in the paper; by default all nine as `solve` takes them.
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     formulations: Vec<String>,
     /// Largest error accepted of peak, profile, width and approach against the solution of the same discrete problem, for all of them.

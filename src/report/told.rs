@@ -1,6 +1,6 @@
 //! What became of some checks, in a sentence.
 
-use crate::case::{Judged, Relation, Verdict};
+use crate::case::{Judged, Relation, Verdict, judged};
 use crate::markdown;
 use crate::oracle::ReferenceKind;
 
@@ -15,10 +15,16 @@ pub const KINDS: [(ReferenceKind, &str); 4] = [
 /// Failures that are named; further ones are counted.
 const NAMED: usize = 3;
 
-/// Numbers of checks that passed, failed and were not run.
+/// What is asked, once each, by its worst run.
+pub fn once<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> Vec<&'a Judged> {
+    let requirements = judged::requirements(judged.into_iter().map(|one| ((), one)));
+    requirements.iter().map(|runs| runs[0].1).collect()
+}
+
+/// Numbers of checks that passed, failed and were not run; one that is asked of every run is one check.
 pub fn counts<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> [usize; 3] {
     let mut counts = [0; 3];
-    for one in judged {
+    for one in once(judged) {
         counts[match one.verdict {
             Verdict::Pass => 0,
             Verdict::Fail => 1,
@@ -30,6 +36,7 @@ pub fn counts<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> [usize; 3] {
 
 /// The sentence.
 pub fn of(judged: &[&Judged]) -> String {
+    let judged = &once(judged.iter().copied())[..];
     let [pass, fail, absent] = counts(judged.iter().copied());
     let own = |kind: ReferenceKind| judged.iter().filter(|one| one.reference.kind == kind).count();
     let kinds = KINDS.iter().map(|(kind, told)| (own(*kind), told)).filter(|(number, _)| *number > 0);

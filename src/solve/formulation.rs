@@ -53,22 +53,17 @@ impl Formulation {
         }
     }
 
-    /// The same as the program and its pages take it where no more is said: varying and constant stiffness with the acceleration under
-    /// which every scene of the library converges, and κ₀ by the bodies where iterations depend on it.
+    /// The same as the program and its pages take it where no more is said: varying and constant stiffness by Newton's method, with
+    /// which every scene of the library converges.
     ///
-    /// Under constant stiffness the node element takes κ₀ = 1, line and layer 4: of their points those of an edge can differ without
-    /// the bodies yielding, which stiffer springs settle sooner. Under kinematic load they start from 10: from the hardest springs
-    /// pressures of neighbouring points alternate where they are more than displacements can follow, and do not settle.
+    /// Under kinematic load the points of line and layer start from 10 by the bodies: from the hardest springs pressures of
+    /// neighbouring points alternate where they are more than displacements can follow, and do not settle.
     pub fn accelerated(element: Element, algorithm: Iteration) -> Self {
         let paper = Self::new(element, algorithm);
-        let by_the_bodies = |stiffness: f64| Self { stiffness, stiffness_unit: StiffnessUnit::Bodies, ..paper.clone() };
-        let acceleration = Acceleration::Anderson;
         match (algorithm, element) {
-            (Iteration::Varying, _) => Self { acceleration: Acceleration::Newton, ..paper },
-            (Iteration::Constant, Element::Node) => Self { acceleration, ..by_the_bodies(1.0) },
-            (Iteration::Constant, _) => Self { acceleration, ..by_the_bodies(4.0) },
+            (Iteration::Varying | Iteration::Constant, _) => Self { acceleration: Acceleration::Newton, ..paper },
             (Iteration::Kinematic, Element::Node) => paper,
-            (Iteration::Kinematic, _) => by_the_bodies(10.0),
+            (Iteration::Kinematic, _) => Self { stiffness: 10.0, stiffness_unit: StiffnessUnit::Bodies, ..paper },
         }
     }
 

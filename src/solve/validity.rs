@@ -86,10 +86,8 @@ impl Formulation {
         let algorithm = self.algorithm.name();
         let is_point = self.leeway.spring == Spring::Point;
         let has_fixed_point = match self.algorithm {
-            Iteration::Varying => {
-                self.acceleration == Acceleration::Newton && self.rule == StiffnessRule::Secant && is_point
-            }
-            Iteration::Constant => self.acceleration == Acceleration::Anderson,
+            Iteration::Varying => self.rule == StiffnessRule::Secant && is_point,
+            Iteration::Constant => self.rule == StiffnessRule::Correction,
             Iteration::Kinematic => false,
         };
         if self.acceleration != Acceleration::None && !has_fixed_point {
@@ -99,7 +97,7 @@ impl Formulation {
                     "the {algorithm} algorithm with rule `{rule}` has no fixed point for `{}`",
                     self.acceleration.name()
                 ),
-                "choose anderson for constant, newton for varying with the rule secant and springs of points, or `none`",
+                "choose newton for constant with the rule correction, or for varying with the rule secant and springs of points; else `none`",
             );
         }
         Ok(())

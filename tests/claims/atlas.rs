@@ -37,7 +37,7 @@ fn flat(plane: Plane) -> Vec<Record> {
 fn every_element_algorithm_and_rule_is_on_both_full_planes() {
     for plane in [Plane::Stretch, Plane::Mesh] {
         let rows = plane.rows();
-        assert_eq!(rows.len(), 3 * 7 * plane.ordinates().len(), "{}", plane.name());
+        assert_eq!(rows.len(), 3 * 9 * plane.ordinates().len(), "{}", plane.name());
         let stiffnesses = plane.stiffnesses();
         let decades = (stiffnesses[stiffnesses.len() - 1] / stiffnesses[0]).log10();
         assert!((decades - 12.0).abs() < 1e-9, "{decades}");

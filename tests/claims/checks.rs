@@ -1,8 +1,9 @@
 //! What a check is: a sentence rendered from data, an error that NaN fails, and a row on the page.
 
+use contact_vv::case::judged::requirements;
 use contact_vv::case::{Check, Judged, Quantity, Reference, Verdict};
 use contact_vv::oracle::ReferenceKind;
-use contact_vv::report::checks;
+use contact_vv::report::{checks, told};
 use contact_vv::study::drawn::Curve;
 use contact_vv::study::sweep;
 use contact_vv::study::sweep::run::{Numbers, Sweep};
@@ -159,4 +160,22 @@ fn check_that_asks_for_more_than_another_formulation_accepts_is_not_judged_and_a
     };
     assert_eq!(told(&["--element", "node", "--algorithm", "constant"]), (true, true));
     assert_eq!(told(&["--tolerance", "1e-3", "--algorithm", "kinematic"]), (true, false));
+}
+
+#[test]
+fn self_consistency_of_several_runs_is_one_check_and_as_bad_as_its_worst_run() {
+    let own = |error: f64| Check::error("imbalance", Reference::own("zero", 0.0), 1e-9, "statics").judge(error);
+    let hertz = |value: f64| Check::near("width", Reference::analytic("Hertz", 2.0), 0.1, "a reason").judge(value);
+    let absent =
+        || Check::none("imbalance", "statics").not_run(ReferenceKind::SelfConsistency, "zero", "no run".into());
+    let fold = |all: &[Judged]| told::counts(all);
+    assert_eq!(fold(&[own(1e-12), own(1e-10), own(0.0), hertz(2.1), hertz(2.1)]), [3, 0, 0]);
+    assert_eq!(fold(&[own(1e-12), own(1e-8), own(0.0), hertz(2.1)]), [1, 1, 0]);
+    assert_eq!(fold(&[own(1e-12), own(f64::NAN), hertz(2.1)]), [1, 1, 0]);
+    assert_eq!(fold(&[own(1e-12), absent(), hertz(2.1)]), [1, 0, 1]);
+    let runs = [own(1e-12), own(1e-10), own(0.0)];
+    let named = ["a", "b", "c"].into_iter().zip(&runs);
+    let asked: Vec<Vec<&str>> =
+        requirements(named).iter().map(|runs| runs.iter().map(|(name, _)| *name).collect()).collect();
+    assert_eq!(asked, [["b", "a", "c"]]);
 }

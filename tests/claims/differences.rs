@@ -28,6 +28,8 @@ fn check(case: &str, trial: &str, quantity: &str, error: f64) -> CheckRow {
         uncertainty: None,
         verdict: if error <= tolerance { Mark::Pass } else { Mark::Fail },
         why: String::new(),
+        runs: 1,
+        worst: String::new(),
     }
 }
 
@@ -247,4 +249,16 @@ fn round_off_is_nothing_and_four_digits_are_kept() {
 fn checks_that_nothing_tells_apart_are_numbered() {
     let rows = record::check::numbered(vec![check("a", "b", "c", 1e-3), check("a", "b", "c", 2e-3)]);
     assert_eq!(rows.iter().map(|row| row.place.as_str()).collect::<Vec<_>>(), ["", "#2"]);
+}
+
+#[test]
+fn check_asked_of_fewer_runs_is_told() {
+    let of = |runs: usize| {
+        let worst = "pin × run 4".into();
+        CheckRow { runs, worst, ..check(record::check::EVERY_RUN, "", "imbalance", 1e-3) }
+    };
+    let (text, _) = told(&tree(&[of(30)]), &tree(&[of(29)]));
+    assert!(text.contains("Asked of FEWER runs: 1 check") && text.contains("imbalance: 30 → 29 runs"), "{text}");
+    let (text, worse) = told(&tree(&[of(30)]), &tree(&[CheckRow { error: 0.1, verdict: Mark::Fail, ..of(30) }]));
+    assert!(worse && text.contains("pin × run 4") && text.contains("pass → FAIL"), "{text}");
 }

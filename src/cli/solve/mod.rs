@@ -101,7 +101,7 @@ fn solve(arguments: &Arguments, mut problem: Case) -> Result<Ended, Error> {
     let mut checks = problem.own(&discretisation, &run)?;
     // The checks of a file are written for its own formulation, which may go further.
     if (formulation.element, formulation.algorithm) != (own.element, own.algorithm) {
-        let accepted = formulation.settings.tolerance;
+        let accepted = run.formulation.settings.tolerance;
         checks = checks.into_iter().map(|check| check.as_far_as(accepted)).collect();
     }
     checks.extend(accurate.iter().map(|(asked, answer)| met(asked, answer)));

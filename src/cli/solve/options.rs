@@ -43,12 +43,11 @@ pub struct Arguments {
     /// Thickness of the layer element over the length of its edge.
     #[arg(long, value_name = "PART", allow_negative_numbers = true)]
     layer_thickness: Option<f64>,
-    /// Acceleration: by default newton of the varying and anderson of the constant algorithm under their own rules, none under
-    /// others; with none they are those of the paper.
+    /// Acceleration: by default newton of the varying and the constant algorithm under their own rules, none under others; with
+    /// none they are those of the paper.
     #[arg(long, value_enum)]
     acceleration: Option<Acceleration>,
-    /// Initial stiffness κ₀ = k_n ℓ/E*: by default 1 for varying, 1e6 for kinematic; for constant by the bodies, 1 (node) or 4
-    /// (line, layer) times the mean of what they resist as a whole and at a point.
+    /// Initial stiffness κ₀ = k_n ℓ/E*: by default 1 for varying and constant, 1e6 for kinematic.
     #[arg(long, value_name = "KAPPA", allow_negative_numbers = true)]
     stiffness: Option<f64>,
     /// Hertz half-width over the radius (Hertz scenes only).

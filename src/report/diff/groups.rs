@@ -45,8 +45,11 @@ fn held(quantity: &str, against: &str) -> String {
     format!("{quantity} against {against}")
 }
 
-/// Case, trial and place of a check.
+/// Case, trial and place of a check; of several runs those of the worst.
 fn at(row: &CheckRow) -> String {
+    if row.runs > 1 {
+        return row.worst.clone();
+    }
     let place = if row.place.is_empty() { String::new() } else { format!(", {}", row.place) };
     format!("{} × {}{place}", row.case, row.trial)
 }

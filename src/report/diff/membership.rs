@@ -1,4 +1,4 @@
-//! Checks and cases that came, went or were renamed.
+//! Checks and cases that came, went, are asked of fewer runs, or were renamed.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,7 +12,15 @@ pub fn told(pairs: &Pairs) -> Vec<Told> {
     let [before, after] = [cases(&pairs.both, &pairs.gone, |p| p.before), cases(&pairs.both, &pairs.came, |p| p.after)];
     let gone = of("Checks that are GONE", &pairs.gone, &after, "the whole case is gone");
     let came = of("New checks", &pairs.came, &before, "a new case");
-    [gone, came, renamed(&pairs.renamed)].into_iter().flatten().collect()
+    [gone, came, fewer(&pairs.both), renamed(&pairs.renamed)].into_iter().flatten().collect()
+}
+
+/// Checks that fewer runs are asked for.
+fn fewer(pairs: &[Pair]) -> Option<Told> {
+    let fewer = pairs.iter().filter(|pair| pair.after.runs < pair.before.runs);
+    let row = |pair: &Pair| format!("{}: {} → {} runs", pair.after.quantity, pair.before.runs, pair.after.runs);
+    let rows: Vec<String> = fewer.map(row).collect();
+    (!rows.is_empty()).then(|| Told::new(format!("Asked of FEWER runs: {}", counted(rows.len(), "check")), rows))
 }
 
 /// Studies with their cases.

@@ -1,7 +1,7 @@
 //! Is it right, and against what?
 
 use crate::case::library::cylinder;
-use crate::case::{Judged, Quantity, Verdict};
+use crate::case::{Quantity, Verdict};
 use crate::markdown;
 use crate::oracle::ReferenceKind;
 use crate::report::front::nearness;
@@ -25,7 +25,7 @@ const MOST: f64 = 0.5;
 
 /// Whether any check fails, how near the nine formulations are to Hertz, and how many error bars hold.
 pub fn right(findings: &[Finding]) -> String {
-    let all: Vec<&Judged> = findings.iter().flat_map(|finding| &finding.judged).collect();
+    let all = told::once(findings.iter().flat_map(|finding| &finding.judged));
     let [pass, fail, absent] = told::counts(all.iter().copied());
     let not_run = if absent > 0 { format!(", {absent} could not be run") } else { String::new() };
     let verdict = match (all.len(), fail) {
@@ -68,7 +68,7 @@ fn hertz(findings: &[Finding]) -> String {
 
 /// Counts of checks by kind, and what no measurement has seen.
 pub fn against(findings: &[Finding]) -> String {
-    let all: Vec<&Judged> = findings.iter().flat_map(|finding| &finding.judged).collect();
+    let all = told::once(findings.iter().flat_map(|finding| &finding.judged));
     let own = |kind: ReferenceKind| all.iter().copied().filter(move |one| one.reference.kind == kind);
     let mut kinds = SHOWS;
     kinds.sort_by_key(|(kind, ..)| std::cmp::Reverse(own(*kind).count()));

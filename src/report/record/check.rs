@@ -1,12 +1,12 @@
-//! A row per check: what was judged, with its numbers.
+//! A row per check: what was judged, with its numbers; of a self-consistency that every run is asked for, those of the worst.
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
 use super::rounding::{ROUND_OFF, floored, four};
-use crate::case::{Judged, Quantity, Relation, Verdict};
-use crate::study::Finding;
+use crate::case::{Judged, Quantity, Relation, Verdict, judged};
+use crate::study::{Finding, Room};
 
 /// A verdict without its words, from good to bad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -67,7 +67,20 @@ pub struct CheckRow {
     pub verdict: Mark,
     /// Why it was not run.
     pub why: String,
+    /// How many runs are asked for it.
+    #[serde(default = "one")]
+    pub runs: usize,
+    /// Where it is worst, of several.
+    #[serde(default)]
+    pub worst: String,
 }
+
+fn one() -> usize {
+    1
+}
+
+/// Case of a check that several runs are asked for.
+pub const EVERY_RUN: &str = "every run";
 
 impl CheckRow {
     /// Columns of the key by name.
@@ -106,7 +119,23 @@ impl CheckRow {
             uncertainty: judged.uncertainty.map(four),
             verdict,
             why,
+            runs: 1,
+            worst: String::new(),
         }
+    }
+
+    /// The worst of some runs, in place of them all.
+    fn of_all(runs: &[(&Finding, &Judged)]) -> Self {
+        let (finding, judged) = runs[0];
+        let own = Self::of(finding, judged);
+        if runs.len() == 1 {
+            return own;
+        }
+        let places = [&own.trial, &own.place].into_iter().filter(|place| !place.is_empty());
+        let at: Vec<&str> = places.map(String::as_str).collect();
+        let worst = format!("{} × {}", own.case, at.join(", "));
+        let [trial, place] = [String::new(), String::new()];
+        Self { case: EVERY_RUN.into(), trial, place, runs: runs.len(), worst, ..own }
     }
 }
 
@@ -129,8 +158,11 @@ fn share(judged: &Judged, error: f64) -> f64 {
 
 /// The rows of all checks, sorted by their keys; checks that nothing else tells apart are numbered.
 pub fn rows(findings: &[Finding]) -> Vec<CheckRow> {
-    let of = |finding: &'_ Finding| finding.judged.iter().map(|one| CheckRow::of(finding, one)).collect::<Vec<_>>();
-    numbered(findings.iter().flat_map(of).collect())
+    let of_room = |room: &Room| {
+        let own = findings.iter().filter(|finding| finding.room == *room);
+        judged::requirements(own.flat_map(|finding| finding.judged.iter().map(move |one| (finding, one))))
+    };
+    numbered(Room::ALL.iter().flat_map(of_room).map(|runs| CheckRow::of_all(&runs)).collect())
 }
 
 /// The same rows, sorted, no two with one key.

@@ -18,7 +18,7 @@ pub fn recommendation(digests: &[Digest]) -> String {
     );
     let reliable = reliable(digests);
     let constant = reliable.iter().find(|(method, _)| method.algorithm == Iteration::Constant);
-    if let Some(first) = reliable.first() {
+    if let Some(first) = reliable.iter().find(|(method, _)| !method.is_accelerated()) {
         let _ = writeln!(text, "* **Use** {}.", sentence(first));
     }
     if let Some(constant) = constant {
@@ -37,9 +37,9 @@ pub fn recommendation(digests: &[Digest]) -> String {
     text
 }
 
-/// The method to use; none where there is none of which every surveyed run ends right.
+/// The method to use, of those to which nothing is added; none where there is none of which every surveyed run ends right.
 pub fn recommended(digests: &[Digest]) -> Option<Method> {
-    reliable(digests).first().map(|(method, _)| *method)
+    reliable(digests).into_iter().map(|(method, _)| method).find(|method| !method.is_accelerated())
 }
 
 /// Methods with a range, fewest iterations first; a penalty stops at a penetration of its own and is not among them.
@@ -126,9 +126,7 @@ fn obstacle(method: Method) -> &'static str {
         (Iteration::Varying, _) if method.is_accelerated() => {
             "points that part from the contact one by one: until those that press stand still, the rule goes alone"
         }
-        (Iteration::Constant, _) if method.is_accelerated() => {
-            "as without: the last states tell the way only once open and closed points are told apart"
-        }
+        (Iteration::Constant, _) if method.is_accelerated() => "which points press is found step by step",
         (Iteration::Varying, StiffnessRule::Secant) => {
             "an open point loses its force by w/g an iteration, and w/g → 1 at the contact edge"
         }

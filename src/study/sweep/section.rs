@@ -1,6 +1,5 @@
 //! The section on initial stiffness and rules.
 
-use crate::algorithm::acceleration::DEPTH;
 use crate::algorithm::logarithms::STOOD;
 use crate::error::Error;
 use crate::markdown;
@@ -53,17 +52,15 @@ fn before_and_after(findings: &[Found<Numbers>]) -> String {
         [one.paper.clone(), one.program.clone()].into_iter().chain(cells).collect()
     };
     let rows: Vec<Vec<String>> = first.iter().enumerate().map(row).collect();
-    let taken = |element, algorithm| Formulation::accelerated(element, algorithm).stiffness;
-    let [of_nodes, of_points] = [Element::Node, Element::Line].map(|element| taken(element, Iteration::Constant));
-    let kinematic = taken(Element::Line, Iteration::Kinematic);
+    let kinematic = Formulation::accelerated(Element::Line, Iteration::Kinematic).stiffness;
     format!(
         "**Iterations to {:e} on the meshes of the library, before → after**\n\n{}\n\
          Two Gauss points on an edge carry differences that the bodies feel only through their change from edge to edge: under varying \
          stiffness these die out in iterations that grow with the square of the number of edges, whatever κ₀. The program takes \
          varying stiffness by Newton's method on ln k of the points that press, damped, once these have stood for {STOOD} iterations, each with a \
-         back-substitution for every such point; and constant stiffness by Anderson acceleration of its forces, over {DEPTH} differences. Its κ₀ of constant stiffness, and of kinematic load on Gauss points, is a multiple of √(E*/L · s), L the candidate \
-         stretch and s what the bodies resist at a point: {of_nodes} for the node element under constant stiffness, {of_points} for line and layer, {kinematic} under kinematic \
-         load. With `--acceleration none` varying and constant stiffness are the paper's.\n\n",
+         back-substitution for every such point; and constant stiffness by Newton's method on the carried forces, damped, with its one \
+         factorisation and as many back-substitutions as there are points before the first step. κ₀ of kinematic load on Gauss points is \
+         {kinematic} times √(E*/L · s), L the candidate stretch and s what the bodies resist at a point. With `--acceleration none` varying and constant stiffness are the paper's.\n\n",
         Settings::default().tolerance,
         markdown::table(&head, &rows)
     )
