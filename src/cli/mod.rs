@@ -16,7 +16,7 @@
 //! * `bars` — how far each number may be from the truth.
 //! * [`reactions`] — what its supports exert.
 //! * [`json`] — all that is printed as JSON, and its schema.
-//! * `terminal` — lines, tables, errors and a bar of progress.
+//! * `terminal` — lines, tables, errors and a bar of progress; `excerpt` — an error in a text file; `choice` — options of named values.
 //! * [`vtu`] — its fields for ParaView.
 //! * [`new`] — scene files to begin with.
 //! * [`manual`] — shell completions and manual pages; [`examples`] — those in the help.
@@ -25,9 +25,11 @@
 pub mod accuracy;
 pub mod atlas;
 mod bars;
+mod choice;
 pub mod compare;
 pub mod ended;
 pub mod examples;
+mod excerpt;
 pub mod export;
 mod found;
 pub mod json;
@@ -55,6 +57,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
 use crate::case::library::NAMES;
+use crate::cli::choice::choice;
 use crate::cli::ended::Ended;
 use crate::cli::json::{Answer, Listed};
 use crate::cli::terminal::{say, show};
@@ -128,7 +131,7 @@ enum Command {
         #[arg(long)]
         points: bool,
         /// Ask only this code on meshes of its own; its part of the record is marked as a run of its own.
-        #[arg(long, conflicts_with = "points")]
+        #[arg(long, conflicts_with = "points", value_parser = choice(Code::TOLD))]
         ask: Option<Code>,
     },
     /// Ask CalculiX, GetFEM, NGSolve, SfePy, Kratos, Akantu, FElupe, scikit-fem and dolfinx for exported cases, and keep what they write in oracles/frozen/scoreboard.
@@ -145,14 +148,14 @@ enum Command {
     #[command(after_help = examples::NEW)]
     New {
         /// The shape of problem; left out, all are listed.
-        #[arg(value_enum)]
+        #[arg(value_parser = choice(new::Template::TOLD))]
         shape: Option<new::Template>,
     },
     /// Print the JSON Schema of all that is printed as JSON, or of what is read.
     #[command(after_help = examples::SCHEMA)]
     Schema {
         /// What it is the schema of.
-        #[arg(value_enum, default_value_t = json::Schema::Printed)]
+        #[arg(value_parser = choice(json::Schema::TOLD), default_value = json::Schema::Printed.name())]
         of: json::Schema,
     },
     /// Print the completions for a shell.

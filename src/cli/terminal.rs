@@ -6,8 +6,8 @@ use comfy_table::{ContentArrangement, Table, presets};
 use indicatif::{ProgressBar, ProgressStyle};
 use miette::GraphicalReportHandler;
 
+use crate::cli::excerpt::Excerpt;
 use crate::error::Error;
-use crate::error::excerpt::Excerpt;
 
 /// Prints an error; one in a file with the lines around it.
 pub fn show(error: &Error) {

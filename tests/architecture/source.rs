@@ -21,6 +21,8 @@ pub struct Source {
     pub paths: Vec<Vec<String>>,
     /// Names of its traits.
     pub traits: Vec<String>,
+    /// How many lines it has.
+    pub lines: usize,
 }
 
 /// One name that `use` brings.
@@ -41,7 +43,15 @@ impl Source {
         let mut found = Found::default();
         found.visit_file(&syntax);
         let Found { uses, paths, traits } = found;
-        Self { file: file.to_owned(), module: module_of(file), words: words(tokens), uses, paths, traits }
+        Self {
+            file: file.to_owned(),
+            module: module_of(file),
+            words: words(tokens),
+            uses,
+            paths,
+            traits,
+            lines: text.lines().count(),
+        }
     }
 
     /// Every path of the file, imported or written in its code.
@@ -49,9 +59,9 @@ impl Source {
         self.uses.iter().map(|one| &one.path).chain(&self.paths)
     }
 
-    /// The folder or file right below `src` that it belongs to.
+    /// The folder or file right below `src`, or `src/solver`, that it belongs to.
     pub fn link(&self) -> &str {
-        self.file.split('/').next().unwrap_or_default().trim_end_matches(".rs")
+        self.file.trim_start_matches("solver/").split('/').next().unwrap_or_default().trim_end_matches(".rs")
     }
 
     /// Whether it is the reading guide of a folder.
@@ -61,7 +71,9 @@ impl Source {
 }
 
 fn module_of(file: &str) -> Vec<String> {
-    let mut names: Vec<String> = file.trim_end_matches(".rs").split('/').map(str::to_owned).collect();
+    // The solver is a crate of its own, whose modules are passed on by the suite's.
+    let file = file.trim_start_matches("solver/").trim_end_matches(".rs");
+    let mut names: Vec<String> = file.split('/').map(str::to_owned).collect();
     if names.last().is_some_and(|last| last == "mod" || last == "lib") {
         names.pop();
     }

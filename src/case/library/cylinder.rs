@@ -5,14 +5,11 @@ use std::sync::Arc;
 use crate::case::check::Check;
 use crate::case::check::Reference;
 use crate::case::definition::Case;
-use crate::case::library::shared::{ENGINEERING, hertz_checks, hertz_reference, symmetry};
+use crate::case::library::shared::{ENGINEERING, hertz_checks};
 use crate::case::quantity::Quantity;
 use crate::mesh::Resolution;
 use crate::oracle::analytic::hertz::Hertz;
-use crate::scene::{
-    Body, Component, ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, Scene, Sector, Shape,
-    StressField,
-};
+use crate::scene::{Component, Face, Load, Material, PlaneHypothesis, Scene, Sector, Shape, StressField};
 use crate::solve::Formulation;
 
 /// Elastic cylinder pressed on a rigid plane by a uniform load (paper, example a).
@@ -69,43 +66,27 @@ impl Cylinder {
 
     /// The scene: `q = P/2R` on the horizontal cut, symmetry on x = 0, rigid plane below.
     pub fn scene(&self) -> Scene {
+        let mut scene = Scene::cylinder_on_plane(self.radius, self.material(), self.half_width());
+        scene.contacts[0].stretch = self.stretch * self.half_width();
         let q = self.load() / (2.0 * self.radius);
-        let sector = match self.model {
-            CylinderModel::Quarter | CylinderModel::BetweenPlates => Sector::Quarter,
-            CylinderModel::Half | CylinderModel::HalfLoadedAbove => Sector::RightHalf,
-        };
-        let across = [0.0, -q];
         let load = match self.model {
-            CylinderModel::Quarter => Load::Traction { boundary: "cut".into(), traction: across },
-            CylinderModel::Half => Load::Traction { boundary: "middle".into(), traction: across },
+            CylinderModel::Quarter => return scene,
             CylinderModel::BetweenPlates => {
                 Load::RigidFace { boundary: "cut".into(), component: Component::Y, force: -0.5 * self.load() }
             }
+            CylinderModel::Half => Load::Traction { boundary: "middle".into(), traction: [0.0, -q] },
             CylinderModel::HalfLoadedAbove => {
                 Load::Stress { boundary: "top".into(), field: StressField(Arc::new(move |_| [0.0, -q, 0.0])) }
             }
         };
-        Scene {
-            name: if sector == Sector::Quarter { "cylinder" } else { "cylinder-half" }.into(),
-            plane: PlaneHypothesis::Strain,
-            thickness: 1.0,
-            bodies: vec![Body {
-                density: 1.0,
-                name: "cylinder".into(),
-                shape: Shape::Disc { centre: [0.0, self.radius], radius: self.radius, sector, contact: Face::Bottom },
-                material: self.material(),
-                supports: vec![symmetry("axis")],
-                loads: vec![load],
-            }],
-            contacts: vec![ContactPair::new(
-                None,
-                Path::HORIZONTAL,
-                Profile::Circle { radius: self.radius },
-                self.stretch * self.half_width(),
-            )],
-            reference: hertz_reference(self.half_width(), self.load(), self.radius),
-            grading: Grading { unit: self.half_width(), along: 1.7, depth: 1.6, first: 1.0, coarsest: 0.3, end: 1.0 },
+        let body = &mut scene.bodies[0];
+        body.loads = vec![load];
+        if self.model != CylinderModel::BetweenPlates {
+            let (centre, radius) = ([0.0, self.radius], self.radius);
+            body.shape = Shape::Disc { centre, radius, sector: Sector::RightHalf, contact: Face::Bottom };
+            scene.name = "cylinder-half".into();
         }
+        scene
     }
 }
 

@@ -1,7 +1,5 @@
 //! What several scenes of the library share.
 
-use std::f64::consts::PI;
-
 use crate::case::check::{Against, Check};
 use crate::case::quantity::Quantity;
 use crate::scene::{
@@ -11,15 +9,6 @@ use crate::scene::{
 
 /// Length of arc that holds `N` elements of the candidate stretch on pins \[mm\].
 pub const ARC_UNIT: f64 = 10.0;
-
-/// `ℓ = a`, `p_ref = p₀ = 2P/πa`, `g_ref = g(a) = a²/2R`.
-pub(super) fn hertz_reference(half_width: f64, load: f64, radius: f64) -> ReferenceValues {
-    ReferenceValues {
-        length: half_width,
-        pressure: 2.0 * load / (PI * half_width),
-        gap: half_width * half_width / (2.0 * radius),
-    }
-}
 
 /// Symmetry about x = 0 on a named boundary.
 pub(super) fn symmetry(boundary: &'static str) -> Support {

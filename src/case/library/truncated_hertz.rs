@@ -5,11 +5,12 @@ use std::sync::Arc;
 use crate::case::check::Against;
 use crate::case::check::Check;
 use crate::case::definition::Case;
-use crate::case::library::shared::{ENGINEERING, hertz_checks, hertz_reference, symmetry};
+use crate::case::library::shared::{ENGINEERING, hertz_checks, symmetry};
 use crate::case::quantity::Quantity;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::scene::{
-    Body, ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, Scene, Shape, StressField,
+    Body, ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, ReferenceValues, Scene, Shape,
+    StressField,
 };
 use crate::solve::Formulation;
 
@@ -83,7 +84,7 @@ impl TruncatedHertz {
                 Profile::Parabola { radius: self.radius },
                 self.stretch * a,
             )],
-            reference: hertz_reference(a, self.load(), self.radius),
+            reference: ReferenceValues::hertz(a, self.load(), self.radius),
             grading: Grading { unit: a, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
         }
     }

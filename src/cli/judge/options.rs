@@ -6,6 +6,7 @@ use clap::Args;
 
 use crate::accuracy;
 use crate::case::{Case, library};
+use crate::cli::choice::choice;
 use crate::cli::outputs::{self, Output};
 use crate::error::Error;
 use crate::figure;
@@ -29,7 +30,7 @@ pub struct Arguments {
     #[arg(long, value_name = "ROLE=UNIT")]
     unit: Vec<String>,
     /// Order of the contact edges: 1, every point is a corner (unless the file says otherwise); 2, corners and mid-sides by turns.
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = choice(Order::TOLD))]
     order: Option<Order>,
     /// Contact that the answers are of, in a scene with several.
     #[arg(long, value_name = "NAME")]

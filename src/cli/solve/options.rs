@@ -7,6 +7,7 @@ use clap::Args;
 use crate::accuracy::{self, Asked};
 use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule, StiffnessUnit};
 use crate::case::{Case, library};
+use crate::cli::choice::choice;
 use crate::cli::outputs::{self, Output};
 use crate::cli::solve::{curve, profile};
 use crate::cli::{json, vtu};
@@ -26,26 +27,26 @@ pub struct Arguments {
     /// Case of the library (`list` names them), or a scene file (tests/cases/README.md describes its keys).
     pub case: String,
     /// Contact element: node unless the file says otherwise.
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = choice(Element::TOLD))]
     element: Option<Element>,
     /// Iteration algorithm: kinematic unless the file says otherwise.
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = choice(Iteration::TOLD))]
     algorithm: Option<Iteration>,
     /// Rule; the algorithm's own by default.
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = choice(StiffnessRule::TOLD))]
     rule: Option<StiffnessRule>,
     /// Largest factor by which an iteration of the varying algorithm changes a stiffness, 100 by default; `inf` is none.
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     bound: Option<f64>,
     /// What has a stiffness of its own under the varying algorithm; point by default.
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = choice(Spring::TOLD))]
     spring: Option<Spring>,
     /// Thickness of the layer element over the length of its edge.
     #[arg(long, value_name = "PART", allow_negative_numbers = true)]
     layer_thickness: Option<f64>,
     /// Acceleration: by default newton of the varying and the constant algorithm under their own rules, none under others; with
     /// none they are those of the paper.
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = choice(Acceleration::TOLD))]
     acceleration: Option<Acceleration>,
     /// Initial stiffness κ₀ = k_n ℓ/E*: by default 1 for varying and constant, 1e6 for kinematic.
     #[arg(long, value_name = "KAPPA", allow_negative_numbers = true)]
@@ -54,7 +55,7 @@ pub struct Arguments {
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     a_over_r: Option<f64>,
     /// Element order.
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = choice(Order::TOLD))]
     order: Option<Order>,
     /// Elements per half-width, or per 10 mm of arc on pins; in a scene file per the length it names. Growth away from
     /// the contact gets gentler with more of them.
@@ -69,7 +70,7 @@ pub struct Arguments {
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true)]
     accuracy: Option<String>,
     /// What shall fall below the tolerance; error by default, which alone says something of the answer.
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = choice(Criterion::TOLD))]
     criterion: Option<Criterion>,
     /// Load increments.
     #[arg(long, value_name = "N", allow_negative_numbers = true)]

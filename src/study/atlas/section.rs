@@ -58,7 +58,7 @@ The curves, *a posteriori* but for kinematic load: from the condensed matrices a
 linear iteration from its start to the tolerance, and takes no fewer iterations than hard springs need to work off their gaps, \
 k₀ g/p̄; *varying stiffness* is as slow as the slowest point near the contact edge, whose force falls by w/g, or by κ (w − g), an iteration; \
 *kinematic load* halves L² − a². *A priori*, for any scene: constant stiffness with correction is an averaged map, which comes no farther from its limit at any \
-iteration, so that from no κ₀ > 0 it diverges or cycles. Derivations are given beside the formulas in `src/stability`.\n\n";
+iteration, so that from no κ₀ > 0 it diverges or cycles. Derivations are given beside the formulas in `src/solver/stability`.\n\n";
 
 const EXPLAINED: &str = "\
 What the predictions leave out: *line and layer elements* have an alternating pressure mode, which hard springs raise and soft ones \

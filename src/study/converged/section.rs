@@ -22,7 +22,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
          not by a residual, whose scale someone must guess. Per contact, relative to that solution: the *peak*, the share of \
          the *force* at the wrong place, half-width and centre as *width*, and the *approach* over the one that the \
          contact's own force makes. The largest of the four, over all contacts, is the iteration error; converged is an \
-         iteration error within the tolerance. The algorithms do not see it. `src/algorithm/target.rs` has the formulas.\n\n\
+         iteration error within the tolerance. The algorithms do not see it. `src/solver/algorithm/target.rs` has the formulas.\n\n\
          {}\
          Every scene file and library scene, and a block of {SIZE} half-widths, under every element and algorithm; candidates as \
          long as the scene has them and of {stretches} half-widths, where the bodies allow it; loads of {loads} of the scene's own; \
@@ -54,7 +54,7 @@ fn bound(energies: &[&Option<Energy>]) -> String {
         .map(|ratio| markdown::significant(ratio.copied().unwrap_or(f64::NAN), 3));
     format!(
         "Without that solution a bound can be had in the energy norm, from a run's own forces, gaps and penetrations alone \
-         (`src/algorithm/bound.rs`). That it holds is a check of every run. On {} under all nine formulations it is {least} to \
+         (`src/solver/algorithm/bound.rs`). That it holds is a check of every run. On {} under all nine formulations it is {least} to \
          {largest} times the error, {median} in the median of the {} runs of {} whose error is above round-off: an energy does not \
          tell the peak, and so it is shown and not stopped by.\n\n",
         BOUNDED.join(", "),

@@ -34,7 +34,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let [fewest, most] = ELEMENTS;
     Ok(format!(
         "`solve` prints every number with a bar: what the mesh, the iteration and a penalty may leave in it \
-         (`src/accuracy/bar.rs`). Here they are held against random scenes whose true errors are known, by closed forms or a boundary method, on random \
+         (`src/solver/accuracy/bar.rs`). Here they are held against random scenes whose true errors are known, by closed forms or a boundary method, on random \
          meshes: {fewest} to {most} elements on half of the contact, which ends anywhere within one of them, and enough \
          for the tip of a wedge and the thickness of a ring (what is smaller than the elements no coarser mesh sees); random growth; 4- and 8-node cells, line, layer and node \
          elements, iterations that end late, early, or with a penalty. The constants of the bars were chosen on other scenes. Where the pressure rises up \

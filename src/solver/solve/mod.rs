@@ -22,16 +22,16 @@
 //! * [`unbounded`] — peaks without a limit; [`mod@plausible`] — what else of a result is hardly meant.
 //!
 //! ```
-//! use contact_vv::case::library::Cylinder;
-//! use contact_vv::mesh::{Order, Resolution};
-//! use contact_vv::solve::{Discretisation, Formulation};
+//! use signorini::scene::{Material, Scene};
+//! use signorini::mesh::{Order, Resolution};
+//! use signorini::solve::{Discretisation, Formulation};
 //!
 //! let resolution = Resolution { elements: 8, refinement: 0, order: Order::Linear };
-//! let discretisation = Discretisation::of(Cylinder::default().scene(), resolution)?;
+//! let discretisation = Discretisation::of(Scene::cylinder_on_plane(50.0, Material::STEEL, 2.5), resolution)?;
 //! for formulation in Formulation::nine() {
 //!     assert!(discretisation.solve(&formulation)?.converged(), "{}", formulation.name());
 //! }
-//! # Ok::<(), contact_vv::error::Error>(())
+//! # Ok::<(), signorini::error::Error>(())
 //! ```
 
 mod active_set;

@@ -2,6 +2,7 @@
 
 /// Declares such an enum. From the one list come `ALL`, `NAMES`, `name()`, `named()` and the values of a command-line option,
 /// whose help is the first line of each member's documentation: a member cannot be left out of any of them.
+#[macro_export]
 macro_rules! named_enum {
     (
         $(#[$outer:meta])*
@@ -21,6 +22,9 @@ macro_rules! named_enum {
 
             /// Their names, in the same order.
             pub const NAMES: [&'static str; [$($name),+].len()] = [$($name),+];
+
+            /// All of them with their names and the first lines of their documentation.
+            pub const TOLD: &'static [(Self, &'static str, &'static str)] = &[$((Self::$member, $name, $help)),+];
 
             /// Name on the command line, in scene files and in results.
             pub const fn name(self) -> &'static str {
@@ -42,17 +46,7 @@ macro_rules! named_enum {
                 Self::ALL.into_iter().find(|member| member.name() == name)
             }
         }
-
-        impl clap::ValueEnum for $choice {
-            fn value_variants<'a>() -> &'a [Self] {
-                &Self::ALL
-            }
-
-            fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-                Some(clap::builder::PossibleValue::new(self.name()).help(self.title()))
-            }
-        }
     };
 }
 
-pub(crate) use named_enum;
+pub use named_enum;

@@ -1,18 +1,18 @@
 //! What came out: data only.
 //!
 //! ```
-//! use contact_vv::case::library::Cylinder;
-//! use contact_vv::mesh::{Order, Resolution};
-//! use contact_vv::solution::Outcome;
-//! use contact_vv::solve::{Discretisation, Formulation};
+//! use signorini::scene::{Material, Scene};
+//! use signorini::mesh::{Order, Resolution};
+//! use signorini::solution::Outcome;
+//! use signorini::solve::{Discretisation, Formulation};
 //!
 //! let resolution = Resolution { elements: 8, refinement: 0, order: Order::Linear };
-//! let discretisation = Discretisation::of(Cylinder::default().scene(), resolution)?;
+//! let discretisation = Discretisation::of(Scene::cylinder_on_plane(50.0, Material::STEEL, 2.5), resolution)?;
 //! let mut formulation = Formulation::verification();
 //! formulation.settings.max_iterations = 1;
 //! // What ends before it converges is a result, too.
 //! assert_eq!(discretisation.solve(&formulation)?.outcome, Outcome::Capped);
-//! # Ok::<(), contact_vv::error::Error>(())
+//! # Ok::<(), signorini::error::Error>(())
 //! ```
 
 use std::ops::Range;

@@ -8,15 +8,15 @@
 //! * [`uncondensed`] — the same without condensation, for checks.
 //!
 //! ```
-//! use contact_vv::case::library::Cylinder;
-//! use contact_vv::elasticity::ElasticSystem;
-//! use contact_vv::mesh::{Mesh, Order, Resolution};
+//! use signorini::scene::{Material, Scene};
+//! use signorini::elasticity::ElasticSystem;
+//! use signorini::mesh::{Mesh, Order, Resolution};
 //!
-//! let scene = Cylinder::default().scene();
+//! let scene = Scene::cylinder_on_plane(50.0, Material::STEEL, 2.5);
 //! let mesh = Mesh::of(&scene, Resolution { elements: 8, refinement: 0, order: Order::Linear })?;
 //! let condensed = ElasticSystem::assemble(&scene, &mesh)?.condense()?;
 //! assert_eq!(condensed.retained(), mesh.bodies[0].candidates.len());
-//! # Ok::<(), contact_vv::error::Error>(())
+//! # Ok::<(), signorini::error::Error>(())
 //! ```
 
 pub mod dense;

@@ -15,19 +15,19 @@
 //! * [`mod@iterate`] — the loop; [`iteration`] — the choice of the algorithm.
 //!
 //! ```
-//! use contact_vv::algorithm::{Constant, Settings, StiffnessRule, iterate};
-//! use contact_vv::case::library::Cylinder;
-//! use contact_vv::mesh::{Order, Resolution};
-//! use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
+//! use signorini::algorithm::{Constant, Settings, StiffnessRule, iterate};
+//! use signorini::scene::{Material, Scene};
+//! use signorini::mesh::{Order, Resolution};
+//! use signorini::solve::{Discretisation, Element, Formulation, Iteration};
 //!
 //! let resolution = Resolution { elements: 8, refinement: 0, order: Order::Linear };
-//! let discretisation = Discretisation::of(Cylinder::default().scene(), resolution)?;
+//! let discretisation = Discretisation::of(Scene::cylinder_on_plane(50.0, Material::STEEL, 2.5), resolution)?;
 //! let formulation = Formulation::new(Element::Line, Iteration::Constant);
 //! let points = discretisation.points(&formulation);
 //! let problem = discretisation.problem(&formulation, &points);
 //! let solution = iterate(&problem, &mut Constant::new(StiffnessRule::Correction), Settings::default())?;
 //! assert!(solution.converged());
-//! # Ok::<(), contact_vv::error::Error>(())
+//! # Ok::<(), signorini::error::Error>(())
 //! ```
 
 pub mod bound;

@@ -11,12 +11,12 @@
 //! * [`mod@quadrature`] — where on an edge they are enforced; [`element`] — the choice of the contact element.
 //!
 //! ```
-//! use contact_vv::case::library::Cylinder;
-//! use contact_vv::contact::{ContactElement, Interface, Node};
-//! use contact_vv::elasticity::ElasticSystem;
-//! use contact_vv::mesh::{Mesh, Order, Resolution};
+//! use signorini::scene::{Material, Scene};
+//! use signorini::contact::{ContactElement, Interface, Node};
+//! use signorini::elasticity::ElasticSystem;
+//! use signorini::mesh::{Mesh, Order, Resolution};
 //!
-//! let scene = Cylinder::default().scene();
+//! let scene = Scene::cylinder_on_plane(50.0, Material::STEEL, 2.5);
 //! let mesh = Mesh::of(&scene, Resolution { elements: 8, refinement: 0, order: Order::Linear })?;
 //! let condensed = ElasticSystem::assemble(&scene, &mesh)?.condense()?;
 //! let interfaces = Interface::all(&scene, &mesh, &condensed)?;
@@ -24,7 +24,7 @@
 //! let area: f64 = Node.points(&interfaces[0]).iter().map(|point| point.weight).sum();
 //! let whole = scene.contact().stretch * scene.thickness;
 //! assert!((area - whole).abs() <= 1e-9 * whole);
-//! # Ok::<(), contact_vv::error::Error>(())
+//! # Ok::<(), signorini::error::Error>(())
 //! ```
 
 mod dual;

@@ -7,18 +7,18 @@
 //! * [`order`] — observed orders of accuracy, Richardson's bound.
 //!
 //! ```
-//! use contact_vv::case::library::Cylinder;
-//! use contact_vv::measure::{Measures, relative_error};
-//! use contact_vv::mesh::{Order, Resolution};
-//! use contact_vv::solve::{Discretisation, Formulation};
+//! use signorini::scene::{Material, Scene};
+//! use signorini::measure::{Measures, relative_error};
+//! use signorini::mesh::{Order, Resolution};
+//! use signorini::solve::{Discretisation, Formulation};
 //!
-//! let cylinder = Cylinder::default();
+//! let scene = Scene::cylinder_on_plane(50.0, Material::STEEL, 2.5);
 //! let resolution = Resolution { elements: 8, refinement: 0, order: Order::Quadratic };
-//! let discretisation = Discretisation::of(cylinder.scene(), resolution)?;
+//! let discretisation = Discretisation::of(scene, resolution)?;
 //! let solution = discretisation.solve(&Formulation::verification())?;
 //! let measures = Measures::of(&discretisation.scene, 0, solution.part(0));
-//! assert!(relative_error(measures.half_width(), cylinder.half_width()) <= 0.02);
-//! # Ok::<(), contact_vv::error::Error>(())
+//! assert!(relative_error(measures.half_width(), 2.5) <= 0.02);
+//! # Ok::<(), signorini::error::Error>(())
 //! ```
 
 pub mod nodal;

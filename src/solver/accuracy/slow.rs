@@ -3,7 +3,7 @@
 //!
 //! An iteration to a hundredth of the accuracy on every mesh is what constant and varying stiffness do not reach in their
 //! iterations; one to what the mesh leaves of the accuracy they often do. The error of that iteration is known
-//! (`src/algorithm/target.rs`) and is part of the estimate.
+//! (`src/solver/algorithm/target.rs`) and is part of the estimate.
 
 use crate::accuracy::answer::quoted;
 use crate::accuracy::bar::of_contacts;

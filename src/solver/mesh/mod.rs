@@ -16,15 +16,15 @@
 //! * [`variant`] — the same mesh mirrored, renumbered or shaken.
 //!
 //! ```
-//! use contact_vv::case::library::Cylinder;
-//! use contact_vv::mesh::{Mesh, Order, Resolution};
+//! use signorini::scene::{Material, Scene};
+//! use signorini::mesh::{Mesh, Order, Resolution};
 //!
-//! let scene = Cylinder::default().scene();
+//! let scene = Scene::cylinder_on_plane(50.0, Material::STEEL, 2.5);
 //! let resolution = Resolution { elements: 8, refinement: 0, order: Order::Linear };
 //! let mesh = Mesh::of(&scene, resolution)?;
 //! let finer = Mesh::of(&scene, Resolution { refinement: 1, ..resolution })?;
 //! assert_eq!(finer.cells(), 4 * mesh.cells());
-//! # Ok::<(), contact_vv::error::Error>(())
+//! # Ok::<(), signorini::error::Error>(())
 //! ```
 
 pub mod block;

@@ -15,18 +15,18 @@
 //! * [`reactions`] — what supports exert.
 //!
 //! ```
-//! use contact_vv::case::library::Cylinder;
-//! use contact_vv::elasticity::ElasticSystem;
-//! use contact_vv::mesh::{Mesh, Order, Resolution};
+//! use signorini::scene::{Material, Scene};
+//! use signorini::elasticity::ElasticSystem;
+//! use signorini::mesh::{Mesh, Order, Resolution};
 //!
-//! let cylinder = Cylinder::default();
-//! let scene = cylinder.scene();
+//! let scene = Scene::cylinder_on_plane(50.0, Material::STEEL, 2.5);
 //! let mesh = Mesh::of(&scene, Resolution { elements: 8, refinement: 0, order: Order::Linear })?;
 //! let system = ElasticSystem::assemble(&scene, &mesh)?;
 //! // The quarter carries half the load, downwards.
-//! let half = 0.5 * cylinder.load() * scene.thickness;
+//! let load = std::f64::consts::PI * 2.5f64.powi(2) * scene.contact_modulus() / (4.0 * 50.0);
+//! let half = 0.5 * load * scene.thickness;
 //! assert!((system.bodies[0].applied_vertical() + half).abs() <= 1e-9 * half);
-//! # Ok::<(), contact_vv::error::Error>(())
+//! # Ok::<(), signorini::error::Error>(())
 //! ```
 
 pub mod assembly;

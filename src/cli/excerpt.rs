@@ -2,7 +2,7 @@
 
 use miette::{Diagnostic, NamedSource, SourceSpan};
 
-use super::{Error, Place};
+use crate::error::{Error, Place};
 
 /// An error in a text file with the lines around it.
 #[derive(Debug, thiserror::Error, Diagnostic)]

@@ -18,9 +18,9 @@
 //! Units are millimetre, newton and megapascal throughout.
 //!
 //! ```
-//! use contact_vv::case::library::Cylinder;
+//! use signorini::scene::{Material, Scene};
 //!
-//! let mut scene = Cylinder::default().scene();
+//! let mut scene = Scene::cylinder_on_plane(50.0, Material::STEEL, 2.5);
 //! assert!(scene.validate().is_ok());
 //! scene.thickness = 0.0;
 //! assert!(scene.validate().is_err());
@@ -31,6 +31,7 @@ pub mod contact_pair;
 pub mod drawn;
 pub mod ends;
 pub mod given;
+mod hertz;
 pub mod load;
 pub mod material;
 pub mod path;
@@ -52,7 +53,7 @@ pub use load::{Action, Load, StressField, Support, TractionField};
 pub use material::{LARGEST_POISSON, Material, PlaneHypothesis};
 pub use path::{Line, Path};
 pub use place::{BoundaryName, Component, Place};
-pub(crate) use range::{ROUNDING, positive};
+pub use range::{ROUNDING, positive};
 pub use shape::{BlockShape, Face, Grading, Sector, Shape};
 pub use side_part::{Along, SidePart};
 pub use spline::MonotoneCubic;

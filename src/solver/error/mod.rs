@@ -2,13 +2,12 @@
 //!
 //! * [`kind`] — the few kinds that code tells apart.
 //! * [`place`] — what an error is about.
-//! * [`located`] — a place in a text file; [`excerpt`] — an error there as a terminal shows it.
+//! * [`located`] — a place in a text file.
 //! * [`files`] — what is wrong with a file.
 //! * [`coordinate`] — a contact coordinate as messages give it.
 //! * [`mod@nearest`] — what a mistyped name may have meant.
 
 pub mod coordinate;
-pub mod excerpt;
 pub mod files;
 pub mod kind;
 pub mod located;

@@ -8,20 +8,20 @@
 //! * [`halving`] — iterations of kinematic load started with every candidate closed.
 //!
 //! ```
-//! use contact_vv::case::library::Cylinder;
-//! use contact_vv::mesh::{Order, Resolution};
-//! use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
-//! use contact_vv::stability::{Limit, rate};
+//! use signorini::scene::{Material, Scene};
+//! use signorini::mesh::{Order, Resolution};
+//! use signorini::solve::{Discretisation, Element, Formulation, Iteration};
+//! use signorini::stability::{Limit, rate};
 //!
 //! let resolution = Resolution { elements: 8, refinement: 0, order: Order::Linear };
-//! let discretisation = Discretisation::of(Cylinder::default().scene(), resolution)?;
+//! let discretisation = Discretisation::of(Scene::cylinder_on_plane(50.0, Material::STEEL, 2.5), resolution)?;
 //! let formulation = Formulation::new(Element::Line, Iteration::Constant);
 //! let points = discretisation.points(&formulation);
 //! let problem = discretisation.problem(&formulation, &points);
 //! let limit = Limit::of(&problem).expect("the cylinder is supported and pressed");
 //! // Below 1 the iteration converges.
 //! assert!(rate::correction(&problem, &limit.closed).is_some_and(|rate| rate < 1.0));
-//! # Ok::<(), contact_vv::error::Error>(())
+//! # Ok::<(), signorini::error::Error>(())
 //! ```
 
 pub mod conditioning;

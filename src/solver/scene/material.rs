@@ -48,6 +48,9 @@ pub struct Material {
 }
 
 impl Material {
+    /// Steel as the examples have it: 210 GPa, 0.3.
+    pub const STEEL: Self = Self { young: 210e3, poisson: 0.3 };
+
     /// Plane modulus `E/(1−ν²)` in plane strain, `E` in plane stress \[MPa\].
     pub fn plane_modulus(&self, plane: PlaneHypothesis) -> f64 {
         match plane {

@@ -7,10 +7,12 @@ use std::path::{Path, PathBuf};
 /// A place in a text file.
 #[derive(Clone, Debug)]
 pub struct Located {
-    pub(super) file: PathBuf,
-    pub(super) text: String,
-    /// Its bytes.
-    pub(super) place: Range<usize>,
+    /// The file.
+    pub file: PathBuf,
+    /// What it holds.
+    pub text: String,
+    /// The bytes of the place in it.
+    pub place: Range<usize>,
 }
 
 impl Located {

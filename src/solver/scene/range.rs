@@ -3,10 +3,10 @@
 use crate::error::{Error, Place};
 
 /// Part of a length by which it may seem to go beyond its end.
-pub(crate) const ROUNDING: f64 = 1e-9;
+pub const ROUNDING: f64 = 1e-9;
 
 /// Refuses a value that is not finite and positive.
-pub(crate) fn positive(place: &Place, key: &str, value: f64) -> Result<(), Error> {
+pub fn positive(place: &Place, key: &str, value: f64) -> Result<(), Error> {
     if value.is_finite() && value > 0.0 {
         return Ok(());
     }
