@@ -16,7 +16,7 @@
 //! * `bars` — how far each number may be from the truth.
 //! * [`reactions`] — what its supports exert.
 //! * [`json`] — all that is printed as JSON, and its schema.
-//! * `terminal` — lines, tables, errors and a bar of progress; `excerpt` — an error in a text file; `choice` — options of named values.
+//! * `terminal` — lines, tables, errors and a bar of progress; `choice` — options of named values.
 //! * [`vtu`] — its fields for ParaView.
 //! * [`new`] — scene files to begin with.
 //! * [`manual`] — shell completions and manual pages; [`examples`] — those in the help.
@@ -29,7 +29,6 @@ mod choice;
 pub mod compare;
 pub mod ended;
 pub mod examples;
-mod excerpt;
 pub mod export;
 mod found;
 pub mod json;

@@ -1,22 +1,30 @@
 //! What the terminal shows: lines, errors and a bar of progress.
 
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use comfy_table::{ContentArrangement, Table, presets};
 use indicatif::{ProgressBar, ProgressStyle};
-use miette::GraphicalReportHandler;
 
-use crate::cli::excerpt::Excerpt;
-use crate::error::Error;
+use crate::error::{Error, Located, Place};
 
-/// Prints an error; one in a file with the lines around it.
+/// Prints an error; one in a text file with the line that it is in.
 pub fn show(error: &Error) {
-    let mut text = String::new();
-    let draw = |excerpt: Excerpt| GraphicalReportHandler::new().render_report(&mut text, &excerpt).is_ok();
-    if !Excerpt::of(error).is_some_and(draw) {
-        text = format!("error: {}\n help: {}", error.finding(), error.remedy);
+    match &error.place {
+        Place::Line(located) => eprintln!("{}", excerpt(error, located, std::io::stderr().is_terminal())),
+        _ => eprintln!("error: {}\n help: {}", error.finding(), error.remedy),
     }
-    eprintln!("{text}");
+}
+
+/// An error in a text file, its line with the place marked, and the remedy below.
+fn excerpt(error: &Error, Located { file, text, place }: &Located, styled: bool) -> String {
+    let boundary = |at: usize| (0..=at).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+    let marked = AnnotationKind::Primary.span(boundary(place.start)..boundary(place.end));
+    let line = Snippet::source(text.as_str()).path(file.display().to_string()).annotation(marked);
+    let remedy = Level::HELP.message(error.remedy.as_str());
+    let report = [Level::ERROR.primary_title(error.message.as_str()).element(line).element(remedy)];
+    let renderer = if styled { Renderer::styled() } else { Renderer::plain() };
+    renderer.render(&report)
 }
 
 /// Prints a line; a reader who has gone away (a closed pipe) is no error.

@@ -4,7 +4,7 @@
 //! * [`front`] — the front page.
 //! * [`case_page`], [`study_page`] — a page a case, and a study.
 //! * [`paper_page`], [`checks_page`] — the pages on the paper, and on all checks.
-//! * `heading` — what every page behind the front page begins with; [`symbols`] — symbols, defined where they are used; [`links`] —
+//! * `heading` — what every page behind the front page begins with; [`symbols`] — what letters stand for; [`links`] —
 //!   links of texts that are read elsewhere than at the root.
 //! * [`matrix`] — the verdict matrix, and verdicts by kind and by study.
 //! * [`checks`] — requirement by requirement; [`told`] — what became of checks, in a sentence.

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::figure;
-use crate::report::{case_page, checks_page, front, paper_page, record, study_page};
+use crate::report::{case_page, checks_page, front, paper_page, record, study_page, symbols};
 use crate::study::sheets::sheet;
 use crate::study::{Finding, Numbers, Room};
 
@@ -50,6 +50,7 @@ pub fn pages(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
     let mut pages = vec![
         (paper_page::FILE.to_string(), paper_page::page(findings)),
         (checks_page::FILE.to_string(), checks_page::page(findings)),
+        (symbols::FILE.to_string(), symbols::page()),
     ];
     for room in study_page::asked(findings) {
         pages.push((study_page::file(room), study_page::page(room, findings)?));

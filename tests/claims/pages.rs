@@ -99,19 +99,15 @@ fn every_study_and_every_case_has_a_page() {
 }
 
 #[test]
-fn symbols_are_defined_at_the_head_of_the_page_that_uses_them() {
+fn every_page_links_the_symbols_and_their_page_has_each_once() {
     for page in all_pages() {
         let text = text(&page);
         let head = text.split("\n## ").next().expect("a page has a head");
-        for symbol in &symbols::SYMBOLS {
-            let used = symbol.marks.iter().any(|mark| text.contains(mark));
-            assert!(
-                !used || head.contains(symbol.definition),
-                "{}: {} is not defined",
-                page.display(),
-                symbol.definition
-            );
-        }
+        assert!(head.contains("symbols.md)"), "{}", page.display());
+    }
+    let page = symbols::page();
+    for [symbol, meaning] in symbols::SYMBOLS {
+        assert_eq!(page.matches(&format!("| {symbol} | {meaning} |")).count(), 1, "{symbol}");
     }
 }
 

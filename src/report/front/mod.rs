@@ -12,7 +12,7 @@ pub mod nearness;
 mod right;
 mod summary;
 
-use crate::report::symbols;
+use crate::report::{links, symbols};
 use crate::study::Finding;
 
 pub use right::{against, right};
@@ -30,10 +30,10 @@ pub fn page(findings: &[Finding]) -> String {
         format!("## All pages\n\n{}\n", summary::index(findings)),
     ]
     .concat();
-    let symbols = symbols::of(&body);
+    let symbols = links::to_page("symbols", symbols::FILE);
     format!(
         "# Validation report\n\nThree contact elements × three iterations for frictionless elastic contact in 2D (Égert 1999). \
-         Every sentence and number here is computed; do not edit.\n\n{symbols}{}\n",
+         Every sentence and number here is computed; do not edit. What letters stand for: {symbols}.\n\n{}\n",
         body.trim_end()
     )
 }
