@@ -15,7 +15,7 @@ pub fn converged() -> Result<(), Error> {
 
 /// What is called met.
 pub fn met() -> Result<(), Error> {
-    run(met::NAME, &met::sites(), random::Site::key, met::run::records)
+    run(met::NAME, &met::sites(), random::Site::key, met::records)
 }
 
 /// Whether error bars hold.

@@ -7,7 +7,7 @@ use std::process::Command;
 use contact_vv::case::Verdict;
 use contact_vv::checkout::{digest, root};
 use contact_vv::error::Error;
-use contact_vv::study::faults::{Fault, Numbers, Planted, is_caught, run};
+use contact_vv::study::faults::{self, Fault, Numbers, Planted, is_caught};
 use contact_vv::study::present::{Entry, MADE, Record};
 
 fn fault(name: &str, red: &[(&str, usize)], sources: Option<&str>) -> Fault {
@@ -23,7 +23,7 @@ fn fault(name: &str, red: &[(&str, usize)], sources: Option<&str>) -> Fault {
 
 #[test]
 fn every_planted_fault_finds_the_line_it_spoils_exactly_once() {
-    let faults = run::record().expect("recorded").faults;
+    let faults = faults::record().expect("recorded").faults;
     assert!(faults.len() >= 20);
     for Fault { planted: Planted { name, file, was, is }, .. } in faults {
         let text = fs::read_to_string(root().join(&file)).unwrap_or_else(|error| panic!("{file}: {error}"));
@@ -94,7 +94,7 @@ fn digest_is_the_same_in_python() {
     let folder = sources();
     write(folder.path(), "src/__pycache__/two.pyc", "left behind");
     assert_eq!(python(folder.path(), &["src", "Cargo.toml"]), digest_of(folder.path()));
-    let recorded = run::record().expect("recorded").sources;
+    let recorded = faults::record().expect("recorded").sources;
     let names: Vec<&str> = recorded.iter().map(String::as_str).collect();
     assert_eq!(python(&root(), &names), digest(&root(), &names).expect("read"));
 }
@@ -137,7 +137,7 @@ fn a_record_of_another_list_is_refused() {
     let record =
         |faults: &[Fault], sources: &str| serde_json::json!({ "sources": [sources], "record": faults }).to_string();
     let parsed = |list: &str, record: &str| -> Result<Numbers, Error> {
-        run::parse((Path::new("faults.toml"), list), (Path::new("faults.json"), record))
+        faults::parse((Path::new("faults.toml"), list), (Path::new("faults.json"), record))
     };
     let one = fault("one", &[("analytic", 1)], None);
     let alone = std::slice::from_ref(&one);

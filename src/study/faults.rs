@@ -1,0 +1,183 @@
+//! Fault injection: what turned red when a fault was put into a copy of the tree.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::case::{Check, Judged, Quantity};
+use crate::checkout::root;
+use crate::error::Error;
+use crate::markdown;
+use crate::study::about::About;
+use crate::study::{Found, Planned};
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Fault injection",
+    asked: "Which checks turn red when something is broken on purpose.",
+    limits: "Faults that somebody thought of, one at a time.",
+};
+
+/// The one trial.
+pub fn plan() -> Vec<Planned<Numbers>> {
+    vec![Planned::new("planted faults", "the record", record)]
+}
+
+/// What renews the record.
+const REPLANT: &str = "run `python3 tests/faults/plant.py`";
+/// The faults to plant.
+const LIST: &str = "tests/faults/faults.toml";
+/// What planting them showed.
+const RECORD: &str = "snapshots/faults.json";
+
+/// A fault as the list has it: in `file`, the only `was` becomes `is`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Planted {
+    /// What is planted.
+    pub name: String,
+    /// Where.
+    pub file: String,
+    /// The sound code.
+    pub was: String,
+    /// The fault.
+    pub is: String,
+}
+
+/// One planted fault and what it did.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Fault {
+    /// What was planted.
+    #[serde(flatten)]
+    pub planted: Planted,
+    /// Digest of the sources that it was planted on; none where that was not recorded.
+    pub sources: Option<String>,
+    /// Checks that turned red, by the kind of their reference; trials that broke off with an error.
+    pub red: BTreeMap<String, usize>,
+    /// One of each kind.
+    pub examples: BTreeMap<String, String>,
+    /// How the run ended, if it gave no verdicts.
+    pub ended: Option<String>,
+}
+
+/// Every planted fault with what it did.
+#[derive(Clone, Debug, Serialize)]
+pub struct Numbers {
+    /// Files and folders whose digest a fault carries: all that the verdicts are computed from.
+    pub sources: Vec<String>,
+    /// In the order of the list.
+    pub faults: Vec<Fault>,
+}
+
+#[derive(Deserialize)]
+struct List {
+    fault: Vec<Planted>,
+}
+
+#[derive(Deserialize)]
+struct Record {
+    sources: Vec<String>,
+    record: Vec<Fault>,
+}
+
+/// The recorded faults; refused where one of them is no longer the one that the list has.
+pub fn record() -> Result<Numbers, Error> {
+    let [list, record] = [LIST, RECORD].map(|name| root().join(name));
+    let read = |file: &PathBuf| fs::read_to_string(file).map_err(|_| Error::missing_file(file, REPLANT));
+    parse((&list, &read(&list)?), (&record, &read(&record)?))
+}
+
+/// The same from the texts of both files.
+pub fn parse((list, faults): (&Path, &str), (file, text): (&Path, &str)) -> Result<Numbers, Error> {
+    let planted: List = toml::from_str(faults).map_err(|error| Error::unreadable(list, error, "restore it"))?;
+    let Record { sources, record } =
+        serde_json::from_str(text).map_err(|error| Error::unreadable(file, error, REPLANT))?;
+    let refused = |key: &str, found: String| Err(Error::refused(file, key, found, REPLANT));
+    if !sources.iter().any(|name| name == "src") {
+        return refused("sources", format!("{sources:?}, without `src`"));
+    }
+    if record.len() != planted.fault.len() || record.is_empty() {
+        return refused("record", format!("{} faults long, but {} are listed", record.len(), planted.fault.len()));
+    }
+    let mut pairs = record.iter().zip(&planted.fault);
+    if let Some((fault, listed)) = pairs.find(|(fault, listed)| fault.planted != **listed) {
+        return refused("record", format!("of `{}`, but the list has another `{}`", fault.planted.name, listed.name));
+    }
+    Ok(Numbers { sources, faults: record })
+}
+
+/// Kinds of the references of truth locks; a trial that broke off with an error is counted beside them.
+const TRUTHS: [&str; 3] = ["analytic", "cross-code", "self-consistency"];
+
+/// The check.
+pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
+    let missed = numbers.faults.iter().filter(|fault| !is_caught(fault)).count();
+    let quantity =
+        Quantity::at("planted fault that turns no check against a truth red", format!("of {}", numbers.faults.len()));
+    Ok(vec![Check::none(quantity, "snapshots alone verify nothing").judge(missed as f64)])
+}
+
+/// Whether a check against a truth turned red; a run that broke off shows none.
+pub fn is_caught(fault: &Fault) -> bool {
+    TRUTHS.iter().any(|kind| fault.red.get(*kind).is_some_and(|&number| number > 0))
+}
+
+/// Columns of the record: kinds of references, and runs that broke off.
+const KINDS: [&str; 4] = ["analytic", "cross-code", "self-consistency", "broken off"];
+/// Characters of an example that are shown.
+const SHOWN: usize = 160;
+/// Digits of a digest that are shown.
+const DIGITS: usize = 12;
+
+/// A row for each fault: what turned red.
+pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
+    let head = [
+        "planted fault",
+        "in",
+        "sources",
+        "closed forms",
+        "other codes",
+        "self-consistency",
+        "broken off",
+        "for instance",
+    ];
+    let faults: Vec<&Fault> = findings.iter().flat_map(|found| &found.numbers.faults).collect();
+    let rows: Vec<Vec<String>> = faults.iter().map(|fault| row(fault)).collect();
+    Ok(format!(
+        "Faults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red, of the suite \
+         and of the worked scene files. *Sources* is the digest (SHA-256) of what a fault was planted on: {}. The terminal says at every report \
+         how many are not of the present sources.\n\n{}\n",
+        planted_on(&faults),
+        markdown::table(&head.map(String::from), &rows)
+    ))
+}
+
+/// How many faults were planted on which sources.
+fn planted_on(faults: &[&Fault]) -> String {
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for fault in faults {
+        *counts.entry(shown(fault)).or_default() += 1;
+    }
+    let told: Vec<String> = counts.iter().map(|(sources, count)| format!("{count} on {sources}")).collect();
+    told.join(", ")
+}
+
+/// The first digits of the digest of its sources.
+fn shown(fault: &Fault) -> String {
+    let digits = |sources: &String| format!("`{}`", sources.chars().take(DIGITS).collect::<String>());
+    fault.sources.as_ref().map_or("sources not recorded".into(), digits)
+}
+
+fn row(fault: &Fault) -> Vec<String> {
+    let count = |kind: &str| fault.red.get(kind).map_or("–".into(), usize::to_string);
+    let example = KINDS.iter().find_map(|kind| fault.examples.get(*kind)).or(fault.ended.as_ref());
+    let example = example.map_or("**nothing**", String::as_str).chars().take(SHOWN).collect();
+    let first = [fault.planted.name.clone(), format!("`{}`", fault.planted.file), shown(fault)];
+    first.into_iter().chain(KINDS.map(count)).chain([example]).collect()
+}
+
+/// None.
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
+    Ok(Vec::new())
+}
