@@ -162,7 +162,7 @@ fn a_slope_that_depends_on_its_step_turns_red() {
 
 #[test]
 fn stresses_that_do_not_carry_the_load_turn_red() {
-    let mut field = fields::run::field(fields::Shown::Cylinder).expect("solved");
+    let mut field = fields::field(fields::Shown::Cylinder).expect("solved");
     let judge = |field: &fields::Field| fails(&fields::judge(&fields::Numbers::Field(field.clone())).expect("judged"));
     assert_eq!(judge(&field), 0);
     for resultant in &mut field.resultants {

@@ -6,7 +6,7 @@ use crate::case::library::{cylinder, pin_rod};
 use crate::case::{Quantity, Verdict};
 use crate::study::digitised::GAERTNER;
 use crate::study::quarter::LEFT_OUT;
-use crate::study::sweep::{self, scene::Scene};
+use crate::study::sweep::{self, Scene};
 use crate::study::{Numbers, Room};
 use crate::uncertainty::COVERAGE;
 

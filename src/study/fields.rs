@@ -1,0 +1,406 @@
+//! Stress on the deformed bodies, and the path of the iterations.
+
+use serde::Serialize;
+
+use crate::case::library::{Bars, Cylinder, PinRod};
+use crate::case::{Case, Check, Judged, Quantity, Reference, universal};
+use crate::error::Error;
+use crate::figure::palette::{self, Marker, Style};
+use crate::figure::{
+    self, Axis, Band, Chart, ColourMap, Detail, Direction, Drawing, IterationPaths, Path, State, Window, panels,
+};
+use crate::measure;
+use crate::mesh::BodyMesh;
+use crate::solve::{Discretisation, Element, Fields, Formulation, Iteration, Run};
+use crate::study::about::About;
+use crate::study::drawn::{Curve, label, picture, style};
+use crate::study::{Found, Planned};
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Fields and iteration paths",
+    asked: "What the deformed bodies look like, and which way the iterations go.",
+    limits: "Pictures; the resultants of the stresses are checked, not every stress.",
+};
+
+/// Start stiffness of the bars, so soft that every iteration has a way to go.
+const SOFT: f64 = 0.4;
+
+/// All trials.
+pub fn plan() -> Vec<Planned<Numbers>> {
+    let paths = Iteration::ALL.map(|algorithm| {
+        let formulation = Formulation { stiffness: SOFT, ..Formulation::new(Element::Node, algorithm) };
+        Planned::new("iteration paths, two bars", formulation.name(), move || path(&formulation))
+    });
+    let fields = Shown::ALL.map(|scene| {
+        Planned::new(format!("fields, {}", scene.name()), "node.kinematic", move || field(scene).map(Numbers::Field))
+    });
+    let along = Formulation::compared().into_iter().filter(Formulation::is_in_the_paper).map(|formulation| {
+        Planned::new("along pin and rod", formulation.name(), move || along(&formulation).map(Numbers::Along))
+    });
+    paths.into_iter().chain(fields).chain(along).collect()
+}
+
+/// What a trial found.
+#[derive(Clone, Debug, Serialize)]
+pub enum Numbers {
+    /// A run on two bars closing a gap; its history is the path.
+    Path(Box<Run>),
+    /// The fields of a scene.
+    Field(Field),
+    /// Pin and rod along their contact arcs.
+    Along(Along),
+}
+
+/// Pin and rod along their contact arcs, by a formulation.
+#[derive(Clone, Debug, Serialize)]
+pub struct Along {
+    /// Contact element and algorithm.
+    pub formulation: Formulation,
+    /// Whether the run converged.
+    pub converged: bool,
+    /// Along the candidates of each body.
+    pub arcs: Vec<Arc>,
+    /// Largest difference of the hoop stress to that of node elements with kinematic load, over the largest hoop stress.
+    pub off: f64,
+}
+
+/// A scene whose fields are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Shown {
+    /// The cylinder on its plane.
+    Cylinder,
+    /// The pin in the eye of the rod.
+    PinRod,
+}
+
+/// Stress and displacement of a scene under node elements and kinematic load.
+#[derive(Clone, Debug, Serialize)]
+pub struct Field {
+    /// The scene.
+    pub scene: Shown,
+    /// Length \[mm\] and pressure \[MPa\] that the scene is measured by.
+    pub reference: [f64; 2],
+    /// Node positions \[mm\].
+    pub points: Vec<[f64; 2]>,
+    /// Node lists of the cells.
+    pub cells: Vec<Vec<usize>>,
+    /// σ_y at the nodes \[MPa\].
+    pub stress: Vec<f64>,
+    /// Displacements of the nodes \[mm\].
+    pub displacement: Vec<[f64; 2]>,
+    /// Load of the scene on the modelled part \[N\].
+    pub load: f64,
+    /// Vertical force of the recovered stresses on some lines.
+    pub resultants: Vec<Resultant>,
+}
+
+/// Stress and displacement along the candidates of a body.
+#[derive(Clone, Debug, Serialize)]
+pub struct Arc {
+    /// Name of the body.
+    pub body: String,
+    /// Angle \[°\] and hoop stress \[MPa\].
+    pub hoop: Vec<[f64; 2]>,
+    /// Angle \[°\] and displacement along the outward normal \[mm\].
+    pub displacement: Vec<[f64; 2]>,
+}
+
+/// Vertical force of the recovered stresses on a line.
+#[derive(Clone, Debug, Serialize)]
+pub struct Resultant {
+    /// Name of the body.
+    pub body: String,
+    /// The line.
+    pub on: Where,
+    /// Its size \[N\].
+    pub force: f64,
+}
+
+/// A line that takes the whole load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Where {
+    /// The candidates of the contact.
+    Contact,
+    /// The horizontal cut of the disc.
+    Cut,
+}
+
+impl Shown {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Cylinder, Self::PinRod];
+
+    fn case(self) -> Case {
+        match self {
+            Self::Cylinder => Cylinder::default().case(),
+            Self::PinRod => PinRod::default().case(),
+        }
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Cylinder => "cylinder",
+            Self::PinRod => "pin-rod",
+        }
+    }
+}
+
+/// The bars, pushed together by three gaps.
+pub fn bars() -> Bars {
+    Bars { push: 3.0, ..Default::default() }
+}
+
+/// A run on the bars.
+pub fn path(formulation: &Formulation) -> Result<Numbers, Error> {
+    let case = bars().case();
+    Ok(Numbers::Path(Box::new(Run::of(&Discretisation::of(case.scene, case.resolution)?, formulation)?)))
+}
+
+/// Vertical stress on the deformed mesh, hoop stress and normal displacement along the candidates, and what the stresses
+/// carry.
+pub fn field(scene: Shown) -> Result<Field, Error> {
+    let case = scene.case();
+    let discretisation = Discretisation::of(case.scene, case.resolution)?;
+    let run = Run::of(&discretisation, &Formulation::verification())?;
+    let fields = discretisation.recover(&run.solution)?;
+    let Discretisation { scene: given, mesh, system, .. } = &discretisation;
+    let bodies = || given.bodies.iter().zip(&mesh.bodies);
+    let thickness = given.thickness;
+    let contact = bodies().map(|(body, part)| {
+        let force = thickness * on_candidates(&mesh.points, part, &fields);
+        Resultant { body: body.name.clone(), on: Where::Contact, force }
+    });
+    let edges = mesh.boundary(given, 0, "cut")?;
+    let cut = thickness * edges.iter().map(|edge| on_edge(&mesh.points, edge, &fields)).sum::<f64>();
+    let cut = Resultant { body: given.bodies[0].name.clone(), on: Where::Cut, force: cut.abs() };
+    Ok(Field {
+        scene,
+        reference: [given.reference.length, given.reference.pressure],
+        points: mesh.points.clone(),
+        cells: (0..mesh.cells()).map(|cell| mesh.cell(cell).to_vec()).collect(),
+        stress: fields.stress.iter().map(|stress| stress[1]).collect(),
+        displacement: fields.displacement.clone(),
+        load: system.bodies.iter().map(|body| body.applied_vertical().abs()).sum(),
+        resultants: contact.chain([cut]).collect(),
+    })
+}
+
+/// Pin and rod along their contact arcs.
+pub fn along(formulation: &Formulation) -> Result<Along, Error> {
+    let case = Shown::PinRod.case();
+    let discretisation = Discretisation::of(case.scene, case.resolution)?;
+    let by = |formulation: &Formulation| -> Result<_, Error> {
+        let run = Run::of(&discretisation, formulation)?;
+        let fields = discretisation.recover(&run.solution)?;
+        let bodies = discretisation.scene.bodies.iter().zip(&discretisation.mesh.bodies);
+        let arcs: Vec<Arc> = bodies.map(|(body, part)| arc(&body.name, part, &fields)).collect();
+        Ok((run.solution.converged(), arcs))
+    };
+    let ((converged, arcs), (_, other)) = (by(formulation)?, by(&Formulation::verification())?);
+    let hoop = |arcs: &[Arc]| arcs.iter().flat_map(|arc| &arc.hoop).map(|[_, stress]| *stress).collect::<Vec<f64>>();
+    let [own, other] = [hoop(&arcs), hoop(&other)];
+    let difference = measure::largest(own.iter().zip(&other).map(|(own, other)| (own - other).abs()));
+    let off = if converged { difference / measure::largest(other.iter().map(|stress| stress.abs())) } else { f64::NAN };
+    Ok(Along { formulation: formulation.clone(), converged, arcs, off })
+}
+
+fn arc(body: &str, part: &BodyMesh, fields: &Fields) -> Arc {
+    let along = |of: &dyn Fn(usize, [f64; 2]) -> f64| {
+        part.candidates.iter().map(|c| [c.coordinate.to_degrees(), of(c.node, c.normal)]).collect()
+    };
+    let hoop = |node: usize, n: [f64; 2]| {
+        let [x, y, xy]: [f64; 3] = fields.stress[node];
+        x * n[1] * n[1] + y * n[0] * n[0] - 2.0 * xy * n[0] * n[1]
+    };
+    let normal = |node: usize, n: [f64; 2]| fields.displacement[node][0] * n[0] + fields.displacement[node][1] * n[1];
+    Arc { body: body.into(), hoop: along(&hoop), displacement: along(&normal) }
+}
+
+/// `|∫ (σ n)_y ds|` over the candidates of a body, by the trapezoidal rule [N/mm].
+fn on_candidates(points: &[[f64; 2]], part: &BodyMesh, fields: &Fields) -> f64 {
+    let traction = |node: usize, n: [f64; 2]| fields.stress[node][2] * n[0] + fields.stress[node][1] * n[1];
+    let pairs = part.candidates.windows(2).map(|pair| {
+        let sum: f64 = pair.iter().map(|candidate| traction(candidate.node, candidate.normal)).sum();
+        0.5 * sum * distance(points[pair[0].node], points[pair[1].node])
+    });
+    pairs.sum::<f64>().abs()
+}
+
+/// `∫ σ_y dx` over an edge, by Simpson's rule where it has a middle node [N/mm].
+fn on_edge(points: &[[f64; 2]], edge: &[usize], fields: &Fields) -> f64 {
+    let stress = |index: usize| fields.stress[edge[index]][1];
+    let mean = match edge.len() {
+        3 => (stress(0) + stress(1) + 4.0 * stress(2)) / 6.0,
+        _ => 0.5 * (stress(0) + stress(1)),
+    };
+    mean * distance(points[edge[0]], points[edge[1]])
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// Difference of hoop stresses that is accepted.
+const HOOP: f64 = 0.03;
+
+/// The checks.
+pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
+    Ok(match numbers {
+        Numbers::Path(run) => universal::bounded(run).into_iter().collect(),
+        Numbers::Along(along) => vec![agrees(along)],
+        Numbers::Field(field) => field.resultants.iter().map(|resultant| carries(field, resultant)).collect(),
+    })
+}
+
+/// What the paper says of its Figs 14 and 15: a reasonable agreement of the different solutions.
+fn agrees(along: &Along) -> Judged {
+    Check::error(
+        "hoop stress along pin and rod, largest difference over the largest",
+        Reference::own("node elements with kinematic load", 0.0),
+        HOOP,
+        "elements weight the last of the contact differently, and the stress at its edge bends sharply",
+    )
+    .judge(along.off)
+}
+
+/// The vertical resultant of the recovered stresses is the load.
+fn carries(field: &Field, resultant: &Resultant) -> Judged {
+    let (name, tolerance, because) = match resultant.on {
+        Where::Contact => (
+            "force of the recovered stresses on the contact [N]",
+            1e-2,
+            "trapezoids between nodes, nodal means of the cells; the edge of the contact lies inside an element",
+        ),
+        Where::Cut => {
+            ("force of the recovered stresses on the cut [N]", 5e-3, "nodal means of the cells, which are coarse there")
+        }
+    };
+    let load = Reference::own("load", field.load);
+    Check::near(Quantity::at(name, resultant.body.clone()), load, tolerance, because).judge(resultant.force)
+}
+
+/// Charts with their captions.
+pub fn section(_: &[Found<Numbers>]) -> Result<String, Error> {
+    let charts = [
+        ("field-cylinder.svg", "As Fig. 9. Cylinder: mesh and vertical stress on the deformed shape"),
+        ("field-pin-rod.svg", "As Fig. 13. Pin and rod: mesh and vertical stress on the deformed shape"),
+        (
+            "figure-15.svg",
+            "Fig. 15, which quantity it shows not being known: hoop stress and displacement along pin and rod by the five combinations \
+             that the paper shows; the place of Gaertner's curves is empty",
+        ),
+        ("iteration-paths.svg", "Figs 6 and 7, and kinematic load beside them: the path of the iterations"),
+    ];
+    let charts = charts.map(|(file, caption)| picture(file, caption));
+    Ok(charts.concat())
+}
+
+/// All charts of what was found.
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
+    let (mut runs, mut alongs, mut charts) = (Vec::new(), Vec::new(), Vec::new());
+    for found in findings {
+        match found.numbers {
+            Numbers::Path(run) => runs.push(&**run),
+            Numbers::Field(field) => charts.push(of_field(field)?),
+            Numbers::Along(along) => alongs.push(along),
+        }
+    }
+    charts.push(("figure-15.svg".into(), along_chart(&alongs)?));
+    charts.push(("iteration-paths.svg".into(), paths(&runs)?));
+    Ok(charts)
+}
+
+fn of_field(field: &Field) -> Result<(String, Drawing), Error> {
+    let [length, pressure] = field.reference;
+    let stress = match field.scene {
+        Shown::Cylinder => {
+            let window = Window { x: (0.0, 4.0 * length), y: (-0.1 * length, 3.9 * length) };
+            stress(field, 1.0, pressure, window)?
+        }
+        Shown::PinRod => {
+            let window = Window { x: (0.0, 1.3 * length), y: (-1.3 * length, 0.0) };
+            stress(field, 20.0, 1.5 * pressure, window)?
+        }
+    };
+    Ok((format!("field-{}.svg", field.scene.name()), stress))
+}
+
+/// Values are rounded to this fraction of the range, so that round-off cannot move one across the edge of a band.
+const GRAIN: f64 = 1e-6;
+
+/// σ_y up to a largest size, with the contact enlarged.
+fn stress(field: &Field, magnification: f64, largest: f64, zoom: Window) -> Result<Drawing, Error> {
+    let pairs = |list: &[[f64; 2]]| list.iter().map(|&[x, y]| (x, y)).collect();
+    let grain = GRAIN * 2.0 * largest;
+    figure::Field {
+        title: format!("{}: σ_y on the deformed mesh", field.scene.name()),
+        quantity: "σ_y [MPa]".into(),
+        points: pairs(&field.points),
+        cells: field.cells.clone(),
+        values: field.stress.iter().map(|value| (value / grain).round() * grain).collect(),
+        displacements: pairs(&field.displacement),
+        magnification,
+        map: ColourMap::Diverging,
+        range: Some((-largest, largest)),
+        zoom: Some(Detail::of(zoom, magnification)),
+        notes: vec![],
+    }
+    .drawing()
+}
+
+/// Hoop stress and normal displacement along the arcs of pin and rod, by every formulation.
+fn along_chart(alongs: &[&Along]) -> Result<Drawing, Error> {
+    let chart = |body: usize, quantity: &str, axis: &str, of: fn(&Arc) -> &Vec<[f64; 2]>| {
+        let name = alongs.first().map_or("", |along| &along.arcs[body].body);
+        let angle = Axis::linear("θ from the load line [°]").over(0.0, 90.0);
+        let mut chart = Chart::new(&format!("{name}: {quantity}"), angle, Axis::linear(axis));
+        chart.series.extend(alongs.iter().filter(|along| along.converged).map(|along| {
+            let style = Style { marker: Marker::Absent, ..style(&along.formulation) };
+            Curve { points: of(&along.arcs[body]).clone(), failed: Vec::new() }.drawn(label(&along.formulation), style)
+        }));
+        let label = "Gaertner 1977: not at hand".into();
+        chart.bands.push(Band { direction: Direction::Vertical, from: 76.0, to: 89.0, label });
+        chart
+    };
+    let of_body = |body: usize| {
+        [
+            chart(body, "hoop stress", "σ_θθ [MPa]", |arc| &arc.hoop),
+            chart(body, "normal displacement", "u_n, outward [mm]", |arc| &arc.displacement),
+        ]
+    };
+    let bodies = alongs.iter().map(|along| along.arcs.len()).min().unwrap_or(0);
+    let charts: Vec<Chart> = (0..bodies).flat_map(of_body).collect();
+    panels("Fig. 15: pin and rod along their contact arcs", &charts, 2)
+}
+
+/// The way of each iteration to the solution of two bars closing a gap.
+fn paths(runs: &[&Run]) -> Result<Drawing, Error> {
+    let bars = bars();
+    let (u, stiffness) = (bars.push * bars.gap, bars.young / (2.0 * bars.length));
+    IterationPaths {
+        title: "The path of the iterations: two bars closing a gap".into(),
+        approach_label: "approach w [mm]".into(),
+        pressure_label: "spring force p [MPa]".into(),
+        load_line: [(0.0, stiffness * u), (u, 0.0)],
+        gap: bars.gap,
+        target: (bars.gap, stiffness * (u - bars.gap)),
+        colour: palette::NODE,
+        paths: runs.iter().map(|run| path_of(run)).collect(),
+        notes: vec![],
+    }
+    .drawing()
+}
+
+fn path_of(run: &Run) -> Path {
+    let states = run.solution.history.iter().map(|iteration| {
+        let [approach, pressure, stiffness] = iteration.first_point;
+        State { approach, pressure, stiffness }
+    });
+    Path {
+        algorithm: format!("{}, {} iterations", run.formulation.algorithm.name(), run.solution.work.iterations),
+        dash: style(&run.formulation).dash,
+        states: states.collect(),
+        converged: run.solution.converged(),
+    }
+}
