@@ -6,8 +6,8 @@ use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::{checks, told};
 use contact_vv::study::drawn::Curve;
 use contact_vv::study::sweep;
-use contact_vv::study::sweep::{Numbers, Sweep};
 use contact_vv::study::sweep::Scene;
+use contact_vv::study::sweep::{Numbers, Sweep};
 use contact_vv::study::trial::complete;
 
 /// One of each relation to a reference of 2, with a value that passes.

@@ -10,9 +10,9 @@ use contact_vv::oracle::analytic::even_gap::EvenGap;
 use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::solution::EdgeState;
 use contact_vv::solve::{Element, Formulation, Iteration};
-use contact_vv::study::met::{consistent, is_as_recorded, near, right};
 use contact_vv::study::met::record;
 use contact_vv::study::met::{ASKED, Record, families, sites};
+use contact_vv::study::met::{consistent, is_as_recorded, near, right};
 use contact_vv::study::random::{Family, Sample, Site};
 
 /// What the closed forms of cylinders and pins leave out, relative.
