@@ -48,7 +48,8 @@ pub struct Arguments {
     /// none they are those of the paper.
     #[arg(long, value_parser = choice(Acceleration::TOLD))]
     acceleration: Option<Acceleration>,
-    /// Initial stiffness κ₀ = k_n ℓ/E*: by default 1 for varying and constant, 1e6 for kinematic.
+    /// Initial stiffness κ₀ = k_n ℓ/E*: by default 1 for varying and constant, and for kinematic 1e6 (node) or 10 times what the
+    /// bodies resist (line, layer).
     #[arg(long, value_name = "KAPPA", allow_negative_numbers = true)]
     stiffness: Option<f64>,
     /// Hertz half-width over the radius (Hertz scenes only).
