@@ -117,11 +117,13 @@ fn halved(chart: &Chart) -> Option<Judged> {
     Some(check.judge(worst(&off)))
 }
 
-/// Constant stiffness with correction: whatever the scene and the start, it neither diverges nor cycles.
+/// Constant stiffness with correction, by itself: whatever the scene and the start, it neither diverges nor cycles.
 fn averaged(chart: &Chart) -> Option<Judged> {
-    let correction =
-        |r: &&Record| (r.method.algorithm, r.method.rule) == (Iteration::Constant, StiffnessRule::Correction);
-    let own: Vec<&Record> = chart.rows.iter().flatten().filter(correction).collect();
+    let plain = |r: &&Record| {
+        let Method { algorithm, rule, .. } = r.method;
+        (algorithm, rule) == (Iteration::Constant, StiffnessRule::Correction) && !r.method.is_accelerated()
+    };
+    let own: Vec<&Record> = chart.rows.iter().flatten().filter(plain).collect();
     let wrong = own.iter().filter(|r| [Class::Diverged, Class::Cycling].contains(&r.class)).count();
     let quantity =
         Quantity::at("run of constant stiffness with correction that diverges or cycles", format!("of {}", own.len()));
