@@ -83,6 +83,17 @@ pub fn table(head: &[String], rows: &[Vec<String>]) -> String {
     line(head) + &rule + &rows
 }
 
+/// A column of a table of `T`: its head, and the cell of a row.
+pub type Column<T> = (&'static str, fn(&T) -> String);
+
+/// The table of such columns, a row each.
+pub fn columns<'a, T: 'a>(columns: &[Column<T>], rows: impl IntoIterator<Item = &'a T>) -> String {
+    let head: Vec<String> = columns.iter().map(|(head, _)| (*head).to_owned()).collect();
+    let rows: Vec<Vec<String>> =
+        rows.into_iter().map(|row| columns.iter().map(|(_, cell)| cell(row)).collect()).collect();
+    table(&head, &rows)
+}
+
 /// A text behind a line that opens it; open from the start where that is asked for.
 pub fn folded(summary: &str, text: &str, open: bool) -> String {
     let open = if open { " open" } else { "" };

@@ -63,6 +63,7 @@ use crate::cli::terminal::{say, show};
 use crate::error::Error;
 use crate::referee::document;
 use crate::report;
+use crate::study::Room;
 use crate::study::sheets::SHEETS;
 use crate::study::timings::code::Code;
 use crate::study::timings::growth;
@@ -85,6 +86,9 @@ enum Command {
         /// Write nothing; show what differs and fail when the page, a chart or the record is stale.
         #[arg(long)]
         check: bool,
+        /// Solve one study alone and write its page and its charts.
+        #[arg(long, value_name = "NAME", conflicts_with = "check", value_parser = suite::study())]
+        study: Option<Room>,
         #[command(subcommand)]
         part: Option<Part>,
     },
@@ -187,11 +191,12 @@ enum Part {
 /// Runs the command line. Exit codes: 0 all is well, 1 a check failed or the page is stale, 2 the input is wrong, 3 a run did
 /// not converge or holds no contact.
 pub fn main() -> ExitCode {
-    let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false, part: None }) {
+    let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false, study: None, part: None }) {
         Command::Report { part: Some(Part::Diff(arguments)), .. } => {
             root().and_then(|root| review::run(&arguments, &root))
         }
-        Command::Report { check, part: None } => report_command(check).map(Ended::checked),
+        Command::Report { study: Some(room), .. } => study_command(room).map(Ended::checked),
+        Command::Report { check, .. } => report_command(check).map(Ended::checked),
         Command::Verdicts => Ok(Ended::checked(suite::verdicts())),
         Command::Atlas => atlas::run().map(|()| Ended::Well),
         Command::Converged => survey::converged().map(|()| Ended::Well),
@@ -282,6 +287,17 @@ fn report_command(check: bool) -> Result<bool, Error> {
     Ok(sound && difference.is_none())
 }
 
+/// Whether all checks of a study pass; its page and its charts are written.
+fn study_command(room: Room) -> Result<bool, Error> {
+    let root = root()?;
+    refuse_read_only(&root)?;
+    let findings = suite::of(room)?;
+    let files = report::of_study(room, &findings)?;
+    report::files::write_all(&files, &root)?;
+    say(format!("written: {}", files.iter().map(|(path, _)| path.as_str()).collect::<Vec<_>>().join(", ")));
+    Ok(suite::all_pass(&findings))
+}
+
 /// Refuses a checkout that the page cannot be written to.
 fn refuse_read_only(root: &Path) -> Result<(), Error> {
     let remedy = "give the right to write to it, or use `report --check`, which writes nothing";
@@ -289,7 +305,7 @@ fn refuse_read_only(root: &Path) -> Result<(), Error> {
         [report::files::PAGE, report::record::CHECKS, report::record::RUNS, report::record::STATEMENTS];
     writable::file(&root.join(page), remedy)?;
     record.iter().try_for_each(|file| writable::file(&root.join(file), remedy))?;
-    [report::links::PAGES, report::files::CHARTS, SHEETS]
+    [report::links::PAGES, report::links::CHARTS, SHEETS]
         .into_iter()
         .try_for_each(|folder| writable::folder(&root.join(folder), remedy))
 }

@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use rayon::prelude::*;
 
 use crate::case::{Judged, Verdict};
@@ -9,11 +10,26 @@ use crate::cli::json::{Answer, Line};
 use crate::cli::terminal::{progress, say};
 use crate::error::Error;
 use crate::study::present::{MADE, Made};
-use crate::study::{self, Finding, Trial};
+use crate::study::{self, Finding, Room, Trial};
+
+/// The parser of an option that names a study.
+pub fn study() -> impl TypedValueParser<Value = Room> {
+    PossibleValuesParser::new(Room::ALL.iter().map(|room| room.name()))
+        .try_map(|given| Room::ALL.iter().copied().find(|room| room.name() == given).ok_or("no such study"))
+}
+
+/// Runs the trials of one study; refused for the one that is made of all others.
+pub fn of(room: Room) -> Result<Vec<Finding>, Error> {
+    let trials = room.plan();
+    if trials.is_empty() {
+        return Err(Error::at(room.name(), "it is made of the checks of all others", "leave `--study` out"));
+    }
+    run_all(&trials, |_, _| ()).into_iter().collect()
+}
 
 /// Runs every trial, two or more at a time, in the order of the page; the first that breaks off ends it.
 pub fn run() -> Result<Vec<Finding>, Error> {
-    let mut findings = run_all(|_, _| ()).into_iter().collect::<Result<Vec<_>, Error>>()?;
+    let mut findings = run_all(&study::trials(), |_, _| ()).into_iter().collect::<Result<Vec<_>, Error>>()?;
     findings.push(study::on_bars(&findings)?);
     Ok(findings)
 }
@@ -21,8 +37,7 @@ pub fn run() -> Result<Vec<Finding>, Error> {
 /// What every trial found, in the order of the page; each is told as soon as it ends.
 ///
 /// A trial that panics takes none of the others along: each is a piece of work of its own.
-fn run_all(told: impl Fn(&str, &Result<Finding, Error>) + Sync) -> Vec<Result<Finding, Error>> {
-    let trials = study::trials();
+fn run_all(trials: &[Trial], told: impl Fn(&str, &Result<Finding, Error>) + Sync) -> Vec<Result<Finding, Error>> {
     let bar = progress(trials.len());
     let one = |trial: &Trial| {
         let title = trial.title();
@@ -53,8 +68,10 @@ pub fn verdicts() -> bool {
         Ok(found) => lines(title, &found.judged),
         Err(error) => vec![Line::broken(title, error)],
     };
-    let findings: Vec<Finding> =
-        run_all(|title, found| told(of_trial(title, found))).into_iter().filter_map(Result::ok).collect();
+    let findings: Vec<Finding> = run_all(&study::trials(), |title, found| told(of_trial(title, found)))
+        .into_iter()
+        .filter_map(Result::ok)
+        .collect();
     told(of_trial("error bars of checks", &study::on_bars(&findings)));
     for made in MADE {
         let title = title(&made);

@@ -6,13 +6,11 @@ use std::path::{Path, PathBuf};
 use crate::error::Error;
 use crate::report::Page;
 use crate::report::diff::{Difference, tree::Tree};
-use crate::report::links::PAGES;
+use crate::report::links::{CHARTS, PAGES};
 use crate::study::sheets::SHEETS;
 
 /// The page's file.
 pub const PAGE: &str = "VALIDATION.md";
-/// The charts' folder.
-pub const CHARTS: &str = "snapshots/charts";
 
 /// A folder of files that the page has.
 struct Folder<'a> {
@@ -51,6 +49,14 @@ pub fn write(page: &Page, root: &Path) -> Result<(), Error> {
         fs::write(&path, text).map_err(|error| unwritable(&path, &error))?;
     }
     Ok(())
+}
+
+/// Writes files below a root.
+pub fn write_all(files: &[(String, String)], root: &Path) -> Result<(), Error> {
+    files.iter().try_for_each(|(path, text)| {
+        let path = root.join(path);
+        fs::write(&path, text).map_err(|error| unwritable(&path, &error))
+    })
 }
 
 /// What differs between what is committed under a root and the page, files that it no longer has included; none where nothing does.

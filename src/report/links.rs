@@ -2,6 +2,8 @@
 
 /// The folder of the pages, from the root.
 pub const PAGES: &str = "snapshots/pages";
+/// The folder of the charts.
+pub const CHARTS: &str = "snapshots/charts";
 
 /// How a link to a generated file begins: in Markdown, and in HTML.
 const BEGINNINGS: [&str; 3] = ["](", "=\"", "=\'"];

@@ -34,4 +34,4 @@ pub mod symbols;
 pub mod told;
 
 pub use files::{difference, write};
-pub use page::{Page, compose};
+pub use page::{Page, compose, of_study};

@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::figure;
+use crate::report::links::{CHARTS, PAGES};
 use crate::report::{case_page, checks_page, front, paper_page, record, study_page, symbols};
 use crate::study::sheets::sheet;
 use crate::study::{Finding, Numbers, Room};
@@ -43,6 +44,13 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
         sheets: sheets.collect(),
         record: record::files(findings)?,
     })
+}
+
+/// The page and the charts of one study: paths and texts.
+pub fn of_study(room: Room, findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
+    let page = (format!("{}/{}", PAGES, study_page::file(room)), study_page::page(room, findings)?);
+    let charts = room.pictures(findings)?.into_iter().map(|(name, svg)| (format!("{CHARTS}/{name}"), svg));
+    Ok(std::iter::once(page).chain(charts).collect())
 }
 
 /// The pages behind the front page: a loop over the studies, of which that of the cases has a page a case.
