@@ -1,13 +1,13 @@
 //! The loop: it alone counts, stops and decides how an iteration ended.
 
-use std::collections::VecDeque;
 use std::ops::Range;
 
+use crate::algorithm::ending::{State, Watchers};
 use crate::algorithm::exact::Law;
 use crate::algorithm::target::{self, Target};
 use crate::algorithm::{Algorithm, ContactProblem, Criterion, Iterate, Springs};
-use crate::algorithm::{bound, criterion, parts};
-use crate::error::{Error, Kind, Place};
+use crate::algorithm::{bound, criterion, parts, unheld};
+use crate::error::Error;
 use crate::solution::{Increment, Iterated, IterationError, Outcome, Share, Solution, States, Work};
 
 /// When to stop.
@@ -29,25 +29,6 @@ impl Default for Settings {
     }
 }
 
-/// Iterations in which an error that has grown this many times beyond its least stays there is divergence.
-const GROWN: (usize, f64) = (20, 1e3);
-/// Two states closer than this are the same, and after so many iterations without a larger change the iteration stands still.
-const STILL: (usize, f64) = (3, 1e-14);
-/// Iterations in which an error that does not fall by this part of it, while no iteration changes the state by more than [`NOISE`],
-/// is left to round-off.
-const FALLS: (usize, f64) = (50, 1e-3);
-/// Change of a state in an iteration that may be round-off of an ill-conditioned system.
-const NOISE: f64 = 1e-7;
-/// Two states closer than this are one that returned.
-const SAME: f64 = 1e-10;
-/// An iteration that changes the state by less is at rest, and no part of a cycle.
-const MOVING: f64 = 1e-6;
-/// Decades by which springs may be too soft.
-const DECADES: i32 = 18;
-/// Factor above the softest springs that hold, for digits.
-const MARGIN: f64 = 100.0;
-/// Longest period looked for.
-const MEMORY: usize = 64;
 /// Iterations after which the discrete solution is looked for, unless the pressed points stood still before: from there it is
 /// found in a few factorisations.
 const LOOK: usize = 5;
@@ -94,11 +75,8 @@ struct Run<'a> {
 struct Course {
     /// What is known of the discrete solution.
     known: Known,
-    /// Latest states, the newest first.
-    earlier: VecDeque<State>,
-    /// Iterations in a row that changed next to nothing, and no more than round-off does.
-    still: usize,
-    noise: usize,
+    /// What its states show of an end.
+    watchers: Watchers,
     /// Index of its first iteration in the history.
     first: usize,
 }
@@ -153,7 +131,7 @@ impl<'a> Run<'a> {
                     outcome = Outcome::Diverged;
                     break;
                 }
-                return Err(self.nothing_holds(springs));
+                return Err(unheld::why(self.problem, springs, self.work.iterations));
             };
             self.work.iterations += 1;
             self.record(increment, &iterate, stiffness);
@@ -193,22 +171,7 @@ impl<'a> Run<'a> {
             _ if self.is_met() => return Some(if within { Outcome::Converged } else { Outcome::Stopped }),
             _ => {}
         }
-        if let Some(period) = returned(&course.earlier, &state) {
-            return Some(Outcome::Cycling { period });
-        }
-        let own = &self.history[course.first..];
-        course.still = if changes_less(&course.earlier, &state, STILL.1) { course.still + 1 } else { 0 };
-        course.noise = if changes_less(&course.earlier, &state, NOISE) { course.noise + 1 } else { 0 };
-        let rests = course.noise >= FALLS.0 && !falls(own);
-        if course.known.looked && (course.still >= STILL.0 || rests) {
-            return Some(Outcome::Stalled);
-        }
-        if has_grown(own) {
-            return Some(Outcome::Diverged);
-        }
-        course.earlier.push_front(state);
-        course.earlier.truncate(MEMORY);
-        None
+        course.watchers.ended(state, &self.history[course.first..], course.known.looked)
     }
 
     /// Looks for the discrete solution once it is near, and tells the error of every iteration since.
@@ -233,25 +196,6 @@ impl<'a> Run<'a> {
             }
             known.waiting.clear();
         }
-    }
-
-    /// Why no system of springs and bodies could be solved: springs that are lost in the round-off of S, or none left.
-    fn nothing_holds(&self, springs: &Springs) -> Error {
-        if self.work.iterations > 0 || springs.stiffness.iter().all(|k| *k <= 0.0) {
-            let iterations = self.work.iterations;
-            let message = format!(
-                "only contact fixes the bodies, and no contact spring is left after iteration {iterations}: the load pulls the bodies apart, the start is too soft, or the contact is smaller than two elements"
-            );
-            let remedy = "reverse the load, add a support, raise the initial stiffness or refine the mesh";
-            return Error { kind: Kind::NoSpringLeft { iterations }, ..Error::at(Place::Nowhere, message, remedy) };
-        }
-        let stiffer = |times: f64| springs.stiffness.iter().map(|k| k * times).collect::<Vec<_>>();
-        let holds = |times: &f64| self.problem.factorise(&stiffer(*times), &mut Work::default()).is_some();
-        let decades = (1..=DECADES).map(|k| 10f64.powi(k));
-        let enough = decades.into_iter().find(holds).map(|times| times * MARGIN).unwrap_or(f64::NAN);
-        let message = "only contact fixes the bodies, and the initial springs are lost in the round-off of the stiffness of the bodies";
-        let remedy = format!("raise `stiffness` {enough:.0e} times");
-        Error { kind: Kind::SpringsTooSoft, ..Error::at(Place::Nowhere, message, remedy) }
     }
 
     fn record(&mut self, increment: usize, iterate: &Iterate, stiffness: f64) {
@@ -325,52 +269,4 @@ fn contact_force(problem: &ContactProblem, states: &States) -> Vec<f64> {
 fn is_finite(iterate: &Iterate) -> bool {
     let all = iterate.pressure.iter().chain(&iterate.approach).chain(&iterate.displacement);
     all.into_iter().all(|x| x.is_finite())
-}
-
-/// Pressures and approaches after an iteration.
-struct State([Vec<f64>; 2]);
-
-impl State {
-    fn of(iterate: &Iterate) -> Self {
-        Self([iterate.pressure.clone(), iterate.approach.clone()])
-    }
-
-    /// Whether two states differ nowhere by more than a share of the largest pressure, or of the largest approach.
-    fn is_within(&self, share: f64, other: &Self) -> bool {
-        self.0.iter().zip(&other.0).all(|(own, other)| {
-            let size = own.iter().chain(other).map(|x| x.abs()).fold(0.0, f64::max);
-            own.iter().zip(other).all(|(a, b)| (a - b).abs() <= share * size)
-        })
-    }
-}
-
-/// Whether the last iteration changed no more than a share of the state.
-fn changes_less(earlier: &VecDeque<State>, state: &State, share: f64) -> bool {
-    earlier.front().is_some_and(|before| state.is_within(share, before))
-}
-
-/// Whether the least error of the last iterations is below that of all before them.
-fn falls(history: &[Iterated]) -> bool {
-    let (iterations, part) = FALLS;
-    let least = |iterations: &[Iterated]| {
-        iterations.iter().map(|iteration| iteration.error.largest()).fold(f64::INFINITY, f64::min)
-    };
-    let (before, last) = history.split_at(history.len().saturating_sub(iterations));
-    least(last) < (1.0 - part) * least(before)
-}
-
-/// Whether the error has grown far beyond its least, and stayed there.
-fn has_grown(history: &[Iterated]) -> bool {
-    let (iterations, times) = GROWN;
-    let errors = || history.iter().map(|iteration| iteration.error.largest());
-    let least = errors().fold(f64::INFINITY, f64::min);
-    history.len() > iterations && errors().rev().take(iterations).all(|error| error > times * least)
-}
-
-/// Period after which the state has returned, while the last iteration itself did change it.
-fn returned(earlier: &VecDeque<State>, state: &State) -> Option<usize> {
-    if state.is_within(MOVING, earlier.front()?) {
-        return None;
-    }
-    earlier.iter().position(|other| state.is_within(SAME, other)).map(|index| index + 1).filter(|&period| period >= 2)
 }

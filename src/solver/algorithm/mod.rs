@@ -12,7 +12,8 @@
 //! * [`bound`] — a bound on that, in the energy norm.
 //! * [`parts`] — points and edges contact by contact, and the means over edges.
 //! * [`criterion`] — what else an iteration can be stopped by.
-//! * [`mod@iterate`] — the loop; [`iteration`] — the choice of the algorithm.
+//! * [`mod@iterate`] — the loop; `ending` — how it ends short of its criterion; `unheld` — systems that cannot be solved;
+//!   [`iteration`] — the choice of the algorithm.
 //!
 //! ```
 //! use signorini::algorithm::{Constant, Settings, StiffnessRule, iterate};
@@ -33,6 +34,7 @@
 pub mod bound;
 pub mod constant;
 pub mod criterion;
+mod ending;
 pub mod exact;
 pub mod forces;
 pub mod iterate;
@@ -46,6 +48,7 @@ pub mod rule;
 pub mod settling;
 pub mod springs;
 pub mod target;
+mod unheld;
 pub mod unit;
 pub mod varying;
 

@@ -1,7 +1,7 @@
 //! The numbers one quotes: one formula for all contact elements.
 //!
 //! * [`profile`] — second-moment width, resultant and norms of a pressure profile.
-//! * [`mod@peak`] — its largest pressure, wherever that lies.
+//! * [`mod@peak`] — its largest pressure, wherever that lies; `fit` — polynomials through pressures.
 //! * [`nodal`] — the same where an edge holds many contact points.
 //! * [`stretch`] — where its closed stretches begin and end.
 //! * [`order`] — observed orders of accuracy, Richardson's bound.
@@ -21,6 +21,7 @@
 //! # Ok::<(), signorini::error::Error>(())
 //! ```
 
+mod fit;
 pub mod nodal;
 pub mod order;
 pub mod peak;
@@ -31,7 +32,8 @@ use crate::scene::{ContactPair, Path, Scene};
 use crate::solution::Part;
 
 pub use crate::solution::{larger, largest};
-pub use peak::{Drawn, Peak};
+pub use fit::Peak;
+pub use peak::Drawn;
 pub use stretch::Stretch;
 
 /// Measures of the pressures of one contact.

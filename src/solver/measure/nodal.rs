@@ -5,7 +5,8 @@
 
 use std::ops::Range;
 
-use crate::measure::peak::{DROP, Fit, Peak, ROUNDING, on_one_side};
+use crate::measure::fit::{Fit, Peak, ROUNDING};
+use crate::measure::peak::{DROP, PARABOLA, QUARTIC, on_one_side};
 use crate::measure::profile;
 use crate::mesh::lobatto::lagrange;
 use crate::solution::{Part, PointState};
@@ -19,6 +20,9 @@ const THROUGH: usize = 5;
 
 /// Fewest points whose squares make a parabola, where there are so many.
 const SQUARES: usize = 4;
+/// Most coefficients of a polynomial over few points, and over many.
+const SEXTIC: usize = 7;
+const OCTIC: usize = 9;
 /// Part of a stretch, from its end on, in which points tell where it ends.
 const OUTER: f64 = 0.35;
 
@@ -106,7 +110,7 @@ pub fn end(pressed: &[PointState]) -> f64 {
     let near = pressed.iter().rev().skip(1).enumerate();
     let near = near.take_while(|(k, point)| *k < SQUARES || last.position - point.position <= OUTER * width);
     let squares = near.map(|(_, p)| PointState { pressure: p.pressure.powi(2), weight: 1.0, ..*p }).collect::<Vec<_>>();
-    let found = Fit::parabola_over(&squares).root(last.position);
+    let found = Fit::of_points(&squares, squares.len().min(PARABOLA)).root(last.position);
     // A profile that does not end smoothly says no more than where its last point is.
     if found.is_finite() { found.clamp(before.position, last.position + 2.0 * gap) } else { last.position }
 }
@@ -141,7 +145,7 @@ fn around(points: &[PointState], at: usize, drop: f64, fewest: usize) -> Fit {
             }
             (_, Some(l)) => end = l + 1,
             (Some(k), None) => start = k,
-            (None, None) => return Fit::over_points(&points[start..end]),
+            (None, None) => return over_points(&points[start..end]),
         }
     }
 }
@@ -149,4 +153,13 @@ fn around(points: &[PointState], at: usize, drop: f64, fewest: usize) -> Fit {
 /// Distance of two points.
 fn away(points: &[PointState], a: usize, b: usize) -> f64 {
     (points[a].position - points[b].position).abs()
+}
+
+/// Least squares over the pressures of some points, weighted by their areas: from a quartic to a sextic with one coefficient fewer than
+/// points, and up to an octic where there are twice as many. Of a profile that peaks off its middle, as the pin's in the rod, a quartic
+/// misses the top by 1e-5.
+fn over_points(points: &[PointState]) -> Fit {
+    let few = points.len().saturating_sub(1).clamp(QUARTIC, SEXTIC);
+    let count = few.max((points.len() / 2).min(OCTIC));
+    Fit::of_points(points, if points.len() >= QUARTIC { count } else { 1 })
 }

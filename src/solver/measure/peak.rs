@@ -3,24 +3,13 @@
 //!
 //! Means over two edges, because they are what all contact elements tell alike: pressures that alternate from point to point
 //! or from edge to edge, and the consistent nodal pressures of 3-node edges, above the profile at corners and below it at
-//! mid-sides, leave them untouched. A mean is taken for what it is: `c_k` of `Σ c_k s^k` contributes the mean of `s^k` over
-//! both edges, not its value in the middle.
+//! mid-sides, leave them untouched.
 
 use std::ops::RangeInclusive;
 
-use nalgebra::{DMatrix, DVector};
-
+use crate::measure::fit::{Fit, Peak, ROUNDING};
 use crate::measure::larger;
-use crate::solution::{EdgeState, PointState};
-
-/// A pressure and where it is.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-pub struct Peak {
-    /// Contact coordinate \[mm, or rad on an arc\].
-    pub position: f64,
-    /// Pressure there \[MPa\].
-    pub pressure: f64,
-}
+use crate::solution::EdgeState;
 
 /// Pairs whose mean differs from the one in question by no more than this part take part in the fit: on a semi-ellipse
 /// those within
@@ -38,24 +27,18 @@ const BETTER: f64 = 0.5;
 /// Halvings of [`DROP`] that are tried.
 const HALVINGS: i32 = 6;
 /// Coefficients of the polynomial, and the fewest pairs: as many, so that on a coarse mesh it goes through their means.
-const QUARTIC: usize = 5;
-/// Most coefficients of a polynomial over few single points, and over many.
-const SEXTIC: usize = 7;
-const OCTIC: usize = 9;
+pub(super) const QUARTIC: usize = 5;
 /// Difference from the one in question up to which a pair may be one of these: beyond, the end of the contact bends the
 /// profile.
 const FAR: f64 = 0.3;
 /// Coefficients and fewest pairs of a parabola, where a quartic finds too few.
-const PARABOLA: usize = 3;
-/// Part of a pressure that rounding explains: a uniform one has its top anywhere.
-pub(super) const ROUNDING: f64 = 1e-9;
-
+pub(super) const PARABOLA: usize = 3;
 /// The largest pressure of a contact from the means over its edges, in the order of the contact coordinate; where that is the
 /// same all around, at `centre`. NaN without an edge.
 pub fn of(edges: &[EdgeState], centre: f64) -> Peak {
     let pairs = pairs(edges);
     let Some(highest) = highest(&pairs) else { return Peak { position: f64::NAN, pressure: f64::NAN } };
-    let fit = Fit::around(&pairs, highest);
+    let fit = around(&pairs, highest);
     let top = fit.top();
     let middle = fit.value(centre);
     let moved = middle.is_none_or(|middle| top.pressure > middle * (1.0 + ROUNDING));
@@ -85,7 +68,7 @@ pub fn by_parabola(edges: &[EdgeState], peak: f64) -> f64 {
 fn parabola(pairs: &[EdgeState], [first, last]: [usize; 2]) -> f64 {
     let end = (last + 1).min(pairs.len() - 1);
     let start = first.saturating_sub(1).min(end.saturating_sub(PARABOLA - 1));
-    Fit::over(pairs, start..=end.max(start + PARABOLA - 1).min(pairs.len() - 1)).top().pressure
+    over(pairs, start..=end.max(start + PARABOLA - 1).min(pairs.len() - 1)).top().pressure
 }
 
 /// Pressure at a place, by the same fit around the pairs that hold it; 0 where no pressed one does.
@@ -97,7 +80,7 @@ pub fn pressure_at(edges: &[EdgeState], place: f64) -> f64 {
         pair.pressure > 0.0 && pair.ends[0] - near <= place && place <= pair.ends[1] + near
     };
     let nearest = (0..pairs.len()).filter(|&k| holds(&pairs[k])).min_by(|a, b| away(a).total_cmp(&away(b)));
-    nearest.map_or(0.0, |k| Fit::around(&pairs, [k, k]).value(place).unwrap_or(f64::NAN))
+    nearest.map_or(0.0, |k| around(&pairs, [k, k]).value(place).unwrap_or(f64::NAN))
 }
 
 /// Neighbouring edges two by two, each with the one after it, and with their images where the contact begins on a symmetry
@@ -127,146 +110,58 @@ fn highest(pairs: &[EdgeState]) -> Option<[usize; 2]> {
     Some([first, first + count - 1])
 }
 
-/// A polynomial in `x = (s − centre)/width` over some pairs of edges.
-pub(super) struct Fit {
-    coefficients: Vec<f64>,
-    centre: f64,
-    width: f64,
-    /// The middles of its first and last pair, as x, beyond which it extrapolates; the end of the surface where the contact
-    /// goes on to that.
-    within: [f64; 2],
-    /// Root mean square of what its means depart from it \[MPa\].
-    misfit: f64,
+/// The widest fit around some pairs, unless a narrower one departs far less from its means.
+fn around(pairs: &[EdgeState], at: [usize; 2]) -> Fit {
+    let widest = window(pairs, at, DROP);
+    let (mut count, mut best) = (widest.clone().count(), over(pairs, widest));
+    let size = pairs[at[0]].pressure.abs();
+    for halving in 1..=HALVINGS {
+        let own = window(pairs, at, DROP * 0.5_f64.powi(halving));
+        if best.misfit <= MISFIT * size || own.clone().count() < NARROW {
+            break;
+        }
+        if own.clone().count() < count {
+            count = own.clone().count();
+            let narrower = over(pairs, own);
+            best = if narrower.misfit <= BETTER * best.misfit { narrower } else { best };
+        }
+    }
+    best
 }
 
-impl Fit {
-    /// The widest fit around some pairs, unless a narrower one departs far less from its means.
-    fn around(pairs: &[EdgeState], at: [usize; 2]) -> Self {
-        let widest = window(pairs, at, DROP);
-        let (mut count, mut best) = (widest.clone().count(), Self::over(pairs, widest));
-        let size = pairs[at[0]].pressure.abs();
-        for halving in 1..=HALVINGS {
-            let own = window(pairs, at, DROP * 0.5_f64.powi(halving));
-            if best.misfit <= MISFIT * size || own.clone().count() < NARROW {
-                break;
-            }
-            if own.clone().count() < count {
-                count = own.clone().count();
-                let narrower = Self::over(pairs, own);
-                best = if narrower.misfit <= BETTER * best.misfit { narrower } else { best };
-            }
-        }
-        best
-    }
-
-    /// Least squares over the means of some pairs, weighted by their lengths.
-    fn over(pairs: &[EdgeState], own: RangeInclusive<usize>) -> Self {
-        let taken = &pairs[own.clone()];
-        let count = match taken.len() {
-            n if n >= QUARTIC => QUARTIC,
-            n if n >= PARABOLA => PARABOLA,
-            _ => 1,
-        };
-        let (from, to) = (taken[0].ends[0], taken[taken.len() - 1].ends[1]);
-        let (centre, width) = (0.5 * (from + to), 0.5 * (to - from));
-        let scaled = |s: f64| (s - centre) / width;
-        let row_of = |pair: &EdgeState| {
-            let [a, b] = pair.ends.map(scaled);
-            (b - a, DVector::from_fn(count, |k, _| mean_of_power(a, b, k as i32)), pair.pressure)
-        };
-        let (coefficients, misfit) = least_squares(count, taken.iter().map(row_of));
-        let [first, last] = [taken[0].position(), taken[taken.len() - 1].position()].map(scaled);
-        let [begins, ends] = [*own.start() == 0, *own.end() + 1 == pairs.len()];
-        let within = [if begins { -1.0 } else { first }, if ends { 1.0 } else { last }];
-        Self { coefficients, centre, width, within, misfit }
-    }
-
-    /// Least squares over the pressures of some points, weighted by their areas: from a quartic to a sextic with one coefficient fewer than
-    /// points, and up to an octic where there are twice as many. Of a profile that peaks off its middle, as the pin's in the rod, a quartic
-    /// misses the top by 1e-5.
-    pub(super) fn over_points(points: &[PointState]) -> Self {
-        let few = points.len().saturating_sub(1).clamp(QUARTIC, SEXTIC);
-        let count = few.max((points.len() / 2).min(OCTIC));
-        Self::of_points(points, if points.len() >= QUARTIC { count } else { 1 })
-    }
-
-    /// The same by a parabola.
-    pub(super) fn parabola_over(points: &[PointState]) -> Self {
-        Self::of_points(points, points.len().min(PARABOLA))
-    }
-
-    fn of_points(points: &[PointState], count: usize) -> Self {
-        let (from, to) = (points[0].position, points[points.len() - 1].position);
-        let (centre, width) = (0.5 * (from + to), 0.5 * (to - from).abs());
-        let row_of = |point: &PointState| {
-            let x = (point.position - centre) / width;
-            (point.weight, DVector::from_fn(count, |k, _| x.powi(k as i32)), point.pressure)
-        };
-        let (coefficients, misfit) = least_squares(count, points.iter().map(row_of));
-        Self { coefficients, centre, width, within: [-1.0, 1.0], misfit }
-    }
-
-    fn at(&self, x: f64) -> f64 {
-        self.coefficients.iter().rev().fold(0.0, |sum, c| c + sum * x)
-    }
-
-    /// Value at a contact coordinate; none beyond its edges.
-    pub(super) fn value(&self, s: f64) -> Option<f64> {
-        let x = (s - self.centre) / self.width;
-        (x.abs() <= 1.0 + ROUNDING).then(|| self.at(x))
-    }
-
-    /// The highest point between the middles of its outermost pairs: the best of a fine grid, then Newton's method on
-    /// the slope.
-    pub(super) fn top(&self) -> Peak {
-        const GRID: usize = 64;
-        let [from, to] = self.within;
-        let place = |k: usize| from + (to - from) * k as f64 / GRID as f64;
-        let best = (0..=GRID).max_by(|&a, &b| self.at(place(a)).total_cmp(&self.at(place(b)))).unwrap_or(0);
-        let mut x = place(best);
-        if best > 0 && best < GRID {
-            for _ in 0..8 {
-                let [slope, bend] = [1, 2].map(|order| self.derivative(x, order));
-                let next = x - slope / bend;
-                if !next.is_finite() || (next - place(best)).abs() > (to - from) / GRID as f64 {
-                    break;
-                }
-                x = next;
-            }
-        }
-        Peak { position: self.centre + self.width * x, pressure: self.at(x) }
-    }
-
-    /// Where it vanishes, by Newton's method from a contact coordinate; no number where it does not.
-    pub(super) fn root(&self, from: f64) -> f64 {
-        let mut x = (from - self.centre) / self.width;
-        for _ in 0..8 {
-            x -= self.at(x) / self.derivative(x, 1);
-        }
-        self.centre + self.width * x
-    }
-
-    fn derivative(&self, x: f64, order: usize) -> f64 {
-        let mut coefficients = self.coefficients.clone();
-        for _ in 0..order {
-            coefficients = coefficients.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c).collect();
-        }
-        coefficients.iter().rev().fold(0.0, |sum, c| c + sum * x)
-    }
+/// A quartic over the means of some pairs; a parabola, or their mean, over few.
+fn over(pairs: &[EdgeState], own: RangeInclusive<usize>) -> Fit {
+    let count = match own.clone().count() {
+        n if n >= QUARTIC => QUARTIC,
+        n if n >= PARABOLA => PARABOLA,
+        _ => 1,
+    };
+    Fit::of_means(pairs, own, count)
 }
 
-/// Coefficients of a polynomial by least squares over (weight, powers, value), and the root mean square of what remains.
-fn least_squares(count: usize, rows: impl Iterator<Item = (f64, DVector<f64>, f64)> + Clone) -> (Vec<f64>, f64) {
-    let mut normal = DMatrix::<f64>::zeros(count, count);
-    let mut rhs = DVector::<f64>::zeros(count);
-    for (weight, row, value) in rows.clone() {
-        normal += &row * row.transpose() * weight;
-        rhs += row * (value * weight);
+/// Pressed pairs around some: those that differ from them by no more than a drop, and as many as a polynomial needs.
+fn window(pairs: &[EdgeState], [from, to]: [usize; 2], drop: f64) -> RangeInclusive<usize> {
+    let size = pairs[from].pressure.max(pairs[to].pressure);
+    let pressed = |k: usize| pairs[k].pressure > 0.0;
+    let off = |k: usize| (pairs[k].pressure - size).abs() / size;
+    let (mut first, mut last) = (from, to);
+    loop {
+        let before = first.checked_sub(1).filter(|&k| pressed(k));
+        let after = Some(last + 1).filter(|&k| k < pairs.len() && pressed(k));
+        let allowed = match last - first + 1 {
+            n if n < PARABOLA => f64::INFINITY,
+            n if n < QUARTIC => FAR,
+            _ => drop,
+        };
+        let within = |k: &usize| off(*k) <= allowed;
+        match (before.filter(within), after.filter(within)) {
+            // The nearer one in pressure first, so that the window stays around them.
+            (Some(k), Some(l)) if off(k) <= off(l) => first = k,
+            (_, Some(l)) => last = l,
+            (Some(k), None) => first = k,
+            (None, None) => return first..=last,
+        }
     }
-    let solved = normal.lu().solve(&rhs).unwrap_or_else(|| DVector::from_element(count, f64::NAN));
-    let squares = rows.clone().map(|(_, row, value)| (row.dot(&solved) - value).powi(2));
-    let misfit = (squares.sum::<f64>() / rows.count().saturating_sub(count).max(1) as f64).sqrt();
-    (solved.iter().copied().collect(), misfit)
 }
 
 /// How well its elements draw the top of a profile.
@@ -298,34 +193,4 @@ pub fn drawn(edges: &[EdgeState], floor: f64) -> Drawn {
     let below = edges[..top].iter().rev().take_while(pressed).count();
     let below = if below == top && on_one_side(edges) { usize::MAX } else { below };
     Drawn { rough, from_end: above.min(below) }
-}
-
-/// Pressed pairs around some: those that differ from them by no more than a drop, and as many as a polynomial needs.
-fn window(pairs: &[EdgeState], [from, to]: [usize; 2], drop: f64) -> RangeInclusive<usize> {
-    let size = pairs[from].pressure.max(pairs[to].pressure);
-    let pressed = |k: usize| pairs[k].pressure > 0.0;
-    let off = |k: usize| (pairs[k].pressure - size).abs() / size;
-    let (mut first, mut last) = (from, to);
-    loop {
-        let before = first.checked_sub(1).filter(|&k| pressed(k));
-        let after = Some(last + 1).filter(|&k| k < pairs.len() && pressed(k));
-        let allowed = match last - first + 1 {
-            n if n < PARABOLA => f64::INFINITY,
-            n if n < QUARTIC => FAR,
-            _ => drop,
-        };
-        let within = |k: &usize| off(*k) <= allowed;
-        match (before.filter(within), after.filter(within)) {
-            // The nearer one in pressure first, so that the window stays around them.
-            (Some(k), Some(l)) if off(k) <= off(l) => first = k,
-            (_, Some(l)) => last = l,
-            (Some(k), None) => first = k,
-            (None, None) => return first..=last,
-        }
-    }
-}
-
-/// Mean of `x^k` over an interval.
-fn mean_of_power(a: f64, b: f64, k: i32) -> f64 {
-    (b.powi(k + 1) - a.powi(k + 1)) / (f64::from(k + 1) * (b - a))
 }

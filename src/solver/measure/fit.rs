@@ -1,0 +1,132 @@
+//! Polynomials of any degree through pressures, by least squares: over the means of pairs of edges, or over points.
+//!
+//! A mean is taken for what it is: `c_k` of `Σ c_k s^k` contributes the mean of `s^k` over both edges, not its value in the
+//! middle.
+
+use std::ops::RangeInclusive;
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::solution::{EdgeState, PointState};
+
+/// A pressure and where it is.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Peak {
+    /// Contact coordinate \[mm, or rad on an arc\].
+    pub position: f64,
+    /// Pressure there \[MPa\].
+    pub pressure: f64,
+}
+
+/// Part of a pressure that rounding explains: a uniform one has its top anywhere.
+pub(super) const ROUNDING: f64 = 1e-9;
+
+/// A polynomial in `x = (s − centre)/width` over some pairs of edges.
+pub(super) struct Fit {
+    coefficients: Vec<f64>,
+    centre: f64,
+    width: f64,
+    /// The middles of its first and last pair, as x, beyond which it extrapolates; the end of the surface where the contact
+    /// goes on to that.
+    within: [f64; 2],
+    /// Root mean square of what its means depart from it \[MPa\].
+    pub(super) misfit: f64,
+}
+
+impl Fit {
+    /// Least squares with so many coefficients over the means of some pairs, weighted by their lengths.
+    pub(super) fn of_means(pairs: &[EdgeState], own: RangeInclusive<usize>, count: usize) -> Self {
+        let taken = &pairs[own.clone()];
+        let (from, to) = (taken[0].ends[0], taken[taken.len() - 1].ends[1]);
+        let (centre, width) = (0.5 * (from + to), 0.5 * (to - from));
+        let scaled = |s: f64| (s - centre) / width;
+        let row_of = |pair: &EdgeState| {
+            let [a, b] = pair.ends.map(scaled);
+            (b - a, DVector::from_fn(count, |k, _| mean_of_power(a, b, k as i32)), pair.pressure)
+        };
+        let (coefficients, misfit) = least_squares(count, taken.iter().map(row_of));
+        let [first, last] = [taken[0].position(), taken[taken.len() - 1].position()].map(scaled);
+        let [begins, ends] = [*own.start() == 0, *own.end() + 1 == pairs.len()];
+        let within = [if begins { -1.0 } else { first }, if ends { 1.0 } else { last }];
+        Self { coefficients, centre, width, within, misfit }
+    }
+
+    /// The same over the pressures of some points, weighted by their areas.
+    pub(super) fn of_points(points: &[PointState], count: usize) -> Self {
+        let (from, to) = (points[0].position, points[points.len() - 1].position);
+        let (centre, width) = (0.5 * (from + to), 0.5 * (to - from).abs());
+        let row_of = |point: &PointState| {
+            let x = (point.position - centre) / width;
+            (point.weight, DVector::from_fn(count, |k, _| x.powi(k as i32)), point.pressure)
+        };
+        let (coefficients, misfit) = least_squares(count, points.iter().map(row_of));
+        Self { coefficients, centre, width, within: [-1.0, 1.0], misfit }
+    }
+
+    fn at(&self, x: f64) -> f64 {
+        self.coefficients.iter().rev().fold(0.0, |sum, c| c + sum * x)
+    }
+
+    /// Value at a contact coordinate; none beyond its edges.
+    pub(super) fn value(&self, s: f64) -> Option<f64> {
+        let x = (s - self.centre) / self.width;
+        (x.abs() <= 1.0 + ROUNDING).then(|| self.at(x))
+    }
+
+    /// The highest point between the middles of its outermost pairs: the best of a fine grid, then Newton's method on
+    /// the slope.
+    pub(super) fn top(&self) -> Peak {
+        const GRID: usize = 64;
+        let [from, to] = self.within;
+        let place = |k: usize| from + (to - from) * k as f64 / GRID as f64;
+        let best = (0..=GRID).max_by(|&a, &b| self.at(place(a)).total_cmp(&self.at(place(b)))).unwrap_or(0);
+        let mut x = place(best);
+        if best > 0 && best < GRID {
+            for _ in 0..8 {
+                let [slope, bend] = [1, 2].map(|order| self.derivative(x, order));
+                let next = x - slope / bend;
+                if !next.is_finite() || (next - place(best)).abs() > (to - from) / GRID as f64 {
+                    break;
+                }
+                x = next;
+            }
+        }
+        Peak { position: self.centre + self.width * x, pressure: self.at(x) }
+    }
+
+    /// Where it vanishes, by Newton's method from a contact coordinate; no number where it does not.
+    pub(super) fn root(&self, from: f64) -> f64 {
+        let mut x = (from - self.centre) / self.width;
+        for _ in 0..8 {
+            x -= self.at(x) / self.derivative(x, 1);
+        }
+        self.centre + self.width * x
+    }
+
+    fn derivative(&self, x: f64, order: usize) -> f64 {
+        let mut coefficients = self.coefficients.clone();
+        for _ in 0..order {
+            coefficients = coefficients.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c).collect();
+        }
+        coefficients.iter().rev().fold(0.0, |sum, c| c + sum * x)
+    }
+}
+
+/// Coefficients of a polynomial by least squares over (weight, powers, value), and the root mean square of what remains.
+fn least_squares(count: usize, rows: impl Iterator<Item = (f64, DVector<f64>, f64)> + Clone) -> (Vec<f64>, f64) {
+    let mut normal = DMatrix::<f64>::zeros(count, count);
+    let mut rhs = DVector::<f64>::zeros(count);
+    for (weight, row, value) in rows.clone() {
+        normal += &row * row.transpose() * weight;
+        rhs += row * (value * weight);
+    }
+    let solved = normal.lu().solve(&rhs).unwrap_or_else(|| DVector::from_element(count, f64::NAN));
+    let squares = rows.clone().map(|(_, row, value)| (row.dot(&solved) - value).powi(2));
+    let misfit = (squares.sum::<f64>() / rows.count().saturating_sub(count).max(1) as f64).sqrt();
+    (solved.iter().copied().collect(), misfit)
+}
+
+/// Mean of `x^k` over an interval.
+fn mean_of_power(a: f64, b: f64, k: i32) -> f64 {
+    (b.powi(k + 1) - a.powi(k + 1)) / (f64::from(k + 1) * (b - a))
+}
