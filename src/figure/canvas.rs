@@ -2,7 +2,7 @@
 
 use std::mem;
 
-use super::drawing::{Drawing, NOTE_ROW, NOTE_SIZE, Shape, TITLE_SIZE};
+use super::drawing::{Drawing, NOTE_ROW, NOTE_SIZE, Painted, Shape, TITLE_SIZE};
 use super::frame::{Frame, Point};
 use super::palette::GREY;
 use super::pen::{Lettering, Pen, text_width, wrapped};
@@ -87,7 +87,8 @@ impl Canvas {
         if !self.sound {
             return Err(drawing(title, "a coordinate is not finite", FINITE));
         }
-        Ok(Drawing { title: title.to_string(), about: notes.join(" "), size: (width, height), shapes: self.shapes })
+        let (title, about) = (title.to_string(), notes.join(" "));
+        Ok(Drawing::Painted(Painted { title, about, size: (width, height), shapes: self.shapes }))
     }
 
     fn check<'a>(&mut self, points: impl IntoIterator<Item = &'a Point>) {

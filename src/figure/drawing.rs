@@ -12,6 +12,7 @@ use super::frame::{Frame, Point};
 use super::outline::{outlines, tenths};
 use super::palette::{CARD, Dash, INK, PALE};
 use super::pen::{Lettering, Pen};
+use super::schematic;
 use super::theme::{Colour, Theme};
 
 pub(super) const TITLE_SIZE: f64 = 15.0;
@@ -39,7 +40,16 @@ pub(super) enum Shape {
 
 /// A finished figure.
 #[derive(Clone, Debug)]
-pub struct Drawing {
+pub enum Drawing {
+    /// Of shapes.
+    Painted(Painted),
+    /// Drawn by hand: an SVG file in the colours of light pages.
+    Schematic(String),
+}
+
+/// A figure of shapes.
+#[derive(Clone, Debug)]
+pub struct Painted {
     pub(super) title: String,
     /// What is read to those who do not see it.
     pub(super) about: String,
@@ -50,6 +60,20 @@ pub struct Drawing {
 impl Drawing {
     /// The SVG text, the same bytes for the same shapes.
     pub fn svg(&self, theme: Theme) -> String {
+        match self {
+            Drawing::Painted(painted) => painted.svg(theme),
+            Drawing::Schematic(light) => schematic::on(light, theme),
+        }
+    }
+
+    /// Files of a figure of a name, for light and for dark pages.
+    pub fn files(&self, name: &str) -> [(String, String); 2] {
+        Theme::ALL.map(|theme| (theme.file(name), self.svg(theme)))
+    }
+}
+
+impl Painted {
+    fn svg(&self, theme: Theme) -> String {
         let (right, bottom) = self.size;
         let card = rectangle(Frame { left: 0.0, top: 0.0, right, bottom }).set("fill", CARD.on(theme).to_string());
         let card = card.set("stroke", PALE.on(theme).to_string()).set("stroke-width", 1.6);
@@ -60,11 +84,6 @@ impl Drawing {
         let document = document.add(Description::new().add(Words::new(self.about.as_str()))).add(card);
         let mut writer = Writer { theme, clips: 0 };
         document.add(writer.group(&self.shapes).set("fill", INK.on(theme).to_string())).to_string()
-    }
-
-    /// Files of a figure of a name, for light and for dark pages.
-    pub fn files(&self, name: &str) -> [(String, String); 2] {
-        Theme::ALL.map(|theme| (theme.file(name), self.svg(theme)))
     }
 }
 

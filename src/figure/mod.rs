@@ -9,16 +9,14 @@
 //! * [`multiples`]: charts side by side over one legend.
 //! * [`field`]: a scalar on the deformed mesh, in bands.
 //! * [`sheet`]: a field above charts.
-//! * [`mod@contact_problem`]: two bodies in contact, and contact elements between their external nodes.
-//! * [`mod@contact_elements`]: what the three contact elements are.
-//! * [`scene_cylinder`], [`scene_pin_rod`]: the cylinder and the pin–rod with their loads and supports.
+//! * [`fn@schematic`]: drawings made by hand, with numbers of a scene.
 //! * [`iteration_path`]: how each algorithm walks to the solution at one contact point.
 //! * [`palette`]: colours, dashes, markers and the styles made of them; [`colour_map`]: those of fields and of classes.
 //! * [`theme`]: light and dark pages; [`Drawing`]: a finished figure, written for both.
 //!
 //! Below these: `canvas` collects shapes, `drawing` and `outline` write them as SVG, `pen` sets lines and text, `frame` clips to a rectangle; `axis` and `numbers` place
 //! and write ticks, `plot`, `annotations`, `ranges`, `curves`, `signs`, `legend` and `drawn` draw a chart; `panel`, `field_panels`,
-//! `bands`, `cell_grid` and `mesh_lines` a field; `sketch` holds springs, arrows, rollers and hatching.
+//! `bands`, `cell_grid` and `mesh_lines` a field.
 
 mod annotations;
 mod axis;
@@ -28,8 +26,6 @@ mod cell_grid;
 pub mod chart;
 pub mod class_map;
 pub mod colour_map;
-pub mod contact_elements;
-pub mod contact_problem;
 mod curves;
 mod drawing;
 mod drawn;
@@ -48,25 +44,20 @@ mod pen;
 mod plot;
 mod ranges;
 mod regions;
-pub mod scene_cylinder;
-pub mod scene_pin_rod;
+mod schematic;
 pub mod sheet;
 mod signs;
-mod sketch;
 pub mod theme;
 
 pub use chart::{Axis, Band, Bars, Chart, Direction, Guide, Remark, Ribbon, Scale, Series, Slope};
 pub use class_map::{ClassMap, MapPanel};
 pub use colour_map::ColourMap;
-pub use contact_elements::contact_elements;
-pub use contact_problem::contact_problem;
 pub use drawing::{Drawing, is_drawing};
 pub use field::{Detail, Field, Window};
 pub use iteration_path::{IterationPaths, Path, State};
 pub use multiples::panels;
 pub use palette::{Dash, Marker, Style};
 pub use regions::Cell;
-pub use scene_cylinder::CylinderScene;
-pub use scene_pin_rod::PinRodScene;
+pub use schematic::schematic;
 pub use sheet::Sheet;
 pub use theme::{Colour, Theme};

@@ -1,7 +1,7 @@
 //! The whole report: the front page, a page a case and a study, charts and benchmark sheets.
 
 use crate::error::Error;
-use crate::figure;
+use crate::figure::schematic;
 use crate::report::links::{CHARTS, PAGES};
 use crate::report::{case_page, checks_page, front, paper_page, record, study_page, symbols};
 use crate::study::sheets::sheet;
@@ -25,8 +25,9 @@ pub struct Page {
 /// Makes the report from the findings of the whole suite.
 pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
     let mut charts = [
-        figure::contact_problem()?.files("contact-problem.svg"),
-        figure::contact_elements()?.files("contact-elements.svg"),
+        schematic("contact problem", include_str!("pictures/contact-problem.svg"), &[])?.files("contact-problem.svg"),
+        schematic("contact elements", include_str!("pictures/contact-elements.svg"), &[])?
+            .files("contact-elements.svg"),
     ]
     .concat();
     charts.extend(front::nearness::chart(findings)?.files(front::nearness::CHART[0]));

@@ -7,7 +7,7 @@ use contact_vv::figure::palette::{self, CARD, CURVES, Dash, GREY, INK, Marker, W
 use contact_vv::figure::theme::Rgb;
 use contact_vv::figure::{
     Axis, Band, Bars, Cell, Chart, ClassMap, Direction, Drawing, Guide, MapPanel, Remark, Ribbon, Series, Style, Theme,
-    contact_elements, contact_problem,
+    schematic,
 };
 use contact_vv::study::drawn::picture;
 use contact_vv::study::timings::pareto::{Measure, front, sound, within};
@@ -128,7 +128,9 @@ fn map() -> ClassMap {
 }
 
 fn drawings() -> Vec<Drawing> {
-    let all = [contact_problem(), contact_elements(), full().drawing(), map().drawing()];
+    let problem = schematic("problem", include_str!("../../src/report/pictures/contact-problem.svg"), &[]);
+    let elements = schematic("elements", include_str!("../../src/report/pictures/contact-elements.svg"), &[]);
+    let all = [problem, elements, full().drawing(), map().drawing()];
     all.map(|drawing| drawing.expect("drawn")).into()
 }
 
@@ -193,6 +195,19 @@ fn light_and_dark_files_hold_the_same_shapes_in_other_colours() {
         assert_ne!(light, dark);
         assert_eq!(shapes(&light), shapes(&dark));
     }
+}
+
+#[test]
+fn numbers_of_a_schematic_stand_where_it_asks_for_them() {
+    let svg = "<svg><text fill=\"#222222\">R = {R} mm</text></svg>";
+    let drawn = schematic("one", svg, &[("R", -0.1 - 0.2)]).expect("drawn");
+    assert_eq!(drawn.svg(Theme::Light), "<svg><text fill=\"#222222\">R = −0.3 mm</text></svg>");
+    assert_eq!(drawn.svg(Theme::Dark), "<svg><text fill=\"#E8E8E5\">R = −0.3 mm</text></svg>");
+    let refused = |svg: &str, numbers: &[(&str, f64)]| schematic("one", svg, numbers).expect_err("refused").to_string();
+    assert!(refused(svg, &[]).contains("`R` has no number"));
+    assert!(refused(svg, &[("R", f64::NAN)]).contains("`R` = NaN has no place"));
+    assert!(refused(svg, &[("R", 1.0), ("q", 1.0)]).contains("`q` = 1 has no place"));
+    assert!(refused("<svg fill=\"#123456\"/>", &[]).contains("#123456 has no dark partner"));
 }
 
 #[test]

@@ -2,33 +2,28 @@
 
 use crate::case::library::{Cylinder, PinRod};
 use crate::error::Error;
-use crate::figure::{CylinderScene, Drawing, PinRodScene};
+use crate::figure::{Drawing, schematic};
 
 /// The cylinder on its rigid plane.
 pub fn cylinder() -> Result<Drawing, Error> {
     let numbers = Cylinder::default();
-    CylinderScene {
-        radius: numbers.radius,
-        half_width: numbers.half_width(),
-        candidates: numbers.stretch * numbers.half_width(),
-        load: (numbers.load() / (2.0 * numbers.radius)).round(),
-        notes: vec![],
-    }
-    .drawing()
+    let (a, load) = (numbers.half_width(), numbers.load() / (2.0 * numbers.radius));
+    let shown = [("R", numbers.radius), ("a", a), ("L", numbers.stretch * a), ("q", load.round())];
+    schematic("cylinder", include_str!("cylinder.svg"), &shown)
 }
 
 /// The pin in the connecting-rod eye.
 pub fn pin_rod() -> Result<Drawing, Error> {
     let numbers = PinRod::default();
-    PinRodScene {
-        pin_radius: numbers.pin_radius,
-        clearance: numbers.clearance,
-        eye_radius: numbers.eye_outer_radius,
-        shank_width: numbers.shank_width,
-        shank_end: numbers.shank_end,
-        force: numbers.force,
-        candidates: numbers.stretch.to_degrees(),
-        notes: vec![],
-    }
-    .drawing()
+    let shown = [
+        ("R", numbers.pin_radius),
+        ("c", numbers.clearance),
+        ("R + c", numbers.pin_radius + numbers.clearance),
+        ("outer", numbers.eye_outer_radius),
+        ("half width", 0.5 * numbers.shank_width),
+        ("height", numbers.shank_end),
+        ("F/2", 0.5 * numbers.force),
+        ("candidates", numbers.stretch.to_degrees()),
+    ];
+    schematic("pin-rod", include_str!("pin-rod.svg"), &shown)
 }
