@@ -3,7 +3,7 @@
 use super::canvas::{Canvas, drawing};
 use super::cell_grid::{Grid, Vertex};
 use super::colour_map::ColourMap;
-use super::field::Field;
+use super::field::{Field, Shapes};
 use super::frame::{Point, between};
 use super::numbers::round_values;
 use super::panel::Panel;
@@ -64,7 +64,7 @@ impl Bands {
             let vertex = |&node: &usize| Vertex { at: panel.nodes[node], value: panel.field.values[node] };
             let cell: Vec<Vertex> = cell.iter().map(vertex).collect();
             if panel.frame.meets(&places(&cell)) {
-                self.divide(&cell, &mut areas);
+                self.divide(&cell, panel.field.shapes, &mut areas);
             }
         }
         for (band, areas) in areas.iter().enumerate().filter(|(_, areas)| !areas.is_empty()) {
@@ -72,8 +72,8 @@ impl Bands {
         }
     }
 
-    fn divide(&self, cell: &[Vertex], areas: &mut [Vec<Vec<Point>>]) {
-        let grid = Grid::of(cell);
+    fn divide(&self, cell: &[Vertex], shapes: Shapes, areas: &mut [Vec<Vec<Point>>]) {
+        let grid = Grid::of(cell, shapes);
         let first = self.of(grid.vertices[0].value);
         if grid.vertices.iter().all(|vertex| self.of(vertex.value) == first) {
             return areas[first].push(places(&grid.rim()));

@@ -1,5 +1,6 @@
 //! A cell divided in small parts by its shape functions.
 
+use super::field::Shapes;
 use super::frame::{Point, distance};
 
 /// A point of a polygon with the scalar there.
@@ -20,14 +21,14 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// The grid of a cell with four or eight nodes on the canvas.
-    pub fn of(cell: &[Vertex]) -> Grid {
+    /// The grid of a cell on the canvas.
+    pub fn of(cell: &[Vertex], shapes: Shapes) -> Grid {
         let side = |n: usize| distance(cell[n].at, cell[(n + 1) % 4].at);
         let longest = (0..4).map(side).fold(0.0, f64::max);
         let parts = ((longest / PART).ceil() as usize).clamp(1, FINEST);
         let natural = |n: usize| 2.0 * n as f64 / parts as f64 - 1.0;
-        let places = (0..=parts).flat_map(|row| (0..=parts).map(move |column| (natural(column), natural(row))));
-        Grid { parts, vertices: places.map(|place| interpolated(cell, place)).collect() }
+        let places = (0..=parts).flat_map(|row| (0..=parts).map(move |column| [natural(column), natural(row)]));
+        Grid { parts, vertices: places.map(|place| interpolated(cell, shapes, place)).collect() }
     }
 
     fn at(&self, row: usize, column: usize) -> Vertex {
@@ -50,19 +51,8 @@ impl Grid {
     }
 }
 
-fn interpolated(cell: &[Vertex], place: (f64, f64)) -> Vertex {
-    let shape = shape_functions(cell.len(), place);
-    let sum = |of: fn(&Vertex) -> f64| cell.iter().zip(shape).map(|(node, share)| share * of(node)).sum::<f64>();
+fn interpolated(cell: &[Vertex], shapes: Shapes, place: [f64; 2]) -> Vertex {
+    let shape = shapes(cell.len(), place);
+    let sum = |of: fn(&Vertex) -> f64| cell.iter().zip(&shape).map(|(node, share)| share * of(node)).sum::<f64>();
     Vertex { at: (sum(|node| node.at.0), sum(|node| node.at.1)), value: sum(|node| node.value) }
-}
-
-/// Shape functions of the bilinear or the serendipity quadrilateral.
-fn shape_functions(nodes: usize, (xi, eta): (f64, f64)) -> [f64; 8] {
-    let corner = |(a, b): (f64, f64)| {
-        let bilinear = 0.25 * (1.0 + a * xi) * (1.0 + b * eta);
-        if nodes == 8 { bilinear * (a * xi + b * eta - 1.0) } else { bilinear }
-    };
-    let [a, b, c, d] = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(corner);
-    let (along, across) = (0.5 * (1.0 - xi * xi), 0.5 * (1.0 - eta * eta));
-    [a, b, c, d, along * (1.0 - eta), across * (1.0 + xi), along * (1.0 + eta), across * (1.0 - xi)]
 }

@@ -33,6 +33,9 @@ impl Detail {
     }
 }
 
+/// Values of the shape functions of a cell of so many nodes at (ξ, η).
+pub type Shapes = fn(usize, [f64; 2]) -> Vec<f64>;
+
 /// A nodal scalar on a mesh of quadrilaterals.
 #[derive(Clone, Debug)]
 pub struct Field {
@@ -42,8 +45,10 @@ pub struct Field {
     pub quantity: String,
     /// Undeformed nodes, in any length unit.
     pub points: Vec<(f64, f64)>,
-    /// Four or eight nodes each: corners counter-clockwise, then the midsides 0–1, 1–2, 2–3, 3–0.
+    /// Nodes of each cell: corners counter-clockwise, then all others in the order of its shape functions.
     pub cells: Vec<Vec<usize>>,
+    /// The shape functions.
+    pub shapes: Shapes,
     /// The scalar at the nodes.
     pub values: Vec<f64>,
     /// Displacements of the nodes, in the same unit.
@@ -66,8 +71,10 @@ impl Field {
         let (nodes, values, shifts) = (self.points.len(), self.values.len(), self.displacements.len());
         let (reason, remedy) = if values != nodes || shifts != nodes {
             (format!("{nodes} nodes, {values} values, {shifts} displacements"), "give one of each per node")
-        } else if let Some(cell) = self.cells.iter().find(|cell| ![4, 8].contains(&cell.len())) {
-            (format!("a cell with {} nodes", cell.len()), "give four or eight")
+        } else if let Some(cell) =
+            self.cells.iter().find(|cell| (self.shapes)(cell.len(), [0.0; 2]).len() != cell.len())
+        {
+            (format!("no shape functions of a cell with {} nodes", cell.len()), "give those of its element")
         } else if let Some(node) = self.cells.iter().flatten().find(|&&node| node >= nodes) {
             (format!("a cell names node {node} of {nodes}"), "count nodes from 0")
         } else if self.cells.is_empty() {

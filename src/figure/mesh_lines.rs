@@ -19,7 +19,7 @@ pub(super) fn mesh_lines(canvas: &mut Canvas, panel: &Panel<'_>) {
     for cell in &panel.field.cells {
         for side in 0..4 {
             let (a, b) = (cell[side], cell[(side + 1) % 4]);
-            let traced = || traced(panel.nodes[a], panel.nodes[b], cell.get(4 + side).map(|&node| panel.nodes[node]));
+            let traced = || traced(panel, cell, side);
             edges.entry((a.min(b), a.max(b))).or_insert_with(|| (traced(), 0)).1 += 1;
         }
     }
@@ -33,16 +33,20 @@ pub(super) fn mesh_lines(canvas: &mut Canvas, panel: &Panel<'_>) {
     canvas.lines(&lines(outline, &|_| true), Pen::solid(INK, 1.1));
 }
 
-/// An edge on the canvas: straight, or four pieces of the parabola through its midside node.
-fn traced(a: Point, b: Point, middle: Option<Point>) -> Vec<Point> {
-    let chord = between(a, b, 0.5);
-    let bulge = middle.map_or((0.0, 0.0), |middle| (middle.0 - chord.0, middle.1 - chord.1));
-    if bulge.0.hypot(bulge.1) <= 0.15 {
-        return vec![a, b];
-    }
-    let on_parabola = |t: f64| {
-        let (straight, rise) = (between(a, b, t), 4.0 * t * (1.0 - t));
-        (straight.0 + rise * bulge.0, straight.1 + rise * bulge.1)
+/// A side of a cell on the canvas: straight, or in four pieces.
+fn traced(panel: &Panel<'_>, cell: &[usize], side: usize) -> Vec<Point> {
+    const CORNERS: [Point; 4] = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+    let [from, to] = [CORNERS[side], CORNERS[(side + 1) % 4]];
+    let place = |t: f64| {
+        let (xi, eta) = between(from, to, t);
+        let shares = (panel.field.shapes)(cell.len(), [xi, eta]);
+        let nodes = cell.iter().map(|&node| panel.nodes[node]).zip(shares);
+        nodes.fold((0.0, 0.0), |sum, (node, share)| (sum.0 + share * node.0, sum.1 + share * node.1))
     };
-    [0.0, 0.25, 0.5, 0.75, 1.0].map(on_parabola).to_vec()
+    let [a, b] = [side, (side + 1) % 4].map(|corner| panel.nodes[cell[corner]]);
+    if distance(place(0.5), between(a, b, 0.5)) <= 0.15 {
+        vec![a, b]
+    } else {
+        [0.0, 0.25, 0.5, 0.75, 1.0].map(place).to_vec()
+    }
 }

@@ -11,7 +11,7 @@ use crate::figure::{
 };
 use crate::measure;
 use crate::mesh::BodyMesh;
-use crate::solve::{Discretisation, Element, Fields, Formulation, Iteration, Run};
+use crate::solve::{Discretisation, Element, Fields, Formulation, Iteration, Run, shapes};
 use crate::study::about::About;
 use crate::study::drawn::{Curve, label, picture, style};
 use crate::study::{Found, Planned};
@@ -338,6 +338,7 @@ fn stress(field: &Field, magnification: f64, largest: f64, zoom: Window) -> Resu
         quantity: "σ_y [MPa]".into(),
         points: pairs(&field.points),
         cells: field.cells.clone(),
+        shapes,
         values: field.stress.iter().map(|value| (value / grain).round() * grain).collect(),
         displacements: pairs(&field.displacement),
         magnification,

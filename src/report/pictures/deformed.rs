@@ -3,8 +3,7 @@
 use crate::error::Error;
 use crate::figure::{ColourMap, Detail, Field, Window};
 use crate::markdown::significant;
-use crate::solve::Discretisation;
-use crate::solve::Run;
+use crate::solve::{Discretisation, Run, shapes};
 
 /// Largest displacement in the drawing, over the size of the bodies.
 const SHOWN: f64 = 0.05;
@@ -40,6 +39,7 @@ pub fn field(discretisation: &Discretisation, run: &Run) -> Result<Option<Field>
         quantity: "σ_v [MPa]".into(),
         points: pairs(&mesh.points),
         cells: (0..mesh.cells()).map(|cell| mesh.cell(cell).to_vec()).collect(),
+        shapes,
         values,
         displacements: pairs(&fields.displacement),
         magnification,

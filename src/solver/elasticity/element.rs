@@ -42,7 +42,7 @@ impl CellStiffness {
         let points = usize::from(order.number()) + 1;
         let nodes = order.nodes_per_cell();
         let rule = quadrature::gauss_square(points);
-        let shapes = rule.iter().map(|&(at, _)| shape_functions::cell(nodes, at).iter().map(|shape| shape.0).collect());
+        let shapes = rule.iter().map(|&(at, _)| shape_functions::values(nodes, at));
         Self {
             shapes: shapes.collect(),
             rule: rule.iter().map(|&(at, weight)| (slopes(nodes, at), weight)).collect(),
@@ -51,6 +51,61 @@ impl CellStiffness {
             order,
             processor: pulp::Arch::new(),
         }
+    }
+
+    /// `k_ab = Σ B_aᵀ D B_b t w det J` as `pairs[a][component of a][component of b][b]`.
+    ///
+    /// D is the same throughout a cell and stands outside the sums: only the four `∫ N_a,i N_b,j t dA` of a pair of
+    /// nodes are summed over the Gauss points, and combined with D once.
+    #[inline(always)]
+    fn add_pairs<const N: usize, const G: usize>(
+        &self,
+        points: &[[f64; 2]; N],
+        pairs: &mut [[[[f64; N]; 2]; 2]; N],
+    ) -> Result<(), f64> {
+        let [[dxx, dxy, dxs], [dyx, dyy, dys], [dsx, dsy, dss]] = self.split.plain;
+        let mut samples = [Sample::EMPTY; G];
+        self.sample(points, &mut samples)?;
+        for (a, pair) in pairs.iter_mut().enumerate() {
+            let ([mut xx, mut xy], [mut yx, mut yy]) = ([[0.0; N]; 2], [[0.0; N]; 2]);
+            for Sample { gradients: [along_x, along_y], area } in &samples {
+                let (x, y) = (area * along_x[a], area * along_y[a]);
+                add_scaled(&mut xx, x, along_x);
+                add_scaled(&mut xy, x, along_y);
+                add_scaled(&mut yx, y, along_x);
+                add_scaled(&mut yy, y, along_y);
+            }
+            // Strains B_a = (N_a,x, 0, N_a,y) of a displacement along x, (0, N_a,y, N_a,x) of one along y.
+            let row = |xx_by: f64, xy_by: f64, yx_by: f64, yy_by: f64| -> [f64; N] {
+                std::array::from_fn(|b| xx_by * xx[b] + xy_by * xy[b] + yx_by * yx[b] + yy_by * yy[b])
+            };
+            *pair = [
+                [row(dxx, dxs, dsx, dss), row(dxs, dxy, dss, dsy)],
+                [row(dsx, dss, dyx, dys), row(dss, dsy, dys, dyy)],
+            ];
+        }
+        if self.split.excess > 0.0 {
+            self.modes(points, &samples).add(self.split.excess, pairs);
+        }
+        Ok(())
+    }
+
+    /// Writes what the sums need at each Gauss point.
+    #[inline(always)]
+    fn sample<const N: usize, const G: usize>(
+        &self,
+        points: &[[f64; 2]; N],
+        samples: &mut [Sample<N>; G],
+    ) -> Result<(), f64> {
+        for ((slopes, weight), at) in self.rule.iter().zip(samples) {
+            let (inverse, determinant) = jacobian(slopes, points)?;
+            at.area = weight * determinant * self.thickness;
+            let [along_x, along_y] = &mut at.gradients;
+            for ((x, y), slope) in along_x.iter_mut().zip(along_y).zip(slopes) {
+                [*x, *y] = gradient(&inverse, slope);
+            }
+        }
+        Ok(())
     }
 
     /// Entries of the matrix of a cell: `(2n)²` for n nodes.
@@ -114,10 +169,7 @@ impl CellStiffness {
         let mut samples = [Sample::EMPTY; G];
         self.sample(&points, &mut samples)?;
         let modes = self.modes::<N, G>(&points, &samples);
-        let places = at.iter().map(|&at| {
-            let shapes: Vec<f64> = shape_functions::cell(N, at).iter().map(|shape| shape.0).collect();
-            place(&shapes, &points)
-        });
+        let places = at.iter().map(|&at| place(&shape_functions::values(N, at), &points));
         Ok(modes.dilatation(&displacements, places).map(|theta| self.split.excess * theta).collect())
     }
 
@@ -133,61 +185,6 @@ impl CellStiffness {
         for (row, pair) in k.chunks_exact_mut(2 * N).zip(pairs.as_flattened()) {
             for (entries, b) in row.chunks_exact_mut(2).zip(0..N) {
                 (entries[0], entries[1]) = (pair[0][b], pair[1][b]);
-            }
-        }
-        Ok(())
-    }
-
-    /// `k_ab = Σ B_aᵀ D B_b t w det J` as `pairs[a][component of a][component of b][b]`.
-    ///
-    /// D is the same throughout a cell and stands outside the sums: only the four `∫ N_a,i N_b,j t dA` of a pair of
-    /// nodes are summed over the Gauss points, and combined with D once.
-    #[inline(always)]
-    fn add_pairs<const N: usize, const G: usize>(
-        &self,
-        points: &[[f64; 2]; N],
-        pairs: &mut [[[[f64; N]; 2]; 2]; N],
-    ) -> Result<(), f64> {
-        let [[dxx, dxy, dxs], [dyx, dyy, dys], [dsx, dsy, dss]] = self.split.plain;
-        let mut samples = [Sample::EMPTY; G];
-        self.sample(points, &mut samples)?;
-        for (a, pair) in pairs.iter_mut().enumerate() {
-            let ([mut xx, mut xy], [mut yx, mut yy]) = ([[0.0; N]; 2], [[0.0; N]; 2]);
-            for Sample { gradients: [along_x, along_y], area } in &samples {
-                let (x, y) = (area * along_x[a], area * along_y[a]);
-                add_scaled(&mut xx, x, along_x);
-                add_scaled(&mut xy, x, along_y);
-                add_scaled(&mut yx, y, along_x);
-                add_scaled(&mut yy, y, along_y);
-            }
-            // Strains B_a = (N_a,x, 0, N_a,y) of a displacement along x, (0, N_a,y, N_a,x) of one along y.
-            let row = |xx_by: f64, xy_by: f64, yx_by: f64, yy_by: f64| -> [f64; N] {
-                std::array::from_fn(|b| xx_by * xx[b] + xy_by * xy[b] + yx_by * yx[b] + yy_by * yy[b])
-            };
-            *pair = [
-                [row(dxx, dxs, dsx, dss), row(dxs, dxy, dss, dsy)],
-                [row(dsx, dss, dyx, dys), row(dss, dsy, dys, dyy)],
-            ];
-        }
-        if self.split.excess > 0.0 {
-            self.modes(points, &samples).add(self.split.excess, pairs);
-        }
-        Ok(())
-    }
-
-    /// Writes what the sums need at each Gauss point.
-    #[inline(always)]
-    fn sample<const N: usize, const G: usize>(
-        &self,
-        points: &[[f64; 2]; N],
-        samples: &mut [Sample<N>; G],
-    ) -> Result<(), f64> {
-        for ((slopes, weight), at) in self.rule.iter().zip(samples) {
-            let (inverse, determinant) = jacobian(slopes, points)?;
-            at.area = weight * determinant * self.thickness;
-            let [along_x, along_y] = &mut at.gradients;
-            for ((x, y), slope) in along_x.iter_mut().zip(along_y).zip(slopes) {
-                [*x, *y] = gradient(&inverse, slope);
             }
         }
         Ok(())

@@ -18,6 +18,11 @@ pub fn cell(n: usize, at: [f64; 2]) -> Vec<(f64, [f64; 2])> {
     }
 }
 
+/// The values alone.
+pub fn values(n: usize, at: [f64; 2]) -> Vec<f64> {
+    cell(n, at).into_iter().map(|(value, _)| value).collect()
+}
+
 /// `N = N_i(ξ) N_j(η)`.
 fn tensor(order: Order, at: [f64; 2]) -> Vec<(f64, [f64; 2])> {
     let [along, across] = at.map(|x| lobatto::lagrange(lobatto::points(order.intervals() + 1), x));

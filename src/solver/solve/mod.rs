@@ -60,6 +60,7 @@ mod validity;
 pub use crate::algorithm::problem::LIMITS;
 pub use crate::algorithm::{Iteration, Settings};
 pub use crate::contact::Element;
+pub use crate::elasticity::shape_functions::values as shapes;
 pub use change::Change;
 pub use discretisation::Discretisation;
 pub use displaced::Displaced;
