@@ -12,6 +12,9 @@ use crate::solve::edge_fitted;
 use crate::solve::run::{Contact, Run};
 use crate::solve::{Change, Discretisation, Formulation, Origin};
 
+/// Why no mesh meets an accuracy of a peak without a limit.
+const UNBOUNDED: &str = "the peak has no limit, so that no mesh meets an accuracy of it";
+
 /// A mesh solved.
 pub(super) struct Rung {
     pub(super) scene: Scene,
@@ -108,9 +111,12 @@ impl<'a> Rungs<'a> {
     /// Answers with a mesh; a peak whose bar was not looked at, or did not fall, may have no limit.
     pub(super) fn answer(self, rung: Rung, unmet: Option<String>) -> Result<Answer, Error> {
         let Rung { scene, resolution, mut run, estimates } = rung;
-        if unmet.is_some() || !self.asked.quantities.contains(&Quantity::PeakPressure) {
+        let of_peak = self.asked.quantities.contains(&Quantity::PeakPressure);
+        if unmet.is_some() || !of_peak {
             run = run.with_limits(&Discretisation::of(scene.clone(), resolution)?)?;
         }
+        let unbounded = of_peak && run.contacts.iter().any(|contact| contact.unbounded.is_some());
+        let unmet = unmet.map(|why| if unbounded { UNBOUNDED.to_owned() } else { why });
         Ok(Answer { scene, resolution, run, estimates, unmet, tried: self.tried })
     }
 }

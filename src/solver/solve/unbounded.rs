@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, LN_2, PI};
 
 use crate::error::Error;
 use crate::mesh::Resolution;
+use crate::mesh::size::expected;
 use crate::scene::Profile;
 use crate::solution::EdgeState;
 use crate::solve::run::{Run, Unbounded};
@@ -19,6 +20,8 @@ const CORNER: f64 = 1.0;
 const NEAR: f64 = 2.0;
 /// Difference of contact coordinates, over them, that rounding explains.
 const ROUNDING: f64 = 1e-9;
+/// Most cells of a mesh that is given and refined to tell whether a peak has a limit.
+const REFINED: f64 = 20e3;
 /// Growth at the last halving, over the peak, below which a series is as good as at its limit.
 const SMALL: f64 = 0.01;
 
@@ -32,27 +35,26 @@ impl Run {
 }
 
 /// Which peaks of a run have no limit: under a tip of the gap, or the corner of a rigid punch, which the scene tells; else where a side ends
-/// and the peak grows as under a corner, told from meshes of half and a quarter of the elements. None of the latter where these cannot be
-/// made or do not hold the contact, and for bodies whose mesh is given.
+/// and the peak grows as under a corner, told from three meshes, each of half the elements of the next. None of the latter where these
+/// cannot be made or do not hold the contact.
 pub fn of(discretisation: &Discretisation, run: &Run) -> Result<Vec<Option<Unbounded>>, Error> {
     let told = |contact: usize| told(discretisation, run, contact);
     let told: Vec<Option<Unbounded>> = (0..run.contacts.len()).map(told).collect();
-    let Resolution { elements, .. } = discretisation.resolution;
     if !run.solution.converged() {
         return Ok(vec![None; run.contacts.len()]);
     }
-    if elements < 4 || discretisation.scene.bodies.iter().any(|body| body.shape.has_given_mesh()) {
-        return Ok(told);
-    }
     // A limit is a matter of the scene, whatever the contact element; this one oscillates least.
     let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
-    let coarser = |part: usize| {
-        let resolution = Resolution { elements: elements / part, ..discretisation.resolution };
-        Run::of(&Discretisation::of(discretisation.scene.clone(), resolution)?, &formulation)
-    };
-    let (Ok(coarse), Ok(medium), Ok(fine)) = (coarser(4), coarser(2), Run::of(discretisation, &formulation)) else {
+    let Ok(own) = Run::of(discretisation, &formulation) else { return Ok(told) };
+    if (0..told.len()).all(|contact| steady(discretisation, &own, contact).is_none()) {
         return Ok(told);
+    }
+    let Some(meshes) = halved(discretisation) else { return Ok(told) };
+    let on = |resolution: Resolution| match resolution == discretisation.resolution {
+        true => Ok(own.clone()),
+        false => Run::of(&Discretisation::of(discretisation.scene.clone(), resolution)?, &formulation),
     };
+    let [Ok(coarse), Ok(medium), Ok(fine)] = meshes.map(on) else { return Ok(told) };
     let runs = [&coarse, &medium, &fine];
     if runs.iter().any(|run| !run.solution.converged()) {
         return Ok(told);
@@ -60,12 +62,25 @@ pub fn of(discretisation: &Discretisation, run: &Run) -> Result<Vec<Option<Unbou
     let each = told.into_iter().enumerate().map(|(contact, told)| {
         let peaks = runs.map(|run| run.contacts[contact].measures.peak);
         let grown = || {
-            let growth = grows(peaks.map(|peak| peak.pressure), steady(discretisation, &fine, contact)?)?;
+            let growth = grows(peaks.map(|peak| peak.pressure), steady(discretisation, &own, contact)?)?;
             Some(Unbounded { position: peaks[2].position, growth })
         };
         told.or_else(grown)
     });
     Ok(each.collect())
+}
+
+/// Three meshes, each of half the elements of the next: with the mesh at hand as the finest; of bodies whose mesh is given, which is the
+/// coarsest there is, that and two refinements where they are small. None where these cannot be made.
+fn halved(discretisation: &Discretisation) -> Option<[Resolution; 3]> {
+    let (scene, own) = (&discretisation.scene, discretisation.resolution);
+    if scene.bodies.iter().any(|body| body.shape.has_given_mesh()) {
+        let first = own.refinement.saturating_sub(2);
+        let all = [0, 1, 2].map(|more| Resolution { refinement: first + more, ..own });
+        let [cells, _] = expected(scene, all[2]);
+        return (own.refinement >= 2 || cells <= REFINED).then_some(all);
+    }
+    (own.elements >= 4).then(|| [4, 2, 1].map(|part| Resolution { elements: own.elements / part, ..own }))
 }
 
 /// What the scene itself tells of a peak without a limit: under a pressed tip `p ∝ E* Δ/2π · ln 1/d`, Δ the leap of the slope there, so that
