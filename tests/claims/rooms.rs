@@ -187,45 +187,33 @@ fn a_curve_beyond_its_uncertainty_turns_red_and_one_that_is_absent_is_not_run() 
     assert_eq!(absent[0].verdict, Verdict::NotRun("why".into()));
 }
 
-#[test]
-fn a_fitted_mesh_that_costs_or_errs_more_than_is_asked_turns_red() {
-    let judge = |spoil: &dyn Fn(&mut fitted::Mesh)| {
-        let mesh = |asked: &fitted::Asked| {
-            let cells = fitted::Cells::Fitted(Fitted::of_digits(asked.digits));
-            let [peak, half_width] = [asked.error; 2];
-            let mut mesh = fitted::Mesh { cells, dofs: asked.dofs, in_all: 0, peak, half_width };
-            spoil(&mut mesh);
-            mesh
-        };
-        let fitted = fitted::ASKED.iter().map(mesh).collect();
-        let numbers = fitted::Numbers { fitted, chosen: vec![], plain: vec![], scenes: vec![] };
-        let judged = fitted::judge(&numbers).expect("judged");
-        assert_eq!(judged.len(), 9);
-        fails(&judged)
-    };
-    assert_eq!(judge(&|_| {}), 0);
-    assert_eq!(judge(&|mesh| mesh.dofs += 1), 3);
-    assert_eq!(judge(&|mesh| mesh.peak *= 1.01), 3);
-    assert_eq!(judge(&|mesh| mesh.half_width *= 1.01), 3);
-    assert_eq!(judge(&|mesh| mesh.peak = f64::NAN), 3);
-    // A mesh that was not solved.
-    assert_eq!(judge(&|mesh| mesh.cells = fitted::Cells::Plain(8)), 9);
+/// A mesh fitted to the contact, as dear and as far off as may be.
+fn mesh(digits: usize, error: f64, dofs: usize) -> fitted::Mesh {
+    let cells = fitted::Cells::Fitted(Fitted::of_digits(digits));
+    fitted::Mesh { cells, dofs, in_all: dofs, errors: [error; 2], exact: false }
 }
 
 #[test]
-fn another_scene_on_a_fitted_mesh_that_costs_or_errs_more_than_is_asked_turns_red() {
-    let judge = |spoil: &dyn Fn(&mut fitted::Elsewhere)| {
-        let fitted = Fitted::of_digits(5);
-        let mut one =
-            fitted::Elsewhere { scene: "pin".into(), fitted, dofs: 3000, peak: 1e-5, half_width: 1e-5, exact: false };
-        spoil(&mut one);
-        let numbers = fitted::Numbers { fitted: vec![], chosen: vec![], plain: vec![], scenes: vec![one] };
-        // The meshes of the block are not there, and have no number that could pass.
-        fails(&fitted::judge(&numbers).expect("judged")) - 9
+fn a_fitted_mesh_that_costs_or_errs_more_than_is_asked_turns_red() {
+    let judge = |spoil: fn(&mut fitted::Mesh)| {
+        let mut meshes = fitted::ASKED.map(|(digits, error, dofs)| mesh(digits, error, dofs));
+        let mut scenes = [("pin".into(), mesh(5, 1e-5, 3000))];
+        meshes.iter_mut().chain(scenes.iter_mut().map(|(_, mesh)| mesh)).for_each(spoil);
+        let judge = |meshes: &[fitted::Mesh], scenes: &[(String, fitted::Mesh)]| {
+            let numbers = fitted::Numbers { meshes: meshes.into(), scenes: scenes.into() };
+            let judged = fitted::judge(&numbers).expect("judged");
+            assert_eq!(judged.len(), 9 + 3 * scenes.len());
+            fails(&judged)
+        };
+        // Without another scene, and with one; without the meshes of the block no number of theirs could pass.
+        [judge(&meshes, &[]), judge(&[], &scenes) - 9]
     };
-    assert_eq!(judge(&|_| {}), 0);
-    assert_eq!(judge(&|one| one.dofs += 1), 1);
-    assert_eq!(judge(&|one| one.peak *= 1.01), 1);
-    assert_eq!(judge(&|one| one.half_width *= 1.01), 1);
-    assert_eq!(judge(&|one| (one.peak, one.half_width) = (f64::NAN, f64::NAN)), 2);
+    assert_eq!(judge(|_| {}), [0, 0]);
+    assert_eq!(judge(|mesh| mesh.dofs += 1), [3, 1]);
+    assert_eq!(judge(|mesh| mesh.errors[0] *= 1.01), [3, 1]);
+    assert_eq!(judge(|mesh| mesh.errors[1] *= 1.01), [3, 1]);
+    assert_eq!(judge(|mesh| mesh.errors[0] = f64::NAN), [3, 1]);
+    assert_eq!(judge(|mesh| mesh.errors = [f64::NAN; 2]), [6, 2]);
+    // A mesh that was not solved.
+    assert_eq!(judge(|mesh| mesh.cells = fitted::Cells::Plain(8))[0], 9);
 }
