@@ -23,7 +23,6 @@ pub mod cross_code;
 pub mod differences;
 pub mod digitised;
 pub mod drawn;
-pub mod family;
 pub mod faults;
 pub mod fields;
 pub mod fitted;
@@ -35,7 +34,6 @@ pub mod method;
 pub mod pairing;
 pub mod photoelastic;
 pub mod present;
-pub mod quarter;
 pub mod random;
 pub mod readings;
 pub mod records;
@@ -59,12 +57,8 @@ pub use trial::{Found, Planned};
 rooms! {
     /// The cases of the suite.
     Cases in cases,
-    /// Observed orders, model error, uncertainty of the pin–rod.
+    /// Observed orders, the cylinder, the pin–rod and its family.
     Refinement in refinement,
-    /// The half cylinder against the quarter.
-    Quarter in quarter,
-    /// The dimensionless family of the pin–rod.
-    Family in family,
     /// Digitised curves of pins: Gaertner, Ghosh.
     Digitised in digitised,
     /// The photoelastic disc between two plates.

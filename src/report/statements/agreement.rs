@@ -5,7 +5,7 @@ use super::statement::{Judgement, Statement, judged};
 use crate::case::library::{cylinder, pin_rod};
 use crate::case::{Quantity, Verdict};
 use crate::study::digitised::GAERTNER;
-use crate::study::quarter::LEFT_OUT;
+use crate::study::refinement::{self, cylinder::LEFT_OUT};
 use crate::study::sweep::{self, Scene};
 use crate::study::{Numbers, Room};
 use crate::uncertainty::COVERAGE;
@@ -62,7 +62,7 @@ pub fn no_difference(f: &Findings) -> Statement {
 /// The upper quarter may be left out.
 pub fn top_quarter(f: &Findings) -> Statement {
     let changes = f.0.iter().filter_map(|finding| match &finding.numbers {
-        Numbers::Quarter(numbers) => Some(&numbers.changes),
+        Numbers::Refinement(refinement::Numbers::Quarter(changes)) => Some(changes),
         _ => None,
     });
     let points: Vec<[f64; 2]> = changes.flatten().map(|change| [change.a_over_r, change.largest()]).collect();
