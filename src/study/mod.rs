@@ -3,6 +3,7 @@
 //! * [`about`] — what a study is called, what it asks, and what it cannot tell.
 //! * [`trial`] — one piece of a study that can run alone.
 //! * `rooms` — what a room must have, and how the page meets all of them.
+//! * [`described`] — a scene in words and numbers.
 //! * [`drawn`] — colours and dashes of formulations, and curves.
 //! * [`class`](mod@class), [`method`], [`pairing`] — how a run ended and what was run, as they are recorded.
 //! * [`random`] — random scenes of closed form.
@@ -20,6 +21,7 @@ pub mod class;
 pub mod converged;
 pub mod coverage;
 pub mod cross_code;
+pub mod described;
 pub mod differences;
 pub mod digitised;
 pub mod drawn;
@@ -41,7 +43,6 @@ pub mod references;
 pub mod refinement;
 mod rooms;
 pub mod scoreboard;
-pub mod sheets;
 pub mod stability;
 pub mod sweep;
 pub mod timings;
@@ -71,10 +72,8 @@ rooms! {
     Independent in independent,
     /// Other codes on exported cases.
     Scoreboard in scoreboard,
-    /// Reference answers to five digits.
+    /// Reference answers to five digits, and benchmark sheets.
     References in references,
-    /// Benchmark sheets.
-    Sheets in sheets,
     /// Initial stiffness and rules.
     Sweep in sweep,
     /// What the paper leaves open: its sentences under readings of it.
