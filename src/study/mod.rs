@@ -23,7 +23,6 @@ pub mod coverage;
 pub mod cross_code;
 pub mod described;
 pub mod differences;
-pub mod digitised;
 pub mod drawn;
 pub mod faults;
 pub mod fields;
@@ -31,10 +30,10 @@ pub mod fitted;
 pub mod handed_over;
 pub mod independent;
 pub mod limits;
+pub mod measured;
 pub mod met;
 pub mod method;
 pub mod pairing;
-pub mod photoelastic;
 pub mod present;
 pub mod random;
 pub mod readings;
@@ -60,10 +59,8 @@ rooms! {
     Cases in cases,
     /// Observed orders, the cylinder, the pin–rod and its family.
     Refinement in refinement,
-    /// Digitised curves of pins: Gaertner, Ghosh.
-    Digitised in digitised,
-    /// The photoelastic disc between two plates.
-    Photoelastic in photoelastic,
+    /// Digitised curves of pins, and a photograph of a disc between two plates.
+    Measured in measured,
     /// Fields and iteration paths.
     Fields in fields,
     /// Other codes.

@@ -7,7 +7,7 @@ use contact_vv::oracle::ReferenceKind;
 use contact_vv::solve::Fitted;
 use contact_vv::study::class::Class;
 use contact_vv::study::refinement::{Numbers, cylinder, family, nested};
-use contact_vv::study::{digitised, fields, fitted, refinement};
+use contact_vv::study::{fields, fitted, measured, refinement};
 
 fn fails(judged: &[Judged]) -> usize {
     judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
@@ -159,16 +159,15 @@ fn stresses_that_do_not_carry_the_load_turn_red() {
 
 #[test]
 fn a_curve_beyond_its_uncertainty_turns_red_and_one_that_is_absent_is_not_run() {
-    let judge = |worst| {
+    let judge = |found: Result<f64, &str>| {
         let (file, source, kind) = ("curve.csv".into(), "Gaertner 1977".into(), ReferenceKind::Measured);
-        let numbers =
-            digitised::Numbers::Present(vec![digitised::Curve { file, source, kind, worst, model_form: None }]);
-        digitised::judge(&numbers).expect("judged")[0].verdict.clone()
+        let found = found.map(|worst| vec![measured::curves::Curve { file, source, kind, worst, model_form: None }]);
+        let found = found.map_err(str::to_owned);
+        let judged = measured::judge(&measured::Numbers::Curves { source: "Gaertner 1977".into(), found });
+        judged.expect("judged")[0].verdict.clone()
     };
-    assert_eq!([judge(1.9), judge(2.1), judge(f64::NAN)], [Verdict::Pass, Verdict::Fail, Verdict::Fail]);
-    let absent = digitised::Numbers::Absent { source: "Gaertner 1977".into(), why: "why".into() };
-    let absent = digitised::judge(&absent).expect("judged");
-    assert_eq!(absent[0].verdict, Verdict::NotRun("why".into()));
+    assert_eq!([1.9, 2.1, f64::NAN].map(|worst| judge(Ok(worst))), [Verdict::Pass, Verdict::Fail, Verdict::Fail]);
+    assert_eq!(judge(Err("why")), Verdict::NotRun("why".into()));
 }
 
 /// A mesh fitted to the contact, as dear and as far off as may be.
