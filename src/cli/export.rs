@@ -15,7 +15,7 @@ use crate::referee::Truth;
 use crate::referee::document::{Document, schema};
 use crate::referee::export::{deck, gmsh, own, problem};
 use crate::solve::{Formulation, Run};
-use crate::study::sheets;
+use crate::study::references;
 
 /// Arguments of `export`.
 #[derive(Debug, Args)]
@@ -62,7 +62,7 @@ pub fn files(case: &Case) -> Result<Vec<(String, String, &'static str)>, Error> 
     let run = Run::of(&discretisation, &Formulation::verification())?;
     let truth = Truth::of(case.clone())?;
     let named = |ending: &str| format!("{}{ending}", plain(&case.name));
-    let sheet = sheets::sheet(&sheets::run::of(case, &truth.discretisation, &truth.run, &truth.bars)?).1;
+    let sheet = references::file(&references::sheet(case, &truth.discretisation, &truth.run, &truth.bars)?).1;
     let table = profile::csv(&discretisation.scene, &run, Path::new("ours.csv"))?;
     let scripts = problem::SCRIPTS.map(|(name, text, what)| (name.to_owned(), text.to_owned(), what));
     let files = vec![

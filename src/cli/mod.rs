@@ -64,7 +64,7 @@ use crate::error::Error;
 use crate::referee::document;
 use crate::report;
 use crate::study::Room;
-use crate::study::sheets::SHEETS;
+use crate::study::references::SHEETS;
 use crate::study::timings::code::Code;
 use crate::study::timings::growth;
 

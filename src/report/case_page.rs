@@ -7,8 +7,7 @@ use crate::oracle::ReferenceKind;
 use crate::report::{checks, heading};
 use crate::study::cases::page::{charts, page as name_of, remark, sketch};
 use crate::study::cases::{self, Numbers};
-use crate::study::sheets::described;
-use crate::study::{Finding, Numbers as Any};
+use crate::study::{Finding, Numbers as Any, described};
 
 /// Runs that share a page.
 pub struct Shared<'a> {

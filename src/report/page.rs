@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::figure::schematic;
 use crate::report::links::{CHARTS, PAGES};
 use crate::report::{case_page, checks_page, front, paper_page, record, study_page, symbols};
-use crate::study::sheets::sheet;
+use crate::study::references::{self, Sheet};
 use crate::study::{Finding, Numbers, Room};
 
 /// The front page and all that is behind it.
@@ -34,16 +34,19 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
     for room in Room::ALL {
         charts.extend(room.pictures(findings)?);
     }
-    let sheets = findings.iter().filter_map(|finding| match &finding.numbers {
-        Numbers::Sheets(numbers) => Some(sheet(numbers)),
-        _ => None,
-    });
     Ok(Page {
         markdown: front::page(findings),
         pages: pages(findings)?,
         charts,
-        sheets: sheets.collect(),
+        sheets: sheets(findings).map(references::file).collect(),
         record: record::files(findings)?,
+    })
+}
+
+fn sheets(findings: &[Finding]) -> impl Iterator<Item = &Sheet> {
+    findings.iter().filter_map(|finding| match &finding.numbers {
+        Numbers::References(references::Numbers::Sheet(sheet)) => Some(sheet),
+        _ => None,
     })
 }
 
@@ -64,9 +67,7 @@ pub fn pages(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
     for room in study_page::asked(findings) {
         pages.push((study_page::file(room), study_page::page(room, findings)?));
     }
-    let has_sheet = |name: &str| {
-        findings.iter().any(|finding| matches!(&finding.numbers, Numbers::Sheets(numbers) if numbers.name == name))
-    };
+    let has_sheet = |name: &str| sheets(findings).any(|sheet| sheet.name == name);
     let cases = case_page::shared(findings);
     pages.extend(cases.iter().map(|one| (case_page::file(&one.name), case_page::page(one, has_sheet(&one.name)))));
     Ok(pages)

@@ -3,6 +3,7 @@
 //! * [`about`] — what a study is called, what it asks, and what it cannot tell.
 //! * [`trial`] — one piece of a study that can run alone.
 //! * `rooms` — what a room must have, and how the page meets all of them.
+//! * [`described`] — a scene in words and numbers.
 //! * [`drawn`] — colours and dashes of formulations, and curves.
 //! * [`class`](mod@class), [`method`], [`pairing`] — how a run ended and what was run, as they are recorded.
 //! * [`random`] — random scenes of closed form.
@@ -20,22 +21,20 @@ pub mod class;
 pub mod converged;
 pub mod coverage;
 pub mod cross_code;
+pub mod described;
 pub mod differences;
-pub mod digitised;
 pub mod drawn;
-pub mod family;
 pub mod faults;
 pub mod fields;
 pub mod fitted;
 pub mod handed_over;
 pub mod independent;
 pub mod limits;
+pub mod measured;
 pub mod met;
 pub mod method;
 pub mod pairing;
-pub mod photoelastic;
 pub mod present;
-pub mod quarter;
 pub mod random;
 pub mod readings;
 pub mod records;
@@ -43,7 +42,6 @@ pub mod references;
 pub mod refinement;
 mod rooms;
 pub mod scoreboard;
-pub mod sheets;
 pub mod stability;
 pub mod sweep;
 pub mod timings;
@@ -59,16 +57,10 @@ pub use trial::{Found, Planned};
 rooms! {
     /// The cases of the suite.
     Cases in cases,
-    /// Observed orders, model error, uncertainty of the pin–rod.
+    /// Observed orders, the cylinder, the pin–rod and its family.
     Refinement in refinement,
-    /// The half cylinder against the quarter.
-    Quarter in quarter,
-    /// The dimensionless family of the pin–rod.
-    Family in family,
-    /// Digitised curves of pins: Gaertner, Ghosh.
-    Digitised in digitised,
-    /// The photoelastic disc between two plates.
-    Photoelastic in photoelastic,
+    /// Digitised curves of pins, and a photograph of a disc between two plates.
+    Measured in measured,
     /// Fields and iteration paths.
     Fields in fields,
     /// Other codes.
@@ -77,10 +69,8 @@ rooms! {
     Independent in independent,
     /// Other codes on exported cases.
     Scoreboard in scoreboard,
-    /// Reference answers to five digits.
+    /// Reference answers to five digits, and benchmark sheets.
     References in references,
-    /// Benchmark sheets.
-    Sheets in sheets,
     /// Initial stiffness and rules.
     Sweep in sweep,
     /// What the paper leaves open: its sentences under readings of it.

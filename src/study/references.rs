@@ -1,111 +1,310 @@
-//! Reference answers to five digits where no closed form exists: cells of high order fitted to the contact, confirmed by other meshes and by
-//! 8-node cells.
+//! Reference answers to five digits where no closed form exists, by cells of high order fitted to the contact,
+//! confirmed by other meshes and by 8-node cells; and a benchmark sheet a case of the library: all that somebody with
+//! another code needs to run it.
 
 use std::fmt::Write;
 
 use serde::Serialize;
 
-use crate::accuracy::reference::{self, Answer, Known, MESHES};
-use crate::accuracy::{Barred, Subject, bars};
-use crate::case::library::{Cylinder, find};
-use crate::case::{Case, Check, Judged, Quantity, Reference};
+use crate::accuracy::reference::{self, Known, MESHES};
+use crate::accuracy::{Barred, Quantity, Subject, Told, bars};
+use crate::case::library::{Cylinder, NAMES, find};
+use crate::case::{self, Case, Check, Judged, Reference};
 use crate::error::Error;
-use crate::markdown::{significant, table, to_bound};
+use crate::figure::Drawing;
+use crate::markdown::{self, Column, significant, to_bound};
+use crate::measure::order::richardson;
 use crate::mesh::Resolution;
-use crate::scene::Path;
+use crate::oracle::cross_code::PhysicalAnswer;
+use crate::oracle::cross_code::independent::{Independent, Script};
+use crate::oracle::{self, Reading, ReferenceKind};
+use crate::scene::ContactPair;
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::About;
-use crate::study::{Found, Planned};
+use crate::study::{Found, Planned, described};
 
 /// What its page is called, what it asks, and what it cannot tell.
 pub const ABOUT: About = About {
-    title: "Reference answers",
-    asked: "Which numbers of scenes without a closed form are known to five digits.",
-    limits: "The bound is drawn from differences between meshes of this code; other codes confirm it to three or four digits only.",
+    title: "Reference answers and benchmark sheets",
+    asked: "Which numbers of scenes without a closed form are known to five digits, and what somebody with another code \
+        needs to run the cases of the library.",
+    limits: "The bound of an answer is drawn from differences between meshes of this code; other codes confirm it to \
+        three or four digits only. A closed form may be of an idealised scene; the sheet says where.",
 };
 
-/// Cases of the library.
+/// The folder of the sheets.
+pub const SHEETS: &str = "snapshots/sheets";
+
+/// Cases of the library with an answer, beside the cylinder with a contact twice as wide.
 const NAMED: [&str; 3] = ["cylinder", "pin-rod", "pin-plate"];
 
-/// One trial a scene: those of the library, and the cylinder with a contact twice as wide.
+/// Halvings of the case's own mesh of 8-node cells.
+const REFINEMENT: u32 = 1;
+
+/// Cases that other codes solve too, by the names of the frozen scenes.
+const SHARED: [(&str, &str); 4] = [
+    ("cylinder", "cylinder, a/R = 0.05"),
+    ("truncated-hertz", "truncated Hertz"),
+    ("pin-rod", "pin-rod"),
+    ("pin-plate", "pin in plate"),
+];
+
+/// A trial an answer, and a case of the library.
 pub fn plan() -> Vec<Planned<Numbers>> {
     let wide = Cylinder { a_over_r: 0.1, ..Cylinder::default() }.case().named("cylinder, a/R = 0.1");
-    let known = NAMED.map(|name| find(name, None));
-    let trial = |name: String, case: Result<Case, Error>| {
-        Planned::new("reference answers", name, move || numbers(case.as_ref().map_err(Clone::clone)?))
+    let named = NAMED.iter().map(|name| find(name, None)).chain([Ok(wide)]);
+    let answer = |(name, case): (&str, Result<Case, Error>)| {
+        Planned::new("reference answers", name, move || answer(case.as_ref().map_err(Clone::clone)?))
     };
-    let named = NAMED.iter().zip(known).map(|(name, case)| trial((*name).into(), case));
-    named.chain([trial(wide.name.clone(), Ok(wide.clone()))]).collect()
+    let answers = NAMED.into_iter().chain(["cylinder, a/R = 0.1"]).zip(named).map(answer);
+    let sheets = NAMES.map(|(name, _)| Planned::new("benchmark sheets", name, move || solve(name).map(Numbers::Sheet)));
+    answers.chain(sheets).collect()
 }
 
-/// A scene.
+/// What a trial found.
 #[derive(Clone, Debug, Serialize)]
-pub struct Numbers {
-    /// Its case.
-    pub case: String,
-    /// Path of its contact.
-    #[serde(skip)]
-    pub path: Path,
-    /// Degrees of freedom of the answer, of the other meshes, and of the 8-node cells.
-    pub dofs: [usize; 5],
-    /// What is known of it, and what 8-node cells say with the error bar of that; none of what has no bar there.
-    pub known: Vec<(Known, Option<[f64; 2]>)>,
+pub enum Numbers {
+    /// Of a scene on all meshes.
+    Answer {
+        /// Degrees of freedom of the answer, of the other meshes, and of the 8-node cells.
+        dofs: [usize; 5],
+        /// What is known of it.
+        known: Vec<Answered>,
+    },
+    /// What is on a sheet.
+    Sheet(Sheet),
 }
 
-/// A scene on all meshes, in the units that its numbers are shown in.
-pub fn numbers(case: &Case) -> Result<Numbers, Error> {
-    let Answer { known, dofs: [answer, order, layers, cells] } = reference::answer(&case.scene)?;
-    let made = Discretisation::of(case.scene.clone(), Resolution { refinement: 1, ..case.resolution })?;
-    let run = Run::of(&made, &Formulation::verification())?;
-    let barred = bars(&made, &run, &[])?;
-    let row = |one: Known| {
-        let (_, factor) = one.measured.unit(&case.scene.contact().path);
-        let is_it =
-            |barred: &&Barred| one.measured.quantity().is_some_and(|own| barred.subject == Subject::Contact(0, own));
-        let eight = barred.all.iter().find(is_it).map(|of| [factor * of.value, factor * of.bar.total()]);
-        (one.times(factor), eight)
+/// A number of an answer, in the unit that it is shown in.
+#[derive(Clone, Debug, Serialize)]
+pub struct Answered {
+    /// The number.
+    pub known: Known,
+    /// Its unit.
+    pub unit: &'static str,
+    /// What 8-node cells say with the error bar of that; none of what has no bar there.
+    pub eight: Option<[f64; 2]>,
+}
+
+/// A benchmark sheet.
+#[derive(Clone, Debug, Serialize)]
+pub struct Sheet {
+    /// Name on the command line.
+    pub name: String,
+    /// What it is.
+    pub title: String,
+    /// The scene in words and numbers, a paragraph or list each.
+    pub scene: Vec<String>,
+    /// Where scene and closed form come from.
+    pub sources: Vec<String>,
+    /// Degrees of freedom of the mesh of the reference values.
+    pub dofs: usize,
+    /// The values.
+    pub values: Vec<Value>,
+}
+
+/// A reference value.
+#[derive(Clone, Debug, Serialize)]
+pub struct Value {
+    /// The contact, or the body.
+    pub of: String,
+    /// What it is.
+    pub quantity: String,
+    /// Unit.
+    pub unit: &'static str,
+    /// Ours; NaN for a peak without a limit.
+    pub value: f64,
+    /// How far it may be off; NaN where that is not known.
+    pub bound: f64,
+    /// Whether it is that of cells of high order fitted to the contact, and not of 8-node cells.
+    pub fitted: bool,
+    /// What the closed form says.
+    pub closed_form: Option<f64>,
+    /// What scripts of other codes found on their finest mesh, in the unit of ours, with its standard uncertainty.
+    pub others: Vec<(Script, [f64; 2])>,
+}
+
+/// A case on 8-node cells half as large as its own, with the error bars of its numbers.
+fn on_8_node_cells(case: &Case) -> Result<(Discretisation, Run, Vec<Barred>), Error> {
+    let resolution = Resolution { refinement: REFINEMENT, ..case.resolution };
+    let made = Discretisation::of(case.scene.clone(), resolution)?;
+    let run = Run::of(&made, &Formulation::verification())?.with_limits(&made)?;
+    let barred = bars(&made, &run, &[])?.all;
+    Ok((made, run, barred))
+}
+
+/// A scene on all meshes.
+fn answer(case: &Case) -> Result<Numbers, Error> {
+    let reference::Answer { known, dofs: [answer, order, layers, cells] } = reference::answer(&case.scene)?;
+    let (_, run, barred) = on_8_node_cells(case)?;
+    let answered = |one: Known| {
+        let (unit, factor) = one.measured.unit(&case.scene.contact().path);
+        let subject = one.measured.quantity().map(|own| Subject::Contact(0, own));
+        let eight = barred.iter().find(|barred| Some(&barred.subject) == subject.as_ref());
+        let eight = eight.map(|of| [factor * of.value, factor * of.bar.total()]);
+        Answered { known: one.times(factor), unit, eight }
     };
     let dofs = [answer, order, layers, cells, run.dofs];
-    Ok(Numbers {
-        case: case.name.clone(),
-        path: case.scene.contact().path,
-        dofs,
-        known: known.into_iter().map(row).collect(),
+    Ok(Numbers::Answer { dofs, known: known.into_iter().map(answered).collect() })
+}
+
+/// The sheet of a case of the library.
+pub fn solve(name: &str) -> Result<Sheet, Error> {
+    let case = find(name, None)?;
+    let (discretisation, run, barred) = on_8_node_cells(&case)?;
+    let mut sheet = sheet(&case, &discretisation, &run, &barred)?;
+    // Where a mesh can be fitted to the contact, and tells more.
+    if let ([pair], Ok(answer)) = (&case.scene.contacts[..], reference::answer(&case.scene)) {
+        answer.known.iter().for_each(|known| sheet.takes(pair, known));
+    }
+    Ok(sheet)
+}
+
+/// The sheet of a case from a run, whose numbers have bars.
+pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[Barred]) -> Result<Sheet, Error> {
+    let shared = SHARED.iter().find(|(known, _)| *known == case.name);
+    let frozen = shared.map(|_| Independent::read()).transpose()?;
+    let asked = shared.zip(frozen.as_ref()).and_then(|((_, scene), frozen)| frozen.scenes.get(*scene));
+    let value = |one: &Barred| {
+        let Told { of, quantity, unit, factor } = Told::of(&discretisation.scene, run, one);
+        let closed_form = closed_form(case, &one.subject).map(|value| factor * value);
+        let series = asked.iter().flat_map(|asked| &asked.series);
+        let others =
+            series.filter_map(|(script, series)| Some((*script, other(series, &one.subject)?.map(|x| factor * x))));
+        let unbounded = match one.subject {
+            Subject::Contact(contact, Quantity::PeakPressure) => run.contacts[contact].unbounded.is_some(),
+            _ => false,
+        };
+        let sound = run.solution.converged() && !unbounded;
+        let value = if sound { factor * one.value } else { f64::NAN };
+        let (bound, others) = (factor * one.bar.total(), others.collect());
+        Value { of, quantity, unit, value, bound, fitted: false, closed_form, others }
+    };
+    let of_oracle = case.oracle().into_iter().map(|oracle| {
+        let source = oracle.source();
+        format!("{}: {} ({})", oracle.name(), source.citation, source.note)
+    });
+    let own = std::iter::once(case.source.clone()).filter(|source| !source.is_empty());
+    Ok(Sheet {
+        name: case.name.clone(),
+        title: case.title.clone(),
+        scene: described::scene(&case.scene),
+        sources: own.chain(of_oracle).collect(),
+        dofs: run.dofs,
+        values: barred.iter().map(value).collect(),
     })
 }
 
-/// Bound of a number over its scale.
-const DIGITS: f64 = 1e-5;
-
-/// The checks.
-pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
-    Ok(numbers.known.iter().flat_map(of).collect())
+/// What the closed form says of a number; none where there is no such form, or it is silent.
+fn closed_form(case: &Case, subject: &Subject) -> Option<f64> {
+    let Subject::Contact(0, quantity) = subject else { return None };
+    let (asked, factor) = match quantity {
+        Quantity::PeakPressure => (oracle::Quantity::PeakPressure, 1.0),
+        Quantity::SecondMomentWidth => (oracle::Quantity::SecondMoment, 1.0),
+        Quantity::End(0) if case.scene.contact().path.is_straight() => (oracle::Quantity::HalfWidth, 1.0),
+        Quantity::End(0) => (oracle::Quantity::ContactAngle, 1.0),
+        Quantity::Resultant => (oracle::Quantity::Resultant, case.scene.thickness),
+        _ => return None,
+    };
+    match case.oracle()?.read(asked) {
+        Reading::Value { value, .. } => Some(factor * value),
+        Reading::Silent | Reading::Unavailable(_) => None,
+    }
 }
 
-fn of((one, eight): &(Known, Option<[f64; 2]>)) -> Vec<Judged> {
-    let at = |name: &'static str| Quantity::at(name, one.measured.name());
+/// What a script found of a number, and its standard uncertainty; none where it does not tell it.
+fn other(series: &[PhysicalAnswer], subject: &Subject) -> Option<[f64; 2]> {
+    let of: fn(&PhysicalAnswer) -> f64 = match subject {
+        Subject::Contact(0, Quantity::PeakPressure) => |answer| answer.peak,
+        Subject::Contact(0, Quantity::SecondMomentWidth) => |answer| answer.half_width,
+        _ => return None,
+    };
+    let [coarse, medium, fine] = series else { return None };
+    let values = [coarse, medium, fine].map(of);
+    Some([values[2], richardson(values).uncertainty()])
+}
+
+impl Sheet {
+    /// Takes a number of a contact that is known better; as the last of those of contacts where there was none of its
+    /// name.
+    fn takes(&mut self, pair: &ContactPair, known: &Known) {
+        let (quantity, (unit, factor)) = (known.measured.name(), known.measured.unit(&pair.path));
+        let Known { value, bound, .. } = known.times(factor);
+        match self.values.iter_mut().find(|own| own.of == pair.name && own.quantity == quantity) {
+            Some(own) if bound < own.bound => (own.value, own.bound, own.fitted) = (value, bound, true),
+            Some(_) => {}
+            None if value.is_finite() => {
+                let place = self.values.iter().take_while(|own| own.of == pair.name).count();
+                let (of, quantity) = (pair.name.clone(), quantity.into());
+                let others = Vec::new();
+                let row = Value { of, quantity, unit, value, bound, fitted: true, closed_form: None, others };
+                self.values.insert(place, row);
+            }
+            None => {}
+        }
+    }
+}
+
+/// Bound of a number of an answer over its scale.
+const DIGITS: f64 = 1e-5;
+/// What springs of the scripts with a penalty may leave, relative.
+const PENALTY: f64 = 2e-4;
+/// Standard uncertainties of another code that its value may be off: two hold for 95 of 100, and there are thirty
+/// comparisons.
+const SPREAD: f64 = 3.0;
+
+/// The checks: answers are known to five digits; values of a sheet well enough to be met, and they are met by the codes
+/// that solved the case.
+pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
+    let sheet = match numbers {
+        Numbers::Answer { known, .. } => return Ok(known.iter().flat_map(judge_answer).collect()),
+        Numbers::Sheet(sheet) => sheet,
+    };
+    let known = sheet.values.iter().filter(|value| value.bound.is_finite() && value.value.is_finite()).count();
+    let because = "a sheet without numbers can be met by nobody";
+    let known =
+        Check::at_least("reference values with a bound", Reference::own("at least", 2.0), because).judge(known as f64);
+    let met = sheet.values.iter().flat_map(|value| value.others.iter().map(|other| met(value, other)));
+    Ok(std::iter::once(known).chain(met).collect())
+}
+
+fn judge_answer(Answered { known, eight, .. }: &Answered) -> Vec<Judged> {
+    let at = |name: &'static str| case::Quantity::at(name, known.measured.name());
     let because = "what other codes are measured against has five digits";
     let meshes = Reference::own("the other meshes", 0.0);
-    let bound =
-        Check::error(at("relative bound of a reference answer"), meshes, DIGITS, because).judge(one.bound / one.scale);
+    let bound = Check::error(at("relative bound of a reference answer"), meshes, DIGITS, because)
+        .judge(known.bound / known.scale);
     let eight = eight.map(|[value, bar]| {
         let because = "the error bar of 8-node cells, and the bound";
         let quantity = at("difference of 8-node cells over what both may be off");
         Check::error(quantity, Reference::own("8-node cells", 0.0), 1.0, because)
-            .judge((value - one.value).abs() / (bar + one.bound))
+            .judge((value - known.value).abs() / (bar + known.bound))
     });
     [bound].into_iter().chain(eight).collect()
 }
 
-/// The section.
+/// Another code within our bound and thrice its uncertainty, and what its springs leave.
+fn met(value: &Value, (script, [theirs, uncertainty]): &(Script, [f64; 2])) -> Judged {
+    let penalty = if script.has_penalty() { PENALTY * theirs.abs() } else { 0.0 };
+    let round_off = 1e-9 * theirs.abs();
+    let allowed = value.bound + SPREAD * uncertainty + penalty + round_off;
+    let reference =
+        Reference { name: script.name().into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
+    let at = format!("{}, {}", value.quantity, value.of);
+    let quantity = case::Quantity::at("difference over what both may be off", at);
+    let because = "our bound, three standard uncertainties of theirs, and what their springs leave";
+    Check::error(quantity, reference, 1.0, because).judge((value.value - theirs).abs() / allowed)
+}
+
+/// A table an answer, and the list of the sheets.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     let [answer, order, layers, cells] = MESHES;
-    let mut text = format!(
+    let mut answers = format!(
         "The answer is that of cells of order {}, {} on every piece of the contact side, with {} layers towards the ends of the contact, \
          towards forces at points and re-entrant corners; its ends are found on the way, to a millionth of the half-width. Three other meshes \
          confirm it: cells of order {}; {} layers; {} cells on every piece. The bound is twice the largest difference to one of them. 8-node cells, \
          half as large as the case has them, stand beside it with their error bars; an end is there known to a part of an element only. The \
-         [benchmark sheets](sheets.md) have the answers.\n",
+         benchmark sheets have the answers.\n",
         answer.fitted.order.number(),
         answer.cells,
         answer.fitted.layers,
@@ -113,38 +312,89 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
         layers.fitted.layers,
         cells.cells,
     );
+    let mut sheets = String::from(
+        "\n## Benchmark sheets\n\nA page a case of the library: geometry, material, loads, supports, equations, reference values with what \
+         they may be off, sources, and which codes agree. Everything somebody with another code needs to run it.\n\n",
+    );
     for found in findings {
-        let Numbers { case, path, dofs: [answer, order, layers, cells, eight], known } = found.numbers;
-        let _ = write!(text, "\n## {case}\n\n");
-        let head = [
-            "quantity".into(),
-            "unit".into(),
-            format!("answer ± bound, {answer} dofs"),
-            "bound, relative".into(),
-            format!("other order, {order}"),
-            format!("fewer layers, {layers}"),
-            format!("other cells, {cells}"),
-            format!("8-node ± error bar, {eight}"),
-        ];
-        text += &table(&head, &known.iter().map(|one| row(path, one)).collect::<Vec<_>>());
+        match found.numbers {
+            Numbers::Answer { dofs, known } => {
+                let _ = write!(answers, "\n## {}\n\n{}", found.name, table_of_answer(*dofs, known));
+            }
+            Numbers::Sheet(Sheet { name, title, .. }) => {
+                let _ = writeln!(sheets, "* [{name}]({SHEETS}/{name}.md): {title}");
+            }
+        }
     }
-    Ok(text)
+    Ok(answers + &sheets + "\n")
 }
 
-fn row(path: &Path, (one, eight): &(Known, Option<[f64; 2]>)) -> Vec<String> {
-    let bounded = |value: f64, bound: f64| format!("{} ± {}", to_bound(value, bound), significant(bound, 2));
-    let others = one.others.map(|other| to_bound(other, one.bound));
-    let eight = eight.map_or("–".into(), |[value, bar]| bounded(value, bar));
-    let start = [
-        one.measured.name().into(),
-        one.measured.unit(path).0.into(),
-        bounded(one.value, one.bound),
-        significant(one.bound / one.scale, 2),
+fn table_of_answer([answer, order, layers, cells, eight]: [usize; 5], known: &[Answered]) -> String {
+    let head = [
+        "quantity".into(),
+        "unit".into(),
+        format!("answer ± bound, {answer} dofs"),
+        "bound, relative".into(),
+        format!("other order, {order}"),
+        format!("fewer layers, {layers}"),
+        format!("other cells, {cells}"),
+        format!("8-node ± error bar, {eight}"),
     ];
-    start.into_iter().chain(others).chain([eight]).collect()
+    let row = |Answered { known, unit, eight }: &Answered| {
+        let [order, layers, cells] = known.others.map(|other| to_bound(other, known.bound));
+        let name = known.measured.name().to_owned();
+        let relative = significant(known.bound / known.scale, 2);
+        let eight = eight.map_or("–".into(), |[value, bar]| bounded(value, bar));
+        vec![name, (*unit).into(), bounded(known.value, known.bound), relative, order, layers, cells, eight]
+    };
+    markdown::table(&head, &known.iter().map(row).collect::<Vec<_>>())
+}
+
+fn bounded(value: f64, bound: f64) -> String {
+    format!("{} ± {}", to_bound(value, bound), significant(bound, 2))
+}
+
+/// Columns of the reference values of a sheet.
+const VALUES: [Column<Value>; 7] = [
+    ("of", |value| value.of.clone()),
+    ("quantity", |value| value.quantity.clone()),
+    ("unit", |value| value.unit.into()),
+    ("value ± bound", |value| quoted(value.value, value.bound)),
+    ("cells", |value| if value.fitted { "order 8" } else { "8-node" }.into()),
+    ("closed form", |value| value.closed_form.map_or("–".into(), |value| format!("{value:.7}"))),
+    ("other codes, ± standard uncertainty", |value| match &value.others[..] {
+        [] => "–".into(),
+        some => {
+            some.iter().map(|(script, [x, u])| format!("{script}: {}", quoted(*x, *u))).collect::<Vec<_>>().join("; ")
+        }
+    }),
+];
+
+fn quoted(value: f64, bound: f64) -> String {
+    match value.is_nan() {
+        true => "without limit".into(),
+        false if bound.is_nan() => format!("{}, bound unknown", markdown::value(value)),
+        false => bounded(value, bound),
+    }
+}
+
+/// Name of the file of a sheet, and its text.
+pub fn file(sheet: &Sheet) -> (String, String) {
+    let Sheet { name, title, scene, sources, dofs, values } = sheet;
+    let sources = if sources.is_empty() { "none but this sheet".into() } else { sources.join("\n* ") };
+    let text = format!(
+        "# {name}: {title}\n\nLengths in mm, forces in N, stresses in MPa. Generated; do not edit. `contact-vv solve {name}` solves it.\n\n\
+         {}\n\n## Reference values\n\nBy exact active sets (*node*, *kinematic load*): on {dofs} degrees of freedom of 8-node cells, with the \
+         error bar of the number as bound (mesh, iteration and penalty); or, where these tell more, on cells of order 8 fitted to the contact, with twice the \
+         largest difference to three other meshes as bound ([reference answers](../pages/references.md)). A closed form may be of an idealised scene (a half-plane, an infinite plate).\n\n{}\n\
+         ## Sources\n\n* {sources}\n",
+        scene.join("\n\n"),
+        markdown::columns(&VALUES, values),
+    );
+    (format!("{name}.md"), text)
 }
 
 /// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
     Ok(Vec::new())
 }

@@ -8,7 +8,7 @@ use contact_vv::case::library::PinRod;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::oracle::analytic::persson::PinInHole;
 use contact_vv::solve::{Discretisation, Formulation, Run};
-use contact_vv::study::digitised::{Numbers, judge, run::against};
+use contact_vv::study::measured::curves::{against, judge};
 
 const ROD: &str = "pin_radius = 10.0\nclearance = 0.05\neye_outer_radius = 20.0\nshank_width = 20.0\nshank_end = 60.0\n\
     thickness = 1.0\nforce = 2000.0\nfriction = 0.0\n[pin]\nyoung = 210e3\npoisson = 0.3\n[rod]\nyoung = 210e3\npoisson = 0.3\n";
@@ -28,9 +28,9 @@ fn verdict(scene: &str, [across, up]: [&str; 2], error: f64, points: impl IntoIt
     for (name, text) in [("scene.toml", scene), ("provenance.toml", PROVENANCE), ("curve.csv", &csv)] {
         fs::write(folder.path().join(name), text).expect("the temporary folder is writable");
     }
-    let numbers = against("synthetic", folder.path()).expect("a complete folder");
-    assert!(matches!(&numbers, Numbers::Present(curves) if curves.len() == 1));
-    judge(&numbers).expect("judged")[0].verdict.clone()
+    let found = against(folder.path()).expect("a complete folder");
+    assert!(found.as_ref().is_ok_and(|curves| curves.len() == 1));
+    judge("synthetic", &found)[0].verdict.clone()
 }
 
 /// Half-angles of Persson's closed form over the force on a thickness of 1 mm.

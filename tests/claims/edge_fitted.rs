@@ -13,7 +13,7 @@ use contact_vv::scene::{
 };
 use contact_vv::solve::edge_fitted::Answer;
 use contact_vv::solve::{Discretisation, Element, Fitted, Formulation, Iteration, Run};
-use contact_vv::study::fitted::{self, ASKED, Asked, LOADS};
+use contact_vv::study::fitted::{self, ASKED, LOADS};
 
 use crate::workbench::{area, held_at, of_shape, resolution};
 
@@ -43,7 +43,7 @@ fn errors(run: &Run, hertz: &Hertz) -> [f64; 2] {
 
 #[test]
 fn truncated_hertz_is_found_to_four_five_and_six_digits_for_so_many_dofs() {
-    for Asked { digits, error: bound, dofs: most } in ASKED {
+    for (digits, bound, most) in ASKED {
         for factor in LOADS {
             let (numbers, hertz) = under(factor);
             let answer = solved(Fitted::of_digits(digits), &numbers.scene());

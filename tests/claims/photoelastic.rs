@@ -4,13 +4,11 @@ use std::fs;
 
 use contact_vv::case::Verdict;
 use contact_vv::oracle::digitised::fringes::{End, Fringe, file, read};
-use contact_vv::study::photoelastic::Numbers;
-use contact_vv::study::photoelastic::judge;
-use contact_vv::study::photoelastic::run::compare;
+use contact_vv::study::measured::photograph::{Photograph, compare, judge};
 
 /// Which of the checks do not pass.
-fn red(numbers: &Numbers) -> Vec<usize> {
-    let judged = judge(numbers).expect("judged");
+fn red(photograph: &Photograph) -> Vec<usize> {
+    let judged = judge(photograph);
     (0..judged.len()).filter(|&k| judged[k].verdict != Verdict::Pass).collect()
 }
 
@@ -18,13 +16,13 @@ fn red(numbers: &Numbers) -> Vec<usize> {
 fn the_photograph_agrees_and_every_spoiled_number_turns_red() {
     let sound = compare(&read(&file()).expect("fringes")).expect("compared");
     assert_eq!(red(&sound), Vec::<usize>::new());
-    type Spoil = (usize, fn(&mut Numbers));
+    type Spoil = (usize, fn(&mut Photograph));
     let spoils: [Spoil; 7] = [
-        (0, |n| n.ends[0].rms = 0.036),
-        (1, |n| n.ends[1].rms = 0.036),
-        (1, |n| n.ends[1].rms = f64::NAN),
-        (2, |n| n.widths.iter_mut().for_each(|width| width.held = 0.034)),
-        (3, |n| n.widths.retain(|width| width.a_over_r < 0.053)),
+        (0, |n| n.ends[0].2 = 0.036),
+        (1, |n| n.ends[1].2 = 0.036),
+        (1, |n| n.ends[1].2 = f64::NAN),
+        (2, |n| n.widths.iter_mut().for_each(|width| width[1] = 0.034)),
+        (3, |n| n.widths.retain(|width| width[0] < 0.053)),
         (4, |n| n.mesh[0] = 0.011),
         (4, |n| n.mesh[0] = f64::NAN),
     ];

@@ -5,7 +5,7 @@ use contact_vv::case::Verdict;
 use contact_vv::case::library::{Bars, Cylinder, PinPlate};
 use contact_vv::measure::relative_error;
 use contact_vv::study::fitted::{LOADS, under};
-use contact_vv::study::references::{Numbers, judge};
+use contact_vv::study::references::{Answered, Numbers, judge};
 
 fn of(known: &[Known], measured: Measured) -> &Known {
     known.iter().find(|one| one.measured == measured).expect("measured")
@@ -46,26 +46,28 @@ fn a_contact_that_no_mesh_can_be_fitted_to_has_no_reference_answer() {
 
 #[test]
 fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
-    let scene = Cylinder::default().scene();
-    let Answer { known, dofs: [a, b, c, d] } = answer(&scene).expect("answered");
-    let known = known.into_iter().map(|one| (one, None)).collect();
-    let sound = Numbers { case: "cylinder".into(), path: scene.contact().path, dofs: [a, b, c, d, 0], known };
-    let failed = |numbers: &Numbers| {
-        let judged = judge(numbers).expect("judged").into_iter();
+    let Answer { known, .. } = answer(&Cylinder::default().scene()).expect("answered");
+    let sound: Vec<_> = known.into_iter().map(|known| Answered { known, unit: "", eight: None }).collect();
+    let failed = |known: &[Answered]| {
+        let judged = judge(&Numbers::Answer { dofs: [0; 5], known: known.into() }).expect("judged").into_iter();
         judged.filter(|one| one.verdict != Verdict::Pass).map(|one| one.check.quantity.to_string()).collect::<Vec<_>>()
     };
     assert_eq!(failed(&sound), Vec::<String>::new());
-    let spoiled = |spoil: fn(&mut (Known, Option<[f64; 2]>))| {
+    let spoiled = |spoil: fn(&mut Answered)| {
         let mut other = sound.clone();
-        spoil(other.known.iter_mut().find(|(one, _)| one.measured == Measured::SecondMomentWidth).expect("measured"));
+        let own = other.iter_mut().find(|one| one.known.measured == Measured::SecondMomentWidth);
+        spoil(own.expect("measured"));
         failed(&other)
     };
     assert_eq!(
-        spoiled(|(one, _)| one.bound = 2e-5 * one.scale),
+        spoiled(|one| one.known.bound = 2e-5 * one.known.scale),
         ["relative bound of a reference answer, second-moment-width"]
     );
-    assert_eq!(spoiled(|(one, _)| one.bound = f64::NAN), ["relative bound of a reference answer, second-moment-width"]);
+    assert_eq!(
+        spoiled(|one| one.known.bound = f64::NAN),
+        ["relative bound of a reference answer, second-moment-width"]
+    );
     let off = "difference of 8-node cells over what both may be off, second-moment-width";
-    assert_eq!(spoiled(|(one, eight)| *eight = Some([1.01 * one.value, 1e-3 * one.value])), [off]);
-    assert_eq!(spoiled(|(_, eight)| *eight = Some([f64::NAN; 2])), [off]);
+    assert_eq!(spoiled(|one| one.eight = Some([1.01 * one.known.value, 1e-3 * one.known.value])), [off]);
+    assert_eq!(spoiled(|one| one.eight = Some([f64::NAN; 2])), [off]);
 }

@@ -5,27 +5,27 @@ use contact_vv::measure::order::{Richardson, richardson};
 use contact_vv::mesh::Order;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::solve::Fitted;
-use contact_vv::study::{digitised, family, fields, fitted, quarter, refinement};
+use contact_vv::study::class::Class;
+use contact_vv::study::refinement::{Numbers, cylinder, family, nested};
+use contact_vv::study::{fields, fitted, measured, refinement};
 
 fn fails(judged: &[Judged]) -> usize {
     judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
 }
 
-fn model(departures: [[f64; 2]; 4]) -> refinement::Numbers {
-    let mut a_over_r = [0.005, 0.05, 0.1, 0.2].into_iter();
-    let departure = |value| refinement::Departure { value, bound: 1e-6 };
-    let ratio = |[peak, half_width]: [f64; 2]| refinement::Ratio {
-        a_over_r: a_over_r.next().expect("four"),
-        peak: departure(peak),
-        half_width: departure(half_width),
-        dofs: 1,
-    };
-    refinement::Numbers::ModelError(refinement::ModelError { elements: 48, ratios: departures.map(ratio) })
+fn judged(numbers: &Numbers) -> Vec<Judged> {
+    refinement::judge(numbers).expect("judged")
 }
 
 #[test]
 fn a_model_error_that_does_not_fall_with_the_square_of_the_contact_turns_red() {
-    let judge = |departures| refinement::judge(&model(departures)).expect("judged");
+    let judge = |of: [[f64; 2]; 4]| {
+        let ratio = |k: usize| {
+            let departures = of[k].map(|value| [value, 1e-6]);
+            cylinder::Ratio { a_over_r: [0.005, 0.05, 0.1, 0.2][k], departures, dofs: 1 }
+        };
+        judged(&Numbers::ModelError([0, 1, 2, 3].map(ratio)))
+    };
     let sound = [[3e-5, 3e-5], [-6e-4, 4e-4], [-2.4e-3, 1.6e-3], [-9.6e-3, 6.4e-3]];
     assert_eq!((judge(sound).len(), fails(&judge(sound))), (6, 0));
     let spoiled = |index: usize, by: f64| {
@@ -44,25 +44,21 @@ fn a_model_error_that_does_not_fall_with_the_square_of_the_contact_turns_red() {
     assert_eq!(fails(&judge(spoiled(0, f64::NAN))), 6);
 }
 
-/// Errors of truncated Hertz on four meshes: of the pressure and the half-width, and of the profile.
-fn orders(order: Order, errors: [f64; 4], profile: [f64; 4]) -> refinement::Numbers {
-    let level = |k: usize| refinement::Errors {
-        size: 0.25 * 0.5f64.powi(k as i32),
-        dofs: 1,
-        peak: errors[k],
-        half_width: errors[k],
-        l2: profile[k],
-        load: 1e-12,
-        edge: 0.0,
+/// The checks of errors of truncated Hertz on four meshes: of the pressure, the half-width and the profile.
+fn orders(order: Order, peak: [f64; 4], width: [f64; 4], l2: [f64; 4]) -> Vec<Judged> {
+    let level = |k: usize| {
+        let (peak, width, l2) = (peak[k], width[k], l2[k]);
+        nested::Level { elements: 4 << k, dofs: 1, peak, width, l2, edge: 0.0 }
     };
-    refinement::Numbers::Orders(refinement::Orders { order, levels: (0..4).map(level).collect(), floor: 1e-8 })
+    let series = nested::Series { order, levels: (0..4).map(level).collect() };
+    judged(&Numbers::Orders { series, load: 1e-12 })
 }
 
 #[test]
 fn an_order_that_one_pair_of_meshes_does_not_reach_turns_red() {
     let series = |power: f64| [0.25f64, 0.125, 0.0625, 0.03125].map(|size| 0.02 * size.powf(power));
     let judge = |errors, profile| {
-        let judged = refinement::judge(&orders(Order::Quadratic, errors, profile)).expect("judged");
+        let judged = orders(Order::Quadratic, errors, errors, profile);
         assert_eq!(judged.len(), 10);
         fails(&judged)
     };
@@ -82,11 +78,7 @@ fn an_order_that_one_pair_of_meshes_does_not_reach_turns_red() {
 fn a_half_width_without_an_order_must_still_fall_with_the_second_power() {
     let judge = |half_width: [f64; 4]| {
         let squares = [0.25f64, 0.125, 0.0625, 0.03125];
-        let mut numbers = orders(Order::Linear, squares.map(|h| 0.02 * h * h), squares.map(|h| 0.3 * h));
-        if let refinement::Numbers::Orders(orders) = &mut numbers {
-            orders.levels.iter_mut().zip(half_width).for_each(|(level, error)| level.half_width = error);
-        }
-        let judged = refinement::judge(&numbers).expect("judged");
+        let judged = orders(Order::Linear, squares.map(|h| 0.02 * h * h), half_width, squares.map(|h| 0.3 * h));
         let own = judged.iter().filter(|one| one.check.quantity.name().contains("second-moment width"));
         assert_eq!(own.clone().filter(|one| one.check.quantity.name().contains("order")).count(), 0);
         own.filter(|one| one.verdict == Verdict::Fail).count()
@@ -102,7 +94,7 @@ fn a_half_width_without_an_order_must_still_fall_with_the_second_power() {
 fn limits_of_both_orders_of_cells_that_their_uncertainties_do_not_cover_turn_red() {
     let sound = richardson([134.440, 134.227, 134.170]);
     let at = |limit: f64| Richardson { limit, ..sound };
-    let judge = |linear, quadratic| refinement::one_limit("peak [MPa]", linear, quadratic).map(|one| one.verdict);
+    let judge = |linear, quadratic| nested::one_limit("peak [MPa]", linear, quadratic).map(|one| one.verdict);
     let u = sound.uncertainty() * 2f64.sqrt();
     assert_eq!(judge(at(100.0 + 1.9 * u), at(100.0))[1], Verdict::Pass);
     assert_eq!(judge(at(100.0 + 2.1 * u), at(100.0))[1], Verdict::Fail);
@@ -115,9 +107,8 @@ fn limits_of_both_orders_of_cells_that_their_uncertainties_do_not_cover_turn_red
 #[test]
 fn a_quarter_that_changes_a_small_contact_turns_red() {
     let changes = |a_over_r, by: f64| {
-        let contact = |peak| quarter::Contact { peak, half_width: 1.0 };
-        let change = quarter::Change { a_over_r, quarter: contact(by), half: contact(1.0), above: contact(1.0) };
-        fails(&quarter::judge(&quarter::Numbers { changes: vec![change] }).expect("judged"))
+        let change = cylinder::Change { a_over_r, quarter: [by, 1.0], half: [1.0; 2], above: [1.0; 2] };
+        fails(&judged(&Numbers::Quarter(vec![change])))
     };
     assert_eq!(
         [changes(0.025, 1.0), changes(0.025, 1.002), changes(0.025, f64::NAN), changes(0.1, 1.002)],
@@ -125,37 +116,30 @@ fn a_quarter_that_changes_a_small_contact_turns_red() {
     );
 }
 
-fn curves(ended: family::Ended, other: f64) -> family::Numbers {
-    let placed = family::Placed { pressure: 2.0, angle: 0.3 };
-    let mut list = vec![family::Ended::Converged(placed); 8];
-    list[0] = ended;
-    let line = family::Line { value: 2.0, ended: list.clone() };
-    let elsewhere = family::Placed { pressure: other * placed.pressure, angle: placed.angle };
-    family::Numbers::Curves(family::Curves {
-        clearances: vec![0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0],
-        eyes: vec![line.clone(); 3],
-        shanks: vec![line.clone(); 3],
-        same_place: [placed, elsewhere],
-        wide_plate: 0.2,
-    })
-}
-
 #[test]
 fn a_lost_scene_of_the_family_and_a_pin_of_another_place_turn_red() {
-    let judge = |ended, other| fails(&family::judge(&curves(ended, other)).expect("judged"));
-    assert_eq!(judge(family::Ended::Beyond, 1.0), 0);
-    assert_eq!(judge(family::Ended::NotConverged, 1.0), 1);
-    assert_eq!(judge(family::Ended::Beyond, 1.01), 1);
-    assert_eq!(judge(family::Ended::Beyond, f64::NAN), 1);
+    let found = [2.0, 0.3];
+    let judge = |first: family::Placed, other: f64| {
+        let mut placed = vec![Ok(found); 8];
+        placed[0] = first;
+        let curves = vec![family::Curve { name: "eye".into(), placed }; 6];
+        let same_place = [found, [other * found[0], found[1]]];
+        let judged = judged(&Numbers::Family { curves, same_place, wide_plate: 0.2 });
+        [fails(&judged[..1]), fails(&judged[1..])]
+    };
+    assert_eq!(judge(Err(Class::Beyond), 1.0), [0, 0]);
+    for lost in [Class::Capped, Class::Cycling, Class::Diverged, Class::Stalled, Class::Stopped, Class::Unsupported] {
+        assert_eq!(judge(Err(lost), 1.0), [1, 0], "{lost:?}");
+    }
+    assert_eq!(judge(Err(Class::Beyond), 1.01), [0, 1]);
+    assert_eq!(judge(Err(Class::Beyond), f64::NAN), [0, 1]);
 }
 
 #[test]
 fn a_slope_that_depends_on_its_step_turns_red() {
     let judge = |by_half: [f64; 2]| {
         let slope = || family::Slope { number: "E t c / F", slope: [0.2, -0.4], by_half };
-        let at = family::Place { clearance: 5.0, eye: 2.0, shank: 1.0 };
-        let numbers = family::Sensitivities { at, slopes: [slope(), slope(), slope()] };
-        fails(&family::judge(&family::Numbers::Sensitivities(numbers)).expect("judged"))
+        fails(&judged(&Numbers::Slopes([slope(), slope(), slope()])))
     };
     assert_eq!([judge([0.2, -0.4]), judge([0.25, -0.4]), judge([f64::NAN; 2])], [0, 3, 6]);
 }
@@ -175,57 +159,44 @@ fn stresses_that_do_not_carry_the_load_turn_red() {
 
 #[test]
 fn a_curve_beyond_its_uncertainty_turns_red_and_one_that_is_absent_is_not_run() {
-    let judge = |worst| {
+    let judge = |found: Result<f64, &str>| {
         let (file, source, kind) = ("curve.csv".into(), "Gaertner 1977".into(), ReferenceKind::Measured);
-        let numbers =
-            digitised::Numbers::Present(vec![digitised::Curve { file, source, kind, worst, model_form: None }]);
-        digitised::judge(&numbers).expect("judged")[0].verdict.clone()
+        let found = found.map(|worst| vec![measured::curves::Curve { file, source, kind, worst, model_form: None }]);
+        let found = found.map_err(str::to_owned);
+        let judged = measured::judge(&measured::Numbers::Curves { source: "Gaertner 1977".into(), found });
+        judged.expect("judged")[0].verdict.clone()
     };
-    assert_eq!([judge(1.9), judge(2.1), judge(f64::NAN)], [Verdict::Pass, Verdict::Fail, Verdict::Fail]);
-    let absent = digitised::Numbers::Absent { source: "Gaertner 1977".into(), why: "why".into() };
-    let absent = digitised::judge(&absent).expect("judged");
-    assert_eq!(absent[0].verdict, Verdict::NotRun("why".into()));
+    assert_eq!([1.9, 2.1, f64::NAN].map(|worst| judge(Ok(worst))), [Verdict::Pass, Verdict::Fail, Verdict::Fail]);
+    assert_eq!(judge(Err("why")), Verdict::NotRun("why".into()));
+}
+
+/// A mesh fitted to the contact, as dear and as far off as may be.
+fn mesh(digits: usize, error: f64, dofs: usize) -> fitted::Mesh {
+    let cells = fitted::Cells::Fitted(Fitted::of_digits(digits));
+    fitted::Mesh { cells, dofs, in_all: dofs, errors: [error; 2], exact: false }
 }
 
 #[test]
 fn a_fitted_mesh_that_costs_or_errs_more_than_is_asked_turns_red() {
-    let judge = |spoil: &dyn Fn(&mut fitted::Mesh)| {
-        let mesh = |asked: &fitted::Asked| {
-            let cells = fitted::Cells::Fitted(Fitted::of_digits(asked.digits));
-            let [peak, half_width] = [asked.error; 2];
-            let mut mesh = fitted::Mesh { cells, dofs: asked.dofs, in_all: 0, peak, half_width };
-            spoil(&mut mesh);
-            mesh
+    let judge = |spoil: fn(&mut fitted::Mesh)| {
+        let mut meshes = fitted::ASKED.map(|(digits, error, dofs)| mesh(digits, error, dofs));
+        let mut scenes = [("pin".into(), mesh(5, 1e-5, 3000))];
+        meshes.iter_mut().chain(scenes.iter_mut().map(|(_, mesh)| mesh)).for_each(spoil);
+        let judge = |meshes: &[fitted::Mesh], scenes: &[(String, fitted::Mesh)]| {
+            let numbers = fitted::Numbers { meshes: meshes.into(), scenes: scenes.into() };
+            let judged = fitted::judge(&numbers).expect("judged");
+            assert_eq!(judged.len(), 9 + 3 * scenes.len());
+            fails(&judged)
         };
-        let fitted = fitted::ASKED.iter().map(mesh).collect();
-        let numbers = fitted::Numbers { fitted, chosen: vec![], plain: vec![], scenes: vec![] };
-        let judged = fitted::judge(&numbers).expect("judged");
-        assert_eq!(judged.len(), 9);
-        fails(&judged)
+        // Without another scene, and with one; without the meshes of the block no number of theirs could pass.
+        [judge(&meshes, &[]), judge(&[], &scenes) - 9]
     };
-    assert_eq!(judge(&|_| {}), 0);
-    assert_eq!(judge(&|mesh| mesh.dofs += 1), 3);
-    assert_eq!(judge(&|mesh| mesh.peak *= 1.01), 3);
-    assert_eq!(judge(&|mesh| mesh.half_width *= 1.01), 3);
-    assert_eq!(judge(&|mesh| mesh.peak = f64::NAN), 3);
+    assert_eq!(judge(|_| {}), [0, 0]);
+    assert_eq!(judge(|mesh| mesh.dofs += 1), [3, 1]);
+    assert_eq!(judge(|mesh| mesh.errors[0] *= 1.01), [3, 1]);
+    assert_eq!(judge(|mesh| mesh.errors[1] *= 1.01), [3, 1]);
+    assert_eq!(judge(|mesh| mesh.errors[0] = f64::NAN), [3, 1]);
+    assert_eq!(judge(|mesh| mesh.errors = [f64::NAN; 2]), [6, 2]);
     // A mesh that was not solved.
-    assert_eq!(judge(&|mesh| mesh.cells = fitted::Cells::Plain(8)), 9);
-}
-
-#[test]
-fn another_scene_on_a_fitted_mesh_that_costs_or_errs_more_than_is_asked_turns_red() {
-    let judge = |spoil: &dyn Fn(&mut fitted::Elsewhere)| {
-        let fitted = Fitted::of_digits(5);
-        let mut one =
-            fitted::Elsewhere { scene: "pin".into(), fitted, dofs: 3000, peak: 1e-5, half_width: 1e-5, exact: false };
-        spoil(&mut one);
-        let numbers = fitted::Numbers { fitted: vec![], chosen: vec![], plain: vec![], scenes: vec![one] };
-        // The meshes of the block are not there, and have no number that could pass.
-        fails(&fitted::judge(&numbers).expect("judged")) - 9
-    };
-    assert_eq!(judge(&|_| {}), 0);
-    assert_eq!(judge(&|one| one.dofs += 1), 1);
-    assert_eq!(judge(&|one| one.peak *= 1.01), 1);
-    assert_eq!(judge(&|one| one.half_width *= 1.01), 1);
-    assert_eq!(judge(&|one| (one.peak, one.half_width) = (f64::NAN, f64::NAN)), 2);
+    assert_eq!(judge(|mesh| mesh.cells = fitted::Cells::Plain(8))[0], 9);
 }

@@ -2,11 +2,10 @@
 
 use contact_vv::case::Verdict;
 use contact_vv::case::library::NAMES;
-use contact_vv::study::sheets::run::solve;
-use contact_vv::study::sheets::{Numbers, judge, sheet};
+use contact_vv::study::references::{Numbers, Sheet, file, judge, solve};
 
-fn green(numbers: &Numbers) -> bool {
-    judge(numbers).expect("judged").iter().all(|one| one.verdict == Verdict::Pass)
+fn green(sheet: &Sheet) -> bool {
+    judge(&Numbers::Sheet(sheet.clone())).expect("judged").iter().all(|one| one.verdict == Verdict::Pass)
 }
 
 #[test]
@@ -21,7 +20,7 @@ fn a_value_that_another_code_does_not_meet_turns_red() {
             spoiled.values[k].value *= times;
             assert!(!green(&spoiled), "{} times {times}", sound.values[k].quantity);
             let mut spoiled = sound.clone();
-            spoiled.values[k].others[0].value *= times;
+            spoiled.values[k].others[0].1[0] *= times;
             assert!(!green(&spoiled), "theirs of {} times {times}", sound.values[k].quantity);
         }
     }
@@ -33,8 +32,7 @@ fn a_value_that_another_code_does_not_meet_turns_red() {
 #[test]
 fn every_case_has_a_sheet_with_its_bodies_and_numbers() {
     for (name, _) in NAMES {
-        let numbers = solve(name).expect("solved");
-        let (file, text) = sheet(&numbers);
+        let (file, text) = file(&solve(name).expect("solved"));
         assert_eq!(file, format!("{name}.md"));
         for part in [
             "## Scene",
@@ -50,5 +48,5 @@ fn every_case_has_a_sheet_with_its_bodies_and_numbers() {
         assert!(!text.contains("NaN"), "{name}: {text}");
     }
     let punch = solve("flat-punch").expect("solved");
-    assert!(sheet(&punch).1.contains("without limit"));
+    assert!(file(&punch).1.contains("without limit"));
 }

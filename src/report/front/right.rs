@@ -8,9 +8,8 @@ use crate::report::front::nearness;
 use crate::report::links::to_page as link;
 use crate::report::statements::found::Findings;
 use crate::report::{checks_page, told};
-use crate::study::barred;
 use crate::study::drawn::picture;
-use crate::study::{Finding, Numbers, Room};
+use crate::study::{Finding, Numbers, barred, measured};
 
 /// What a check of each kind can show.
 const SHOWS: [(ReferenceKind, &str, &str); 4] = [
@@ -94,19 +93,20 @@ pub fn against(findings: &[Finding]) -> String {
 
 /// How many comparisons with measurements were judged, and of what kind.
 fn experiments(findings: &[Finding]) -> String {
-    let judged = |room: Room| {
-        findings.iter().any(|finding| finding.room == room && !matches!(finding.verdict(), Verdict::NotRun(_)))
+    let of_photographs = |yes: bool| {
+        let own = findings.iter().filter(move |finding| match &finding.numbers {
+            Numbers::Measured(numbers) => matches!(numbers, measured::Numbers::Photograph(_)) == yes,
+            _ => false,
+        });
+        own.flat_map(|finding| &finding.judged).filter(|judged| !matches!(judged.verdict, Verdict::NotRun(_)))
     };
-    let shape = if judged(Room::Photoelastic) {
+    let shape = if of_photographs(true).next().is_some() {
         "One shape-only comparison with a photograph"
     } else {
         "No photograph compared"
     };
-    let judgements =
-        findings.iter().filter(|finding| finding.room == Room::Digitised).flat_map(|finding| &finding.judged);
-    let measured = judgements.filter(|judged| judged.reference.kind == ReferenceKind::Measured);
-    let calibrated = measured.filter(|judged| !matches!(judged.verdict, Verdict::NotRun(_))).count();
-    match calibrated {
+    let measured = of_photographs(false).filter(|judged| judged.reference.kind == ReferenceKind::Measured);
+    match measured.count() {
         0 => format!("**{shape}; no calibrated experiment yet.**"),
         n => format!("**{shape}; calibrated curves compared: {n}.**"),
     }

@@ -4,8 +4,8 @@ use super::found::{Findings, extremes};
 use super::statement::{Judgement, Statement, judged};
 use crate::case::library::{cylinder, pin_rod};
 use crate::case::{Quantity, Verdict};
-use crate::study::digitised::GAERTNER;
-use crate::study::quarter::LEFT_OUT;
+use crate::study::measured::GAERTNER;
+use crate::study::refinement::{self, cylinder::LEFT_OUT};
 use crate::study::sweep::{self, Scene};
 use crate::study::{Numbers, Room};
 use crate::uncertainty::COVERAGE;
@@ -62,7 +62,7 @@ pub fn no_difference(f: &Findings) -> Statement {
 /// The upper quarter may be left out.
 pub fn top_quarter(f: &Findings) -> Statement {
     let changes = f.0.iter().filter_map(|finding| match &finding.numbers {
-        Numbers::Quarter(numbers) => Some(&numbers.changes),
+        Numbers::Refinement(refinement::Numbers::Quarter(changes)) => Some(changes),
         _ => None,
     });
     let points: Vec<[f64; 2]> = changes.flatten().map(|change| [change.a_over_r, change.largest()]).collect();
@@ -88,7 +88,7 @@ pub fn top_quarter(f: &Findings) -> Statement {
 pub fn gaertner(f: &Findings) -> Statement {
     let verdict =
         f.0.iter()
-            .find(|finding| finding.room == Room::Digitised && finding.case == GAERTNER)
+            .find(|finding| finding.room == Room::Measured && finding.case == GAERTNER)
             .map(|finding| finding.verdict());
     let (measured, judgement) = match verdict {
         Some(Verdict::Pass) => (format!("every point within {COVERAGE} u_val"), Judgement::Reproduced),

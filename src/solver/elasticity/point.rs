@@ -22,7 +22,7 @@ pub fn shapes_at(scene: &Scene, mesh: &Mesh, body: usize, point: [f64; 2]) -> Re
         Err(nearest) => nearest,
     };
     let near = mesh.bodies[body].cells.clone().filter_map(|cell| {
-        let (natural, outside) = natural(mesh, cell, point.into())?;
+        let (natural, outside) = natural(mesh, cell, point)?;
         Some((outside, cell, natural))
     });
     let Some((_, cell, natural)) = near.min_by(|a, b| a.0.total_cmp(&b.0)) else {
@@ -30,13 +30,14 @@ pub fn shapes_at(scene: &Scene, mesh: &Mesh, body: usize, point: [f64; 2]) -> Re
         return Err(Error { message, ..refused });
     };
     let nodes = mesh.cell(cell);
-    let shapes = shape_functions::cell(nodes.len(), natural.into());
+    let shapes = shape_functions::cell(nodes.len(), natural);
     Ok(nodes.iter().copied().zip(shapes.into_iter().map(|(value, _)| value)).collect())
 }
 
 /// (ξ, η) with `Σ N_a(ξ, η) x_a = x` by Newton's method, and how far outside the cell the point lies, over its size; none
 /// for cells away from the point.
-fn natural(mesh: &Mesh, cell: usize, point: Vector2<f64>) -> Option<(Vector2<f64>, f64)> {
+pub fn natural(mesh: &Mesh, cell: usize, point: [f64; 2]) -> Option<([f64; 2], f64)> {
+    let point = Vector2::from(point);
     let nodes: Vec<Vector2<f64>> = mesh.cell(cell).iter().map(|&node| mesh.points[node].into()).collect();
     let middle = nodes.iter().sum::<Vector2<f64>>() / nodes.len() as f64;
     let size = nodes.iter().map(|node| (node - middle).norm()).fold(0.0, f64::max);
@@ -57,7 +58,7 @@ fn natural(mesh: &Mesh, cell: usize, point: Vector2<f64>) -> Option<(Vector2<f64
             let shapes = shape_functions::cell(nodes.len(), inside.into());
             let nearest: Vector2<f64> = nodes.iter().zip(shapes).map(|(node, (value, _))| node * value).sum();
             let outside = (point - nearest).norm() / size;
-            return (outside <= OUTSIDE).then_some((natural, outside));
+            return (outside <= OUTSIDE).then_some((natural.into(), outside));
         }
     }
     None

@@ -1,0 +1,336 @@
+//! Cells of high order fitted to the end of the contact: how many digits of peak and second-moment width they give, for
+//! how many degrees of freedom.
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use crate::accuracy::{self, Quantity};
+use crate::case::library::{PinPlate, TruncatedHertz};
+use crate::case::{self, Case, Check, Judged, Reference};
+use crate::checkout::root;
+use crate::error::Error;
+use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{Axis, Chart, Drawing};
+use crate::markdown::{self, Column};
+use crate::measure::{larger, relative_error};
+use crate::mesh::{Order, Resolution};
+use crate::scene::Scene;
+use crate::solve::{Discretisation, Fitted, Formulation, Run};
+use crate::study::about::About;
+use crate::study::drawn::{Curve, picture};
+use crate::study::random::{Family, Site};
+use crate::study::{Found, Planned};
+
+/// What its page is called, what it asks, and what it cannot tell.
+pub const ABOUT: About = About {
+    title: "Meshes fitted to the contact",
+    asked: "How many degrees of freedom an accuracy costs where cells of high order end with the contact.",
+    limits: "Order and layers of the other scenes are chosen by hand, knowing what they give. `--accuracy` has only its \
+        error bars, and is asked for both numbers of the table; alone it asks for the half-width instead of the \
+        second-moment width.",
+};
+
+/// What is asked: digits that order and layers are chosen for, relative error of peak and second-moment width, degrees
+/// of freedom.
+pub const ASKED: [(usize, f64, usize); 3] = [(4, 1e-4, 1000), (5, 1e-5, 1700), (6, 1e-6, 2700)];
+/// The same of other scenes: relative error and degrees of freedom.
+const ASKED_ELSEWHERE: (f64, usize) = (1e-5, 3000);
+/// Fitted meshes of which nothing is asked.
+const OTHERS: [Fitted; 2] = [fitted(Order::Quartic, 1), fitted(Order::Quintic, 1)];
+/// Relative errors that `--accuracy` is asked for, and of which numbers.
+const CHOSEN: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+const OF: [Quantity; 2] = [Quantity::PeakPressure, Quantity::SecondMomentWidth];
+/// 8-node cells on the half-width that the block is drawn for.
+const PLAIN: [usize; 5] = [2, 4, 8, 16, 32];
+/// Half-widths of the loads over that which block and candidates are drawn for.
+pub const LOADS: [f64; 8] = [1.0, 0.97, 0.94, 0.91, 0.89, 0.88, 0.87, 0.85];
+/// Part of a number that rounding decides.
+const ROUND_OFF: f64 = 1e-9;
+/// Mesh whose numbers are taken for right where no closed form is.
+const BEST: Fitted = fitted(Order::Octic, 3);
+/// Move of an end, over the half-width, at which it is at rest on meshes of other scenes.
+const AT_REST: f64 = 1e-5;
+/// A scene of the random ones whose peak lies off the centre of the contact.
+const OFF_CENTRE: usize = 90003;
+
+const fn fitted(order: Order, layers: usize) -> Fitted {
+    Fitted { order, layers }
+}
+
+/// The one trial.
+pub fn plan() -> Vec<Planned<Numbers>> {
+    vec![Planned::new("fitted to the contact, truncated hertz", "node.kinematic", numbers)]
+}
+
+/// All meshes.
+#[derive(Clone, Debug, Serialize)]
+pub struct Numbers {
+    /// Of truncated Hertz, each under the worst of all loads.
+    pub meshes: Vec<Mesh>,
+    /// Of other scenes, and their names.
+    pub scenes: Vec<(String, Mesh)>,
+}
+
+/// A mesh, and what it gives.
+#[derive(Clone, Debug, Serialize)]
+pub struct Mesh {
+    /// What it is made of.
+    pub cells: Cells,
+    /// Degrees of freedom, the most under any load.
+    pub dofs: usize,
+    /// Those of all meshes that were solved on the way, with its own.
+    pub in_all: usize,
+    /// Relative errors of peak pressure and second-moment width; NaN where a run did not converge.
+    pub errors: [f64; 2],
+    /// Whether a closed form says so, and not the best mesh.
+    pub exact: bool,
+}
+
+/// The cells of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub enum Cells {
+    /// Fitted to the contact.
+    Fitted(Fitted),
+    /// What an accuracy chooses by error bars: a relative error, and whether it is met.
+    Chosen(f64, bool),
+    /// 8-node cells, so many on the half-width that the block is drawn for.
+    Plain(usize),
+}
+
+/// The block and its candidates under a load of another half-width than they are drawn for.
+pub fn under(factor: f64) -> TruncatedHertz {
+    let drawn = TruncatedHertz::default();
+    TruncatedHertz {
+        a_over_r: factor * drawn.a_over_r,
+        size: drawn.size / factor,
+        stretch: drawn.stretch / factor,
+        ..drawn
+    }
+}
+
+fn numbers() -> Result<Numbers, Error> {
+    let asked = ASKED.map(|(digits, ..)| Fitted::of_digits(digits));
+    let of_order = OTHERS.into_iter().chain(asked).map(Cells::Fitted);
+    let chosen = CHOSEN.into_iter().map(|error| Cells::Chosen(error, true));
+    let all = of_order.chain(chosen).chain(PLAIN.into_iter().map(Cells::Plain));
+    Ok(Numbers { meshes: all.map(worst).collect::<Result<_, _>>()?, scenes: elsewhere()? })
+}
+
+/// A mesh under the worst of all loads.
+fn worst(cells: Cells) -> Result<Mesh, Error> {
+    let all = LOADS.into_par_iter().map(|factor| solved(cells, factor)).collect::<Result<Vec<Mesh>, Error>>()?;
+    let worse = |one: Mesh, other: Mesh| Mesh {
+        cells: match (one.cells, other.cells) {
+            (Cells::Chosen(asked, met), Cells::Chosen(_, too)) => Cells::Chosen(asked, met && too),
+            (own, _) => own,
+        },
+        dofs: one.dofs.max(other.dofs),
+        in_all: one.in_all.max(other.in_all),
+        errors: [0, 1].map(|k| larger(one.errors[k], other.errors[k])),
+        exact: true,
+    };
+    Ok(all.into_iter().reduce(worse).expect("there are loads"))
+}
+
+/// A mesh under one load.
+fn solved(cells: Cells, factor: f64) -> Result<Mesh, Error> {
+    let (numbers, formulation) = (under(factor), Formulation::verification());
+    let hertz = numbers.closed_form();
+    let truth = [hertz.peak_pressure(), hertz.half_width()];
+    let of = |cells: Cells, run: &Run, in_all: usize| {
+        let errors = errors(run, truth).map(|error| (error / ROUND_OFF).round() * ROUND_OFF);
+        Mesh { cells, dofs: run.dofs, in_all, errors, exact: true }
+    };
+    Ok(match cells {
+        Cells::Fitted(fitted) => {
+            let answer = fitted.solve(&numbers.scene(), &formulation)?;
+            of(cells, &answer.run, answer.tried.iter().map(|one| one.dofs).sum())
+        }
+        Cells::Chosen(error, _) => {
+            let asked = accuracy::Asked { quantities: OF.into(), ..accuracy::Asked::new(error) };
+            let answer = accuracy::solve(&numbers.scene(), &formulation, &asked)?;
+            of(Cells::Chosen(error, answer.unmet.is_none()), &answer.run, answer.dofs_in_all())
+        }
+        Cells::Plain(elements) => {
+            let Case { mut scene, resolution, .. } = numbers.case();
+            // The mesh does not know the load: it is the same under all.
+            scene.grading.unit = TruncatedHertz::default().half_width();
+            scene.grading = Order::Quadratic.refined(&scene.grading, elements as f64 / resolution.elements as f64);
+            let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
+            let run = Run::of(&Discretisation::of(scene, resolution)?, &formulation)?;
+            of(cells, &run, run.dofs)
+        }
+    })
+}
+
+/// Relative errors of peak pressure and second-moment width; NaN where the run did not converge.
+fn errors(run: &Run, truth: [f64; 2]) -> [f64; 2] {
+    let found = measured(run);
+    [0, 1].map(|k| relative_error(found[k], truth[k]))
+}
+
+/// Peak pressure and second-moment width; NaN where the run did not converge.
+fn measured(run: &Run) -> [f64; 2] {
+    let measures = run.measures();
+    if run.solution.converged() { [measures.peak.pressure, measures.second_moment_width] } else { [f64::NAN; 2] }
+}
+
+/// Other scenes, each on a mesh of which five digits are asked.
+fn elsewhere() -> Result<Vec<(String, Mesh)>, Error> {
+    let pin = |degrees: f64| {
+        let scene = PinPlate::of_half_angle(degrees).scene();
+        (format!("pin in a plate, ε = {degrees}°"), scene, fitted(Order::Quintic, 2), None)
+    };
+    let drawn = |file: &str| Case::read(&root().join("tests/cases").join(file)).map(|case| case.scene);
+    let cylinders = drawn("two-cylinders.toml")?;
+    let eccentric = drawn("eccentric-to-accuracy.toml")?;
+    let off_centre = Site { family: Family::Polynomial, number: OFF_CENTRE }.sample()?;
+    let truth = OF.map(|quantity| off_centre.truth(0, quantity));
+    let peak_off = "block under a pressure with its peak off the centre";
+    let all: Vec<(String, Scene, Fitted, Option<[f64; 2]>)> = vec![
+        pin(30.0),
+        pin(60.0),
+        pin(80.0),
+        ("two cylinders of different moduli".into(), cylinders, fitted(Order::Quintic, 2), None),
+        ("block under an eccentric load".into(), eccentric, fitted(Order::Sextic, 2), None),
+        (peak_off.into(), off_centre.scene, fitted(Order::Octic, 3), Some(truth)),
+    ];
+    let solved = all.into_par_iter().map(|(name, scene, fitted, truth)| {
+        let on = |fitted: Fitted| fitted.solve_with_ends(&scene, &Formulation::verification(), AT_REST);
+        let run = on(fitted)?.run;
+        let right = truth.map_or_else(|| on(BEST).map(|best| measured(&best.run)), Ok)?;
+        let errors = errors(&run, right);
+        let cells = Cells::Fitted(fitted);
+        Ok((name, Mesh { cells, dofs: run.dofs, in_all: run.dofs, errors, exact: truth.is_some() }))
+    });
+    solved.collect()
+}
+
+/// The checks; a mesh that was not solved has no number that could pass.
+pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
+    let own = ASKED.into_iter().flat_map(|(digits, error, dofs)| {
+        let fitted = Fitted::of_digits(digits);
+        let mesh = numbers.meshes.iter().find(|mesh| mesh.cells == Cells::Fitted(fitted));
+        let at = format!("order {}, layers {}", fitted.order.number(), fitted.layers);
+        let because = "what the order and the layers are chosen for; the worst of all loads";
+        let reference = Reference::analytic("Hertz", 0.0);
+        of(mesh, &at, reference, (error, because), Reference::own("asked of this accuracy", dofs as f64))
+    });
+    let (error, dofs) = ASKED_ELSEWHERE;
+    let elsewhere = numbers.scenes.iter().flat_map(|(scene, mesh)| {
+        let reference = match mesh.exact {
+            true => Reference::analytic("its closed form", 0.0),
+            false => Reference::own("cells of order 8, three layers", 0.0),
+        };
+        let because = "five digits of a contact that no mesh knew the ends of";
+        of(Some(mesh), scene, reference, (error, because), Reference::own("asked of five digits", dofs as f64))
+    });
+    Ok(own.chain(elsewhere).collect())
+}
+
+/// Both errors of a mesh, and its degrees of freedom.
+fn of(
+    mesh: Option<&Mesh>,
+    at: &str,
+    reference: Reference,
+    (most, because): (f64, &'static str),
+    dofs: Reference,
+) -> [Judged; 3] {
+    let at = |name: &'static str| case::Quantity::at(name, at);
+    let error = |name: &'static str, k: usize| {
+        Check::error(at(name), reference.clone(), most, because).judge(mesh.map_or(f64::NAN, |mesh| mesh.errors[k]))
+    };
+    let cost = at("degrees of freedom of a mesh fitted to the contact");
+    let cost = Check::at_most(cost, dofs, "an accuracy counts only with what it costs");
+    [
+        error("relative error of the peak pressure on a mesh fitted to the contact", 0),
+        error("relative error of the second-moment width on a mesh fitted to the contact", 1),
+        cost.judge(mesh.map_or(f64::NAN, |mesh| mesh.dofs as f64)),
+    ]
+}
+
+/// File of the chart.
+const FILE: &str = "fitted.svg";
+
+/// Columns of the meshes of truncated Hertz.
+const MESHES: [Column<Mesh>; 5] = [
+    ("cells", |mesh| match mesh.cells {
+        Cells::Fitted(fitted) => format!("fitted, order {}, layers {}", fitted.order.number(), fitted.layers),
+        Cells::Chosen(asked, met) => {
+            format!("`--accuracy` {} %{}", markdown::bound(100.0 * asked), if met { "" } else { ", not met" })
+        }
+        Cells::Plain(elements) => format!("8-node, {elements} per half-width"),
+    }),
+    ("degrees of freedom", |mesh| mesh.dofs.to_string()),
+    ("those of all meshes on the way", |mesh| mesh.in_all.to_string()),
+    ("error of p₀, worst load", |mesh| markdown::error(mesh.errors[0])),
+    ("error of a, worst load", |mesh| markdown::error(mesh.errors[1])),
+];
+
+/// Columns of other scenes.
+const SCENES: [Column<(String, Mesh)>; 6] = [
+    ("scene", |(scene, _)| scene.clone()),
+    ("order, layers", |(_, mesh)| match mesh.cells {
+        Cells::Fitted(fitted) => format!("{}, {}", fitted.order.number(), fitted.layers),
+        Cells::Chosen(..) | Cells::Plain(_) => "–".into(),
+    }),
+    ("degrees of freedom", |(_, mesh)| mesh.dofs.to_string()),
+    ("error of p₀", |(_, mesh)| markdown::error(mesh.errors[0])),
+    ("error of a", |(_, mesh)| markdown::error(mesh.errors[1])),
+    ("against", |(_, mesh)| match mesh.exact {
+        true => "closed form".into(),
+        false => format!("order {}, {} layers", BEST.order.number(), BEST.layers),
+    }),
+];
+
+/// A row a mesh.
+pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
+    Ok(format!(
+        "Truncated Hertz under {} loads; p₀ is the peak pressure, a the half-width. Cells of order p have (p + 1)² nodes, at products of \
+         Gauss–Lobatto–Legendre points. `solve --fitted` lays a mesh line on the end of the contact, and layers of cells towards it, each a \
+         fixed part of the one before. It knows nothing of the end: a mesh of 8-node cells finds about where it is; then all points \
+         up to an expected end e are closed, the pressure at the distance d from it is p √d = A₀ + B₀ d + C₀ d², and e moves by 2 A₀/B₀ \
+         until that no longer matters. Beside them are the meshes that `--accuracy` chooses by their error bars, 8-node cells above 0.1 % and from \
+         there on fitted ones, of higher order until the bars are within what is asked; and 8-node cells that are as fine on all candidates.\n\n{}\n{}\n\
+         ## Other scenes\n\n\
+         Peak and second-moment width to five digits with at most {} degrees of freedom. Rectangles have frames of ever larger cells around a contact, \
+         discs too where the contact is small, and rings rows of cells whose radii grow in geometric progression.\n\n{}",
+        LOADS.len(),
+        markdown::columns(&MESHES, findings.iter().flat_map(|found| &found.numbers.meshes)),
+        picture(
+            FILE,
+            "Truncated Hertz: larger error of peak pressure and second-moment width, under the worst of all loads"
+        ),
+        ASKED_ELSEWHERE.1,
+        markdown::columns(&SCENES, findings.iter().flat_map(|found| &found.numbers.scenes)),
+    ))
+}
+
+/// Error over degrees of freedom: fitted cells of high order, what an accuracy chooses, and 8-node cells.
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
+    let mut chart = Chart::new(
+        "Truncated Hertz: what accuracy costs",
+        Axis::log("degrees of freedom [–]"),
+        Axis::log("larger relative error of p₀ and a [–]"),
+    );
+    type Kind = (&'static str, Style, fn(&Mesh) -> bool);
+    let kinds: [Kind; 3] = [
+        ("order 4 to 8, fitted to the contact", Style::run(palette::PURPLE, Dash::Solid, Marker::Circle), |mesh| {
+            matches!(mesh.cells, Cells::Fitted(_))
+        }),
+        ("chosen by --accuracy", Style::run(palette::ORANGE, Dash::DashDot, Marker::Diamond), |mesh| {
+            matches!(mesh.cells, Cells::Chosen(..))
+        }),
+        ("8-node cells, as fine on all candidates", Style::run(palette::NODE, Dash::Dashed, Marker::Square), |mesh| {
+            matches!(mesh.cells, Cells::Plain(_))
+        }),
+    ];
+    for Found { numbers, .. } in findings {
+        for (label, style, is_one) in kinds {
+            let own = numbers.meshes.iter().filter(|mesh| is_one(mesh));
+            let points = own.map(|mesh| [mesh.dofs as f64, larger(mesh.errors[0], mesh.errors[1])]).collect();
+            chart.series.push(Curve { points, failed: Vec::new() }.drawn(label, style));
+        }
+    }
+    Ok(vec![(FILE.into(), chart.drawing()?)])
+}

@@ -1,0 +1,247 @@
+//! The disc between two plates against a photograph of its isochromatics: measured, shape only, uncalibrated. Both ends
+//! in fringe orders: fitted at the bottom, predicted at the top.
+
+use serde::Serialize;
+
+use crate::case::{Check, Judged, Quantity, Reference};
+use crate::error::Error;
+use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{Axis, Chart, Direction, Drawing, Guide, panels};
+use crate::markdown::{self, Column, significant};
+use crate::measure::larger;
+use crate::oracle::ReferenceKind;
+use crate::oracle::digitised::fringes::{Channel, End, Fringe};
+use crate::study::drawn::{Curve, picture};
+use crate::study::measured::field::{Constants, Field};
+
+/// Half-widths over the radius at which the disc is solved; the best lies on the parabola through the least three.
+const WIDTHS: [f64; 10] = [0.030, 0.035, 0.040, 0.045, 0.050, 0.055, 0.060, 0.065, 0.070, 0.075];
+/// Halvings of the mesh, and of the one twice as coarse that says what ours is worth.
+const REFINEMENTS: [u32; 2] = [1, 0];
+/// Constants that are fitted.
+const CONSTANTS: usize = 5;
+/// Depths at which computed fringes are looked for, over the radius, and halvings of their place.
+const DEPTHS: usize = 27;
+const HALVINGS: usize = 40;
+
+/// What the photograph says of our disc.
+#[derive(Clone, Debug, Serialize)]
+pub struct Photograph {
+    /// Half-width by Hertz over the radius, fitted, and its standard deviation if readings were independent.
+    pub half_width: [f64; 2],
+    /// The other constants.
+    pub constants: Constants,
+    /// Each end: points, and root mean square in fringe orders.
+    pub ends: [(End, usize, f64); 2],
+    /// Half-widths over the radius, and the root mean square at the bottom with all other constants held, and with them
+    /// fitted.
+    pub widths: Vec<[f64; 3]>,
+    /// Root mean square of what a mesh twice as coarse changes at all points, and the largest of it.
+    pub mesh: [f64; 2],
+    /// Fringes.
+    pub lines: Vec<Line>,
+}
+
+/// A fringe of an end: `[x, z]` over the radius.
+#[derive(Clone, Debug, Serialize)]
+pub struct Line {
+    /// The end.
+    pub end: End,
+    /// Channel.
+    pub channel: Channel,
+    /// As read.
+    pub measured: Vec<[f64; 2]>,
+    /// As computed.
+    pub computed: Vec<[f64; 2]>,
+}
+
+/// Fits at the bottom, predicts the top.
+pub fn compare(fringes: &[Fringe]) -> Result<Photograph, Error> {
+    let of = |end: End| fringes.iter().copied().filter(|fringe| fringe.end == end).collect::<Vec<_>>();
+    let ends = [End::Bottom, End::Top].map(|end| (end, of(end)));
+    let bottom = &ends[0].1;
+    let fields: Vec<Field> = WIDTHS.into_iter().map(|a| Field::of(a, REFINEMENTS[0])).collect::<Result<_, _>>()?;
+    let sums: Vec<f64> = fields.iter().map(|field| Constants::fitted(field, bottom).1).collect();
+    let (best, least, curvature) = parabola(&sums);
+    let freedom = (bottom.len() - CONSTANTS) as f64;
+    let deviation = (2.0 * least / freedom / curvature).sqrt();
+
+    let field = Field::of(best, REFINEMENTS[0])?;
+    let (constants, _) = Constants::fitted(&field, bottom);
+    let width = |((a_over_r, other), fitted): ((&f64, &Field), &f64)| {
+        [*a_over_r, constants.rms(other, bottom), (fitted / bottom.len() as f64).sqrt()]
+    };
+    let coarse = Field::of(best, REFINEMENTS[1])?;
+    let changed = |fringe: &Fringe| (constants.residual(&coarse, fringe) - constants.residual(&field, fringe)).abs();
+    let squares: f64 = fringes.iter().map(|fringe| changed(fringe).powi(2)).sum();
+    Ok(Photograph {
+        half_width: [best, deviation],
+        ends: ends.each_ref().map(|(end, own)| (*end, own.len(), constants.rms(&field, own))),
+        widths: WIDTHS.iter().zip(&fields).zip(&sums).map(width).collect(),
+        mesh: [(squares / fringes.len() as f64).sqrt(), fringes.iter().map(changed).fold(0.0, larger)],
+        lines: ends.iter().flat_map(|(end, own)| lines(&field, &constants, *end, own)).collect(),
+        constants,
+    })
+}
+
+/// Place, value and second derivative of the minimum of a parabola through the least of the sums and its neighbours.
+fn parabola(sums: &[f64]) -> (f64, f64, f64) {
+    let least = (1..sums.len() - 1).min_by(|&a, &b| sums[a].total_cmp(&sums[b])).unwrap_or(1);
+    let step = WIDTHS[1] - WIDTHS[0];
+    let [before, at, after] = [sums[least - 1], sums[least], sums[least + 1]];
+    let (slope, curvature) = ((after - before) / (2.0 * step), (after - 2.0 * at + before) / (step * step));
+    let shift = -slope / curvature;
+    (WIDTHS[least] + shift, at + 0.5 * slope * shift, curvature)
+}
+
+/// The fringes of an end.
+fn lines(field: &Field, constants: &Constants, end: End, own: &[Fringe]) -> Vec<Line> {
+    let mut all = Vec::new();
+    for channel in Channel::ALL {
+        for order in [1.0, 2.0, 3.0, 4.0] {
+            let same = |fringe: &&Fringe| fringe.channel == channel && (fringe.order - order).abs() < 0.5;
+            let measured: Vec<[f64; 2]> = own.iter().filter(same).map(|f| [f.half_spacing, f.depth]).collect();
+            let Some(deepest) = measured.iter().map(|point| point[1]).reduce(f64::max) else { continue };
+            let shallowest = measured.iter().map(|point| point[1]).fold(deepest, f64::min);
+            let depths = (0..=DEPTHS).map(|k| shallowest + (deepest - shallowest) * k as f64 / DEPTHS as f64);
+            let around = |z: f64| {
+                measured.iter().min_by(|a, b| (a[1] - z).abs().total_cmp(&(b[1] - z).abs())).map_or(0.1, |p| p[0])
+            };
+            let over = |x: f64, z: f64| constants.order_at(field, channel, [x, z]) - order;
+            let computed = depths.filter_map(|z| Some([place(|x| over(x, z), around(z))?, z])).collect();
+            all.push(Line { end, channel, measured, computed });
+        }
+    }
+    all
+}
+
+/// Where a falling function is zero, between half and one and a half times a place near it; none where it is not.
+fn place(over: impl Fn(f64) -> f64, near: f64) -> Option<f64> {
+    let [mut inner, mut outer] = [0.5 * near, 1.5 * near];
+    if !(over(inner) > 0.0 && over(outer) < 0.0) {
+        return None;
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (inner + outer);
+        if over(middle) > 0.0 { inner = middle } else { outer = middle }
+    }
+    Some(0.5 * (inner + outer))
+}
+
+/// Root mean square that is accepted, in fringe orders: the reading is good to about 0.03.
+const ACCEPTED: f64 = 0.035;
+/// Half-widths over the fitted one that must not pass.
+const WRONG: [f64; 2] = [0.7, 1.3];
+/// Root mean square that our mesh may cost: a third of that of reading.
+const MESH: f64 = 0.01;
+
+/// Within what is asked at both ends; and a width that is plainly wrong must be seen.
+pub fn judge(photograph: &Photograph) -> Vec<Judged> {
+    let ends = photograph.ends.iter().map(|(end, points, rms)| {
+        let reference = Reference {
+            name: "photograph, shape only, uncalibrated".into(),
+            kind: ReferenceKind::Measured,
+            value: 0.0,
+            uncertainty: None,
+        };
+        let quantity = Quantity::at("root mean square of the fringe orders", format!("{end}, {points} points"));
+        let because = "read to about 0.03 orders; five constants fitted at the bottom, none at the top";
+        Check::absolute(quantity, reference, ACCEPTED, because).judge(*rms)
+    });
+    let wrong = WRONG.map(|times| {
+        let quantity = Quantity::at("root mean square with a wrong half-width", format!("{times} of the fitted one"));
+        let because = "a comparison that does not see this sees nothing of the contact";
+        // With all else held, at the half-width solved next to it.
+        let far = |width: &&[f64; 3]| (width[0] - times * photograph.half_width[0]).abs();
+        let next = photograph.widths.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
+        Check::at_least(quantity, Reference::own("what is accepted", ACCEPTED), because)
+            .judge(next.map_or(f64::NAN, |width| width[1]))
+    });
+    let mesh = Check::at_most(
+        "root mean square of the fringe orders that a mesh twice as coarse changes",
+        Reference::own("accepted", MESH),
+        "our own error shall be at most a third of that of reading",
+    );
+    ends.chain(wrong).chain([mesh.judge(photograph.mesh[0])]).collect()
+}
+
+/// Files of the charts.
+const FRINGES: &str = "photoelastic-fringes.svg";
+const WIDTH: &str = "photoelastic-width.svg";
+
+/// Columns of the half-widths.
+const COLUMNS: [Column<[f64; 3]>; 3] = [
+    ("a/R", |[a_over_r, ..]| significant(*a_over_r, 3)),
+    ("rms, all else held", |[_, held, _]| significant(*held, 2)),
+    ("rms, all else fitted", |[.., fitted]| significant(*fitted, 2)),
+];
+
+/// What the photograph can show, what it says, and what it cannot show.
+pub fn section(photograph: &Photograph) -> String {
+    let [a, deviation] = photograph.half_width;
+    let [red, green, blue] = photograph.constants.orders.map(|order| significant(order, 3));
+    let end =
+        |(end, points, rms): &(End, usize, f64)| format!("{end}: {} orders ({points} points)", significant(*rms, 3));
+    format!(
+        "A photoelastic disc squeezed between two plates (provenance in `oracles/digitised/photoelastic-disc`): *measured, shape only, \
+         uncalibrated*. Load, material, diameter and friction are unknown. The difference of the principal stresses over that at the centre, \
+         times a constant of each colour channel, is the fringe order. Five constants are fitted at the bottom; nothing is fitted at the top.\n\n\
+         Fitted: a/R = {} ± {} (standard deviation if readings were independent), orders at the centre {red} (red), {green} (green), {blue} \
+         (blue), loaded edge {} R above the end of the diameter. Root mean square: {}. Reading: about 0.03 orders. A mesh twice as coarse changes \
+         {} orders (root mean square), at most {}.\n\n{}\n\
+         It shows the stress field near a line contact, the transfer of the load from one contact to the other, and the second moment of the \
+         pressure: far-off widths fail, near ones do not. It cannot show the shape of the pressure (uniform, Hertz and punch fit alike), the law \
+         between load and width, E, ν, or anything about pins.\n\n{}{}",
+        significant(a, 3),
+        significant(deviation, 2),
+        significant(photograph.constants.edge, 2),
+        photograph.ends.each_ref().map(end).join(", "),
+        significant(photograph.mesh[0], 2),
+        significant(photograph.mesh[1], 2),
+        markdown::columns(&COLUMNS, &photograph.widths),
+        picture(FRINGES, "Dark fringes near both loaded ends: read from the photograph (points) and computed (lines)"),
+        picture(WIDTH, "How sharply the photograph tells the half-width: root mean square at the bottom"),
+    )
+}
+
+/// Fringes measured and computed, and the root mean square over the half-width.
+pub fn pictures(photograph: &Photograph) -> Result<[(String, Drawing); 2], Error> {
+    let ends = [(End::Bottom, "bottom, fitted"), (End::Top, "top, predicted")];
+    let ends = ends.map(|(end, title)| fringes(photograph, end, title));
+    let fringes = panels("Isochromatics of a disc between two plates", &ends, 2)?;
+    Ok([(FRINGES.into(), fringes), (WIDTH.into(), widths(photograph)?)])
+}
+
+fn fringes(photograph: &Photograph, end: End, title: &str) -> Chart {
+    let mut chart = Chart::new(
+        title,
+        Axis::linear("x / R [–]").over(0.0, 0.3),
+        Axis::linear("distance from the loaded end / R [–]").over(0.0, 0.35),
+    );
+    for line in photograph.lines.iter().filter(|line| line.end == end) {
+        let (colour, name, marker) = match line.channel {
+            Channel::R => (palette::LAYER, "red", Marker::Square),
+            Channel::G => (palette::NODE, "green", Marker::Circle),
+            Channel::B => (palette::LINE, "blue", Marker::Diamond),
+        };
+        let mut draw = |points: &[[f64; 2]], label: String, dash, marker| {
+            let curve = Curve { points: points.to_vec(), failed: Vec::new() };
+            chart.series.push(curve.drawn(label, Style::run(colour, dash, marker)));
+        };
+        draw(&line.computed, format!("{name}, computed"), Dash::Solid, Marker::Absent);
+        draw(&line.measured, format!("{name}, read"), Dash::Absent, marker);
+    }
+    chart
+}
+
+fn widths(photograph: &Photograph) -> Result<Drawing, Error> {
+    let title = "Root mean square of the fringe orders at the bottom";
+    let mut chart = Chart::new(title, Axis::linear("half-width a / R [–]"), Axis::linear("rms [fringe orders]"));
+    let kinds = [("all else held", palette::LINE, Dash::Solid, 1), ("all else fitted", palette::NODE, Dash::Dashed, 2)];
+    chart.series.extend(kinds.map(|(label, colour, dash, k)| {
+        let points = photograph.widths.iter().map(|width| [width[0], width[k]]).collect();
+        Curve { points, failed: Vec::new() }.drawn(label, Style::run(colour, dash, Marker::Circle))
+    }));
+    chart.guides.push(Guide { direction: Direction::Vertical, at: photograph.half_width[0], label: "fitted".into() });
+    chart.drawing()
+}

@@ -1,0 +1,264 @@
+//! The dimensionless family of the pin–rod, so that any published figure can be placed the day it appears.
+
+use serde::Serialize;
+
+use crate::case::library::PinRod;
+use crate::case::{Check, Judged, Quantity, Reference};
+use crate::error::{Error, Kind};
+use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{Axis, Chart, Drawing, panels};
+use crate::markdown::{self, Column};
+use crate::mesh::{Order, Resolution};
+use crate::oracle::analytic::Plane;
+use crate::oracle::analytic::persson::PinInHole;
+use crate::scene::Material;
+use crate::solve::{Discretisation, Formulation, Run};
+use crate::study::class::Class;
+use crate::study::drawn::{self, picture};
+
+/// Values of `E t c / F`.
+pub const CLEARANCES: [f64; 8] = [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
+/// Values of outer radius of the eye over pin radius.
+const EYES: [f64; 3] = [1.6, 2.0, 2.5];
+/// Values of shank width over pin diameter.
+const SHANKS: [f64; 3] = [0.8, 1.0, 1.4];
+/// Relative step of the sensitivities.
+const STEP: f64 = 0.05;
+/// Elements per 10 mm of arc of a pin of 10 mm radius.
+const ELEMENTS: usize = 16;
+/// Part of the candidate stretch from which on a contact reaches its end.
+const REACHES: f64 = 0.97;
+/// The default scene: `E t c / F`, outer radius of the eye over pin radius, shank width over pin diameter.
+const DEFAULT: [f64; 3] = [5.0, 2.0, 1.0];
+
+/// `R t p_max / F` and the contact half-angle by second moment \[rad\] of a scene; else how its run ended, of which
+/// [`Class::Beyond`] says that the contact reaches beyond the quarter of the pin that is modelled.
+pub type Placed = Result<[f64; 2], Class>;
+
+/// An eye or a shank.
+#[derive(Clone, Debug, Serialize)]
+pub struct Curve {
+    /// Radius of the eye over that of the pin, or width of the shank over the diameter of the pin.
+    pub name: String,
+    /// By clearance.
+    pub placed: Vec<Placed>,
+}
+
+/// `∂ ln result / ∂ ln number`, by central differences.
+#[derive(Clone, Debug, Serialize)]
+pub struct Slope {
+    /// The number.
+    pub number: &'static str,
+    /// Of the pressure, and of the angle.
+    pub slope: [f64; 2],
+    /// The same by half the step.
+    pub by_half: [f64; 2],
+}
+
+/// A pin–rod of the proportions of another at a place of the family.
+fn at(base: &PinRod, [clearance, eye, shank]: [f64; 3]) -> PinRod {
+    PinRod {
+        clearance: clearance * base.force / (base.pin.young * base.thickness),
+        eye_outer_radius: eye * base.pin_radius,
+        shank_width: shank * 2.0 * base.pin_radius,
+        stretch: 89f64.to_radians(),
+        ..*base
+    }
+}
+
+fn solve(rod: &PinRod) -> Result<Placed, Error> {
+    let resolution = Resolution { elements: ELEMENTS, refinement: 0, order: Order::Quadratic };
+    let run = match Run::of(&Discretisation::of(rod.scene(), resolution)?, &Formulation::verification()) {
+        Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => return Ok(Err(Class::Beyond)),
+        other => other?,
+    };
+    let measures = run.measures();
+    let pressure = measures.peak.pressure * rod.pin_radius * rod.thickness / rod.force;
+    Ok(match Class::of(run.solution.outcome) {
+        Class::Converged if measures.edge() > REACHES * rod.stretch => Err(Class::Beyond),
+        Class::Converged => Ok([pressure, measures.second_moment_width]),
+        other => Err(other),
+    })
+}
+
+/// What was found; NaN where nothing was.
+fn numbers(placed: Placed) -> [f64; 2] {
+    placed.unwrap_or([f64::NAN; 2])
+}
+
+/// Curves over the clearance: the eyes, then the shanks.
+pub fn curves() -> Result<Vec<Curve>, Error> {
+    let [_, eye, shank] = DEFAULT;
+    let eyes = EYES.map(|eye| (format!("eye {eye} R"), [eye, shank]));
+    let shanks = SHANKS.map(|shank| (format!("shank {shank} · 2R"), [eye, shank]));
+    let curve = |(name, [eye, shank]): (String, [f64; 2])| {
+        let placed = CLEARANCES.map(|clearance| solve(&at(&PinRod::default(), [clearance, eye, shank])));
+        Ok(Curve { name, placed: placed.into_iter().collect::<Result<_, _>>()? })
+    };
+    eyes.into_iter().chain(shanks).map(curve).collect()
+}
+
+/// The default scene, and a pin–rod of aluminium of the same three numbers, larger, thicker and under another load.
+pub fn same_place() -> Result<[[f64; 2]; 2], Error> {
+    let (base, larger) = (PinRod::default(), 2.5);
+    let aluminium = Material { young: 70e3, ..base.pin };
+    let other = PinRod {
+        pin_radius: larger * base.pin_radius,
+        shank_end: larger * base.shank_end,
+        unit: larger * base.unit,
+        thickness: 4.0,
+        force: 9000.0,
+        pin: aluminium,
+        rod: aluminium,
+        ..base
+    };
+    Ok([numbers(solve(&at(&base, DEFAULT))?), numbers(solve(&at(&other, DEFAULT))?)])
+}
+
+/// Half-angle by second moment of the pin of largest clearance in an infinite plate (Persson) \[rad\].
+pub fn in_wide_plate() -> f64 {
+    let [_, eye, shank] = DEFAULT;
+    let rod = at(&PinRod::default(), [CLEARANCES[7], eye, shank]);
+    let (radius, clearance, load) = (rod.pin_radius, rod.clearance, rod.force / rod.thickness);
+    let (modulus, poisson) = (rod.rod.young, rod.rod.poisson);
+    PinInHole { radius, clearance, load, modulus, poisson, plane: Plane::Stress }.second_moment()
+}
+
+/// Slopes at the default scene by clearance, eye and shank, by two steps.
+pub fn slopes() -> Result<[Slope; 3], Error> {
+    let slope = |number: &'static str, index: usize| {
+        let by = |step: f64| -> Result<[f64; 2], Error> {
+            let moved = |factor: f64| {
+                let mut place = DEFAULT;
+                place[index] *= factor;
+                solve(&at(&PinRod::default(), place)).map(numbers)
+            };
+            let (up, down) = (moved(1.0 + step)?, moved(1.0 - step)?);
+            let per = ((1.0 + step) / (1.0 - step)).ln();
+            Ok([0, 1].map(|k| (up[k] / down[k]).ln() / per))
+        };
+        Ok::<_, Error>(Slope { number, slope: by(STEP)?, by_half: by(0.5 * STEP)? })
+    };
+    Ok([slope("E t c / F", 0)?, slope("eye outer radius / R", 1)?, slope("shank width / 2R", 2)?])
+}
+
+/// No scene is lost, an eye embraces the pin, and three numbers place a pin.
+pub fn judge(curves: &[Curve], [first, other]: &[[f64; 2]; 2], wide_plate: f64) -> Vec<Judged> {
+    let all = || curves.iter().flat_map(|curve| &curve.placed);
+    let lost = all().filter(|placed| placed.is_err_and(|class| class != Class::Beyond)).count();
+    let lost = Check::none(
+        Quantity::at("scene of the family whose iteration does not converge", format!("of {}", all().count())),
+        "a contact is found, or refused because it reaches beyond the quarter",
+    )
+    .judge(lost as f64);
+    let at_last = |curve: &Curve| curve.placed.last().map_or(f64::NAN, |placed| numbers(*placed)[1]);
+    let smallest = curves.iter().map(at_last).reduce(smaller).unwrap_or(f64::NAN);
+    let embraced = Check::at_least(
+        "smallest contact angle of all eyes at the largest clearance [°]",
+        Reference::analytic("Persson, a wide plate", wide_plate.to_degrees()),
+        "an eye that bends embraces the pin",
+    )
+    .judge(smallest.to_degrees());
+    let placed = ["R t p_max / F", "angle"].into_iter().enumerate().map(|(k, name)| {
+        Check::near(
+            Quantity::at("result for another pin of the same three numbers", name),
+            Reference::own("the default pin", first[k]),
+            5e-3,
+            "the family leaves c/R out, which is 0.005 and 0.006 here: results depend on it in that order",
+        )
+        .judge(other[k])
+    });
+    [lost, embraced].into_iter().chain(placed).collect()
+}
+
+/// The smaller of two numbers; NaN if either is.
+fn smaller(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.min(b) }
+}
+
+/// Change of a slope with half the step.
+const STEPS: f64 = 0.02;
+
+/// Slopes do not depend on their step.
+pub fn judge_slope(slope: &Slope) -> [Judged; 2] {
+    [("p_max", 0), ("angle", 1)].map(|(result, k)| {
+        let quantity =
+            Quantity::at("change of a sensitivity by half the step", format!("{result} by {}", slope.number));
+        let because =
+            "central differences: error of the order of the step squared, and of the mesh that changes with it";
+        Check::error(quantity, Reference::own("half the step", 0.0), STEPS, because)
+            .judge((slope.slope[k] - slope.by_half[k]).abs())
+    })
+}
+
+/// File of the chart.
+pub const FILE: &str = "family-pin-rod.svg";
+
+/// What the family is, and its chart.
+pub fn introduction() -> String {
+    let chart = picture(FILE, "Peak pressure and second-moment angle against dimensionless clearance");
+    format!("Three dimensionless numbers place any published figure of a pin in an eye.\n\n{chart}")
+}
+
+/// Pressure and angle over the clearance.
+pub fn table_of_curves(curves: &[Curve]) -> String {
+    let head = ["R t p_max/F / 2√(∫pθ²/∫p) at E t c/F =".into()].into_iter();
+    let head: Vec<String> = head.chain(CLEARANCES.iter().map(f64::to_string)).collect();
+    let cell = |placed: &Placed| match placed {
+        Ok([pressure, angle]) => format!("{pressure:.3} / {:.1}°", angle.to_degrees()),
+        Err(Class::Beyond) => "beyond the quarter".into(),
+        Err(_) => "not converged".into(),
+    };
+    let row = |curve: &Curve| [curve.name.clone()].into_iter().chain(curve.placed.iter().map(cell)).collect();
+    let table = markdown::table(&head, &curves.iter().map(row).collect::<Vec<_>>());
+    format!("**Pin–rod: pressure and second-moment angle by dimensionless clearance**\n\n{table}\n")
+}
+
+/// Sensitivities.
+pub fn table_of_slopes(slopes: &[Slope]) -> String {
+    let columns: [Column<Slope>; 3] = [
+        ("number", |slope| slope.number.into()),
+        ("∂ ln p_max / ∂ ln", |slope| format!("{:+.3}", slope.slope[0])),
+        ("∂ ln angle / ∂ ln", |slope| format!("{:+.3}", slope.slope[1])),
+    ];
+    let ([clearance, eye, shank], table) = (DEFAULT, markdown::columns(&columns, slopes));
+    format!("**Pin–rod: sensitivities around E t c/F = {clearance}, eye {eye} R, shank {shank} · 2R**\n\n{table}\n")
+}
+
+/// Ends of the axis of clearances; what has none stands on its left end.
+const ENDS: [f64; 2] = [0.25, 60.0];
+
+/// Pressure and angle over the clearance.
+pub fn chart(all: &[&[Curve]]) -> Result<Drawing, Error> {
+    let chart = |title: &str, axis: &str, of: fn([f64; 2]) -> f64| {
+        let clearance = Axis::log("clearance E t c / F [–]").over(ENDS[0], ENDS[1]);
+        let mut chart = Chart::new(title, clearance, Axis::linear(axis));
+        for (curve, style) in all.iter().flat_map(|curves| curves.iter().zip(styles())) {
+            let points = || CLEARANCES.into_iter().zip(&curve.placed);
+            // A contact beyond the quarter is refused, and no point of the family.
+            let is_lost = |placed: &Placed| placed.is_err_and(|class| class != Class::Beyond);
+            let drawn = drawn::Curve {
+                points: points().map(|(clearance, placed)| [clearance, of(numbers(*placed))]).collect(),
+                failed: points().filter(|(_, placed)| is_lost(placed)).map(|(clearance, _)| clearance).collect(),
+            };
+            chart.series.push(drawn.drawn(&*curve.name, style));
+        }
+        let mut points = chart.series.iter().flat_map(|series| &series.points);
+        if points.any(|(clearance, value)| *clearance <= 0.0 && value.is_finite()) {
+            chart.notes.push("The points on the left rim have no clearance.".into());
+        }
+        chart
+    };
+    let charts = [
+        chart("family: pressure", "peak pressure R t p_max / F [–]", |[pressure, _]| pressure),
+        chart("family: angle", "angle 2 √(∫pθ²/∫p) [°]", |[_, angle]| angle.to_degrees()),
+    ];
+    panels("Pin–rod: the dimensionless family", &charts, 2)
+}
+
+/// Eyes solid, shanks dashed.
+fn styles() -> impl Iterator<Item = Style> {
+    [(Dash::Solid, Marker::Circle), (Dash::Dashed, Marker::Square)].into_iter().flat_map(|(dash, marker)| {
+        [palette::LINE, palette::NODE, palette::LAYER].map(|colour| Style::run(colour, dash, marker))
+    })
+}
