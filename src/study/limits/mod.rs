@@ -29,8 +29,11 @@ pub const ABOUT: About = About {
     limits: "One scene a limit: another scene has its onset elsewhere.",
 };
 
+/// Name of a trial, and what pushes.
+type Trial = (&'static str, fn() -> Result<Numbers, Error>);
+
 /// The limits, in the order of the page.
-const LIMITS: [(&str, fn() -> Result<Numbers, Error>); 14] = [
+const LIMITS: [Trial; 14] = [
     ("three Gauss points", springs::gauss_points),
     ("spring stiffness", springs::stiffness),
     ("supported by contact alone", loads::pulled_apart),

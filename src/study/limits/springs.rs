@@ -34,11 +34,16 @@ fn departure_or_end(solved: &Solved) -> String {
 pub(super) fn gauss_points() -> Result<Limit, Error> {
     let pin_rod = meshed(PinRod::default().scene(), 8, Order::Quadratic)?;
     let cylinder = meshed(Cylinder::default().scene(), 8, Order::Quadratic)?;
-    let [three, two, lobatto] = [Quadrature::GaussFull, Quadrature::Gauss, Quadrature::Lobatto];
-    let on = |scene| [three, two, lobatto].map(|quadrature| (scene, quadrature));
-    let [[a, b, c], [d, e, f]] = [on(&pin_rod), on(&cylinder)];
+    let ways = [
+        (&pin_rod, Quadrature::GaussFull),
+        (&pin_rod, Quadrature::Gauss),
+        (&pin_rod, Quadrature::Lobatto),
+        (&cylinder, Quadrature::GaussFull),
+        (&cylinder, Quadrature::Gauss),
+        (&cylinder, Quadrature::Lobatto),
+    ];
     let base = Formulation { rule: StiffnessRule::Penalty, ..Formulation::new(Element::Line, Iteration::Kinematic) };
-    let stiffnesses = Push::of("κ", &ON_EDGES, [a, b, c, d, e, f], |stiffness, (discretisation, quadrature)| {
+    let stiffnesses = Push::of("κ", &ON_EDGES, ways, |stiffness, (discretisation, quadrature)| {
         Solved::by(&Formulation { stiffness, quadrature, ..base.clone() }, discretisation)
     })?;
     let [hard, hardest] = [2, 1].map(|back| &stiffnesses.tried[ON_EDGES.len() - back].1);
@@ -245,6 +250,11 @@ pub(super) fn layer_thickness() -> Result<Limit, Error> {
 /// Initial stiffnesses over the predicted onset.
 const FACTORS: [f64; 8] = [0.3, 0.5, 0.9, 0.97, 1.03, 1.1, 10.0, 1000.0];
 
+/// The κ₀ from which on two bars cycle, `2 u/g`.
+fn predicted_onset() -> f64 {
+    2.0 * Bars::default().push
+}
+
 /// Iterations from one return of the state to the next; NaN where there is none.
 fn period(outcome: Outcome) -> f64 {
     match outcome {
@@ -260,42 +270,37 @@ fn period(outcome: Outcome) -> f64 {
 /// repels once `k₀ > 2 u s/g`; k then falls to zero at every other iteration: a cycle of period 2. Equal bars of the length ℓ
 /// have `s ℓ/E* = 1`, so that the onset is `κ₀ = 2 u/g`.
 pub(super) fn cycling() -> Result<Limit, Error> {
-    let numbers = Bars::default();
-    let discretisation = meshed(numbers.scene(), 2, Order::Quadratic)?;
-    let onset = 2.0 * numbers.push;
+    let discretisation = meshed(Bars::default().scene(), 2, Order::Quadratic)?;
     let base = Formulation::new(Element::Node, Iteration::Varying).tolerance(1e-8);
-    let factors = Push::of("κ₀", &FACTORS, [StiffnessRule::Correction], |factor, rule| {
-        Solved::by(&Formulation { rule, stiffness: factor * onset, ..base.clone() }, &discretisation)
+    let starts = FACTORS.map(|factor| factor * predicted_onset());
+    let starts = Push::of("κ₀", &starts, [StiffnessRule::Correction], |stiffness, rule| {
+        Solved::by(&Formulation { rule, stiffness, ..base.clone() }, &discretisation)
     })?;
-    let judged = factors.tried.iter().map(|(factor, [solved])| {
+    let judged = FACTORS.into_iter().zip(starts.all()).map(|(factor, solved)| {
         let quantity = Quantity::at(
             "period of the state in which correction with varying stiffness ends",
             format!("κ₀ = {factor} · 2u/g"),
         );
-        let reference = Reference::analytic("the affine map of one spring", if *factor < 1.0 { 1.0 } else { 2.0 });
+        let reference = Reference::analytic("the affine map of one spring", if factor < 1.0 { 1.0 } else { 2.0 });
         Check::near(quantity, reference, 0.0, "periods are whole numbers").judge(period(solved.run.solution.outcome))
     });
-    let judged = judged.collect();
-    let starts = Push {
-        name: "κ₀",
-        tried: factors.tried.into_iter().map(|(factor, [solved])| (factor * onset, [(factor, solved)])).collect(),
-    };
     Ok(Limit {
         pushed: "a rule that cycles: correction with varying stiffness on two bars",
         range: starts.range("κ₀"),
         onset: format!(
-            "{}; predicted at 2u/g = {onset}",
-            starts.onset(|[(_, solved)]| !solved.run.solution.converged())
+            "{}; predicted at 2u/g = {}",
+            starts.onset(|[solved]| !solved.run.solution.converged()),
+            predicted_onset()
         ),
-        seen: starts.last()[0].1.seen(),
+        seen: starts.last()[0].seen(),
         instead: "a softer start, or the rule secant".into(),
-        judged,
+        judged: judged.collect(),
         table: starts.table(
             "Two bars, node.varying.correction: outcome by initial stiffness",
             &[
                 ("κ₀", |(stiffness, _)| number(*stiffness)),
-                ("κ₀ / (2u/g)", |(_, [(factor, _)])| number(*factor)),
-                ("outcome", |(_, [(_, solved)])| solved.run.solution.outcome.to_string()),
+                ("κ₀ / (2u/g)", |(stiffness, _)| number(stiffness / predicted_onset())),
+                ("outcome", |(_, [solved])| solved.run.solution.outcome.to_string()),
             ],
         ),
     })

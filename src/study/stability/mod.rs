@@ -61,19 +61,22 @@ pub fn plan() -> Vec<Planned<Numbers>> {
         let run = move || rates::before(scene).map(Numbers::Before);
         Planned::new("rate of varying stiffness before the contact is solved", scene.name(), run)
     }));
-    let by_element: [(&str, fn(Element) -> Result<Numbers, Error>); 3] = [
-        ("constant stiffness, fixed target springs", |element| springs::towards(element).map(Numbers::Towards)),
-        ("varying stiffness with correction, near and far", |element| springs::basin(element).map(Numbers::Basin)),
-        ("constant stiffness, rules that fail", |element| springs::failing(element).map(Numbers::Failing)),
-    ];
-    for (case, run) in by_element {
-        trials.extend(Element::ALL.map(|element| Planned::new(case, element.name(), move || run(element))));
-    }
+    trials
+        .extend(by_element("constant stiffness, fixed target springs", |e| springs::towards(e).map(Numbers::Towards)));
+    trials.extend(by_element("varying stiffness with correction, near and far", |e| {
+        springs::basin(e).map(Numbers::Basin)
+    }));
+    trials.extend(by_element("constant stiffness, rules that fail", |e| springs::failing(e).map(Numbers::Failing)));
     trials.extend(Scene::ALL.map(|scene| {
         let run = move || halving::meshes(scene).map(|meshes| Numbers::Halving(scene, meshes));
         Planned::new("predicted iterations of kinematic load", scene.name(), run)
     }));
     trials
+}
+
+/// One trial an element.
+fn by_element(case: &str, run: fn(Element) -> Result<Numbers, Error>) -> [Planned<Numbers>; 3] {
+    Element::ALL.map(|element| Planned::new(case, element.name(), move || run(element)))
 }
 
 /// The predictions hold.
