@@ -59,7 +59,7 @@ pub struct Fault {
 }
 
 /// Every planted fault with what it did, as recorded.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Deserialize)]
 pub struct Numbers {
     /// Files and folders whose digest a fault carries: all that the verdicts are computed from.
     pub sources: Vec<String>,

@@ -7,8 +7,6 @@ mod pictures;
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
-use serde::Serialize;
-
 use crate::case::{Case, Judged, Meshed, Quantity, file, library};
 use crate::checkout::root;
 use crate::error::Error;
@@ -70,15 +68,13 @@ fn title(formulation: &Formulation) -> String {
 }
 
 /// A case solved by one formulation.
-#[derive(Clone, Serialize)]
+#[derive(Clone)]
 pub struct Numbers {
     /// The case.
-    #[serde(skip)]
     pub case: Arc<Case>,
     /// The run.
     pub run: Run,
     /// Its checks; they need the mesh, which is not kept.
-    #[serde(skip)]
     judged: Vec<Judged>,
 }
 

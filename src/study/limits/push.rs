@@ -2,8 +2,6 @@
 
 use std::borrow::Cow;
 
-use serde::Serialize;
-
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::markdown::{self, Column};
@@ -17,7 +15,7 @@ use crate::solve::{Discretisation, Formulation};
 pub(super) const ORDERS: [Order; 2] = [Order::Linear, Order::Quadratic];
 
 /// A row of the table of limits, its checks, and the values behind it.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Limit {
     /// What is pushed.
     pub pushed: &'static str,
@@ -30,7 +28,6 @@ pub struct Limit {
     /// What to do instead.
     pub instead: String,
     /// The checks.
-    #[serde(skip)]
     pub judged: Vec<Judged>,
     /// A folded table of the values tried, one by one; empty where the row says all.
     pub table: String,

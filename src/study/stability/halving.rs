@@ -1,7 +1,5 @@
 //! The halving law of kinematic load: predicted against measured iterations.
 
-use serde::Serialize;
-
 use crate::case::library::{Cylinder, PinRod, TruncatedHertz};
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
@@ -29,7 +27,7 @@ const HALVINGS: f64 = 1.0;
 const TENTH: f64 = 1.26;
 
 /// A scene on which predictions are tried.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scene {
     /// The cylinder.
     Cylinder,
@@ -40,7 +38,7 @@ pub enum Scene {
 }
 
 /// Iterations on a mesh, from a soft start, one between and a hard one.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Mesh {
     /// Candidate stretch over the half-width, on the pin-rod over the last closed point.
     pub stretch: f64,

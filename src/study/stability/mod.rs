@@ -10,8 +10,6 @@ pub mod halving;
 pub mod rates;
 pub mod springs;
 
-use serde::Serialize;
-
 use crate::case::Judged;
 use crate::error::Error;
 use crate::markdown;
@@ -31,7 +29,7 @@ pub const ABOUT: About = About {
 };
 
 /// What came out of a trial.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub enum Numbers {
     /// Rates of a method.
     Rates(Vec<Rate>),

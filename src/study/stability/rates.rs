@@ -1,7 +1,5 @@
 //! Rates of convergence: on the final active set by the condensed matrices, beforehand by Hertz's closed form, and as measured.
 
-use serde::Serialize;
-
 use crate::algorithm::{ContactProblem, StiffnessRule};
 use crate::case::library::TruncatedHertz;
 use crate::case::{Check, Judged, Quantity, Reference, Verdict};
@@ -31,7 +29,7 @@ const TOLERANCE: f64 = 1e-12;
 const LIMIT: usize = 12_000;
 
 /// A start of a method, predicted and measured.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Rate {
     /// Initial stiffness κ₀.
     pub stiffness: f64,
@@ -209,7 +207,7 @@ const ELEMENTS: [usize; 3] = [4, 8, 16];
 const BEFORE: f64 = 2.0;
 
 /// The rate of varying stiffness on the nodes of a mesh, as Hertz's closed form says it before anything is solved, and measured.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Before {
     /// Candidate stretch over the half-width.
     pub stretch: f64,

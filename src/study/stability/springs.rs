@@ -1,7 +1,5 @@
 //! Stability of constant and varying stiffness: towards fixed springs, next to the contact, and under rules that fail.
 
-use serde::Serialize;
-
 use crate::algorithm::{Algorithm, ContactProblem, Springs, StiffnessRule, Varying};
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::{Error, Kind};
@@ -38,7 +36,7 @@ const HOPELESS: f64 = 0.1;
 const CRAWLING: std::ops::Range<f64> = 0.98..1.02;
 
 /// A start of constant stiffness towards given springs: the condition of the literature, and what is observed.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Towards {
     /// Largest κ* of the target.
     pub target: f64,
@@ -182,7 +180,7 @@ const STEPS: usize = 3000;
 const LEFT: f64 = 1e-2;
 
 /// Varying stiffness with `correction`, started next to the contact and from afar.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Basin {
     /// Initial stiffness κ₀.
     pub stiffness: f64,
@@ -265,7 +263,7 @@ pub(super) fn table_of_basin(starts: &[(&str, &Basin)]) -> String {
 const SHOWN: [f64; 5] = [0.1, 1.0, 1e2, 1e4, 1e6];
 
 /// A start of constant stiffness with the rules `secant` and `literal`, which fail.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Failing {
     /// Initial stiffness κ₀.
     pub stiffness: f64,
