@@ -5,8 +5,7 @@ use crate::markdown;
 use crate::measure::display_factor;
 use crate::oracle::ReferenceKind;
 use crate::report::{checks, heading};
-use crate::study::cases::page::{charts, page as name_of, remark, sketch};
-use crate::study::cases::{self, Numbers};
+use crate::study::cases::{self, Numbers, charts, page as name_of, remark, sketch};
 use crate::study::{Finding, Numbers as Any, described};
 
 /// Runs that share a page.

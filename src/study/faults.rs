@@ -9,8 +9,9 @@ use serde::{Deserialize, Serialize};
 use crate::case::{Check, Judged, Quantity};
 use crate::checkout::root;
 use crate::error::Error;
-use crate::markdown;
+use crate::markdown::{self, Column};
 use crate::study::about::About;
+use crate::study::present::FAULTS;
 use crate::study::{Found, Planned};
 
 /// What its page is called, what it asks, and what it cannot tell.
@@ -25,12 +26,8 @@ pub fn plan() -> Vec<Planned<Numbers>> {
     vec![Planned::new("planted faults", "the record", record)]
 }
 
-/// What renews the record.
-const REPLANT: &str = "run `python3 tests/faults/plant.py`";
 /// The faults to plant.
 const LIST: &str = "tests/faults/faults.toml";
-/// What planting them showed.
-const RECORD: &str = "snapshots/faults.json";
 
 /// A fault as the list has it: in `file`, the only `was` becomes `is`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -61,12 +58,13 @@ pub struct Fault {
     pub ended: Option<String>,
 }
 
-/// Every planted fault with what it did.
-#[derive(Clone, Debug, Serialize)]
+/// Every planted fault with what it did, as recorded.
+#[derive(Clone, Debug, Deserialize)]
 pub struct Numbers {
     /// Files and folders whose digest a fault carries: all that the verdicts are computed from.
     pub sources: Vec<String>,
     /// In the order of the list.
+    #[serde(rename = "record")]
     pub faults: Vec<Fault>,
 }
 
@@ -75,36 +73,30 @@ struct List {
     fault: Vec<Planted>,
 }
 
-#[derive(Deserialize)]
-struct Record {
-    sources: Vec<String>,
-    record: Vec<Fault>,
-}
-
 /// The recorded faults; refused where one of them is no longer the one that the list has.
 pub fn record() -> Result<Numbers, Error> {
-    let [list, record] = [LIST, RECORD].map(|name| root().join(name));
-    let read = |file: &PathBuf| fs::read_to_string(file).map_err(|_| Error::missing_file(file, REPLANT));
+    let [list, record] = [LIST, FAULTS.file].map(|name| root().join(name));
+    let read = |file: &PathBuf| fs::read_to_string(file).map_err(|_| Error::missing_file(file, FAULTS.renew));
     parse((&list, &read(&list)?), (&record, &read(&record)?))
 }
 
 /// The same from the texts of both files.
-pub fn parse((list, faults): (&Path, &str), (file, text): (&Path, &str)) -> Result<Numbers, Error> {
-    let planted: List = toml::from_str(faults).map_err(|error| Error::unreadable(list, error, "restore it"))?;
-    let Record { sources, record } =
-        serde_json::from_str(text).map_err(|error| Error::unreadable(file, error, REPLANT))?;
-    let refused = |key: &str, found: String| Err(Error::refused(file, key, found, REPLANT));
+pub fn parse((list, listed): (&Path, &str), (file, text): (&Path, &str)) -> Result<Numbers, Error> {
+    let planted: List = toml::from_str(listed).map_err(|error| Error::unreadable(list, error, "restore it"))?;
+    let numbers: Numbers = serde_json::from_str(text).map_err(|error| Error::unreadable(file, error, FAULTS.renew))?;
+    let Numbers { sources, faults } = &numbers;
+    let refused = |key: &str, found: String| Err(Error::refused(file, key, found, FAULTS.renew));
     if !sources.iter().any(|name| name == "src") {
         return refused("sources", format!("{sources:?}, without `src`"));
     }
-    if record.len() != planted.fault.len() || record.is_empty() {
-        return refused("record", format!("{} faults long, but {} are listed", record.len(), planted.fault.len()));
+    if faults.len() != planted.fault.len() || faults.is_empty() {
+        return refused("record", format!("{} faults long, but {} are listed", faults.len(), planted.fault.len()));
     }
-    let mut pairs = record.iter().zip(&planted.fault);
+    let mut pairs = faults.iter().zip(&planted.fault);
     if let Some((fault, listed)) = pairs.find(|(fault, listed)| fault.planted != **listed) {
         return refused("record", format!("of `{}`, but the list has another `{}`", fault.planted.name, listed.name));
     }
-    Ok(Numbers { sources, faults: record })
+    Ok(numbers)
 }
 
 /// Kinds of the references of truth locks; a trial that broke off with an error is counted beside them.
@@ -132,24 +124,23 @@ const DIGITS: usize = 12;
 
 /// A row for each fault: what turned red.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let head = [
-        "planted fault",
-        "in",
-        "sources",
-        "closed forms",
-        "other codes",
-        "self-consistency",
-        "broken off",
-        "for instance",
+    let columns: [Column<&Fault>; 8] = [
+        ("planted fault", |fault| fault.planted.name.clone()),
+        ("in", |fault| format!("`{}`", fault.planted.file)),
+        ("sources", |fault| shown(fault)),
+        ("closed forms", |fault| count(fault, "analytic")),
+        ("other codes", |fault| count(fault, "cross-code")),
+        ("self-consistency", |fault| count(fault, "self-consistency")),
+        ("broken off", |fault| count(fault, "broken off")),
+        ("for instance", |fault| example(fault)),
     ];
     let faults: Vec<&Fault> = findings.iter().flat_map(|found| &found.numbers.faults).collect();
-    let rows: Vec<Vec<String>> = faults.iter().map(|fault| row(fault)).collect();
     Ok(format!(
         "Faults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red, of the suite \
          and of the worked scene files. *Sources* is the digest (SHA-256) of what a fault was planted on: {}. The terminal says at every report \
          how many are not of the present sources.\n\n{}\n",
         planted_on(&faults),
-        markdown::table(&head.map(String::from), &rows)
+        markdown::columns(&columns, &faults)
     ))
 }
 
@@ -169,12 +160,15 @@ fn shown(fault: &Fault) -> String {
     fault.sources.as_ref().map_or("sources not recorded".into(), digits)
 }
 
-fn row(fault: &Fault) -> Vec<String> {
-    let count = |kind: &str| fault.red.get(kind).map_or("–".into(), usize::to_string);
+/// How many checks of a kind turned red.
+fn count(fault: &Fault, kind: &str) -> String {
+    fault.red.get(kind).map_or("–".into(), usize::to_string)
+}
+
+/// One check that turned red, or how the run ended.
+fn example(fault: &Fault) -> String {
     let example = KINDS.iter().find_map(|kind| fault.examples.get(*kind)).or(fault.ended.as_ref());
-    let example = example.map_or("**nothing**", String::as_str).chars().take(SHOWN).collect();
-    let first = [fault.planted.name.clone(), format!("`{}`", fault.planted.file), shown(fault)];
-    first.into_iter().chain(KINDS.map(count)).chain([example]).collect()
+    example.map_or("**nothing**", String::as_str).chars().take(SHOWN).collect()
 }
 
 /// None.

@@ -21,9 +21,13 @@ pub struct Made {
     pub renew: &'static str,
 }
 
+/// The record of planted faults.
+pub const FAULTS: Made =
+    Made { entry: "planted fault", file: "snapshots/faults.json", renew: "run `python3 tests/faults/plant.py`" };
+
 /// All of them.
 pub const MADE: [Made; 3] = [
-    Made { entry: "planted fault", file: "snapshots/faults.json", renew: "run `python3 tests/faults/plant.py`" },
+    FAULTS,
     Made { entry: "fuzz target", file: "snapshots/fuzz.json", renew: "run `python3 tests/fuzz/run.py`" },
     Made { entry: "mutant", file: "snapshots/mutants.json", renew: "run `python3 tests/mutants/run.py`" },
 ];

@@ -4,7 +4,7 @@
 ///
 /// * `ABOUT: About` — what its page is called, what it asks, and what it cannot tell,
 /// * `plan() -> Vec<Planned<Numbers>>` — what is run,
-/// * `Numbers` — what came out, serialisable,
+/// * `Numbers` — what came out,
 /// * `judge(&Numbers) -> Result<Vec<Judged>, Error>` — the checks with their verdicts,
 /// * `section(&[Found<Numbers>]) -> Result<String, Error>` — Markdown,
 /// * `pictures(&[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error>` — file names and charts.
@@ -18,7 +18,7 @@ macro_rules! rooms {
 
         /// What a trial of any study came out with; a few hundred of them are not worth a box.
         #[allow(clippy::large_enum_variant)]
-        #[derive(Clone, Debug, serde::Serialize)]
+        #[derive(Clone, Debug)]
         pub enum Numbers {
             $($(#[$about])* $Room($room::Numbers)),*
         }

@@ -10,7 +10,7 @@ use contact_vv::report::front::nearness;
 use contact_vv::report::front::{self, against, right};
 use contact_vv::report::links::PAGES;
 use contact_vv::report::{Page, case_page, checks, difference, files, links, study_page, symbols, told, write};
-use contact_vv::study::cases::page::page;
+use contact_vv::study::cases::page;
 use contact_vv::study::{Finding, Room};
 
 /// Most lines of the front page.

@@ -10,10 +10,9 @@ use contact_vv::mesh::{Order, Resolution};
 use contact_vv::solution::{IterationError, Work};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::stability::{Limit, halving, linear, rate, release};
-use contact_vv::study::stability::halving::{Iterations, Law, Mesh, Scene};
-use contact_vv::study::stability::judge::rate_check;
-use contact_vv::study::stability::rates::Start;
-use contact_vv::study::stability::{Numbers, before, judge};
+use contact_vv::study::stability::halving::{Mesh, Scene};
+use contact_vv::study::stability::rates::{Before, Rate};
+use contact_vv::study::stability::{Numbers, judge};
 
 fn discretisation() -> Discretisation {
     let scene = library::find("truncated-hertz", None).expect("a scene of the library").scene;
@@ -146,13 +145,13 @@ fn fails(numbers: Numbers) -> bool {
 
 #[test]
 fn no_prediction_of_a_rate_takes_the_place_of_another() {
-    let start = |linearised: f64, measured: f64| Start {
+    let start = |linearised: f64, measured: f64| Rate {
         stiffness: 1.0,
         predicted: 0.96,
         linearised: Some(linearised),
         measured: Some(measured),
     };
-    let judged = |start: Start| judge(&Numbers::Rates(vec![start; 3])).expect("judged").len();
+    let judged = |start: Rate| judge(&Numbers::Rates(vec![start; 3])).expect("judged").len();
     // The slowest mode alone: both predictions are judged. Not alone: the linear iteration is.
     assert_eq!(judged(start(0.96, 0.96)), 7);
     assert_eq!(judged(start(0.95, 0.95)), 4);
@@ -166,7 +165,7 @@ fn no_prediction_of_a_rate_takes_the_place_of_another() {
 
 #[test]
 fn hertz_rate_turns_red_where_the_measured_one_is_not_within_its_factor_or_not_there() {
-    let start = |measured| before::Start { stretch: 1.9, elements: 8, place: 1.01, predicted: 0.99, measured };
+    let start = |measured| Before { stretch: 1.9, elements: 8, place: 1.01, predicted: 0.99, measured };
     let right = [0.985, 0.993, 0.99].map(Some).map(start);
     assert!(!fails(Numbers::Before(right.to_vec())));
     assert!(!fails(Numbers::Before([&right[..], &[start(None)]].concat())));
@@ -180,9 +179,9 @@ fn hertz_rate_turns_red_where_the_measured_one_is_not_within_its_factor_or_not_t
 #[test]
 fn halving_law_judges_soft_starts_only_off_the_scene_of_their_threshold() {
     let law = |scene, soft: usize, hard: usize, from: f64| {
-        let one = |stiffness, measured| Iterations { stiffness, predicted: 5, measured: Some(measured) };
-        let mesh = Mesh { stretch: 1.5, elements: 8, iterations: [one(0.1, soft), one(1.0, 5), one(1e6, hard)] };
-        Numbers::Halving(Law { scene, meshes: vec![mesh], hard_from: vec![from] })
+        let measured = [soft, 5, hard].map(Some);
+        let mesh = Mesh { stretch: 1.5, elements: 8, predicted: [5; 3], measured, hard_from: Some(from) };
+        Numbers::Halving(scene, vec![mesh])
     };
     let threshold = halving::SOFT;
     assert!(!fails(law(Scene::TruncatedHertz, 8, 6, threshold)));
@@ -195,7 +194,8 @@ fn halving_law_judges_soft_starts_only_off_the_scene_of_their_threshold() {
 
 #[test]
 fn a_rate_that_is_not_the_predicted_one_turns_red() {
-    let verdict = |predicted, measured| rate_check(1.0, predicted, measured).verdict;
+    let start = |predicted, measured| Rate { stiffness: 1.0, predicted, linearised: None, measured: Some(measured) };
+    let verdict = |predicted, measured| start(predicted, measured).against("spectral radius", predicted).verdict;
     assert_eq!(verdict(0.98, 0.98), Verdict::Pass);
     assert_eq!(verdict(0.98, 0.9795), Verdict::Pass);
     for (predicted, measured) in
@@ -207,14 +207,10 @@ fn a_rate_that_is_not_the_predicted_one_turns_red() {
 
 #[test]
 fn pin_rod_turns_red_where_twice_the_elements_cost_more_than_a_halving() {
-    let mesh = |elements, measured: [Option<usize>; 3]| {
-        let iterations = measured.map(|measured| Iterations { stiffness: 1.0, predicted: 5, measured });
-        Mesh { stretch: 1.5, elements, iterations }
-    };
+    let mesh = |elements, measured| Mesh { stretch: 1.5, elements, predicted: [5; 3], measured, hard_from: None };
     let verdict = |fine: [Option<usize>; 3]| {
         let meshes = vec![mesh(12, [Some(6), Some(5), Some(5)]), mesh(24, fine)];
-        let law = Law { scene: Scene::PinRod, meshes, hard_from: Vec::new() };
-        let judged = judge(&Numbers::Halving(law)).expect("judged");
+        let judged = judge(&Numbers::Halving(Scene::PinRod, meshes)).expect("judged");
         assert_eq!(judged.len(), 1);
         judged[0].verdict.clone()
     };

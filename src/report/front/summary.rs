@@ -5,7 +5,7 @@ use crate::markdown;
 use crate::report::links::to_page as link;
 use crate::report::matrix::{self, Column};
 use crate::report::{case_page, checks_page, decisions, paper_page, statements, study_page, told};
-use crate::study::cases::page::page;
+use crate::study::cases::page;
 use crate::study::{Finding, Numbers, Room};
 
 /// Judgement and one measured clause.

@@ -1,46 +1,26 @@
 //! Limits of validity: each trial pushes one thing until it fails, and measures the onset.
 //!
-//! * `plan` — the list of limits: a line and a file each.
-//! * `gauss_points` — three Gauss points on an edge.
-//! * `springs` — stiffness against digits.
-//! * `pulled_apart`, `no_load`, `small_load` — loads of the wrong sign, of zero, too small for the mesh.
-//! * `short_candidates`, `body_end` — candidates and bodies that end before the contact.
-//! * `incompressible`, `distorted` — cells.
-//! * `unequal_sizes`, `non_matching` — meshes that differ on the two sides.
-//! * `layer_thickness`, `cycling` — parameters and rules.
-//! * `large_contact` — a/R, where it is the reference that fails.
-//! * `seen` — what the user sees of a run.
-//! * `solved` — scenes meshed and solved, and their errors.
-//! * `written` — numbers in words.
-//! * `row` — a row of the table of limits, and the table behind it.
-//! * `section` — the table and what is behind it.
+//! A function a limit, from the scene to its row of the table; in a folder, since fourteen of them are no page of one file.
+//!
+//! * `push` — one parameter pushed, what was found at every value of it, and how the page says it.
+//! * `springs` — Gauss points on an edge, stiffness against digits, layer thickness, a rule that cycles.
+//! * `loads` — loads of the wrong sign, of zero, too small for the mesh.
+//! * `extent` — candidates and bodies that end before the contact; a/R, where it is the reference that fails.
+//! * `meshes` — cells that lock or are distorted; meshes that differ on the two sides.
 
-mod body_end;
-mod cycling;
-mod distorted;
-mod gauss_points;
-mod incompressible;
-mod large_contact;
-mod layer_thickness;
-mod no_load;
-mod non_matching;
-mod plan;
-mod pulled_apart;
-mod row;
-mod section;
-mod seen;
-mod short_candidates;
-mod small_load;
-mod solved;
+mod extent;
+mod loads;
+mod meshes;
+mod push;
 mod springs;
-mod unequal_sizes;
-mod written;
 
+use crate::case::Judged;
+use crate::error::Error;
+use crate::markdown::{self, Column};
 use crate::study::about::About;
+use crate::study::{Found, Planned};
 
-pub use plan::{Numbers, judge, plan};
-pub use row::{Detail, Limit};
-pub use section::{pictures, section};
+pub use push::Limit as Numbers;
 
 /// What its page is called, what it asks, and what it cannot tell.
 pub const ABOUT: About = About {
@@ -48,3 +28,59 @@ pub const ABOUT: About = About {
     asked: "Where everything but the methods stops being right, and what the user then sees.",
     limits: "One scene a limit: another scene has its onset elsewhere.",
 };
+
+/// Name of a trial, and what pushes.
+type Trial = (&'static str, fn() -> Result<Numbers, Error>);
+
+/// The limits, in the order of the page.
+const LIMITS: [Trial; 14] = [
+    ("three Gauss points", springs::gauss_points),
+    ("spring stiffness", springs::stiffness),
+    ("supported by contact alone", loads::pulled_apart),
+    ("zero load", loads::no_load),
+    ("load too small for the mesh", loads::small_load),
+    ("candidates too short", extent::short_candidates),
+    ("surface too short", extent::body_end),
+    ("near incompressibility", meshes::incompressible),
+    ("distorted cells", meshes::distorted),
+    ("element sizes across the interface", meshes::unequal_sizes),
+    ("non-matching meshes", meshes::non_matching),
+    ("layer thickness", springs::layer_thickness),
+    ("a/R", extent::large_contact),
+    ("cycling", springs::cycling),
+];
+
+/// A trial for each limit.
+pub fn plan() -> Vec<Planned<Numbers>> {
+    LIMITS.into_iter().map(|(name, run)| Planned::new("limits", name, run)).collect()
+}
+
+/// The checks.
+pub fn judge(limit: &Numbers) -> Result<Vec<Judged>, Error> {
+    Ok(limit.judged.clone())
+}
+
+/// Columns of the table of limits.
+const COLUMNS: [Column<Numbers>; 5] = [
+    ("what is pushed", |limit| limit.pushed.into()),
+    ("range tried", |limit| limit.range.clone()),
+    ("measured onset", |limit| limit.onset.clone()),
+    ("what the user sees", |limit| limit.seen.clone()),
+    ("what to do instead", |limit| limit.instead.clone()),
+];
+
+/// The table of limits, and a folded table of the values tried for each.
+pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
+    let limits = || findings.iter().map(|found| found.numbers);
+    let behind: String =
+        limits().filter(|limit| !limit.table.is_empty()).map(|limit| format!("\n{}", limit.table)).collect();
+    Ok(format!(
+        "Each row pushes one thing until it fails. What the user sees is what the program said in that run.\n\n{}{behind}",
+        markdown::columns(&COLUMNS, limits())
+    ))
+}
+
+/// None.
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
+    Ok(Vec::new())
+}

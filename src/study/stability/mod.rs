@@ -1,35 +1,25 @@
-//! Predicted against measured, one iteration at a time.
+//! Predicted against measured, one iteration at a time; in a folder, since its six predictions have little in common.
 //!
-//! * `ground` — the scene and the contact that an iteration ends in.
-//! * `rates` — asymptotic rates of constant and varying stiffness.
-//! * `before` — the rate of varying stiffness, by Hertz's closed form alone.
-//! * `fixed_target` — constant stiffness towards given springs: whether and how fast.
-//! * `basin` — varying stiffness with `correction`: what attracts nearby, and what happens from afar.
-//! * `failing` — why `secant` and `literal` fail with constant stiffness.
-//! * `halving` — iterations of kinematic load.
-//! * `plan` — all of them, by element or by scene.
-//! * `judge` — the predictions hold.
-//! * `section`, `tables` — predictions beside measurements.
+//! * `rates` — asymptotic rates of constant and varying stiffness, a posteriori and by Hertz's closed form alone.
+//! * `springs` — constant stiffness towards given springs, varying stiffness near and far, and rules that fail.
+//! * `halving` — iterations of kinematic load, and the scenes on which predictions are tried.
+//!
+//! Each prediction is made and measured by a function, judged by `judge_…` and shown by `table_of_…`.
 
-pub mod basin;
-pub mod before;
-pub mod failing;
-pub mod fixed_target;
-mod ground;
 pub mod halving;
-pub mod judge;
-mod numbers;
-mod plan;
 pub mod rates;
-mod section;
-mod tables;
+pub mod springs;
 
+use crate::case::Judged;
+use crate::error::Error;
+use crate::markdown;
+use crate::solve::{Element, Iteration};
 use crate::study::about::About;
-
-pub use judge::judge;
-pub use numbers::Numbers;
-pub use plan::plan;
-pub use section::{pictures, section};
+use crate::study::method::Method;
+use crate::study::{Found, Planned};
+use halving::{Mesh, Scene};
+use rates::{Before, Rate};
+use springs::{Basin, Failing, Towards};
 
 /// What its page is called, what it asks, and what it cannot tell.
 pub const ABOUT: About = About {
@@ -37,3 +27,140 @@ pub const ABOUT: About = About {
     asked: "Whether rates and iterations are those that the matrices predict.",
     limits: "What is called a posteriori needs the solved contact, and is no help before it.",
 };
+
+/// What came out of a trial.
+#[derive(Clone, Debug)]
+pub enum Numbers {
+    /// Rates of a method.
+    Rates(Vec<Rate>),
+    /// Rates of varying stiffness before anything is solved.
+    Before(Vec<Before>),
+    /// Constant stiffness towards fixed springs.
+    Towards(Vec<Towards>),
+    /// Varying stiffness with `correction`.
+    Basin(Vec<Basin>),
+    /// Constant stiffness with `secant` and `literal`.
+    Failing(Vec<Failing>),
+    /// The halving law on the meshes of a scene.
+    Halving(Scene, Vec<Mesh>),
+}
+
+/// All trials of the predictions.
+pub fn plan() -> Vec<Planned<Numbers>> {
+    let mut trials = Vec::new();
+    for element in Element::ALL {
+        for algorithm in [Iteration::Constant, Iteration::Varying] {
+            let method = Method::usual(element, algorithm);
+            let run = move || rates::rates(method).map(Numbers::Rates);
+            trials.push(Planned::new("predicted rate of convergence", method.to_string(), run));
+        }
+    }
+    trials.extend([Scene::TruncatedHertz, Scene::Cylinder].map(|scene| {
+        let run = move || rates::before(scene).map(Numbers::Before);
+        Planned::new("rate of varying stiffness before the contact is solved", scene.name(), run)
+    }));
+    trials
+        .extend(by_element("constant stiffness, fixed target springs", |e| springs::towards(e).map(Numbers::Towards)));
+    trials.extend(by_element("varying stiffness with correction, near and far", |e| {
+        springs::basin(e).map(Numbers::Basin)
+    }));
+    trials.extend(by_element("constant stiffness, rules that fail", |e| springs::failing(e).map(Numbers::Failing)));
+    trials.extend(Scene::ALL.map(|scene| {
+        let run = move || halving::meshes(scene).map(|meshes| Numbers::Halving(scene, meshes));
+        Planned::new("predicted iterations of kinematic load", scene.name(), run)
+    }));
+    trials
+}
+
+/// One trial an element.
+fn by_element(case: &str, run: fn(Element) -> Result<Numbers, Error>) -> [Planned<Numbers>; 3] {
+    Element::ALL.map(|element| Planned::new(case, element.name(), move || run(element)))
+}
+
+/// The predictions hold.
+pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
+    Ok(match numbers {
+        Numbers::Rates(starts) => rates::judge_rates(starts),
+        Numbers::Before(meshes) => vec![rates::judge_before(meshes)],
+        Numbers::Towards(starts) => springs::judge_towards(starts),
+        Numbers::Basin(starts) => vec![springs::judge_basin(starts)],
+        Numbers::Failing(starts) => springs::judge_failing(starts),
+        Numbers::Halving(scene, meshes) => halving::judge_halving(*scene, meshes),
+    })
+}
+
+/// A subsection for each prediction.
+pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
+    let (mut rates, mut before, mut basin, mut failing) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut towards, mut halving) = (String::new(), String::new());
+    for Found { case, name, numbers, .. } in findings {
+        match numbers {
+            Numbers::Rates(starts) => rates.extend(starts.iter().map(|start| (*name, start))),
+            Numbers::Before(meshes) => before.extend(meshes.iter().map(|mesh| (*name, mesh))),
+            Numbers::Basin(starts) => basin.extend(starts.iter().map(|start| (*name, start))),
+            Numbers::Failing(starts) => failing.extend(starts.iter().map(|start| (*name, start))),
+            Numbers::Towards(starts) => {
+                let title = format!("{case}, {name}: starts κ₀ from 1e-6 to 1e6 by how they end");
+                towards += &markdown::folded(&title, &springs::table_of_towards(starts), false);
+            }
+            Numbers::Halving(scene, meshes) => {
+                let table = halving::table_of_halving(*scene, meshes);
+                halving += &markdown::folded(&format!("{case}: {name}"), &table, false);
+            }
+        }
+    }
+    Ok([
+        TOWARDS,
+        &towards,
+        RATES,
+        &rates::table_of_rates(&rates),
+        BEFORE,
+        &rates::table_of_before(&before),
+        FAILING,
+        &springs::table_of_failing(&failing),
+        BASIN,
+        &springs::table_of_basin(&basin),
+        HALVING,
+        &halving,
+    ]
+    .concat())
+}
+
+/// None.
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
+    Ok(Vec::new())
+}
+
+const TOWARDS: &str = "## Constant stiffness towards fixed springs\n\n\
+`(S + K₀) u⁺ = f̂ + (K₀ − K*) u` converges if and only if S + K* and S + 2K₀ − K* are positive definite: in effect k₀ ≥ k*/2. \
+Softer springs diverge, stiffer ones crawl. The condition is known before the run for any given springs; those tried here carry the \
+contact's own pressure without a gap, cut off at the κ* given, and are thus known *a posteriori*.\n\n";
+
+const RATES: &str = "## Rates of constant and varying stiffness\n\n\
+*A posteriori*: the asymptotic rate of an iteration is the spectral radius of its error's matrix on the final active set, made of the \
+flexibility of the contact and of its springs, and needs the solved contact; – where too few iterations lie between the final active set \
+and round-off. Truncated Hertz, contact edge between two nodes. Constant stiffness is also followed from its start as a linear iteration \
+on that set, over the same errors: where the start hardly holds the slowest mode, round-off comes before that is alone, and by the \
+linear iteration's own slope no spectral radius is to be measured there. Each prediction has a check of its own.\n\n";
+
+const BEFORE: &str = "\n## Varying stiffness: the rate before anything is solved\n\n\
+*A priori*: the slowest spring to let go is the one next to the contact edge, by w/g an iteration, and Hertz's closed form says w/g at the \
+first node outside. The bound of the factor plays no part in it: near the edge w/g is next to 1. Where in its element the discrete contact \
+ends the closed form does not know. Nodes only: line and layer elements are slowed by an alternating mode of their points inside the \
+contact, which only the solved contact tells.\n\n";
+
+const FAILING: &str = "\n## `secant` and `literal` with constant stiffness\n\n\
+`secant` wants every closed spring to reach p/g: at the contact's centre, where g → 0, that is without bound, and the start must \
+have half of it. `literal` adds up changes of stiffness times approach, which is not the change of the force: what is missing \
+remains in points that open.\n\n";
+
+const BASIN: &str = "\n## Varying stiffness with `correction`\n\n\
+*A posteriori.* Next to the contact it is stable while 2 (S + K*) − max(K*, K₀) is positive definite on the closed points: near the edge, where \
+k* → 0, κ₀ must remain below about twice the stiffness of the bodies. From equal springs, farther away, that is no promise.\n\n";
+
+const HALVING: &str = "\n## Kinematic load: the halving law\n\n\
+Started with every candidate closed it shrinks the contact by halving L² − a²: *a priori* where the half-width is known, as on the \
+cylinder and on truncated Hertz; on the pin-rod the last closed point is taken from the solved contact. From which κ₀ on a start is soft, and \
+takes one iteration more, is read off truncated Hertz, and soft starts are judged on the cylinder. By that law the paper's *two iterations for any initial \
+stiffness* need candidates that end at the contact edge, L = a; elsewhere each halving of the mesh costs one iteration more. It is a law \
+of nodes: the Gauss points of line and layer elements have an alternating mode that it does not know.\n\n";
