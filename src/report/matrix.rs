@@ -10,7 +10,7 @@ use crate::solve::{Element, Iteration, Run};
 use crate::study::{Finding, Numbers};
 
 /// The run of a finding that is one.
-fn run(finding: &Finding) -> Option<&Run> {
+pub fn run(finding: &Finding) -> Option<&Run> {
     match &finding.numbers {
         Numbers::Cases(numbers) => Some(&numbers.run),
         _ => None,

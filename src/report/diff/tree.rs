@@ -43,29 +43,31 @@ impl Tree {
 }
 
 /// A file that differs: its path, and the text before and after.
-pub type Moved<'a> = (&'a str, Option<&'a str>, Option<&'a str>);
+pub type Moved<'a> = (&'a str, [Option<&'a str>; 2]);
 
 /// The files that differ between two trees, in the order of their paths.
-pub fn moved<'a>(before: &'a Tree, after: &'a Tree) -> Vec<Moved<'a>> {
-    let paths: BTreeSet<&str> = before.files.keys().chain(after.files.keys()).map(String::as_str).collect();
-    let both = paths.into_iter().map(|path| (path, before.text(path), after.text(path)));
-    both.filter(|(_, old, new)| old != new).collect()
+pub fn moved<'a>(trees: [&'a Tree; 2]) -> Vec<Moved<'a>> {
+    let paths: BTreeSet<&str> = trees.iter().flat_map(|tree| tree.files.keys()).map(String::as_str).collect();
+    let both = paths.into_iter().map(|path| (path, trees.map(|tree| tree.text(path))));
+    both.filter(|(_, [old, new])| old != new).collect()
+}
+
+/// What became of a file that only one of two trees has.
+pub fn came_or_went(texts: &[Option<&str>; 2]) -> &'static str {
+    if texts[1].is_some() { "new" } else { "GONE" }
 }
 
 fn collect(root: &Path, path: &str, files: &mut BTreeMap<String, String>) -> Result<(), Error> {
     let full = root.join(path);
     let unreadable = |error| Error::unreadable(&full, error, "restore it from git, or make it readable");
-    if !full.exists() {
-        return Ok(());
-    }
     if full.is_dir() {
         for entry in fs::read_dir(&full).map_err(unreadable)? {
             let name = entry.map_err(unreadable)?.file_name().to_string_lossy().into_owned();
             collect(root, &format!("{path}/{name}"), files)?;
         }
-        return Ok(());
+    } else if full.exists() {
+        let text = fs::read(&full).map_err(unreadable)?;
+        files.insert(path.into(), String::from_utf8_lossy(&text).into_owned());
     }
-    let text = fs::read(&full).map_err(unreadable)?;
-    files.insert(path.into(), String::from_utf8_lossy(&text).into_owned());
     Ok(())
 }
