@@ -47,11 +47,14 @@ pub enum Relation {
 }
 
 /// Of what a check is asked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(rename = "Asked")]
 pub enum Scope {
-    /// Of the case, or the study, that declares it.
+    /// Of the case, the scene file or the study that declares it.
     Own,
-    /// Of every run, whatever the case.
+    /// Of every run.
+    #[serde(rename = "every-run")]
     Universal,
 }
 

@@ -4,8 +4,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::accuracy::{Bar, Barred, Bars, Quantity, Subject, Told};
-use crate::cli::found::Found;
 use crate::cli::json::Number;
+use crate::cli::solve::found::Found;
 use crate::cli::terminal::{say, table};
 use crate::markdown;
 
@@ -36,7 +36,7 @@ impl Document {
     /// Every bar of a solve.
     pub fn all(found: &Found) -> Vec<Self> {
         let one = |one: &Barred| {
-            let Told { of, quantity, .. } = Told::of(&found.problem.scene, found.run, one);
+            let Told { of, quantity, .. } = Told::of(&found.problem.scene, &found.run, one);
             let Bar { mesh, iteration, penalty } = one.bar;
             let [mesh, iteration, penalty] = [mesh, iteration, penalty].map(Number::from);
             Self {
@@ -60,7 +60,7 @@ pub fn print(found: &Found) {
     let mut table = table(["of", "quantity", "value ± bound", "unit", "mesh", "iteration", "penalty"]);
     let mut unknown: Vec<(&str, Vec<String>)> = Vec::new();
     for one in all {
-        let Told { of, quantity, unit, factor } = Told::of(&found.problem.scene, found.run, one);
+        let Told { of, quantity, unit, factor } = Told::of(&found.problem.scene, &found.run, one);
         let Bar { mesh, iteration, penalty } = one.bar;
         let part = |part: f64| if part.is_nan() { "unknown".into() } else { markdown::significant(factor * part, 2) };
         let value = match one.value {
