@@ -202,7 +202,8 @@ impl Check {
     }
 }
 
-fn capitalised(sentence: &str) -> String {
+/// A sentence with a capital letter at its beginning.
+pub fn capitalised(sentence: &str) -> String {
     let mut letters = sentence.chars();
     let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
     first + letters.as_str()

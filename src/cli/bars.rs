@@ -8,6 +8,7 @@ use crate::cli::json::Number;
 use crate::cli::solve::found::Found;
 use crate::cli::terminal::{say, table};
 use crate::markdown;
+use crate::report::grouped::in_order;
 
 /// A number and how far it may be from the truth; what is not known is null, and angles are in radians.
 #[derive(Serialize, JsonSchema)]
@@ -58,7 +59,7 @@ impl Document {
 pub fn print(found: &Found) {
     let Some(Bars { all, meshes, .. }) = &found.bars else { return };
     let mut table = table(["of", "quantity", "value ± bound", "unit", "mesh", "iteration", "penalty"]);
-    let mut unknown: Vec<(&str, Vec<String>)> = Vec::new();
+    let mut unknown: Vec<(&str, String)> = Vec::new();
     for one in all {
         let Told { of, quantity, unit, factor } = Told::of(&found.problem.scene, &found.run, one);
         let Bar { mesh, iteration, penalty } = one.bar;
@@ -68,17 +69,11 @@ pub fn print(found: &Found) {
             value if value.is_nan() => "unknown".into(),
             value => format!("{} ± {}", markdown::value(factor * value), part(one.bar.total())),
         };
-        if let Some(why) = one.unknown {
-            let named = format!("{quantity} of `{of}`");
-            match unknown.iter_mut().find(|(known, _)| *known == why) {
-                Some((_, numbers)) => numbers.push(named),
-                None => unknown.push((why, vec![named])),
-            }
-        }
+        unknown.extend(one.unknown.map(|why| (why, format!("{quantity} of `{of}`"))));
         table.add_row([of, quantity, value, unit.into(), part(mesh), part(iteration), part(penalty)]);
     }
     say(table);
-    for (why, numbers) in unknown {
+    for (why, numbers) in in_order(unknown) {
         let of = if numbers.len() == all.len() { "every number".into() } else { numbers.join(", ") };
         say(format!("unknown, since {why}: {of}"));
     }

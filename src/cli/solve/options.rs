@@ -163,21 +163,18 @@ impl Arguments {
 
     /// The same for the same mesh and load, by an element and an algorithm from their own defaults.
     pub fn by(&self, element: Element, algorithm: Iteration, tolerance: Option<f64>) -> Self {
-        let (element, algorithm) = (Some(element), Some(algorithm));
-        let [bound, layer_thickness, stiffness] = [None; 3];
-        let (rule, spring, acceleration, criterion, max_iterations) = (None, None, None, None, None);
         Self {
-            element,
-            algorithm,
-            rule,
-            bound,
-            spring,
-            layer_thickness,
-            acceleration,
-            stiffness,
-            criterion,
+            element: Some(element),
+            algorithm: Some(algorithm),
             tolerance,
-            max_iterations,
+            rule: None,
+            bound: None,
+            spring: None,
+            layer_thickness: None,
+            acceleration: None,
+            stiffness: None,
+            criterion: None,
+            max_iterations: None,
             ..self.clone()
         }
     }

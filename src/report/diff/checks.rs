@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 
 use super::Told;
 use super::pairs::{Pair, Pairs, is_moved};
-use super::words::{counted, differ, grouped, largest_first, some, tally};
+use super::words::{counted, differ, some, tally};
 use crate::case::Relation;
 use crate::markdown::{self, significant};
+use crate::report::grouped::{largest_first, sorted};
 use crate::report::record::{CheckRow, Mark};
 
 /// Digits that the record has.
@@ -100,7 +101,7 @@ fn changes<'a>(
 ) -> Option<Told> {
     let own: Vec<Pair<'a>> = all.iter().filter(|pair| is_one(pair)).copied().collect();
     let sized = own.iter().filter_map(|pair| Some((size(pair)?, *pair)));
-    let groups = grouped(sized.map(|(size, pair)| ((&pair[1].quantity, &pair[1].against, kind(&pair)), (size, pair))));
+    let groups = sorted(sized.map(|(size, pair)| ((&pair[1].quantity, &pair[1].against, kind(&pair)), (size, pair))));
     let mut rows: Vec<(f64, String)> = Vec::new();
     for members in groups.into_values() {
         let largest = members.iter().max_by(|(a, _), (b, _)| a.total_cmp(b));
@@ -212,7 +213,7 @@ fn cases<'a>(both: impl Iterator<Item = &'a CheckRow>, others: &[&'a CheckRow]) 
 
 /// Checks that are in one record only, case by case; whole cases are told as such.
 fn of_one_record(name: &str, rows: &[&CheckRow], others: &Cases, whole: &str) -> Option<Told> {
-    let groups = largest_first(grouped(rows.iter().map(|row| (case(row), *row))));
+    let groups = largest_first(rows.iter().map(|row| (case(row), *row)));
     let told = groups.iter().map(|(case, own)| {
         let failed = own.iter().filter(|row| row.verdict == Mark::Fail).count();
         let failed = if failed > 0 { format!(", {failed} FAIL") } else { String::new() };
@@ -234,13 +235,14 @@ fn fewer_runs(pairs: &[Pair]) -> Option<Told> {
 
 /// Renamed checks, those of one change together.
 fn renamed(pairs: &[Pair]) -> Option<Told> {
-    let parts = |[before, after]: &Pair| -> String {
-        let parts = CheckRow::KEY.iter().zip(before.key().into_iter().zip(after.key()));
-        let changed = parts.filter(|(_, (old, new))| old != new);
-        changed.map(|(part, (old, new))| format!("{part} `{old}` → `{new}`")).collect::<Vec<_>>().join(", ")
-    };
-    let groups = largest_first(grouped(pairs.iter().map(|pair| (parts(pair), ()))));
-    let rows = groups.iter().map(|(parts, own)| format!("{}: {parts}", counted(own.len(), "check")));
+    let changed = pairs.iter().map(|[before, after]| {
+        let parts = before.key().into_iter().zip(after.key()).enumerate();
+        (parts.filter(|(_, (old, new))| old != new).collect::<Vec<_>>(), ())
+    });
+    let rows = largest_first(changed).into_iter().map(|(parts, own)| {
+        let parts = parts.iter().map(|(part, (old, new))| format!("{} `{old}` → `{new}`", CheckRow::KEY[*part]));
+        format!("{}: {}", counted(own.len(), "check"), parts.collect::<Vec<_>>().join(", "))
+    });
     let heading = format!("Renamed, with the same numbers: {}", counted(pairs.len(), "check"));
     (!pairs.is_empty()).then(|| Told::new(heading, rows.collect()))
 }

@@ -1,9 +1,12 @@
 //! Runs, surveys and statements that moved.
 
+use std::collections::BTreeSet;
+
 use super::table::{self, Cells, Change, Difference};
 use super::tree::{Moved, Tree};
-use super::words::{counted, factor, factors, grouped, largest_first, some, tally};
+use super::words::{counted, factor, factors, some, tally};
 use super::{Told, tree};
+use crate::report::grouped::{largest_first, sorted};
 
 /// The column of how a run ends, and its key in a snapshot.
 const OUTCOME: &str = "outcome";
@@ -41,18 +44,19 @@ pub fn frozen(tree: &Tree) -> Cells {
 /// How runs end, and the work they take: those that changed alike in one row.
 pub fn of_runs(name: &str, versions: &[Cells; 2]) -> Option<Told> {
     let difference = Difference::of(versions);
-    let mut columns: Vec<(&str, Vec<Change>)> =
-        difference.columns(|one| difference.kept.contains(one.row)).into_iter().collect();
-    // How a run ends comes before what it took.
-    columns.sort_by_key(|(column, _)| *column != OUTCOME);
-    let mut rows: Vec<String> = columns.into_iter().flat_map(|(column, all)| column_of_runs(column, all)).collect();
+    let is_kept = |one: &Change| difference.kept.contains(one.row);
+    let known: BTreeSet<&str> = versions[0].keys().map(|[_, column]| column.as_str()).collect();
+    // How a run ends comes before what it took, new columns come last.
+    let rank = |column: &str| (column != OUTCOME, !known.contains(column));
+    let columns = sorted(difference.columns(is_kept).map(|(column, one)| ((rank(column), column), one)));
+    let told = columns.into_iter().flat_map(|((_, column), all)| column_of_runs(column, all));
+    let mut rows: Vec<String> = told.collect();
     for (word, names) in ["gone", "new"].into_iter().zip(&difference.lost) {
         let told = || format!("{} {word}: {}", counted(names.len(), "run"), some(names.iter().copied()));
         rows.extend((!names.is_empty()).then(told));
     }
-    let changed = difference.changes.iter().filter(|one| difference.kept.contains(one.row));
-    let changed = grouped(changed.map(|one| (one.row, ()))).len();
-    let heading = format!("{name} that changed: {changed} of {}", difference.kept.len());
+    let changed: BTreeSet<&str> = difference.columns(is_kept).map(|(_, one)| one.row).collect();
+    let heading = format!("{name} that changed: {} of {}", changed.len(), difference.kept.len());
     (!rows.is_empty() && !versions[0].is_empty()).then(|| Told::new(heading, rows))
 }
 

@@ -4,8 +4,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 
-use super::words::grouped;
-
 /// Values by row and column.
 pub type Cells = BTreeMap<[String; 2], String>;
 
@@ -59,9 +57,9 @@ impl<'a> Difference<'a> {
         Self { kept: &old & &new, lost: [&old - &new, &new - &old], changes: changes.collect() }
     }
 
-    /// Changes that are of interest, by column.
-    pub fn columns(&self, is_one: impl Fn(&Change) -> bool) -> BTreeMap<&'a str, Vec<Change<'a>>> {
-        grouped(self.changes.iter().filter(|one| is_one(one)).map(|one| (one.column, *one)))
+    /// Changes that are of interest, with their columns.
+    pub fn columns(&self, is_one: impl Fn(&Change) -> bool) -> impl Iterator<Item = (&'a str, Change<'a>)> {
+        self.changes.iter().filter(move |one| is_one(one)).map(|one| (one.column, *one))
     }
 }
 

@@ -1,9 +1,7 @@
 //! How changes are put into words.
 
-use std::cmp::Reverse;
-use std::collections::BTreeMap;
-
 use crate::markdown;
+use crate::report::grouped::largest_first;
 
 /// Whether two numbers of a record differ; what is no number is like what is no number.
 pub fn differ([before, after]: [f64; 2]) -> bool {
@@ -30,28 +28,12 @@ pub fn factors(all: &[f64]) -> String {
     if most - least <= 0.02 * most { factor(most) } else { format!("{} to {}", factor(least), factor(most)) }
 }
 
-/// What has the same key together.
-pub fn grouped<K: Ord, T>(all: impl IntoIterator<Item = (K, T)>) -> BTreeMap<K, Vec<T>> {
-    let mut groups: BTreeMap<K, Vec<T>> = BTreeMap::new();
-    for (key, one) in all {
-        groups.entry(key).or_default().push(one);
-    }
-    groups
-}
-
-/// Groups, the largest first.
-pub fn largest_first<K: Ord, T>(groups: BTreeMap<K, Vec<T>>) -> Vec<(K, Vec<T>)> {
-    let mut groups: Vec<(K, Vec<T>)> = groups.into_iter().collect();
-    groups.sort_by_key(|(_, members)| Reverse(members.len()));
-    groups
-}
-
 /// Names that are listed before the rest is counted.
 const NAMED: usize = 3;
 
 /// Counted by how often, the most frequent first: `10 converged → capped`.
 pub fn tally(all: impl IntoIterator<Item = String>) -> String {
-    let counts = largest_first(grouped(all.into_iter().map(|what| (what, ()))));
+    let counts = largest_first(all.into_iter().map(|what| (what, ())));
     let shown = counts.iter().take(NAMED).map(|(what, members)| format!("{} {what}", members.len()));
     let more = (counts.len() > NAMED).then(|| format!("{} other kinds", counts.len() - NAMED));
     shown.chain(more).collect::<Vec<_>>().join(", ")
