@@ -105,14 +105,17 @@ impl Answer<'_> {
 
 /// Whether a text is a result of `solve`.
 pub fn is_result(text: &str) -> bool {
-    let found = serde_json::from_str::<serde_json::Value>(text);
-    found.is_ok_and(|found| ["case", "outcome", "seconds", "contacts"].iter().all(|key| found.get(key).is_some()))
+    has(text, &["case", "outcome", "seconds", "contacts"])
 }
 
 /// Whether a text is a result of `compare`.
 pub fn is_comparison(text: &str) -> bool {
+    has(text, &["case", "retained", "formulations"])
+}
+
+fn has(text: &str, keys: &[&str]) -> bool {
     let found = serde_json::from_str::<serde_json::Value>(text);
-    found.is_ok_and(|found| ["case", "retained", "formulations"].iter().all(|key| found.get(key).is_some()))
+    found.is_ok_and(|found| keys.iter().all(|key| found.get(key).is_some()))
 }
 
 /// The schema of all that is printed as JSON (JSON Schema, draft 7).

@@ -36,7 +36,7 @@ pub enum Change {
 
 /// Charts whose data moved, to be seen before and after; then those that only look otherwise. A chart for dark pages is told with its
 /// twin for light ones.
-pub fn told(moved: &[&Moved]) -> Vec<Told> {
+pub fn told(moved: &[Moved]) -> Vec<Told> {
     let has_light_twin = |path: &str| {
         path.strip_suffix("-dark.svg").is_some_and(|name| moved.iter().any(|one| one.0 == format!("{name}.svg")))
     };

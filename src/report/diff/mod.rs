@@ -67,8 +67,20 @@ impl Difference {
         let statements: [Vec<Statement>; 2] =
             both(trees, STATEMENTS, "statements of the paper", record::parsed, &mut notes);
         let pairs = Pairs::of(&records[0], &records[1]);
-        let moved = tree::moved(trees);
-        let files = |kind: Kind| moved.iter().filter(|one| Kind::of(one) == kind).collect::<Vec<&Moved>>();
+        let [mut surveys, mut timings, mut charts, mut others] = [const { Vec::<Moved>::new() }; 4];
+        for one in tree::moved(trees) {
+            let (path, texts) = one;
+            let is_recorded = path.ends_with(".csv") || path.ends_with(".json");
+            let is_frozen = texts.iter().flatten().any(|text| recorded::is_frozen_run(path, text));
+            match path {
+                CHECKS | RUNS | STATEMENTS => {}
+                _ if is_frozen => {}
+                _ if is_recorded && path.starts_with("snapshots/timings/") => timings.push(one),
+                _ if is_recorded => surveys.push(one),
+                _ if path.ends_with(".svg") => charts.push(one),
+                _ => others.push(one),
+            }
+        }
         let frozen = trees.map(recorded::frozen);
         let mut told = checks::asked(&pairs);
         told.extend(recorded::statements(&statements));
@@ -76,35 +88,11 @@ impl Difference {
         told.extend(checks::bars(&pairs));
         told.extend(recorded::of_runs("Runs of the suite", &runs));
         told.extend(recorded::of_runs("Snapshots of runs", &frozen));
-        told.extend(recorded::surveys(&files(Kind::Survey)));
-        told.extend(charts::told(&files(Kind::Chart)));
-        told.extend(pages(&files(Kind::Page)));
-        told.extend(timings::told(&files(Kind::Timing)));
+        told.extend(recorded::surveys(&surveys));
+        told.extend(charts::told(&charts));
+        told.extend(pages(&others));
+        told.extend(timings::told(&timings));
         Self { names: trees.map(|tree| tree.name.clone()), notes, told, worse: checks::worse(&pairs) }
-    }
-}
-
-/// What a file is, as it is compared.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Compared,
-    Survey,
-    Timing,
-    Chart,
-    Page,
-}
-
-impl Kind {
-    fn of((path, texts): &Moved) -> Self {
-        let recorded = path.ends_with(".csv") || path.ends_with(".json");
-        let frozen = || texts.iter().flatten().any(|text| recorded::is_frozen_run(path, text));
-        match path {
-            path if [CHECKS, RUNS, STATEMENTS].contains(path) || frozen() => Self::Compared,
-            path if recorded && path.starts_with("snapshots/timings/") => Self::Timing,
-            _ if recorded => Self::Survey,
-            path if path.ends_with(".svg") => Self::Chart,
-            _ => Self::Page,
-        }
     }
 }
 
@@ -131,8 +119,8 @@ fn both<T: Default>(
 }
 
 /// Generated pages and everything else that moved: how many lines, a row a file.
-fn pages(moved: &[&Moved]) -> Option<Told> {
-    let row = |(path, texts): &&Moved| {
+fn pages(moved: &[Moved]) -> Option<Told> {
+    let row = |(path, texts): &Moved| {
         let mut lines: BTreeMap<&str, i64> = BTreeMap::new();
         for (text, step) in texts.iter().zip([-1, 1]) {
             text.unwrap_or_default().lines().for_each(|line| *lines.entry(line).or_default() += step);

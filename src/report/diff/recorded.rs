@@ -92,8 +92,8 @@ fn spelt(column: &str, all: &[Change]) -> Option<String> {
 }
 
 /// Recorded surveys, a row each.
-pub fn surveys(moved: &[&Moved]) -> Option<Told> {
-    let rows: Vec<String> = moved.iter().map(|one| survey(one)).collect();
+pub fn surveys(moved: &[Moved]) -> Option<Told> {
+    let rows: Vec<String> = moved.iter().map(survey).collect();
     (!rows.is_empty()).then(|| Told::new(format!("Recorded surveys that moved: {}", rows.len()), rows))
 }
 

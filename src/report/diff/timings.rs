@@ -19,7 +19,7 @@ struct Timing<'a> {
 }
 
 /// Medians within noise, slower and faster; then whether anything else in the files moved.
-pub fn told(moved: &[&Moved]) -> Option<Told> {
+pub fn told(moved: &[Moved]) -> Option<Told> {
     let read = moved.iter().filter_map(|(path, texts)| {
         let [before, after] = *texts;
         Some((*path, table::versions(path, [before?, after?])?))
@@ -30,7 +30,7 @@ pub fn told(moved: &[&Moved]) -> Option<Told> {
     let mut beyond: Vec<&Timing> = timings.iter().filter(|one| !one.is_within(noise)).collect();
     let slower = beyond.iter().filter(|one| one.factor() > 1.0).count();
     let mut rows: Vec<String> = versions.iter().filter_map(|(path, both)| others(path, both)).collect();
-    rows.extend(moved.iter().filter(|(_, texts)| texts.contains(&None)).map(|one| recorded::survey(one)));
+    rows.extend(moved.iter().filter(|(_, texts)| texts.contains(&None)).map(recorded::survey));
     if rows.is_empty() {
         rows.push("no count, error or machine beside the seconds moved".into());
     }
