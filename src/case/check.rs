@@ -198,13 +198,6 @@ impl Check {
             Relation::AtMost if reference.value.abs() <= 0.0 => return format!("There shall be no {name}"),
             Relation::AtMost => format!("{name} shall be at most {bound} ({origin})"),
         };
-        capitalised(&sentence)
+        markdown::capitalised(&sentence)
     }
-}
-
-/// A sentence with a capital letter at its beginning.
-pub fn capitalised(sentence: &str) -> String {
-    let mut letters = sentence.chars();
-    let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
-    first + letters.as_str()
 }

@@ -1,6 +1,5 @@
 //! Requirement by requirement: what shall hold is stated once, and what was found stands below it, trial by trial.
 
-use crate::case::check::capitalised;
 use crate::case::{Judged, Quantity, Relation, Scope, Verdict, judged};
 use crate::error::Coordinate;
 use crate::markdown;
@@ -66,7 +65,7 @@ impl Requirement<'_> {
             Relation::AtLeast => "shall be at least its reference",
             Relation::AtMost => "shall be at most its reference",
         };
-        format!("{} {shall}", capitalised(self.first().check.quantity.name()))
+        format!("{} {shall}", markdown::capitalised(self.first().check.quantity.name()))
     }
 
     /// A row for each trial; what is alike in several of them is one row.

@@ -4,10 +4,12 @@
 //! * [`checked`] — a check with its numbers and its verdict, of `solve`, `verify` and `verdicts` alike.
 //! * [`refereed`] — the verdicts on the answer of another code.
 //! * [`compared`] — formulations of one scene side by side.
+//! * [`number`] — a number, which may be unknown.
 
 pub mod checked;
 pub mod compared;
 pub mod contact;
+pub mod number;
 pub mod oracle;
 pub mod refereed;
 pub mod solved;
@@ -21,6 +23,7 @@ use crate::named::named_enum;
 
 pub use checked::{Checked, Line};
 pub use compared::{Compared, Compares};
+pub use number::Number;
 pub use oracle::{OracleReading, Read};
 pub use refereed::Refereed;
 pub use solved::Solved;
@@ -32,30 +35,6 @@ named_enum! {
         Printed = "printed",
         /// An answer that `judge` reads.
         Answer = "answer",
-    }
-}
-
-/// A number; null where it is not known, or has no limit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, JsonSchema)]
-#[serde(transparent)]
-pub struct Number(Option<f64>);
-
-impl Number {
-    /// The number itself; NaN where it is null.
-    pub fn value(self) -> f64 {
-        self.0.unwrap_or(f64::NAN)
-    }
-}
-
-impl From<f64> for Number {
-    fn from(number: f64) -> Self {
-        Some(number).into()
-    }
-}
-
-impl From<Option<f64>> for Number {
-    fn from(number: Option<f64>) -> Self {
-        Self(number.filter(|number| number.is_finite()))
     }
 }
 

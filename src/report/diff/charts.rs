@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use svg::node::Attributes;
 use svg::parser::{Event, Parser};
 
-use super::tree::Moved;
+use super::told::Told;
+use super::tree::{self, Moved};
 use super::words::{counted, some};
-use super::{Told, tree};
 
 /// Attributes that say how something looks, and not what it is.
 const LOOKS: [&str; 8] = [

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::Told;
 use super::pairs::{Pair, Pairs, is_moved};
+use super::told::Told;
 use super::words::{counted, differ, some, tally};
 use crate::case::Relation;
 use crate::markdown::{self, significant};

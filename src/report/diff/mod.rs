@@ -4,7 +4,7 @@
 //! * [`table`] — recorded tables and documents as cells, and their keyed difference.
 //! * [`pairs`] — which check is which, renamed ones too; [`checks`] — their columns, and what a change in each means.
 //! * [`recorded`] — runs, surveys and statements; [`timings`] — seconds; [`charts`].
-//! * [`words`] — changes in words; [`written`] — all of it as text or Markdown.
+//! * [`told`] — a heading with rows; [`words`] — changes in words; [`written`] — all of it as text or Markdown.
 
 pub mod charts;
 pub mod checks;
@@ -13,6 +13,7 @@ pub mod pairs;
 pub mod recorded;
 pub mod table;
 pub mod timings;
+pub mod told;
 pub mod tree;
 pub mod words;
 pub mod written;
@@ -23,26 +24,9 @@ use std::collections::BTreeMap;
 use crate::report::record::{self, CHECKS, CheckRow, RUNS, STATEMENTS};
 use pairs::Pairs;
 use recorded::Statement;
+use told::Told;
 use tree::{Moved, Tree};
 use words::counted;
-
-/// One thing that is told: a heading that counts, rows from the most to the least important, charts to look at.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Told {
-    /// What moved and how much of it: complete without the rows.
-    pub heading: String,
-    /// The rows, the most important first.
-    pub rows: Vec<String>,
-    /// Paths of charts to be seen before and after.
-    pub charts: Vec<String>,
-}
-
-impl Told {
-    /// A heading with rows.
-    pub fn new(heading: String, rows: Vec<String>) -> Self {
-        Self { heading, rows, charts: Vec::new() }
-    }
-}
 
 /// What moved from one tree to another.
 #[derive(Clone, Debug)]

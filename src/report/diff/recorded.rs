@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::table::{self, Cells, Change, Difference};
-use super::tree::{Moved, Tree};
+use super::told::Told;
+use super::tree::{self, Moved, Tree};
 use super::words::{counted, factor, factors, some, tally};
-use super::{Told, tree};
 use crate::report::grouped::{largest_first, sorted};
 
 /// The column of how a run ends, and its key in a snapshot.

@@ -1,9 +1,10 @@
 //! Recorded seconds, apart from everything that does not depend on the machine.
 
+use super::recorded;
 use super::table::{self, Cells, Difference};
+use super::told::Told;
 use super::tree::Moved;
 use super::words::{counted, factor};
-use super::{Told, recorded};
 use crate::markdown::significant;
 
 /// Columns of what is measured once, without a spread.

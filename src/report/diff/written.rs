@@ -1,6 +1,7 @@
 //! A difference as text for a terminal, and as Markdown for a page.
 
-use super::{Difference, Told};
+use super::Difference;
+use super::told::Told;
 
 /// Lines that a difference has at most, where nothing else is asked for.
 pub const LINES: usize = 40;

@@ -2,10 +2,10 @@
 
 use super::deformed;
 use crate::case::Case;
-use crate::case::check::capitalised;
 use crate::error::Error;
 use crate::figure::palette;
 use crate::figure::{Axis, Chart, Colour, Dash, Direction, Guide, Marker, Series, Sheet, Style};
+use crate::markdown;
 use crate::measure::display_factor;
 use crate::scene::ContactPair;
 use crate::solution::{IterationError, PointState};
@@ -57,7 +57,7 @@ fn notes(problem: &Case, run: &Run) -> Vec<String> {
     let of = |(index, pair): (usize, &ContactPair)| {
         let told = |note: String| match several {
             true => format!("{}: {note}.", pair.name),
-            false => capitalised(&note) + ".",
+            false => markdown::capitalised(&note) + ".",
         };
         run.notes(index).into_iter().map(told).collect::<Vec<_>>()
     };
