@@ -264,7 +264,7 @@ const BUDGETS: [(&str, usize); 8] = [
     ("oracle", 4_100),
     ("study", 20_200),
     ("referee", 4_200),
-    ("report", 3_850),
+    ("report", 3_800),
     ("cli", 4_300),
 ];
 

@@ -6,10 +6,12 @@ use crate::markdown;
 use crate::report::grouped::{in_order, sorted};
 use crate::report::told;
 
+/// What a check is told by in a column; the flag tells whether the sentence above the table has its reference and tolerance.
+type Cell = fn(&Judged, bool) -> String;
 /// Name of the first column.
 const TRIAL: &str = "trial";
-/// What was found by a check. Where the sentence has the name of the reference and the tolerance, the cells have not.
-const COLUMNS: [(&str, fn(&Judged, bool) -> String); 8] = [
+/// What was found by a check: the cells have no name of a reference and no tolerance that the sentence has.
+const COLUMNS: [(&str, Cell); 8] = [
     ("at", |one, _| place(&one.check.quantity)),
     ("found", |one, _| match one.check.relation {
         Relation::Error => String::new(),
