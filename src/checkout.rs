@@ -21,17 +21,22 @@ pub fn sha256(bytes: &[u8]) -> String {
 ///
 /// Hidden files do not count, nor what Python and cargo leave behind: every checkout of a commit has the same digest.
 pub fn digest<S: AsRef<str>>(root: &Path, names: &[S]) -> Result<String> {
+    let mut lines = String::new();
+    for file in files(root, names)? {
+        lines += &format!("{}  {file}\n", sha256(&fs::read(root.join(&file))?));
+    }
+    Ok(sha256(lines.as_bytes()))
+}
+
+/// Paths of files and of all files below folders, sorted, without hidden ones and those that Python and cargo leave behind.
+pub fn files<S: AsRef<str>>(root: &Path, names: &[S]) -> Result<Vec<String>> {
     let mut files = Vec::new();
     for name in names {
         collect(root, name.as_ref(), &mut files)?;
     }
     files.sort();
     files.dedup();
-    let mut lines = String::new();
-    for file in files {
-        lines += &format!("{}  {file}\n", sha256(&fs::read(root.join(&file))?));
-    }
-    Ok(sha256(lines.as_bytes()))
+    Ok(files)
 }
 
 /// Paths of the files at or below a path, with `/` between folders on every machine.

@@ -1,4 +1,4 @@
-//! How numbers and tables are written: the same digits on every machine.
+//! How numbers, sentences and tables are written: the same digits on every machine.
 
 /// Below this fraction of its scale a number is round-off and is not shown.
 const ROUND_OFF: f64 = 1e-9;
@@ -72,6 +72,13 @@ pub fn signed(x: f64, digits: usize) -> String {
         x if x < 0.0 => format!("-{size}"),
         _ => size,
     }
+}
+
+/// A sentence with a capital letter at its beginning.
+pub fn capitalised(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
+    first + letters.as_str()
 }
 
 /// A Markdown table, its cells not padded: what changes in one row changes no other.

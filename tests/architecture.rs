@@ -264,8 +264,8 @@ const BUDGETS: [(&str, usize); 8] = [
     ("oracle", 4_100),
     ("study", 19_300),
     ("referee", 4_200),
-    ("report", 4_050),
-    ("cli", 4_350),
+    ("report", 3_800),
+    ("cli", 4_300),
 ];
 
 #[test]

@@ -47,11 +47,14 @@ pub enum Relation {
 }
 
 /// Of what a check is asked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(rename = "Asked")]
 pub enum Scope {
-    /// Of the case, or the study, that declares it.
+    /// Of the case, the scene file or the study that declares it.
     Own,
-    /// Of every run, whatever the case.
+    /// Of every run.
+    #[serde(rename = "every-run")]
     Universal,
 }
 
@@ -195,12 +198,6 @@ impl Check {
             Relation::AtMost if reference.value.abs() <= 0.0 => return format!("There shall be no {name}"),
             Relation::AtMost => format!("{name} shall be at most {bound} ({origin})"),
         };
-        capitalised(&sentence)
+        markdown::capitalised(&sentence)
     }
-}
-
-fn capitalised(sentence: &str) -> String {
-    let mut letters = sentence.chars();
-    let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
-    first + letters.as_str()
 }

@@ -86,7 +86,8 @@ impl Case {
         judged.map_err(|error| self.located(error))
     }
 
-    fn located(&self, error: Error) -> Error {
+    /// The error with its line, where the case is of a file and the error of something in it.
+    pub fn located(&self, error: Error) -> Error {
         match &self.places {
             Some(places) => places.locate(error),
             None => error,

@@ -4,10 +4,11 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::accuracy::{Bar, Barred, Bars, Quantity, Subject, Told};
-use crate::cli::found::Found;
 use crate::cli::json::Number;
+use crate::cli::solve::found::Found;
 use crate::cli::terminal::{say, table};
 use crate::markdown;
+use crate::report::grouped::in_order;
 
 /// A number and how far it may be from the truth; what is not known is null, and angles are in radians.
 #[derive(Serialize, JsonSchema)]
@@ -36,7 +37,7 @@ impl Document {
     /// Every bar of a solve.
     pub fn all(found: &Found) -> Vec<Self> {
         let one = |one: &Barred| {
-            let Told { of, quantity, .. } = Told::of(&found.problem.scene, found.run, one);
+            let Told { of, quantity, .. } = Told::of(&found.problem.scene, &found.run, one);
             let Bar { mesh, iteration, penalty } = one.bar;
             let [mesh, iteration, penalty] = [mesh, iteration, penalty].map(Number::from);
             Self {
@@ -58,9 +59,9 @@ impl Document {
 pub fn print(found: &Found) {
     let Some(Bars { all, meshes, .. }) = &found.bars else { return };
     let mut table = table(["of", "quantity", "value ± bound", "unit", "mesh", "iteration", "penalty"]);
-    let mut unknown: Vec<(&str, Vec<String>)> = Vec::new();
+    let mut unknown: Vec<(&str, String)> = Vec::new();
     for one in all {
-        let Told { of, quantity, unit, factor } = Told::of(&found.problem.scene, found.run, one);
+        let Told { of, quantity, unit, factor } = Told::of(&found.problem.scene, &found.run, one);
         let Bar { mesh, iteration, penalty } = one.bar;
         let part = |part: f64| if part.is_nan() { "unknown".into() } else { markdown::significant(factor * part, 2) };
         let value = match one.value {
@@ -68,17 +69,11 @@ pub fn print(found: &Found) {
             value if value.is_nan() => "unknown".into(),
             value => format!("{} ± {}", markdown::value(factor * value), part(one.bar.total())),
         };
-        if let Some(why) = one.unknown {
-            let named = format!("{quantity} of `{of}`");
-            match unknown.iter_mut().find(|(known, _)| *known == why) {
-                Some((_, numbers)) => numbers.push(named),
-                None => unknown.push((why, vec![named])),
-            }
-        }
+        unknown.extend(one.unknown.map(|why| (why, format!("{quantity} of `{of}`"))));
         table.add_row([of, quantity, value, unit.into(), part(mesh), part(iteration), part(penalty)]);
     }
     say(table);
-    for (why, numbers) in unknown {
+    for (why, numbers) in in_order(unknown) {
         let of = if numbers.len() == all.len() { "every number".into() } else { numbers.join(", ") };
         say(format!("unknown, since {why}: {of}"));
     }

@@ -1,8 +1,34 @@
-//! Values of an option that are the members of an enum, with the first lines of their documentation as help.
+//! What is named on the command line: a case, and values of an option that are the members of an enum.
+
+use std::path::Path;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
-/// The parser of such an option, from all members with their names; other words are refused by clap, which names the members.
+use crate::case::{Case, library};
+use crate::error::Error;
+
+/// The case of the library, for a/R where that is given, or of a scene file, which has none.
+pub fn case(name: &str, a_over_r: Option<f64>) -> Result<Case, Error> {
+    let path = Path::new(name);
+    let is_file = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) || path.exists();
+    match (is_file, a_over_r) {
+        (false, _) => library::find(name, a_over_r),
+        (true, None) => Case::read(path),
+        (true, Some(_)) => {
+            Err(Error::at("--a-over-r", "a scene file has no a/R", "leave it out, and set the load in the file"))
+        }
+    }
+}
+
+/// The command that solves a case with some options, as one would type it.
+pub fn typed<'a>(case: &str, options: impl IntoIterator<Item = (&'a str, Option<String>)>) -> String {
+    let case = if case.contains(' ') { format!("\"{case}\"") } else { case.to_owned() };
+    let given = options.into_iter().filter_map(|(name, value)| Some(format!(" --{name} {}", value?)));
+    format!("contact-vv solve {case}{}", given.collect::<String>())
+}
+
+/// The parser of an option, from all members with their names and the first lines of their documentation as help; other words are
+/// refused by clap, which names the members.
 pub fn choice<T: Copy + Send + Sync>(
     told: &'static [(T, &'static str, &'static str)],
 ) -> impl TypedValueParser<Value = T> {

@@ -7,17 +7,16 @@ use clap::Args;
 use crate::case::Case;
 use crate::cli::ended::Ended;
 use crate::cli::json::{Answer, Compared, Compares};
-use crate::cli::outputs::{self, Output};
-use crate::cli::solve::options::STDOUT;
+use crate::cli::outputs::{self, Output, STDOUT};
 use crate::cli::terminal::{say, table};
-use crate::cli::{json, judge};
+use crate::cli::{choice, json};
 use crate::clock::Stage;
 use crate::error::{Error, meant};
 use crate::figure::{self, Theme};
 use crate::markdown;
 use crate::report::pictures;
 use crate::solution::Outcome;
-use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use crate::solve::{Element, Formulation, Iteration, Run};
 
 /// Arguments of `compare`.
 #[derive(Debug, Args)]
@@ -43,7 +42,7 @@ pub struct Arguments {
 
 /// Solves the scene by each formulation; one that fails is a row with its reason. Well where one of them converges.
 pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
-    let case = judge::named(&arguments.case)?;
+    let case = choice::case(&arguments.case, None)?;
     let formulations = arguments.chosen(&case)?;
     arguments.refuse_unwritable(&case)?;
     let discretisation = case.meshed()?.discretisation;
@@ -55,7 +54,8 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
     }
     rows.sort_by(|a, b| a.rank().cmp(&b.rank()).then(a.operations.value().total_cmp(&b.operations.value())));
     let ended = if rows.iter().any(Compares::converged) { Ended::Well } else { Ended::NotConverged };
-    let compared = compared(&case, &discretisation, rows);
+    let [dofs, retained] = [discretisation.system.dofs(), discretisation.condensed.retained()];
+    let compared = Compared { case: case.name.clone(), dofs, retained, formulations: rows };
     let to_stdout = arguments.json.as_deref() == Some(Path::new(STDOUT));
     if !to_stdout {
         print(&compared);
@@ -72,11 +72,6 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
         std::fs::write(path, drawing.svg(Theme::Light)).map_err(|error| Error::unwritable(path, error))?;
     }
     Ok(ended)
-}
-
-fn compared(case: &Case, discretisation: &Discretisation, formulations: Vec<Compares>) -> Compared {
-    let [dofs, retained] = [discretisation.system.dofs(), discretisation.condensed.retained()];
-    Compared { case: case.name.clone(), dofs, retained, formulations }
 }
 
 impl Arguments {
@@ -114,23 +109,12 @@ impl Arguments {
 
     /// What one came to.
     fn row(&self, formulation: &Formulation, run: &Result<Run, Error>) -> Compares {
-        let command = self.command(formulation);
-        let formulation = formulation.name();
+        let (formulation, command) = (formulation.name(), self.command(formulation));
         let run = match run {
             Ok(run) => run,
             Err(error) => {
-                let unknown = f64::NAN.into();
-                return Compares {
-                    formulation,
-                    outcome: REFUSED.into(),
-                    iterations: None,
-                    factorisations: None,
-                    operations: unknown,
-                    error: unknown,
-                    seconds: unknown,
-                    reason: Some(format!("{}: {}", error.message, error.remedy)),
-                    command,
-                };
+                let reason = Some(format!("{}: {}", error.message, error.remedy));
+                return Compares { formulation, outcome: REFUSED.into(), reason, command, ..Compares::default() };
             }
         };
         let (solution, work) = (&run.solution, &run.solution.work);
@@ -158,32 +142,24 @@ impl Arguments {
     fn command(&self, formulation: &Formulation) -> String {
         let (element, algorithm) = (formulation.element, formulation.algorithm);
         let by_default = Formulation::accelerated(element, algorithm).acceleration;
-        let acceleration = formulation.acceleration;
-        let [tolerance, acceleration] = [
-            self.tolerance.map(|tolerance| format!(" --tolerance {tolerance:e}")),
-            (acceleration != by_default).then(|| format!(" --acceleration {}", acceleration.name())),
-        ]
-        .map(Option::unwrap_or_default);
-        let [element, algorithm] = [element.name(), algorithm.name()];
-        let case = if self.case.contains(' ') { format!("\"{}\"", self.case) } else { self.case.clone() };
-        format!("contact-vv solve {case} --element {element} --algorithm {algorithm}{acceleration}{tolerance}")
+        let acceleration = Some(formulation.acceleration).filter(|own| *own != by_default);
+        let options = [
+            ("element", Some(element.name().into())),
+            ("algorithm", Some(algorithm.name().into())),
+            ("acceleration", acceleration.map(|own| own.name().into())),
+            ("tolerance", self.tolerance.map(|tolerance| format!("{tolerance:e}"))),
+        ];
+        choice::typed(&self.case, options)
     }
 
     /// Refuses outputs that cannot be written, or by which something would be lost, before anything is solved.
     fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
-        if let Some(path) = self.plot.as_ref().filter(|path| path.extension().is_none_or(|end| end != "svg")) {
-            let (path, remedy) = (path.display(), "end the file name in .svg");
-            return Err(Error::value("compare", "--plot", path, "plots are SVG", remedy));
-        }
-        let json = self.json.as_deref().filter(|path| path.as_os_str() != STDOUT);
-        let earlier = [
-            ("--json", json, json::is_comparison as fn(&str) -> bool),
-            ("--plot", self.plot.as_deref(), figure::is_drawing),
+        outputs::refuse_plot("compare", &self.plot)?;
+        let files = [
+            Output::of("--json", &self.json, json::is_comparison),
+            Output::of("--plot", &self.plot, figure::is_drawing),
         ];
-        let files = earlier.into_iter().filter_map(|(option, path, is_earlier)| {
-            Some(Output { option, path: path?, is_earlier: Box::new(is_earlier) })
-        });
-        outputs::refuse("compare", &files.collect::<Vec<_>>(), &case.read_files(), self.force)
+        outputs::refuse("compare", files, &case.read_files(), self.force)
     }
 }
 

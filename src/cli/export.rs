@@ -9,7 +9,7 @@ use crate::case::Case;
 use crate::cli::outputs::{self, Output};
 use crate::cli::solve::profile;
 use crate::cli::terminal::say;
-use crate::cli::{judge, vtu, writable};
+use crate::cli::{choice, vtu, writable};
 use crate::error::Error;
 use crate::referee::Truth;
 use crate::referee::document::{Document, schema};
@@ -32,22 +32,18 @@ pub struct Arguments {
 
 /// Writes the files, and names them.
 pub fn run(arguments: &Arguments) -> Result<(), Error> {
-    let case = judge::named(&arguments.case)?;
+    let case = choice::case(&arguments.case, None)?;
     let folder = &arguments.folder;
     writable::folder(folder, "name a folder that may be written")?;
-    let places = case.places.clone();
-    let written = files(&case).map_err(|error| match &places {
-        Some(places) => places.locate(error),
-        None => error,
-    })?;
+    let written = files(&case).map_err(|error| case.located(error))?;
     let paths: Vec<PathBuf> = written.iter().map(|(name, ..)| folder.join(name)).collect();
     // The folders above an export are made with it.
     let there = paths.iter().zip(&written).filter(|_| folder.exists());
     let files = there.map(|(path, (_, text, _))| {
         let is_earlier = Box::new(move |there: &str| there == text);
-        Output { option: "file", path, is_earlier }
+        Some(Output { option: "file", path, is_earlier })
     });
-    outputs::refuse("export", &files.collect::<Vec<_>>(), &case.read_files(), arguments.force)?;
+    outputs::refuse("export", files, &case.read_files(), arguments.force)?;
     fs::create_dir_all(folder).map_err(|error| Error::unwritable(folder, error))?;
     for (path, (_, text, what)) in paths.iter().zip(written) {
         fs::write(path, text).map_err(|error| Error::unwritable(path, error))?;

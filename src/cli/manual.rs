@@ -33,8 +33,8 @@ pub fn man(folder: Option<&Path>, command: Command, force: bool) -> Result<(), E
     let pages = if folder.is_dir() { pages(NAME, &command) } else { vec![] };
     let pages: Vec<PathBuf> = pages.iter().map(|page| folder.join(page)).collect();
     let is_page = |text: &str| text.contains("\n.TH contact-vv");
-    let pages = pages.iter().map(|path| Output { option: "page", path, is_earlier: Box::new(is_page) });
-    outputs::refuse("man", &pages.collect::<Vec<_>>(), &[], force)?;
+    let pages = pages.iter().map(|path| Some(Output { option: "page", path, is_earlier: Box::new(is_page) }));
+    outputs::refuse("man", pages, &[], force)?;
     let unwritable = |error: std::io::Error| Error::unwritable(folder, error);
     std::fs::create_dir_all(folder).map_err(unwritable)?;
     clap_mangen::generate_to(command, folder).map_err(unwritable)?;

@@ -12,11 +12,10 @@
 //! * [`compare`] — one case by all nine formulations.
 //! * [`verify`] — scene files with their checks.
 //! * [`judge`] — answers of other codes; [`export`] — what they need to run a case.
-//! * `found` — what it found.
 //! * `bars` — how far each number may be from the truth.
 //! * [`reactions`] — what its supports exert.
 //! * [`json`] — all that is printed as JSON, and its schema.
-//! * `terminal` — lines, tables, errors and a bar of progress; `choice` — options of named values.
+//! * `terminal` — lines, tables, errors and a bar of progress; `choice` — cases and values by name.
 //! * [`vtu`] — its fields for ParaView.
 //! * [`new`] — scene files to begin with.
 //! * [`manual`] — shell completions and manual pages; [`examples`] — those in the help.
@@ -30,7 +29,6 @@ pub mod compare;
 pub mod ended;
 pub mod examples;
 pub mod export;
-mod found;
 pub mod json;
 pub mod judge;
 pub mod manual;

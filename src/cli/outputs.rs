@@ -9,6 +9,9 @@ use crate::error::Error;
 /// What to do about a file that would be lost.
 const FORCE: &str = "name another file, or add --force to replace it";
 
+/// What stands for standard output in place of a file.
+pub const STDOUT: &str = "-";
+
 /// A file that a command is to write.
 pub struct Output<'a> {
     /// What asks for it.
@@ -19,9 +22,25 @@ pub struct Output<'a> {
     pub is_earlier: Box<dyn Fn(&str) -> bool + 'a>,
 }
 
+/// Refuses a drawing whose name would not tell its format.
+pub fn refuse_plot(command: &str, plot: &Option<PathBuf>) -> Result<(), Error> {
+    match plot.as_ref().filter(|path| path.extension().is_none_or(|end| end != "svg")) {
+        Some(path) => {
+            Err(Error::value(command, "--plot", path.display(), "plots are SVG", "end the file name in .svg"))
+        }
+        None => Ok(()),
+    }
+}
+
 /// Refuses outputs that cannot be written, that are a file which the command reads or another output, and, unless it is forced,
 /// those in whose place there is something else than an earlier output of the same kind.
-pub fn refuse(command: &str, outputs: &[Output], inputs: &[PathBuf], force: bool) -> Result<(), Error> {
+pub fn refuse<'a>(
+    command: &str,
+    outputs: impl IntoIterator<Item = Option<Output<'a>>>,
+    inputs: &[PathBuf],
+    force: bool,
+) -> Result<(), Error> {
+    let outputs: Vec<Output> = outputs.into_iter().flatten().collect();
     let refused = |output: &Output, message: &str, remedy: &str| {
         Err(Error::value(command, output.option, output.path.display(), message, remedy))
     };
@@ -48,7 +67,13 @@ pub fn refuse(command: &str, outputs: &[Output], inputs: &[PathBuf], force: bool
     }
 }
 
-impl Output<'_> {
+impl<'a> Output<'a> {
+    /// The file that an option asks for; none without it, or where it goes to standard output.
+    pub fn of(option: &'static str, path: &'a Option<PathBuf>, is_earlier: fn(&str) -> bool) -> Option<Self> {
+        let path = path.as_deref().filter(|path| path.as_os_str() != STDOUT)?;
+        Some(Self { option, path, is_earlier: Box::new(is_earlier) })
+    }
+
     /// Whether nothing is lost: no file is there, an empty one, or an earlier output.
     fn may_be_replaced(&self) -> bool {
         if !self.path.exists() || !holds_text(self.path) {

@@ -4,6 +4,7 @@ use crate::case::{Case, Judged, Verdict};
 use crate::markdown;
 use crate::measure::display_factor;
 use crate::oracle::ReferenceKind;
+use crate::report::grouped::{counted, in_order};
 use crate::report::{checks, heading};
 use crate::study::cases::{self, Numbers, charts, page as name_of, remark, sketch};
 use crate::study::{Finding, Numbers as Any, described};
@@ -23,16 +24,11 @@ pub fn file(name: &str) -> String {
 
 /// All pages of cases, in the order of the suite.
 pub fn shared(findings: &[Finding]) -> Vec<Shared<'_>> {
-    let mut pages: Vec<Shared> = Vec::new();
-    for finding in findings {
-        let Any::Cases(numbers) = &finding.numbers else { continue };
-        let name = name_of(&numbers.case);
-        match pages.iter_mut().find(|page| page.name == name) {
-            Some(page) => page.runs.push((finding, numbers)),
-            None => pages.push(Shared { name, runs: vec![(finding, numbers)] }),
-        }
-    }
-    pages
+    let runs = findings.iter().filter_map(|finding| match &finding.numbers {
+        Any::Cases(numbers) => Some((name_of(&numbers.case), (finding, numbers))),
+        _ => None,
+    });
+    in_order(runs).into_iter().map(|(name, runs)| Shared { name, runs }).collect()
 }
 
 /// The page; it links the benchmark sheet where there is one.
@@ -80,13 +76,8 @@ fn problem(shared: &Shared, case: &Case, has_sheet: bool) -> String {
 
 /// Where the truth comes from, and how far it can be trusted.
 fn reference(shared: &Shared, judged: &[&Judged]) -> String {
-    let mut sources: Vec<String> = Vec::new();
-    for source in shared.runs.iter().flat_map(|(_, numbers)| cases::sources(numbers)) {
-        if !sources.contains(&source) {
-            sources.push(source);
-        }
-    }
-    let listed: String = sources.iter().map(|source| format!("* {source}\n")).collect();
+    let sources = counted(shared.runs.iter().flat_map(|(_, numbers)| cases::sources(numbers)));
+    let listed: String = sources.iter().map(|(source, _)| format!("* {source}\n")).collect();
     let analytic = || judged.iter().filter(|one| one.reference.kind == ReferenceKind::Analytic);
     let model = analytic().map(|one| one.check.model).fold(0.0, f64::max);
     let uncertain = analytic().any(|one| one.reference.uncertainty.is_none_or(|u| u > 0.0));

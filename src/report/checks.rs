@@ -1,14 +1,34 @@
 //! Requirement by requirement: what shall hold is stated once, and what was found stands below it, trial by trial.
 
-use std::collections::BTreeMap;
-
 use crate::case::{Judged, Quantity, Relation, Scope, Verdict, judged};
 use crate::error::Coordinate;
 use crate::markdown;
+use crate::report::grouped::{in_order, sorted};
 use crate::report::told;
 
-/// Columns of what was found.
-const COLUMNS: [&str; 9] = ["trial", "at", "found", "reference", "error", "tolerance", "bar", "because", "verdict"];
+/// What a check is told by in a column; the flag tells whether the sentence above the table has its reference and tolerance.
+type Cell = fn(&Judged, bool) -> String;
+/// Name of the first column.
+const TRIAL: &str = "trial";
+/// What was found by a check: the cells have no name of a reference and no tolerance that the sentence has.
+const COLUMNS: [(&str, Cell); 8] = [
+    ("at", |one, _| place(&one.check.quantity)),
+    ("found", |one, _| match one.check.relation {
+        Relation::Error => String::new(),
+        _ => with_uncertainty(one.value, one.uncertainty),
+    }),
+    ("reference", held),
+    ("error", |one, _| if matches!(one.verdict, Verdict::NotRun(_)) { "–".into() } else { told::error(one) }),
+    ("tolerance", |one, in_sentence| match one.check.tolerance > 0.0 && !in_sentence {
+        true => markdown::tolerance(one.check.tolerance),
+        false => String::new(),
+    }),
+    ("bar", |one, _| one.bar_as_error().map_or_else(String::new, |bar| told::in_unit(one, bar))),
+    ("because", |one, _| one.check.because.to_string()),
+    ("verdict", |one, _| one.verdict.to_string()),
+];
+/// Column of the reason.
+const BECAUSE: usize = 6;
 /// What a row has.
 type Cells = [String; COLUMNS.len()];
 /// Tables of more rows than this are folded.
@@ -23,11 +43,6 @@ struct Requirement<'a> {
 }
 
 impl Requirement<'_> {
-    fn is_of(&self, one: &Judged) -> bool {
-        let key = |one: &Judged| (one.check.quantity.name().to_string(), one.check.relation, one.reference.kind);
-        key(self.checks[0].1) == key(one)
-    }
-
     fn first(&self) -> &Judged {
         self.checks[0].1
     }
@@ -52,9 +67,7 @@ impl Requirement<'_> {
             Relation::AtLeast => "shall be at least its reference",
             Relation::AtMost => "shall be at most its reference",
         };
-        let name = self.first().check.quantity.name();
-        let start: String = name.chars().take(1).flat_map(char::to_uppercase).collect();
-        format!("{start}{} {shall}", name.chars().skip(1).collect::<String>())
+        format!("{} {shall}", markdown::capitalised(self.first().check.quantity.name()))
     }
 
     /// A row for each trial; what is alike in several of them is one row.
@@ -62,7 +75,7 @@ impl Requirement<'_> {
         let is_one = self.is_one();
         let mut rows: Vec<(Vec<&str>, Cells)> = Vec::new();
         for (name, one) in &self.checks {
-            let cells = cells(one, is_one);
+            let cells = COLUMNS.map(|(_, cell)| cell(one, is_one));
             match rows.iter_mut().find(|(names, other)| !names.contains(name) && *other == cells) {
                 Some((names, _)) => names.push(name),
                 None => rows.push((vec![name], cells)),
@@ -94,14 +107,14 @@ fn summary(own: &[(&str, &Judged)]) -> String {
 
 /// Each requirement once, in the order in which they come.
 fn requirements<'a>(own: &[(&'a str, &'a Judged)]) -> Vec<Requirement<'a>> {
-    let mut all: Vec<Requirement> = Vec::new();
-    for (name, one) in own {
-        match all.iter_mut().find(|requirement| requirement.is_of(one)) {
-            Some(requirement) => requirement.checks.push((name, one)),
-            None => all.push(Requirement { checks: vec![(name, one)] }),
-        }
-    }
-    all
+    let asked = |one: &'a Judged| (one.check.quantity.name(), one.check.relation, one.reference.kind);
+    let groups = in_order(own.iter().map(|&(name, one)| (asked(one), (name, one))));
+    groups.into_iter().map(|(_, checks)| Requirement { checks }).collect()
+}
+
+/// The names of the columns.
+fn head() -> impl Iterator<Item = String> {
+    std::iter::once(TRIAL).chain(COLUMNS.iter().map(|(name, _)| *name)).map(String::from)
 }
 
 /// Requirements of one row each, in one table.
@@ -115,7 +128,7 @@ fn together(single: &[Requirement], trials: usize) -> String {
             format!("{} ({}; {})", one.sentence(), one.first().reference.kind, std::mem::take(&mut cells[BECAUSE]));
         std::iter::once(shall).chain(with_trials(&names, &cells, trials)).collect()
     };
-    let head = std::iter::once("what shall hold (kind; because)").chain(COLUMNS).map(String::from).collect();
+    let head = std::iter::once("what shall hold (kind; because)".into()).chain(head()).collect();
     let (head, rows, told) = without_repeats(head, single.iter().map(row).collect(), single.len() > 1);
     let failed = single.iter().any(Requirement::has_failed);
     let told = if told.is_empty() { told } else { format!("In all rows: {told}.\n\n") };
@@ -125,7 +138,7 @@ fn together(single: &[Requirement], trials: usize) -> String {
 /// A requirement of several rows: what is alike in all of them is told once.
 fn spread(one: &Requirement, trials: usize) -> String {
     let rows = one.rows().iter().map(|(names, cells)| with_trials(names, cells, trials)).collect();
-    let (head, rows, told) = without_repeats(COLUMNS.map(String::from).into(), rows, true);
+    let (head, rows, told) = without_repeats(head().collect(), rows, true);
     let told = if told.is_empty() { told } else { format!(" In all rows: {told}.") };
     let (kind, number) = (one.first().reference.kind, one.checks.len());
     format!("**{}** ({kind}), {number} checks.{told}\n\n{}", one.sentence(), shown(&head, &rows, one.has_failed()))
@@ -146,7 +159,7 @@ fn with_trials(names: &[&str], cells: &Cells, trials: usize) -> Vec<String> {
         [_, _, ..] if names.len() == trials => format!("all {trials} trials"),
         _ => names.join(", "),
     };
-    std::iter::once(told).chain(cells[1..].iter().cloned()).collect()
+    std::iter::once(told).chain(cells.iter().cloned()).collect()
 }
 
 /// A table without its empty columns and, where that is wanted, without those that say the same in every row, but for the first; the latter are told.
@@ -156,38 +169,18 @@ fn without_repeats(head: Vec<String>, rows: Vec<Vec<String>>, lift: bool) -> (Ve
     let lifted: Vec<usize> = (1..head.len()).filter(|&k| lift && same(k) && !is_empty(k)).collect();
     let kept = |k: &usize| !is_empty(*k) && !lifted.contains(k);
     let keep = |row: &[String]| (0..row.len()).filter(kept).map(|k| row[k].clone()).collect::<Vec<_>>();
-    let named =
-        |k: usize| if head[k] == COLUMNS[0] { rows[0][k].clone() } else { format!("{} {}", head[k], rows[0][k]) };
+    let named = |k: usize| if head[k] == TRIAL { rows[0][k].clone() } else { format!("{} {}", head[k], rows[0][k]) };
     let told: Vec<String> = lifted.iter().map(|&k| named(k)).collect();
     (keep(&head), rows.iter().map(|row| keep(row)).collect(), told.join(", "))
 }
 
-/// Column of the reason.
-const BECAUSE: usize = 7;
-
-/// What was found by a check; the first cell is the trial's. Where the sentence has the name of the reference and the tolerance, the
-/// cells have not.
-fn cells(one: &Judged, in_sentence: bool) -> Cells {
-    let found = match one.check.relation {
-        Relation::Error => String::new(),
-        _ => with_uncertainty(one.value, one.uncertainty),
-    };
+/// The reference, where it is not 0; its name where the sentence has not.
+fn held(one: &Judged, in_sentence: bool) -> String {
     let held = match one.reference.value.abs() > 0.0 {
         true => with_uncertainty(one.reference.value, one.reference.uncertainty),
         false => String::new(),
     };
-    let held = if in_sentence { held } else { format!("{} {held}", one.reference.name).trim_end().to_string() };
-    let error = match one.verdict {
-        Verdict::NotRun(_) => "–".into(),
-        _ => told::error(one),
-    };
-    let tolerance = match one.check.tolerance > 0.0 && !in_sentence {
-        true => markdown::tolerance(one.check.tolerance),
-        false => String::new(),
-    };
-    let bar = one.bar_as_error().map_or_else(String::new, |bar| told::in_unit(one, bar));
-    let (at, because) = (place(&one.check.quantity), one.check.because.to_string());
-    [String::new(), at, found, held, error, tolerance, bar, because, one.verdict.to_string()]
+    if in_sentence { held } else { format!("{} {held}", one.reference.name).trim_end().to_string() }
 }
 
 /// Where, or of how many, a number was found, and its unit.
@@ -227,10 +220,8 @@ pub fn of_every_run<'a>(judged: impl Iterator<Item = &'a Judged>) -> String {
 }
 
 fn worst_of_each<'a>(judged: impl Iterator<Item = &'a Judged>, head: &[&str]) -> String {
-    let mut rows: BTreeMap<&str, Vec<&Judged>> = BTreeMap::new();
-    for one in judged.filter(|one| one.check.scope == Scope::Universal) {
-        rows.entry(one.check.quantity.name()).or_default().push(one);
-    }
+    let own = judged.filter(|one| one.check.scope == Scope::Universal);
+    let rows = sorted(own.map(|one| (one.check.quantity.name(), one)));
     if rows.is_empty() {
         return String::new();
     }

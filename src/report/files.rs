@@ -12,72 +12,59 @@ use crate::study::references::SHEETS;
 /// The page's file.
 pub const PAGE: &str = "VALIDATION.md";
 
-/// A folder of files that the page has.
-struct Folder<'a> {
-    path: PathBuf,
-    extension: &'static str,
-    files: &'a [(String, String)],
+/// A folder, the extension of what is in it, and the files that a page has there.
+type Folder<'a> = (&'static str, &'static str, &'a [(String, String)]);
+
+fn folders(page: &Page) -> [Folder<'_>; 3] {
+    [(PAGES, "md", &page.pages), (CHARTS, "svg", &page.charts), (SHEETS, "md", &page.sheets)]
 }
 
-fn folders<'a>(page: &'a Page, root: &Path) -> [Folder<'a>; 3] {
-    [
-        Folder { path: root.join(PAGES), extension: "md", files: &page.pages },
-        Folder { path: root.join(CHARTS), extension: "svg", files: &page.charts },
-        Folder { path: root.join(SHEETS), extension: "md", files: &page.sheets },
-    ]
-}
-
-impl Folder<'_> {
-    /// Committed files that the page no longer has.
-    fn stale(&self) -> Vec<PathBuf> {
-        let Ok(entries) = fs::read_dir(&self.path) else { return Vec::new() };
-        let paths = entries.flatten().map(|entry| entry.path());
-        let own = paths.filter(|path| path.extension().is_some_and(|extension| extension == self.extension));
-        own.filter(|path| !self.files.iter().any(|(name, _)| path.ends_with(name))).collect()
+/// Everything that a page is made of: paths below the root, and texts.
+fn files(page: &Page) -> Vec<(String, String)> {
+    let mut all = vec![(PAGE.to_owned(), page.markdown.clone())];
+    all.extend(page.record.iter().cloned());
+    for (folder, _, files) in folders(page) {
+        all.extend(files.iter().map(|(name, text)| (format!("{folder}/{name}"), text.clone())));
     }
+    all
+}
+
+/// Committed files that the page no longer has.
+fn stale(page: &Page, root: &Path) -> Vec<String> {
+    let of_folder = |(folder, extension, files): Folder| {
+        let entries = fs::read_dir(root.join(folder)).into_iter().flatten().flatten();
+        let there = entries.map(|entry| PathBuf::from(entry.file_name()));
+        let own = there.filter(|name| name.extension().is_some_and(|own| own == extension));
+        let stale = own.filter(|name| !files.iter().any(|(file, _)| name.as_os_str() == file.as_str()));
+        stale.map(|name| format!("{folder}/{}", name.display())).collect::<Vec<_>>()
+    };
+    folders(page).into_iter().flat_map(of_folder).collect()
 }
 
 /// Writes the front page, pages, charts and sheets under a root; those that the page no longer has are removed.
 pub fn write(page: &Page, root: &Path) -> Result<(), Error> {
-    for folder in folders(page, root) {
-        fs::create_dir_all(&folder.path).map_err(|error| unwritable(&folder.path, &error))?;
-        for path in folder.stale() {
-            fs::remove_file(&path).map_err(|error| unwritable(&path, &error))?;
-        }
+    for (folder, ..) in folders(page) {
+        let folder = root.join(folder);
+        fs::create_dir_all(&folder).map_err(|error| Error::unwritable(&folder, error))?;
     }
-    for (path, text) in files(page, root) {
-        fs::write(&path, text).map_err(|error| unwritable(&path, &error))?;
+    for path in stale(page, root) {
+        let path = root.join(path);
+        fs::remove_file(&path).map_err(|error| Error::unwritable(&path, error))?;
     }
-    Ok(())
+    write_all(&files(page), root)
 }
 
 /// Writes files below a root.
 pub fn write_all(files: &[(String, String)], root: &Path) -> Result<(), Error> {
     files.iter().try_for_each(|(path, text)| {
         let path = root.join(path);
-        fs::write(&path, text).map_err(|error| unwritable(&path, &error))
+        fs::write(&path, text).map_err(|error| Error::unwritable(&path, error))
     })
 }
 
 /// What differs between what is committed under a root and the page, files that it no longer has included; none where nothing does.
 pub fn difference(page: &Page, root: &Path) -> Result<Option<Difference>, Error> {
-    let below = |path: &Path| path.strip_prefix(root).unwrap_or(path).to_string_lossy().replace('\\', "/");
-    let made = files(page, root).into_iter().map(|(path, text)| (below(&path), text.to_owned())).collect();
-    let stale: Vec<String> = folders(page, root).iter().flat_map(Folder::stale).map(|path| below(&path)).collect();
     let committed = Tree::on_disk(root)?;
-    let written = committed.with("what the code writes now", made, &stale);
+    let written = committed.with("what the code writes now", files(page), &stale(page, root));
     Ok((committed.files != written.files).then(|| Difference::of(&committed, &written)))
-}
-
-fn files<'a>(page: &'a Page, root: &Path) -> Vec<(PathBuf, &'a str)> {
-    let mut all = vec![(root.join(PAGE), page.markdown.as_str())];
-    all.extend(page.record.iter().map(|(path, text)| (root.join(path), text.as_str())));
-    for folder in folders(page, root) {
-        all.extend(folder.files.iter().map(|(name, text)| (folder.path.join(name), text.as_str())));
-    }
-    all
-}
-
-fn unwritable(path: &Path, error: &std::io::Error) -> Error {
-    Error::unwritable(path, error)
 }

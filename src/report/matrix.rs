@@ -4,13 +4,14 @@ use crate::case::judged::worst;
 use crate::case::{Judged, Verdict};
 use crate::markdown;
 use crate::oracle::ReferenceKind;
+use crate::report::grouped::in_order;
 use crate::report::told;
 use crate::solution::Outcome;
 use crate::solve::{Element, Iteration, Run};
 use crate::study::{Finding, Numbers};
 
 /// The run of a finding that is one.
-fn run(finding: &Finding) -> Option<&Run> {
+pub fn run(finding: &Finding) -> Option<&Run> {
     match &finding.numbers {
         Numbers::Cases(numbers) => Some(&numbers.run),
         _ => None,
@@ -27,14 +28,7 @@ type Case<'a> = (&'a str, Vec<&'a Finding>);
 
 /// Findings by case, in the order of the suite.
 fn by_case<'a>(findings: impl Iterator<Item = &'a Finding>) -> Vec<Case<'a>> {
-    let mut groups: Vec<Case> = Vec::new();
-    for finding in findings {
-        match groups.iter_mut().find(|(case, _)| *case == finding.case) {
-            Some((_, members)) => members.push(finding),
-            None => groups.push((&finding.case, vec![finding])),
-        }
-    }
-    groups
+    in_order(findings.map(|finding| (finding.case.as_str(), finding)))
 }
 
 /// Element and algorithm.

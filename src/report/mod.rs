@@ -12,6 +12,7 @@
 //! * [`pictures`] — the charts by name.
 //! * [`statements`] — the paper's statements, judged.
 //! * [`record`] — what was judged, counted and stated, as tables; [`diff`] — what moved in them between two commits.
+//! * [`grouped`] — what has the same key together.
 //! * [`files`] — writing, and comparing with what is committed.
 
 pub mod case_page;
@@ -21,6 +22,7 @@ pub mod decisions;
 pub mod diff;
 pub mod files;
 pub mod front;
+pub mod grouped;
 mod heading;
 pub mod links;
 pub mod matrix;

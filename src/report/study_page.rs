@@ -2,6 +2,7 @@
 
 use crate::case::{Judged, Verdict};
 use crate::error::Error;
+use crate::report::grouped::counted;
 use crate::report::{checks, heading};
 use crate::study::{Finding, Room};
 
@@ -46,15 +47,11 @@ pub fn tables(room: Room, findings: &[Finding]) -> String {
 
 /// What a study cannot tell, and what of it was not run.
 fn limits(limits: &str, own: &[&Judged]) -> String {
-    let mut absent: Vec<String> = Vec::new();
-    for one in own {
-        if let Verdict::NotRun(why) = &one.verdict {
-            let told = format!("{}: {why}", one.check.quantity);
-            if !absent.contains(&told) {
-                absent.push(told);
-            }
-        }
-    }
+    let absent = own.iter().filter_map(|one| match &one.verdict {
+        Verdict::NotRun(why) => Some(format!("{}: {why}", one.check.quantity)),
+        Verdict::Pass | Verdict::Fail => None,
+    });
+    let absent: Vec<String> = counted(absent).into_iter().map(|(told, _)| told).collect();
     let absent = if absent.is_empty() { String::new() } else { format!(" Not run: {}.", absent.join("; ")) };
     format!("## Limits\n\n{limits}{absent}\n")
 }

@@ -1,6 +1,6 @@
 //! The page of symbols, which every page links.
 
-use crate::markdown;
+use crate::markdown::{self, Column};
 use crate::report::heading;
 
 /// Name of the file.
@@ -31,9 +31,10 @@ pub const SYMBOLS: [[&str; 2]; 17] = [
     ["dofs", "degrees of freedom"],
 ];
 
+const COLUMNS: [Column<[&str; 2]>; 2] = [("symbol", |row| row[0].into()), ("what it stands for", |row| row[1].into())];
+
 /// The page.
 pub fn page() -> String {
-    let rows: Vec<Vec<String>> = SYMBOLS.iter().map(|row| row.map(String::from).into()).collect();
-    let table = markdown::table(&["symbol", "what it stands for"].map(String::from), &rows);
+    let table = markdown::columns(&COLUMNS, &SYMBOLS);
     heading::page("Symbols", "What letters stand for on every page.", &[], &table)
 }

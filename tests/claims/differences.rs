@@ -4,8 +4,7 @@ use contact_vv::case::Relation;
 use contact_vv::report::diff::Difference;
 use contact_vv::report::diff::charts::{Change, change};
 use contact_vv::report::diff::tree::Tree;
-use contact_vv::report::record::rounding::floored;
-use contact_vv::report::record::{self, CHECKS, CheckRow, Mark};
+use contact_vv::report::record::{self, CHECKS, CheckRow, Mark, floored};
 
 /// A check of a case under a formulation, at this share of its tolerance.
 fn check(case: &str, trial: &str, quantity: &str, error: f64) -> CheckRow {
@@ -44,7 +43,7 @@ fn checks() -> Vec<CheckRow> {
             }
         }
     }
-    record::check::numbered(rows)
+    record::numbered(rows)
 }
 
 const SNAPSHOT: &str =
@@ -56,7 +55,7 @@ const TIMINGS: &str = r#"{"machine": {"processor": "one"}, "growth": [{"dofs": 9
 fn tree(rows: &[CheckRow]) -> Tree {
     let mut tree = Tree { name: "a tree".into(), ..Tree::default() };
     let mut put = |path: &str, text: &str| tree.files.insert(path.into(), text.into());
-    put(CHECKS, &record::text(CHECKS, rows).expect("written"));
+    put(CHECKS, &record::text(CHECKS.as_ref(), rows).expect("written"));
     put(
         "snapshots/runs.csv",
         "case,trial,outcome,iterations,factorisations,updates,back_substitutions,dofs,retained\n",
@@ -115,7 +114,7 @@ fn loosened_tolerance_is_told_first_even_of_a_renamed_check() {
         if renamed {
             rows[3].quantity = "another name".into();
         }
-        let (text, worse) = of_checks(record::check::numbered(rows));
+        let (text, worse) = of_checks(record::numbered(rows));
         let second = text.lines().nth(1).expect("a heading");
         assert_eq!(second, "Tolerances LOOSENED: 1 check", "{text}");
         assert!(text.contains("tolerance 1.0 % → 5.0 %"), "{text}");
@@ -149,7 +148,7 @@ fn removed_case_is_told_as_gone() {
 fn renamed_check_is_told_as_renamed() {
     let mut rows = checks();
     rows.iter_mut().filter(|row| row.quantity == "profile").for_each(|row| row.quantity = "pressure profile".into());
-    let (text, worse) = of_checks(record::check::numbered(rows));
+    let (text, worse) = of_checks(record::numbered(rows));
     assert!(text.contains("Renamed, with the same numbers: 10 checks"), "{text}");
     assert!(text.contains("10 checks: quantity `profile` → `pressure profile`"), "{text}");
     assert!(!worse && !text.contains("GONE") && !text.contains("New checks"), "{text}");
@@ -159,7 +158,7 @@ fn renamed_check_is_told_as_renamed() {
 fn new_check_that_fails_is_a_worse_verdict() {
     let mut rows = checks();
     rows.push(check("cylinder", "run 9", "centre", f64::NAN));
-    let (text, worse) = of_checks(record::check::numbered(rows));
+    let (text, worse) = of_checks(record::numbered(rows));
     assert!(worse && text.contains("New checks: 1 of 1 case") && text.contains("1 FAIL"), "{text}");
 }
 
@@ -247,7 +246,7 @@ fn round_off_is_nothing_and_four_digits_are_kept() {
 
 #[test]
 fn checks_that_nothing_tells_apart_are_numbered() {
-    let rows = record::check::numbered(vec![check("a", "b", "c", 1e-3), check("a", "b", "c", 2e-3)]);
+    let rows = record::numbered(vec![check("a", "b", "c", 1e-3), check("a", "b", "c", 2e-3)]);
     assert_eq!(rows.iter().map(|row| row.place.as_str()).collect::<Vec<_>>(), ["", "#2"]);
 }
 
@@ -255,7 +254,7 @@ fn checks_that_nothing_tells_apart_are_numbered() {
 fn check_asked_of_fewer_runs_is_told() {
     let of = |runs: usize| {
         let worst = "pin × run 4".into();
-        CheckRow { runs, worst, ..check(record::check::EVERY_RUN, "", "imbalance", 1e-3) }
+        CheckRow { runs, worst, ..check(record::EVERY_RUN, "", "imbalance", 1e-3) }
     };
     let (text, _) = told(&tree(&[of(30)]), &tree(&[of(29)]));
     assert!(text.contains("Asked of FEWER runs: 1 check") && text.contains("imbalance: 30 → 29 runs"), "{text}");

@@ -21,7 +21,7 @@ pub struct Line {
 }
 
 /// A check; its numbers are in its unit, angles in degrees.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 pub struct Checked {
     /// What is measured, with its place and unit.
     quantity: Option<String>,
@@ -30,7 +30,7 @@ pub struct Checked {
     /// The sentence of what shall hold.
     requirement: String,
     /// Of what it is asked.
-    scope: Option<Asked>,
+    scope: Option<Scope>,
     /// The value found.
     value: Number,
     /// Standard uncertainty of the value; null where it is not known.
@@ -59,18 +59,8 @@ pub struct Checked {
     passed: bool,
 }
 
-/// Of what a check is asked.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-enum Asked {
-    /// Of the case, the scene file or the study that declares it.
-    Own,
-    /// Of every run.
-    EveryRun,
-}
-
 /// A verdict.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, JsonSchema)]
 enum Ended {
     /// The error is within the tolerance.
     #[serde(rename = "pass")]
@@ -79,6 +69,7 @@ enum Ended {
     #[serde(rename = "fail")]
     Fail,
     /// The reference is absent.
+    #[default]
     #[serde(rename = "not run")]
     NotRun,
 }
@@ -108,10 +99,7 @@ impl Checked {
             quantity: Some(check.quantity.to_string()),
             unit: check.quantity.unit(),
             requirement: judged.requirement(),
-            scope: Some(match check.scope {
-                Scope::Own => Asked::Own,
-                Scope::Universal => Asked::EveryRun,
-            }),
+            scope: Some(check.scope),
             value: (*value).into(),
             uncertainty: (*uncertainty).into(),
             bar: (*bar).into(),
@@ -134,25 +122,7 @@ impl Checked {
 
     /// What stands for the checks of a trial that broke off.
     fn broken(error: &Error) -> Self {
-        let unknown = Number::from(f64::NAN);
-        Self {
-            quantity: None,
-            unit: None,
-            requirement: error.to_string(),
-            scope: None,
-            value: unknown,
-            uncertainty: unknown,
-            bar: unknown,
-            reference: unknown,
-            reference_uncertainty: unknown,
-            source: None,
-            kind: None,
-            error: unknown,
-            tolerance: unknown,
-            because: None,
-            verdict: Ended::Fail,
-            reason: Some(error.to_string()),
-            passed: false,
-        }
+        let why = error.to_string();
+        Self { requirement: why.clone(), verdict: Ended::Fail, reason: Some(why), ..Self::default() }
     }
 }

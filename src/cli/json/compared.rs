@@ -20,7 +20,7 @@ pub struct Compared {
 }
 
 /// What one formulation came to.
-#[derive(Serialize, JsonSchema)]
+#[derive(Default, Serialize, JsonSchema)]
 pub struct Compares {
     /// Its name.
     pub formulation: String,

@@ -4,13 +4,11 @@
 //! * [`checked`] — a check with its numbers and its verdict, of `solve`, `verify` and `verdicts` alike.
 //! * [`refereed`] — the verdicts on the answer of another code.
 //! * [`compared`] — formulations of one scene side by side.
-//! * [`listed`] — a case of the library.
 //! * [`number`] — a number, which may be unknown.
 
 pub mod checked;
 pub mod compared;
 pub mod contact;
-pub mod listed;
 pub mod number;
 pub mod oracle;
 pub mod refereed;
@@ -20,11 +18,11 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
 
+use crate::case::library::NAMES;
 use crate::named::named_enum;
 
 pub use checked::{Checked, Line};
 pub use compared::{Compared, Compares};
-pub use listed::Listed;
 pub use number::Number;
 pub use oracle::{OracleReading, Read};
 pub use refereed::Refereed;
@@ -37,6 +35,22 @@ named_enum! {
         Printed = "printed",
         /// An answer that `judge` reads.
         Answer = "answer",
+    }
+}
+
+/// A case of the library.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Listed {
+    /// Its name, as `solve` takes it.
+    name: &'static str,
+    /// What it is.
+    title: &'static str,
+}
+
+impl Listed {
+    /// All of them.
+    pub fn all() -> Vec<Self> {
+        NAMES.map(|(name, title)| Self { name, title }).into()
     }
 }
 
@@ -70,14 +84,17 @@ impl Answer<'_> {
 
 /// Whether a text is a result of `solve`.
 pub fn is_result(text: &str) -> bool {
-    let found = serde_json::from_str::<serde_json::Value>(text);
-    found.is_ok_and(|found| ["case", "outcome", "seconds", "contacts"].iter().all(|key| found.get(key).is_some()))
+    has(text, &["case", "outcome", "seconds", "contacts"])
 }
 
 /// Whether a text is a result of `compare`.
 pub fn is_comparison(text: &str) -> bool {
+    has(text, &["case", "retained", "formulations"])
+}
+
+fn has(text: &str, keys: &[&str]) -> bool {
     let found = serde_json::from_str::<serde_json::Value>(text);
-    found.is_ok_and(|found| ["case", "retained", "formulations"].iter().all(|key| found.get(key).is_some()))
+    found.is_ok_and(|found| keys.iter().all(|key| found.get(key).is_some()))
 }
 
 /// The schema of all that is printed as JSON (JSON Schema, draft 7).

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A number; null where it is not known, or has no limit.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, JsonSchema)]
 #[serde(transparent)]
 pub struct Number(Option<f64>);
 
@@ -17,7 +17,7 @@ impl Number {
 
 impl From<f64> for Number {
     fn from(number: f64) -> Self {
-        Self(Some(number).filter(|number| number.is_finite()))
+        Some(number).into()
     }
 }
 

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::cli::found::Found;
 use crate::cli::reactions::ReactionReading;
+use crate::cli::solve::found::Found;
 use crate::cli::{accuracy, bars};
 use crate::solution::IterationError;
 
@@ -122,8 +122,8 @@ impl From<IterationError> for IterationParts {
 
 impl<'a> Solved<'a> {
     /// The document of a run.
-    pub fn of(found: &'a Found, accuracy: Option<accuracy::Document>) -> Self {
-        let Found { problem, resolution, run, reactions, checks, .. } = found;
+    pub fn of(found: &'a Found) -> Self {
+        let Found { problem, run, reactions, checks, .. } = found;
         let (solution, formulation) = (&run.solution, &run.formulation);
         Self {
             case: &problem.name,
@@ -137,8 +137,8 @@ impl<'a> Solved<'a> {
             acceleration: formulation.acceleration.name(),
             stiffness: formulation.stiffness.into(),
             stiffness_unit: formulation.stiffness_unit.name(),
-            order: resolution.order.number(),
-            resolution: resolution.elements,
+            order: problem.resolution.order.number(),
+            resolution: problem.resolution.elements,
             dofs: run.dofs,
             retained: run.retained,
             outcome: solution.outcome.to_string(),
@@ -155,7 +155,7 @@ impl<'a> Solved<'a> {
             checks: checks.iter().map(Checked::of).collect(),
             oracles: oracle::readings(problem, run),
             notes: found.notes(),
-            accuracy,
+            accuracy: found.accurate.as_ref().map(accuracy::Document::of),
         }
     }
 }

@@ -9,6 +9,7 @@ mod told;
 use std::fs;
 
 use crate::case::Verdict;
+use crate::cli::choice;
 use crate::cli::ended::Ended;
 use crate::cli::json::{Answer, Line, Refereed};
 use crate::cli::terminal::say;
@@ -16,21 +17,17 @@ use crate::error::Error;
 use crate::figure::Theme;
 use crate::referee::{Truth, Verdicts, picture, read, series, verdicts};
 
-pub use options::{Arguments, named};
+pub use options::Arguments;
 
 /// Judges every answer, prints the verdicts and tells how they ended.
 pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
     arguments.refuse()?;
-    let case = arguments.named()?;
+    let case = choice::case(&arguments.case, None)?;
     arguments.refuse_unwritable(&case)?;
     let (asked, tolerance) = (arguments.asked()?, arguments.tolerance()?);
     let answers = arguments.answers.iter().map(|file| read::read(file, &case, &asked));
     let answers = answers.collect::<Result<Vec<_>, Error>>()?;
-    let places = case.places.clone();
-    let truth = Truth::of(case).map_err(|error| match &places {
-        Some(places) => places.locate(error),
-        None => error,
-    })?;
+    let truth = Truth::of(case.clone()).map_err(|error| case.located(error))?;
     let judged = answers.into_iter().map(|answer| verdicts(&truth, answer, tolerance));
     let judged = judged.collect::<Result<Vec<Verdicts>, Error>>()?;
     for one in judged.iter().filter(|_| !arguments.series || arguments.json) {

@@ -1,11 +1,11 @@
 //! Options of `judge`.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
 use crate::accuracy;
-use crate::case::{Case, library};
+use crate::case::Case;
 use crate::cli::choice::choice;
 use crate::cli::outputs::{self, Output};
 use crate::error::Error;
@@ -60,11 +60,6 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// The case of the library or of a file.
-    pub fn named(&self) -> Result<Case, Error> {
-        named(&self.case)
-    }
-
     /// How files are to be read.
     pub fn asked(&self) -> Result<Asked, Error> {
         let pairs = |option: &str, texts: &[String]| {
@@ -95,18 +90,13 @@ impl Arguments {
         if count > 1 {
             return Err(Error::value("judge", "--plot", path.display(), "one answer is drawn", "name one answer"));
         }
-        if path.extension().is_none_or(|end| end != "svg") {
-            return Err(Error::value("judge", "--plot", path.display(), "plots are SVG", "end the file name in .svg"));
-        }
-        Ok(())
+        outputs::refuse_plot("judge", &self.plot)
     }
 
     /// Refuses a drawing that cannot be written, or by which something would be lost.
     pub fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
-        let drawing = |path| Output { option: "--plot", path, is_earlier: Box::new(figure::is_drawing) };
-        let drawing = self.plot.as_deref().map(drawing);
         let inputs = [self.answers.clone(), case.read_files()].concat();
-        outputs::refuse("judge", drawing.as_slice(), &inputs, self.force)
+        outputs::refuse("judge", [Output::of("--plot", &self.plot, figure::is_drawing)], &inputs, self.force)
     }
 
     /// The tolerance asked for.
@@ -115,11 +105,4 @@ impl Arguments {
         let refused = |expected| Error::value("judge", "--tolerance", text, expected, accuracy::remedy());
         accuracy::percentage(text).map_err(refused)
     }
-}
-
-/// The case of the library, or of a scene file.
-pub fn named(name: &str) -> Result<Case, Error> {
-    let path = Path::new(name);
-    let is_file = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) || path.exists();
-    if is_file { Case::read(path) } else { library::find(name, None) }
 }

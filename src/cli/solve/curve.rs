@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::error::Error;
 use crate::measure::display_factor;
+use crate::report::record;
 use crate::scene::{ContactPair, Scene};
 use crate::solve::Discretisation;
 use crate::solve::Run;
@@ -67,12 +68,7 @@ pub fn text(discretisation: &Discretisation, run: &Run, path: &Path) -> Result<S
     if is_json(path) {
         return Ok(serde_json::to_string_pretty(&rows).expect("numbers, strings and lists can be written as JSON"));
     }
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in rows {
-        writer.serialize(row).map_err(|error| Error::unwritable(path, error))?;
-    }
-    let bytes = writer.into_inner().map_err(|error| Error::unwritable(path, error))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    record::text(path, &rows)
 }
 
 /// Whether a text is such a curve.

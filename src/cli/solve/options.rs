@@ -6,9 +6,9 @@ use clap::Args;
 
 use crate::accuracy::{self, Asked};
 use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule, StiffnessUnit};
-use crate::case::{Case, library};
-use crate::cli::choice::choice;
-use crate::cli::outputs::{self, Output};
+use crate::case::Case;
+use crate::cli::choice::{self, choice};
+use crate::cli::outputs::{self, Output, STDOUT};
 use crate::cli::solve::{curve, profile};
 use crate::cli::{json, vtu};
 use crate::error::Error;
@@ -17,9 +17,6 @@ use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Body;
 use crate::solve::{Element, Fitted, Formulation, Iteration};
-
-/// What stands for standard output in place of a file.
-pub const STDOUT: &str = "-";
 
 /// Arguments of `solve`.
 #[derive(Clone, Debug, Args)]
@@ -109,17 +106,11 @@ pub struct Arguments {
 impl Arguments {
     /// The case of the library or of a file.
     pub fn named(&self) -> Result<Case, Error> {
-        let path = Path::new(&self.case);
-        let is_file = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) || path.exists();
-        if !is_file {
-            let case = library::find(&self.case, self.a_over_r)?;
-            return Ok(Case { formulations: vec![Formulation::new(Element::Node, Iteration::Kinematic)], ..case });
-        }
-        if self.a_over_r.is_some() {
-            let remedy = "leave it out, and set the load in the file";
-            return Err(Error::at("--a-over-r", "a scene file has no a/R", remedy));
-        }
-        Case::read(path)
+        let case = choice::case(&self.case, self.a_over_r)?;
+        Ok(match &case.places {
+            Some(_) => case,
+            None => Case { formulations: vec![Formulation::new(Element::Node, Iteration::Kinematic)], ..case },
+        })
     }
 
     /// The accuracy asked for here, else that of the file; the mesh is then chosen by it alone.
@@ -172,39 +163,34 @@ impl Arguments {
 
     /// The same for the same mesh and load, by an element and an algorithm from their own defaults.
     pub fn by(&self, element: Element, algorithm: Iteration, tolerance: Option<f64>) -> Self {
-        let (element, algorithm) = (Some(element), Some(algorithm));
-        let [bound, layer_thickness, stiffness] = [None; 3];
-        let (rule, spring, acceleration, criterion, max_iterations) = (None, None, None, None, None);
         Self {
-            element,
-            algorithm,
-            rule,
-            bound,
-            spring,
-            layer_thickness,
-            acceleration,
-            stiffness,
-            criterion,
+            element: Some(element),
+            algorithm: Some(algorithm),
             tolerance,
-            max_iterations,
+            rule: None,
+            bound: None,
+            spring: None,
+            layer_thickness: None,
+            acceleration: None,
+            stiffness: None,
+            criterion: None,
+            max_iterations: None,
             ..self.clone()
         }
     }
 
     /// What one would type: case, load, mesh, element and algorithm, and the tolerance where one is asked for.
     pub fn typed(&self) -> String {
-        let option = |name: &str, value: Option<String>| value.map(|value| format!(" --{name} {value}"));
         let options = [
-            option("a-over-r", self.a_over_r.map(|ratio| ratio.to_string())),
-            option("order", self.order.map(|order| order.number().to_string())),
-            option("resolution", self.resolution.map(|elements| elements.to_string())),
-            option("element", self.element.map(|element| element.name().into())),
-            option("algorithm", self.algorithm.map(|algorithm| algorithm.name().into())),
-            option("increments", self.increments.map(|increments| increments.to_string())),
-            option("tolerance", self.tolerance.map(|tolerance| format!("{tolerance:e}"))),
+            ("a-over-r", self.a_over_r.map(|ratio| ratio.to_string())),
+            ("order", self.order.map(|order| order.number().to_string())),
+            ("resolution", self.resolution.map(|elements| elements.to_string())),
+            ("element", self.element.map(|element| element.name().into())),
+            ("algorithm", self.algorithm.map(|algorithm| algorithm.name().into())),
+            ("increments", self.increments.map(|increments| increments.to_string())),
+            ("tolerance", self.tolerance.map(|tolerance| format!("{tolerance:e}"))),
         ];
-        let case = if self.case.contains(' ') { format!("\"{}\"", self.case) } else { self.case.clone() };
-        format!("contact-vv solve {case}{}", options.into_iter().flatten().collect::<String>())
+        choice::typed(&self.case, options)
     }
 
     /// The mesh fitted to the contact that is asked for; none where it is not.
@@ -253,18 +239,14 @@ impl Arguments {
 
     /// Refuses outputs that cannot be written, or by which something would be lost, before anything is solved.
     pub fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
-        let all = [
-            ("--json", &self.json, json::is_result as fn(&str) -> bool),
-            ("--csv", &self.csv, profile::is_profile),
-            ("--curve", &self.curve, curve::is_curve),
-            ("--vtu", &self.vtu, vtu::is_ours),
-            ("--plot", &self.plot, figure::is_drawing),
+        let files = [
+            Output::of("--json", &self.json, json::is_result),
+            Output::of("--csv", &self.csv, profile::is_profile),
+            Output::of("--curve", &self.curve, curve::is_curve),
+            Output::of("--vtu", &self.vtu, vtu::is_ours),
+            Output::of("--plot", &self.plot, figure::is_drawing),
         ];
-        let files = all.into_iter().filter_map(|(option, path, is_earlier)| {
-            let path = path.as_deref().filter(|path| path.as_os_str() != STDOUT)?;
-            Some(Output { option, path, is_earlier: Box::new(is_earlier) })
-        });
-        outputs::refuse("solve", &files.collect::<Vec<_>>(), &case.read_files(), self.force)
+        outputs::refuse("solve", files, &case.read_files(), self.force)
     }
 
     /// Refuses names of outputs that would not tell their format.
@@ -275,9 +257,7 @@ impl Arguments {
             let remedy = "name a file; `--json -` writes to standard output";
             return Err(Error::value("solve", option, STDOUT, "this output goes to a file", remedy));
         }
-        if let Some(path) = self.plot.as_ref().filter(|path| path.extension().is_none_or(|end| end != "svg")) {
-            return Err(Error::value("solve", "--plot", path.display(), "plots are SVG", "end the file name in .svg"));
-        }
+        outputs::refuse_plot("solve", &self.plot)?;
         if let Some(path) = self.vtu.as_ref().filter(|path| path.extension().is_none_or(|end| end != "vtu")) {
             let remedy = "end the file name in .vtu, by which ParaView knows the format";
             return Err(Error::value("solve", "--vtu", path.display(), "fields are VTK unstructured grids", remedy));

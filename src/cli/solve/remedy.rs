@@ -2,18 +2,15 @@
 
 use crate::case::Case;
 use crate::cli::solve::Arguments;
+use crate::cli::solve::found::Found;
 use crate::markdown;
 use crate::solution::Outcome;
-use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use crate::solve::{Element, Formulation, Iteration, Run};
 
 /// The command that does converge on this mesh to the same tolerance, nearest to what was asked: it was tried here. None where none of
 /// those tried does.
-pub fn converging(
-    arguments: &Arguments,
-    own: &Formulation,
-    discretisation: &Discretisation,
-    run: &Run,
-) -> Option<String> {
+pub fn converging(arguments: &Arguments, Found { problem, discretisation, run, .. }: &Found) -> Option<String> {
+    let own = problem.formulation();
     let Formulation { element, algorithm, .. } = run.formulation;
     let tolerance = run.formulation.settings.tolerance;
     let (node, kinematic) = (Element::Node, Iteration::Kinematic);

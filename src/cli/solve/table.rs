@@ -1,9 +1,9 @@
 //! The result of a solve as lines on standard output.
 
 use crate::algorithm::Acceleration;
-use crate::cli::found::Found;
 use crate::cli::json::{OracleReading, Read, oracle};
 use crate::cli::reactions::ReactionReading;
+use crate::cli::solve::found::Found;
 use crate::cli::terminal::say;
 use crate::cli::{bars, verify};
 use crate::markdown;
@@ -17,9 +17,9 @@ const ROUND_OFF: f64 = 1e-9;
 
 /// Prints what was solved, how it ended, what was measured, and how far that is from the oracle.
 pub fn print(found: &Found) {
-    let Found { problem, resolution, run, reactions, checks, .. } = found;
+    let Found { problem, run, reactions, checks, .. } = found;
     say(format!("{}: {}", problem.name, problem.title));
-    print_work(run, resolution.order);
+    print_work(run, problem.resolution.order);
     let several = run.contacts.len() > 1;
     for (index, pair) in problem.scene.contacts.iter().enumerate() {
         if several {

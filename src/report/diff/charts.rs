@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use svg::parser::Event;
+use svg::node::Attributes;
+use svg::parser::{Event, Parser};
 
 use super::told::Told;
-use super::tree::Moved;
+use super::tree::{self, Moved};
 use super::words::{counted, some};
 
 /// Attributes that say how something looks, and not what it is.
@@ -23,7 +24,7 @@ const LOOKS: [&str; 8] = [
 const COLOURS: [&str; 3] = ["fill", "stroke", "stop-color"];
 
 /// What of a chart moved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Change {
     /// What is drawn.
     Data,
@@ -35,32 +36,34 @@ pub enum Change {
 
 /// Charts whose data moved, to be seen before and after; then those that only look otherwise. A chart for dark pages is told with its
 /// twin for light ones.
-pub fn told(moved: &[&Moved]) -> Vec<Told> {
-    let paths: Vec<&str> = moved.iter().map(|one| one.0).collect();
-    let twin =
-        |path: &str| path.strip_suffix("-dark.svg").is_some_and(|name| paths.contains(&format!("{name}.svg").as_str()));
-    let moved: Vec<&Moved> = moved.iter().copied().filter(|one| !twin(one.0)).collect();
-    let (both, single): (Vec<&&Moved>, Vec<&&Moved>) = moved.iter().partition(|one| one.1.is_some() && one.2.is_some());
-    let of = |wanted: Change| -> Vec<&str> {
-        let is_one = |one: &&&&Moved| one.1.zip(one.2).is_some_and(|(old, new)| change(old, new) == wanted);
-        both.iter().filter(is_one).map(|one| one.0).collect()
+pub fn told(moved: &[Moved]) -> Vec<Told> {
+    let has_light_twin = |path: &str| {
+        path.strip_suffix("-dark.svg").is_some_and(|name| moved.iter().any(|one| one.0 == format!("{name}.svg")))
     };
-    let [data, words, looks] = [Change::Data, Change::Words, Change::Looks].map(of);
-    let mut told = Vec::new();
-    if !data.is_empty() || !single.is_empty() {
-        let mut rows: Vec<String> = data.iter().map(|path| path.to_string()).collect();
-        rows.extend(single.iter().map(|one| format!("{}: {}", one.0, if one.2.is_some() { "new" } else { "GONE" })));
-        let heading = format!("Charts whose data moved: {}, {} new or gone", data.len(), single.len());
-        let charts = data.iter().copied().chain(single.iter().map(|one| one.0)).map(String::from).collect();
-        told.push(Told { charts, ..Told::new(heading, rows) });
-    }
-    for (paths, what) in
-        [(words, "only words moved, no data"), (looks, "only colours, dashes or fonts were exchanged, no data moved")]
-    {
-        if !paths.is_empty() {
-            told.push(Told::new(format!("{}: {what}", counted(paths.len(), "chart")), vec![some(&paths)]));
+    let mut both: BTreeMap<Change, Vec<&str>> = BTreeMap::new();
+    let mut single: Vec<(&str, &str)> = Vec::new();
+    for (path, texts) in moved.iter().filter(|one| !has_light_twin(one.0)) {
+        match texts {
+            [Some(old), Some(new)] => both.entry(change(old, new)).or_default().push(path),
+            _ => single.push((path, tree::came_or_went(texts))),
         }
     }
+    let data = both.remove(&Change::Data).unwrap_or_default();
+    let mut told = Vec::new();
+    if !data.is_empty() || !single.is_empty() {
+        let rows = data.iter().map(|path| path.to_string());
+        let rows = rows.chain(single.iter().map(|(path, how)| format!("{path}: {how}"))).collect();
+        let heading = format!("Charts whose data moved: {}, {} new or gone", data.len(), single.len());
+        let charts = data.iter().chain(single.iter().map(|(path, _)| path)).map(|path| path.to_string()).collect();
+        told.push(Told { charts, ..Told::new(heading, rows) });
+    }
+    told.extend(both.into_iter().map(|(change, paths)| {
+        let what = match change {
+            Change::Words => "only words moved, no data",
+            Change::Data | Change::Looks => "only colours, dashes or fonts were exchanged, no data moved",
+        };
+        Told::new(format!("{}: {what}", counted(paths.len(), "chart")), vec![some(paths)])
+    }));
     told
 }
 
@@ -69,35 +72,27 @@ pub fn told(moved: &[&Moved]) -> Vec<Told> {
 /// Colours may be data, in maps: a drawing looks otherwise where each old colour became one new one everywhere, and no two became
 /// the same.
 pub fn change(before: &str, after: &str) -> Change {
-    let mut sides = [before, after].map(svg::parser::Parser::new);
-    let mut colours: [BTreeMap<String, String>; 2] = Default::default();
+    let mut sides = [before, after].map(Parser::new);
+    let [mut to, mut from] = [const { BTreeMap::new() }; 2];
     let mut change = Change::Looks;
     loop {
-        let [old, new] = sides.each_mut().map(Iterator::next);
-        match (old, new) {
-            (None, None) => return change,
-            (Some(Event::Text(old)), Some(Event::Text(new))) if old.trim() != new.trim() => change = Change::Words,
-            (Some(Event::Text(_)), Some(Event::Text(_))) => (),
-            (Some(Event::Tag(a, _, old)), Some(Event::Tag(b, _, new))) => {
-                let same = a == b && old.keys().all(|key| new.contains_key(key) || LOOKS.contains(&key.as_str()));
-                let exchanged = |[one, other]: [&svg::node::Attributes; 2],
-                                 side: usize,
-                                 known: &mut [BTreeMap<String, String>; 2]| {
-                    one.iter().all(|(key, value)| match key.as_str() {
-                        look if LOOKS.contains(&look) => true,
-                        colour if COLOURS.contains(&colour) => {
-                            let Some(now) = other.get(key) else { return false };
-                            *known[side].entry(value.to_string()).or_insert_with(|| now.to_string()) == **now
-                        }
-                        _ => other.get(key) == Some(value),
-                    })
-                };
-                if !same || !exchanged([&old, &new], 0, &mut colours) || !exchanged([&new, &old], 1, &mut colours) {
-                    return Change::Data;
-                }
-            }
-            (Some(Event::Comment(_)), Some(Event::Comment(_))) => (),
+        match sides.each_mut().map(Iterator::next) {
+            [None, None] => return change,
+            [Some(Event::Text(old)), Some(Event::Text(new))] if old.trim() != new.trim() => change = Change::Words,
+            [Some(Event::Text(_)), Some(Event::Text(_))] | [Some(Event::Comment(_)), Some(Event::Comment(_))] => (),
+            [Some(Event::Tag(a, _, old)), Some(Event::Tag(b, _, new))]
+                if a == b && only_looks(&old, &new, &mut to) && only_looks(&new, &old, &mut from) => {}
             _ => return Change::Data,
         }
     }
+}
+
+/// Whether attributes differ from others in looks only, each colour always becoming the one that is known for it.
+fn only_looks(own: &Attributes, others: &Attributes, known: &mut BTreeMap<String, String>) -> bool {
+    own.iter().filter(|(name, _)| !LOOKS.contains(&name.as_str())).all(|(name, value)| match others.get(name) {
+        Some(other) if COLOURS.contains(&name.as_str()) => {
+            *known.entry(value.to_string()).or_insert_with(|| other.to_string()) == **other
+        }
+        other => other == Some(value),
+    })
 }

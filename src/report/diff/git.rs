@@ -18,26 +18,18 @@ pub fn merge_base(root: &Path) -> Result<String, Error> {
         let message = format!("there is no branch {}", TRUNKS.join(" nor "));
         return Err(Error::at("git", message, "name the commit to compare with: `report diff BASE`"));
     };
-    let base = asked(root, &["merge-base", "HEAD", trunk]).map_err(|_| {
-        let message = format!("HEAD and `{trunk}` have no common commit here");
-        Error::at(
-            "git",
-            message,
-            "fetch the whole history (`git fetch --unshallow`), or name the commit: `report diff BASE`",
-        )
-    })?;
-    Ok(base.trim().into())
+    let remedy = "fetch the whole history (`git fetch --unshallow`), or name the commit: `report diff BASE`";
+    let apart = |_| Error::at("git", format!("HEAD and `{trunk}` have no common commit here"), remedy);
+    Ok(asked(root, &["merge-base", "HEAD", trunk]).map_err(apart)?.trim().into())
 }
 
 /// The full name of a commit.
 pub fn commit(root: &Path, name: &str) -> Result<String, Error> {
     let full = asked(root, &["rev-parse", "--verify", "--quiet", "--end-of-options", &format!("{name}^{{commit}}")]);
-    full.map(|text| text.trim().into()).map_err(|error| match asked(root, &["rev-parse", "--git-dir"]) {
-        Ok(_) => {
-            Error::at("git", format!("`{name}` is no commit here"), "name a commit, branch or tag, or fetch it first")
-        }
-        Err(_) => error,
-    })
+    let unknown =
+        || Error::at("git", format!("`{name}` is no commit here"), "name a commit, branch or tag, or fetch it first");
+    let why = |error| if asked(root, &["rev-parse", "--git-dir"]).is_ok() { unknown() } else { error };
+    full.map(|text| text.trim().into()).map_err(why)
 }
 
 /// What a commit holds of what is compared.
@@ -97,11 +89,8 @@ fn asked(root: &Path, question: &[&str]) -> Result<String, Error> {
 }
 
 fn not_started(error: std::io::Error) -> Error {
-    Error::at(
-        "git",
-        format!("cannot be started: {error}"),
-        "install git: the results of other commits are read through it",
-    )
+    let remedy = "install git: the results of other commits are read through it";
+    Error::at("git", format!("cannot be started: {error}"), remedy)
 }
 
 fn broken(message: &str) -> Error {

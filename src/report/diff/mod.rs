@@ -1,38 +1,32 @@
 //! What moved between two commits, for whoever reviews the change: what it means first, what it looks like last.
 //!
 //! * [`tree`] — committed results as texts by path; [`git`] — those of a commit.
-//! * [`pairs`] — which check is which, renamed ones too; [`groups`] — like changes in one row.
-//! * [`tolerances`], [`verdicts`], [`membership`], [`statements`], [`shares`], [`bars`], [`work`], [`surveys`], [`timings`],
-//!   [`charts`], [`pages`] — one thing told each.
-//! * [`table`] — recorded tables and documents as cells.
+//! * [`table`] — recorded tables and documents as cells, and their keyed difference.
+//! * [`pairs`] — which check is which, renamed ones too; [`checks`] — their columns, and what a change in each means.
+//! * [`recorded`] — runs, surveys and statements; [`timings`] — seconds; [`charts`].
 //! * [`told`] — a heading with rows; [`words`] — changes in words; [`written`] — all of it as text or Markdown.
 
-pub mod bars;
 pub mod charts;
+pub mod checks;
 pub mod git;
-pub mod groups;
-pub mod membership;
-pub mod pages;
 pub mod pairs;
-pub mod shares;
-pub mod statements;
-pub mod surveys;
+pub mod recorded;
 pub mod table;
 pub mod timings;
 pub mod told;
-pub mod tolerances;
 pub mod tree;
-pub mod verdicts;
 pub mod words;
-pub mod work;
 pub mod written;
 
-use serde::de::DeserializeOwned;
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
 
-use crate::report::record::{self, CHECKS, RUNS, STATEMENTS};
+use crate::report::record::{self, CHECKS, CheckRow, RUNS, STATEMENTS};
 use pairs::Pairs;
+use recorded::Statement;
 use told::Told;
 use tree::{Moved, Tree};
+use words::counted;
 
 /// What moved from one tree to another.
 #[derive(Clone, Debug)]
@@ -50,68 +44,77 @@ pub struct Difference {
 impl Difference {
     /// Compares two trees.
     pub fn of(before: &Tree, after: &Tree) -> Self {
-        let mut notes = Vec::new();
-        let trees = [before, after];
-        let checks = both(trees, CHECKS, "checks, verdicts, tolerances and bars", &mut notes);
-        let runs = both(trees, RUNS, "runs of the suite", &mut notes);
-        let statements = both(trees, STATEMENTS, "statements of the paper", &mut notes);
-        let pairs = Pairs::of(&checks[0], &checks[1]);
-        let moved = tree::moved(before, after);
-        let files = |kind: Kind| moved.iter().filter(|one| Kind::of(one) == kind).collect::<Vec<&Moved>>();
-        let told = [
-            tolerances::told(&pairs.both),
-            verdicts::told(&pairs.both),
-            membership::told(&pairs),
-            statements::told(&statements[0], &statements[1]).into_iter().collect(),
-            shares::told(&pairs.both).into_iter().collect(),
-            bars::told(&pairs.both),
-            work::told(runs.each_ref().map(Vec::as_slice), trees),
-            surveys::told(&files(Kind::Survey)).into_iter().collect(),
-            charts::told(&files(Kind::Chart)),
-            pages::told(&files(Kind::Page)).into_iter().collect(),
-            timings::told(&files(Kind::Timing)).into_iter().collect(),
-        ];
-        let worse = verdicts::worse(&pairs);
-        Self { names: trees.map(|tree| tree.name.clone()), notes, told: told.concat(), worse }
-    }
-}
-
-/// What a file is, as it is compared.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Compared,
-    Survey,
-    Timing,
-    Chart,
-    Page,
-}
-
-impl Kind {
-    fn of((path, before, after): &Moved) -> Self {
-        let recorded = path.ends_with(".csv") || path.ends_with(".json");
-        let frozen = |text: &Option<&str>| text.is_some_and(|text| work::is_frozen_run(path, text));
-        match path {
-            path if [CHECKS, RUNS, STATEMENTS].contains(path) || frozen(before) || frozen(after) => Self::Compared,
-            path if recorded && path.starts_with("snapshots/timings/") => Self::Timing,
-            _ if recorded => Self::Survey,
-            path if path.ends_with(".svg") => Self::Chart,
-            _ => Self::Page,
+        let (mut notes, trees) = (Vec::new(), [before, after]);
+        let records: [Vec<CheckRow>; 2] =
+            both(trees, CHECKS, "checks, verdicts, tolerances and bars", record::parsed, &mut notes);
+        let runs = both(trees, RUNS, "runs of the suite", recorded::runs, &mut notes);
+        let statements: [Vec<Statement>; 2] =
+            both(trees, STATEMENTS, "statements of the paper", record::parsed, &mut notes);
+        let pairs = Pairs::of(&records[0], &records[1]);
+        let [mut surveys, mut timings, mut charts, mut others] = [const { Vec::<Moved>::new() }; 4];
+        for one in tree::moved(trees) {
+            let (path, texts) = one;
+            let is_recorded = path.ends_with(".csv") || path.ends_with(".json");
+            let is_frozen = texts.iter().flatten().any(|text| recorded::is_frozen_run(path, text));
+            match path {
+                CHECKS | RUNS | STATEMENTS => {}
+                _ if is_frozen => {}
+                _ if is_recorded && path.starts_with("snapshots/timings/") => timings.push(one),
+                _ if is_recorded => surveys.push(one),
+                _ if path.ends_with(".svg") => charts.push(one),
+                _ => others.push(one),
+            }
         }
+        let frozen = trees.map(recorded::frozen);
+        let mut told = checks::asked(&pairs);
+        told.extend(recorded::statements(&statements));
+        told.extend(checks::shares(&pairs));
+        told.extend(checks::bars(&pairs));
+        told.extend(recorded::of_runs("Runs of the suite", &runs));
+        told.extend(recorded::of_runs("Snapshots of runs", &frozen));
+        told.extend(recorded::surveys(&surveys));
+        told.extend(charts::told(&charts));
+        told.extend(pages(&others));
+        told.extend(timings::told(&timings));
+        Self { names: trees.map(|tree| tree.name.clone()), notes, told, worse: checks::worse(&pairs) }
     }
 }
 
-/// The rows of both trees; none at all, and one note, where a tree has no such file or it cannot be read.
-fn both<T: DeserializeOwned>(trees: [&Tree; 2], file: &str, what: &str, notes: &mut Vec<String>) -> [Vec<T>; 2] {
+/// A record of both trees; nothing at all, and one note, where a tree has no such file or it cannot be read.
+fn both<T: Default>(
+    trees: [&Tree; 2],
+    file: &str,
+    what: &str,
+    parsed: fn(&str) -> Result<T, String>,
+    notes: &mut Vec<String>,
+) -> [T; 2] {
     let read = |tree: &Tree| match tree.text(file) {
         None => Err(format!("{} has no {file}", tree.name)),
-        Some(text) => record::parsed(text).map_err(|why| format!("{file} of {} cannot be read: {why}", tree.name)),
+        Some(text) => parsed(text).map_err(|why| format!("{file} of {} cannot be read: {why}", tree.name)),
     };
     match trees.map(read) {
         [Ok(before), Ok(after)] => [before, after],
         [before, after] => {
-            let whys: Vec<String> = before.err().into_iter().chain(after.err()).collect();
+            let whys: Vec<String> = [before.err(), after.err()].into_iter().flatten().collect();
             notes.push(format!("{}: {what} are not compared", whys.join(", ")));
             Default::default()
         }
     }
+}
+
+/// Generated pages and everything else that moved: how many lines, a row a file.
+fn pages(moved: &[Moved]) -> Option<Told> {
+    let row = |(path, texts): &Moved| {
+        let mut lines: BTreeMap<&str, i64> = BTreeMap::new();
+        for (text, step) in texts.iter().zip([-1, 1]) {
+            text.unwrap_or_default().lines().for_each(|line| *lines.entry(line).or_default() += step);
+        }
+        let sum = |sign: i64| lines.values().map(|count| (sign * count).max(0)).sum::<i64>();
+        let [added, removed] = [sum(1), sum(-1)];
+        (added + removed, format!("{path}: {added} lines added, {removed} removed"))
+    };
+    let mut rows: Vec<(i64, String)> = moved.iter().map(row).collect();
+    rows.sort_by_key(|(lines, _)| Reverse(*lines));
+    let heading = format!("Pages and other files with other lines: {}", counted(rows.len(), "file"));
+    (!rows.is_empty()).then(|| Told::new(heading, rows.into_iter().map(|(_, row)| row).collect()))
 }

@@ -1,18 +1,14 @@
 //! Which check of one record is which of another: by its key, or, where that was changed, by its numbers.
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
+use std::ptr;
 
 use super::words::differ;
 use crate::report::record::CheckRow;
 
 /// A check before and after.
-#[derive(Clone, Copy, Debug)]
-pub struct Pair<'a> {
-    /// Before.
-    pub before: &'a CheckRow,
-    /// After.
-    pub after: &'a CheckRow,
-}
+pub type Pair<'a> = [&'a CheckRow; 2];
 
 /// The checks of two records, matched.
 #[derive(Clone, Debug, Default)]
@@ -35,59 +31,55 @@ impl<'a> Pairs<'a> {
     pub fn of(before: &'a [CheckRow], after: &'a [CheckRow]) -> Self {
         let mut left: BTreeMap<[&str; 6], &CheckRow> = before.iter().map(|row| (row.key(), row)).collect();
         let mut pairs = Self::default();
-        for after in after {
-            match left.remove(&after.key()) {
-                Some(before) => pairs.both.push(Pair { before, after }),
-                None => pairs.came.push(after),
+        for new in after {
+            match left.remove(&new.key()) {
+                Some(old) => pairs.both.push([old, new]),
+                None => pairs.came.push(new),
             }
         }
         pairs.gone = left.into_values().collect();
         // First those of the same tolerance, then those that were renamed and loosened at once.
-        pairs.rename(|pair| alike(pair) && !differ(pair.before.tolerance, pair.after.tolerance));
-        pairs.rename(alike);
+        pairs.rename(|pair| is_alike(pair) && !differ(pair.map(|row| row.tolerance)));
+        pairs.rename(is_alike);
         pairs.both.extend(pairs.renamed.clone());
         pairs
     }
 
     /// Matches what is left over, those with the most parts of the key in common first.
     fn rename(&mut self, is_one: impl Fn(&Pair) -> bool) {
-        let mut found: Vec<(usize, Pair)> = Vec::new();
-        for &before in &self.gone {
-            let all = self.came.iter().map(|&after| Pair { before, after }).filter(&is_one);
-            found.extend(all.map(|pair| (pair.parts_kept(), pair)).filter(|(kept, pair)| *kept >= pair.parts_needed()));
-        }
-        found.sort_by_key(|(kept, _)| std::cmp::Reverse(*kept));
+        let all = self.gone.iter().flat_map(|&old| self.came.iter().map(move |&new| [old, new]));
+        let alike = all.filter(is_one).map(|pair| (parts_kept(&pair), pair));
+        let mut found: Vec<(usize, Pair)> = alike.filter(|(kept, pair)| *kept >= parts_needed(pair)).collect();
+        found.sort_by_key(|(kept, _)| Reverse(*kept));
         for (_, pair) in found {
-            let is_left = |rows: &[&CheckRow], row: &CheckRow| rows.iter().any(|one| std::ptr::eq(*one, row));
-            if is_left(&self.gone, pair.before) && is_left(&self.came, pair.after) {
-                self.gone.retain(|one| !std::ptr::eq(*one, pair.before));
-                self.came.retain(|one| !std::ptr::eq(*one, pair.after));
+            let place = |rows: &[&CheckRow], row: &CheckRow| rows.iter().position(|one| ptr::eq(*one, row));
+            if let (Some(gone), Some(came)) = (place(&self.gone, pair[0]), place(&self.came, pair[1])) {
+                self.gone.remove(gone);
+                self.came.remove(came);
                 self.renamed.push(pair);
             }
         }
     }
 }
 
-impl Pair<'_> {
-    fn parts_kept(&self) -> usize {
-        self.before.key().iter().zip(self.after.key()).filter(|(old, new)| **old == *new).count()
-    }
+fn parts_kept([before, after]: &Pair) -> usize {
+    before.key().iter().zip(after.key()).filter(|(old, new)| **old == *new).count()
+}
 
-    /// Numbers that many checks have tell nobody apart.
-    fn parts_needed(&self) -> usize {
-        let says = |x: f64| x.is_finite() && x.fract().abs() > 0.0;
-        KEPT[usize::from(!says(self.after.value) && !says(self.after.error))]
-    }
+/// Numbers that many checks have tell nobody apart.
+fn parts_needed([_, after]: &Pair) -> usize {
+    let says = |x: f64| x.is_finite() && x.fract().abs() > 0.0;
+    KEPT[usize::from(!says(after.value) && !says(after.error))]
+}
 
-    /// Whether any of its numbers moved.
-    pub fn moved(&self) -> bool {
-        let numbers = |row: &CheckRow| [row.value, row.reference, row.error];
-        numbers(self.before).into_iter().zip(numbers(self.after)).any(|(old, new)| differ(old, new))
-    }
+/// Whether any number of a check moved.
+pub fn is_moved(pair: &Pair) -> bool {
+    let numbers: [fn(&CheckRow) -> f64; 3] = [|row| row.value, |row| row.reference, |row| row.error];
+    numbers.into_iter().any(|number| differ(pair.map(number)))
 }
 
 /// The same numbers, held in the same way.
-fn alike(pair: &Pair) -> bool {
-    let (before, after) = (pair.before, pair.after);
-    !pair.moved() && before.kind == after.kind && before.relation == after.relation && before.verdict == after.verdict
+fn is_alike(pair: &Pair) -> bool {
+    let [before, after] = pair;
+    !is_moved(pair) && before.kind == after.kind && before.relation == after.relation && before.verdict == after.verdict
 }

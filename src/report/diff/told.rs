@@ -1,6 +1,6 @@
-//! One thing that is told: a heading that counts, rows from the most to the least important, charts to look at.
+//! One thing that is told.
 
-/// One thing that is told.
+/// A heading that counts, rows from the most to the least important, charts to look at.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Told {
     /// What moved and how much of it: complete without the rows.
@@ -13,7 +13,7 @@ pub struct Told {
 
 impl Told {
     /// A heading with rows.
-    pub fn new(heading: impl Into<String>, rows: Vec<String>) -> Self {
-        Self { heading: heading.into(), rows, charts: Vec::new() }
+    pub fn new(heading: String, rows: Vec<String>) -> Self {
+        Self { heading, rows, charts: Vec::new() }
     }
 }

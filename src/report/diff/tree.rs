@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
+use crate::checkout;
 use crate::error::Error;
 
 /// What is compared: the page, and the folder of everything that is recorded.
@@ -21,11 +22,15 @@ pub struct Tree {
 impl Tree {
     /// What is on disk below the project folder.
     pub fn on_disk(root: &Path) -> Result<Self, Error> {
-        let mut files = BTreeMap::new();
-        for name in COMPARED {
-            collect(root, name, &mut files)?;
-        }
-        Ok(Self { name: "the working tree".into(), files })
+        let remedy = "restore it from git, or make it readable";
+        let there: Vec<&str> = COMPARED.into_iter().filter(|name| root.join(name).exists()).collect();
+        let paths = checkout::files(root, &there).map_err(|error| Error::unreadable(root, error, remedy))?;
+        let read = |path: String| {
+            let text =
+                fs::read(root.join(&path)).map_err(|error| Error::unreadable(&root.join(&path), error, remedy))?;
+            Ok((path, String::from_utf8_lossy(&text).into_owned()))
+        };
+        Ok(Self { name: "the working tree".into(), files: paths.into_iter().map(read).collect::<Result<_, Error>>()? })
     }
 
     /// The same with files as they would be written, and without those that would be removed.
@@ -43,29 +48,16 @@ impl Tree {
 }
 
 /// A file that differs: its path, and the text before and after.
-pub type Moved<'a> = (&'a str, Option<&'a str>, Option<&'a str>);
+pub type Moved<'a> = (&'a str, [Option<&'a str>; 2]);
 
 /// The files that differ between two trees, in the order of their paths.
-pub fn moved<'a>(before: &'a Tree, after: &'a Tree) -> Vec<Moved<'a>> {
-    let paths: BTreeSet<&str> = before.files.keys().chain(after.files.keys()).map(String::as_str).collect();
-    let both = paths.into_iter().map(|path| (path, before.text(path), after.text(path)));
-    both.filter(|(_, old, new)| old != new).collect()
+pub fn moved<'a>(trees: [&'a Tree; 2]) -> Vec<Moved<'a>> {
+    let paths: BTreeSet<&str> = trees.iter().flat_map(|tree| tree.files.keys()).map(String::as_str).collect();
+    let both = paths.into_iter().map(|path| (path, trees.map(|tree| tree.text(path))));
+    both.filter(|(_, [old, new])| old != new).collect()
 }
 
-fn collect(root: &Path, path: &str, files: &mut BTreeMap<String, String>) -> Result<(), Error> {
-    let full = root.join(path);
-    let unreadable = |error| Error::unreadable(&full, error, "restore it from git, or make it readable");
-    if !full.exists() {
-        return Ok(());
-    }
-    if full.is_dir() {
-        for entry in fs::read_dir(&full).map_err(unreadable)? {
-            let name = entry.map_err(unreadable)?.file_name().to_string_lossy().into_owned();
-            collect(root, &format!("{path}/{name}"), files)?;
-        }
-        return Ok(());
-    }
-    let text = fs::read(&full).map_err(unreadable)?;
-    files.insert(path.into(), String::from_utf8_lossy(&text).into_owned());
-    Ok(())
+/// What became of a file that only one of two trees has.
+pub fn came_or_went(texts: &[Option<&str>; 2]) -> &'static str {
+    if texts[1].is_some() { "new" } else { "GONE" }
 }

@@ -1,9 +1,10 @@
 //! How changes are put into words.
 
 use crate::markdown;
+use crate::report::grouped::largest_first;
 
 /// Whether two numbers of a record differ; what is no number is like what is no number.
-pub fn differ(before: f64, after: f64) -> bool {
+pub fn differ([before, after]: [f64; 2]) -> bool {
     before.to_bits() != after.to_bits() && !(before.is_nan() && after.is_nan())
 }
 
@@ -23,34 +24,24 @@ pub fn factor(factor: f64) -> String {
 
 /// One factor, or the span of several.
 pub fn factors(all: &[f64]) -> String {
-    let [least, most] = span(all);
+    let [least, most] = [f64::min, f64::max].map(|end| all.iter().copied().reduce(end).unwrap_or(f64::NAN));
     if most - least <= 0.02 * most { factor(most) } else { format!("{} to {}", factor(least), factor(most)) }
-}
-
-/// The smallest and the largest.
-pub fn span(all: &[f64]) -> [f64; 2] {
-    all.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(*x), high.max(*x)])
-}
-
-/// Counted by how often, the most frequent first: `10 × converged → capped`.
-pub fn tally(all: impl IntoIterator<Item = String>) -> String {
-    let mut counts: std::collections::BTreeMap<String, usize> = std::collections::BTreeMap::new();
-    for one in all {
-        *counts.entry(one).or_default() += 1;
-    }
-    let mut counts: Vec<(String, usize)> = counts.into_iter().collect();
-    counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
-    let shown = counts.iter().take(NAMED).map(|(what, count)| format!("{count} {what}"));
-    let more = counts.len().saturating_sub(NAMED);
-    let more = (more > 0).then(|| format!("{more} other kinds"));
-    shown.chain(more).collect::<Vec<_>>().join(", ")
 }
 
 /// Names that are listed before the rest is counted.
 const NAMED: usize = 3;
 
+/// Counted by how often, the most frequent first: `10 converged → capped`.
+pub fn tally(all: impl IntoIterator<Item = String>) -> String {
+    let counts = largest_first(all.into_iter().map(|what| (what, ())));
+    let shown = counts.iter().take(NAMED).map(|(what, members)| format!("{} {what}", members.len()));
+    let more = (counts.len() > NAMED).then(|| format!("{} other kinds", counts.len() - NAMED));
+    shown.chain(more).collect::<Vec<_>>().join(", ")
+}
+
 /// The first names, and how many more.
-pub fn some(names: &[&str]) -> String {
+pub fn some<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+    let names: Vec<&str> = names.into_iter().collect();
     let shown = names.iter().take(NAMED).map(|name| format!("`{name}`"));
     let more = (names.len() > NAMED).then(|| format!("{} more", names.len() - NAMED));
     shown.chain(more).collect::<Vec<_>>().join(", ")

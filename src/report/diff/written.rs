@@ -26,8 +26,8 @@ impl Difference {
     /// The same as Markdown; charts are found at `addresses` followed by their paths.
     pub fn markdown(&self, lines: usize, addresses: &[String; 2]) -> String {
         let told = self.shown(lines).into_iter().map(|(told, rows)| {
+            let more = told.rows.len() - rows;
             let rows: String = told.rows.iter().take(rows).map(|row| format!("* {}\n", escaped(row))).collect();
-            let more = told.rows.len().saturating_sub(told.rows.iter().take(lines).count().min(rows.lines().count()));
             let more = if more > 0 { format!("* … and {more} more rows\n") } else { String::new() };
             format!("**{}**\n\n{rows}{more}\n{}", escaped(&told.heading), charts(told, addresses))
         });

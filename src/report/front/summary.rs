@@ -2,6 +2,7 @@
 
 use crate::case::Verdict;
 use crate::markdown;
+use crate::report::grouped::counted;
 use crate::report::links::to_page as link;
 use crate::report::matrix::{self, Column};
 use crate::report::{case_page, checks_page, decisions, paper_page, statements, study_page, told};
@@ -15,19 +16,12 @@ pub fn statements(findings: &[Finding]) -> String {
         .iter()
         .map(|one| vec![one.text.into(), format!("**{}**", one.judgement.brief()), one.clause.clone()])
         .collect();
-    let mut counted: Vec<(String, usize)> = Vec::new();
-    for one in &judged {
-        let word = one.judgement.word();
-        match counted.iter_mut().find(|(other, _)| other == word) {
-            Some((_, count)) => *count += 1,
-            None => counted.push((word.into(), 1)),
-        }
-    }
-    let counted: Vec<String> = counted.iter().map(|(word, count)| format!("{count} {word}")).collect();
+    let words = counted(judged.iter().map(|one| one.judgement.word()));
+    let words: Vec<String> = words.iter().map(|(word, count)| format!("{count} {word}")).collect();
     format!(
         "Of {} statements: {}. {}.\n\n{}",
         judged.len(),
-        counted.join(", "),
+        words.join(", "),
         link("Measurements and conditions in full, misprints, decisions, sources", paper_page::FILE),
         markdown::table(&["statement", "judgement", "measured"].map(String::from), &rows)
     )
@@ -55,17 +49,12 @@ fn named(finding: &Finding) -> String {
 
 /// What could not be run, and what is out of scope.
 pub fn never_compared(findings: &[Finding]) -> String {
-    let mut absent: Vec<(String, usize)> = Vec::new();
-    for finding in findings {
-        for one in &finding.judged {
-            let Verdict::NotRun(why) = &one.verdict else { continue };
-            let told = format!("{} ({why})", link(&finding.case, &file(finding)));
-            match absent.iter_mut().find(|(other, _)| *other == told) {
-                Some((_, count)) => *count += 1,
-                None => absent.push((told, 1)),
-            }
-        }
-    }
+    let absent = counted(findings.iter().flat_map(|finding| {
+        finding.judged.iter().filter_map(move |one| match &one.verdict {
+            Verdict::NotRun(why) => Some(format!("{} ({why})", link(&finding.case, &file(finding)))),
+            Verdict::Pass | Verdict::Fail => None,
+        })
+    }));
     let told =
         |(what, count): &(String, usize)| if *count > 1 { format!("{what}, {count} checks") } else { what.clone() };
     let absent = match &absent[..] {

@@ -5,6 +5,7 @@ use crate::case::Case;
 use crate::error::Error;
 use crate::figure::palette;
 use crate::figure::{Axis, Chart, Colour, Dash, Direction, Guide, Marker, Series, Sheet, Style};
+use crate::markdown;
 use crate::measure::display_factor;
 use crate::scene::ContactPair;
 use crate::solution::{IterationError, PointState};
@@ -54,7 +55,10 @@ fn charts(problem: &Case, run: &Run) -> Vec<Vec<Chart>> {
 fn notes(problem: &Case, run: &Run) -> Vec<String> {
     let several = run.contacts.len() > 1;
     let of = |(index, pair): (usize, &ContactPair)| {
-        let told = |note| if several { format!("{}: {note}.", pair.name) } else { sentence(note) };
+        let told = |note: String| match several {
+            true => format!("{}: {note}.", pair.name),
+            false => markdown::capitalised(&note) + ".",
+        };
         run.notes(index).into_iter().map(told).collect::<Vec<_>>()
     };
     problem.scene.contacts.iter().enumerate().flat_map(of).collect()
@@ -155,11 +159,4 @@ fn iterations(count: usize) -> Axis {
         return Axis::log("iteration [–]").over(1.0, count as f64);
     }
     Axis::linear("iteration [–]").over(0.0, count.max(FEWEST) as f64)
-}
-
-/// A note as a sentence of its own.
-fn sentence(note: String) -> String {
-    let mut letters = note.chars();
-    let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
-    format!("{first}{}.", letters.as_str())
 }

@@ -1,12 +1,105 @@
-//! A row per check: what was judged, with its numbers; of a self-consistency that every run is asked for, those of the worst.
+//! The record: what was judged, counted and stated, as tables that two commits can be compared by.
+//!
+//! Rows are sorted by their keys; numbers have four significant digits, and what is round-off is 0, so that every machine writes the
+//! same bytes.
 
 use std::collections::BTreeMap;
+use std::fmt;
+use std::path::Path;
 
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use super::rounding::{ROUND_OFF, floored, four};
 use crate::case::{Judged, Quantity, Relation, Verdict, judged};
+use crate::error::Error;
+use crate::markdown::Column;
+use crate::report::matrix;
+use crate::report::statements::{self, Statement};
+use crate::solve::Run;
+use crate::study::records::rounded;
 use crate::study::{Finding, Room};
+
+/// The record of checks.
+pub const CHECKS: &str = "snapshots/checks.csv";
+/// The record of runs.
+pub const RUNS: &str = "snapshots/runs.csv";
+/// The record of statements.
+pub const STATEMENTS: &str = "snapshots/statements.csv";
+
+/// Errors are written in steps of this: below half of it they are round-off, which differs from machine to machine, and 0.
+const ROUND_OFF: f64 = 1e-9;
+/// Case of a check that several runs are asked for.
+pub const EVERY_RUN: &str = "every run";
+
+/// The record as files: their paths below the project folder, and their texts.
+pub fn files(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
+    let ran = findings.iter().filter(|finding| matrix::run(finding).is_some());
+    let statements = statements::judge(findings);
+    Ok(vec![
+        (CHECKS.into(), text(Path::new(CHECKS), &rows(findings))?),
+        (RUNS.into(), text(Path::new(RUNS), &sorted(cells(&RUN, ran)))?),
+        (STATEMENTS.into(), text(Path::new(STATEMENTS), &cells(&STATEMENT, &statements))?),
+    ])
+}
+
+/// Rows as a table, a line each; records below the names of their fields.
+pub fn text<T: Serialize>(file: &Path, rows: &[T]) -> Result<String, Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        writer.serialize(row).map_err(|error| Error::unwritable(file, error))?;
+    }
+    let bytes = writer.into_inner().map_err(|error| Error::unwritable(file, error))?;
+    String::from_utf8(bytes).map_err(|error| Error::unwritable(file, error))
+}
+
+/// Rows of a table; what is wrong with it where it cannot be read.
+pub fn parsed<T: DeserializeOwned>(text: &str) -> Result<Vec<T>, String> {
+    csv::Reader::from_reader(text.as_bytes()).deserialize().collect::<Result<_, _>>().map_err(|error| error.to_string())
+}
+
+/// The names of columns, and below them a row each.
+fn cells<'a, T: 'a>(columns: &[Column<T>], rows: impl IntoIterator<Item = &'a T>) -> Vec<Vec<String>> {
+    let head = columns.iter().map(|(name, _)| (*name).to_owned()).collect();
+    let rows = rows.into_iter().map(|row| columns.iter().map(|(_, cell)| cell(row)).collect());
+    std::iter::once(head).chain(rows).collect()
+}
+
+/// The same table, its rows sorted.
+fn sorted(mut table: Vec<Vec<String>>) -> Vec<Vec<String>> {
+    table[1..].sort();
+    table
+}
+
+/// A statement of the paper, in the order of the page.
+const STATEMENT: [Column<Statement>; 3] = [
+    ("statement", |one| one.text.into()),
+    ("judgement", |one| one.judgement.to_string()),
+    ("measured", |one| one.measured.clone()),
+];
+
+/// The run of a case: how it ended and, where it converged, the work it took.
+const RUN: [Column<Finding>; 9] = [
+    ("case", |finding| finding.case.clone()),
+    ("trial", |finding| finding.name.clone()),
+    ("outcome", |finding| of_run(finding, |run| run.solution.outcome.to_string())),
+    ("iterations", |finding| counted(finding, |run| run.solution.work.iterations)),
+    ("factorisations", |finding| counted(finding, |run| run.solution.work.factorisations)),
+    // Terms of rank one by which a factor was updated instead.
+    ("updates", |finding| counted(finding, |run| run.solution.work.updates)),
+    ("back_substitutions", |finding| counted(finding, |run| run.solution.work.back_substitutions)),
+    ("dofs", |finding| of_run(finding, |run| run.dofs.to_string())),
+    ("retained", |finding| of_run(finding, |run| run.retained.to_string())),
+];
+
+fn of_run(finding: &Finding, of: fn(&Run) -> String) -> String {
+    matrix::run(finding).map(of).unwrap_or_default()
+}
+
+/// Work of a run that converged.
+fn counted(finding: &Finding, of: fn(&Run) -> usize) -> String {
+    let run = matrix::run(finding).filter(|run| run.solution.converged());
+    run.map(|run| of(run).to_string()).unwrap_or_default()
+}
 
 /// A verdict without its words, from good to bad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -20,8 +113,8 @@ pub enum Mark {
     Fail,
 }
 
-impl std::fmt::Display for Mark {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl fmt::Display for Mark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Pass => "pass",
             Self::NotRun => "not run",
@@ -30,7 +123,8 @@ impl std::fmt::Display for Mark {
     }
 }
 
-/// A check as the record has it; the first six columns are its key, and no two checks have the same.
+/// A check as the record has it, of a self-consistency that every run is asked for that of the worst; the first six columns are its
+/// key, and no two checks have the same.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct CheckRow {
     /// The study.
@@ -78,9 +172,6 @@ pub struct CheckRow {
 fn one() -> usize {
     1
 }
-
-/// Case of a check that several runs are asked for.
-pub const EVERY_RUN: &str = "every run";
 
 impl CheckRow {
     /// Columns of the key by name.
@@ -177,4 +268,18 @@ pub fn numbered(mut rows: Vec<CheckRow>) -> Vec<CheckRow> {
     }
     rows.sort_by(|a, b| a.key().cmp(&b.key()));
     rows
+}
+
+/// Four significant digits, and nothing finer than round-off.
+pub fn floored(number: f64) -> f64 {
+    // Above, four digits are coarser than the step.
+    let steps = number / ROUND_OFF;
+    let coarse = if number.abs() < 1e3 * ROUND_OFF { steps.round() * ROUND_OFF } else { number };
+    // Minus nothing is nothing.
+    four(coarse) + 0.0
+}
+
+/// Four significant digits.
+fn four(number: f64) -> f64 {
+    if number.is_finite() { rounded(number) } else { number }
 }

@@ -1,0 +1,112 @@
+//! What `solve` is asked, and what it found.
+
+use crate::accuracy::{self, Barred, Bars};
+use crate::case::solved::met;
+use crate::case::{Case, Judged};
+use crate::cli::reactions::{self, ReactionReading};
+use crate::cli::solve::stages::Stages;
+use crate::clock::{Clock, Stage};
+use crate::error::Error;
+use crate::solve::{Discretisation, Fitted, Formulation, Run};
+
+/// What is to be solved, by what, and on which mesh.
+pub struct Question {
+    /// The case, on the mesh that is asked for.
+    pub problem: Case,
+    /// The formulation.
+    pub formulation: Formulation,
+    /// What chooses the mesh.
+    pub mesh: Mesh,
+}
+
+/// What chooses a mesh.
+pub enum Mesh {
+    /// The options, or the case.
+    Given,
+    /// The ends of the contact.
+    Fitted(Fitted),
+    /// An accuracy.
+    Accurate(accuracy::Asked),
+}
+
+/// What a solve found, as it is told.
+pub struct Found {
+    /// Scene and oracle, on the mesh that was chosen.
+    pub problem: Case,
+    /// The bodies on that mesh.
+    pub discretisation: Discretisation,
+    /// The run.
+    pub run: Run,
+    /// Whether neither an accuracy nor the ends of the contact chose the mesh.
+    pub is_mesh_given: bool,
+    /// What its supports exert.
+    pub reactions: Vec<ReactionReading>,
+    /// How far each number may be from the truth; none where that was not asked for.
+    pub bars: Option<Bars>,
+    /// The file's own checks, and that of the accuracy asked for.
+    pub checks: Vec<Judged>,
+    /// The accuracy that was asked for, and what came of it.
+    pub accurate: Option<(accuracy::Asked, accuracy::Answer)>,
+}
+
+impl Found {
+    /// Solves, with error bars where they are wanted; tells of every stage as it begins.
+    pub fn of(question: Question, with_bars: bool, stages: &Stages) -> Result<Self, Error> {
+        let Question { mut problem, formulation, mesh } = question;
+        let is_mesh_given = matches!(mesh, Mesh::Given);
+        let (discretisation, run, accurate) = solved(&problem, &formulation, mesh, stages)?;
+        let run = run.with_doubts(&discretisation);
+        (problem.scene, problem.resolution) = (discretisation.scene.clone(), discretisation.resolution);
+        stages.write();
+        let mut checks = problem.own(&discretisation, &run)?;
+        // The checks of a file are written for its own formulation, which may go further.
+        let own = problem.formulation();
+        if (formulation.element, formulation.algorithm) != (own.element, own.algorithm) {
+            let accepted = run.formulation.settings.tolerance;
+            checks = checks.into_iter().map(|check| check.as_far_as(accepted)).collect();
+        }
+        checks.extend(accurate.iter().map(|(asked, answer)| met(asked, answer)));
+        let bars = with_bars.then(|| accuracy::bars(&discretisation, &run, &problem.displaced())).transpose()?;
+        if let Some(bars) = bars.as_ref().filter(|_| run.solution.converged()) {
+            checks = checks.into_iter().map(|check| check.with_bar(&bars.all)).collect();
+        }
+        let reactions = reactions::readings(&discretisation, &run)?;
+        Ok(Self { problem, discretisation, run, is_mesh_given, reactions, bars, checks, accurate })
+    }
+
+    /// What closed forms say that the run contradicts.
+    pub fn notes(&self) -> Vec<String> {
+        let bars: &[Barred] = self.bars.as_ref().map_or(&[], |bars| &bars.all);
+        self.problem.notes(&self.run, bars)
+    }
+}
+
+/// The bodies on the mesh that is chosen, the run, and what came of an accuracy.
+type Solved = (Discretisation, Run, Option<(accuracy::Asked, accuracy::Answer)>);
+
+fn solved(problem: &Case, formulation: &Formulation, mesh: Mesh, stages: &Stages) -> Result<Solved, Error> {
+    let begins = |stage| stages.begin(stage);
+    let meshed = |scene, resolution| {
+        let discretisation = Discretisation::timed(scene, resolution, Clock::telling(&begins))?;
+        stages.begin(Stage::Iteration);
+        Ok::<_, Error>(discretisation)
+    };
+    match mesh {
+        Mesh::Given => {
+            let discretisation = meshed(problem.scene.clone(), problem.resolution)?;
+            let run = Run::of(&discretisation, formulation)?.with_limits(&discretisation)?;
+            Ok((discretisation, run, None))
+        }
+        Mesh::Fitted(fitted) => {
+            let answer = fitted.solve(&problem.scene, formulation)?;
+            Ok((answer.discretisation, answer.run, None))
+        }
+        Mesh::Accurate(asked) => {
+            stages.search();
+            let answer = accuracy::solve(&problem.scene, formulation, &asked)?;
+            let discretisation = meshed(answer.scene.clone(), answer.resolution)?;
+            let run = answer.run.clone();
+            Ok((discretisation, run, Some((asked, answer))))
+        }
+    }
+}
