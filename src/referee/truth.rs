@@ -1,7 +1,5 @@
 //! The truth of a case: its closed form where it has one, else our own fine answer; each with what it may itself be off.
 
-use std::sync::OnceLock;
-
 use crate::accuracy::reference::{self, Known as Answered};
 use crate::accuracy::{Bar, Barred, Quantity, Subject, bars};
 use crate::case::{Case, Quantity as Asked, Reference};
@@ -32,16 +30,9 @@ pub struct Truth {
     pub run: Run,
     /// What its numbers may be off.
     pub bars: Vec<Barred>,
-    /// The case on the mesh that it is exported on, from the first field that is judged on.
-    pub exported: OnceLock<Exported>,
-}
-
-/// A case solved on the mesh that it is exported on.
-pub struct Exported {
-    /// The mesh.
-    pub discretisation: Discretisation,
-    /// Strain energy of our fine answer, and of that on this mesh \[N mm\].
-    pub energies: [f64; 2],
+    /// The mesh that the case is exported on, and strain energies of our fine answer and of that on this mesh \[N mm\]: known from the
+    /// first field on that is judged.
+    pub exported: std::sync::OnceLock<(Discretisation, [f64; 2])>,
 }
 
 /// Name of our own answer.
@@ -71,7 +62,7 @@ impl Truth {
             let answer = reference::answer(&case.scene);
             answer.iter().flat_map(|answer| &answer.known).for_each(|known| takes(&mut bars, known));
         }
-        Ok(Self { case, discretisation, run, bars, exported: OnceLock::new() })
+        Ok(Self { case, discretisation, run, bars, exported: Default::default() })
     }
 
     /// What the closed forms of the case say that our own run contradicts.

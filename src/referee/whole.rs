@@ -10,7 +10,7 @@ use crate::oracle::ReferenceKind;
 use crate::referee::declared::GRID;
 use crate::referee::field::Field;
 use crate::referee::profile::Profile;
-use crate::referee::truth::{Exported, Known, Truth};
+use crate::referee::truth::{Known, Truth};
 use crate::referee::{Ruled, bench::Bench};
 use crate::scene::{Load, Place};
 use crate::solve::{Discretisation, Run};
@@ -40,7 +40,7 @@ pub fn judge(
     ruled: &mut [Ruled],
     tolerance: f64,
 ) -> Result<(), Error> {
-    let Exported { discretisation: own, energies } = exported(truth)?;
+    let (own, energies) = exported(truth)?;
     let displacement = match field.at_nodes(own) {
         Ok(displacement) => displacement,
         Err(why) => {
@@ -69,7 +69,7 @@ pub fn judge(
 }
 
 /// The case on the mesh that it is exported on: solved once for all fields that are judged.
-fn exported(truth: &Truth) -> Result<&Exported, Error> {
+fn exported(truth: &Truth) -> Result<&(Discretisation, [f64; 2]), Error> {
     if let Some(known) = truth.exported.get() {
         return Ok(known);
     }
@@ -79,7 +79,7 @@ fn exported(truth: &Truth) -> Result<&Exported, Error> {
         Ok(strain_energy(&internal(on, &displacement)?, &displacement))
     };
     let energies = [energy(&truth.discretisation, &truth.run)?, energy(&meshed.discretisation, &run)?];
-    Ok(truth.exported.get_or_init(|| Exported { discretisation: meshed.discretisation, energies }))
+    Ok(truth.exported.get_or_init(|| (meshed.discretisation, energies)))
 }
 
 /// Internal forces of all nodes.
