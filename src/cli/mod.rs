@@ -63,8 +63,8 @@ use crate::referee::document;
 use crate::report;
 use crate::study::Room;
 use crate::study::references::SHEETS;
-use crate::study::timings::code::Code;
 use crate::study::timings::growth;
+use crate::study::timings::series::Series;
 
 /// Contact elements and iterations for frictionless elastic contact in 2D, verified.
 ///
@@ -128,12 +128,12 @@ enum Command {
         /// Solve one mesh, elements per half-width and refinement, and print the largest memory of the process in bytes.
         #[arg(long, hide = true, num_args = 2)]
         memory: Option<Vec<u32>>,
-        /// Measure only our own points of speed against accuracy; what other codes took is marked as of another run.
+        /// Measure only our own points of speed against accuracy; other codes keep what our solve took beside them.
         #[arg(long)]
         points: bool,
-        /// Ask only this code on meshes of its own; its part of the record is marked as a run of its own.
-        #[arg(long, conflicts_with = "points", value_parser = choice(Code::TOLD))]
-        ask: Option<Code>,
+        /// Ask only this code on meshes of its own, and renew its part of the record.
+        #[arg(long, conflicts_with = "points", value_parser = choice(Series::ASKED))]
+        ask: Option<Series>,
     },
     /// Ask CalculiX, GetFEM, NGSolve, SfePy, Kratos, Akantu, FElupe, scikit-fem and dolfinx for exported cases, and keep what they write in oracles/frozen/scoreboard.
     #[command(after_help = examples::SCOREBOARD)]
@@ -323,7 +323,7 @@ fn root() -> Result<PathBuf, Error> {
 #[cfg(feature = "python")]
 fn freeze() -> Result<(), Error> {
     writable::folder(&crate::checkout::root().join("oracles/frozen"), writable::CHECKOUT)?;
-    crate::study::cross_code::renewal::freeze()?.into_iter().for_each(say);
+    crate::study::cross_code::freeze()?.into_iter().for_each(say);
     crate::study::independent::renewal::freeze()?.into_iter().for_each(say);
     Ok(())
 }

@@ -5,10 +5,10 @@ use std::fs;
 use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
+use crate::study::machine::Machine;
 use crate::study::scoreboard::board::{self, Board, hashes};
 use crate::study::scoreboard::setting::{Code, Setting};
-use crate::study::scoreboard::{CASES, Ended, live, named, numbers};
-use crate::study::timings::machine::Machine;
+use crate::study::scoreboard::{CASES, Scored, live, named, numbers};
 
 /// Asks every installed code for every case, writes the record, and tells how each run ended.
 pub fn run() -> Result<(), Error> {
@@ -40,10 +40,10 @@ pub fn run() -> Result<(), Error> {
     fresh.write()?;
     for name in CASES {
         for row in numbers(name, &named(name)?, &fresh)?.rows {
-            let Setting { code, method, .. } = row.setting();
-            let told = match &row.ended {
-                Ended::Failed { why, .. } => format!("failed: {why}"),
-                Ended::Judged { scores: [peak, width], failed, .. } => {
+            let Setting { code, method, .. } = row.setting;
+            let told = match &row.scored {
+                Err(why) => format!("failed: {why}"),
+                Ok(Scored { scores: [peak, width], failed }) => {
                     let [peak, width] = [peak, width].map(|score| format!("{:+.3} %", 100.0 * score.error));
                     let failed =
                         if failed.is_empty() { "all met".into() } else { format!("not met: {}", failed.join("; ")) };

@@ -1,5 +1,6 @@
 //! Measures speed against accuracy with a progress bar.
 
+use std::collections::BTreeMap;
 use std::process::Command;
 use std::time::Instant;
 
@@ -9,140 +10,130 @@ use crate::checkout::root;
 use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
-use crate::study::timings::answers::Answers;
-use crate::study::timings::code::Code;
-use crate::study::timings::compared::apart;
-use crate::study::timings::machine::Machine;
-use crate::study::timings::others::{self, OtherPoint, Peer};
-use crate::study::timings::precision::{Family, Point};
-use crate::study::timings::record::{Absent, Beside, FOLDER, Measured, Record};
-use crate::study::timings::{digits, growth, precision, targets};
+use crate::study::machine::Machine;
+use crate::study::timings::others::{self, Peer};
+use crate::study::timings::precision::{self, Point};
+use crate::study::timings::record::{Beside, FOLDER, Measured, Record};
+use crate::study::timings::section::beside;
+use crate::study::timings::series::Series;
+use crate::study::timings::statistics::Spread;
+use crate::study::timings::{growth, targets};
 
 /// Repeats of the comparison of nine formulations with one.
 const REPEATS: usize = 5;
 
-/// So many threads; 0 for as many as the processor offers.
-fn pool(threads: usize) -> Result<rayon::ThreadPool, Error> {
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| {
-        Error::at("timings", format!("no thread can be started: {error}"), "free memory, or raise the limit of threads")
-    })
-}
-
 /// Measures everything on one thread and writes the record.
 pub fn run() -> Result<(), Error> {
     writable::folder(&root().join(FOLDER), writable::CHECKOUT)?;
-    let record = pool(1)?.install(measure)?;
-    record.write()?;
+    let record = growth::on(1, measure)?;
     for target in targets::targets(&record) {
         let met = target.met.map_or("—", |met| if met { "✓" } else { "✗" });
         say(format!("{met} {}: {} (asked: {})", target.what, target.measured, target.asked));
     }
-    record.measured.skipped().into_iter().for_each(|what| say(format!("skipped: {what}")));
-    say(format!("written: {FOLDER}; `cargo run --release` draws it"));
-    Ok(())
+    record.measured.absent.iter().for_each(|(code, why)| say(format!("skipped: {code}: {why}")));
+    written(&record)
 }
 
 fn measure() -> Result<Record, Error> {
-    let meshes = precision::meshes();
-    let bar =
-        progress(growth::MESHES.len() + meshes.len() + digits::MESHES.len() + Code::ALL.len() + Peer::ALL.len() + 2);
-    let step = |what: &str| {
-        bar.inc(1);
-        bar.set_message(what.to_owned());
+    let bar = progress(
+        growth::MESHES.len()
+            + precision::meshes().len()
+            + Series::CODES.len()
+            + Peer::ALL.len()
+            + growth::NINE.len()
+            + 1,
+    );
+    let mut measured = Measured {
+        machine: Machine::here(),
+        growth: vec![],
+        nine: vec![],
+        report: f64::NAN,
+        beside: vec![],
+        peers: vec![],
+        absent: BTreeMap::new(),
     };
-    bar.set_message("nine formulations");
-    let nine = growth::NINE.map(|mesh| growth::nine(mesh, REPEATS)).into_iter().collect::<Result<_, _>>()?;
-    let mut measured = Vec::new();
+    for mesh in growth::NINE {
+        step(&bar, "nine formulations");
+        measured.nine.push(growth::nine(mesh, REPEATS)?);
+    }
     for mesh in growth::MESHES {
-        step(&format!("growth, {} × 2^{}", mesh.0, mesh.1));
-        measured.push(growth::measure(mesh, memory(mesh.0, mesh.1)?)?);
+        step(&bar, &format!("growth, {} × 2^{}", mesh.0, mesh.1));
+        measured.growth.push(growth::measure(mesh, memory(mesh.0, mesh.1)?)?);
     }
-    let (mut points, answers) = (Vec::new(), Answers::of(Family::Cylinder)?);
-    for (family, order, elements) in meshes {
-        step(&format!("{}, {}-node, {elements} elements", family.name(), order.nodes_per_cell()));
-        let answers = if family == Family::Cylinder { &answers } else { &Answers::HERTZ };
-        points.extend(precision::measure(family, order, elements, answers)?);
-    }
-    let mut more = Vec::new();
-    for (cells, repeats) in digits::MESHES {
-        step(&format!("more digits, {cells:?}"));
-        more.push(digits::measure(cells, repeats)?);
-    }
-    let (mut others, mut peers, mut absent) = (Vec::new(), Vec::new(), Vec::new());
-    let mut beside = Vec::new();
-    for code in Code::ALL {
-        step(code.name());
-        let (answer, own) = asked(code, &points)?;
-        answer.map_or_else(|why| absent.push(Absent { code: code.name().into(), why }), |found| others.extend(found));
-        beside.push(own);
+    let mut record = Record { measured, points: own_points(&bar)? };
+    for code in Series::CODES {
+        step(&bar, code.name());
+        if let Err(why) = asked(&mut record, code)? {
+            record.measured.absent.insert(code.name().into(), why);
+        }
     }
     for peer in Peer::ALL {
-        step(peer.name());
-        others::cylinder(peer)?
-            .map_or_else(|why| absent.push(Absent { code: peer.name().into(), why }), |found| peers.extend(found));
+        step(&bar, peer.name());
+        match others::cylinder(peer)? {
+            Ok(found) => record.measured.peers.extend(found),
+            Err(why) => drop(record.measured.absent.insert(peer.name().into(), why)),
+        }
     }
-    step("the report");
-    let report = report_seconds(&bar)?;
+    step(&bar, "the report");
+    record.measured.report = report_seconds()?;
     bar.finish_and_clear();
-    let floor = Answers::unsettled()?;
-    let measured = Measured {
-        machine: Machine::here(),
-        growth: measured,
-        nine,
-        report,
-        floor,
-        others,
-        beside,
-        peers,
-        absent,
-        digits: more,
-    };
-    Ok(Record { measured, points })
+    Ok(record)
 }
 
-/// Measures our own points of speed against accuracy again, and marks what other codes took as of another run.
+fn step(bar: &ProgressBar, what: &str) {
+    bar.inc(1);
+    bar.set_message(what.to_owned());
+}
+
+/// Our points of speed against accuracy.
+fn own_points(bar: &ProgressBar) -> Result<Vec<Point>, Error> {
+    let mut points = Vec::new();
+    for (series, mesh) in precision::meshes() {
+        step(bar, &format!("{}, {mesh}", series.name()));
+        points.extend(precision::measure(series, mesh)?);
+    }
+    Ok(points)
+}
+
+/// Measures our own points of speed against accuracy again; other codes keep what our solve took beside them.
 pub fn points() -> Result<(), Error> {
     writable::folder(&root().join(FOLDER), writable::CHECKOUT)?;
     let mut record = Record::read()?;
-    record.points = pool(1)?.install(|| {
-        let meshes = precision::meshes();
-        let (bar, answers) = (progress(meshes.len()), Answers::of(Family::Cylinder)?);
-        let mut points = Vec::new();
-        for (family, order, elements) in meshes {
-            bar.inc(1);
-            let answers = if family == Family::Cylinder { &answers } else { &Answers::HERTZ };
-            points.extend(precision::measure(family, order, elements, answers)?);
-        }
-        bar.finish_and_clear();
-        Ok::<_, Error>(points)
-    })?;
-    let machine = record.measured.machine.clone();
-    record.measured.beside.iter_mut().for_each(|beside| {
-        beside.apart.get_or_insert_with(|| machine.clone());
-    });
-    record.write()?;
-    apart(&record).into_iter().for_each(say);
-    say(format!("written: {FOLDER}; `cargo run --release` draws it"));
-    Ok(())
+    let bar = progress(precision::meshes().len());
+    let own = growth::on(1, || own_points(&bar))?;
+    bar.finish_and_clear();
+    record.points.retain(|point| Series::CODES.contains(&point.series));
+    record.points.splice(0..0, own);
+    written(&record)
 }
 
-/// What a code answers, or why it does not; and our own cheapest solve before and after it.
-fn asked(code: Code, points: &[Point]) -> Result<(Result<Vec<OtherPoint>, String>, Beside), Error> {
-    let mut own = targets::cheapest_laps(points)?;
-    let answer = others::precision(code)?;
-    own.extend(targets::cheapest_laps(points)?);
-    Ok((answer, Beside::of(code, &own)))
-}
-
-/// Asks one code and writes its part of the record, marked as a run of its own.
-pub fn ask(code: Code) -> Result<(), Error> {
+/// Asks one code and writes its part of the record.
+pub fn ask(code: Series) -> Result<(), Error> {
     writable::folder(&root().join(FOLDER), writable::CHECKOUT)?;
     let mut record = Record::read()?;
-    let (answer, beside) = pool(1)?.install(|| asked(code, &record.points))?;
+    let answer = growth::on(1, || asked(&mut record, code))?;
     let remedy = "bash oracles/peers/setup.sh installs it; the record stays as it was";
-    record.measured.renew(answer.map_err(|why| Error::at("timings", why, remedy))?, beside);
+    answer.map_err(|why| Error::at("timings", why, remedy))?;
+    written(&record)
+}
+
+/// Takes in what a code answers, with our own cheapest solve before and after it; the reason where it does not answer.
+fn asked(record: &mut Record, code: Series) -> Result<Result<(), String>, Error> {
+    let mut own = targets::seconds_of_ours(&record.points)?;
+    let lines = match others::precision(code)? {
+        Ok(lines) => lines,
+        Err(why) => return Ok(Err(why)),
+    };
+    own.extend(targets::seconds_of_ours(&record.points)?);
+    let version = lines.first().map_or_else(String::new, others::version);
+    let points = lines.iter().enumerate().map(|(mesh, line)| others::answered(code, mesh, line)).collect();
+    record.renew(points, Beside { code, version, seconds: Spread::of(&own), machine: Machine::here() });
+    Ok(Ok(()))
+}
+
+fn written(record: &Record) -> Result<(), Error> {
     record.write()?;
-    apart(&record).into_iter().for_each(say);
+    beside(record).into_iter().for_each(say);
     say(format!("written: {FOLDER}; `cargo run --release` draws it"));
     Ok(())
 }
@@ -154,9 +145,8 @@ fn memory(elements: usize, refinement: u32) -> Result<Option<f64>, Error> {
 }
 
 /// Seconds of the whole report in a process of its own; it writes nothing.
-fn report_seconds(bar: &ProgressBar) -> Result<f64, Error> {
+fn report_seconds() -> Result<f64, Error> {
     let clock = Instant::now();
-    bar.tick();
     itself(&["verdicts"])?;
     Ok(clock.elapsed().as_secs_f64())
 }

@@ -30,8 +30,8 @@ impl Field {
         let bodies: Vec<Option<usize>> = self.cells.iter().map(|cell| self.body(own, cell)).collect();
         let mut found = vec![[0.0; 2]; own.mesh.points.len()];
         for (body, part) in own.mesh.bodies.iter().enumerate() {
-            let cells: Vec<&Cell> =
-                self.cells.iter().zip(&bodies).filter(|(_, of)| **of == Some(body)).map(|(cell, _)| cell).collect();
+            let own_cells = self.cells.iter().zip(&bodies).filter(|(_, of)| **of == Some(body));
+            let cells: Vec<Placed> = own_cells.map(|(cell, _)| self.placed(cell)).collect();
             for node in part.nodes.clone() {
                 let point = own.mesh.points[node];
                 let name = &own.scene.bodies[body].name;
@@ -54,9 +54,17 @@ impl Field {
         bodies.into_iter().find(holds)
     }
 
+    fn placed<'a>(&self, cell: &'a Cell) -> Placed<'a> {
+        let nodes: Vec<Vector2<f64>> = cell.nodes.iter().map(|&node| self.points[node].into()).collect();
+        let middle = nodes.iter().sum::<Vector2<f64>>() / nodes.len() as f64;
+        let size = nodes.iter().map(|node| (node - middle).norm()).fold(0.0, f64::max);
+        Placed { cell, nodes, middle, size }
+    }
+
     /// The displacement at a point, from the cell that holds it best.
-    fn at(&self, cells: &[&Cell], point: Vector2<f64>) -> Option<[f64; 2]> {
-        let near = cells.iter().filter_map(|cell| self.natural(cell, point).map(|(outside, at)| (outside, *cell, at)));
+    fn at(&self, cells: &[Placed], point: Vector2<f64>) -> Option<[f64; 2]> {
+        let near =
+            cells.iter().filter_map(|placed| placed.natural(point).map(|(outside, at)| (outside, placed.cell, at)));
         let (outside, cell, at) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
         // NaN belongs to no cell.
         if outside.is_nan() || outside > OUTSIDE {
@@ -68,12 +76,21 @@ impl Field {
         };
         Some([of(0), of(1)])
     }
+}
 
-    /// How far outside a cell a point lies, and its natural coordinates; none of cells away from it.
-    fn natural(&self, cell: &Cell, point: Vector2<f64>) -> Option<(f64, [f64; 2])> {
-        let nodes: Vec<Vector2<f64>> = cell.nodes.iter().map(|&node| self.points[node].into()).collect();
-        let middle = nodes.iter().sum::<Vector2<f64>>() / nodes.len() as f64;
-        let size = nodes.iter().map(|node| (node - middle).norm()).fold(0.0, f64::max);
+/// A cell with the places of its nodes: as many points are looked for in it as there are nodes of ours.
+struct Placed<'a> {
+    cell: &'a Cell,
+    nodes: Vec<Vector2<f64>>,
+    middle: Vector2<f64>,
+    /// Largest distance of a node from the middle \[mm\].
+    size: f64,
+}
+
+impl Placed<'_> {
+    /// How far outside the cell a point lies, and its natural coordinates; none of cells away from it.
+    fn natural(&self, point: Vector2<f64>) -> Option<(f64, [f64; 2])> {
+        let Self { cell, nodes, middle, size } = self;
         if (point - middle).norm() > size * (1.0 + OUTSIDE) {
             return None;
         }

@@ -30,6 +30,9 @@ pub struct Truth {
     pub run: Run,
     /// What its numbers may be off.
     pub bars: Vec<Barred>,
+    /// The mesh that the case is exported on, and strain energies of our fine answer and of that on this mesh \[N mm\]: known from the
+    /// first field on that is judged.
+    pub exported: std::sync::OnceLock<(Discretisation, [f64; 2])>,
 }
 
 /// Name of our own answer.
@@ -59,7 +62,7 @@ impl Truth {
             let answer = reference::answer(&case.scene);
             answer.iter().flat_map(|answer| &answer.known).for_each(|known| takes(&mut bars, known));
         }
-        Ok(Self { case, discretisation, run, bars })
+        Ok(Self { case, discretisation, run, bars, exported: Default::default() })
     }
 
     /// What the closed forms of the case say that our own run contradicts.

@@ -8,6 +8,7 @@
 //! * [`class`](mod@class), [`method`], [`pairing`] — how a run ended and what was run, as they are recorded.
 //! * [`random`] — random scenes of closed form.
 //! * [`records`] — files of recorded surveys; [`present`] — whether what scripts record is of the present sources.
+//! * [`machine`] — on what seconds were measured.
 //! * [`handed_over`] — our discretisation as plain numbers, for other codes; [`answers`] — where theirs come from; [`differences`] — how far
 //!   two of them are apart.
 
@@ -30,6 +31,7 @@ pub mod fitted;
 pub mod handed_over;
 pub mod independent;
 pub mod limits;
+pub mod machine;
 pub mod measured;
 pub mod met;
 pub mod method;

@@ -8,9 +8,7 @@ use contact_vv::oracle::cross_code::frozen::{Digest, Frozen, script_hash};
 use contact_vv::scene::{Load, Path, PlaneHypothesis, Profile, Scene};
 use contact_vv::solve::Discretisation;
 use contact_vv::study::answers::{Reproduced, reproduced};
-use contact_vv::study::cross_code::discrete::differences;
-use contact_vv::study::cross_code::judge::assembled_alike;
-use contact_vv::study::cross_code::twin::{Twin, problems};
+use contact_vv::study::cross_code::{Twin, assembled_alike, differences, problems};
 use contact_vv::study::differences::{changes, largest_change, relative_difference};
 
 fn all_pass(checks: &[Judged]) -> bool {

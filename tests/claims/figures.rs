@@ -10,8 +10,8 @@ use contact_vv::figure::{
     schematic,
 };
 use contact_vv::study::drawn::picture;
-use contact_vv::study::timings::pareto::{Measure, front, sound, within};
-use contact_vv::study::timings::precision::{Family, Point};
+use contact_vv::study::timings::pareto::{Measure, cheapest, front, sound};
+use contact_vv::study::timings::precision::Point;
 use contact_vv::study::timings::record::Record;
 
 /// Linear red, green and blue (IEC 61966-2-1, as in WCAG 2.1).
@@ -249,24 +249,23 @@ fn picture_of_the_page_has_both_files_an_escaped_name_and_a_caption_after_a_blan
 #[test]
 fn no_point_is_both_cheaper_and_as_exact_as_one_of_the_front() {
     let points = Record::read().expect("the committed record").points;
-    for family in [Family::Truncated, Family::Cylinder] {
-        let own = sound(&points, &[family]);
-        for measure in Measure::ALL {
-            let (cost, worst): (fn(&Point) -> f64, _) =
-                (|point| point.seconds, |point: &Point| measure.errors(point)[1]);
-            let front = front(&own, cost, &worst);
-            assert!(front.len() > 3, "{family:?}");
-            let beats = |a: &Point, b: &Point| cost(a) < cost(b) && worst(a) <= worst(b);
-            assert!(front.iter().all(|kept| own.iter().all(|other| !beats(other, kept))));
-            for other in own.iter().filter(|other| !front.iter().any(|kept| std::ptr::eq(*kept, **other))) {
-                assert!(
-                    front.iter().any(|kept| cost(kept) <= cost(other) && worst(kept) <= worst(other)),
-                    "left out for nothing"
-                );
-            }
-            let best = within(&front, 1e-3, &worst).expect("within 0.1 %");
-            assert!(own.iter().filter(|point| worst(point) <= 1e-3).all(|point| cost(point) >= cost(best)));
-            assert!(within(&front, 0.0, &worst).is_none() && within(&front, f64::NAN, &worst).is_none());
+    let own = sound(&points);
+    for measure in Measure::ALL {
+        let (cost, worst): (fn(&Point) -> f64, _) = (|point| point.seconds, |point: &Point| measure.errors(point)[1]);
+        let front = front(&own, cost, &worst);
+        assert!(front.len() > 3, "{measure:?}");
+        let beats = |a: &Point, b: &Point| cost(a) < cost(b) && worst(a) <= worst(b);
+        assert!(front.iter().all(|kept| own.iter().all(|other| !beats(other, kept))));
+        for other in own.iter().filter(|other| !front.iter().any(|kept| std::ptr::eq(*kept, **other))) {
+            assert!(
+                front.iter().any(|kept| cost(kept) <= cost(other) && worst(kept) <= worst(other)),
+                "left out for nothing"
+            );
         }
+        let within = |most: f64| cheapest(own.iter().copied(), cost, worst, most);
+        let best = within(1e-3).expect("within 0.1 %");
+        assert!(front.iter().any(|kept| std::ptr::eq(*kept, best)));
+        assert!(own.iter().filter(|point| worst(point) <= 1e-3).all(|point| cost(point) >= cost(best)));
+        assert!(within(0.0).is_none() && within(f64::NAN).is_none());
     }
 }

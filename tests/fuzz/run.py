@@ -22,7 +22,7 @@ HERE = ROOT / "tests/fuzz"
 WORK = ROOT / "target/fuzz"
 RECORD = ROOT / "snapshots/fuzz.json"
 # The modules that the targets call, and the targets.
-MODULES = ["case", "solver/error", "solver/mesh", "oracle", "referee", "solver/scene", "study/cross_code"]
+MODULES = ["case", "solver/error", "solver/mesh", "oracle", "referee", "solver/scene", "study/cross_code.rs"]
 SOURCES = [f"src/{module}" for module in MODULES] + [
     f"tests/fuzz/{name}" for name in ("Cargo.lock", "Cargo.toml", "mesh.toml", "read.rs", "targets")]
 # Seeds besides the corpus, and the longest input in bytes.

@@ -8,7 +8,7 @@ use super::words::{counted, factor};
 use crate::markdown::significant;
 
 /// Columns of what is measured once, without a spread.
-const ONCE: [&str; 7] = ["seconds", "report", "memory_ratio", "ratio_quartile", "stiffness", "linear", "rest"];
+const ONCE: [&str; 4] = ["seconds", "report", "memory_ratio", "ratio_quartile"];
 /// Columns of a spread: the median first.
 const SPREAD: [&str; 3] = ["median", "least", "most"];
 

@@ -22,7 +22,7 @@ pub fn page(findings: &[Finding]) -> String {
     let body = [
         format!("## Is it right?\n\n{}\n", right(findings)),
         format!("## Against what?\n\n{}\n", against(findings)),
-        format!("## What does accuracy cost?\n\n{}\n", cost::cost(findings)),
+        format!("## What does accuracy cost?\n\n{}\n", cost::cost()),
         format!("## Where does it fail, and what should I use?\n\n{}\n", advice::advice(findings)),
         format!("## The paper's statements\n\n{}\n", summary::statements(findings)),
         format!("## Verdicts\n\n{}\n", summary::verdicts(findings, advice::recommended(findings))),

@@ -14,22 +14,11 @@ use crate::oracle::{Quantity, Reading};
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::independent::benchmark::{Benchmark, LEVELS, Scene};
 
-/// The closed form of a scene.
-#[derive(Clone, Debug, Serialize)]
-pub struct ClosedForm {
-    /// Peak pressure \[MPa\].
-    pub peak: f64,
-    /// Half-width by second moment \[mm, or rad\].
-    pub half_width: f64,
-}
-
 /// What was found on the finest mesh, with its uncertainty.
 #[derive(Clone, Debug, Serialize)]
 pub struct Found {
-    /// Half-width by second moment \[mm, or rad\].
-    pub half_width: Measured,
-    /// Peak pressure \[MPa\].
-    pub peak: Measured,
+    /// Peak pressure \[MPa\] and half-width by second moment \[mm, or rad\].
+    pub measured: [Measured; 2],
     /// Force on the whole contact \[N\].
     pub resultant: f64,
     /// Means of the pressure over the stretches \[MPa\].
@@ -68,8 +57,7 @@ impl Found {
         };
         let measured = |of| Measured::of([coarse, medium, fine], of);
         Ok(Self {
-            half_width: measured(|answer| answer.half_width),
-            peak: measured(|answer| answer.peak),
+            measured: [measured(|answer| answer.peak), measured(|answer| answer.half_width)],
             resultant: fine.resultant,
             profile: fine.pressure.clone(),
             dofs: fine.dofs,
@@ -98,16 +86,16 @@ pub fn ours(benchmark: &Benchmark) -> Result<Vec<PhysicalAnswer>, Error> {
 }
 
 /// What the closed form says of a scene, if there is one.
-pub fn closed_form(benchmark: &Benchmark) -> Option<ClosedForm> {
+pub fn closed_form(benchmark: &Benchmark) -> Option<[f64; 2]> {
     let oracle = benchmark.case.oracle()?;
     let value = |quantity| match oracle.read(quantity) {
         Reading::Value { value, .. } => value,
         Reading::Silent | Reading::Unavailable(_) => f64::NAN,
     };
-    Some(ClosedForm { peak: value(Quantity::PeakPressure), half_width: value(Quantity::SecondMoment) })
+    Some([Quantity::PeakPressure, Quantity::SecondMoment].map(value))
 }
 
-/// A number that is compared.
+/// A number that is compared, in the order of what is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Number {
     /// Peak pressure.
@@ -122,18 +110,7 @@ impl Number {
 
     /// The number of a code, in its unit.
     pub fn of(self, scene: Scene, found: &Found) -> Measured {
-        match self {
-            Self::Peak => found.peak,
-            Self::Width => found.half_width.times(self.per_unit(scene)),
-        }
-    }
-
-    /// The number of a closed form, in its unit.
-    pub fn of_closed_form(self, scene: Scene, closed: &ClosedForm) -> f64 {
-        match self {
-            Self::Peak => closed.peak,
-            Self::Width => closed.half_width * self.per_unit(scene),
-        }
+        found.measured[self as usize].times(self.per_unit(scene))
     }
 
     /// Factor from MPa, mm or rad to its unit: angles are reported in degrees.

@@ -25,11 +25,8 @@ fn served(compared: &Compared) -> Judged {
 /// Ours against a script's, with the uncertainties of both meshes and of its penalty.
 pub fn against(compared: &Compared, other: &Other, number: Number) -> Comparison {
     let (ours, theirs) = (number.of(compared.scene, &compared.ours), number.of(compared.scene, &other.found));
-    let penalty = match number {
-        _ if !other.script.has_penalty() => 0.0,
-        Number::Peak => compared.penalty[0],
-        Number::Width => compared.penalty[1] * number.per_unit(compared.scene),
-    };
+    let softened = compared.penalty[number as usize] * number.per_unit(compared.scene);
+    let penalty = if other.script.has_penalty() { softened } else { 0.0 };
     Comparison::of(ours.value, theirs.value, [ours.uncertainty, theirs.uncertainty, penalty])
 }
 
@@ -45,7 +42,7 @@ fn of_script(compared: &Compared, other: &Other) -> Vec<Judged> {
         let because = "a tolerance far above what is found sees nothing";
         Check::error(quantity, Reference::own("what is found", 0.0), TIGHT, because).judge(tolerance / found)
     };
-    for (number, tolerance) in [(Number::Peak, demanded[0]), (Number::Width, demanded[1])] {
+    for (number, tolerance) in Number::ALL.into_iter().zip(demanded) {
         let (name, mine, value) =
             (number.name(scene), number.of(scene, &compared.ours), number.of(scene, &other.found));
         let reference = || Reference { uncertainty: Some(value.uncertainty), ..theirs(value.value) };

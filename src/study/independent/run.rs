@@ -16,14 +16,34 @@ use crate::oracle::cross_code::independent::{Independent, Script, file};
 use crate::oracle::cross_code::live;
 use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use crate::study::Planned;
 use crate::study::answers::{Answers, Reproduced};
 use crate::study::independent::benchmark::{Benchmark, Scene};
-use crate::study::independent::found::{ClosedForm, Found, closed_form, ours};
+use crate::study::independent::found::{Found, closed_form, ours};
 #[cfg(feature = "python")]
 use crate::study::independent::renewal;
 
 /// Springs of the scripts with a penalty, `k_n = κ E*/ℓ`.
 const KAPPA: f64 = 1e4;
+
+/// All scenes, against frozen answers.
+pub fn plan() -> Vec<Planned<Compared>> {
+    against(Answers::Frozen)
+}
+
+/// The same with the scripts themselves asked.
+#[cfg(feature = "python")]
+pub fn live() -> Vec<Planned<Compared>> {
+    against(Answers::Live)
+}
+
+fn against(answers: Answers) -> Vec<Planned<Compared>> {
+    let planned = Scene::ALL.map(|scene| {
+        let name = format!("{}{}", scene.name(), answers.suffix());
+        Planned::new("independent codes", name, move || compare(&scene.benchmark(), answers))
+    });
+    planned.into()
+}
 
 /// A scene by every script that serves it.
 #[derive(Clone, Debug, Serialize)]
@@ -34,8 +54,8 @@ pub struct Compared {
     pub stations: Vec<f64>,
     /// Length \[mm\] and pressure \[MPa\] that the scene is measured by.
     pub reference: [f64; 2],
-    /// The closed form, if there is one.
-    pub closed_form: Option<ClosedForm>,
+    /// Peak pressure \[MPa\] and half-width by second moment \[mm, or rad\] of the closed form, if there is one.
+    pub closed_form: Option<[f64; 2]>,
     /// What we found.
     pub ours: Found,
     /// What the scripts found.

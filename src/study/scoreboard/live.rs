@@ -46,15 +46,22 @@ pub fn ask(name: &str, case: &Case, told: impl Fn(&Setting)) -> Result<(Asked, V
     for setting in Setting::ALL {
         told(&setting);
         let cholesky = cholesky(&discretisation)?;
-        match run(&setting, &place)? {
-            Run::Absent(why) => absent.push(why),
-            Run::Failed { why, seconds } => runs.push(of(&setting, seconds, cholesky, None, Ended::Failed(why))),
-            Run::Told { value, seconds } => {
-                let ended = kept(name, &truth, &discretisation, &place, &value)?;
-                let version = value["version"].as_str().map(str::to_owned);
-                runs.push(of(&setting, seconds, cholesky, version, ended));
+        let (seconds, answer) = match run(&setting, &place) {
+            Ok(ran) => ran,
+            Err(why) => {
+                absent.push(why);
+                continue;
             }
-        }
+        };
+        let (version, ended) = match answer {
+            Ok(value) => {
+                let version = value["version"].as_str().map(str::to_owned);
+                (version, kept(name, &truth, &discretisation, &place, &value)?)
+            }
+            Err(why) => (None, Ended::Failed(why)),
+        };
+        let Setting { code, method, .. } = setting;
+        runs.push(Told { code, method: method.into(), version, seconds, cholesky, ended });
     }
     Ok((Asked { dofs: discretisation.system.dofs(), runs }, absent))
 }
@@ -74,10 +81,6 @@ fn refuse_other_scripts() -> Result<(), Error> {
     Ok(())
 }
 
-fn of(setting: &Setting, seconds: f64, cholesky: f64, version: Option<String>, ended: Ended) -> Told {
-    Told { code: setting.code, method: setting.method.into(), version, seconds, cholesky, ended }
-}
-
 /// Seconds of one sparse Cholesky solve of all bodies, the shortest of some.
 fn cholesky(discretisation: &Discretisation) -> Result<f64, Error> {
     let systems = discretisation.system.bodies.iter().map(Plain::of).collect::<Result<Vec<Plain>, Error>>()?;
@@ -90,31 +93,22 @@ fn cholesky(discretisation: &Discretisation) -> Result<f64, Error> {
     Ok(all.into_iter().fold(f64::INFINITY, f64::min))
 }
 
-/// What came of a script.
-enum Run {
-    /// Its code is not installed.
-    Absent(String),
-    /// It failed.
-    Failed { why: String, seconds: f64 },
-    /// What it told.
-    Told { value: Value, seconds: f64 },
-}
-
-fn run(setting: &Setting, place: &Path) -> Result<Run, Error> {
+/// Seconds of a script, and what it told or why it failed; refused with the reason where its code is not installed.
+fn run(setting: &Setting, place: &Path) -> Result<(f64, Result<Value, String>), String> {
     let script = root().join("oracles/peers").join(setting.code.script());
     let clock = Instant::now();
     let started = Command::new(PYTHON).arg("-EsB").arg(&script).arg(place).arg(setting.method).output();
-    let Ok(output) = started else { return Ok(Run::Absent(format!("{PYTHON} is missing"))) };
+    let output = started.map_err(|_| format!("{PYTHON} is missing"))?;
     let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
     let last = said.lines().last().unwrap_or("it failed without a word").to_owned();
     if output.status.code() == Some(MISSING) {
-        return Ok(Run::Absent(last));
+        return Err(last);
     }
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let value = text.lines().last().and_then(|line| serde_json::from_str::<Value>(line).ok());
     Ok(match value.filter(|_| output.status.success()) {
-        Some(value) => Run::Told { seconds: value["seconds"].as_f64().unwrap_or(f64::NAN), value },
-        None => Run::Failed { why: last, seconds: clock.elapsed().as_secs_f64() },
+        Some(value) => (value["seconds"].as_f64().unwrap_or(f64::NAN), Ok(value)),
+        None => (clock.elapsed().as_secs_f64(), Err(last)),
     })
 }
 
@@ -139,8 +133,8 @@ fn kept(
             .map_err(|error| Error::unwritable(&written, error))?;
     }
     let kept = board::folder().join(&named);
-    let scores = scored(truth, discretisation, &kept, &bytes);
-    let found = scores.map_or([f64::NAN; 2], |(scores, _)| scores.map(|score| score.value));
+    let scored = scored(truth, discretisation, &kept, &bytes);
+    let found = scored.map_or([f64::NAN; 2], |scored| scored.scores.map(|score| score.value));
     if found.iter().any(|value| !value.is_finite()) {
         return Ok(Ended::Failed(format!("what it wrote holds no profile that can be judged: {file}")));
     }

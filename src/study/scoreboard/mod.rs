@@ -1,28 +1,23 @@
 //! The scoreboard: exported cases solved by other codes, each with the contact it documents and with the best of its settings that were
 //! tried, and judged from the files that they write.
 //!
-//! * `plan` — which cases; `setting` — which codes with which contact.
+//! A folder, since asking the codes, keeping what they write and judging it are three things.
+//!
+//! * `setting` — which codes with which contact.
 //! * `board` — what a live run leaves under `oracles/frozen/scoreboard`; `live` — that run.
-//! * `run` — the frozen answers, judged.
-//! * `judge` — whether they are read, are of the present scripts, and agree with the truths.
-//! * `section` — a row a run; `picture` — error over seconds.
+//! * `run` — which cases; the frozen answers, scored and judged.
+//! * `section` — a row a run, and error over seconds.
 
 pub mod board;
-mod judge;
 pub mod live;
-mod picture;
-mod plan;
 mod run;
 mod section;
 pub mod setting;
 
 use crate::study::about::About;
 
-pub use judge::judge;
-pub use picture::pictures;
-pub use plan::{CASES, named, plan};
-pub use run::{Ended, Numbers, Row, Score, numbers, scored};
-pub use section::section;
+pub use run::{CASES, Numbers, Row, Score, Scored, judge, named, numbers, plan, scored};
+pub use section::{pictures, section};
 
 /// What its page is called, what it asks, and what it cannot tell.
 pub const ABOUT: About = About {

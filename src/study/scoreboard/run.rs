@@ -1,14 +1,12 @@
-//! The frozen answers of a case, judged as `judge` does.
+//! The frozen answers of a case, scored as `contact-vv judge` does; whether they are read, are of the present scripts, and agree.
 
 use std::fs;
 use std::path::Path;
 
 use serde::Serialize;
 
-use crate::case::Case;
-use crate::case::Judged;
-use crate::case::Verdict;
-use crate::case::quantity::Quantity;
+use crate::case::{Case, Check, Judged, Quantity, Reference, Verdict, library};
+use crate::checkout::root;
 use crate::error::Error;
 use crate::measure::larger;
 use crate::oracle::ReferenceKind;
@@ -17,9 +15,26 @@ use crate::referee::judge::ENGINEERING;
 use crate::referee::units::Role;
 use crate::referee::{Answer, Asked, Truth, calculix, read, verdicts};
 use crate::solve::Discretisation;
-use crate::study::scoreboard::board::{self, Board, Told, hashes};
+use crate::study::Planned;
+use crate::study::scoreboard::board::{self, Board, Ended, FOLDER, RENEW, Told, hashes};
 use crate::study::scoreboard::setting::Setting;
 use crate::uncertainty::COVERAGE;
+
+/// One body on a rigid one, flat and curved; two bodies, straight, curved, and conforming.
+pub const CASES: [&str; 6] = ["cylinder", "truncated-hertz", "bars", "own-weight", "two-cylinders", "pin-rod"];
+
+/// A case of the library, or of a scene file of the repository.
+pub fn named(name: &str) -> Result<Case, Error> {
+    let file = root().join("tests/cases").join(name).with_extension("toml");
+    if library::NAMES.iter().any(|(known, _)| *known == name) { library::find(name, None) } else { Case::read(&file) }
+}
+
+/// One trial a case.
+pub fn plan() -> Vec<Planned<Numbers>> {
+    let planned =
+        CASES.map(|name| Planned::new("scoreboard", name, move || numbers(name, &named(name)?, &Board::load()?)));
+    planned.into()
+}
 
 /// A case by all codes.
 #[derive(Clone, Debug, Serialize)]
@@ -39,37 +54,21 @@ pub struct Numbers {
 /// A run.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
-    /// Index of its setting among all.
-    pub setting: usize,
-    /// Version of the code; none of a run that failed.
-    pub version: Option<String>,
-    /// Seconds over those of one sparse Cholesky solve.
-    pub seconds: f64,
-    /// How it ended.
-    pub ended: Ended,
+    /// Its setting.
+    pub setting: Setting,
+    /// What the live run left of it.
+    pub told: Told,
+    /// What its file holds now; why there is none, or none that can be read.
+    pub scored: Result<Scored, String>,
 }
 
-/// How it ended.
+/// An answer against its truth.
 #[derive(Clone, Debug, Serialize)]
-pub enum Ended {
-    /// With an answer.
-    Judged {
-        /// Iterations.
-        iterations: usize,
-        /// Peak pressure, half-width.
-        scores: [Score; 2],
-        /// What is not met.
-        failed: Vec<String>,
-        /// Largest relative change of peak and second-moment width since they were judged by the live run.
-        moved: f64,
-    },
-    /// Without one, or with one that cannot be read: why.
-    Failed {
-        /// Why.
-        why: String,
-        /// Whether the code itself failed.
-        by_itself: bool,
-    },
+pub struct Scored {
+    /// Peak pressure, half-width.
+    pub scores: [Score; 2],
+    /// What is not met.
+    pub failed: Vec<String>,
 }
 
 /// A number against its truth.
@@ -84,32 +83,35 @@ pub struct Score {
 }
 
 impl Row {
-    /// Its setting.
-    pub fn setting(&self) -> Setting {
-        Setting::ALL[self.setting]
-    }
-
     /// How much of all that is judged is not met.
-    fn not_met(&self) -> usize {
-        match &self.ended {
-            Ended::Judged { failed, .. } => failed.len(),
-            Ended::Failed { .. } => usize::MAX,
-        }
+    pub fn not_met(&self) -> usize {
+        self.scored.as_ref().map_or(usize::MAX, |scored| scored.failed.len())
     }
 
     /// The larger error of peak and second-moment width; NaN of a run that failed.
     pub fn error(&self) -> f64 {
-        match &self.ended {
-            Ended::Judged { scores: [peak, width], .. } => larger(peak.error.abs(), width.error.abs()),
-            Ended::Failed { .. } => f64::NAN,
-        }
+        let of = |scored: &Scored| larger(scored.scores[0].error.abs(), scored.scores[1].error.abs());
+        self.scored.as_ref().map_or(f64::NAN, of)
+    }
+
+    /// Seconds over those of one sparse Cholesky solve.
+    pub fn seconds(&self) -> f64 {
+        self.told.seconds / self.told.cholesky
+    }
+
+    /// Largest relative change of peak and second-moment width since they were judged by the live run; none without an answer.
+    fn moved(&self) -> Option<f64> {
+        let (Ended::Answered { found, .. }, Ok(Scored { scores, .. })) = (&self.told.ended, &self.scored) else {
+            return None;
+        };
+        Some(scores.iter().zip(found).map(|(now, then)| (now.value - then).abs() / then.abs()).fold(0.0, larger))
     }
 }
 
 impl Numbers {
     /// The best row of the settings that hold something: the least that is not met, then the least error; the first one of equals.
     pub fn best(&self, of: impl Fn(&Setting) -> bool) -> Option<&Row> {
-        let rows = self.rows.iter().filter(|row| of(&row.setting()) && row.error().is_finite());
+        let rows = self.rows.iter().filter(|row| of(&row.setting) && row.error().is_finite());
         // Errors of round-off are equal.
         rows.min_by(|a, b| {
             a.not_met().cmp(&b.not_met()).then(a.error().max(ROUND_OFF).total_cmp(&b.error().max(ROUND_OFF)))
@@ -140,34 +142,22 @@ pub fn numbers(name: &str, case: &Case, board: &Board) -> Result<Numbers, Error>
 
 /// The row of a run; none of a setting that is no more.
 fn row(truth: &Truth, discretisation: &Discretisation, told: &Told) -> Option<Row> {
-    let wanted = Setting::named(told.code, &told.method)?;
-    let setting = Setting::ALL.iter().position(|one| *one == wanted)?;
-    let ended = match &told.ended {
-        board::Ended::Failed(why) => Ended::Failed { why: why.clone(), by_itself: true },
-        board::Ended::Answered { file, iterations, found } => {
+    let setting = Setting::named(told.code, &told.method)?;
+    let scored = match &told.ended {
+        Ended::Failed(why) => Err(why.clone()),
+        Ended::Answered { file, .. } => {
             let path = board::folder().join(file);
-            let judged = fs::read(&path)
-                .map_err(|error| Error::unreadable(&path, error, board::RENEW))
-                .and_then(|bytes| scored(truth, discretisation, &path, &bytes));
-            match judged {
-                Ok((scores, failed)) => {
-                    let moved = scores.iter().zip(found).map(|(now, then)| (now.value - then).abs() / then.abs());
-                    Ended::Judged { iterations: *iterations, moved: moved.fold(0.0, larger), scores, failed }
-                }
-                Err(error) => Ended::Failed { why: error.message.to_string(), by_itself: false },
-            }
+            fs::read(&path)
+                .map_err(|error| Error::unreadable(&path, error, RENEW))
+                .and_then(|bytes| scored(truth, discretisation, &path, &bytes))
+                .map_err(|error| error.message.to_string())
         }
     };
-    Some(Row { setting, version: told.version.clone(), seconds: told.seconds / told.cholesky, ended })
+    Some(Row { setting, told: told.clone(), scored })
 }
 
 /// Peak and second-moment width of a file that a code wrote for an exported case, and what of all that is judged is not met.
-pub fn scored(
-    truth: &Truth,
-    discretisation: &Discretisation,
-    file: &Path,
-    bytes: &[u8],
-) -> Result<([Score; 2], Vec<String>), Error> {
+pub fn scored(truth: &Truth, discretisation: &Discretisation, file: &Path, bytes: &[u8]) -> Result<Scored, Error> {
     let answer = answer(&truth.case, discretisation, file, bytes)?;
     let found = verdicts(truth, answer, ENGINEERING)?;
     let judged: Vec<&Judged> = found.ruled.iter().flat_map(|ruled| &ruled.judged).collect();
@@ -182,7 +172,7 @@ pub fn scored(
     let peak = score(&|quantity| *quantity == Quantity::PeakPressure);
     let width = score(&|quantity| matches!(quantity, Quantity::SecondMomentWidth | Quantity::SecondMomentAngle));
     let failed = judged.iter().filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string());
-    Ok(([peak, width], failed.collect()))
+    Ok(Scored { scores: [peak, width], failed: failed.collect() })
 }
 
 /// The answer in a file: numbers are in mm, N and MPa, and nodes are those of the exported mesh.
@@ -205,4 +195,47 @@ fn answer(case: &Case, discretisation: &Discretisation, file: &Path, bytes: &[u8
         return calculix::forces(file, &text, &deck::text(discretisation)?, &case.scene, &asked);
     }
     read::parse(file, bytes, case, &asked)
+}
+
+/// Relative change that other rounding explains.
+const SAME: f64 = 1e-6;
+
+/// Whether the frozen answers are read, are of the present scripts and meshes, and whether some code agrees with the truth: one of
+/// them, not all.
+pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
+    let rows = || numbers.rows.iter();
+    let unread = rows().filter(|row| matches!(row.told.ended, Ended::Answered { .. }) && row.scored.is_err()).count();
+    // Acceptance is stated, so that what is no number has moved.
+    let is_same = |row: &&Row| row.moved().is_none_or(|moved| moved <= SAME);
+    let moved = numbers.rows.len() - rows().filter(is_same).count();
+    let complete = |value: f64| if numbers.rows.len() == Setting::ALL.len() { value } else { f64::NAN };
+    let named = |name: &'static str| Quantity::at(name, numbers.case.clone());
+    let none =
+        |name, value: usize, because: &'static str| Check::none(named(name), because).judge(complete(value as f64));
+    let best = numbers.best(|_| true).and_then(|row| row.scored.as_ref().ok());
+    let agrees = |k: usize, name| {
+        let (error, bar) = best.map_or((f64::NAN, 0.0), |best| (best.scores[k].error.abs(), best.scores[k].bar));
+        let reference =
+            Reference { kind: ReferenceKind::CrossCode, ..Reference::own("the nearest of other codes", 0.0) };
+        Check::error(named(name), reference, ENGINEERING + bar, "engineering tolerance, and what the truth may be off")
+            .judge(error)
+    };
+    let [now, then] = numbers.dofs;
+    let dofs = Check::at_most(
+        named("degrees of freedom that the exported mesh has changed by"),
+        Reference::own("none", 0.0),
+        format!("{FOLDER} is of the present meshes: {RENEW}"),
+    );
+    Ok(vec![
+        none("frozen answers that cannot be read", unread, "what a code wrote once is read as it was"),
+        none(
+            "frozen answers judged otherwise than when they were written",
+            moved,
+            "peak and second-moment width within 1e-6",
+        ),
+        none("scripts changed since their answers were frozen", numbers.changed.len(), RENEW),
+        dofs.judge(now.abs_diff(then) as f64),
+        agrees(0, "relative error of the peak pressure of the nearest code"),
+        agrees(1, "relative error of the second-moment width of the nearest code"),
+    ])
 }

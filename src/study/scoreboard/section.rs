@@ -3,16 +3,15 @@
 use std::fmt::Write;
 
 use crate::error::Error;
-use crate::markdown;
+use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{Axis, Chart, Drawing};
+use crate::markdown::{self, Column};
+use crate::measure::larger;
 use crate::study::Found;
-use crate::study::drawn::picture;
-use crate::study::scoreboard::board::Board;
-use crate::study::scoreboard::picture::{FILE, FLOOR};
-use crate::study::scoreboard::run::{Ended, Numbers, ROUND_OFF, Row};
+use crate::study::drawn::{Curve, picture};
+use crate::study::scoreboard::board::{Board, Ended};
+use crate::study::scoreboard::run::{Numbers, ROUND_OFF, Row, Scored};
 use crate::study::scoreboard::setting::{Code, Setting};
-
-const HEAD: [&str; 8] =
-    ["code", "contact", "p₀ − truth", "a − truth", "truth ±", "iterations", "seconds ÷ Cholesky", "not met"];
 
 /// The section.
 pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
@@ -31,7 +30,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
          moves with the node that faces it, and these pairs are ours.\n\n",
         board.processor
     );
-    text += &summary(findings);
+    text += &(markdown::columns(&SUMMARY, &Code::ALL.map(|code| summed(findings, code))) + "\n");
     text += &picture(
         FILE,
         &format!(
@@ -41,69 +40,131 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     );
     for found in findings {
         let numbers = found.numbers;
-        let rows: Vec<Vec<String>> = numbers.rows.iter().map(|row| line(numbers, row)).collect();
+        let is_best = |row: &Row| {
+            numbers.best(|setting| setting.code == row.setting.code).is_some_and(|best| best.setting == row.setting)
+        };
+        let rows: Vec<Line> = numbers.rows.iter().map(|row| (row.clone(), is_best(row))).collect();
         let _ =
             write!(text, "\n## {}, {} degrees of freedom, truth: {}\n\n", numbers.case, numbers.dofs[0], numbers.kind);
-        text += &markdown::table(&HEAD.map(String::from), &rows);
+        text += &markdown::columns(&RUNS, &rows);
     }
     Ok(text)
 }
 
+/// A code, its row of each case by the first choice and by the best setting, and how many of its runs failed.
+type Summed = (Code, [Vec<Option<Row>>; 2], usize);
+
 /// Code by code: how many cases are met, by the first choice and by the best setting.
-fn summary(findings: &[Found<Numbers>]) -> String {
-    let head = [
-        "code",
-        "all met, first choice",
-        "all met, best setting",
-        "worst error, first choice",
-        "worst error, best setting",
-        "runs that failed",
-    ];
-    let row = |code: Code| {
-        let first = |numbers: &'_ Numbers| {
-            numbers.rows.iter().find(|row| row.setting().code == code && row.setting().first).cloned()
-        };
-        let best = |numbers: &'_ Numbers| numbers.best(|setting| setting.code == code).cloned();
-        let [first, best] = [&first as &dyn Fn(&Numbers) -> Option<Row>, &best]
-            .map(|of| findings.iter().map(|found| of(found.numbers)).collect::<Vec<_>>());
-        let met = |rows: &[Option<Row>]| {
-            let met = rows
-                .iter()
-                .flatten()
-                .filter(|row| matches!(&row.ended, Ended::Judged { failed, .. } if failed.is_empty()))
-                .count();
-            format!("{met} of {}", rows.len())
-        };
-        let worst = |rows: &[Option<Row>]| {
-            let errors = rows.iter().flatten().map(Row::error).filter(|error| error.is_finite());
-            errors.reduce(f64::max).map_or("–".into(), markdown::error)
-        };
-        let runs = findings.iter().flat_map(|found| &found.numbers.rows).filter(|row| row.setting().code == code);
-        let failed = runs.filter(|row| matches!(row.ended, Ended::Failed { .. })).count();
-        vec![code.name().into(), met(&first), met(&best), worst(&first), worst(&best), failed.to_string()]
-    };
-    markdown::table(&head.map(String::from), &Code::ALL.map(row)) + "\n"
+const SUMMARY: [Column<Summed>; 6] = [
+    ("code", |(code, ..)| code.name().into()),
+    ("all met, first choice", |(_, [first, _], _)| met(first)),
+    ("all met, best setting", |(_, [_, best], _)| met(best)),
+    ("worst error, first choice", |(_, [first, _], _)| worst(first)),
+    ("worst error, best setting", |(_, [_, best], _)| worst(best)),
+    ("runs that failed", |(_, _, failed)| failed.to_string()),
+];
+
+fn met(rows: &[Option<Row>]) -> String {
+    let met = rows.iter().flatten().filter(|row| row.not_met() == 0).count();
+    format!("{met} of {}", rows.len())
 }
 
-fn line(numbers: &Numbers, row: &Row) -> Vec<String> {
-    let Setting { code, says, first, .. } = row.setting();
-    let version = row.version.as_ref().map_or(String::new(), |version| format!(" {version}"));
-    let best = numbers.best(|setting| setting.code == code).is_some_and(|best| best.setting == row.setting);
-    let says = if best { format!("**{says}**") } else { says.to_owned() };
-    let says = if first { format!("first choice: {says}") } else { says };
-    let start = [format!("{}{version}", code.name()), says];
-    let seconds = markdown::significant(row.seconds, 2);
-    let rest = match &row.ended {
-        Ended::Failed { why, .. } => ["failed", "failed", "–", "–", &seconds, why].map(String::from),
-        Ended::Judged { iterations, scores: [peak, width], failed, .. } => {
-            let percent = |x: f64| match x.abs() < ROUND_OFF {
-                true => markdown::error(x.abs()),
-                false => format!("{} %", markdown::signed(100.0 * x, 2)),
-            };
-            let bar = markdown::error(crate::measure::larger(peak.bar, width.bar));
-            let failed = if failed.is_empty() { "–".into() } else { failed.join("; ") };
-            [percent(peak.error), percent(width.error), bar, iterations.to_string(), seconds, failed]
-        }
+fn worst(rows: &[Option<Row>]) -> String {
+    let errors = rows.iter().flatten().map(Row::error).filter(|error| error.is_finite());
+    errors.reduce(f64::max).map_or("–".into(), markdown::error)
+}
+
+fn summed(findings: &[Found<Numbers>], code: Code) -> Summed {
+    let cases = || findings.iter().map(|found| found.numbers);
+    let own =
+        |numbers: &Numbers| numbers.rows.iter().filter(|row| row.setting.code == code).cloned().collect::<Vec<_>>();
+    let first = cases().map(|numbers| own(numbers).into_iter().find(|row| row.setting.first)).collect();
+    let best = cases().map(|numbers| numbers.best(|setting| setting.code == code).cloned()).collect();
+    (code, [first, best], cases().flat_map(own).filter(|row| row.scored.is_err()).count())
+}
+
+/// A row of a run, and whether its setting is the best of its code.
+type Line = (Row, bool);
+
+/// A run.
+const RUNS: [Column<Line>; 8] = [
+    ("code", |(row, _)| {
+        let version = row.told.version.as_ref().map_or(String::new(), |version| format!(" {version}"));
+        format!("{}{version}", row.setting.code.name())
+    }),
+    ("contact", |(Row { setting: Setting { says, first, .. }, .. }, best)| {
+        let says = if *best { format!("**{says}**") } else { (*says).to_owned() };
+        if *first { format!("first choice: {says}") } else { says }
+    }),
+    ("p₀ − truth", |(row, _)| departure(row, 0)),
+    ("a − truth", |(row, _)| departure(row, 1)),
+    ("truth ±", |(row, _)| {
+        let bar = |scored: &Scored| markdown::error(larger(scored.scores[0].bar, scored.scores[1].bar));
+        row.scored.as_ref().map_or("–".into(), bar)
+    }),
+    ("iterations", |(row, _)| match (&row.told.ended, &row.scored) {
+        (Ended::Answered { iterations, .. }, Ok(_)) => iterations.to_string(),
+        _ => "–".into(),
+    }),
+    ("seconds ÷ Cholesky", |(row, _)| markdown::significant(row.seconds(), 2)),
+    ("not met", |(row, _)| match &row.scored {
+        Ok(scored) if scored.failed.is_empty() => "–".into(),
+        Ok(scored) => scored.failed.join("; "),
+        Err(why) => why.clone(),
+    }),
+];
+
+/// How far a number is from its truth.
+fn departure(row: &Row, k: usize) -> String {
+    let told = |scored: &Scored| match scored.scores[k].error {
+        error if error.abs() < ROUND_OFF => markdown::error(error.abs()),
+        error => format!("{} %", markdown::signed(100.0 * error, 2)),
     };
-    start.into_iter().chain(rest).collect()
+    row.scored.as_ref().map_or("failed".into(), told)
+}
+
+/// File of the chart.
+const FILE: &str = "scoreboard.svg";
+/// Errors below this are drawn there.
+const FLOOR: f64 = 1e-6;
+
+/// Error over seconds, code by code.
+pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
+    let mut chart = Chart::new(
+        "Other codes on exported cases",
+        Axis::log("seconds over one sparse Cholesky solve [–]"),
+        Axis::log("larger relative error of p₀ and a [–]"),
+    );
+    for (code, first) in Code::ALL.into_iter().flat_map(|code| [(code, true), (code, false)]) {
+        let mut curve = Curve::default();
+        for found in findings {
+            let best = found.numbers.best(|setting| setting.code == code).map(|row| row.setting);
+            let rows = found.numbers.rows.iter().filter(|row| row.setting.code == code);
+            for row in rows.filter(|row| if first { row.setting.first } else { Some(row.setting) == best }) {
+                match row.scored {
+                    Ok(_) => curve.points.push([row.seconds(), row.error().max(FLOOR)]),
+                    Err(_) => curve.failed.push(row.seconds()),
+                }
+            }
+        }
+        let name = if first { "first choice" } else { "best setting" };
+        chart.series.push(curve.drawn(format!("{}, {name}", code.name()), style(code, first)));
+    }
+    Ok(vec![(FILE.into(), chart.drawing()?)])
+}
+
+/// Colour = code, sign = setting.
+fn style(code: Code, first: bool) -> Style {
+    let colour = match code {
+        Code::Calculix => palette::ORANGE,
+        Code::Getfem => palette::PURPLE,
+        Code::Ngsolve => palette::NODE,
+        Code::Sfepy => palette::SKY,
+        Code::Kratos => palette::INK,
+        Code::Akantu => palette::WINE,
+        Code::Felupe => palette::GREY,
+        Code::ScikitFem => palette::LINE,
+        Code::Dolfinx => palette::LAYER,
+    };
+    Style::run(colour, Dash::Absent, if first { Marker::Square } else { Marker::Circle })
 }

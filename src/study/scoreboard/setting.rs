@@ -1,68 +1,34 @@
 //! Codes of the scoreboard, and the contact that each is run with.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
-/// A code.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum Code {
-    /// CalculiX.
-    #[serde(rename = "CalculiX")]
-    Calculix,
-    /// GetFEM.
-    #[serde(rename = "GetFEM")]
-    Getfem,
-    /// NGSolve.
-    #[serde(rename = "NGSolve")]
-    Ngsolve,
-    /// SfePy.
-    #[serde(rename = "SfePy")]
-    Sfepy,
-    /// Kratos.
-    #[serde(rename = "Kratos")]
-    Kratos,
-    /// Akantu.
-    #[serde(rename = "Akantu")]
-    Akantu,
-    /// FElupe.
-    #[serde(rename = "FElupe")]
-    Felupe,
-    /// scikit-fem.
-    #[serde(rename = "scikit-fem")]
-    ScikitFem,
-    /// dolfinx.
-    #[serde(rename = "dolfinx")]
-    Dolfinx,
+use crate::named::named_enum;
+
+named_enum! {
+    /// A code.
+    pub enum Code {
+        /// CalculiX.
+        Calculix = "CalculiX",
+        /// GetFEM.
+        Getfem = "GetFEM",
+        /// NGSolve.
+        Ngsolve = "NGSolve",
+        /// SfePy.
+        Sfepy = "SfePy",
+        /// Kratos.
+        Kratos = "Kratos",
+        /// Akantu.
+        Akantu = "Akantu",
+        /// FElupe.
+        Felupe = "FElupe",
+        /// scikit-fem.
+        ScikitFem = "scikit-fem",
+        /// dolfinx.
+        Dolfinx = "dolfinx",
+    }
 }
 
 impl Code {
-    /// All.
-    pub const ALL: [Self; 9] = [
-        Self::Calculix,
-        Self::Getfem,
-        Self::Ngsolve,
-        Self::Sfepy,
-        Self::Kratos,
-        Self::Akantu,
-        Self::Felupe,
-        Self::ScikitFem,
-        Self::Dolfinx,
-    ];
-
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Calculix => "CalculiX",
-            Self::Getfem => "GetFEM",
-            Self::Ngsolve => "NGSolve",
-            Self::Sfepy => "SfePy",
-            Self::Kratos => "Kratos",
-            Self::Akantu => "Akantu",
-            Self::Felupe => "FElupe",
-            Self::ScikitFem => "scikit-fem",
-            Self::Dolfinx => "dolfinx",
-        }
-    }
-
     /// Its script under `oracles/peers`.
     pub fn script(self) -> &'static str {
         match self {
@@ -80,7 +46,7 @@ impl Code {
 }
 
 /// A code with one of its contacts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Setting {
     /// The code.
     pub code: Code,

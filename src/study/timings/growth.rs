@@ -1,4 +1,4 @@
-//! One contact solve of the cylinder from 10³ to 10⁶ degrees of freedom, stage by stage, against one plain sparse Cholesky solve.
+//! One contact solve of the cylinder at three sizes, stage by stage, against one plain sparse Cholesky solve; all nine over one.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -10,19 +10,15 @@ use crate::case::library::Cylinder;
 use crate::clock::{Clock, Seconds, Stage};
 use crate::condensation::Plain;
 use crate::elasticity::{ElasticSystem, Numbering};
-use crate::error::{Error, Place};
+use crate::error::Error;
+use crate::measure::order::slope;
 use crate::mesh::{Mesh, Order, Resolution};
 use crate::solution::Solution;
-use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin};
-use crate::study::timings::statistics::{Spread, upper_quartile};
+use crate::solve::{Change, Discretisation, Formulation, Origin};
+use crate::study::timings::statistics::{Spread, quantile, ratios};
 
-/// Elements per half-width and refinement of the meshes, and how often each is measured.
-pub const MESHES: [(usize, u32, usize); 8] =
-    [(4, 0, 15), (8, 0, 15), (12, 1, 15), (8, 2, 9), (8, 3, 7), (16, 3, 5), (8, 4, 3), (20, 4, 3)];
-/// Degrees of freedom up to which iterations and entries of the factor are counted again whenever the suite runs.
-pub const RECOUNTED: usize = 200_000;
-/// Degrees of freedom from which exponents are fitted: below, starting costs as much as solving.
-pub const LARGE: f64 = 7e3;
+/// Elements per half-width and refinement of the meshes of some 10⁴, 10⁵ and 10⁶ degrees of freedom, and how often each is measured.
+pub const MESHES: [(usize, u32, usize); 3] = [(12, 1, 15), (8, 3, 7), (20, 4, 3)];
 /// Where nine formulations are solved on one mesh: as many degrees of freedom with fewer and with more of them retained.
 pub const NINE: [(usize, u32); 2] = [(2, 4), (8, 3)];
 
@@ -42,9 +38,8 @@ pub struct Growth {
     pub plain: Spread,
     /// The contact solve over the plain solve of the same run.
     pub ratio: Spread,
-    /// What three of four of these runs stay below; none in records from before it was kept.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub ratio_quartile: Option<f64>,
+    /// What three of four of these runs stay below.
+    pub ratio_quartile: f64,
     /// Assembly on one thread, and on all, over the plain solve of the same run.
     pub assembly_ratio: [Spread; 2],
     /// One more solve with another load and clearance over the contact solve of the same run.
@@ -59,6 +54,12 @@ impl Growth {
         let median = |stage: &Stage| self.stages.get(stage.name()).map_or(f64::NAN, |spread| spread.median);
         stages.iter().map(median).sum()
     }
+}
+
+/// Exponent e of `y = c nᵉ`, n degrees of freedom, by least squares of the logarithms.
+pub fn exponent(growth: &[Growth], of: impl Fn(&Growth) -> f64) -> f64 {
+    let dofs: Vec<f64> = growth.iter().map(|one| one.counts.dofs as f64).collect();
+    slope(&dofs, &growth.iter().map(of).collect::<Vec<_>>())
 }
 
 /// What does not depend on the machine.
@@ -80,15 +81,19 @@ pub struct Counts {
     pub factor_operations: f64,
 }
 
-/// The cylinder on a mesh.
-pub fn resolution(elements: usize, refinement: u32) -> Resolution {
+/// A mesh of the cylinder.
+fn resolution(elements: usize, refinement: u32) -> Resolution {
     Resolution { elements, refinement, order: Order::Quadratic }
+}
+
+/// The cylinder on a mesh.
+pub fn discretised(elements: usize, refinement: u32) -> Result<Discretisation, Error> {
+    Discretisation::of(Cylinder::default().scene(), resolution(elements, refinement))
 }
 
 /// Counts of a mesh.
 pub fn counts(elements: usize, refinement: u32) -> Result<Counts, Error> {
-    let scene = Cylinder::default().scene();
-    let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
+    let discretisation = discretised(elements, refinement)?;
     let solution = discretisation.solve(&Formulation::verification())?;
     Ok(counted(&discretisation, (elements, refinement), solution.work.iterations))
 }
@@ -137,10 +142,10 @@ pub fn measure((elements, refinement, repeats): (usize, u32, usize), memory: Opt
         stages: Stage::ALL.iter().map(|&one| (one.name().to_owned(), Spread::of(&stage(one)))).collect(),
         contact: Spread::of(&contact),
         plain: Spread::of(&plain),
-        ratio: Spread::of_ratios(&contact, &plain),
-        ratio_quartile: Some(upper_quartile(&contact.iter().zip(&plain).map(|(a, b)| a / b).collect::<Vec<_>>())),
-        assembly_ratio: [Spread::of_ratios(&stage(Stage::Assembly), &plain), Spread::of_ratios(&on_all, &plain)],
-        again_ratio: Spread::of_ratios(&again, &contact),
+        ratio: Spread::of(&ratios(&contact, &plain)),
+        ratio_quartile: quantile(&ratios(&contact, &plain), 0.75),
+        assembly_ratio: [stage(Stage::Assembly), on_all].map(|seconds| Spread::of(&ratios(&seconds, &plain))),
+        again_ratio: Spread::of(&ratios(&again, &contact)),
         memory_ratio: memory.map(|bytes| bytes / (8.0 * counts.factor_entries as f64)),
         counts,
     })
@@ -157,8 +162,7 @@ fn sum(stages: &[(Stage, f64)], which: impl Fn(Stage) -> bool) -> f64 {
 }
 
 fn once(elements: usize, refinement: u32) -> Result<Once, Error> {
-    let scene = Cylinder::default().scene();
-    let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
+    let discretisation = discretised(elements, refinement)?;
     let mut clock = Clock::silent().after(&discretisation.seconds);
     let solution = clock.time(Stage::Iteration, || discretisation.solve(&Formulation::verification()))?;
     let recovered = || std::hint::black_box(discretisation.condensed.recover(&solution.displacement));
@@ -169,28 +173,18 @@ fn once(elements: usize, refinement: u32) -> Result<Once, Error> {
     let again = again.elapsed().as_secs_f64();
     let counts = counted(&discretisation, (elements, refinement), solution.work.iterations);
     let Discretisation { scene, mesh, .. } = discretisation;
-    let assembly_on_all = assembly_on_all_threads(&scene, &mesh)?;
-    Ok(Once { counts, stages: clock.seconds, again, assembly_on_all })
-}
-
-/// Seconds of the assembly on as many threads as the processor offers.
-fn assembly_on_all_threads(scene: &crate::scene::Scene, mesh: &Mesh) -> Result<f64, Error> {
-    let numbering = Numbering::of(scene, mesh)?;
-    let on_all = || -> Result<f64, Error> {
+    let numbering = Numbering::of(&scene, &mesh)?;
+    let assembly_on_all = on(ALL, || {
         let clock = Instant::now();
-        std::hint::black_box(ElasticSystem::assemble_numbered(scene, mesh, numbering, &|_| 1.0)?);
+        std::hint::black_box(ElasticSystem::assemble_numbered(&scene, &mesh, numbering, &|_| 1.0)?);
         Ok(clock.elapsed().as_secs_f64())
-    };
-    match rayon::ThreadPoolBuilder::new().build() {
-        Ok(pool) => pool.install(on_all),
-        Err(_) => on_all(),
-    }
+    })?;
+    Ok(Once { counts, stages: clock.seconds, again, assembly_on_all })
 }
 
 /// Solves once and returns the largest memory of this process so far \[bytes\]; NaN where the system does not tell.
 pub fn memory_of_one_solve(elements: usize, refinement: u32) -> Result<f64, Error> {
-    let scene = Cylinder::default().scene();
-    let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
+    let discretisation = discretised(elements, refinement)?;
     let solution = discretisation.solve(&Formulation::verification())?;
     std::hint::black_box(discretisation.condensed.recover(&solution.displacement));
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
@@ -199,79 +193,48 @@ pub fn memory_of_one_solve(elements: usize, refinement: u32) -> Result<f64, Erro
     Ok(kilobytes.map_or(f64::NAN, |kilobytes| 1024.0 * kilobytes))
 }
 
-/// Several formulations on one condensation over the single node + kinematic solve, on one thread and on all.
+/// All nine formulations at their own defaults on one condensation over the single node + kinematic solve.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Nine {
     /// Counts of the mesh.
     pub counts: Counts,
-    /// All nine.
-    pub all: [Spread; 2],
-    /// Those six of them that do not factorise at every iteration until springs die out.
-    pub without_varying: [Spread; 2],
-    /// Iterations of varying stiffness with its three elements.
-    pub varying_iterations: usize,
+    /// The ratio on one thread and on all.
+    pub ratio: [Spread; 2],
 }
 
-/// Measures the nine at their own defaults on one mesh, so many times.
+/// Measures the nine on one mesh, so many times.
 pub fn nine((elements, refinement): (usize, u32), repeats: usize) -> Result<Nine, Error> {
-    let scene = Cylinder::default().scene();
-    let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
-    let (mut all, mut six, mut last) = ([vec![], vec![]], [vec![], vec![]], None);
-    for _ in 0..repeats {
-        // One thread, then as many as the processor offers.
-        for (threads, (all, six)) in [1, 0].into_iter().zip(all.iter_mut().zip(&mut six)) {
-            let once = match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
-                Ok(pool) => pool.install(|| once_all_nine(elements, refinement))?,
-                Err(_) => once_all_nine(elements, refinement)?,
-            };
-            all.push((once.shared + once.others + once.varying) / (once.shared + once.single));
-            six.push((once.shared + once.others) / (once.shared + once.single));
-            last = Some(once);
-        }
-    }
-    let none = || Error::at(Place::Nowhere, "nothing was measured", "repeat at least once");
-    let OnceNine { iterations, varying_iterations, .. } = last.ok_or_else(none)?;
-    let spreads = |lists: [Vec<f64>; 2]| lists.map(|list| Spread::of(&list));
-    let counts = counted(&discretisation, (elements, refinement), iterations);
-    Ok(Nine { counts, all: spreads(all), without_varying: spreads(six), varying_iterations })
+    let ratio = |threads: usize| -> Result<Spread, Error> {
+        let each = || (0..repeats).map(|_| nine_over_one(elements, refinement)).collect::<Result<Vec<f64>, Error>>();
+        Ok(Spread::of(&on(threads, each)?))
+    };
+    Ok(Nine { counts: counts(elements, refinement)?, ratio: [ratio(1)?, ratio(ALL)?] })
 }
 
-/// Seconds of the condensation that all share, of the single solve, and of the nine.
-struct OnceNine {
-    shared: f64,
-    single: f64,
-    others: f64,
-    varying: f64,
-    iterations: usize,
-    varying_iterations: usize,
-}
-
-/// Mesh to displacements by the single formulation and by the nine, these side by side on the threads at hand.
-fn once_all_nine(elements: usize, refinement: u32) -> Result<OnceNine, Error> {
-    let scene = Cylinder::default().scene();
+/// Seconds from the mesh to displacements by the nine, side by side on the threads at hand, over those by the single formulation.
+fn nine_over_one(elements: usize, refinement: u32) -> Result<f64, Error> {
     let clock = Instant::now();
-    let discretisation = Discretisation::of(scene, resolution(elements, refinement))?;
+    let discretisation = discretised(elements, refinement)?;
     let shared = clock.elapsed().as_secs_f64();
-    let solved = |formulations: &[Formulation]| -> Result<(f64, Vec<Solution>), Error> {
+    let solved = |formulations: &[Formulation]| -> Result<f64, Error> {
         let clock = Instant::now();
         let each = formulations.par_iter().with_max_len(1).map(|formulation| discretisation.solve(formulation));
-        let solutions = each.collect::<Result<Vec<_>, Error>>()?;
+        let solutions = each.collect::<Result<Vec<Solution>, Error>>()?;
         let retained: Vec<&[f64]> = solutions.iter().map(|solution| solution.displacement.as_slice()).collect();
         std::hint::black_box(discretisation.condensed.recover_all(&retained));
-        Ok((clock.elapsed().as_secs_f64(), solutions))
+        Ok(clock.elapsed().as_secs_f64())
     };
-    let iterations = |solutions: &[Solution]| solutions.iter().map(|solution| solution.work.iterations).sum();
-    let (varying, others): (Vec<_>, Vec<_>) =
-        Formulation::nine().into_iter().partition(|formulation| formulation.algorithm == Iteration::Varying);
-    let (single, one) = solved(&[Formulation::verification()])?;
-    let (others, _) = solved(&others)?;
-    let (varying, three) = solved(&varying)?;
-    Ok(OnceNine {
-        shared,
-        single,
-        others,
-        varying,
-        iterations: iterations(&one),
-        varying_iterations: iterations(&three),
-    })
+    let (one, nine) = (solved(&[Formulation::verification()])?, solved(&Formulation::nine())?);
+    Ok((shared + nine) / (shared + one))
+}
+
+/// As many threads as the processor offers.
+pub const ALL: usize = 0;
+
+/// Work on so many threads.
+pub fn on<T: Send>(threads: usize, work: impl FnOnce() -> Result<T, Error> + Send) -> Result<T, Error> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| {
+        Error::at("timings", format!("no thread can be started: {error}"), "free memory, or raise the limit of threads")
+    })?;
+    pool.install(work)
 }

@@ -1,57 +1,35 @@
-//! Speed against accuracy: what each accuracy costs, in seconds and in counted work.
+//! Speed against accuracy: what each accuracy costs, in seconds and in counted work. A folder, since what measures seconds, what keeps
+//! them and what computes errors and counts again with every report are three things.
 //!
-//! Seconds are measured on demand by the command `timings` and kept under `snapshots/timings`; errors and counts stand
-//! beside them, and are measured again whenever the suite runs.
-//!
-//! * `plan` — what is run with every report.
-//! * `run` — the record, and errors and counts as they are now.
-//! * `record` — what is kept, and where.
-//! * `machine` — processor, compiler and library versions.
-//! * `statistics` — medians and worst values.
-//! * `growth` — one solve from 10³ to 10⁶ degrees of freedom, stage by stage, against one plain sparse Cholesky solve.
-//! * `precision` — error against seconds and work, over loads the mesh does not know; `answers` — what errors are held against.
-//! * `family` — which scenes, on which meshes; `pareto` — what is cheapest for an error.
-//! * `digits` — seconds of meshes fitted to the contact, and of 8-node ones with as small an error.
-//! * `others` — the same by codes on meshes of their own; the cylinder by GetFEM and CalculiX. `code` — whom, on which meshes.
-//! * `targets` — what was asked for, and what was measured.
-//! * `judge` — whether errors and counts are still the recorded ones.
-//! * `section` — what each accuracy costs.
-//! * `growth_section` — how the cost grows, and where the time goes.
-//! * `digits_section` — what each error costs, here and elsewhere.
-//! * `picture` — all charts; `work_precision`, `precision_detail` — error against seconds and work; `compared` — other codes there.
-//! * `growth_picture` — seconds by stage and memory against the degrees of freedom.
+//! * `series` — on which meshes truncated Hertz is solved, and whose these are.
+//! * `precision` — error against seconds and work, over loads the mesh does not know.
+//! * `growth` — one solve at three sizes, stage by stage, against one plain sparse Cholesky solve; all nine formulations over one.
+//! * `others` — the same accuracy by codes on meshes of their own; the cylinder by GetFEM and CalculiX on ours.
+//! * `statistics` — medians and quantiles.
+//! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`.
+//! * `run` — errors and counts as they are now, and whether they are still the recorded ones.
+//! * `pareto` — what is cheapest for an error; `targets` — what was asked for, and what was measured.
+//! * `section` — the page; `work_precision` — its chart.
 
-pub mod answers;
-pub mod code;
-pub mod compared;
-pub mod digits;
-mod digits_section;
-pub mod family;
 pub mod growth;
-mod growth_picture;
-mod growth_section;
-pub mod judge;
-pub mod machine;
 pub mod others;
 pub mod pareto;
-mod picture;
-pub mod plan;
 pub mod precision;
-mod precision_detail;
 pub mod record;
 pub mod run;
-mod section;
+pub mod section;
+pub mod series;
 pub mod statistics;
 pub mod targets;
-mod work_precision;
+pub mod work_precision;
 
+use crate::error::Error;
+use crate::figure::Drawing;
+use crate::study::Found;
 use crate::study::about::About;
+use record::Record;
 
-pub use judge::judge;
-pub use picture::pictures;
-pub use plan::plan;
-pub use run::Numbers;
-pub use section::section;
+pub use run::{Numbers, judge, plan};
 
 /// What its page is called, what it asks, and what it cannot tell.
 pub const ABOUT: About = About {
@@ -59,3 +37,13 @@ pub const ABOUT: About = About {
     asked: "What an accuracy costs, in seconds and in counted work, here and in other codes.",
     limits: "Seconds are those of one machine. Errors and counts are computed again with every report, seconds are not.",
 };
+
+/// The page of the committed record.
+pub fn section(_: &[Found<Numbers>]) -> Result<String, Error> {
+    Ok(section::page(&Record::read()?))
+}
+
+/// The chart of the committed record.
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
+    Ok(vec![("work-precision.svg".into(), work_precision::chart(&Record::read()?)?)])
+}

@@ -1,6 +1,6 @@
 //! What is cheapest for an error: the points that no other beats, and the first within an error that is asked for.
 
-use crate::study::timings::precision::{Family, Point};
+use crate::study::timings::precision::Point;
 
 /// Quantities whose error is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,10 +32,9 @@ impl Measure {
     }
 }
 
-/// Points of some families under all of whose loads the runs converge.
-pub fn sound<'a>(points: &'a [Point], families: &[Family]) -> Vec<&'a Point> {
-    let is_own = |point: &&Point| families.contains(&point.family) && point.peak_worst.is_finite();
-    points.iter().filter(is_own).collect()
+/// Our points on meshes that do not know where the contact ends, under all of whose loads the runs converge.
+pub fn sound(points: &[Point]) -> Vec<&Point> {
+    points.iter().filter(|point| point.series.order().is_some() && point.peak_worst.is_finite()).collect()
 }
 
 /// The points to which none is both as cheap and as exact, the cheapest first.
@@ -52,7 +51,13 @@ pub fn front<'a>(points: &[&'a Point], cost: fn(&Point) -> f64, error: &dyn Fn(&
     sorted
 }
 
-/// The cheapest point within an error.
-pub fn within<'a>(front: &[&'a Point], asked: f64, error: &dyn Fn(&Point) -> f64) -> Option<&'a Point> {
-    front.iter().copied().find(|point| error(point) <= asked)
+/// The point of least cost within an error.
+pub fn cheapest<'a>(
+    points: impl IntoIterator<Item = &'a Point>,
+    cost: fn(&Point) -> f64,
+    error: impl Fn(&Point) -> f64,
+    most: f64,
+) -> Option<&'a Point> {
+    let enough = points.into_iter().filter(|point| error(point) <= most);
+    enough.min_by(|a, b| cost(a).total_cmp(&cost(b)))
 }

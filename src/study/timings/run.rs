@@ -1,106 +1,102 @@
-//! The record, and what can be measured again: errors and counts, not seconds.
+//! Seconds are believed only while the errors and counts recorded beside them are still the code's own: these are computed again.
 
 use serde::Serialize;
 
+use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
-use crate::mesh::Order;
-use crate::study::Found;
-use crate::study::timings::answers::Answers;
-use crate::study::timings::digits::{self, RECOMPUTED, Reached};
-use crate::study::timings::growth::{self, Counts, RECOUNTED};
-use crate::study::timings::precision::{self, Family, Point};
-use crate::study::timings::record::{Measured, Record};
+use crate::study::Planned;
+use crate::study::timings::growth::{self, Counts};
+use crate::study::timings::precision::{self, Point};
+use crate::study::timings::record::Record;
+use crate::study::timings::series::Series;
+
+/// Name of the trials.
+const CASE: &str = "speed against accuracy";
+/// Recorded errors may differ from recomputed ones by this share: other machines round otherwise, and runs stop at 1e-5.
+const DIGITS: f64 = 1e-3;
+/// Degrees of freedom up to which iterations and entries of the factor are counted again.
+const RECOUNTED: usize = 200_000;
+
+/// One trial a series of our meshes, one for the growth.
+pub fn plan() -> Vec<Planned<Numbers>> {
+    let precision = |series: Series| Planned::new(CASE, series.name(), move || again(series));
+    Series::OURS.into_iter().map(precision).chain([Planned::new(CASE, "growth", recounted)]).collect()
+}
 
 /// What a trial found.
 #[derive(Clone, Debug, Serialize)]
 pub enum Numbers {
-    /// Error against work on the meshes of a family.
-    Precision(Precision),
-    /// Growth of the work with the mesh.
-    Growth(Box<Recounted>),
-    /// What more digits cost.
-    Digits(Redone),
+    /// Error against work on a series of meshes.
+    Precision(Again<Point>),
+    /// Counts of the growth with the mesh.
+    Growth(Again<Counts>),
 }
 
-/// Points of a family, with one order of cells.
+/// What is recorded, and what of it is computed again.
 #[derive(Clone, Debug, Serialize)]
-pub struct Precision {
+pub struct Again<T> {
     /// As recorded.
-    pub recorded: Vec<Point>,
-    /// As they are now.
-    pub fresh: Vec<Point>,
-    /// How many there shall be.
+    pub recorded: Vec<T>,
+    /// As they are now: all points, and the counts of the smaller meshes.
+    pub fresh: Vec<T>,
+    /// How many shall be recorded.
     pub planned: usize,
 }
 
-/// Meshes fitted to the contact and 8-node ones.
-#[derive(Clone, Debug, Serialize)]
-pub struct Redone {
-    /// As recorded.
-    pub recorded: Vec<Reached>,
-    /// The smaller ones as they are now; their seconds are of no use.
-    pub fresh: Vec<Reached>,
-}
-
-impl Redone {
-    /// Recorded meshes that are solved again.
-    pub fn kept(recorded: &[Reached]) -> impl Iterator<Item = &Reached> {
-        recorded.iter().filter(|one| one.dofs <= RECOMPUTED)
-    }
-}
-
-/// The rest of the record.
-#[derive(Clone, Debug, Serialize)]
-pub struct Recounted {
-    /// As recorded.
-    pub recorded: Measured,
-    /// Counts of its smaller meshes as they are now.
-    pub fresh: Vec<Counts>,
-}
-
-impl Recounted {
-    /// Recorded counts that are counted again.
-    pub fn kept(recorded: &Measured) -> impl Iterator<Item = &Counts> {
-        recorded.growth.iter().map(|one| &one.counts).filter(|counts| counts.dofs <= RECOUNTED)
-    }
-}
-
-/// Every mesh of a family once more.
-pub fn precision(family: Family, order: Order) -> Result<Numbers, Error> {
-    let is_own = |point: &Point| point.family == family && point.cell_nodes == order.nodes_per_cell();
-    let recorded = Record::read()?.points.into_iter().filter(is_own).collect();
-    let answers = Answers::of(family)?;
-    let fresh = family.elements().map(|elements| precision::measure(family, order, elements, &answers));
+/// Every mesh of a series once more.
+fn again(series: Series) -> Result<Numbers, Error> {
+    let recorded = Record::read()?.of(series).cloned().collect();
+    let planned = series.meshes().len() * series.formulations().len();
+    let fresh = series.meshes().iter().map(|mesh| precision::measure(series, *mesh));
     let fresh = fresh.collect::<Result<Vec<_>, _>>()?.concat();
-    let planned = family.elements().count() * family.formulations().len();
-    Ok(Numbers::Precision(Precision { recorded, fresh, planned }))
+    Ok(Numbers::Precision(Again { recorded, fresh, planned }))
 }
 
 /// The smaller meshes of the growth once more.
-pub fn growth() -> Result<Numbers, Error> {
-    let recorded = Record::read()?.measured;
-    let counted = |kept: &Counts| growth::counts(kept.elements, kept.refinement);
-    let fresh = Recounted::kept(&recorded).map(counted).collect::<Result<_, _>>()?;
-    Ok(Numbers::Growth(Box::new(Recounted { recorded, fresh })))
+fn recounted() -> Result<Numbers, Error> {
+    let recorded: Vec<Counts> = Record::read()?.measured.growth.into_iter().map(|one| one.counts).collect();
+    let kept = recorded.iter().filter(|counts| counts.dofs <= RECOUNTED);
+    let fresh = kept.map(|kept| growth::counts(kept.elements, kept.refinement)).collect::<Result<_, _>>()?;
+    Ok(Numbers::Growth(Again { recorded, fresh, planned: growth::MESHES.len() }))
 }
 
-/// The smaller of the meshes whose digits are recorded once more.
-pub fn digits() -> Result<Numbers, Error> {
-    let recorded = Record::read()?.measured.digits;
-    let fresh = Redone::kept(&recorded).map(|kept| digits::measure(kept.cells, 1)).collect::<Result<_, _>>()?;
-    Ok(Numbers::Digits(Redone { recorded, fresh }))
+/// The check of a trial.
+pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
+    Ok(vec![match numbers {
+        Numbers::Precision(points) => as_recorded(
+            "point whose errors or counts are not those recorded with its seconds",
+            format!(
+                "every mesh is computed again; errors within {DIGITS:e}, which the tolerance of the runs leaves; `timings` renews the record"
+            ),
+            points,
+            is_same,
+        ),
+        Numbers::Growth(counts) => as_recorded(
+            "mesh whose degrees of freedom, iterations or operations are not those recorded with its seconds",
+            "exact counts; `timings` renews the record".into(),
+            counts,
+            Counts::eq,
+        ),
+    }])
 }
 
-/// The record that the trials have read.
-pub fn record(findings: &[Found<Numbers>]) -> Result<Record, Error> {
-    let (mut measured, mut points) = (None, Vec::new());
-    for found in findings {
-        match found.numbers {
-            Numbers::Precision(precision) => points.extend(precision.recorded.iter().cloned()),
-            Numbers::Growth(growth) => measured = Some(growth.recorded.clone()),
-            Numbers::Digits(_) => {}
-        }
-    }
-    let none = || Error::at("timings", "the trial `growth` was not run", "run all trials");
-    Ok(Record { measured: measured.ok_or_else(none)?, points })
+/// How many are not recorded as they are now; not a number where something is missing.
+fn as_recorded<T>(what: &'static str, because: String, again: &Again<T>, is_same: fn(&T, &T) -> bool) -> Judged {
+    let Again { recorded, fresh, planned } = again;
+    let moved = fresh.iter().filter(|fresh| !recorded.iter().any(|kept| is_same(kept, fresh))).count();
+    let complete = !fresh.is_empty() && recorded.len() == *planned;
+    let quantity = Quantity::at(what, format!("of {}", fresh.len()));
+    let check = Check::at_most(quantity, Reference::own("snapshots/timings", 0.0), because);
+    check.judge(if complete { moved as f64 } else { f64::NAN })
+}
+
+/// Whether two points are of the same mesh and formulation, with the same errors and counts; seconds are not compared.
+fn is_same(kept: &Point, fresh: &Point) -> bool {
+    let exact = |one: &Point| (one.series, one.mesh, one.formulation, one.dofs, one.converged);
+    let numbers = |one: &Point| [one.operations, one.peak, one.peak_worst, one.half_width, one.half_width_worst];
+    exact(kept) == exact(fresh) && numbers(kept).into_iter().zip(numbers(fresh)).all(|(a, b)| near(a, b))
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a.is_nan() && b.is_nan()) || (a - b).abs() <= DIGITS * a.abs().max(b.abs()) + 1e-9
 }

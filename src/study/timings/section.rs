@@ -1,50 +1,43 @@
-//! The section on speed against accuracy.
+//! The page on speed against accuracy, and the sentences that its charts and the front page share with it.
 
-use crate::error::Error;
-use crate::markdown::{self, significant};
-use crate::solve::{Element, Iteration};
-use crate::study::Found;
+use std::collections::BTreeSet;
+
+use crate::clock::Stage;
+use crate::markdown::{self, Column, significant};
+use crate::mesh::Order;
 use crate::study::drawn::picture;
-use crate::study::pairing::Pairing;
-use crate::study::timings::code::Code;
-use crate::study::timings::compared::apart;
-use crate::study::timings::digits_section;
-use crate::study::timings::growth_section;
-use crate::study::timings::precision::{ASKED, Family, LOADS, Point, TOLERANCE};
-use crate::study::timings::record::Record;
-use crate::study::timings::run::{Numbers, record};
-use crate::study::timings::targets::targets;
-
-/// Families whose meshes are compared, and how they are graded.
-const GRADED: [(Family, &str); 3] =
-    [(Family::Truncated, "graded"), (Family::Steep, "steep"), (Family::Uniform, "uniform")];
+use crate::study::timings::growth::{Growth, exponent};
+use crate::study::timings::others::{PeerPoint, cells};
+use crate::study::timings::pareto::{cheapest, sound};
+use crate::study::timings::precision::{LOADS, Point};
+use crate::study::timings::record::{Beside, Record};
+use crate::study::timings::series::{Series, TOLERANCE};
+use crate::study::timings::targets::{COMPARED, NOT_ASKED, Target, ours, targets};
 
 /// What a parabola misses of the top of `√(1 − x²/a²)`, fitted by least squares to x < a/4: its next term is x⁴/8a⁴, and the best
 /// parabola for x⁴ on 0 to h is at 0 off by 3h⁴/35.
 const PARABOLA: f64 = 3.0 / 35.0 / 8.0 * (0.25 * 0.25 * 0.25 * 0.25);
 
-/// The whole section.
-pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let record = record(findings)?;
-    let parts = [
-        machine(&record),
-        asked(&record),
-        precision(),
-        digits_section::section(&record),
-        what_pays(&record),
-        growth_section::section(&record),
-    ];
-    Ok(parts.concat())
+/// Columns of the table of targets.
+const ASKED: [Column<Target>; 4] = [
+    ("what", |target| target.what.clone()),
+    ("asked for", |target| target.asked.clone()),
+    ("measured", |target| target.measured.clone()),
+    ("met", |target| target.met.map_or("–", |met| if met { "✓" } else { "✗" }).into()),
+];
+
+/// The page of a record.
+pub fn page(record: &Record) -> String {
+    let asked = markdown::columns(&ASKED, &targets(record));
+    [machine(record), asked, counted(record), precision(), growth(record)].concat()
 }
 
-fn asked(record: &Record) -> String {
-    let rows: Vec<Vec<String>> = (targets(record).into_iter())
-        .map(|t| {
-            let met = t.met.map_or("–", |met| if met { "✓" } else { "✗" });
-            vec![t.what, t.asked, t.measured, met.into()]
-        })
-        .collect();
-    markdown::table(&["what", "asked for", "measured", "met"].map(String::from), &rows)
+/// What the seconds of each code on our meshes count, by its own account.
+fn counted(record: &Record) -> String {
+    let told = |peer: &PeerPoint| format!("{} {}: {}.", peer.code.name(), peer.version, peer.counted);
+    let each: BTreeSet<String> = record.measured.peers.iter().map(told).collect();
+    let lead = "The same mesh is handed to codes that one would pick instead; ours is the contact solve from the assembled matrix on, theirs";
+    format!("\n{lead} count:\n\n{}", each.into_iter().map(|line| format!("* {line}\n")).collect::<String>())
 }
 
 fn machine(record: &Record) -> String {
@@ -62,67 +55,102 @@ fn machine(record: &Record) -> String {
         machine.compiler,
         versions.join(", ")
     );
-    let skipped = record.measured.skipped().into_iter().map(|why| format!("Skipped: {why}.\n\n"));
-    let apart = apart(record).into_iter().map(|sentence| sentence + "\n\n");
-    text + &skipped.chain(apart).collect::<String>()
+    let skipped = record.measured.absent.iter().map(|(code, why)| format!("Skipped: {code}: {why}.\n\n"));
+    let beside = beside(record).into_iter().map(|sentence| sentence + "\n\n");
+    text + &skipped.chain(beside).collect::<String>()
 }
 
 fn precision() -> String {
-    let mut text = format!(
+    let text = format!(
         "\n## Error against seconds and work\n\nThe mesh does not know the answer: it is graded for a nominal half-width, and {LOADS} loads \
          move the contact edge across one of its elements. Finding the contact is part of the cost. All runs to the tolerance \
-         {TOLERANCE:e}. Errors of the cylinder are those against the converged answer of its own scene. The other codes solve on \
-         meshes and by methods of their own: scikit-fem by exact active sets, dolfinx by a penalty, NGSolve ({}) by an augmented \
-         Lagrangian. No mesh of theirs knows where the contact ends. scikit-fem and dolfinx read p₀ by a parabola over a quarter of the \
+         {TOLERANCE:e}. The other codes solve on meshes and by methods of their own: scikit-fem by exact active sets, dolfinx by a penalty, \
+         NGSolve ({}) by an augmented Lagrangian. No mesh of theirs knows where the contact ends. scikit-fem and dolfinx read p₀ by a parabola over a quarter of the \
          half-width, which leaves {} of Hertz's ellipse even where the pressure is exact; NGSolve's is read with a term in x⁴, so that its \
          error is free of that.\n\n",
-        Code::Ngsolve.cells(),
+        cells(Series::Ngsolve),
         significant(PARABOLA, 1)
     );
-    text += &picture(
-        "work-precision.svg",
-        "Truncated Hertz: worst error of peak and second-moment width against seconds and counted operations",
-    );
-    text += &picture(
-        "work-precision-cylinder.svg",
-        "Cylinder: the same, and GetFEM and CalculiX on our meshes under one load",
-    );
-    let detail = picture(
-        "work-precision-detail.svg",
-        "Worst error against seconds of all nine formulations; hollow: some load did not converge",
-    );
-    text + &markdown::folded("By formulation and kind of cells", &detail, false)
+    let caption = "Truncated Hertz: worst error of peak and second-moment width against seconds and counted operations";
+    text + &picture("work-precision.svg", caption)
 }
 
-/// Degrees of freedom and seconds needed for each error asked for.
-fn what_pays(record: &Record) -> String {
-    let mut rows = Vec::new();
-    for (family, grading) in GRADED {
-        for nodes in [4, 8] {
-            for element in Element::ALL {
-                let pairing = Pairing { element, algorithm: Iteration::Kinematic };
-                let points = record.of_meshes(family, nodes, pairing);
-                let first = [format!("{nodes}-node, {grading}"), element.name().to_owned()];
-                rows.push(first.into_iter().chain(ASKED.map(|error| needed(&points, error))).collect());
-            }
-        }
-    }
-    let head = ["cells", "element"].map(String::from).into_iter();
-    let head: Vec<String> = head.chain(ASKED.map(|error| format!("{} %", 100.0 * error))).collect();
+/// What grows with the mesh, by its name.
+type Growing = (&'static str, fn(&Growth) -> f64);
+
+/// Rows of the table of the growth below those of the stages.
+const WHOLE: [Growing; 6] = [
+    ("contact solve [ms]", |one| 1e3 * one.contact.median),
+    ("plain solve [ms]", |one| 1e3 * one.plain.median),
+    ("from nothing [ms]", |one| 1e3 * one.seconds(&Stage::ALL)),
+    ("operations of the factorisation [million]", |one| 1e-6 * one.counts.factor_operations),
+    ("sparse factor [MB]", |one| 8e-6 * one.counts.factor_entries as f64),
+    ("whole process, at most [MB]", |one| {
+        one.memory_ratio.map_or(f64::NAN, |ratio| 8e-6 * ratio * one.counts.factor_entries as f64)
+    }),
+];
+
+/// How seconds, memory and the counted operations grow, which seconds follow in the end.
+fn growth(record: &Record) -> String {
+    let growth = &record.measured.growth;
+    let row = |name: String, of: &dyn Fn(&Growth) -> f64| {
+        let cells = growth.iter().map(|one| significant(of(one), 3));
+        std::iter::once(name).chain(cells).chain([format!("{:.2}", exponent(growth, of))]).collect()
+    };
+    let stages = Stage::ALL.map(|stage| row(format!("{} [ms]", stage.name()), &|one| 1e3 * one.seconds(&[stage])));
+    let rows: Vec<Vec<String>> = stages.into_iter().chain(WHOLE.map(|(name, of)| row(name.into(), &of))).collect();
+    let sizes = growth.iter().map(|one| format!("{} dofs, {} iterations", one.counts.dofs, one.counts.iterations));
+    let head: Vec<String> = std::iter::once("".into()).chain(sizes).chain(["exponent".into()]).collect();
     format!(
-        "## What pays\n\n{}Degrees of freedom and milliseconds of the cheapest mesh whose median errors of p₀ and a are \
-         both within:\n\n{}\n",
-        picture(
-            "what-pays.svg",
-            "Graded against uniform meshes, 4-node against 8-node cells, node against line and layer elements"
-        ),
-        markdown::table(&head, &rows)
+        "## Growth\n\nThe cylinder by node + kinematic load, one thread. A boundary method needs far fewer unknowns for Hertz itself: this is \
+         the price of a method that takes any body.\n\n{}\nNested dissection of a plane mesh of n nodes leads to n^1.5 operations (George \
+         1973): the time of a direct method grows slower only as long as something else takes most of it.\n\n",
+        markdown::table(&head, &rows),
     )
 }
 
-/// Degrees of freedom and milliseconds of the fastest point within an error; – without one.
-fn needed(points: &[&Point], error: f64) -> String {
-    let enough = points.iter().filter(|point| point.error() <= error);
-    let cheapest = enough.min_by(|a, b| a.seconds.total_cmp(&b.seconds));
-    cheapest.map_or("–".into(), |p| format!("{}, {} ms", p.dofs, significant(1e3 * p.seconds, 2)))
+/// The cheapest run of each code that keeps the error in both quantities under every load.
+pub fn conclusion(record: &Record) -> String {
+    let best = |points: Vec<&Point>| cheapest(points, |point| point.seconds, Point::worst, COMPARED).cloned();
+    let own = best(sound(&record.points)).map(|Point { series, seconds, formulation, mesh, dofs, .. }| {
+        let formulation = formulation.map_or_else(String::new, |formulation| formulation.to_string());
+        let (told, nodes) = (milliseconds(seconds), series.order().map_or(0, Order::nodes_per_cell));
+        format!("ours {told} ({formulation}, {nodes}-node cells, {mesh} per half-width, {dofs} dofs)")
+    });
+    let theirs = Series::CODES.map(|code| match best(record.of(code).collect()) {
+        Some(best) => format!("{} {} ({} dofs)", code.name(), milliseconds(best.seconds), best.dofs),
+        None if record.of(code).next().is_some() => format!("{} on none of its meshes", code.name()),
+        None => format!("{} {NOT_ASKED}", code.name()),
+    });
+    let own = own.unwrap_or("ours on no mesh".into());
+    format!("Within {} in p₀ and a under each of the {LOADS} loads: {own}; {}.", percent(), theirs.join("; "))
+}
+
+/// What our own solve took beside each of the other codes.
+pub fn beside(record: &Record) -> Vec<String> {
+    let own = ours(&record.points).map_or(f64::NAN, |own| own.seconds);
+    let told = |Beside { code, version, seconds, machine }: &Beside| {
+        format!(
+            "Beside {} {version} ({}, {} threads, {}) our solve to {} took {} against {} in the chart: its seconds compare with ours by the \
+             ratio to these alone.",
+            code.name(),
+            machine.processor,
+            machine.threads,
+            machine.system,
+            percent(),
+            milliseconds(seconds.median),
+            milliseconds(own)
+        )
+    };
+    record.measured.beside.iter().map(told).collect()
+}
+
+/// The error to which codes are compared.
+pub fn percent() -> String {
+    format!("{} %", 100.0 * COMPARED)
+}
+
+/// Seconds in milliseconds.
+pub fn milliseconds(seconds: f64) -> String {
+    format!("{} ms", significant(1e3 * seconds, 2))
 }

@@ -1,131 +1,117 @@
-//! Two charts: the worst error of p₀ and a under all loads against seconds and counted work, with what is cheapest for an error.
+//! The worst error of p₀ and a under all loads against seconds and counted work, with what is cheapest for an error.
 
 use crate::error::Error;
 use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Bars, Chart, Direction, Drawing, Guide, Series, panels};
+use crate::figure::{self, Axis, Bars, Chart, Colour, Direction, Drawing, Guide, Remark, panels};
 use crate::markdown::significant;
 use crate::solve::Element;
-use crate::study::timings::compared::{TRUNCATED, milliseconds, notes, others, ours_fitted, percent, remark, spread};
-use crate::study::timings::others::{Peer, PeerPoint};
-use crate::study::timings::pareto::{Measure, front, sound, within};
-use crate::study::timings::precision::{Family, LOADS, Point};
+use crate::study::timings::others::cells;
+use crate::study::timings::pareto::{Measure, cheapest, front, sound};
+use crate::study::timings::precision::{LOADS, Point};
 use crate::study::timings::record::Record;
+use crate::study::timings::section::{beside, conclusion, milliseconds, percent};
+use crate::study::timings::series::Series;
 use crate::study::timings::targets::COMPARED;
 
 /// What a run costs: the axis, the number, and how it is told with its unit.
 type Cost = (&'static str, fn(&Point) -> f64, fn(f64) -> String);
 
-const COSTS: [Cost; 2] = [
-    ("time from the scene to the pressures [s]", |point| point.seconds, milliseconds),
-    ("counted operations [floating-point operations]", Point::operations, operations),
-];
+const SECONDS: Cost = ("time from the scene to the pressures [s]", |point| point.seconds, milliseconds);
+const OPERATIONS: Cost = (
+    "counted operations [floating-point operations]",
+    |point| point.operations,
+    |count| format!("{} million", significant(1e-6 * count, 2)),
+);
 
 /// Truncated Hertz, whose answer is known, beside meshes fitted to the contact and codes on meshes of their own.
-pub fn truncated(record: &Record) -> Result<Drawing, Error> {
-    let mut charts = charts(record, &TRUNCATED);
+pub fn chart(record: &Record) -> Result<Drawing, Error> {
+    let mut charts = charts(record);
     for (chart, measure) in charts.iter_mut().step_by(2).zip(Measure::ALL) {
-        ours_fitted(chart, record, measure);
+        let style = Style::run(palette::INK, Dash::Dashed, Marker::Square);
+        let label = "node element, high order, fitted to the contact it finds".into();
+        curve(chart, label, style, record.of(Series::Fitted).collect(), SECONDS, measure);
         others(chart, record, measure);
     }
-    charts[0].notes.extend(notes(record));
+    charts[0].notes.extend(std::iter::once(conclusion(record)).chain(beside(record)));
     panels(&format!("What accuracy costs: truncated Hertz, worst error under {LOADS} loads"), &charts, 2)
 }
 
-/// The cylinder beside GetFEM and CalculiX.
-pub fn cylinder(record: &Record) -> Result<Drawing, Error> {
-    let mut charts = charts(record, &[Family::Cylinder]);
-    for (k, measure) in Measure::ALL.into_iter().enumerate() {
-        peers(&mut charts[2 * k], record, measure);
-        for chart in &mut charts[2 * k..2 * k + 2] {
-            let (at, label) = (100.0 * record.measured.floor[k], "answer ±".into());
-            chart.guides.push(Guide { direction: Direction::Horizontal, at, label });
-        }
-    }
-    charts[0].notes.push(
-        "Errors are those against the converged answer of the same scene, known to within the line `answer ±`. GetFEM and CalculiX solve \
-         on our meshes under the nominal load alone: no worst of several. What their seconds count:"
-            .into(),
-    );
-    charts[0].notes.extend(counted(record));
-    panels(&format!("What accuracy costs: cylinder, worst error under {LOADS} loads"), &charts, 2)
-}
-
 /// A row a quantity, a column a cost: ours, and what is cheapest.
-fn charts(record: &Record, families: &[Family]) -> Vec<Chart> {
-    let points = sound(&record.points, families);
-    let chart = |measure: Measure, cost: Cost| ours(&points, measure, cost);
-    Measure::ALL.into_iter().flat_map(|measure| COSTS.map(|cost| chart(measure, cost))).collect()
+fn charts(record: &Record) -> Vec<Chart> {
+    let points = sound(&record.points);
+    let both = |measure: Measure| [SECONDS, OPERATIONS].map(|cost| ours(&points, measure, cost));
+    Measure::ALL.into_iter().flat_map(both).collect()
 }
 
-fn ours(points: &[&Point], measure: Measure, (axis, cost, told): Cost) -> Chart {
-    let [median, worst] = [0, 1].map(|k| move |point: &Point| 100.0 * measure.errors(point)[k]);
-    let y = Axis::log("worst relative error [%]");
-    let mut chart = Chart::new(measure.name(), Axis::log(axis), y);
+fn ours(points: &[&Point], measure: Measure, cost: Cost) -> Chart {
+    let (axis, value, _) = cost;
+    let worst = |point: &Point| measure.errors(point)[1];
+    let mut chart = Chart::new(measure.name(), Axis::log(axis), Axis::log("worst relative error [%]"));
     for (element, colour) in Element::ALL.into_iter().zip(palette::CURVES) {
-        let own = points.iter().filter(|point| point.formulation.element == element);
-        let points = own.map(|point| (cost(point), worst(point))).collect();
-        let style = Style::run(colour, Dash::Absent, Marker::Dot);
-        chart.series.push(Series {
+        let own = points.iter().filter(|point| point.formulation.is_some_and(|own| own.element == element));
+        chart.series.push(figure::Series {
             label: format!("{} element, any algorithm and mesh", element.name()),
-            points,
-            style,
+            points: own.map(|point| (value(point), 100.0 * worst(point))).collect(),
+            style: Style::run(colour, Dash::Absent, Marker::Dot),
             hollow: vec![],
         });
     }
-    let front = front(points, cost, &worst);
-    let curve = front.iter().map(|point| (cost(point), worst(point))).collect();
+    let label = "Pareto front: none is cheaper and as exact".into();
     let style = Style::run(palette::INK, Dash::Solid, Marker::Absent);
-    chart.series.push(Series {
-        label: "Pareto front: none is cheaper and as exact".into(),
-        points: curve,
-        style,
-        hollow: vec![],
-    });
-    let bar = |point: &&Point| [median(point), worst(point)].map(|error| (cost(point), error));
-    chart.bars.push(spread(front.iter().map(bar).collect(), palette::INK));
+    curve(&mut chart, label, style, front(points, value, &worst), cost, measure);
     chart.guides.push(Guide { direction: Direction::Horizontal, at: 100.0 * COMPARED, label: percent() });
-    if let Some(point) = within(&front, 100.0 * COMPARED, &worst) {
-        chart.remarks.push(remark((cost(point), worst(point)), told(cost(point)), false, palette::INK));
-    }
+    remark(&mut chart, points.iter().copied(), cost, measure, false, palette::INK);
     chart
 }
 
-fn operations(count: f64) -> String {
-    format!("{} million", significant(1e-6 * count, 2))
+/// A curve through the worst errors of some points, with bars from their medians; nothing where there is no point.
+fn curve(
+    chart: &mut Chart,
+    label: String,
+    style: Style,
+    mut points: Vec<&Point>,
+    (_, cost, _): Cost,
+    measure: Measure,
+) {
+    if points.is_empty() {
+        return;
+    }
+    points.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
+    let ends: Vec<_> =
+        points.iter().map(|point| measure.errors(point).map(|error| (cost(point), 100.0 * error))).collect();
+    let worst = ends.iter().map(|[_, worst]| *worst).collect();
+    chart.series.push(figure::Series { label, points: worst, style, hollow: vec![] });
+    let label = format!("upright bar: median to worst of {LOADS} loads");
+    chart.bars.push(Bars { label, ends, colour: style.colour });
 }
 
-/// Codes that ran on our meshes under one load.
-fn peers(chart: &mut Chart, record: &Record, measure: Measure) {
-    let looks = [(Peer::GetFem, palette::PURPLE, Marker::Triangle), (Peer::CalculiX, palette::ORANGE, Marker::Wedge)];
+/// What the cheapest of some points within the compared error costs.
+fn remark<'a>(
+    chart: &mut Chart,
+    points: impl IntoIterator<Item = &'a Point>,
+    (_, cost, told): Cost,
+    measure: Measure,
+    right: bool,
+    colour: Colour,
+) {
+    let worst = |point: &Point| measure.errors(point)[1];
+    if let Some(point) = cheapest(points, cost, worst, COMPARED) {
+        let label = format!("cheapest within {}", percent());
+        let (at, text) = ((cost(point), 100.0 * worst(point)), told(cost(point)));
+        chart.remarks.push(Remark { at, text, right, label, colour });
+    }
+}
+
+/// Codes that ran under all loads, on meshes of their own.
+fn others(chart: &mut Chart, record: &Record, measure: Measure) {
+    let looks = [
+        (Series::ScikitFem, palette::PURPLE, Marker::Triangle),
+        (Series::Dolfinx, palette::ORANGE, Marker::Wedge),
+        (Series::Ngsolve, palette::SKY, Marker::Diamond),
+    ];
     for (code, colour, marker) in looks {
-        let own: Vec<&PeerPoint> = record.measured.peers.iter().filter(|point| point.code == code).collect();
-        let error = |point: &PeerPoint| 100.0 * point.errors[measure as usize];
-        let points = own.iter().map(|point| (point.seconds.median, error(point))).collect();
-        let style = Style::run(colour, Dash::Absent, marker);
-        chart.series.push(Series {
-            label: format!("{}, one load, our meshes", code.name()),
-            points,
-            style,
-            hollow: vec![],
-        });
-        let ends =
-            own.iter().map(|point| [point.seconds.least, point.seconds.most].map(|seconds| (seconds, error(point))));
-        chart.bars.push(Bars {
-            label: "level bar: least to most of repeated runs".into(),
-            ends: ends.collect(),
-            colour,
-        });
+        let (label, style) = (format!("{}, {}", code.name(), cells(code)), Style::run(colour, Dash::DashDot, marker));
+        curve(chart, label, style, record.of(code).collect(), SECONDS, measure);
+        remark(chart, record.of(code), SECONDS, measure, code != Series::ScikitFem, colour);
     }
-}
-
-/// What the seconds of each code on our meshes count, by its own account.
-fn counted(record: &Record) -> Vec<String> {
-    let mut told: Vec<String> = Vec::new();
-    for peer in &record.measured.peers {
-        let line = format!("{}: {}.", peer.code.name(), peer.counted);
-        if !told.contains(&line) {
-            told.push(line);
-        }
-    }
-    told
 }

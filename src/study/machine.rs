@@ -37,7 +37,7 @@ impl Machine {
             threads: std::thread::available_parallelism().map_or(1, usize::from),
             system: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
             compiler: compiler.filter(|text| !text.is_empty()).unwrap_or_else(unknown),
-            versions: versions(include_str!("../../../Cargo.lock")),
+            versions: versions(include_str!("../../Cargo.lock")),
         }
     }
 }
