@@ -7,21 +7,13 @@ use crate::case::library::{Cylinder, PinPlate, TruncatedHertz};
 use crate::case::solved::estimated;
 use crate::case::{Case, Check, Judged, Quantity, Reference};
 use crate::error::Error;
-use crate::markdown;
+use crate::markdown::{self, Column};
 use crate::measure::larger;
 use crate::mesh::{Order, Resolution};
 use crate::oracle;
 use crate::scene::{Grading, Scene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
-use crate::study::about::About;
-use crate::study::{Found, Planned};
-
-/// What its page is called, what it asks, and what it cannot tell.
-pub const ABOUT: About = About {
-    title: "An accuracy asked for instead of a mesh",
-    asked: "What an accuracy costs that is asked for, beside a mesh made by hand.",
-    limits: "Peak pressure and second-moment width, which meshes made by hand are chosen by; `--accuracy` alone asks for the half-width instead.",
-};
+use crate::study::Planned;
 
 /// Errors asked for.
 pub const ASKED: [f64; 3] = [1e-2, 3e-3, 1e-3];
@@ -63,12 +55,12 @@ const BY_HAND: [(Subject, [ByHand; 3]); 3] = [
     ),
 ];
 
-/// One trial a scene and an accuracy.
-pub fn plan() -> Vec<Planned<Numbers>> {
+/// Every scene with every accuracy: the name of the trial, and its answer.
+pub fn plan() -> Vec<Planned<Answered>> {
     let of = |(subject, meshes): (Subject, [ByHand; 3])| {
         ASKED.into_iter().zip(meshes).map(move |(asked, mesh)| {
             let name = format!("{}, {} %", subject.name(), 100.0 * asked);
-            Planned::new("accuracy asked", name, move || numbers(subject, asked, mesh))
+            Planned::new("accuracy asked", name, move || answered(subject, asked, mesh))
         })
     };
     BY_HAND.into_iter().flat_map(of).collect()
@@ -163,25 +155,15 @@ pub struct ByHand {
     pub growth: [f64; 3],
 }
 
-/// What a mesh made by hand costs, and what it keeps.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Price {
-    /// Degrees of freedom.
-    pub dofs: usize,
-    /// Worst error over the loads against the closed form.
-    pub worst: f64,
-}
-
 impl ByHand {
-    /// Worst error over the loads against the closed form, and the degrees of freedom.
-    pub fn price(&self, subject: Subject) -> Result<Price, Error> {
-        let mut price = Price { dofs: 0, worst: 0.0 };
+    /// Degrees of freedom, and the worst error over the loads against the closed form.
+    fn price(&self, subject: Subject) -> Result<(usize, f64), Error> {
+        let mut price = (0, 0.0);
         for k in 0..LOADS {
             let place = (k as f64 - 0.5 * (LOADS - 1) as f64) / LOADS as f64;
             let case = subject.loaded(1.0 + place / self.elements as f64);
             let run = self.solved(&case.scene, subject.nominal())?;
-            price.worst = larger(price.worst, error(&run, closed_form(&case)));
-            price.dofs = run.dofs;
+            price = (run.dofs, larger(price.1, error(&run, closed_form(&case))));
         }
         Ok(price)
     }
@@ -207,47 +189,36 @@ pub fn truth(subject: Subject) -> Result<[f64; 2], Error> {
 
 /// What an accuracy costs, and whether it is kept; errors are relative, the larger ones of peak and second-moment width.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub struct Numbers {
+pub struct Answered {
     /// Error asked for.
     pub asked: f64,
     /// Whether it is said to be met.
     pub met: bool,
     /// Error estimated.
     pub estimate: f64,
-    /// Error against the closed form.
-    pub closed_form: f64,
-    /// Error against a mesh far finer.
-    pub finer: f64,
-    /// Degrees of freedom of the mesh answered.
-    pub dofs: usize,
-    /// Those of all meshes solved.
-    pub dofs_in_all: usize,
-    /// The mesh made by hand.
-    pub by_hand: Price,
+    /// Errors against the closed form and against a mesh far finer.
+    pub errors: [f64; 2],
+    /// Degrees of freedom of the mesh answered, and of all meshes solved.
+    pub dofs: [usize; 2],
+    /// Degrees of freedom of the mesh made by hand, and its worst error.
+    pub by_hand: (usize, f64),
 }
 
 /// The engine's answer beside the mesh made by hand.
-pub fn numbers(subject: Subject, asked: f64, by_hand: ByHand) -> Result<Numbers, Error> {
+fn answered(subject: Subject, asked: f64, by_hand: ByHand) -> Result<Answered, Error> {
     let case = subject.loaded(1.0);
     let plain = Formulation::new(Element::Node, Iteration::Kinematic);
     let quantities = vec![accuracy::Quantity::PeakPressure, accuracy::Quantity::SecondMomentWidth];
     let answer = accuracy::solve(&case.scene, &plain, &Asked { quantities, ..Asked::new(asked) })?;
-    Ok(Numbers::of(&answer, asked, [closed_form(&case), truth(subject)?], by_hand.price(subject)?))
+    Ok(Answered::of(&answer, asked, [closed_form(&case), truth(subject)?], by_hand.price(subject)?))
 }
 
-impl Numbers {
+impl Answered {
     /// Of an answer, given peak and second-moment width by the closed form and by the finer mesh.
-    pub fn of(answer: &Answer, asked: f64, [exact, finer]: [[f64; 2]; 2], by_hand: Price) -> Self {
-        Self {
-            asked,
-            met: answer.unmet.is_none(),
-            estimate: answer.estimate(),
-            closed_form: error(&answer.run, exact),
-            finer: error(&answer.run, finer),
-            dofs: answer.run.dofs,
-            dofs_in_all: answer.dofs_in_all(),
-            by_hand,
-        }
+    pub fn of(answer: &Answer, asked: f64, truths: [[f64; 2]; 2], by_hand: (usize, f64)) -> Self {
+        let (met, estimate) = (answer.unmet.is_none(), answer.estimate());
+        let errors = truths.map(|truth| error(&answer.run, truth));
+        Self { asked, met, estimate, errors, dofs: [answer.run.dofs, answer.dofs_in_all()], by_hand }
     }
 }
 
@@ -257,68 +228,54 @@ const ALLOWED: f64 = 4.0;
 const IN_ALL: f64 = 20.0;
 
 /// The checks.
-pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
-    let &Numbers { asked, met, estimate, by_hand, .. } = numbers;
+pub fn judge(answered: &Answered) -> Vec<Judged> {
+    let &Answered { asked, met, estimate, errors: [exact, finer], dofs: [dofs, in_all], by_hand: (least, worst) } =
+        answered;
     let closed_form = || Reference::analytic("the closed form", 0.0);
     let own = |name: &str, value: f64| Reference::own(name, value);
     let larger = |name: &'static str| Quantity::at(name, "larger one of peak and second-moment width");
     let promised = if met { estimate } else { f64::NAN };
-    let most = |times: f64| {
-        own(&format!("{times} times those of the mesh made by hand"), (times * by_hand.dofs as f64).floor())
-    };
-    let in_all = Quantity::at("degrees of freedom of all meshes solved", "");
+    let most =
+        |times: f64| own(&format!("{times} times those of the mesh made by hand"), (times * least as f64).floor());
+    let all_meshes = Quantity::at("degrees of freedom of all meshes solved", "");
     let shown = "the accuracy asked; the finer mesh shows what the closed form leaves out";
     let loads = "eight loads move the contact edge across one element";
-    Ok(vec![
-        estimated(promised, asked),
-        Check::error(larger("true error"), closed_form(), asked, shown).judge(numbers.closed_form),
-        Check::error(larger("true error"), own("a mesh far finer", 0.0), promised, "the estimate").judge(numbers.finer),
-        Check::error(larger("error of the mesh made by hand"), closed_form(), asked, loads).judge(by_hand.worst),
-        Check::at_most(Quantity::Dofs, most(ALLOWED), "the price of not knowing the error").judge(numbers.dofs as f64),
-        Check::at_most(in_all, most(IN_ALL), "the price of not knowing the contact").judge(numbers.dofs_in_all as f64),
-    ])
-}
-
-/// Columns beside the name of the trial.
-const HEAD: [&str; 8] = [
-    "scene, asked",
-    "estimated",
-    "against closed form",
-    "against finer mesh",
-    "dofs",
-    "dofs of all meshes",
-    "by hand",
-    "worst by hand",
-];
-
-/// One row a scene and an accuracy.
-pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let rows: Vec<Vec<String>> = findings.iter().map(|found| row(found.name, found.numbers)).collect();
-    Ok(format!(
-        "`accuracy = \"0.1 %\"` in a scene file, or `--accuracy`, chooses elements, growth and candidates of 8-node cells, from 0.1 % on \
-         the order of cells fitted to the contact. Errors are the \
-         larger ones of peak pressure and second-moment width (second-moment angle). A mesh made by hand is the cheapest found whose worst \
-         error over eight loads is within the asked one. The estimate is the error bar of every solve: *dofs of all \
-         meshes* counts those of the meshes before the one answered, and of the coarser ones of their bars.\n\n{}\n",
-        markdown::table(&HEAD.map(String::from), &rows)
-    ))
-}
-
-fn row(name: &str, numbers: &Numbers) -> Vec<String> {
-    let percent = |error: f64| format!("{:.3} %", 100.0 * error);
     vec![
-        name.into(),
-        percent(numbers.estimate),
-        percent(numbers.closed_form),
-        percent(numbers.finer),
-        numbers.dofs.to_string(),
-        numbers.dofs_in_all.to_string(),
-        numbers.by_hand.dofs.to_string(),
-        percent(numbers.by_hand.worst),
+        estimated(promised, asked),
+        Check::error(larger("true error"), closed_form(), asked, shown).judge(exact),
+        Check::error(larger("true error"), own("a mesh far finer", 0.0), promised, "the estimate").judge(finer),
+        Check::error(larger("error of the mesh made by hand"), closed_form(), asked, loads).judge(worst),
+        Check::at_most(Quantity::Dofs, most(ALLOWED), "the price of not knowing the error").judge(dofs as f64),
+        Check::at_most(all_meshes, most(IN_ALL), "the price of not knowing the contact").judge(in_all as f64),
     ]
 }
 
-/// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
-    Ok(Vec::new())
+/// The table of answers, each with the name of its trial.
+const COLUMNS: [Column<(String, Answered)>; 8] = [
+    ("scene, asked", |(name, _)| name.clone()),
+    ("estimated", |(_, one)| percent(one.estimate)),
+    ("against closed form", |(_, one)| percent(one.errors[0])),
+    ("against finer mesh", |(_, one)| percent(one.errors[1])),
+    ("dofs", |(_, one)| one.dofs[0].to_string()),
+    ("dofs of all meshes", |(_, one)| one.dofs[1].to_string()),
+    ("by hand", |(_, one)| one.by_hand.0.to_string()),
+    ("worst by hand", |(_, one)| percent(one.by_hand.1)),
+];
+
+fn percent(error: f64) -> String {
+    format!("{:.3} %", 100.0 * error)
+}
+
+/// The section: a row for a scene and an accuracy.
+pub(super) fn section(answered: &[(String, Answered)]) -> String {
+    format!(
+        "## An accuracy asked for instead of a mesh\n\n\
+         `accuracy = \"0.1 %\"` in a scene file, or `--accuracy`, chooses elements, growth and candidates of 8-node cells, from 0.1 % on \
+         the order of cells fitted to the contact. Errors are the \
+         larger ones of peak pressure and second-moment width (second-moment angle), which meshes made by hand are chosen by; \
+         `--accuracy` alone asks for the half-width instead. A mesh made by hand is the cheapest found whose worst \
+         error over eight loads is within the asked one. The estimate is the error bar of every solve: *dofs of all \
+         meshes* counts those of the meshes before the one answered, and of the coarser ones of their bars.\n\n{}\n",
+        markdown::columns(&COLUMNS, answered)
+    )
 }
