@@ -262,10 +262,10 @@ const BUDGETS: [(&str, usize); 8] = [
     ("figure", 3_450),
     ("case", 7_300),
     ("oracle", 4_100),
-    ("study", 20_200),
+    ("study", 19_600),
     ("referee", 4_200),
     ("report", 4_050),
-    ("cli", 4_350),
+    ("cli", 4_330),
 ];
 
 #[test]

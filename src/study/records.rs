@@ -1,5 +1,6 @@
 //! Recorded surveys: sites that are run one by one, the lines that each leaves in a CSV file, and the part of them that is run again.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -59,17 +60,20 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Surv
 
     /// The record, held against its chosen part run again.
     pub fn surveyed(&self) -> Result<Surveyed<R>, Error> {
+        let recorded = self.read()?;
         let again: Vec<S> = (self.sites)()?.into_iter().filter(self.again).collect();
         let run = |site: &S| Ok(((self.key)(site), (self.run)(site)?));
         let fresh = again.par_iter().map(run).collect::<Result<Vec<_>, Error>>()?;
-        Ok(self.compared(self.read()?, &fresh))
+        Ok(self.compared(recorded, &fresh))
     }
 
     /// A record held against sites run again, each by its name with its lines, in the order of the record.
     pub fn compared(&self, recorded: Vec<R>, fresh: &[(String, Vec<R>)]) -> Surveyed<R> {
+        let mut of_site: BTreeMap<String, Vec<&R>> = BTreeMap::new();
+        recorded.iter().for_each(|line| of_site.entry((self.of)(line)).or_default().push(line));
         let (mut again, mut moved) = (0, 0);
         for (site, fresh) in fresh {
-            let kept: Vec<&R> = recorded.iter().filter(|kept| (self.of)(kept) == *site).collect();
+            let kept = of_site.get(site).map_or(&[][..], Vec::as_slice);
             again += fresh.len().max(kept.len());
             moved += fresh.len().abs_diff(kept.len());
             moved += kept.iter().zip(fresh).filter(|(kept, fresh)| !(self.alike)(kept, fresh)).count();
@@ -99,7 +103,8 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Surv
 
 impl<R> Surveyed<R> {
     /// The check that what was run again is what was recorded; it fails where nothing was.
-    pub fn as_recorded(&self, because: &'static str) -> Judged {
+    pub fn as_recorded(&self) -> Judged {
+        let because = format!("but for round-off and the digits that are not kept; `{}` renews the record", self.name);
         let quantity = Quantity::at("recomputed record that is not the recorded one", format!("of {}", self.again));
         let record = Reference::own(&format!("snapshots/{}.csv", self.name), 0.0);
         let moved = if self.again == 0 { f64::NAN } else { self.moved as f64 };
@@ -171,6 +176,15 @@ impl Millionths {
         let is_same = a.total_cmp(&b).is_eq() || (a.is_nan() && b.is_nan());
         is_same || (a - b).abs() <= DIGITS * a.abs().max(b.abs()).min(f64::MAX) + round_off
     }
+}
+
+/// Whether the numbers of two records are alike, one by one; what is absent is like itself.
+pub fn are_like(kept: &[Option<Millionths>], fresh: &[Option<Millionths>], round_off: f64) -> bool {
+    let alike = |both: (&Option<Millionths>, &Option<Millionths>)| match both {
+        (Some(kept), Some(fresh)) => kept.is_like(*fresh, round_off),
+        (kept, fresh) => kept.is_none() && fresh.is_none(),
+    };
+    kept.len() == fresh.len() && kept.iter().zip(fresh).all(alike)
 }
 
 impl fmt::Display for Millionths {

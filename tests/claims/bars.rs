@@ -83,7 +83,7 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
     // The numbers of one scene.
     let as_recorded = |fresh: &[Record]| {
         let fresh = [((SURVEY.of)(&all[0]), fresh.to_vec())];
-        SURVEY.compared(all.clone(), &fresh).as_recorded("spoiled").verdict
+        SURVEY.compared(all.clone(), &fresh).as_recorded().verdict
     };
     assert_eq!(as_recorded(&all[..1]), pass);
     let mut moved = all[0].clone();
@@ -92,7 +92,7 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
         assert_eq!(as_recorded(&[moved]), fail);
     }
     assert_eq!(as_recorded(&[]), fail, "a scene less");
-    assert_eq!(SURVEY.compared(all.clone(), &[]).as_recorded("none").verdict, fail, "nothing was looked at");
+    assert_eq!(SURVEY.compared(all.clone(), &[]).as_recorded().verdict, fail, "nothing was looked at");
 }
 
 #[test]

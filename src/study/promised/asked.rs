@@ -18,52 +18,44 @@ use crate::study::Planned;
 /// Errors asked for.
 pub const ASKED: [f64; 3] = [1e-2, 3e-3, 1e-3];
 
-const fn by_hand(order: Order, elements: usize, end: f64, first: f64, growth: [f64; 3]) -> ByHand {
-    ByHand { order, elements, beyond: 1, end, first, growth }
+/// A mesh made by hand: elements within the nominal contact, and their growth in units of it.
+type Mesh = (Resolution, Grading);
+
+/// A mesh of an order with so many equal elements in the contact; the last candidate element over the first, the first row over the size
+/// along the surface, growth along and into the depth, and the coarsest element over the body.
+const fn mesh(order: Order, elements: usize, end: f64, first: f64, [along, depth, coarsest]: [f64; 3]) -> Mesh {
+    (Resolution { elements, refinement: 0, order }, Grading { unit: 1.0, along, depth, first, coarsest, end })
 }
 
-/// The cheapest meshes found by hand, for 1 %, 0.3 % and 0.1 %.
+/// The cheapest meshes found by hand.
 ///
 /// Of about 5,000 meshes a scene: 4-node and 8-node cells; 1 to 12 elements (16 on the pin) in the half-width; 1 to 3 beyond
 /// it; candidates equal, or ending at a half or a quarter of the first; first rows of 1 or 2 sizes; growths 1.5/1.4 to 4/3.5;
 /// coarsest element 0.3, 0.5 or 1 body. Kept is the one of fewest degrees of freedom whose worst errors of peak and second-moment width against
 /// the closed form, over eight loads that move the contact edge across one element, are both within the asked one.
-const BY_HAND: [(Subject, [ByHand; 3]); 3] = [
-    (
-        Subject::Truncated,
-        [
-            by_hand(Order::Quadratic, 3, 1.0, 1.0, [4.0, 3.5, 1.0]),
-            by_hand(Order::Quadratic, 6, 1.0, 1.0, [4.0, 3.5, 1.0]),
-            by_hand(Order::Quadratic, 8, 0.5, 2.0, [2.0, 1.8, 0.5]),
-        ],
-    ),
-    (
-        Subject::Cylinder,
-        [
-            by_hand(Order::Linear, 5, 0.5, 1.0, [2.5, 2.2, 0.3]),
-            by_hand(Order::Quadratic, 5, 1.0, 1.0, [4.0, 3.5, 1.0]),
-            by_hand(Order::Quadratic, 10, 1.0, 1.0, [4.0, 3.5, 0.3]),
-        ],
-    ),
-    (
-        Subject::Pin,
-        [
-            by_hand(Order::Quadratic, 4, 0.5, 1.0, [4.0, 3.5, 1.0]),
-            by_hand(Order::Quadratic, 6, 0.25, 1.0, [4.0, 3.5, 1.0]),
-            by_hand(Order::Quadratic, 10, 1.0, 1.0, [4.0, 3.5, 1.0]),
-        ],
-    ),
+const BY_HAND: [(Subject, f64, Mesh); 9] = [
+    (Subject::Truncated, ASKED[0], mesh(Order::Quadratic, 3, 1.0, 1.0, [4.0, 3.5, 1.0])),
+    (Subject::Truncated, ASKED[1], mesh(Order::Quadratic, 6, 1.0, 1.0, [4.0, 3.5, 1.0])),
+    (Subject::Truncated, ASKED[2], mesh(Order::Quadratic, 8, 0.5, 2.0, [2.0, 1.8, 0.5])),
+    (Subject::Cylinder, ASKED[0], mesh(Order::Linear, 5, 0.5, 1.0, [2.5, 2.2, 0.3])),
+    (Subject::Cylinder, ASKED[1], mesh(Order::Quadratic, 5, 1.0, 1.0, [4.0, 3.5, 1.0])),
+    (Subject::Cylinder, ASKED[2], mesh(Order::Quadratic, 10, 1.0, 1.0, [4.0, 3.5, 0.3])),
+    (Subject::Pin, ASKED[0], mesh(Order::Quadratic, 4, 0.5, 1.0, [4.0, 3.5, 1.0])),
+    (Subject::Pin, ASKED[1], mesh(Order::Quadratic, 6, 0.25, 1.0, [4.0, 3.5, 1.0])),
+    (Subject::Pin, ASKED[2], mesh(Order::Quadratic, 10, 1.0, 1.0, [4.0, 3.5, 1.0])),
 ];
+/// Elements of these beyond the contact.
+const BEYOND: usize = 1;
+/// The mesh that stands for the truth, and its elements beyond the contact.
+const TRUTH: (Mesh, usize) = (mesh(Order::Quadratic, 32, 1.0, 1.0, [1.2, 1.15, 0.08]), 4);
 
-/// Every scene with every accuracy: the name of the trial, and its answer.
+/// Every scene with every accuracy.
 pub fn plan() -> Vec<Planned<Answered>> {
-    let of = |(subject, meshes): (Subject, [ByHand; 3])| {
-        ASKED.into_iter().zip(meshes).map(move |(asked, mesh)| {
-            let name = format!("{}, {} %", subject.name(), 100.0 * asked);
-            Planned::new("accuracy asked", name, move || answered(subject, asked, mesh))
-        })
+    let of = |(subject, asked, mesh): (Subject, f64, Mesh)| {
+        let name = format!("{}, {} %", subject.name(), 100.0 * asked);
+        Planned::new("accuracy asked", name, move || answered(subject, asked, mesh))
     };
-    BY_HAND.into_iter().flat_map(of).collect()
+    BY_HAND.into_iter().map(of).collect()
 }
 
 /// Contact half-angle of the pin \[degrees\].
@@ -135,55 +127,32 @@ pub fn error(run: &Run, truth: [f64; 2]) -> f64 {
 const LOADS: usize = 8;
 /// Tolerance of the iterations on meshes made by hand.
 const TOLERANCE: f64 = 1e-6;
-/// Elements within the contact of the mesh that stands for the truth, and its growth.
-const TRUTH: (usize, [f64; 3]) = (32, [1.2, 1.15, 0.08]);
 
-/// A mesh made by hand: uniform or graded candidates that reach so many elements beyond the nominal contact.
-#[derive(Clone, Copy, Debug)]
-pub struct ByHand {
-    /// Element order.
-    pub order: Order,
-    /// Elements within the nominal contact, were they equal.
-    pub elements: usize,
-    /// Elements beyond it.
-    pub beyond: usize,
-    /// Last candidate element over the first.
-    pub end: f64,
-    /// First row over the size along the surface.
-    pub first: f64,
-    /// Growth along and into the depth, coarsest element over the body.
-    pub growth: [f64; 3],
+/// A scene solved on a mesh made by hand that reaches so many elements beyond the nominal contact.
+fn solved(scene: &Scene, nominal: f64, (resolution, grading): Mesh, beyond: usize) -> Result<Run, Error> {
+    let mut scene = scene.clone();
+    let elements = resolution.elements;
+    scene.contacts[0].stretch = nominal * (elements + beyond) as f64 / elements as f64;
+    scene.grading = Grading { unit: nominal * scene.contact().path.metric(), ..grading };
+    Run::of(&Discretisation::of(scene, resolution)?, &Formulation::verification().tolerance(TOLERANCE))
 }
 
-impl ByHand {
-    /// Degrees of freedom, and the worst error over the loads against the closed form.
-    fn price(&self, subject: Subject) -> Result<(usize, f64), Error> {
-        let mut price = (0, 0.0);
-        for k in 0..LOADS {
-            let place = (k as f64 - 0.5 * (LOADS - 1) as f64) / LOADS as f64;
-            let case = subject.loaded(1.0 + place / self.elements as f64);
-            let run = self.solved(&case.scene, subject.nominal())?;
-            price = (run.dofs, larger(price.1, error(&run, closed_form(&case))));
-        }
-        Ok(price)
+/// Degrees of freedom of a mesh made by hand, and its worst error over the loads against the closed form.
+fn price(subject: Subject, mesh: Mesh) -> Result<(usize, f64), Error> {
+    let mut price = (0, 0.0);
+    for k in 0..LOADS {
+        let place = (k as f64 - 0.5 * (LOADS - 1) as f64) / LOADS as f64;
+        let case = subject.loaded(1.0 + place / mesh.0.elements as f64);
+        let run = solved(&case.scene, subject.nominal(), mesh, BEYOND)?;
+        price = (run.dofs, larger(price.1, error(&run, closed_form(&case))));
     }
-
-    fn solved(&self, scene: &Scene, nominal: f64) -> Result<Run, Error> {
-        let mut scene = scene.clone();
-        let [along, depth, coarsest] = self.growth;
-        let unit = nominal * scene.contact().path.metric();
-        scene.contacts[0].stretch = nominal * (self.elements + self.beyond) as f64 / self.elements as f64;
-        scene.grading = Grading { unit, along, depth, first: self.first, coarsest, end: self.end };
-        let resolution = Resolution { elements: self.elements, refinement: 0, order: self.order };
-        Run::of(&Discretisation::of(scene, resolution)?, &Formulation::verification().tolerance(TOLERANCE))
-    }
+    Ok(price)
 }
 
 /// Peak and second-moment width of the same scene on a mesh far finer than any that is answered.
-pub fn truth(subject: Subject) -> Result<[f64; 2], Error> {
-    let (elements, growth) = TRUTH;
-    let fine = ByHand { order: Order::Quadratic, elements, beyond: elements / 8, end: 1.0, first: 1.0, growth };
-    let run = fine.solved(&subject.loaded(1.0).scene, subject.nominal())?;
+fn truth(subject: Subject) -> Result<[f64; 2], Error> {
+    let (mesh, beyond) = TRUTH;
+    let run = solved(&subject.loaded(1.0).scene, subject.nominal(), mesh, beyond)?;
     Ok([run.measures().peak.pressure, run.measures().second_moment_width])
 }
 
@@ -205,12 +174,12 @@ pub struct Answered {
 }
 
 /// The engine's answer beside the mesh made by hand.
-fn answered(subject: Subject, asked: f64, by_hand: ByHand) -> Result<Answered, Error> {
+fn answered(subject: Subject, asked: f64, mesh: Mesh) -> Result<Answered, Error> {
     let case = subject.loaded(1.0);
     let plain = Formulation::new(Element::Node, Iteration::Kinematic);
     let quantities = vec![accuracy::Quantity::PeakPressure, accuracy::Quantity::SecondMomentWidth];
     let answer = accuracy::solve(&case.scene, &plain, &Asked { quantities, ..Asked::new(asked) })?;
-    Ok(Answered::of(&answer, asked, [closed_form(&case), truth(subject)?], by_hand.price(subject)?))
+    Ok(Answered::of(&answer, asked, [closed_form(&case), truth(subject)?], price(subject, mesh)?))
 }
 
 impl Answered {

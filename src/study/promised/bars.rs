@@ -17,7 +17,7 @@ use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::drawn;
 use crate::study::random::unseen::{self, FAMILIES, JUDGED};
 use crate::study::random::{Draw, Family, Sample, Site, Truth};
-use crate::study::records::{Millionths, Survey, Surveyed};
+use crate::study::records::{Millionths, Survey, Surveyed, are_like};
 
 /// The survey.
 pub const SURVEY: Survey<Site, Record> = Survey {
@@ -184,7 +184,7 @@ pub struct Record {
 fn head() -> Vec<String> {
     let each = |what: &'static str| {
         let named =
-            move |(_, name, most): (Kind, &'static str, usize)| (1..=most).map(move |k| format!("{name} {k}, {what}"));
+            move |(_, name, most): (Kind, &'static str, usize)| (1..=most).map(move |k| format!("{name} {k} {what}"));
         Kind::ALL.into_iter().flat_map(named)
     };
     ["family", "number"].map(String::from).into_iter().chain(each("error")).chain(each("bar")).collect()
@@ -244,13 +244,9 @@ const ROUND_OFF: f64 = 1e-7;
 
 /// Whether the numbers of a fresh scene are the recorded ones.
 pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
-    let alike = |(kept, fresh): (&Option<Millionths>, &Option<Millionths>)| match (kept, fresh) {
-        (Some(kept), Some(fresh)) => kept.is_like(*fresh, ROUND_OFF),
-        (kept, fresh) => kept.is_none() && fresh.is_none(),
-    };
     (kept.family, kept.number) == (fresh.family, fresh.number)
-        && kept.errors.iter().zip(&fresh.errors).all(alike)
-        && kept.bars.iter().zip(&fresh.bars).all(alike)
+        && are_like(&kept.errors, &fresh.errors, ROUND_OFF)
+        && are_like(&kept.bars, &fresh.bars, ROUND_OFF)
 }
 
 /// Errors and bars of the numbers that are meant.
@@ -287,9 +283,8 @@ const MEDIAN: f64 = 5.0;
 
 /// The checks.
 pub(super) fn judge(surveyed: &Surveyed<Record>) -> Vec<Judged> {
-    let because = "errors and bars of a scene; `coverage` renews the record";
     let recorded = &surveyed.recorded;
-    vec![surveyed.as_recorded(because), within(recorded), told(recorded), beyond(recorded), narrow(recorded)]
+    vec![surveyed.as_recorded(), within(recorded), told(recorded), beyond(recorded), narrow(recorded)]
 }
 
 /// The share of errors within their bars, an unknown one being outside, of each number of each family on each kind of cells, where it is

@@ -9,10 +9,11 @@ const SHARE: f64 = 0.05;
 /// How many of some checks, each with the title of its trial, have a bar beside a closed form; and those of them whose true error is
 /// beyond the bar and what the closed form itself may be off, or whose bar is not known.
 pub(super) fn barred<'a>(checks: impl IntoIterator<Item = (String, &'a Judged)>) -> (usize, Vec<(String, Judged)>) {
-    let known = |(trial, one): (String, &Judged)| Some((one.is_within_bar()?, (trial, one.clone())));
-    let barred: Vec<_> = checks.into_iter().filter_map(known).collect();
-    let outside = |(is_within, named): &(bool, (String, Judged))| (!is_within).then(|| named.clone());
-    (barred.len(), barred.iter().filter_map(outside).collect())
+    let barred = checks.into_iter().filter(|(_, one)| one.is_within_bar().is_some());
+    let mut barred: Vec<(String, Judged)> = barred.map(|(trial, one)| (trial, one.clone())).collect();
+    let all = barred.len();
+    barred.retain(|(_, one)| one.is_within_bar() == Some(false));
+    (all, barred)
 }
 
 /// The check; it fails where there is nothing to judge.

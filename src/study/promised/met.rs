@@ -133,9 +133,8 @@ const ITERATED: f64 = 0.01;
 
 /// The checks.
 pub(super) fn judge(surveyed: &Surveyed<Record>) -> Vec<Judged> {
-    let because = "mesh, estimate and errors; `met` renews the record";
     let recorded = &surveyed.recorded;
-    vec![surveyed.as_recorded(because), right(recorded), near(recorded), consistent(recorded)]
+    vec![surveyed.as_recorded(), right(recorded), near(recorded), consistent(recorded)]
 }
 
 /// Whether a fresh answer is the recorded one: mesh and verdict always, errors but for the iteration.
