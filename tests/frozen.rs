@@ -16,7 +16,7 @@ use contact_vv::mesh::Order;
 use contact_vv::mesh::{Mesh, Resolution};
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
-use contact_vv::study::coverage::setup::Setup;
+use contact_vv::study::promised::bars::setup;
 use contact_vv::study::random::unseen::{self, FAMILIES};
 use contact_vv::study::random::{Family, Site};
 use libtest_mimic::{Failed, Trial};
@@ -81,8 +81,8 @@ fn meshes() -> Result<String, Failed> {
     }
     for family in FAMILIES {
         for site in unseen::of(family).take(EACH) {
-            let setup = Setup::of(&site, &site.sample().map_err(said)?);
-            meshed(&mut text, &site.key(), &setup.scene, setup.resolution)?;
+            let (scene, resolution, _) = setup(&site, &site.sample().map_err(said)?);
+            meshed(&mut text, &site.key(), &scene, resolution)?;
         }
     }
     Ok(text)
@@ -156,7 +156,7 @@ fn random(family: Family) -> Result<(), Failed> {
 
 fn solved(text: &mut String, site: &Site) -> Result<(), Error> {
     let sample = site.sample()?;
-    let Setup { scene, resolution, formulation, .. } = Setup::of(site, &sample);
+    let (scene, resolution, formulation) = setup(site, &sample);
     let discretisation = Discretisation::of(scene, resolution)?;
     let run = Run::of(&discretisation, &formulation)?;
     let found = bars(&discretisation, &run, &sample.displaced())?;

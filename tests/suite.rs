@@ -12,7 +12,7 @@ use contact_vv::oracle::ReferenceKind;
 use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Formulation};
 use contact_vv::study::atlas::{Chart, Plane, record};
-use contact_vv::study::{self, Finding, Numbers};
+use contact_vv::study::{self, Finding, Numbers, promised};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 
 /// Scenes whose runs are frozen.
@@ -53,7 +53,7 @@ fn main() {
     let [frozen, live] = *origins.lock().expect("no test panics while counting");
     println!("of these against other codes: {frozen} frozen, {live} live{}", if live == 0 { NOT_LIVE } else { "" });
     let bars = study::on_bars(&findings.lock().expect("no test panics while keeping")).expect("judged");
-    let all = matches!(&bars.numbers, Numbers::Barred(numbers) if numbers.all > 0);
+    let all = matches!(&bars.numbers, Numbers::Promised(promised::Numbers::Checks(all, _)) if *all > 0);
     // Of some trials only there may be none to judge.
     let beyond = bars.judged.iter().filter(|one| all && one.verdict != Verdict::Pass);
     let beyond: Vec<String> = beyond.map(|one| format!("{}: {}", one.requirement(), one.value)).collect();

@@ -1,7 +1,7 @@
 //! What the user types.
 //!
 //! * [`accuracy`] — what `solve` says of an accuracy that was asked for.
-//! * [`survey`] — surveys what is called converged and met, and whether error bars hold, with a progress bar.
+//! * [`survey`] — runs a recorded survey with a progress bar.
 //! * [`ended`] — how a command ended, as its exit code tells.
 //! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`timings`] — measures speed against accuracy.
@@ -62,6 +62,7 @@ use crate::error::Error;
 use crate::referee::document;
 use crate::report;
 use crate::study::Room;
+use crate::study::promised;
 use crate::study::references::SHEETS;
 use crate::study::timings::growth;
 use crate::study::timings::series::Series;
@@ -197,9 +198,9 @@ pub fn main() -> ExitCode {
         Command::Report { check, .. } => report_command(check).map(Ended::checked),
         Command::Verdicts => Ok(Ended::checked(suite::verdicts())),
         Command::Atlas => atlas::run().map(|()| Ended::Well),
-        Command::Converged => survey::converged().map(|()| Ended::Well),
-        Command::Met => survey::met().map(|()| Ended::Well),
-        Command::Coverage => survey::coverage().map(|()| Ended::Well),
+        Command::Converged => survey::run(&promised::converged::SURVEY).map(|()| Ended::Well),
+        Command::Met => survey::run(&promised::met::SURVEY).map(|()| Ended::Well),
+        Command::Coverage => survey::run(&promised::bars::SURVEY).map(|()| Ended::Well),
         Command::Timings { memory: Some(mesh), .. } => {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Ended::Well)
         }

@@ -7,20 +7,16 @@
 //! * [`drawn`] — colours and dashes of formulations, and curves.
 //! * [`class`](mod@class), [`method`], [`pairing`] — how a run ended and what was run, as they are recorded.
 //! * [`random`] — random scenes of closed form.
-//! * [`records`] — files of recorded surveys; [`present`] — whether what scripts record is of the present sources.
+//! * [`records`] — recorded surveys; [`present`] — whether what scripts record is of the present sources.
 //! * [`machine`] — on what seconds were measured.
 //! * [`handed_over`] — our discretisation as plain numbers, for other codes; [`answers`] — where theirs come from; [`differences`] — how far
 //!   two of them are apart.
 
 pub mod about;
-pub mod accuracy;
 pub mod answers;
 pub mod atlas;
-pub mod barred;
 pub mod cases;
 pub mod class;
-pub mod converged;
-pub mod coverage;
 pub mod cross_code;
 pub mod described;
 pub mod differences;
@@ -33,10 +29,10 @@ pub mod independent;
 pub mod limits;
 pub mod machine;
 pub mod measured;
-pub mod met;
 pub mod method;
 pub mod pairing;
 pub mod present;
+pub mod promised;
 pub mod random;
 pub mod readings;
 pub mod records;
@@ -79,16 +75,8 @@ rooms! {
     Readings in readings,
     /// Speed against accuracy.
     Timings in timings,
-    /// What is called converged.
-    Converged in converged,
-    /// Whether error bars hold.
-    Coverage in coverage,
-    /// Whether the error bars of the checks hold.
-    Barred in barred,
-    /// An accuracy asked for instead of a mesh.
-    Accuracy in accuracy,
-    /// What is called met.
-    Met in met,
+    /// What is promised: converged, error bars, accuracies.
+    Promised in promised,
     /// Cells of high order, fitted to the end of the contact.
     Fitted in fitted,
     /// Where methods fail: the recorded survey.
@@ -136,10 +124,10 @@ pub fn on_bars(findings: &[Finding]) -> Result<Finding, Error> {
     let checks = findings
         .iter()
         .flat_map(|Finding { case, name, judged, .. }| judged.iter().map(move |one| (format!("{case} × {name}"), one)));
-    let numbers = Numbers::Barred(barred::Numbers::of(checks));
+    let numbers = Numbers::Promised(promised::Numbers::of_checks(checks));
     let (case, name) = ("error bars of checks".to_string(), "all trials".to_string());
     let judged = trial::complete(&case, numbers.judge()?)?;
-    Ok(Finding { room: Room::Barred, case, name, numbers, judged })
+    Ok(Finding { room: Room::Promised, case, name, numbers, judged })
 }
 
 /// Trials that ask the other codes themselves.

@@ -1,29 +1,145 @@
-//! Recorded surveys: lines of a CSV file, read whole and written whole; one that was interrupted resumes.
+//! Recorded surveys: sites that are run one by one, the lines that each leaves in a CSV file, and the part of them that is run again.
 
+use std::collections::BTreeMap;
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
-use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
 
+use crate::case::{Check, Judged, Quantity, Reference};
 use crate::checkout::{root, sha256};
 use crate::error::Error;
 
-/// The records of a file, whatever they are; `renew` says what renews them.
-pub fn read<T: DeserializeOwned>(path: &Path, renew: &str) -> Result<Vec<T>, Error> {
-    let text = std::fs::read_to_string(path).map_err(|_| Error::missing_file(path, renew))?;
-    csv::Reader::from_reader(text.as_bytes())
-        .deserialize()
-        .collect::<Result<_, _>>()
-        .map_err(|error| Error::unreadable(path, error, renew))
+/// A recorded survey: what is run, what is kept of it, and what of that is run again whenever it is judged.
+pub struct Survey<S, R> {
+    /// Name of its command, and of its record under `snapshots`.
+    pub name: &'static str,
+    /// Columns of its record.
+    pub head: fn() -> Vec<String>,
+    /// All sites, in the order of the record.
+    pub sites: fn() -> Result<Vec<S>, Error>,
+    /// Name of a site of its own.
+    pub key: fn(&S) -> String,
+    /// Name of the site that a line of the record is of.
+    pub of: fn(&R) -> String,
+    /// Runs a site.
+    pub run: fn(&S) -> Result<Vec<R>, Error>,
+    /// Whether a fresh line is the recorded one.
+    pub alike: fn(&R, &R) -> bool,
+    /// Whether a site is run again.
+    pub again: fn(&S) -> bool,
 }
 
-/// Writes records to a file, a line each.
-pub fn write<T: Serialize>(path: &Path, records: &[T]) -> Result<(), Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for record in records {
-        writer.serialize(record).map_err(|error| Error::unwritable(path, error))?;
+/// What a survey has recorded, and what of it was run again.
+#[derive(Clone, Debug, Serialize)]
+pub struct Surveyed<R> {
+    /// Name of the survey.
+    pub name: &'static str,
+    /// All lines of the record.
+    pub recorded: Vec<R>,
+    /// Lines that were run again.
+    pub again: usize,
+    /// Those of them that are not as recorded.
+    pub moved: usize,
+}
+
+impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Survey<S, R> {
+    /// Its record.
+    pub fn file(&self) -> PathBuf {
+        root().join("snapshots").join(self.name).with_extension("csv")
     }
+
+    /// What it has recorded.
+    pub fn read(&self) -> Result<Vec<R>, Error> {
+        let name = self.name;
+        let renew = format!("run `cargo run --release -- {name}` and review the diff of snapshots/{name}.csv");
+        read(&self.file(), &(self.head)(), &renew)
+    }
+
+    /// The record, held against its chosen part run again.
+    pub fn surveyed(&self) -> Result<Surveyed<R>, Error> {
+        let recorded = self.read()?;
+        let again: Vec<S> = (self.sites)()?.into_iter().filter(self.again).collect();
+        let run = |site: &S| Ok(((self.key)(site), (self.run)(site)?));
+        let fresh = again.par_iter().map(run).collect::<Result<Vec<_>, Error>>()?;
+        Ok(self.compared(recorded, &fresh))
+    }
+
+    /// A record held against sites run again, each by its name with its lines, in the order of the record.
+    pub fn compared(&self, recorded: Vec<R>, fresh: &[(String, Vec<R>)]) -> Surveyed<R> {
+        let mut of_site: BTreeMap<String, Vec<&R>> = BTreeMap::new();
+        recorded.iter().for_each(|line| of_site.entry((self.of)(line)).or_default().push(line));
+        let (mut again, mut moved) = (0, 0);
+        for (site, fresh) in fresh {
+            let kept = of_site.get(site).map_or(&[][..], Vec::as_slice);
+            again += fresh.len().max(kept.len());
+            moved += fresh.len().abs_diff(kept.len());
+            moved += kept.iter().zip(fresh).filter(|(kept, fresh)| !(self.alike)(kept, fresh)).count();
+        }
+        Surveyed { name: self.name, recorded, again, moved }
+    }
+
+    /// Runs every site, whose lines are kept under its name in the folder `unfinished` until all are written to `record`; `done` is
+    /// told when one more is ready.
+    pub fn renew(&self, unfinished: &Path, record: &Path, done: impl Fn() + Sync) -> Result<usize, Error> {
+        let head = (self.head)();
+        let of_site = |site: &S| -> Result<Vec<R>, Error> {
+            let kept = unfinished.join((self.key)(site) + ".csv");
+            let found = read(&kept, &head, "").or_else(|_| {
+                let found = (self.run)(site)?;
+                write(&kept, &head, &found)?;
+                Ok(found)
+            });
+            done();
+            found
+        };
+        let found = (self.sites)()?.par_iter().map(of_site).collect::<Result<Vec<_>, Error>>()?.concat();
+        write(record, &head, &found)?;
+        Ok(found.len())
+    }
+}
+
+impl<R> Surveyed<R> {
+    /// The check that what was run again is what was recorded; it fails where nothing was.
+    pub fn as_recorded(&self) -> Judged {
+        let because = format!("but for round-off and the digits that are not kept; `{}` renews the record", self.name);
+        let quantity = Quantity::at("recomputed record that is not the recorded one", format!("of {}", self.again));
+        let record = Reference::own(&format!("snapshots/{}.csv", self.name), 0.0);
+        let moved = if self.again == 0 { f64::NAN } else { self.moved as f64 };
+        Check::at_most(quantity, record, because).judge(moved)
+    }
+
+    /// The sentence that says how it is renewed, and how much of it is run again.
+    pub fn told(&self) -> String {
+        let Self { name, recorded, again, .. } = self;
+        let all = recorded.len();
+        format!(
+            "`cargo run --release -- {name}` renews the record of {all} lines; the report computes {again} of them again."
+        )
+    }
+}
+
+/// The lines of a file, whatever they are; `renew` says what renews them. Refused where its columns are others.
+pub fn read<T: DeserializeOwned>(path: &Path, head: &[String], renew: &str) -> Result<Vec<T>, Error> {
+    let text = std::fs::read_to_string(path).map_err(|_| Error::missing_file(path, renew))?;
+    let unreadable = |error: csv::Error| Error::unreadable(path, error, renew);
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let columns = reader.headers().map_err(unreadable)?;
+    if columns.iter().ne(head) {
+        return Err(Error::unreadable(path, format!("its columns are not {}", head.join(", ")), renew));
+    }
+    let line = |line: csv::Result<csv::StringRecord>| line?.deserialize(None);
+    reader.records().map(line).collect::<csv::Result<_>>().map_err(unreadable)
+}
+
+/// Writes lines to a file below the names of their columns.
+pub fn write<T: Serialize>(path: &Path, head: &[String], lines: &[T]) -> Result<(), Error> {
+    let unwritable = |error: csv::Error| Error::unwritable(path, error);
+    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+    writer.write_record(head).map_err(unwritable)?;
+    lines.iter().try_for_each(|line| writer.serialize(line)).map_err(unwritable)?;
     let text = writer.into_inner().map_err(|error| Error::unwritable(path, error))?;
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder).map_err(|error| Error::unwritable(path, error))?;
@@ -35,43 +151,62 @@ pub fn write<T: Serialize>(path: &Path, records: &[T]) -> Result<(), Error> {
         .map_err(|error| Error::unwritable(path, error))
 }
 
-/// The record of a survey of a name.
-pub fn file(name: &str) -> PathBuf {
-    root().join("snapshots").join(name).with_extension("csv")
-}
-
-/// What renews it.
-pub fn renewal(name: &str) -> String {
-    format!("run `cargo run --release -- {name}` and review the diff of snapshots/{name}.csv")
-}
-
-/// Runs every site, whose records are kept under its key in the folder `unfinished`, and writes them all to `record`; `done` is
-/// told when one more is ready.
-pub fn survey<S: Sync, T: Serialize + DeserializeOwned + Clone + Send>(
-    [unfinished, record]: [&Path; 2],
-    sites: &[S],
-    key: impl Fn(&S) -> String + Sync,
-    run: impl Fn(&S) -> Result<Vec<T>, Error> + Sync,
-    done: impl Fn() + Sync,
-) -> Result<usize, Error> {
-    let of_site = |site: &S| -> Result<Vec<T>, Error> {
-        let kept = unfinished.join(key(site) + ".csv");
-        let found = read(&kept, "").or_else(|_| {
-            let found = run(site)?;
-            write(&kept, &found)?;
-            Ok(found)
-        });
-        done();
-        found
-    };
-    let found = sites.par_iter().map(of_site).collect::<Result<Vec<_>, _>>()?.concat();
-    write(record, &found)?;
-    Ok(found.len())
+/// Names of columns.
+pub fn named<const N: usize>(names: [&str; N]) -> Vec<String> {
+    names.map(String::from).into()
 }
 
 /// Four significant digits: what a reviewer reads.
 pub fn rounded(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(f64::NAN)
+}
+
+/// A relative number as records keep it: in millionths, to three significant digits.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(into = "String", try_from = "String")]
+pub struct Millionths(pub f64);
+
+/// A number that is recomputed may differ from what three digits are kept of by this share.
+const DIGITS: f64 = 6e-3;
+
+impl Millionths {
+    /// Whether two are the same but for the digits that are not kept, and for what is round-off; what is unknown is like itself.
+    pub fn is_like(self, other: Self, round_off: f64) -> bool {
+        let (Self(a), Self(b)) = (self, other);
+        let is_same = a.total_cmp(&b).is_eq() || (a.is_nan() && b.is_nan());
+        is_same || (a - b).abs() <= DIGITS * a.abs().max(b.abs()).min(f64::MAX) + round_off
+    }
+}
+
+/// Whether the numbers of two records are alike, one by one; what is absent is like itself.
+pub fn are_like(kept: &[Option<Millionths>], fresh: &[Option<Millionths>], round_off: f64) -> bool {
+    let alike = |both: (&Option<Millionths>, &Option<Millionths>)| match both {
+        (Some(kept), Some(fresh)) => kept.is_like(*fresh, round_off),
+        (kept, fresh) => kept.is_none() && fresh.is_none(),
+    };
+    kept.len() == fresh.len() && kept.iter().zip(fresh).all(alike)
+}
+
+impl fmt::Display for Millionths {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let digits = format!("{:.2e}", 1e6 * self.0).parse::<f64>().unwrap_or(f64::NAN);
+        let [plain, short] = [digits.to_string(), format!("{digits:e}")];
+        f.write_str(if plain.len() > short.len() { &short } else { &plain })
+    }
+}
+
+impl From<Millionths> for String {
+    fn from(number: Millionths) -> Self {
+        number.to_string()
+    }
+}
+
+impl TryFrom<String> for Millionths {
+    type Error = std::num::ParseFloatError;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        text.parse::<f64>().map(|number| Self(1e-6 * number))
+    }
 }
 
 /// Folder of the running program's unfinished survey of a name: another program starts afresh.

@@ -10,7 +10,7 @@ use contact_vv::case::{Case, Verdict, library};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
-use contact_vv::study::accuracy::{self as study, ASKED, Numbers, Price, Subject, judge};
+use contact_vv::study::promised::asked::{self as study, ASKED, Answered, Subject, judge};
 
 use crate::scene_file::files;
 
@@ -34,8 +34,7 @@ fn three_scenes_meet_three_accuracies_within_what_a_mesh_made_by_hand_lets_expec
     let trials = study::plan();
     assert_eq!(trials.len(), 9);
     for trial in trials {
-        let numbers = trial.run().expect("solved");
-        for check in judge(&numbers).expect("judged") {
+        for check in judge(&trial.run().expect("solved")) {
             assert_eq!(check.verdict, Verdict::Pass, "{}: {} {:e}", trial.title(), check.requirement(), check.error);
         }
     }
@@ -48,8 +47,7 @@ fn checks_of_the_study_fail_on_a_coarser_mesh_on_a_larger_one_and_on_an_accuracy
     let exact = study::closed_form(&problem);
     let good = answered(&problem.scene, 3e-3);
     let failed = |answer: &Answer, dofs: usize| {
-        let by_hand = Price { dofs, worst: 1e-4 };
-        let checks = judge(&Numbers::of(answer, 3e-3, [exact, exact], by_hand)).expect("judged");
+        let checks = judge(&Answered::of(answer, 3e-3, [exact, exact], (dofs, 1e-4)));
         checks.iter().map(|check| check.verdict == Verdict::Fail).collect::<Vec<_>>()
     };
     assert_eq!(failed(&good, good.run.dofs), [false; 6]);

@@ -11,7 +11,7 @@ use contact_vv::case::Case;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
-use contact_vv::study::accuracy::{self as study, ASKED};
+use contact_vv::study::promised::asked::{self as study, ASKED};
 
 use crate::scene_file::text_of;
 

@@ -9,7 +9,6 @@ use contact_vv::stability::halving::SOFT;
 use contact_vv::study::atlas::run::is_as_recorded;
 use contact_vv::study::atlas::{Chart, Class, Numbers, Plane, Record, judge, record, summary, survey};
 use contact_vv::study::method::Method;
-use contact_vv::study::records;
 
 fn point(method: Method, ordinate: f64, stiffness: f64, class: Class, iterations: usize) -> Record {
     Record {
@@ -52,8 +51,8 @@ fn records_come_back_from_a_file_as_they_went() {
     let path = folder.path().join("some.csv");
     let mut kept = vec![point(Method::usual(Element::Node, Iteration::Varying), 1.9, 0.1, Class::Capped, 2000)];
     kept[0].rate = f64::NAN;
-    records::write(&path, &kept).expect("written");
-    let read = records::read::<Record>(&path, record::RENEW).expect("read");
+    record::write(&path, &kept).expect("written");
+    let read = record::points(&path).expect("read");
     assert_eq!(format!("{read:?}"), format!("{kept:?}"));
 }
 
@@ -62,7 +61,7 @@ fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() 
     let folder = tempfile::tempdir().expect("a folder");
     let plane = Plane::Thickness;
     let refused = |records: &[Record]| {
-        records::write(&folder.path().join("thickness.csv"), records).expect("written");
+        record::write(&folder.path().join("thickness.csv"), records).expect("written");
         record::read_from(folder.path(), plane).expect_err("refused").to_string()
     };
     let whole = flat(plane);
@@ -71,7 +70,7 @@ fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() 
     for message in [refused(&whole[1..]), refused(&moved)] {
         assert!(message.contains("thickness.csv") && message.contains("-- atlas"), "{message}");
     }
-    records::write(&folder.path().join("thickness.csv"), &whole).expect("written");
+    record::write(&folder.path().join("thickness.csv"), &whole).expect("written");
     assert_eq!(record::read_from(folder.path(), plane).expect("complete").len(), whole.len());
     let missing = record::read_from(folder.path(), Plane::Mesh).expect_err("missing");
     assert!(missing.kind == Kind::MissingFile, "{missing}");
@@ -81,7 +80,7 @@ fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() 
 fn record_of_an_unknown_method_is_refused_with_file_and_remedy() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("thickness.csv");
-    records::write(&path, &flat(Plane::Thickness)).expect("written");
+    record::write(&path, &flat(Plane::Thickness)).expect("written");
     let text = std::fs::read_to_string(&path).expect("written");
     for foreign in ["layer.varying.penalty", "layer.varying", "line"] {
         std::fs::write(&path, text.replacen("layer.varying.secant", foreign, 1)).expect("written");
@@ -157,7 +156,7 @@ fn a_survey_goes_on_where_it_stopped() {
     let first = plane.rows()[0];
     let kept: Vec<Record> =
         stiffnesses.iter().map(|&k| point(first.method, first.ordinate, k, Class::Cycling, 123_456)).collect();
-    records::write(&unfinished.path().join("thickness.csv"), &kept).expect("written");
+    record::write(&unfinished.path().join("thickness.csv"), &kept).expect("written");
     let done = AtomicUsize::new(0);
     let count = |points| {
         done.fetch_add(points, Ordering::Relaxed);

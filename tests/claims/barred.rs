@@ -5,7 +5,7 @@ use std::path::Path;
 use contact_vv::accuracy::{Subject, bars};
 use contact_vv::case::{Case, Judged, Scope, Verdict};
 use contact_vv::oracle::ReferenceKind;
-use contact_vv::study::barred::{Numbers, judge};
+use contact_vv::study::promised::{Numbers, judge};
 
 /// The judged checks of a scene file, with the bars of `solve`.
 fn judged(file: &str) -> (Vec<Judged>, Vec<(Subject, f64)>) {
@@ -43,9 +43,12 @@ fn too_many_errors_beyond_their_bars_turn_the_claim_red_and_are_listed() {
         ["two-cylinders", "eccentric-load", "press-fit"].iter().flat_map(|file| judged(file).0).collect();
     let of = |spoil: &dyn Fn(f64) -> f64| {
         let spoiled: Vec<Judged> = all.iter().map(|one| Judged { bar: one.bar.map(spoil), ..one.clone() }).collect();
-        let numbers = Numbers::of(spoiled.iter().map(|one| ("a trial".to_string(), one)));
+        let numbers = Numbers::of_checks(spoiled.iter().map(|one| ("a trial".to_string(), one)));
         let verdict = judge(&numbers).expect("judged")[0].verdict.clone();
-        (verdict, numbers.outside.len(), numbers.all)
+        match numbers {
+            Numbers::Checks(all, outside) => (verdict, outside.len(), all),
+            other => panic!("{other:?}"),
+        }
     };
     let (verdict, outside, counted) = of(&|bar| bar);
     assert_eq!((verdict, outside), (Verdict::Pass, 0));
@@ -59,6 +62,6 @@ fn too_many_errors_beyond_their_bars_turn_the_claim_red_and_are_listed() {
     let narrow = Judged { bar: Some(0.0), error: 1e-3, ..one };
     let excused = |model: f64| Judged { check: narrow.check.clone().leaving(model), ..narrow.clone() }.is_within_bar();
     assert_eq!([excused(1e-4), excused(2e-3)], [Some(false), Some(true)]);
-    let none = Numbers::of(std::iter::empty());
+    let none = Numbers::of_checks(std::iter::empty());
     assert_eq!(judge(&none).expect("judged")[0].verdict, Verdict::Fail);
 }

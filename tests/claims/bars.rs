@@ -9,13 +9,12 @@ use contact_vv::case::{Case, Verdict};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{Component, Place, Scene, Support};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
-use contact_vv::study::coverage::group::Group;
-use contact_vv::study::coverage::judge::{as_recorded, beyond, narrow, told, within};
-use contact_vv::study::coverage::run::{Kind, Record, records};
-use contact_vv::study::coverage::setup::Setup;
-use contact_vv::study::coverage::sites::JUDGED as FAMILIES;
+use contact_vv::study::promised::bars::{
+    Kind, Record, SURVEY, beyond, meant, narrow, record, setup, share_within, told, within,
+};
+use contact_vv::study::random::unseen::JUDGED;
 use contact_vv::study::random::{Family, Site};
-use contact_vv::study::records::{file, read};
+use contact_vv::study::records::Millionths;
 
 /// Number of scenes of each family, and the first one: from none of them a constant of the bars was chosen.
 const SCENES: [usize; 2] = [24, 90_000];
@@ -23,25 +22,27 @@ const SCENES: [usize; 2] = [24, 90_000];
 #[test]
 fn true_errors_lie_within_their_bars_and_bars_a_tenth_as_wide_would_be_seen() {
     let [each, from] = SCENES;
-    let sites = FAMILIES.into_iter().flat_map(|family| (from..from + each).map(move |number| Site { family, number }));
-    let all: Vec<Record> = sites.flat_map(|site| records(&site).expect("bars")).collect();
-    for kind in Kind::ALL {
-        let of = |factor: f64| {
-            let spoiled: Vec<Record> =
-                all.iter().map(|record| Record { bar: factor * record.bar, ..record.clone() }).collect();
-            Group::of(&spoiled, |record| record.kind == kind).within(1.0)
-        };
-        assert!(of(1.0) >= 0.95, "{}: {:.3} within", kind.title(), of(1.0));
+    let sites = JUDGED.into_iter().flat_map(|family| (from..from + each).map(move |number| Site { family, number }));
+    let all: Vec<Record> = sites.map(|site| record(&site).expect("bars")).collect();
+    for (kind, name, _) in Kind::ALL {
+        let numbers = meant(&all, |_, own| own == kind);
+        let of = |factor: f64| share_within(&numbers, factor);
+        assert!(of(1.0) >= 0.95, "{name}: {:.3} within", of(1.0));
         // The centre is that of a load, and exact.
         let exact = kind == Kind::Centre;
-        assert!(exact || of(0.1) < 0.95, "{}: {:.3} within a tenth", kind.title(), of(0.1));
+        assert!(exact || of(0.1) < 0.95, "{name}: {:.3} within a tenth", of(0.1));
     }
     assert_eq!(beyond(&all).verdict, Verdict::Pass);
 }
 
+/// A record with its bars so many times as wide.
+fn widened(record: &Record, factor: f64) -> Record {
+    Record { bars: record.bars.map(|bar| bar.map(|bar| Millionths(factor * bar.0))), ..record.clone() }
+}
+
 #[test]
 fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
-    let all: Vec<Record> = read(&file("coverage"), "").expect("recorded");
+    let all = SURVEY.read().expect("recorded");
     let verdicts = |spoil: &dyn Fn(&mut Record)| {
         let mut spoiled = all.clone();
         spoiled.iter_mut().for_each(spoil);
@@ -49,45 +50,49 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
     };
     let (pass, fail) = (Verdict::Pass, Verdict::Fail);
     assert_eq!(verdicts(&|_| ()), [pass.clone(), pass.clone(), pass.clone()]);
-    let narrower = |record: &mut Record| record.bar *= 0.2;
-    assert_eq!(verdicts(&narrower), [fail.clone(), fail.clone(), pass.clone()]);
-    assert_eq!(verdicts(&|record| record.bar *= 3.0), [pass.clone(), pass.clone(), fail.clone()]);
+    assert_eq!(verdicts(&|record| *record = widened(record, 0.2)), [fail.clone(), fail.clone(), pass.clone()]);
+    assert_eq!(verdicts(&|record| *record = widened(record, 3.0)), [pass.clone(), pass.clone(), fail.clone()]);
     for (factor, verdict) in [(1.0, &pass), (0.5, &fail), (f64::NAN, &fail)] {
-        let spoiled: Vec<Record> = all.iter().map(|one| Record { bar: factor * one.bar, ..one.clone() }).collect();
+        let spoiled: Vec<Record> = all.iter().map(|one| widened(one, factor)).collect();
         assert_eq!(told(&spoiled).verdict, *verdict, "{factor}");
     }
-    let none_told = all.iter().map(|one| match (one.family, one.kind) {
-        (Family::Power, Kind::Peak) => Record { bar: f64::NAN, ..one.clone() },
-        _ => one.clone(),
-    });
-    assert_eq!(told(&none_told.collect::<Vec<_>>()).verdict, fail, "a number of which no bar is told");
+    let mut none_told = all.clone();
+    for record in none_told.iter_mut().filter(|record| record.family == Family::Power) {
+        // The first number of a record is its peak.
+        record.bars[0] = Some(Millionths(f64::NAN));
+    }
+    assert_eq!(told(&none_told).verdict, fail, "a number of which no bar is told");
     // Unknown bars are no bars.
     let unknown = |record: &mut Record| {
         if record.family == Family::Pin && record.number.is_multiple_of(10) {
-            record.bar = f64::NAN;
+            *record = widened(record, f64::NAN);
         }
     };
     assert_eq!(verdicts(&unknown)[0], fail);
     // One error of all.
     let far = |record: &mut Record| {
-        if (record.family, record.number, record.kind) == (all[0].family, all[0].number, all[0].kind) {
-            record.error = 3.1 * record.bar;
+        if (record.family, record.number) == (all[0].family, all[0].number) {
+            record.errors[0] = record.bars[0].map(|bar| Millionths(3.1 * bar.0));
         }
     };
     assert_eq!(verdicts(&far)[..2], [pass.clone(), fail.clone()]);
-    assert_eq!(verdicts(&|record| record.error = f64::NAN)[..2], [fail.clone(), fail.clone()]);
-    let none = [within(&[]), beyond(&[]), narrow(&[]), as_recorded(&all, &[])].map(|judged| judged.verdict);
-    assert_eq!(none, [fail.clone(), fail.clone(), fail.clone(), fail.clone()]);
+    let lost = |record: &mut Record| record.errors = record.errors.map(|error| error.map(|_| Millionths(f64::NAN)));
+    assert_eq!(verdicts(&lost)[..2], [fail.clone(), fail.clone()]);
+    let none = [within(&[]), beyond(&[]), narrow(&[])].map(|judged| judged.verdict);
+    assert_eq!(none, [fail.clone(), fail.clone(), fail.clone()]);
     // The numbers of one scene.
-    let site = |record: &Record| (record.family, record.number);
-    let first: Vec<Record> = all.iter().take_while(|record| site(record) == site(&all[0])).cloned().collect();
-    assert_eq!(as_recorded(&all, &first).verdict, pass);
-    for spoil in [|one: &mut Record| one.bar *= 1.01, |one: &mut Record| one.error = f64::NAN] {
-        let mut moved = first.clone();
-        spoil(&mut moved[2]);
-        assert_eq!(as_recorded(&all, &moved).verdict, fail);
+    let as_recorded = |fresh: &[Record]| {
+        let fresh = [((SURVEY.of)(&all[0]), fresh.to_vec())];
+        SURVEY.compared(all.clone(), &fresh).as_recorded().verdict
+    };
+    assert_eq!(as_recorded(&all[..1]), pass);
+    let mut moved = all[0].clone();
+    moved.errors[3] = Some(Millionths(f64::NAN));
+    for moved in [moved, widened(&all[0], 1.01)] {
+        assert_eq!(as_recorded(&[moved]), fail);
     }
-    assert_eq!(as_recorded(&all, &first[1..]).verdict, fail, "a number less");
+    assert_eq!(as_recorded(&[]), fail, "a scene less");
+    assert_eq!(SURVEY.compared(all.clone(), &[]).as_recorded().verdict, fail, "nothing was looked at");
 }
 
 #[test]
@@ -96,7 +101,7 @@ fn peak_that_rises_up_to_the_last_element_is_unknown_for_that_reason() {
     for (number, told) in [(90_005, false), (90_011, true)] {
         let site = Site { family: Family::Power, number };
         let sample = site.sample().expect("a scene");
-        let Setup { scene, resolution, formulation, .. } = Setup::of(&site, &sample);
+        let (scene, resolution, formulation) = setup(&site, &sample);
         let discretisation = Discretisation::of(scene, resolution).expect("a mesh");
         let run = Run::of(&discretisation, &formulation).expect("a run");
         let bars = bars(&discretisation, &run, &[]).expect("bars").all;

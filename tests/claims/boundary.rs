@@ -12,7 +12,7 @@ use contact_vv::oracle::analytic::waves::Waves;
 use contact_vv::oracle::boundary::elements::Elements;
 use contact_vv::oracle::boundary::{HalfPlane, Ring, Strip};
 use contact_vv::scene::{MonotoneCubic, Profile};
-use contact_vv::study::met::record;
+use contact_vv::study::promised::met::record;
 use contact_vv::study::random::{Family, Site};
 
 const MODULUS: f64 = 2e5;

@@ -2,30 +2,33 @@
 
 use std::cell::Cell;
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use contact_vv::case::Verdict;
-use contact_vv::solve::{Element, Iteration, unbounded};
+use contact_vv::solve::unbounded;
 use contact_vv::study::class::Class;
-use contact_vv::study::converged::judge::{is_as_recorded, right};
-use contact_vv::study::converged::run::{Record, records as runs_of};
-use contact_vv::study::converged::{NAME, sites};
-use contact_vv::study::coverage;
-use contact_vv::study::met;
-use contact_vv::study::pairing::Pairing;
-use contact_vv::study::records;
+use contact_vv::study::promised::converged::{Record, SURVEY, is_as_recorded, records as runs_of, right};
+use contact_vv::study::promised::{bars, met};
+use contact_vv::study::records::{self, Millionths, Survey};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
+/// A record of two formulations, one of which does not converge.
 fn record() -> Record {
-    Record {
-        scene: "cylinder".into(),
-        stretch: 2.0,
-        load: 1e-2,
-        formulation: Pairing { element: Element::Node, algorithm: Iteration::Kinematic },
-        tolerance: 1e-3,
-        class: Class::Converged,
-        iterations: 7,
-        error: 1e-4,
+    let (mut classes, mut iterations, mut errors) = ([None; 9], [None; 9], [None; 9]);
+    for (k, class, count, error) in [(0, Class::Converged, 7, 1e-4), (8, Class::Capped, 2000, f64::NAN)] {
+        (classes[k], iterations[k], errors[k]) = (Some(class), Some(count), Some(Millionths(error)));
     }
+    let scene = "cylinder".into();
+    Record { scene, stretch: 2.0, load: 1e-2, tolerance: 1e-3, classes, iterations, errors }
+}
+
+/// The record with another error, class and number of iterations of its first formulation.
+fn with(error: f64, class: Class, iterations: usize) -> Record {
+    let mut record = record();
+    (record.errors[0], record.classes[0], record.iterations[0]) =
+        (Some(Millionths(error)), Some(class), Some(iterations));
+    record
 }
 
 #[test]
@@ -33,68 +36,93 @@ fn converged_run_that_is_wrong_or_not_known_to_be_right_is_red() {
     assert_eq!(right(&[record()]).verdict, Verdict::Pass);
     assert_eq!(right(&[]).verdict, Verdict::Fail, "nothing was looked at");
     for error in [3.1e-3, f64::INFINITY, f64::NAN] {
-        let spoiled = Record { error, ..record() };
-        assert_eq!(right(&[record(), spoiled.clone()]).verdict, Verdict::Fail, "{error}");
-        let stopped = Record { class: Class::Capped, ..spoiled };
-        assert_eq!(right(&[record(), stopped]).verdict, Verdict::Pass, "{error} of a run that did not converge");
+        assert_eq!(right(&[record(), with(error, Class::Converged, 7)]).verdict, Verdict::Fail, "{error}");
+        let capped = right(&[record(), with(error, Class::Capped, 7)]);
+        assert_eq!(capped.verdict, Verdict::Pass, "{error} of a run that did not converge");
     }
+    let mut lost = record();
+    lost.errors[0] = None;
+    assert_eq!(right(&[record(), lost]).verdict, Verdict::Fail);
 }
 
 #[test]
 fn run_that_moved_is_not_as_recorded() {
     assert!(is_as_recorded(&record(), &record()));
-    let unknown = Record { error: f64::NAN, ..record() };
-    assert!(is_as_recorded(&unknown, &unknown));
-    for moved in [
-        unknown.clone(),
-        Record { error: 1.1e-4, ..record() },
-        Record { iterations: 8, ..record() },
-        Record { class: Class::Capped, ..record() },
+    let mut other = record();
+    (other.classes, other.iterations, other.errors) = ([None; 9], [None; 9], [None; 9]);
+    let moved = [
+        with(f64::NAN, Class::Converged, 7),
+        with(1.1e-4, Class::Converged, 7),
+        with(1e-4, Class::Converged, 8),
+        with(1e-4, Class::Capped, 7),
         Record { load: 1.0, ..record() },
-        Record { formulation: Pairing { element: Element::Line, ..record().formulation }, ..record() },
         Record { tolerance: 1e-6, ..record() },
-    ] {
+        other,
+    ];
+    for moved in moved {
         assert!(!is_as_recorded(&record(), &moved) && !is_as_recorded(&moved, &record()), "{moved:?}");
     }
 }
 
 #[test]
 fn recorded_site_is_what_a_fresh_run_finds() {
-    let kept: Vec<Record> = records::read(&records::file(NAME), "").expect("recorded");
-    let site = sites().expect("scenes").into_iter().find(|site| site.key() == "cylinder-2").expect("surveyed");
-    let fresh = runs_of(&site).expect("run");
-    let kept: Vec<&Record> = kept.iter().filter(|kept| kept.scene == "cylinder" && kept.stretch == 2.0).collect();
-    assert!(fresh.len() == kept.len() && fresh.len() == 54, "{} of {}", fresh.len(), kept.len());
-    assert!(kept.into_iter().zip(&fresh).all(|(kept, fresh)| is_as_recorded(kept, fresh)));
+    let mut sites = (SURVEY.sites)().expect("scenes").into_iter();
+    let site = sites.find(|site| (SURVEY.key)(site) == "cylinder-2").expect("surveyed");
+    let fresh = [("cylinder-2".to_string(), runs_of(&site).expect("run"))];
+    let surveyed = SURVEY.compared(SURVEY.read().expect("recorded"), &fresh);
+    assert_eq!((surveyed.again, surveyed.moved), (6, 0));
+}
+
+#[test]
+fn every_survey_runs_a_part_of_its_sites_again() {
+    fn again<S: Send + Sync, R: Serialize + DeserializeOwned + Clone + Send + Sync>(
+        survey: &Survey<S, R>,
+    ) -> [usize; 2] {
+        let sites = (survey.sites)().expect("sites");
+        [sites.iter().filter(|site| (survey.again)(site)).count(), sites.len()]
+    }
+    assert_eq!(again(&SURVEY)[0], 22, "none that is named is missing");
+    assert_eq!(again(&bars::SURVEY), [11 * 18 + 10 * 2, 21 * 200]);
+    assert_eq!(again(&met::SURVEY)[0], 10 * 4 + 11);
 }
 
 #[test]
 fn survey_that_was_broken_off_goes_on_where_it_stopped() {
+    static MADE: AtomicUsize = AtomicUsize::new(0);
+    static BROKEN: AtomicBool = AtomicBool::new(true);
+    let survey: Survey<usize, Record> = Survey {
+        name: "broken off",
+        head: SURVEY.head,
+        sites: || Ok(vec![0, 1, 2]),
+        key: usize::to_string,
+        of: |_| String::new(),
+        run: |iterations| {
+            MADE.fetch_add(1, Ordering::Relaxed);
+            match BROKEN.load(Ordering::Relaxed) && *iterations == 2 {
+                true => records::read(Path::new("broken off"), &[], ""),
+                false => Ok(vec![with(1e-4, Class::Converged, *iterations)]),
+            }
+        },
+        alike: is_as_recorded,
+        again: |_| true,
+    };
     let folder = tempfile::tempdir().expect("folder");
     let [unfinished, file] = ["unfinished", "record.csv"].map(|name| folder.path().join(name));
-    let (made, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let survey = |broken: bool, [unfinished, file]: [&Path; 2]| {
-        let run = |iterations: &usize| {
-            made.fetch_add(1, Ordering::Relaxed);
-            match broken && *iterations == 2 {
-                true => records::read(Path::new("broken off"), ""),
-                false => Ok(vec![Record { iterations: *iterations, ..record() }]),
-            }
-        };
-        let done = || {
-            done.fetch_add(1, Ordering::Relaxed);
-        };
-        records::survey([unfinished, file], &[0, 1, 2], usize::to_string, run, done)
+    assert!(survey.renew(&unfinished, &file, || ()).is_err() && !file.exists());
+    let before = MADE.swap(0, Ordering::Relaxed);
+    BROKEN.store(false, Ordering::Relaxed);
+    let done = AtomicUsize::new(0);
+    let count = || {
+        done.fetch_add(1, Ordering::Relaxed);
     };
-    let paths = [unfinished.as_path(), file.as_path()];
-    assert!(survey(true, paths).is_err() && !file.exists());
-    let before = made.swap(0, Ordering::Relaxed);
-    assert_eq!(survey(false, paths).expect("surveyed"), 3);
+    assert_eq!(survey.renew(&unfinished, &file, count).expect("surveyed"), 3);
     // What a broken survey finished depends on which thread met the fault; the fault itself is run again.
-    assert!((1..=3).contains(&made.load(Ordering::Relaxed)) && before + made.load(Ordering::Relaxed) == 4);
-    let iterations: Vec<usize> =
-        records::read::<Record>(&file, "").expect("read").into_iter().map(|record| record.iterations).collect();
-    assert_eq!(iterations, [0, 1, 2]);
+    let made = MADE.load(Ordering::Relaxed);
+    assert!((1..=3).contains(&made) && before + made == 4 && done.into_inner() == 3);
+    let kept: Vec<Record> = records::read(&file, &(survey.head)(), "").expect("read");
+    assert_eq!(kept.iter().map(|record| record.iterations[0]).collect::<Vec<_>>(), [Some(0), Some(1), Some(2)]);
+    let refused = records::read::<Record>(&file, &["scene".to_string()], "renew it").expect_err("other columns");
+    assert!(refused.to_string().contains("renew it"), "{refused}");
 }
 
 #[test]
@@ -122,19 +150,35 @@ fn series_without_a_limit_grows_and_one_with_a_limit_does_not() {
 
 #[test]
 fn records_are_written_as_they_were_read() {
-    let folder = tempfile::tempdir().expect("folder");
-    let copy = |name: &str| folder.path().join(name).with_extension("csv");
-    records::write(&copy("converged"), &records::read::<Record>(&records::file("converged"), "").expect("read"))
-        .expect("written");
-    records::write(&copy("met"), &records::read::<met::Record>(&records::file("met"), "").expect("read"))
-        .expect("written");
-    records::write(
-        &copy("coverage"),
-        &records::read::<coverage::Record>(&records::file("coverage"), "").expect("read"),
-    )
-    .expect("written");
-    for name in ["converged", "met", "coverage"] {
-        let [kept, fresh] = [records::file(name), copy(name)].map(|file| std::fs::read(file).expect("a file"));
-        assert!(kept == fresh, "{name}");
+    fn is_same<S: Send + Sync, R: Serialize + DeserializeOwned + Clone + Send + Sync>(survey: &Survey<S, R>) {
+        let folder = tempfile::tempdir().expect("folder");
+        let copy = folder.path().join("copy.csv");
+        records::write(&copy, &(survey.head)(), &survey.read().expect("read")).expect("written");
+        let [kept, fresh] = [survey.file(), copy].map(|file| std::fs::read(file).expect("a file"));
+        assert!(kept == fresh, "{}", survey.name);
     }
+    is_same(&SURVEY);
+    is_same(&bars::SURVEY);
+    is_same(&met::SURVEY);
+}
+
+#[test]
+fn numbers_keep_three_digits_in_millionths() {
+    let shown = [
+        (0.00342449, "3420"),
+        (-6.243e-6, "-6.24"),
+        (1.16e-12, "1.16e-6"),
+        (1.0049e-9, "1e-3"),
+        (5.3e3, "5.3e9"),
+        (0.0, "0"),
+        (f64::NAN, "NaN"),
+        (f64::INFINITY, "inf"),
+    ];
+    for (number, text) in shown {
+        assert_eq!(Millionths(number).to_string(), text);
+        let read = Millionths::try_from(text.to_string()).expect("a number");
+        assert!(read.is_like(Millionths(number), 0.0), "{text}");
+        assert!(!number.is_normal() || !read.is_like(Millionths(1.02 * number), 0.0), "{text}");
+    }
+    assert!(Millionths::try_from("three".to_string()).is_err());
 }

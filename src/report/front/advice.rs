@@ -40,7 +40,7 @@ pub fn advice(findings: &[Finding]) -> String {
         atlas::recommendation(&digests),
         page("Why", Room::Atlas),
         page("where everything else ends", Room::Limits),
-        page("what is called converged", Room::Converged),
+        page("what is called converged", Room::Promised),
         picture(CHART[0], CHART[1])
     )
 }

@@ -9,7 +9,7 @@ use crate::report::links::to_page as link;
 use crate::report::statements::found::Findings;
 use crate::report::{checks_page, told};
 use crate::study::drawn::picture;
-use crate::study::{Finding, Numbers, barred, measured};
+use crate::study::{Finding, Numbers, Room, measured, promised};
 
 /// What a check of each kind can show.
 const SHOWS: [(ReferenceKind, &str, &str); 4] = [
@@ -33,7 +33,7 @@ pub fn right(findings: &[Finding]) -> String {
         (number, _) => format!("**✗ {fail} of {number} checks fail**; {pass} pass{not_run}.{}", told::failures(&all)),
     };
     let bars = findings.iter().filter_map(|finding| match &finding.numbers {
-        Numbers::Barred(barred::Numbers { all, outside }) => Some(format!(
+        Numbers::Promised(promised::Numbers::Checks(all, outside)) => Some(format!(
             " Of {all} numbers with an error bar beside a closed form {} are off by more than it.",
             outside.len()
         )),

@@ -25,7 +25,6 @@ pub const FOLDER: &str = "snapshots/atlas";
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Record {
     /// What was run.
-    #[serde(rename = "formulation")]
     pub method: Method,
     /// The plane's other number.
     pub ordinate: f64,
@@ -66,6 +65,31 @@ pub fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-3 * a.abs().max(b.abs())
 }
 
+/// Columns of a record.
+const HEAD: [&str; 11] = [
+    "formulation",
+    "ordinate",
+    "stiffness",
+    "class",
+    "iterations",
+    "iteration_error",
+    "rate",
+    "error",
+    "penalty",
+    "predicted_rate",
+    "predicted_iterations",
+];
+
+/// The points of a file.
+pub fn points(file: &Path) -> Result<Vec<Record>, Error> {
+    records::read(file, &records::named(HEAD), RENEW)
+}
+
+/// Writes points to a file.
+pub fn write(file: &Path, points: &[Record]) -> Result<(), Error> {
+    records::write(file, &records::named(HEAD), points)
+}
+
 /// The folder of the records.
 pub fn folder() -> PathBuf {
     root().join(FOLDER)
@@ -79,7 +103,7 @@ pub fn read(plane: Plane) -> Result<Vec<Record>, Error> {
 /// The same from another folder.
 pub fn read_from(folder: &Path, plane: Plane) -> Result<Vec<Record>, Error> {
     let path = folder.join(plane.name()).with_extension("csv");
-    let records: Vec<Record> = records::read(&path, RENEW)?;
+    let records = points(&path)?;
     let stiffnesses = plane.stiffnesses();
     let planned: Vec<(Row, f64)> =
         plane.rows().into_iter().flat_map(|row| stiffnesses.iter().map(move |&stiffness| (row, stiffness))).collect();

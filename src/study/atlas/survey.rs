@@ -10,7 +10,6 @@ use crate::study::atlas::plane::Plane;
 use crate::study::atlas::point::{Ground, Site, share_ground};
 use crate::study::atlas::record::{self, Record};
 use crate::study::atlas::row::Row;
-use crate::study::records;
 
 /// Rows of some planes by the mesh they share, in groups that also share their contact points.
 pub fn sites(planes: &[Plane]) -> Vec<Vec<Vec<Row>>> {
@@ -57,7 +56,7 @@ pub fn survey(planes: &[Plane], unfinished: &Path, records: &Path, done: impl Fn
         let points = plane.rows().into_iter().flat_map(|row| plane.stiffnesses().into_iter().map(move |k| (row, k)));
         let ordered: Vec<Record> =
             points.filter_map(|(row, k)| found.iter().find(|record| record.is_at(&row, k)).cloned()).collect();
-        records::write(&file(records, *plane), &ordered)?;
+        record::write(&file(records, *plane), &ordered)?;
     }
     Ok(())
 }
@@ -92,7 +91,7 @@ fn rows_of_a_ground(
             done(1);
         }
         let _alone = lock();
-        records::write(&path, &[kept(&path), fresh].concat())?;
+        record::write(&path, &[kept(&path), fresh].concat())?;
     }
     Ok(())
 }
@@ -104,7 +103,7 @@ fn entered<'a>(site: &'a OnceLock<Result<Site, Error>>, row: &Row) -> Result<&'a
 
 /// Finished rows; a file that cannot be read holds none, and is surveyed again.
 fn kept(path: &Path) -> Vec<Record> {
-    records::read(path, record::RENEW).unwrap_or_default()
+    record::points(path).unwrap_or_default()
 }
 
 fn file(folder: &Path, plane: Plane) -> PathBuf {

@@ -1,0 +1,479 @@
+//! Whether error bars hold: random scenes whose truth is known on random meshes, and their true errors.
+
+use serde::{Deserialize, Serialize};
+
+use crate::accuracy::longest::longest;
+use crate::accuracy::{Quantity, Subject, bars};
+use crate::algorithm::StiffnessRule;
+use crate::case::{self, Check, Judged, Reference};
+use crate::error::Error;
+use crate::figure::palette::{self, Dash, Marker, Style};
+use crate::figure::{Axis, Chart, Drawing, Series, panels};
+use crate::markdown;
+use crate::measure::larger;
+use crate::mesh::{Order, Resolution};
+use crate::scene::{Profile, Scene};
+use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use crate::study::drawn;
+use crate::study::random::unseen::{self, FAMILIES, JUDGED};
+use crate::study::random::{Draw, Family, Sample, Site, Truth};
+use crate::study::records::{Millionths, Survey, Surveyed, are_like};
+
+/// The survey.
+pub const SURVEY: Survey<Site, Record> = Survey {
+    name: "coverage",
+    head,
+    sites: || Ok(FAMILIES.into_iter().flat_map(unseen::of).collect()),
+    key: Site::key,
+    of: |record| Site { family: record.family, number: record.number }.key(),
+    run: |site| Ok(vec![record(site)?]),
+    alike: is_as_recorded,
+    again,
+};
+
+/// Whether a scene is solved again: of each family of closed form every cell, element and way to end once, of others, whose truth
+/// takes longer than the solution, one with cells of either kind.
+fn again(site: &Site) -> bool {
+    let scenes = if JUDGED.contains(&site.family) { 0..18 } else { 8..10 };
+    scenes.contains(&(site.number - unseen::FIRST))
+}
+
+/// Fewest and most elements on half of the contact.
+const ELEMENTS: [f64; 2] = [3.0, 30.0];
+/// Growth of the elements along the surface, and into the depth.
+const GROWTH: [[f64; 2]; 2] = [[1.2, 1.6], [1.2, 1.5]];
+/// Candidate stretch over half of the contact.
+const STRETCH: [f64; 2] = [1.3, 2.5];
+/// Most candidate elements on a side: a contact far from s = 0 has them all the way from there.
+const CANDIDATES: f64 = 160.0;
+/// Of iterations that end early, the tolerance.
+const EARLY: f64 = 1e-2;
+/// Of those that end late.
+const LATE: f64 = 1e-8;
+/// Stiffness of penalties, over E*/a.
+const PENALTY: [f64; 2] = [1e2, 1e4];
+/// What tells the numbers of a mesh from those of the scene.
+const SEED: u64 = 31_000_000;
+
+/// Orders of cells, which go in turn.
+const ORDERS: [Order; 2] = [Order::Linear, Order::Quadratic];
+
+/// The cells that a scene is solved with.
+fn order(number: usize) -> Order {
+    ORDERS[number % 2]
+}
+
+/// A random scene with its candidates and growth, its mesh and its formulation: order, element and the way to end go in turn; all
+/// else is drawn. The contact ends within an element, but where the candidates end with it.
+pub fn setup(site: &Site, sample: &Sample) -> (Scene, Resolution, Formulation) {
+    let mut draw = Draw::new(SEED + 100_000 * site.family as u64 + site.number as u64);
+    // The first number of a seed is like that of the next one.
+    draw.between(0.0, 1.0);
+    let mut scene = sample.scene.clone();
+    let pair = &scene.contacts[0];
+    let ends_there = matches!(pair.profile, Profile::Uniform(_) | Profile::Punch { .. });
+    // A symmetric contact begins as far before s = 0 as it ends after it.
+    let end = sample.end(0);
+    let begin = Some(sample.truth(0, Quantity::Begin(0))).filter(|begin| begin.is_finite()).unwrap_or(-end);
+    let (half, outer) = (0.5 * (end - begin), end.max(-begin));
+    let [fewest, most] = ELEMENTS;
+    let most = most.min(CANDIDATES * half / (STRETCH[1] * outer)).max(fewest);
+    let per = draw.decades(fewest.max(sample.fewest.min(most)), most);
+    let elements = per.ceil();
+    if !ends_there {
+        let stretch = (draw.between(STRETCH[0], STRETCH[1]) * outer).min(longest(&scene, pair));
+        scene.grading.unit = half * pair.path.metric() * elements / per;
+        scene.contacts[0].stretch = stretch;
+    }
+    // Scenes whose elements are all alike stay so.
+    if scene.grading.along > 1.0 {
+        let [along, depth] = GROWTH.map(|[low, high]| draw.between(low, high));
+        (scene.grading.along, scene.grading.depth) = (along, depth);
+    }
+    let turn = site.number;
+    let formulation = Formulation::new(Element::ALL[turn / 2 % 3], Iteration::Kinematic);
+    let formulation = match turn / 6 % 3 {
+        0 => formulation.tolerance(LATE),
+        1 => formulation.tolerance(EARLY),
+        _ => Formulation {
+            rule: StiffnessRule::Penalty,
+            stiffness: draw.decades(PENALTY[0], PENALTY[1]),
+            ..formulation.tolerance(LATE)
+        },
+    };
+    (scene, Resolution { elements: elements as usize, refinement: 0, order: order(turn) }, formulation)
+}
+
+/// A number whose bars are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Peak pressure.
+    Peak,
+    /// Where it lies.
+    Place,
+    /// Half-width.
+    HalfWidth,
+    /// Second-moment width.
+    SecondMomentWidth,
+    /// Centre of pressure.
+    Centre,
+    /// Where a stretch begins or ends.
+    Edge,
+    /// Contact resultant, its moment, or a reaction.
+    Force,
+    /// Displacement or approach.
+    Displacement,
+    /// Largest shear stress below the contact.
+    Shear,
+    /// Its depth.
+    Depth,
+}
+
+impl Kind {
+    /// All, with their names and how many of them a scene has at most.
+    pub const ALL: [(Self, &'static str, usize); 10] = [
+        (Self::Peak, "peak pressure", 1),
+        (Self::Place, "place of the peak", 1),
+        (Self::HalfWidth, "half-width", 1),
+        (Self::SecondMomentWidth, "second-moment width", 1),
+        (Self::Centre, "centre", 1),
+        (Self::Edge, "ends of the contact", 4),
+        (Self::Force, "forces and moment", 2),
+        (Self::Displacement, "displacement and approach", 3),
+        (Self::Shear, "largest shear stress", 2),
+        (Self::Depth, "its depth", 2),
+    ];
+
+    fn of(subject: &Subject) -> Self {
+        match subject {
+            Subject::Contact(_, Quantity::PeakPressure) => Self::Peak,
+            Subject::Contact(_, Quantity::PeakPlace) => Self::Place,
+            Subject::Contact(_, Quantity::HalfWidth) => Self::HalfWidth,
+            Subject::Contact(_, Quantity::SecondMomentWidth) => Self::SecondMomentWidth,
+            Subject::Contact(_, Quantity::Centre) => Self::Centre,
+            Subject::Contact(_, Quantity::Begin(_) | Quantity::End(_)) => Self::Edge,
+            Subject::Contact(_, Quantity::Resultant | Quantity::Moment) | Subject::Reaction(..) => Self::Force,
+            Subject::Displacement(_) | Subject::Approach(_) => Self::Displacement,
+            Subject::Shear(..) => Self::Shear,
+            Subject::ShearDepth(..) => Self::Depth,
+        }
+    }
+}
+
+/// Numbers that a record has room for.
+const NUMBERS: usize = 18;
+
+/// Their kinds.
+fn kinds() -> impl Iterator<Item = Kind> {
+    Kind::ALL.into_iter().flat_map(|(kind, _, most)| std::iter::repeat_n(kind, most))
+}
+
+/// The numbers of a scene, as many of each kind as it has: errors and bars over the size of such a number.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// Family of the scene.
+    pub family: Family,
+    /// Its number in the family.
+    pub number: usize,
+    /// True errors; NaN where the run did not converge, infinite where what has no limit is quoted.
+    pub errors: [Option<Millionths>; NUMBERS],
+    /// Their bars; NaN where they are not known.
+    pub bars: [Option<Millionths>; NUMBERS],
+}
+
+fn head() -> Vec<String> {
+    let each = |what: &'static str| {
+        let named =
+            move |(_, name, most): (Kind, &'static str, usize)| (1..=most).map(move |k| format!("{name} {k} {what}"));
+        Kind::ALL.into_iter().flat_map(named)
+    };
+    ["family", "number"].map(String::from).into_iter().chain(each("error")).chain(each("bar")).collect()
+}
+
+impl Record {
+    /// Its numbers by kind: error and bar.
+    pub fn numbers(&self) -> impl Iterator<Item = (Kind, [f64; 2])> {
+        let both = self.errors.iter().zip(&self.bars);
+        kinds().zip(both).filter_map(|(kind, (error, bar))| Some((kind, [error.as_ref()?.0, bar.as_ref()?.0])))
+    }
+}
+
+/// What errors of a number are relative to: the true peak, half-width, force or shear stress, the largest true displacement.
+fn size(sample: &Sample, Truth { subject, value }: &Truth) -> f64 {
+    let true_one = |quantity| sample.truth(0, quantity);
+    match subject {
+        Subject::Contact(_, Quantity::PeakPressure) | Subject::Reaction(..) | Subject::Shear(..) => value.abs(),
+        Subject::Contact(_, Quantity::Resultant) => *value,
+        Subject::Contact(_, Quantity::Moment) => true_one(Quantity::Resultant) * true_one(Quantity::SecondMomentWidth),
+        Subject::Contact(..) | Subject::ShearDepth(..) => true_one(Quantity::SecondMomentWidth),
+        Subject::Displacement(_) | Subject::Approach(_) => {
+            let own = sample.truths.iter().filter(|truth| Kind::of(&truth.subject) == Kind::Displacement);
+            own.map(|truth| truth.value.abs()).fold(0.0, f64::max)
+        }
+    }
+}
+
+/// All numbers of a scene whose truth is known.
+pub fn record(site: &Site) -> Result<Record, Error> {
+    let sample = site.sample()?;
+    let (scene, resolution, formulation) = setup(site, &sample);
+    let discretisation = Discretisation::of(scene, resolution)?;
+    // As it is told: without the peaks that are said to have no limit.
+    let run = Run::of(&discretisation, &formulation)?.with_limits(&discretisation)?;
+    let bars = bars(&discretisation, &run, &sample.displaced())?;
+    let (family, number) = (site.family, site.number);
+    let mut record = Record { family, number, errors: [None; NUMBERS], bars: [None; NUMBERS] };
+    for truth in &sample.truths {
+        let found = bars.all.iter().find(|one| one.subject == truth.subject && run.solution.converged());
+        let [error, bar] = found.map_or([f64::NAN; 2], |one| match truth.value.is_finite() {
+            true => [(one.value - truth.value).abs(), one.bar.total()],
+            // What has no limit must not be quoted.
+            false => [if one.value.is_nan() { 0.0 } else { f64::INFINITY }, 0.0],
+        });
+        let size = if truth.value.is_finite() { size(&sample, truth) } else { 1.0 };
+        let kind = Kind::of(&truth.subject);
+        let free = kinds().zip(&record.errors).position(|(own, error)| own == kind && error.is_none());
+        let free = free.expect("no scene has more numbers of a kind than a record");
+        (record.errors[free], record.bars[free]) = (Some(Millionths(error / size)), Some(Millionths(bar / size)));
+    }
+    Ok(record)
+}
+
+/// Errors and bars below are round-off, which no bar needs to follow, and which may differ.
+const ROUND_OFF: f64 = 1e-7;
+
+/// Whether the numbers of a fresh scene are the recorded ones.
+pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
+    (kept.family, kept.number) == (fresh.family, fresh.number)
+        && are_like(&kept.errors, &fresh.errors, ROUND_OFF)
+        && are_like(&kept.bars, &fresh.bars, ROUND_OFF)
+}
+
+/// Errors and bars of the numbers that are meant.
+pub fn meant(recorded: &[Record], is_meant: impl Fn(&Record, Kind) -> bool) -> Vec<[f64; 2]> {
+    let of = |record| Record::numbers(record).filter(|(kind, _)| is_meant(record, *kind)).map(|(_, both)| both);
+    recorded.iter().flat_map(of).collect()
+}
+
+/// Share of some errors within so many of their bars; one that is not known is outside, NaN of none.
+pub fn share_within(numbers: &[[f64; 2]], bars: f64) -> f64 {
+    numbers.iter().filter(|[error, bar]| *error <= bars * bar).count() as f64 / numbers.len() as f64
+}
+
+/// Median of bar over error, of errors above round-off; NaN where there is none.
+fn median(numbers: &[[f64; 2]]) -> f64 {
+    let above = numbers.iter().filter(|[error, _]| *error > ROUND_OFF);
+    let mut ratios: Vec<f64> = above.map(|[error, bar]| bar / error).collect();
+    ratios.sort_by(f64::total_cmp);
+    ratios.get(ratios.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// How many bars are not known.
+fn unknown(numbers: &[[f64; 2]]) -> usize {
+    numbers.iter().filter(|[_, bar]| bar.is_nan()).count()
+}
+
+/// Share of errors that lie within their bars.
+const SHARE: f64 = 0.95;
+/// Bars beyond which no error lies.
+const BEYOND: f64 = 3.0;
+/// Bars over errors in the median: a bar that is never needed says nothing. 4.2 since they contain what the growth leaves in bodies that bend,
+/// what the force leaves, tops between points, and places between them.
+const MEDIAN: f64 = 5.0;
+
+/// The checks.
+pub(super) fn judge(surveyed: &Surveyed<Record>) -> Vec<Judged> {
+    let recorded = &surveyed.recorded;
+    vec![surveyed.as_recorded(), within(recorded), told(recorded), beyond(recorded), narrow(recorded)]
+}
+
+/// The share of errors within their bars, an unknown one being outside, of each number of each family on each kind of cells, where it is
+/// smallest.
+pub fn within(recorded: &[Record]) -> Judged {
+    let groups = JUDGED.into_iter().flat_map(|family| Kind::ALL.map(|(kind, name, _)| (family, kind, name)));
+    let groups = groups.flat_map(|(family, kind, name)| ORDERS.map(|cells| (family, kind, name, cells)));
+    let shares = groups.filter_map(|(family, kind, name, cells)| {
+        let is_own = |one: &Record, own| one.family == family && own == kind && order(one.number) == cells;
+        let own = meant(recorded, is_own);
+        let at = || format!("{name}, {}, {}-node cells", family.title(), cells.nodes_per_cell());
+        (!own.is_empty()).then(|| (at(), share_within(&own, 1.0)))
+    });
+    let quantity = "share of the true errors within their bars, where it is smallest";
+    let bound = Reference::analytic("closed forms", SHARE);
+    smallest(shares, quantity, bound, "of each number of each family on each kind of cells")
+}
+
+/// The share of errors within the bars that are told, of each number of every family, where it is smallest; none told is no share.
+pub fn told(recorded: &[Record]) -> Judged {
+    let groups = FAMILIES.into_iter().flat_map(|family| Kind::ALL.map(|(kind, name, _)| (family, kind, name)));
+    let shares = groups.filter_map(|(family, kind, name)| {
+        let mut own = meant(recorded, |one, own| one.family == family && own == kind);
+        let at = || format!("{name}, {}", family.title());
+        (!own.is_empty()).then(|| {
+            own.retain(|[_, bar]| !bar.is_nan());
+            (at(), share_within(&own, 1.0))
+        })
+    });
+    let quantity = "share of the true errors within the bars that are told, where it is smallest";
+    let bound = Reference::analytic("closed forms and boundary methods", SHARE);
+    smallest(shares, quantity, bound, "of each number of every family")
+}
+
+/// The smallest of some shares, which shall not be below a bound; one that is no number is the smallest.
+fn smallest(
+    shares: impl Iterator<Item = (String, f64)>,
+    quantity: &'static str,
+    bound: Reference,
+    because: &'static str,
+) -> Judged {
+    let least = shares.reduce(|a, b| if b.1 < a.1 || b.1.is_nan() { b } else { a });
+    let (at, share) = least.unwrap_or((String::new(), f64::NAN));
+    Check::at_least(case::Quantity::at(quantity, at), bound, because).judge(share)
+}
+
+/// Errors far outside the bars that are known.
+pub fn beyond(recorded: &[Record]) -> Judged {
+    let mut known = meant(recorded, |one, _| JUDGED.contains(&one.family));
+    known.retain(|[_, bar]| !bar.is_nan());
+    let quantity = case::Quantity::at(
+        format!("share of the true errors beyond {BEYOND} bars"),
+        format!("of {} bars known", known.len()),
+    );
+    let because = "a number so far outside would mislead whoever trusts its bar";
+    let beyond = 1.0 - share_within(&known, BEYOND);
+    Check::at_most(quantity, Reference::analytic("closed forms", 0.0), because).judge(beyond)
+}
+
+/// Bars are no wider than they need be.
+pub fn narrow(recorded: &[Record]) -> Judged {
+    let all = recorded.iter().map(|record| record.numbers().count()).sum::<usize>();
+    let quantity =
+        case::Quantity::at("median of bar over true error", format!("all numbers above round-off, of {all}"));
+    let because = "a bar that is never needed says nothing";
+    let median = median(&meant(recorded, |one, _| JUDGED.contains(&one.family)));
+    Check::at_most(quantity, Reference::analytic("closed forms", MEDIAN), because).judge(median)
+}
+
+/// A row of the table: scenes, number, and its errors and bars on all cells, on those of 4 and on those of 8 nodes.
+type Row = (&'static str, &'static str, [Vec<[f64; 2]>; 3]);
+
+/// The table of errors and bars.
+const COLUMNS: [markdown::Column<Row>; 7] = [
+    ("scenes", |(scenes, ..)| scenes.to_string()),
+    ("number", |(_, number, _)| number.to_string()),
+    ("numbers", |(.., [all, ..])| all.len().to_string()),
+    ("within, 4-node", |(.., [_, four, _])| percent(four)),
+    ("within, 8-node", |(.., [.., eight])| percent(eight)),
+    ("bar over error, median", |(.., [all, ..])| match median(all) {
+        none if none.is_nan() => "–".into(),
+        median => markdown::significant(median, 2),
+    }),
+    ("largest error over bar", |(.., [all, ..])| {
+        let known = all.iter().filter(|[_, bar]| !bar.is_nan());
+        let worst = markdown::significant(known.map(|[error, bar]| error / bar).fold(0.0, larger), 2);
+        match unknown(all) {
+            0 => worst,
+            number => format!("{worst}; {number} not known"),
+        }
+    }),
+];
+
+fn percent(numbers: &[[f64; 2]]) -> String {
+    format!("{:.1} %", 100.0 * share_within(numbers, 1.0))
+}
+
+/// The section: shares by family and number.
+pub(super) fn section(surveyed: &Surveyed<Record>) -> String {
+    let recorded = &surveyed.recorded;
+    let families = std::iter::once(None).chain(FAMILIES.map(Some));
+    let rows = families.flat_map(|family| Kind::ALL.map(|(kind, name, _)| (family, kind, name)));
+    let row = |(family, kind, name): (Option<Family>, Kind, &'static str)| {
+        let is_own = |one: &Record, own: Kind| own == kind && family.is_none_or(|family| one.family == family);
+        let of = |cells: Order| meant(recorded, |one, own| is_own(one, own) && order(one.number) == cells);
+        let [four, eight] = ORDERS.map(of);
+        (family.map_or("**all**", Family::title), name, [meant(recorded, is_own), four, eight])
+    };
+    let rows: Vec<Row> = rows.map(row).filter(|(.., [all, ..])| !all.is_empty()).collect();
+    let [fewest, most] = ELEMENTS;
+    format!(
+        "## Whether error bars hold\n\n\
+         `solve` prints every number with a bar: what the mesh, the iteration and a penalty may leave in it \
+         (`src/solver/accuracy/bar.rs`). Here they are held against random scenes whose true errors are known, by closed forms or a boundary method, on random \
+         meshes: {fewest} to {most} elements on half of the contact, which ends anywhere within one of them, and enough \
+         for the tip of a wedge and the thickness of a ring (what is smaller than the elements no coarser mesh sees); random growth; 4- and 8-node cells, line, layer and node \
+         elements, iterations that end late, early, or with a penalty. The constants of the bars were chosen on other scenes. Where the pressure rises up \
+         to the last element of a contact, neither its peak nor the shear stress below has a bar. {}\n\n{}\n\n{}{}\n\
+         Errors of the peak are relative to it, of places and widths to the half-width, of forces to the force; *bar over error* leaves \
+         out errors that are round-off.\n\n",
+        surveyed.told(),
+        summary(recorded),
+        drawn::picture(
+            "coverage.svg",
+            "True error against the bar claimed: in each range of bars the median, the 95th of 100 and the largest error; below the diagonal a bar holds; errors that are round-off are left out"
+        ),
+        markdown::columns(&COLUMNS, &rows)
+    )
+}
+
+/// How many lie where.
+fn summary(recorded: &[Record]) -> String {
+    let all = meant(recorded, |_, _| true);
+    let beyond = |bars: f64| all.iter().filter(|[error, bar]| *error > bars * bar).count();
+    format!(
+        "Of {} numbers {} are beyond their bar, {} beyond three times it, and {} have none; the median bar is {} times the error.",
+        all.len(),
+        beyond(1.0),
+        beyond(3.0),
+        unknown(&all),
+        markdown::significant(median(&all), 2)
+    )
+}
+
+/// Numbers that have a panel: errors of the others are mostly round-off.
+const SHOWN: [Kind; 3] = [Kind::Peak, Kind::SecondMomentWidth, Kind::Edge];
+/// Ends of both axes.
+const RANGE: [f64; 2] = [1e-5, 1.0];
+/// Ranges of bars in a decade.
+const PER_DECADE: f64 = 4.0;
+/// Fewest errors of which quantiles are drawn.
+const FEWEST: usize = 20;
+
+/// True error against the bar claimed.
+pub(super) fn picture(recorded: &[Record]) -> Result<(String, Drawing), Error> {
+    let shown = Kind::ALL.into_iter().filter(|(kind, ..)| SHOWN.contains(kind));
+    let shown: Vec<Chart> = shown.map(|(kind, name, _)| panel(name, &meant(recorded, |_, own| own == kind))).collect();
+    Ok(("coverage.svg".into(), panels("True error against the bar claimed", &shown, 3)?))
+}
+
+fn panel(name: &str, numbers: &[[f64; 2]]) -> Chart {
+    let axis = |label: &str| Axis::log(label).over(RANGE[0], RANGE[1]);
+    let mut chart = Chart::new(name, axis("bar, relative [–]"), axis("true error, relative [–]"));
+    let quantiles = [
+        ("largest", 1.0, palette::LINE, Dash::Solid, Marker::Diamond),
+        ("95 of 100", 0.95, palette::NODE, Dash::Solid, Marker::Circle),
+        ("median", 0.5, palette::LAYER, Dash::Dashed, Marker::Square),
+    ];
+    for (label, share, colour, dash, marker) in quantiles {
+        let (points, style) = (curve(numbers, share), Style::run(colour, dash, marker));
+        chart.series.push(Series { label: label.into(), points, style, hollow: Vec::new() });
+    }
+    let points = RANGE.map(|end| (end, end)).into();
+    chart.series.push(Series { label: "error = bar".into(), points, style: Style::reference(), hollow: Vec::new() });
+    chart
+}
+
+/// In each range of bars the error that a share of the errors is not above.
+fn curve(numbers: &[[f64; 2]], share: f64) -> Vec<(f64, f64)> {
+    let [low, high] = RANGE.map(|end| (PER_DECADE * end.log10()).round() as i32);
+    let edge = |k: i32| 10f64.powf(f64::from(k) / PER_DECADE);
+    let point = |k: i32| {
+        let above = numbers.iter().filter(|[error, _]| *error > ROUND_OFF);
+        let own = above.filter(|[_, bar]| edge(k) <= *bar && *bar < edge(k + 1));
+        let mut errors: Vec<f64> = own.map(|[error, _]| *error).collect();
+        errors.sort_by(f64::total_cmp);
+        let rank = (share * errors.len() as f64).ceil() as usize;
+        let error = errors.get(rank.max(1) - 1).copied().filter(|_| errors.len() >= FEWEST);
+        error.filter(|error| *error >= RANGE[0]).map(|error| (edge(k) * edge(1).sqrt(), error))
+    };
+    (low..high).filter_map(point).collect()
+}

@@ -1,0 +1,358 @@
+//! What is called converged: every scene, library and file, under all nine formulations, from candidates that hardly reach
+//! beyond the contact to such that are a hundred times as long, and under loads a ten-thousandth of the scene's own. No run may
+//! be called converged whose peak or half-width is not that of its own discrete problem.
+
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::case::file::files_in;
+use crate::case::library::{self, NAMES, TruncatedHertz};
+use crate::case::{Case, Check, Judged, Quantity, Reference};
+use crate::checkout::root;
+use crate::error::{Error, Kind};
+use crate::figure::{Axis, Chart, Drawing, panels};
+use crate::markdown;
+use crate::solution::EnergyError;
+use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin, Run, Settings};
+use crate::study::class::Class;
+use crate::study::drawn::{self, Curve};
+use crate::study::pairing::Pairing;
+use crate::study::records::{Millionths, Survey, Surveyed, are_like};
+
+/// The survey.
+pub const SURVEY: Survey<Site, Record> = Survey {
+    name: "converged",
+    head,
+    sites,
+    key: Site::key,
+    of: |record| Site { scene: record.scene.clone(), stretch: record.stretch }.key(),
+    run: records,
+    alike: is_as_recorded,
+    again: |site| AGAIN.iter().any(|&(scene, stretch)| site.scene == scene && same(site.stretch, stretch)),
+};
+
+/// Candidate stretches over the half-width under the nominal load; 0 is the scene's own.
+const STRETCHES: [f64; 7] = [0.0, 1.05, 2.0, 5.0, 20.0, 50.0, 150.0];
+/// Loads over the nominal one.
+const LOADS: [f64; 3] = [1.0, 1e-2, 1e-4];
+/// Tolerances: the default and one that hardly any iteration but kinematic load reaches.
+const TOLERANCES: [f64; 2] = [1e-3, 1e-6];
+/// A block long enough for every stretch.
+const LONG: &str = "long-block";
+/// Its size over the half-width.
+const SIZE: f64 = 400.0;
+/// Where scene files are.
+const FILES: &str = "tests/cases";
+/// Candidate elements of a contact: beyond them elements get longer with the stretch.
+const ELEMENTS: f64 = 64.0;
+/// Error over the tolerance that is round-off, and recorded as none.
+const ROUND_OFF: f64 = 1e-3;
+
+/// Scenes that are run again, each on a stretch: the cheapest of each kind of body, profile and load.
+const AGAIN: [(&str, f64); 22] = [
+    ("truncated-hertz", 0.0),
+    ("press-fit", 0.0),
+    ("patch", 0.0),
+    ("own-weight", 0.0),
+    ("flat-punch", 0.0),
+    ("eccentric-load.toml", 0.0),
+    ("pressed-patch.toml", 0.0),
+    ("load-approach.toml", 0.0),
+    ("cylinder-half", 1.05),
+    ("cylinder-between-plates", 1.05),
+    ("cylinder-between-blocks.toml", 1.05),
+    ("cylinder-on-block.toml", 1.05),
+    ("hollow-circle.toml", 1.05),
+    ("moment.toml", 1.05),
+    ("rigid-cosine.toml", 1.05),
+    ("rigid-pin.toml", 1.05),
+    ("cylinder", 2.0),
+    ("bars", 5.0),
+    ("cylinder-to-accuracy.toml", 5.0),
+    ("cylinder-to-accuracy.toml", 20.0),
+    ("rings-to-accuracy.toml", 50.0),
+    ("blocks.toml", 150.0),
+];
+
+/// A scene on a candidate stretch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Site {
+    /// Name in the library, that of the long block, or a scene file.
+    pub scene: String,
+    /// Candidate stretch over the half-width under the nominal load; 0 is the scene's own.
+    pub stretch: f64,
+}
+
+/// The runs of all nine under a load and a tolerance; none where a formulation is not defined for the scene.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// The scene.
+    pub scene: String,
+    /// Candidate stretch over the nominal half-width; 0 is the scene's own.
+    pub stretch: f64,
+    /// Load over the nominal one.
+    pub load: f64,
+    /// Tolerance.
+    pub tolerance: f64,
+    /// How each ended.
+    pub classes: [Option<Class>; 9],
+    /// Iterations made.
+    pub iterations: [Option<usize>; 9],
+    /// Largest error of p₀ and a against the solution of the same discrete problem; 0 where it is round-off, none where there is
+    /// no such solution.
+    pub errors: [Option<Millionths>; 9],
+}
+
+fn head() -> Vec<String> {
+    let site = ["scene", "stretch", "load", "tolerance"].map(String::from);
+    let each = |what: &'static str| Pairing::all().into_iter().map(move |pairing| format!("{pairing} {what}"));
+    site.into_iter().chain(each("class")).chain(each("iterations")).chain(each("error")).collect()
+}
+
+/// Every scene on every stretch: the library, the long block, the files.
+fn sites() -> Result<Vec<Site>, Error> {
+    let files = files_in(&root().join(FILES))?;
+    let files = files.iter().filter_map(|path| Some(path.file_name()?.to_string_lossy().into_owned()));
+    let library = NAMES.iter().map(|(name, _)| (*name).to_owned());
+    let scenes = library.chain([LONG.to_owned()]).chain(files);
+    Ok(scenes.flat_map(|scene| STRETCHES.map(|stretch| Site { scene: scene.clone(), stretch })).collect())
+}
+
+impl Site {
+    /// Name of its own.
+    fn key(&self) -> String {
+        format!("{}-{}", self.scene, self.stretch)
+    }
+
+    /// The scene on its own stretch.
+    fn case(&self) -> Result<Case, Error> {
+        match self.scene.as_str() {
+            LONG => Ok(TruncatedHertz { size: SIZE, ..Default::default() }.case()),
+            name if NAMES.iter().any(|(known, _)| *known == name) => library::find(name, None),
+            file => Case::read(&root().join(FILES).join(file)),
+        }
+    }
+
+    /// The scene with its candidates as long as the site asks; none where its surfaces are shorter.
+    fn discretised(&self) -> Result<Option<Discretisation>, Error> {
+        let Case { mut scene, resolution, .. } = self.case()?;
+        if self.stretch <= 0.0 {
+            return Discretisation::of(scene, resolution).map(Some);
+        }
+        let nominal = Run::of(&Discretisation::of(scene.clone(), resolution)?, &Formulation::verification())?;
+        let mut elements = 0.0_f64;
+        for (pair, contact) in scene.contacts.iter_mut().zip(&nominal.contacts) {
+            pair.stretch = self.stretch * contact.measures.edge().abs().max(contact.measures.begin().abs());
+            elements =
+                elements.max(resolution.elements as f64 * pair.stretch * pair.path.metric() / scene.grading.unit);
+        }
+        scene.grading.unit *= (elements / ELEMENTS).max(1.0);
+        // A surface that is too short is no site; what else may be wrong shows on the scene's own stretch.
+        Ok(Discretisation::of(scene, resolution).ok())
+    }
+}
+
+/// All runs of a site: condensed once, under every load and tolerance; none where nothing presses.
+pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
+    let Some(discretisation) = site.discretised()? else { return Ok(Vec::new()) };
+    let mut records = Vec::new();
+    for [load, tolerance] in loaded() {
+        let Site { scene, stretch } = site.clone();
+        let (classes, iterations, errors) = ([None; 9], [None; 9], [None; 9]);
+        let mut record = Record { scene, stretch, load, tolerance, classes, iterations, errors };
+        for (k, formulation) in Formulation::nine().into_iter().enumerate() {
+            let formulation = formulation.tolerance(tolerance);
+            let run = Run::from_origin(Origin::Own, &discretisation, &formulation, Change { load, ..Change::NONE });
+            let (class, iterations, error) = match run {
+                Ok(run) => {
+                    let error = run.iteration_error();
+                    let error = if error < ROUND_OFF * tolerance { 0.0 } else { error };
+                    (Class::of(run.solution.outcome), run.solution.work.iterations, Some(Millionths(error)))
+                }
+                Err(Error { kind: Kind::NoSpringLeft { iterations }, .. }) => (Class::Unsupported, iterations, None),
+                Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => (Class::Beyond, 0, None),
+                Err(Error { kind: Kind::Input | Kind::NothingPresses, .. }) => continue,
+                Err(error) => return Err(error),
+            };
+            (record.classes[k], record.iterations[k], record.errors[k]) = (Some(class), Some(iterations), error);
+        }
+        records.extend(record.classes.iter().any(Option::is_some).then_some(record));
+    }
+    Ok(records)
+}
+
+/// Every load under every tolerance.
+fn loaded() -> impl Iterator<Item = [f64; 2]> {
+    LOADS.into_iter().flat_map(|load| TOLERANCES.map(|tolerance| [load, tolerance]))
+}
+
+/// Whether fresh runs are the recorded ones: outcome and iterations always, the error where it is above round-off.
+pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
+    let key = |record: &Record| [record.load, record.tolerance].map(f64::to_bits);
+    key(kept) == key(fresh)
+        && kept.classes == fresh.classes
+        && kept.iterations == fresh.iterations
+        && are_like(&kept.errors, &fresh.errors, ROUND_OFF * kept.tolerance)
+}
+
+/// Scenes of the library on which the bound of the energy error is measured, under all nine formulations.
+const BOUNDED: [&str; 5] = ["cylinder", "truncated-hertz", "pin-rod", "bars", "flat-punch"];
+
+/// Errors in the energy norm and their bounds of all nine on scenes of the library; none where they are not known.
+pub(super) fn energies() -> Result<Vec<Option<EnergyError>>, Error> {
+    let of_scene = |name: &&str| {
+        let case = library::find(name, None)?;
+        let discretisation = Discretisation::of(case.scene, case.resolution)?;
+        let energy = |formulation: &Formulation| Ok(Run::of(&discretisation, formulation)?.solution.energy);
+        Formulation::compared().iter().map(energy).collect::<Result<Vec<_>, Error>>()
+    };
+    Ok(BOUNDED.par_iter().map(of_scene).collect::<Result<Vec<_>, Error>>()?.concat())
+}
+
+/// Error of a peak or a half-width that a run called converged may have, in tolerances: they are not what is iterated.
+const SLACK: f64 = 3.0;
+
+/// The checks.
+pub(super) fn judge(surveyed: &Surveyed<Record>) -> Vec<Judged> {
+    vec![surveyed.as_recorded(), right(&surveyed.recorded)]
+}
+
+/// Nothing is called converged that is not.
+pub fn right(recorded: &[Record]) -> Judged {
+    let (mut all, mut converged, mut right) = (0, 0, 0);
+    for record in recorded {
+        for (class, error) in record.classes.iter().zip(&record.errors) {
+            all += usize::from(class.is_some());
+            if *class == Some(Class::Converged) {
+                converged += 1;
+                right += usize::from(error.is_some_and(|error| error.0 <= SLACK * record.tolerance));
+            }
+        }
+    }
+    let quantity = Quantity::at(
+        format!(
+            "run called converged with a peak or a half-width off its discrete solution by more than {SLACK} tolerances"
+        ),
+        format!("of {converged} converged, {all} runs in all"),
+    );
+    let because = "relative to that solution, contact by contact";
+    let wrong = if converged == 0 { f64::NAN } else { (converged - right) as f64 };
+    Check::at_most(quantity, Reference::own("active set", 0.0), because).judge(wrong)
+}
+
+/// Share of the runs of one of the nine that converge, of the records that are meant; none of no runs.
+fn share(recorded: &[Record], formulation: usize, is_meant: impl Fn(&Record) -> bool) -> Option<f64> {
+    let classes = recorded.iter().filter(|record| is_meant(record)).filter_map(|record| record.classes[formulation]);
+    let ended: Vec<bool> = classes.map(|class| class == Class::Converged).collect();
+    let converged = ended.iter().filter(|converged| **converged).count();
+    (!ended.is_empty()).then(|| converged as f64 / ended.len() as f64)
+}
+
+/// Whether two numbers of the plan are the same one.
+fn same(a: f64, b: f64) -> bool {
+    a.to_bits() == b.to_bits()
+}
+
+/// The section: criterion, how loose the bound in the energy norm is, and shares that converge.
+pub(super) fn section(surveyed: &Surveyed<Record>, energies: &[Option<EnergyError>]) -> String {
+    let text = format!(
+        "## What is called converged\n\n\
+         A run stops by its error against the solution of its own discrete problem, which an active set finds beside it, and \
+         not by a residual, whose scale someone must guess. Per contact, relative to that solution: the *peak*, the share of \
+         the *force* at the wrong place, half-width and centre as *width*, and the *approach* over the one that the \
+         contact's own force makes. The largest of the four, over all contacts, is the iteration error; converged is an \
+         iteration error within the tolerance. The algorithms do not see it. `src/solver/algorithm/target.rs` has the formulas.\n\n\
+         {}\
+         Every scene file and library scene, and a block of {SIZE} half-widths, under every element and algorithm; candidates as \
+         long as the scene has them and of {stretches} half-widths, where the bodies allow it; loads of {loads} of the scene's own; \
+         tolerances of {tolerances}. A run that does not converge is reported so, and is not wrong. {}\n\n{}",
+        bound(energies),
+        surveyed.told(),
+        drawn::picture(
+            "converged.svg",
+            "Share of the runs that converge at the default tolerance, by candidate stretch, over all scenes and loads"
+        ),
+        stretches = list(&STRETCHES[1..]),
+        loads = list(&LOADS),
+        tolerances = list(&TOLERANCES),
+    );
+    text + &shares(&surveyed.recorded)
+}
+
+/// Numbers one after the other.
+fn list(numbers: &[f64]) -> String {
+    let each: Vec<String> = numbers.iter().map(|x| if *x < 0.1 { format!("{x:e}") } else { x.to_string() }).collect();
+    each.join(", ")
+}
+
+/// Squares of errors below this part of the stored energy are round-off, of which no bound says anything.
+const ENERGY_OF_ROUND_OFF: f64 = 1e-18;
+
+/// How far the bound `‖u − u*‖²_S ≤ Σ P h + Σ F* v + Σ T (h* − h)` is above what it bounds.
+fn bound(energies: &[Option<EnergyError>]) -> String {
+    let above = energies.iter().flatten().filter(|energy| energy.error > ENERGY_OF_ROUND_OFF);
+    let mut ratios: Vec<f64> = above.map(|energy| (energy.bound / energy.error).sqrt()).collect();
+    ratios.sort_by(f64::total_cmp);
+    let [least, median, largest] = [ratios.first(), ratios.get(ratios.len() / 2), ratios.last()]
+        .map(|ratio| markdown::significant(ratio.copied().unwrap_or(f64::NAN), 3));
+    format!(
+        "Without that solution a bound can be had in the energy norm, from a run's own forces, gaps and penetrations alone \
+         (`src/solver/algorithm/bound.rs`). That it holds is a check of every run. On {} under all nine formulations it is {least} to \
+         {largest} times the error, {median} in the median of the {} runs of {} whose error is above round-off: an energy does not \
+         tell the peak, and so it is shown and not stopped by.\n\n",
+        BOUNDED.join(", "),
+        ratios.len(),
+        energies.len()
+    )
+}
+
+/// Shares that converge, by formulation: on each stretch, then under each load.
+fn shares(recorded: &[Record]) -> String {
+    let mut rows = Vec::new();
+    for tolerance in TOLERANCES {
+        for (k, pairing) in Pairing::all().iter().enumerate() {
+            let of = |is_meant: &dyn Fn(&Record) -> bool| {
+                percent(share(recorded, k, |record| same(record.tolerance, tolerance) && is_meant(record)))
+            };
+            let by_stretch = STRETCHES.map(|stretch| of(&|record| same(record.stretch, stretch)));
+            let by_load = LOADS.map(|load| of(&|record| same(record.load, load)));
+            let named = [pairing.to_string(), format!("{tolerance:e}")];
+            rows.push([&named[..], &by_stretch, &by_load].concat());
+        }
+    }
+    let stretches = STRETCHES.map(|stretch| if stretch > 0.0 { format!("{stretch} a") } else { "own".into() });
+    let loads = LOADS.map(|load| format!("load × {load:e}"));
+    let head = [&["formulation", "tolerance"].map(String::from)[..], &stretches, &loads].concat();
+    let limit = Settings::default().max_iterations;
+    let title = format!(
+        "Share of the runs that converge within {limit} iterations, by candidate stretch under all loads, and by load on all stretches"
+    );
+    markdown::folded(&title, &markdown::table(&head, &rows), false)
+}
+
+/// A share; – without a run.
+fn percent(share: Option<f64>) -> String {
+    share.map_or("–".into(), |share| format!("{:.0} %", 100.0 * share))
+}
+
+/// Share of the runs that converge at the default tolerance against the candidate stretch, one panel an algorithm.
+pub(super) fn picture(recorded: &[Record]) -> Result<(String, Drawing), Error> {
+    let all = Pairing::all();
+    let panel = |algorithm: Iteration| {
+        let share_of_runs = Axis::linear("converged [%]").over(0.0, 100.0);
+        let mut chart =
+            Chart::new(algorithm.name(), Axis::log("candidate stretch / a [–]").over(1.0, 150.0), share_of_runs);
+        for (k, pairing) in all.iter().enumerate().filter(|(_, pairing)| pairing.algorithm == algorithm) {
+            let at = |stretch: f64| {
+                let is_at = |record: &Record| same(record.tolerance, TOLERANCES[0]) && same(record.stretch, stretch);
+                share(recorded, k, is_at).map(|share| [stretch, 100.0 * share])
+            };
+            let points = STRETCHES.into_iter().filter(|stretch| *stretch > 0.0).filter_map(at).collect();
+            let formulation = pairing.formulation();
+            let curve = Curve { points, failed: Vec::new() };
+            chart.series.push(curve.drawn(drawn::label(&formulation), drawn::style(&formulation)));
+        }
+        chart
+    };
+    Ok(("converged.svg".into(), panels("Share of the runs that converge", &Iteration::ALL.map(panel), 3)?))
+}
