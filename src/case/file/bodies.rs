@@ -57,7 +57,7 @@ const SHAPE: Form = OneOf(&[
 /// A body with its supports and loads, in a contact on one side of x = 0 or across it.
 pub fn body(plane: PlaneHypothesis, across: bool, table: Value) -> Result<Body, Error> {
     let shape = shape(across, table.at("shape"))?;
-    let [supports, loads] = ["supports", "loads"].map(|key| table.get(key).map_or_else(Vec::new, Value::entries));
+    let [supports, loads] = ["supports", "loads"].map(|key| table.list(key));
     refuse_fixed_twice(&supports, &loads)?;
     Ok(Body {
         name: table.at("name").text().into(),

@@ -83,7 +83,7 @@ impl Case {
 }
 
 fn case(file: Value, name: String) -> Result<Case, Error> {
-    let bodies = file.at("body").entries();
+    let bodies = file.list("body");
     if bodies.is_empty() {
         return Err(file.at("body").refused("there is no body", "add one as [[body]]"));
     }
@@ -102,8 +102,7 @@ fn case(file: Value, name: String) -> Result<Case, Error> {
     let read =
         |(contact, given): (usize, &Option<Value>)| given.map(|given| oracle::read(given, &scene, contact)).transpose();
     let oracles = given.iter().enumerate().map(read).collect::<Result<Vec<_>, _>>()?;
-    let checks = file.get("check").map_or_else(Vec::new, Value::entries);
-    let checks = checks.into_iter().map(|check| wanted::check(check, &bodies, &scene, &oracles));
+    let checks = file.list("check").into_iter().map(|check| wanted::check(check, &bodies, &scene, &oracles));
     let checks = checks.collect::<Result<_, _>>()?;
     for (contact, (given, oracle)) in given.into_iter().zip(&oracles).enumerate() {
         if let (Some(given), Some(oracle)) = (given, oracle) {

@@ -62,7 +62,7 @@ pub(super) fn refuse_other_scene(
         "bars" => bench.bars(),
         "own-weight" => bench.weight(),
         "polynomial" => {
-            let list = numbers.at("coefficients").entries().into_iter().zip(0..);
+            let list = numbers.list("coefficients").into_iter().zip(0..);
             let coefficients = list.map(|(c, k)| c.number() * given.units.length.powi(-1 - 2 * k)).collect();
             bench.shaped(&Profile::Even { coefficients })
         }

@@ -178,7 +178,7 @@ fn law(given: Value) -> Result<Law, Error> {
     let units = given.units;
     let (name, table) = given.only();
     let coefficients = |per: f64| -> Result<Vec<f64>, Error> {
-        let list = table.at("coefficients").entries();
+        let list = table.list("coefficients");
         if list.is_empty() || list.len() > MOST_TERMS {
             let message = format!("the law has {} coefficients", list.len());
             return Err(given.refused(message, format!("give 1 to {MOST_TERMS}")));

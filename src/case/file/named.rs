@@ -93,7 +93,7 @@ pub(super) fn displaced(of: Value, bodies: &[Body]) -> Result<Displaced, Error> 
 /// The force of a support of a body, as the body lists it among its `supports`; the same is told of what does not exist.
 pub(super) fn reaction(of: Value, tables: &[Value], bodies: &[Body]) -> Result<Quantity, Error> {
     let body = body(of.at("body"), bodies)?;
-    let supports = tables[body].get("supports").map_or_else(Vec::new, Value::entries);
+    let supports = tables[body].list("supports");
     let is_it = |support: &Value| {
         same_place(support.at("at"), of.at("at")) && support.at("component").text() == of.at("component").text()
     };

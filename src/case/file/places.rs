@@ -19,7 +19,7 @@ pub struct Places {
 impl Places {
     /// Those of a file.
     pub(super) fn of(file: Value) -> Self {
-        let shapes = file.at("body").entries().into_iter().map(|body| body.at("shape"));
+        let shapes = file.list("body").into_iter().map(|body| body.at("shape"));
         Self {
             file: file.source.file.into(),
             meshes: shapes.filter_map(|shape| Some(gmsh::path(shape.get("gmsh")?))).collect(),
@@ -49,13 +49,11 @@ impl Places {
         let source = Source { file: &self.file, text: &self.text };
         let parsed = source.parsed().ok()?;
         let file = Value::all(source, &parsed);
-        let body = |index: usize| file.at("body").entries().get(index).copied();
+        let body = |index: usize| file.list("body").get(index).copied();
         let solve = file.get("solve");
         let found = match place {
             Place::Body { body: index, .. } => body(*index)?.at("name"),
-            Place::Load { body: index, load, .. } => {
-                *body(*index as usize)?.get("loads")?.entries().get(*load as usize)?
-            }
+            Place::Load { body: index, load, .. } => *body(*index as usize)?.list("loads").get(*load as usize)?,
             Place::Contact { contact, part, .. } => {
                 contact::tables(file.at("contact")).get(*contact)?.get(match part {
                     Part::First => "first",

@@ -69,6 +69,11 @@ impl<'a> Value<'a> {
         entries.map(|held| Self { held, ..self }).collect()
     }
 
+    /// The entries of the list of a key; none where it is left out.
+    pub fn list(self, key: &'a str) -> Vec<Self> {
+        self.get(key).map_or_else(Vec::new, Self::entries)
+    }
+
     /// The same under another key.
     pub fn called(self, key: &'a str) -> Self {
         Self { key, ..self }
