@@ -122,7 +122,8 @@ fn shape(across: bool, given: Value) -> Result<Shape, Error> {
         "disc" => disc(across, table),
         "ring" => ring(table),
         "blocks" => blocks::shape(given, table),
-        _ => gmsh::shape(table),
+        "gmsh" => gmsh::shape(table),
+        _ => table.unknown(),
     }
 }
 

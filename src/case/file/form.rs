@@ -16,7 +16,7 @@ pub(super) enum Form {
     Number,
     /// A number of things.
     Count,
-    /// A small number of them.
+    /// A number from 0 to 255.
     Byte,
     /// A name, or words.
     Text,

@@ -112,13 +112,14 @@ pub(super) fn profile(gap: Value, across: bool, drawn: &DrawnGap) -> Result<Prof
             Profile::Cosine { amplitude: value.at("amplitude").length()?, wavelength: value.at("wavelength").length()? }
         }
         "hole" => Profile::Hole { radius: value.at("radius").length()?, clearance: value.at("clearance").length()? },
-        _ => {
+        "pin" => {
             let radius = value.at("radius").positive()?;
             let expected = format!("a number above 0 and below the radius, {radius}");
             let clearance = value.at("clearance").within(&expected, |c| c > 0.0 && c < radius)?;
             let [radius, clearance] = [radius, clearance].map(|length| gap.units.length * length);
             Profile::Pin { radius, clearance }
         }
+        _ => value.unknown(),
     })
 }
 

@@ -72,7 +72,8 @@ pub(super) fn refuse_other_scene(
             bench.shaped(&Profile::Cosine { amplitude, wavelength })
         }
         // The force tells a uniform pressure: pressure times width.
-        _ => Ok(()),
+        "uniform" => Ok(()),
+        _ => numbers.unknown(),
     }
 }
 

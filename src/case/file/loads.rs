@@ -83,11 +83,12 @@ pub(super) fn load(shape: &Shape, given: Value) -> Result<Load, Error> {
         "force" => {
             Load::Force { at: table.at("at").point()?, force: table.at("value").pair()?.map(|f| units.force * f) }
         }
-        _ => Load::RigidFace {
+        "rigid-face" => Load::RigidFace {
             boundary: boundary()?,
             component: component(table.at("component"))?,
             force: units.force * table.at("force").finite()?,
         },
+        _ => table.unknown(),
     })
 }
 
@@ -195,7 +196,7 @@ fn law(given: Value) -> Result<Law, Error> {
             let coefficients = coefficients(units.length)?;
             Box::new(move |point| coefficients.iter().rev().fold(0.0, |sum, c| c + sum * point[k]))
         }
-        _ => {
+        "cosine" => {
             let [x, y] = table.at("centre").point()?;
             let coefficients = coefficients(1.0)?;
             Box::new(move |point| {
@@ -203,5 +204,6 @@ fn law(given: Value) -> Result<Law, Error> {
                 coefficients.iter().zip(0..).map(|(c, k)| c * (f64::from(k) * angle).cos()).sum()
             })
         }
+        _ => table.unknown(),
     })
 }

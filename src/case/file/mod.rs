@@ -3,14 +3,14 @@
 //! * `form` — which keys a table has, and what their values are: stated as data beside the function that reads the table, and
 //!   held against the file before anything is read.
 //! * `value` — a value by its key, in the units of the scene; its place is looked up where something is wrong.
-//! * `source` — the text, [`units`] — names of units, `named` — bodies, boundaries, points and supports by their names.
+//! * `source` — the text, `units` — names of units, `named` — bodies, boundaries, points and supports by their names.
 //! * `document` — the whole file.
 //! * `bodies` — `[[body]]`, with `blocks` and `gmsh` for its shape, `loads`.
 //! * `contact` — `[contact]`: its bodies, their sides (`side`, `curves`) and the path; `gap` — its gap, `compared` — against the
 //!   drawn one; `oracle` — its closed form, `hypotheses` — what that takes for granted.
 //! * `mesh`, `reference`, `solve`, `wanted` — `[mesh]`, `[reference]`, `[solve]`, `[[check]]`.
-//! * [`places`] — where things are in the file, for mistakes that show later.
-//! * [`unsupported`] — physics that is not done here.
+//! * `places` — where things are in the file, for mistakes that show later.
+//! * `unsupported` — physics that is not done here.
 //! * `folder` — the files of a folder.
 //!
 //! Lengths, forces and stresses are in the units the file names, angles in degrees; the scene is in mm, N, MPa and radians.
@@ -30,16 +30,18 @@ mod loads;
 mod mesh;
 mod named;
 mod oracle;
-pub mod places;
+mod places;
 mod reference;
 mod side;
 mod solve;
 mod source;
-pub mod units;
-pub mod unsupported;
+mod units;
+mod unsupported;
 mod value;
 mod wanted;
 
-pub use folder::{files_in, nearest_to};
+use folder::nearest_to;
+use source::Source;
+
+pub use folder::files_in;
 pub use places::Places;
-pub use source::Source;

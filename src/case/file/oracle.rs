@@ -111,10 +111,11 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
             };
             Arc::new(EvenGap::of_load(load()?, HALF_WIDTHS, gap))
         }
-        _ => {
+        "cosine" => {
             let wavelength = length("wavelength")?;
             Arc::new(Waves { modulus, amplitude: length("amplitude")?, wavelength, mean: load()? / wavelength })
         }
+        _ => t.unknown(),
     };
     Ok(match &pair.path {
         Path::Arc(arc) if OF_A_LINE.contains(&name) => Arc::new(OnArc { straight: closed, radius: arc.radius }),

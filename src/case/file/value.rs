@@ -63,6 +63,11 @@ impl<'a> Value<'a> {
         (key.get_ref(), Self { key: key.get_ref(), held, ..self })
     }
 
+    /// What follows a key that its form does not have.
+    pub fn unknown(self) -> ! {
+        unreachable!("{CHECKED}, and `{}` is none of its keys", self.key)
+    }
+
     /// The entries of a list.
     pub fn entries(self) -> Vec<Self> {
         let entries = self.held.get_ref().as_array().into_iter().flat_map(|list| list.iter());
