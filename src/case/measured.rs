@@ -66,11 +66,14 @@ impl Solved<'_> {
         })
     }
 
-    /// What the oracle reads for a quantity.
-    pub(super) fn reading(&self, quantity: &Quantity) -> Reference {
+    /// What the oracle of a contact reads for a quantity.
+    pub(super) fn reading(&self, quantity: &Quantity, contact: usize) -> Reference {
         match quantity {
-            Quantity::Profile => Reference { value: 0.0, ..self.case.reading(oracle::Quantity::PeakPressure) },
-            other => self.case.reference(0, other),
+            Quantity::Profile => {
+                let peak = self.case.reference(contact, &Quantity::PeakPressure);
+                Reference { value: 0.0, ..peak }
+            }
+            other => self.case.reference(contact, other),
         }
     }
 

@@ -51,7 +51,7 @@ const QUARTER: f64 = 90.0;
 /// Deepest interference that may be drawn, over the length of the stretch.
 const DEEPEST: f64 = 0.1;
 
-/// The tables of the contacts.
+/// The tables of the contacts: the one given, which has a gap, or those of a list.
 pub(super) fn tables(given: Value) -> Vec<Value> {
     if given.get("gap").is_some() { vec![given] } else { given.entries() }
 }

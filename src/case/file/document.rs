@@ -7,16 +7,19 @@ use std::path::Path;
 use crate::case::definition::Case;
 use crate::case::file::bodies::BODY;
 use crate::case::file::contact::CONTACTS;
+use crate::case::file::folder::nearest_to;
 use crate::case::file::form::Form::{List, Number, Table, Text};
 use crate::case::file::form::{Form, Mistake, may, must};
 use crate::case::file::mesh::{MESH, MeshTable};
+use crate::case::file::places::Places;
 use crate::case::file::reference::REFERENCE;
 use crate::case::file::solve::SOLVE;
-use crate::case::file::units::{UNITS, Units};
+use crate::case::file::source::Source;
+use crate::case::file::units::{FORCES, LENGTHS, STRESSES, Units};
 use crate::case::file::unsupported::Unsupported;
 use crate::case::file::value::Value;
 use crate::case::file::wanted::CHECK;
-use crate::case::file::{Places, Source, bodies, contact, hypotheses, nearest_to, oracle, reference, solve, wanted};
+use crate::case::file::{bodies, contact, hypotheses, oracle, reference, solve, wanted};
 use crate::error::Error;
 use crate::mesh::size::solvable;
 use crate::scene::{Body, PlaneHypothesis, ReferenceValues, Scene};
@@ -29,7 +32,7 @@ const DOCUMENT: Form = Table(&[
     may("source", Text),
     must("plane", Text),
     must("thickness", Number),
-    may("units", UNITS),
+    may("units", Table(&[may("length", Text), may("force", Text), may("stress", Text)])),
     must("body", List(&BODY)),
     must("contact", CONTACTS),
     may("reference", REFERENCE),
@@ -78,8 +81,21 @@ impl Case {
         DOCUMENT.check(&parsed).map_err(refused)?;
         let name = file.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned());
         let file = Value::all(source, &parsed);
-        case(file.with(Units::of(file.get("units"))?), name)
+        case(file.with(units(file.get("units"))?), name)
     }
+}
+
+/// Units by their names; those of the scene where none is given.
+fn units(table: Option<Value>) -> Result<Units, Error> {
+    let factor = |key: &str, known: &[(&str, f64)]| match table.and_then(|table| table.get(key)) {
+        Some(name) => name.choice(&format!("unit of {key}"), known),
+        None => Ok(1.0),
+    };
+    Ok(Units {
+        length: factor("length", &LENGTHS)?,
+        force: factor("force", &FORCES)?,
+        stress: factor("stress", &STRESSES)?,
+    })
 }
 
 fn case(file: Value, name: String) -> Result<Case, Error> {

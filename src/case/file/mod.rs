@@ -40,8 +40,5 @@ mod unsupported;
 mod value;
 mod wanted;
 
-use folder::nearest_to;
-use source::Source;
-
 pub use folder::files_in;
 pub use places::Places;

@@ -3,8 +3,9 @@
 use std::ops::Range;
 use std::path::PathBuf;
 
+use crate::case::file::source::Source;
 use crate::case::file::value::Value;
-use crate::case::file::{Source, contact, gmsh};
+use crate::case::file::{contact, gmsh};
 use crate::error::{Error, Located, Part, Place};
 
 /// The text of a file, in which a place is looked for when it is asked for.

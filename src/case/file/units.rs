@@ -1,12 +1,4 @@
-//! `[units]`: names of units, and numbers in them.
-
-use crate::case::file::form::Form::{Table, Text};
-use crate::case::file::form::{Form, may};
-use crate::case::file::value::Value;
-use crate::error::Error;
-
-/// `[units]`.
-pub(super) const UNITS: Form = Table(&[may("length", Text), may("force", Text), may("stress", Text)]);
+//! Names of units, and numbers in them.
 
 /// Factors to mm, N and MPa.
 #[derive(Clone, Copy, Debug)]
@@ -20,28 +12,15 @@ pub struct Units {
 }
 
 /// Units of length \[mm\].
-const LENGTHS: [(&str, f64); 5] = [("m", 1e3), ("cm", 10.0), ("mm", 1.0), ("um", 1e-3), ("in", 25.4)];
+pub const LENGTHS: [(&str, f64); 5] = [("m", 1e3), ("cm", 10.0), ("mm", 1.0), ("um", 1e-3), ("in", 25.4)];
 /// Units of force \[N\].
-const FORCES: [(&str, f64); 3] = [("N", 1.0), ("kN", 1e3), ("MN", 1e6)];
+pub const FORCES: [(&str, f64); 3] = [("N", 1.0), ("kN", 1e3), ("MN", 1e6)];
 /// Units of stress \[MPa\].
-const STRESSES: [(&str, f64); 4] = [("Pa", 1e-6), ("kPa", 1e-3), ("MPa", 1.0), ("GPa", 1e3)];
+pub const STRESSES: [(&str, f64); 4] = [("Pa", 1e-6), ("kPa", 1e-3), ("MPa", 1.0), ("GPa", 1e3)];
 
 impl Units {
     /// Those of the scene: mm, N and MPa.
     pub const SCENE: Self = Self { length: 1.0, force: 1.0, stress: 1.0 };
-
-    /// Units by their names; those of the scene where none is given.
-    pub(super) fn of(table: Option<Value>) -> Result<Self, Error> {
-        let factor = |key: &str, known: &[(&str, f64)]| match table.and_then(|table| table.get(key)) {
-            Some(name) => name.choice(&format!("unit of {key}"), known),
-            None => Ok(1.0),
-        };
-        Ok(Self {
-            length: factor("length", &LENGTHS)?,
-            force: factor("force", &FORCES)?,
-            stress: factor("stress", &STRESSES)?,
-        })
-    }
 
     /// N/mm³ in one unit of force per volume.
     pub fn specific_weight(&self) -> f64 {

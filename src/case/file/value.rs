@@ -6,7 +6,7 @@ use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeValue, ValueDeserializer};
 
-use crate::case::file::Source;
+use crate::case::file::source::Source;
 use crate::case::file::units::Units;
 use crate::case::file::unsupported::Unsupported;
 use crate::error::{Error, meant};

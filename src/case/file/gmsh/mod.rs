@@ -9,7 +9,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::case::file::Source;
+use crate::case::file::source::Source;
 use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;

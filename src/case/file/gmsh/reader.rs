@@ -5,7 +5,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
-use crate::case::file::Source;
+use crate::case::file::source::Source;
 use crate::error::Error;
 
 use super::words::{Words, shown};

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::case::file::Source;
+use crate::case::file::source::Source;
 use crate::error::Error;
 
 /// Words of the file with their places.
