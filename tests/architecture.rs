@@ -260,7 +260,7 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 const BUDGETS: [(&str, usize); 8] = [
     ("solver", 18_100),
     ("figure", 3_450),
-    ("case", 7_300),
+    ("case", 6_550),
     ("oracle", 4_100),
     ("study", 19_300),
     ("referee", 4_200),

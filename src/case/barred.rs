@@ -8,7 +8,7 @@ use crate::case::meshed::Meshed;
 use crate::case::quantity::Quantity;
 use crate::error::Error;
 use crate::markdown;
-use crate::oracle::{self, ReferenceKind};
+use crate::oracle::ReferenceKind;
 use crate::solve::Run;
 
 impl Judged {
@@ -85,21 +85,18 @@ impl Case {
 
     fn beside_closed_form(&self, run: &Run, bars: &[Barred], contact: usize) -> Vec<Judged> {
         let found = &run.contacts[contact];
-        let read = |quantity| self.reading_of(contact, quantity);
-        let width = if self.scene.contacts[contact].path.is_straight() {
-            (Quantity::SecondMomentWidth, found.measures.second_moment_width, read(oracle::Quantity::SecondMoment))
-        } else {
-            let angle = read(oracle::Quantity::SecondMoment).in_degrees();
-            (Quantity::SecondMomentAngle, found.measures.second_moment_width.to_degrees(), angle)
+        let width = found.measures.second_moment_width;
+        let width = match self.scene.contacts[contact].path.is_straight() {
+            true => (Quantity::SecondMomentWidth, width),
+            false => (Quantity::SecondMomentAngle, width.to_degrees()),
         };
-        let peak = (Quantity::PeakPressure, found.measures.peak.pressure, read(oracle::Quantity::PeakPressure));
-        let force = read(oracle::Quantity::Resultant).times(self.scene.thickness);
+        let peak = (Quantity::PeakPressure, found.measures.peak.pressure);
         let bounded = [peak].into_iter().filter(|_| found.unbounded.is_none());
-        let force = (Quantity::Resultant, found.transmitted, force);
-        let all = [force].into_iter().chain(bounded).chain([width]);
+        let all = [(Quantity::Resultant, found.transmitted)].into_iter().chain(bounded).chain([width]);
+        let all = all.map(|(quantity, value)| (self.reference(contact, &quantity), quantity, value));
         let all =
-            all.filter(|(_, _, reference)| reference.value.abs() > 0.0 && reference.kind == ReferenceKind::Analytic);
-        let judged = all.map(|(quantity, value, reference)| {
+            all.filter(|(reference, ..)| reference.value.abs() > 0.0 && reference.kind == ReferenceKind::Analytic);
+        let judged = all.map(|(reference, quantity, value)| {
             let model = self.model_error(contact, &quantity);
             let because = "its error bar, and what the case states that its closed form is off";
             let check = Check { contact, ..Check::near(quantity, reference, DIGITS + model, because).leaving(model) };

@@ -101,6 +101,12 @@ impl Reference {
         self.times(1f64.to_degrees())
     }
 
+    /// What an oracle reads for a quantity of a scene of a thickness \[mm\]; none where no oracle reads it.
+    pub fn of(oracle: &dyn Oracle, quantity: &Quantity, thickness: f64) -> Option<Self> {
+        let (asked, factor) = quantity.of_oracle(thickness)?;
+        Some(Self::read(oracle, asked).times(factor))
+    }
+
     /// What an oracle reads for a quantity; NaN, which no check passes, where it cannot say.
     pub fn read(oracle: &dyn Oracle, quantity: oracle::Quantity) -> Self {
         let (value, uncertainty) = match oracle.read(quantity) {

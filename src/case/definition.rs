@@ -1,13 +1,14 @@
 //! A case: a scene with its mesh, the formulations that solve it, its oracle and its checks.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use crate::accuracy::Asked;
 use crate::case::check::{Check, Reference};
 use crate::case::file::Places;
 use crate::case::quantity::Quantity;
 use crate::mesh::{Order, Resolution};
-use crate::oracle::{self, SharedOracle};
+use crate::oracle::{self, Oracle, SharedOracle};
 use crate::scene::Scene;
 use crate::solve::{Displaced, Formulation};
 
@@ -53,6 +54,11 @@ impl Case {
         }
     }
 
+    /// The same, its first contact held against an oracle.
+    pub fn against(self, oracle: impl Oracle + Send + Sync + 'static) -> Self {
+        Self { oracles: vec![Some(Arc::new(oracle))], ..self }
+    }
+
     /// The same under another name.
     pub fn named(self, name: impl Into<String>) -> Self {
         Self { name: name.into(), ..self }
@@ -90,6 +96,14 @@ impl Case {
     /// What the oracle of the first contact reads.
     pub fn reading(&self, quantity: oracle::Quantity) -> Reference {
         self.reading_of(0, quantity)
+    }
+
+    /// What the oracle of a contact reads for a quantity of a check; NaN where no oracle reads it.
+    pub fn reference(&self, contact: usize, quantity: &Quantity) -> Reference {
+        match quantity.of_oracle(self.scene.thickness) {
+            Some((asked, factor)) => self.reading_of(contact, asked).times(factor),
+            None => Reference::own("no oracle reads it", f64::NAN),
+        }
     }
 
     /// What the oracle of a contact reads; NaN, which no check passes, where there is none or it cannot say.

@@ -66,24 +66,14 @@ impl Solved<'_> {
         })
     }
 
-    /// What the oracle reads for a quantity.
-    pub(super) fn reading(&self, quantity: &Quantity) -> Reference {
-        let case = self.case;
+    /// What the oracle of a contact reads for a quantity.
+    pub(super) fn reading(&self, quantity: &Quantity, contact: usize) -> Reference {
         match quantity {
-            Quantity::PeakPressure => case.reading(oracle::Quantity::PeakPressure),
-            Quantity::HalfWidth => case.reading(oracle::Quantity::HalfWidth),
-            Quantity::HalfAngle => case.reading(oracle::Quantity::ContactAngle).in_degrees(),
-            Quantity::SecondMomentWidth => case.reading(oracle::Quantity::SecondMoment),
-            Quantity::SecondMomentAngle => case.reading(oracle::Quantity::SecondMoment).in_degrees(),
-            Quantity::Pressure { at } => case.reading(oracle::Quantity::Pressure { at: at.value() }),
-            Quantity::HoopStress { at } => case.reading(oracle::Quantity::HoopStress { at: *at }),
-            Quantity::Resultant => {
-                let per_thickness = case.reading(oracle::Quantity::Resultant);
-                per_thickness.times(case.scene.thickness)
+            Quantity::Profile => {
+                let peak = self.case.reference(contact, &Quantity::PeakPressure);
+                Reference { value: 0.0, ..peak }
             }
-            Quantity::Departure => case.reading(oracle::Quantity::PeakPressure),
-            Quantity::Profile => Reference { value: 0.0, ..case.reading(oracle::Quantity::PeakPressure) },
-            _ => Reference::own("no oracle reads it", f64::NAN),
+            other => self.case.reference(contact, other),
         }
     }
 

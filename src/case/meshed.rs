@@ -16,14 +16,13 @@ pub struct Meshed {
 }
 
 /// What coarser meshes say, a contact element each.
-#[derive(Default)]
-pub struct Families([OnceLock<Family>; Element::ALL.len()]);
+pub type Families = [OnceLock<Family>; Element::ALL.len()];
 
 impl Meshed {
     /// What coarser meshes say of the contact element of a run, and of the displacements that are wanted: solved for once.
     pub(super) fn family(&self, run: &Run, wanted: &[Displaced]) -> &Family {
         let Formulation { element, layer_thickness, .. } = run.formulation;
-        let cell = &self.families.0[element as usize];
+        let cell = &self.families[element as usize];
         if let Some(known) = cell.get() {
             return known;
         }

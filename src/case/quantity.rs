@@ -5,6 +5,7 @@ use std::fmt;
 
 use crate::error::Coordinate;
 use crate::markdown;
+use crate::oracle;
 use crate::solve::Displaced;
 
 /// A quantity that can be held against something.
@@ -100,6 +101,23 @@ impl Quantity {
             Self::Dofs => "degrees of freedom",
             Self::Named { name, .. } => name,
         }
+    }
+
+    /// What an oracle is asked for it, and what turns the reading into this quantity: angles are read in radians, forces per
+    /// thickness \[mm\]. None of what no oracle reads.
+    pub fn of_oracle(&self, thickness: f64) -> Option<(oracle::Quantity, f64)> {
+        let degrees = 1f64.to_degrees();
+        Some(match self {
+            Self::PeakPressure | Self::Departure => (oracle::Quantity::PeakPressure, 1.0),
+            Self::HalfWidth => (oracle::Quantity::HalfWidth, 1.0),
+            Self::HalfAngle => (oracle::Quantity::ContactAngle, degrees),
+            Self::SecondMomentWidth => (oracle::Quantity::SecondMoment, 1.0),
+            Self::SecondMomentAngle => (oracle::Quantity::SecondMoment, degrees),
+            Self::Pressure { at } => (oracle::Quantity::Pressure { at: at.value() }, 1.0),
+            Self::HoopStress { at } => (oracle::Quantity::HoopStress { at: *at }, 1.0),
+            Self::Resultant => (oracle::Quantity::Resultant, thickness),
+            _ => return None,
+        })
     }
 
     /// The unit of a number of a run; none of a pure number.

@@ -303,6 +303,18 @@ const MISTAKES: &[Mistake] = &[
     ),
     (
         "eccentric-load",
+        "of = { body = \"block\", at = \"far\", component = \"y\" }\n",
+        "of = [\"block\", \"far\", \"y\"]\n",
+        ["of = [", "invalid type: sequence, expected a table with its keys", "README.md"],
+    ),
+    (
+        "eccentric-load",
+        "of = { body = \"block\", at = \"far\", component = \"y\" }\n",
+        "of = 2020-01-01\n",
+        ["of = 2020", "invalid type: map, expected a table with its keys", "README.md"],
+    ),
+    (
+        "eccentric-load",
         "of = { body = \"block\"",
         "of = { body = \"bloc\"",
         ["of = { body", "there is no body `bloc`", "known: `block`"],

@@ -1,125 +1,183 @@
-//! Bodies from their tables.
+//! `[[body]]`: outline, material, supports and loads.
 
-use toml::Spanned;
-
-use crate::case::file::load_keys::LoadTable;
-use crate::case::file::named::{component, place};
-use crate::case::file::tables::{BodyTable, Keyed, PlaceTable, RingTable, ShapeTable, SupportTable};
-use crate::case::file::units::Units;
-use crate::case::file::{Source, blocks, disc, gmsh, loads};
+use crate::case::file::blocks::BLOCK;
+use crate::case::file::form::Form::{Flag, List, Number, OneOf, Table, Text};
+use crate::case::file::form::{Form, PAIR, may, must};
+use crate::case::file::loads::LOAD;
+use crate::case::file::named::{PLACE, component, place, same_place};
+use crate::case::file::value::Value;
+use crate::case::file::{blocks, gmsh, loads};
 use crate::error::Error;
-use crate::scene::{Body, Circle, Face, Material, PlaneHypothesis, Shape, Support};
+use crate::scene::{Body, Circle, Face, Material, PlaneHypothesis, Sector, Shape, Support};
+
+/// `[[body]]`; its `density` is that of its elements over those of the mesh.
+pub(super) const BODY: Form = Table(&[
+    must("name", Text),
+    must("young", Number),
+    must("poisson", Number),
+    must("shape", SHAPE),
+    may("density", Number),
+    may("supports", List(&SUPPORT)),
+    may("loads", List(&LOAD)),
+]);
+
+/// `{ at = "left", component = "x", value = 0.0 }`: no displacement where `value` is left out.
+const SUPPORT: Form = Table(&[must("at", PLACE), must("component", Text), may("value", Number)]);
+
+const SHAPE: Form = OneOf(&[
+    // Axis-parallel, with its side `contact`: bottom or top.
+    ("rectangle", Table(&[must("x", PAIR), must("y", PAIR), must("contact", Text)])),
+    // Its lower right quarter, or the lower half where the contact has both sides; `half` is the right half, `whole` all of it.
+    (
+        "disc",
+        Table(&[
+            must("centre", PAIR),
+            must("radius", Number),
+            may("half", Flag),
+            may("whole", Flag),
+            may("contact", Text),
+        ]),
+    ),
+    // From the downward vertical over an angle `sweep` [°], counter-clockwise; `contact` is inner or outer.
+    (
+        "ring",
+        Table(&[
+            must("centre", PAIR),
+            must("inner", Number),
+            must("outer", Number),
+            must("sweep", Number),
+            must("contact", Text),
+        ]),
+    ),
+    ("blocks", List(&BLOCK)),
+    // A physical surface of a mesh, and the physical curve that carries the contact.
+    ("gmsh", Table(&[must("file", Text), must("group", Text), must("contact", Text)])),
+]);
 
 /// A body with its supports and loads, in a contact on one side of x = 0 or across it.
-pub fn body(
-    source: Source,
-    units: &Units,
-    plane: PlaneHypothesis,
-    across: bool,
-    table: &BodyTable,
-) -> Result<Body, Error> {
-    let shape = shape(source, units, across, &table.shape)?;
-    let supports = table.supports.iter().map(|support| self::support(source, units, &shape, support));
-    refuse_fixed_twice(source, table)?;
-    let loads = table.loads.iter().map(|load| loads::load(source, units, &shape, load));
+pub fn body(plane: PlaneHypothesis, across: bool, table: Value) -> Result<Body, Error> {
+    let shape = shape(across, table.at("shape"))?;
+    let [supports, loads] = ["supports", "loads"].map(|key| table.list(key));
+    refuse_fixed_twice(&supports, &loads)?;
     Ok(Body {
-        name: table.name.get_ref().clone(),
-        material: material(source, units, plane, table)?,
-        density: density(source, table)?,
-        supports: supports.collect::<Result<_, _>>()?,
-        loads: loads.collect::<Result<_, _>>()?,
+        name: table.at("name").text().into(),
+        material: material(plane, table)?,
+        density: density(table)?,
+        supports: supports.into_iter().map(|table| support(&shape, table)).collect::<Result<_, _>>()?,
+        loads: loads.into_iter().map(|table| loads::load(&shape, table)).collect::<Result<_, _>>()?,
         shape,
     })
 }
 
 /// Refuses two bodies of one name.
-pub fn refuse_equal_names(source: Source, bodies: &[Keyed<BodyTable>]) -> Result<(), Error> {
-    for (k, body) in bodies.iter().enumerate() {
-        if bodies[..k].iter().any(|other| other.name.get_ref() == body.name.get_ref()) {
-            let message = format!("a second body is called `{}`", body.name.get_ref());
-            return Err(source.refused(body.name.span(), message, "give every body a name of its own"));
+pub fn refuse_equal_names(bodies: &[Value]) -> Result<(), Error> {
+    let names: Vec<Value> = bodies.iter().map(|body| body.at("name")).collect();
+    match (0..names.len()).find(|&k| names[..k].iter().any(|other| other.text() == names[k].text())) {
+        Some(k) => {
+            let message = format!("a second body is called `{}`", names[k].text());
+            Err(names[k].refused(message, "give every body a name of its own"))
         }
+        None => Ok(()),
     }
-    Ok(())
 }
 
 /// Refuses a component that is prescribed twice at one place, or prescribed and loaded as a rigid face.
-fn refuse_fixed_twice(source: Source, table: &BodyTable) -> Result<(), Error> {
-    for (k, support) in table.supports.iter().enumerate() {
-        let same = |other: &Keyed<SupportTable>| {
-            other.component.get_ref() == support.component.get_ref() && other.at.get_ref() == support.at.get_ref()
-        };
-        if table.supports[..k].iter().any(same) {
-            return Err(source.refused(
-                support.at.span(),
-                "this component is already fixed there",
-                "leave one of them out",
-            ));
+fn refuse_fixed_twice(supports: &[Value], loads: &[Value]) -> Result<(), Error> {
+    let is_same = |one: Value, other: Value| {
+        one.at("component").text() == other.at("component").text() && same_place(one.at("at"), other.at("at"))
+    };
+    for (k, support) in supports.iter().enumerate() {
+        if supports[..k].iter().any(|other| is_same(*other, *support)) {
+            return Err(support.at("at").refused("this component is already fixed there", "leave one of them out"));
         }
-        let tied = |load: &Spanned<LoadTable>| match load.get_ref() {
-            LoadTable::RigidFace(face) => {
-                let there = PlaceTable::Boundary(face.at.get_ref().clone());
-                face.component.get_ref() == support.component.get_ref() && *support.at.get_ref() == there
-            }
-            _ => false,
-        };
-        if table.loads.iter().any(tied) {
+        if loads.iter().filter_map(|load| load.get("rigid-face")).any(|face| is_same(face, *support)) {
             let remedy = "leave out the support or the force: a rigid face moves under its force";
-            return Err(source.refused(support.at.span(), "the face is fixed and loaded as rigid", remedy));
+            return Err(support.at("at").refused("the face is fixed and loaded as rigid", remedy));
         }
     }
     Ok(())
 }
 
-fn material(source: Source, units: &Units, plane: PlaneHypothesis, table: &BodyTable) -> Result<Material, Error> {
+fn material(plane: PlaneHypothesis, table: Value) -> Result<Material, Error> {
     let expected = format!("a ratio {}", plane.poisson_range());
-    let poisson = source.number("poisson", &table.poisson, &expected, |nu| plane.takes(nu))?;
-    Ok(Material { young: units.stress * source.positive("young", &table.young)?, poisson })
+    let poisson = table.at("poisson").within(&expected, |nu| plane.takes(nu))?;
+    Ok(Material { young: table.units.stress * table.at("young").positive()?, poisson })
 }
 
-fn density(source: Source, table: &BodyTable) -> Result<f64, Error> {
+fn density(table: Value) -> Result<f64, Error> {
     let expected = "a number from 0.05 to 20: elements of this body over those of the mesh, not mass";
-    let within = |x: f64| (0.05..=20.0).contains(&x);
-    table.density.as_ref().map_or(Ok(1.0), |density| source.number("density", density, expected, within))
+    table.get("density").map_or(Ok(1.0), |density| density.within(expected, |x| (0.05..=20.0).contains(&x)))
 }
 
-fn shape(source: Source, units: &Units, across: bool, table: &Spanned<ShapeTable>) -> Result<Shape, Error> {
-    let span = table.span();
-    let length = |pair: [f64; 2]| pair.map(|x| units.length * x);
-    Ok(match table.get_ref() {
-        ShapeTable::Rectangle(table) => {
-            let (x, y) = (length(source.pair("x", &table.x)?), length(source.pair("y", &table.y)?));
-            if x[0] >= x[1] || y[0] >= y[1] {
-                return Err(source.refused(span, "the rectangle has no area", "give `x` and `y` as [smaller, larger]"));
-            }
-            let faces = [("bottom", Face::Bottom), ("top", Face::Top)];
-            Shape::Rectangle { x, y, contact: source.choice("side of a rectangle", &table.contact, &faces)? }
-        }
-        ShapeTable::Disc(table) => disc::shape(source, units, across, table)?,
-        ShapeTable::Ring(table) => ring(source, units, table)?,
-        ShapeTable::Blocks(tables) => blocks::shape(source, units, span, tables)?,
-        ShapeTable::Gmsh(table) => gmsh::shape(source, units, table)?,
+fn support(shape: &Shape, table: Value) -> Result<Support, Error> {
+    let at = place(shape, table.at("at"))?;
+    let value = table.get("value").map_or(Ok(0.0), Value::finite)?;
+    Ok(Support { at, component: component(table.at("component"))?, value: table.units.length * value })
+}
+
+fn shape(across: bool, given: Value) -> Result<Shape, Error> {
+    let (name, table) = given.only();
+    match name {
+        "rectangle" => rectangle(given, table),
+        "disc" => disc(across, table),
+        "ring" => ring(table),
+        "blocks" => blocks::shape(given, table),
+        "gmsh" => gmsh::shape(table),
+        _ => table.unknown(),
+    }
+}
+
+fn rectangle(given: Value, table: Value) -> Result<Shape, Error> {
+    let (x, y) = (table.at("x").point()?, table.at("y").point()?);
+    if x[0] >= x[1] || y[0] >= y[1] {
+        return Err(given.refused("the rectangle has no area", "give `x` and `y` as [smaller, larger]"));
+    }
+    let faces = [("bottom", Face::Bottom), ("top", Face::Top)];
+    Ok(Shape::Rectangle { x, y, contact: table.at("contact").choice("side of a rectangle", &faces)? })
+}
+
+/// A disc, in a contact on one side of x = 0 or across it.
+fn disc(across: bool, table: Value) -> Result<Shape, Error> {
+    let faces = [("bottom", Face::Bottom), ("top", Face::Top)];
+    Ok(Shape::Disc {
+        centre: table.at("centre").point()?,
+        radius: table.at("radius").length()?,
+        sector: sector(across, table)?,
+        contact: table.get("contact").map_or(Ok(Face::Bottom), |side| side.choice("side of a disc", &faces))?,
     })
 }
 
-fn ring(source: Source, units: &Units, table: &RingTable) -> Result<Shape, Error> {
-    let centre = source.pair("centre", &table.centre)?.map(|x| units.length * x);
-    let inner = source.positive("inner", &table.inner)?;
-    let outer = source.number("outer", &table.outer, &format!("a radius above {inner}"), |outer| outer > inner)?;
-    let circle = |radius: f64| Circle { centre, radius: units.length * radius };
+/// The part of a disc that is modelled: one side of x = 0, or both.
+fn sector(across: bool, table: Value) -> Result<Sector, Error> {
+    match (across, table.asked("half"), table.asked("whole")) {
+        (_, Some(_), Some(whole)) => Err(whole.refused("the disc is `half` and `whole`", "leave one of them out")),
+        (true, Some(half), None) => {
+            let remedy = "leave `half` out for the lower half, or give `whole = true`; or leave out `both-sides`";
+            Err(half.refused("the right half of a disc touches on one side of x = 0 only", remedy))
+        }
+        (false, None, Some(whole)) => {
+            let remedy = "add `both-sides = true` to [contact], or give `half = true` for its right half";
+            Err(whole.refused("a whole disc touches on both sides of x = 0", remedy))
+        }
+        (false, None, None) => Ok(Sector::Quarter),
+        (false, Some(_), None) => Ok(Sector::RightHalf),
+        (true, None, None) => Ok(Sector::LowerHalf),
+        (true, None, Some(_)) => Ok(Sector::Whole),
+    }
+}
+
+fn ring(table: Value) -> Result<Shape, Error> {
+    let centre = table.at("centre").point()?;
+    let inner = table.at("inner").positive()?;
+    let outer = table.at("outer").within(&format!("a radius above {inner}"), |outer| outer > inner)?;
+    let circle = |radius: f64| Circle { centre, radius: table.units.length * radius };
     let faces = [("inner", Face::Bottom), ("outer", Face::Top)];
-    let sweep = source.number("sweep", &table.sweep, "an angle from 1 to 180", |x| (1.0..=180.0).contains(&x))?;
+    let sweep = table.at("sweep").within("an angle from 1 to 180", |x| (1.0..=180.0).contains(&x))?;
     Ok(Shape::Ring {
         pole: centre,
         inner: circle(inner),
         outer: circle(outer),
         sweep: sweep.to_radians(),
-        contact: source.choice("side of a ring", &table.contact, &faces)?,
+        contact: table.at("contact").choice("side of a ring", &faces)?,
     })
-}
-
-fn support(source: Source, units: &Units, shape: &Shape, table: &SupportTable) -> Result<Support, Error> {
-    let at = place(source, units, shape, &table.at)?;
-    let value = table.value.as_ref().map_or(Ok(0.0), |value| source.finite("value", value))?;
-    Ok(Support { at, component: component(source, &table.component)?, value: units.length * value })
 }

@@ -1,8 +1,6 @@
 //! The gap given in a contact against the gap between the bodies as they are drawn.
 
-use crate::case::file::Source;
-use crate::case::file::tables::ContactTable;
-use crate::case::file::units::Units;
+use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::scene::{ContactPair, DrawnGap, Profile};
 
@@ -14,18 +12,12 @@ const FLAT: f64 = 1e-6;
 const PLACES: i32 = 64;
 
 /// Refuses a gap that differs from the drawn one, unless the contact says that the drawing tells none.
-pub(super) fn refuse_other(
-    source: Source,
-    units: &Units,
-    table: &ContactTable,
-    pair: &ContactPair,
-    drawn: &DrawnGap,
-) -> Result<(), Error> {
-    let gap_only = table.gap_only.as_ref().filter(|given| *given.get_ref());
-    match (&pair.profile, gap_only) {
+pub(super) fn refuse_other(table: Value, pair: &ContactPair, drawn: &DrawnGap) -> Result<(), Error> {
+    let length = table.units.length;
+    match (&pair.profile, table.asked("gap-only")) {
         (Profile::Drawn | Profile::Bodies(_), Some(given)) => {
             let message = "`gap-only` is true, and the gap is that of the drawn bodies";
-            return Err(source.refused(given.span(), message, "leave it out, or give the gap as a function"));
+            return Err(given.refused(message, "leave it out, or give the gap as a function"));
         }
         (Profile::Drawn | Profile::Bodies(_), None) | (_, Some(_)) => return Ok(()),
         _ => {}
@@ -41,15 +33,15 @@ pub(super) fn refuse_other(
     if largest(2) <= flat || (given - drawn).abs() <= ALIKE * largest(1) + flat {
         return Ok(());
     }
-    let [given, drawn] = [given, drawn].map(|gap| rounded(gap / units.length));
-    let place = if pair.path.is_straight() { rounded(s / units.length) } else { rounded(s.to_degrees()) };
+    let [given, drawn] = [given, drawn].map(|gap| rounded(gap / length));
+    let place = if pair.path.is_straight() { rounded(s / length) } else { rounded(s.to_degrees()) };
     let (between, other) = match pair.second {
         Some(_) => ("between the drawn bodies", "where the drawing shall not tell it"),
         None => ("between the drawn body and a flat rigid side", "where the rigid side is not flat"),
     };
     let message = format!("at s = {place} the gap is {given} as given, and {drawn} {between}");
     let remedy = format!("correct it, give `gap = {{ from = \"bodies\" }}`, or add `gap-only = true` {other}");
-    Err(source.refused(table.gap.span(), message, remedy))
+    Err(table.at("gap").refused(message, remedy))
 }
 
 /// Five significant digits.

@@ -1,65 +1,45 @@
-//! The whole file: a case with its mesh, its formulation and its checks.
+//! The whole file: a case with its scene, its mesh, its formulation and its checks.
 
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule, StiffnessUnit};
 use crate::case::definition::Case;
-use crate::case::file::scene::Tables;
-use crate::case::file::tables::{BodyTable, ContactTable, ContactTables, Keyed, Name, Number, ReferenceTable};
-use crate::case::file::units::{Units, UnitsTable};
+use crate::case::file::bodies::BODY;
+use crate::case::file::contact::CONTACTS;
+use crate::case::file::folder::nearest_to;
+use crate::case::file::form::Form::{List, Number, Table, Text};
+use crate::case::file::form::{Form, Mistake, may, must};
+use crate::case::file::mesh::{MESH, MeshTable};
+use crate::case::file::places::Places;
+use crate::case::file::reference::REFERENCE;
+use crate::case::file::solve::SOLVE;
+use crate::case::file::source::Source;
+use crate::case::file::units::{FORCES, LENGTHS, STRESSES, Units};
 use crate::case::file::unsupported::Unsupported;
-use crate::case::file::{Source, hypotheses, nearest_to};
+use crate::case::file::value::Value;
+use crate::case::file::wanted::CHECK;
+use crate::case::file::{bodies, contact, hypotheses, oracle, reference, solve, wanted};
 use crate::error::Error;
 use crate::mesh::size::solvable;
-use crate::solve::{Element, Formulation, Iteration};
-
-use super::mesh::MeshTable;
-use super::places::{Places, PlacesOfContact};
-use super::wanted::CheckTable;
+use crate::scene::{Body, PlaneHypothesis, ReferenceValues, Scene};
 
 /// Largest file that is read \[bytes\].
 const LARGEST_FILE: u64 = 1 << 20;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Document {
-    title: Option<String>,
-    source: Option<String>,
-    plane: Name,
-    thickness: Number,
-    units: Option<Keyed<UnitsTable>>,
-    body: Spanned<Vec<Keyed<BodyTable>>>,
-    contact: Spanned<ContactTables>,
-    reference: Option<Keyed<ReferenceTable>>,
-    mesh: Option<Spanned<Keyed<MeshTable>>>,
-    solve: Option<Spanned<Keyed<SolveTable>>>,
-    #[serde(default)]
-    check: Vec<Keyed<CheckTable>>,
-}
-
-/// `[solve]`: everything optional.
-#[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-struct SolveTable {
-    element: Option<Name>,
-    algorithm: Option<Name>,
-    rule: Option<Name>,
-    bound: Option<Number>,
-    spring: Option<Name>,
-    stiffness: Option<Number>,
-    layer_thickness: Option<Number>,
-    acceleration: Option<Name>,
-    increments: Option<Spanned<usize>>,
-    criterion: Option<Name>,
-    tolerance: Option<Number>,
-    #[serde(alias = "max-steps")]
-    max_iterations: Option<Spanned<usize>>,
-}
+const DOCUMENT: Form = Table(&[
+    may("title", Text),
+    may("source", Text),
+    must("plane", Text),
+    must("thickness", Number),
+    may("units", Table(&[may("length", Text), may("force", Text), may("stress", Text)])),
+    must("body", List(&BODY)),
+    must("contact", CONTACTS),
+    may("reference", REFERENCE),
+    may("mesh", MESH),
+    may("solve", SOLVE),
+    may("check", List(&CHECK)),
+]);
 
 impl Case {
     /// Reads a scene file; what is wrong in it is reported with its line.
@@ -89,140 +69,91 @@ impl Case {
     /// The same from a text; the file is only named.
     pub fn parse(file: &Path, text: &str) -> Result<Self, Error> {
         let source = Source { file, text };
-        let document: Document = toml::from_str(text).map_err(|error| {
-            let place = error.span().unwrap_or(0..0);
-            let said = error.message().trim();
+        let refused = |(place, said): Mistake| {
             let written = text.get(place.clone()).unwrap_or_default();
             match Unsupported::asked_by(written) {
                 Some(asked) => source.refused(place, asked.message(written), asked.instead),
                 None => source.refused(place, said, "add or correct it; tests/cases/README.md describes every key"),
             }
-        })?;
+        };
+        let parsed =
+            source.parsed().map_err(|error| refused((error.span().unwrap_or(0..0), error.message().trim().into())))?;
+        DOCUMENT.check(&parsed).map_err(refused)?;
         let name = file.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned());
-        document.read(source, name)
+        let file = Value::all(source, &parsed);
+        case(file.with(units(file.get("units"))?), name)
     }
 }
 
-impl Document {
-    fn places(&self, source: Source) -> Places {
-        let contacts: Vec<_> = self.contact.get_ref().0.iter().map(PlacesOfContact::of).collect();
-        let solve = self.solve.as_ref().map_or_else(|| self.contact.span(), Spanned::span);
-        let stiffness = self.solve.as_ref().and_then(|table| table.get_ref().stiffness.as_ref());
-        Places {
-            file: source.file.into(),
-            meshes: self.body.get_ref().iter().filter_map(|body| body.shape.get_ref().mesh(source.file)).collect(),
-            text: source.text.into(),
-            bodies: self.body.get_ref().iter().map(|body| body.name.span()).collect(),
-            loads: self.body.get_ref().iter().map(|body| body.loads.iter().map(Spanned::span).collect()).collect(),
-            stiffness: stiffness.map_or_else(|| solve.clone(), Spanned::span),
-            solve,
-            contacts,
-        }
-    }
-
-    fn read(&self, source: Source, name: String) -> Result<Case, Error> {
-        let units = Units::of(source, self.units.as_deref())?;
-        let bodies = self.body.get_ref();
-        if bodies.is_empty() {
-            return Err(source.refused(self.body.span(), "there is no body", "add one as [[body]]"));
-        }
-        let contacts = &self.contact.get_ref().0[..];
-        let Some(contact) = contacts.first() else {
-            return Err(source.refused(self.contact.span(), "there is no contact", "add one as [contact]"));
-        };
-        let none = Spanned::new(self.body.span(), Keyed::default());
-        let table = self.mesh.as_ref().unwrap_or(&none);
-        let mesh = table.get_ref();
-        let accuracy = mesh.asked(source)?;
-        let tables = Tables {
-            name: &name,
-            units,
-            plane: &self.plane,
-            thickness: &self.thickness,
-            bodies,
-            contacts,
-            reference: self.reference.as_deref(),
-            per: mesh.per(&contact.stretch),
-            growth: mesh.growth(),
-        };
-        let (scene, resolution) = mesh.resolution(source, &table.span(), tables.scene(source)?)?;
-        if let Err((message, remedy)) = solvable(&scene, resolution) {
-            return Err(source.refused(mesh.place(&table.span()), message, remedy));
-        }
-        let default = Keyed::default();
-        let formulation = self.solve.as_ref().map_or(&default, Spanned::get_ref).formulation(source)?;
-        let oracle = |(contact, table): (usize, &ContactTable)| {
-            table.oracle.as_ref().map(|oracle| oracle.get_ref().read(source, &units, &scene, contact)).transpose()
-        };
-        let oracles = contacts.iter().enumerate().map(oracle).collect::<Result<Vec<_>, _>>()?;
-        let checks = self.check.iter().map(|check| check.check(source, &units, bodies, &scene, &oracles));
-        let checks = checks.collect::<Result<_, _>>()?;
-        for (contact, (table, oracle)) in contacts.iter().zip(&oracles).enumerate() {
-            if let (Some(given), Some(oracle)) = (&table.oracle, oracle) {
-                hypotheses::refuse_other_scene(source, &units, given, (&scene, contact), oracle)?;
-            }
-        }
-        let title = self.title.clone().unwrap_or_else(|| "a scene file".into());
-        Ok(Case {
-            resolution,
-            accuracy,
-            source: self.source.clone().unwrap_or_default(),
-            formulations: vec![formulation],
-            checks,
-            oracles,
-            places: Some(self.places(source)),
-            ..Case::of(name, title, scene, resolution.elements)
-        })
-    }
+/// Units by their names; those of the scene where none is given.
+fn units(table: Option<Value>) -> Result<Units, Error> {
+    let factor = |key: &str, known: &[(&str, f64)]| match table.and_then(|table| table.get(key)) {
+        Some(name) => name.choice(&format!("unit of {key}"), known),
+        None => Ok(1.0),
+    };
+    Ok(Units {
+        length: factor("length", &LENGTHS)?,
+        force: factor("force", &FORCES)?,
+        stress: factor("stress", &STRESSES)?,
+    })
 }
 
-impl SolveTable {
-    fn formulation(&self, source: Source) -> Result<Formulation, Error> {
-        let elements = Element::ALL.map(|element| (element.name(), element));
-        let algorithms = Iteration::ALL.map(|algorithm| (algorithm.name(), algorithm));
-        let element = named(source, "contact element", &self.element, &elements)?.unwrap_or(Element::Node);
-        let algorithm = named(source, "algorithm", &self.algorithm, &algorithms)?.unwrap_or(Iteration::Kinematic);
-        let rules = StiffnessRule::ALL.map(|rule| (rule.name(), rule));
-        let rule = named(source, "rule", &self.rule, &rules)?;
-        let accelerations = Acceleration::ALL.map(|acceleration| (acceleration.name(), acceleration));
-        let acceleration = named(source, "acceleration", &self.acceleration, &accelerations)?;
-        let mut formulation = Formulation::with(element, algorithm, rule, acceleration);
-        let springs = Spring::ALL.map(|spring| (spring.name(), spring));
-        if let Some(spring) = named(source, "spring", &self.spring, &springs)? {
-            formulation = formulation.with_springs(spring, acceleration);
-        }
-        if let Some(bound) = &self.bound {
-            formulation.leeway.bound = source.factor("bound", bound)?;
-        }
-        if let Some(thickness) = &self.layer_thickness {
-            formulation.layer_thickness = source.positive("layer-thickness", thickness)?;
-        }
-        if let Some(stiffness) = &self.stiffness {
-            formulation.stiffness = source.positive("stiffness", stiffness)?;
-            formulation.stiffness_unit = StiffnessUnit::Reference;
-        }
-        let criteria = Criterion::ALL.map(|criterion| (criterion.name(), criterion));
-        formulation.settings.criterion =
-            named(source, "criterion", &self.criterion, &criteria)?.unwrap_or(Criterion::Error);
-        if let Some(tolerance) = &self.tolerance {
-            formulation.settings.tolerance = source.positive("tolerance", tolerance)?;
-        }
-        let count = |key: &str, value: &Option<Spanned<usize>>, most: usize, default: usize| match value {
-            Some(value) if !(1..=most).contains(value.get_ref()) => {
-                let message = format!("`{key}` is {}", value.get_ref());
-                Err(source.refused(value.span(), message, format!("give 1 to {most}")))
-            }
-            Some(value) => Ok(*value.get_ref()),
-            None => Ok(default),
-        };
-        let settings = &mut formulation.settings;
-        settings.increments = count("increments", &self.increments, 1000, settings.increments)?;
-        settings.max_iterations = count("max-iterations", &self.max_iterations, 1_000_000, settings.max_iterations)?;
-        Ok(formulation)
+fn case(file: Value, name: String) -> Result<Case, Error> {
+    let bodies = file.list("body");
+    if bodies.is_empty() {
+        return Err(file.at("body").refused("there is no body", "add one as [[body]]"));
     }
+    let contacts = contact::tables(file.at("contact"));
+    if contacts.is_empty() {
+        return Err(file.at("contact").refused("there is no contact", "add one as [contact]"));
+    }
+    let mesh = MeshTable::of(file);
+    let accuracy = mesh.asked()?;
+    let (scene, resolution) = mesh.resolution(scene(file, &name, &bodies, &contacts)?)?;
+    if let Err((message, remedy)) = solvable(&scene, resolution) {
+        return Err(mesh.size().refused(message, remedy));
+    }
+    let formulation = solve::formulation(file.get("solve"))?;
+    let given: Vec<Option<Value>> = contacts.iter().map(|contact| contact.get("oracle")).collect();
+    let read =
+        |(contact, given): (usize, &Option<Value>)| given.map(|given| oracle::read(given, &scene, contact)).transpose();
+    let oracles = given.iter().enumerate().map(read).collect::<Result<Vec<_>, _>>()?;
+    let checks = file.list("check").into_iter().map(|check| wanted::check(check, &bodies, &scene, &oracles));
+    let checks = checks.collect::<Result<_, _>>()?;
+    for (contact, (given, oracle)) in given.into_iter().zip(&oracles).enumerate() {
+        if let (Some(given), Some(oracle)) = (given, oracle) {
+            hypotheses::refuse_other_scene(given, (&scene, contact), oracle)?;
+        }
+    }
+    let text = |key, default: &str| file.get(key).map_or(default, Value::text).to_owned();
+    Ok(Case {
+        resolution,
+        accuracy,
+        source: text("source", ""),
+        formulations: vec![formulation],
+        checks,
+        oracles,
+        places: Some(Places::of(file)),
+        ..Case::of(name, text("title", "a scene file"), scene, resolution.elements)
+    })
 }
 
-/// What a name stands for; none where it is left out.
-fn named<T: Copy>(source: Source, what: &str, name: &Option<Name>, known: &[(&str, T)]) -> Result<Option<T>, Error> {
-    name.as_ref().map(|name| source.choice(what, name, known)).transpose()
+/// The scene in mm, N, MPa and radians.
+fn scene(file: Value, name: &str, tables: &[Value], contacts: &[Value]) -> Result<Scene, Error> {
+    let known = [("strain", PlaneHypothesis::Strain), ("stress", PlaneHypothesis::Stress)];
+    let plane = file.at("plane").choice("plane hypothesis", &known)?;
+    let body = |table: &Value| bodies::body(plane, contact::is_across(contacts, table.at("name").text()), *table);
+    let bodies = tables.iter().map(body).collect::<Result<Vec<Body>, Error>>()?;
+    bodies::refuse_equal_names(tables)?;
+    let mut scene = Scene {
+        name: name.into(),
+        plane,
+        contacts: contact::pairs(tables, &bodies, contacts)?,
+        thickness: file.at("thickness").length()?,
+        bodies,
+        reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },
+        grading: MeshTable::of(file).grading(contacts[0].at("stretch"))?,
+    };
+    scene.reference = reference::values(file.get("reference"), &scene)?;
+    Ok(scene)
 }

@@ -1,24 +1,68 @@
-//! The gap of a contact from its table.
+//! `gap` of a contact, as a function of the contact coordinate s.
 
-use std::ops::Range;
 use std::sync::Arc;
 
-use toml::Spanned;
+use toml::de::DeValue;
 
-use crate::case::file::Source;
-use crate::case::file::gap_keys::GapTable;
-use crate::case::file::tables::Pair;
-use crate::case::file::units::Units;
+use crate::case::file::form::Form::{Flag, List, Number, Own, Table, Text};
+use crate::case::file::form::{Form, PAIR, may, must, unexpected, unknown};
+use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::scene::{DrawnGap, MonotoneCubic, Path, Profile, ROUNDING};
 
+/// `"drawn"`, as the meshes of the bodies are drawn, or one of [`KEYS`].
+pub(super) const GAP: Form = Own(|value| match value.get_ref() {
+    DeValue::String(word) if word == DRAWN => Ok(()),
+    DeValue::String(word) => Err((value.span(), unknown("variant", word, [DRAWN].into_iter()))),
+    DeValue::Table(table) => {
+        KEYS.check(value)?;
+        let count = table.keys().filter(|key| key.get_ref() != SMOOTH).count();
+        let wrong = |message: &str| Err((value.span(), message.into()));
+        match count {
+            _ if table.contains_key(SMOOTH) && !table.contains_key("table") => {
+                wrong("`smooth` goes with a `table` only")
+            }
+            0 => wrong("the gap has no key, and needs one, as in { circle = 50 }"),
+            1 => Ok(()),
+            _ => wrong("the gap has two keys, and takes one, as in { circle = 50 }"),
+        }
+    }
+    _ => Err(unexpected(value, "\"drawn\" or a table, as in { circle = 50 }")),
+});
+
+const DRAWN: &str = "drawn";
+const SMOOTH: &str = "smooth";
+
+/// The keys of a gap: one of them, and `smooth` beside `table`.
+const KEYS: Form = Table(&[
+    // "bodies": as their shapes are drawn.
+    may("from", Text),
+    // The same everywhere; negative is interference.
+    may("uniform", Number),
+    // Half-width of a flat punch, nothing beyond.
+    may("punch", Number),
+    // Radius of a circle on a plane.
+    may("circle", Number),
+    // Circles of both sides: radius of the first and of the second, negative where it is hollow.
+    may("circles", PAIR),
+    // R of s²/2R.
+    may("parabola", Number),
+    // Coefficients of s², s⁴, s⁶, and so on.
+    may("even", List(&Number)),
+    // A slope.
+    may("wedge", Number),
+    // Points [s, g]: straight between them, or a monotone cubic through them where it is `smooth`.
+    may("table", List(&PAIR)),
+    may(SMOOTH, Flag),
+    // Δ (1 − cos 2πs/λ) of amplitude Δ, half the height, and wavelength λ.
+    may("cosine", Table(&[must("amplitude", Number), must("wavelength", Number)])),
+    // Pin in a hole, measured on the pin; `pin` is the same measured on the hole. The radius is the pin's.
+    may("hole", Table(&[must("radius", Number), must("clearance", Number)])),
+    may("pin", Table(&[must("radius", Number), must("clearance", Number)])),
+]);
+
 /// Refuses gaps that are functions of a length on an arc, and of an angle on a line.
-pub(super) fn refuse_strange(
-    source: Source,
-    path: &Path,
-    profile: &Profile,
-    gap: &Spanned<GapTable>,
-) -> Result<(), Error> {
+pub(super) fn refuse_strange(path: &Path, profile: &Profile, gap: Value) -> Result<(), Error> {
     let remedy = match (path, profile) {
         (_, Profile::Drawn | Profile::Bodies(_)) | (Path::Arc(_), Profile::Uniform(_)) => return Ok(()),
         (Path::Arc(arc), Profile::Hole { radius, .. }) if (radius / arc.radius - 1.0).abs() <= 1e-9 => return Ok(()),
@@ -34,88 +78,82 @@ pub(super) fn refuse_strange(
         (Path::Straight(_), Profile::Pin { .. }) => "a pin needs the hole's circle as `arc`",
         (Path::Straight(_), _) => return Ok(()),
     };
-    Err(source.refused(gap.span(), "this gap cannot be used on the path of the contact", remedy))
+    Err(gap.refused("this gap cannot be used on the path of the contact", remedy))
 }
 
 /// The gap in mm as a function of the contact coordinate, on one side of s = 0 or across it, or the drawn one.
-pub(super) fn profile(
-    source: Source,
-    units: &Units,
-    table: &Spanned<GapTable>,
-    across: bool,
-    drawn: &DrawnGap,
-) -> Result<Profile, Error> {
-    let length = |key: &str, value: &Spanned<f64>| Ok::<f64, Error>(units.length * source.positive(key, value)?);
-    Ok(match table.get_ref() {
-        GapTable::Drawn => Profile::Drawn,
-        GapTable::From(name) => {
-            source.choice("source of a gap", name, &[("bodies", ())])?;
+pub(super) fn profile(gap: Value, across: bool, drawn: &DrawnGap) -> Result<Profile, Error> {
+    if gap.word().is_some() {
+        return Ok(Profile::Drawn);
+    }
+    if let Some(points) = gap.get("table") {
+        let points = points_of(gap, points, across)?;
+        let is_smooth = gap.asked(SMOOTH).is_some();
+        return Ok(if is_smooth {
+            Profile::Smooth(Arc::new(MonotoneCubic::through(&points)))
+        } else {
+            Profile::Table(points)
+        });
+    }
+    let (name, value) = gap.only();
+    Ok(match name {
+        "from" => {
+            value.choice("source of a gap", &[("bodies", ())])?;
             Profile::Bodies(Arc::new(drawn.clone()))
         }
-        GapTable::Uniform(gap) => Profile::Uniform(units.length * source.finite("uniform", gap)?),
-        GapTable::Punch(half_width) => Profile::Punch { half_width: length("punch", half_width)? },
-        GapTable::Circle(radius) => Profile::Circle { radius: length("circle", radius)? },
-        GapTable::Circles(pair) => circles(source, units, pair)?,
-        GapTable::Parabola(radius) => Profile::Parabola { radius: length("parabola", radius)? },
-        GapTable::Even(list) => even(source, units, table.span(), list)?,
-        GapTable::Table { points, smooth } => {
-            let points = points_of(source, units, table.span(), points, across)?;
-            if *smooth { Profile::Smooth(Arc::new(MonotoneCubic::through(&points))) } else { Profile::Table(points) }
+        "uniform" => Profile::Uniform(gap.units.length * value.finite()?),
+        "punch" => Profile::Punch { half_width: value.length()? },
+        "circle" => Profile::Circle { radius: value.length()? },
+        "circles" => circles(value)?,
+        "parabola" => Profile::Parabola { radius: value.length()? },
+        "even" => even(gap, value)?,
+        "wedge" => Profile::Wedge { slope: value.positive()? },
+        "cosine" => {
+            Profile::Cosine { amplitude: value.at("amplitude").length()?, wavelength: value.at("wavelength").length()? }
         }
-        GapTable::Wedge(slope) => Profile::Wedge { slope: source.positive("wedge", slope)? },
-        GapTable::Cosine(cosine) => Profile::Cosine {
-            amplitude: length("amplitude", &cosine.amplitude)?,
-            wavelength: length("wavelength", &cosine.wavelength)?,
-        },
-        GapTable::Hole(hole) => {
-            Profile::Hole { radius: length("radius", &hole.radius)?, clearance: length("clearance", &hole.clearance)? }
-        }
-        GapTable::Pin(pin) => {
-            let radius = source.positive("radius", &pin.radius)?;
+        "hole" => Profile::Hole { radius: value.at("radius").length()?, clearance: value.at("clearance").length()? },
+        "pin" => {
+            let radius = value.at("radius").positive()?;
             let expected = format!("a number above 0 and below the radius, {radius}");
-            let clearance = source.number("clearance", &pin.clearance, &expected, |c| c > 0.0 && c < radius)?;
-            Profile::Pin { radius: units.length * radius, clearance: units.length * clearance }
+            let clearance = value.at("clearance").within(&expected, |c| c > 0.0 && c < radius)?;
+            let [radius, clearance] = [radius, clearance].map(|length| gap.units.length * length);
+            Profile::Pin { radius, clearance }
         }
+        _ => value.unknown(),
     })
 }
 
 /// Circles of both sides, which touch at s = 0 and part from there.
-fn circles(source: Source, units: &Units, pair: &Pair) -> Result<Profile, Error> {
-    for given in source.entries::<_, 2>("circles", pair)? {
-        source.positive("circles", &Spanned::new(given.span(), given.get_ref().abs()))?;
+fn circles(pair: Value) -> Result<Profile, Error> {
+    for given in pair.exactly::<2>()? {
+        given.above_zero(given.number().abs())?;
     }
-    let [first, second] = source.pair("circles", pair)?;
+    let [first, second] = pair.pair()?;
     let curvature = 1.0 / first + 1.0 / second;
     if curvature < 0.0 {
         let message = format!("circles of the radii {first} and {second} overlap beside s = 0");
         let remedy =
             "give a hollow side, whose radius is negative, the larger radius, and the other side a positive one";
-        return Err(source.refused(pair.span(), message, remedy));
+        return Err(pair.refused(message, remedy));
     }
     if curvature <= 0.0 {
         let message = format!("circles of the radii {first} and {second} lie on one another");
-        return Err(source.refused(pair.span(), message, "give `gap = { uniform = 0 }`"));
+        return Err(pair.refused(message, "give `gap = { uniform = 0 }`"));
     }
-    Ok(Profile::Circles { radii: [first, second].map(|radius| units.length * radius) })
+    Ok(Profile::Circles { radii: [first, second].map(|radius| pair.units.length * radius) })
 }
 
 /// Most points of a table.
 const MOST_POINTS: usize = 10_000;
 
 /// Points of a table: ascending from s = 0 on, or across it from below 0.
-fn points_of(
-    source: Source,
-    units: &Units,
-    place: Range<usize>,
-    list: &[Pair],
-    across: bool,
-) -> Result<Arc<[[f64; 2]]>, Error> {
+fn points_of(gap: Value, table: Value, across: bool) -> Result<Arc<[[f64; 2]]>, Error> {
+    let list = table.entries();
     if !(2..=MOST_POINTS).contains(&list.len()) {
         let message = format!("the table has {} points", list.len());
-        return Err(source.refused(place, message, format!("give 2 to {MOST_POINTS} points [s, g]")));
+        return Err(gap.refused(message, format!("give 2 to {MOST_POINTS} points [s, g]")));
     }
-    let points = list.iter().map(|pair| Ok(source.pair("table", pair)?.map(|x| units.length * x)));
-    let points = points.collect::<Result<Vec<[f64; 2]>, Error>>()?;
+    let points = list.iter().map(|pair| pair.point()).collect::<Result<Vec<[f64; 2]>, Error>>()?;
     let begins = |s: f64| if across { s <= 0.0 } else { s == 0.0 };
     let wrong = |k: usize| if k == 0 { !begins(points[0][0]) } else { points[k][0] <= points[k - 1][0] };
     if let Some(k) = (0..points.len()).find(|k| wrong(*k)) {
@@ -123,7 +161,7 @@ fn points_of(
             true => "sort its points by s, beginning at 0 for a gap that is even, else below 0",
             false => "sort its points by s, beginning at 0",
         };
-        return Err(source.refused(list[k].span(), "the table does not ascend from s = 0", remedy));
+        return Err(list[k].refused("the table does not ascend from s = 0", remedy));
     }
     Ok(points.into())
 }
@@ -132,26 +170,18 @@ fn points_of(
 const MOST_COEFFICIENTS: usize = 16;
 
 /// Even polynomial; the coefficient of s^n has the unit of length^(1−n).
-fn even(source: Source, units: &Units, place: Range<usize>, list: &[Spanned<f64>]) -> Result<Profile, Error> {
+fn even(gap: Value, list: Value) -> Result<Profile, Error> {
+    let list = list.entries();
     if !(1..=MOST_COEFFICIENTS).contains(&list.len()) {
         let message = format!("`even` has {} coefficients", list.len());
-        return Err(source.refused(
-            place,
-            message,
-            format!("give one to {MOST_COEFFICIENTS}: of s², s⁴, s⁶, and so on"),
-        ));
+        return Err(gap.refused(message, format!("give one to {MOST_COEFFICIENTS}: of s², s⁴, s⁶, and so on")));
     }
-    let read = list.iter().zip(0..).map(|(given, k)| Ok(source.finite("even", given)? / units.length.powi(1 + 2 * k)));
+    let read = list.iter().zip(0..).map(|(given, k)| Ok(given.finite()? / gap.units.length.powi(1 + 2 * k)));
     Ok(Profile::Even { coefficients: read.collect::<Result<_, Error>>()? })
 }
 
 /// Refuses a gap that tells nothing of the last candidates.
-pub(super) fn refuse_ended(
-    source: Source,
-    profile: &Profile,
-    stretch: f64,
-    gap: &Spanned<GapTable>,
-) -> Result<(), Error> {
+pub(super) fn refuse_ended(profile: &Profile, stretch: f64, gap: Value) -> Result<(), Error> {
     let points: &[[f64; 2]] = match profile {
         Profile::Table(points) => points,
         Profile::Smooth(cubic) => &cubic.points,
@@ -160,7 +190,7 @@ pub(super) fn refuse_ended(
     if let [[from, _], .., [to, _]] = *points
         && (to < stretch || from < 0.0 && from > -stretch)
     {
-        return Err(source.refused(gap.span(), "the table ends before the candidates do", "shorten `stretch`"));
+        return Err(gap.refused("the table ends before the candidates do", "shorten `stretch`"));
     }
     if profile.reach().is_some_and(|reach| stretch > reach * (1.0 + ROUNDING)) {
         let what = match profile {
@@ -169,7 +199,7 @@ pub(super) fn refuse_ended(
             _ => "punch",
         };
         let remedy = "shorten `stretch` to there: nothing can touch beyond it";
-        return Err(source.refused(gap.span(), format!("the {what} ends before the candidates do"), remedy));
+        return Err(gap.refused(format!("the {what} ends before the candidates do"), remedy));
     }
     Ok(())
 }

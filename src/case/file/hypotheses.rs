@@ -5,19 +5,14 @@
 
 use std::sync::Arc;
 
-use toml::Spanned;
-
-use crate::case::file::Source;
 use crate::case::file::compared::rounded;
-use crate::case::file::oracle::{
-    BarsTable, LameTable, OracleTable, PerssonTable, PunchTable, WedgeTable, WeightTable, rings,
-};
+use crate::case::file::oracle::rings;
 use crate::case::file::side::Side;
 use crate::case::file::units::Units;
-use crate::case::file::values::Number;
+use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::oracle::{Quantity, Reading, SharedOracle};
-use crate::scene::{Component, ContactPair, DrawnGap, Load, Path, Profile, Scene, Shape};
+use crate::scene::{Circle, Component, ContactPair, DrawnGap, Load, Path, Profile, Scene, Shape};
 
 /// Difference, over the larger number, up to which two are one: a circle is as good as its parabola.
 const ALIKE: f64 = 0.01;
@@ -34,9 +29,12 @@ const HALVINGS: i32 = 6;
 
 /// A scene held against the hypotheses of the closed form of one of its contacts.
 struct Bench<'a> {
-    source: Source<'a>,
-    units: &'a Units,
-    given: &'a Spanned<OracleTable>,
+    units: Units,
+    given: Value<'a>,
+    /// Its name, its numbers, and what it is.
+    name: &'a str,
+    numbers: Value<'a>,
+    oracle: &'a SharedOracle,
     scene: &'a Scene,
     pair: &'a ContactPair,
     /// The gap where a formula or the drawing tells it.
@@ -45,9 +43,7 @@ struct Bench<'a> {
 
 /// Refuses a scene that is not that of the closed form named.
 pub(super) fn refuse_other_scene(
-    source: Source,
-    units: &Units,
-    given: &Spanned<OracleTable>,
+    given: Value,
     (scene, contact): (&Scene, usize),
     oracle: &SharedOracle,
 ) -> Result<(), Error> {
@@ -56,26 +52,28 @@ pub(super) fn refuse_other_scene(
         Profile::Drawn => drawn(scene, pair),
         told => told.clone(),
     };
-    let bench = Bench { source, units, given, scene, pair, profile };
-    match given.get_ref() {
-        OracleTable::Hertz(t) => bench.curved(&t.radius),
-        OracleTable::Persson(t) => bench.persson(t, oracle),
-        OracleTable::Lame(t) => bench.lame(t),
-        OracleTable::FlatPunch(t) => bench.punch(t),
-        OracleTable::Bars(t) => bench.bars(t),
-        OracleTable::OwnWeight(t) => bench.weight(t),
-        OracleTable::Polynomial(t) => {
-            let list = t.coefficients.get_ref().iter().zip(0..);
-            let coefficients = list.map(|(c, k)| c.get_ref() * units.length.powi(-1 - 2 * k)).collect();
-            bench.shaped("polynomial", &Profile::Even { coefficients }, oracle)
+    let (name, numbers) = given.only();
+    let bench = Bench { units: given.units, given, name, numbers, oracle, scene, pair, profile };
+    match name {
+        "hertz" => bench.curved(),
+        "persson" => bench.persson(),
+        "lame" => bench.lame(),
+        "flat-punch" => bench.punch(),
+        "bars" => bench.bars(),
+        "own-weight" => bench.weight(),
+        "polynomial" => {
+            let list = numbers.list("coefficients").into_iter().zip(0..);
+            let coefficients = list.map(|(c, k)| c.number() * given.units.length.powi(-1 - 2 * k)).collect();
+            bench.shaped(&Profile::Even { coefficients })
         }
-        OracleTable::Wedge(t) => bench.wedge(t, oracle),
-        OracleTable::Cosine(t) => {
-            let [amplitude, wavelength] = [&t.amplitude, &t.wavelength].map(|given| units.length * given.get_ref());
-            bench.shaped("cosine", &Profile::Cosine { amplitude, wavelength }, oracle)
+        "wedge" => bench.wedge(),
+        "cosine" => {
+            let [amplitude, wavelength] = ["amplitude", "wavelength"].map(|key| bench.length(key));
+            bench.shaped(&Profile::Cosine { amplitude, wavelength })
         }
-        // Its force tells it: pressure times width.
-        OracleTable::Uniform(_) => Ok(()),
+        // The force tells a uniform pressure: pressure times width.
+        "uniform" => Ok(()),
+        _ => numbers.unknown(),
     }
 }
 
@@ -92,22 +90,33 @@ fn drawn(scene: &Scene, pair: &ContactPair) -> Profile {
 }
 
 impl Bench<'_> {
-    /// Refuses a number of the table that the scene has otherwise; both in the units of the scene, told over `unit`.
-    fn same(&self, key: &str, value: &Number, [given, has]: [f64; 2], unit: f64, what: &str) -> Result<(), Error> {
+    /// A length of the closed form \[mm\].
+    fn length(&self, key: &'static str) -> f64 {
+        self.units.length * self.numbers.at(key).number()
+    }
+
+    /// Refuses a length of the closed form that the scene has otherwise \[mm\].
+    fn same(&self, key: &'static str, has: f64, what: &str) -> Result<(), Error> {
+        self.same_number((&format!("`{key}`"), self.numbers.at(key)), has, self.units.length, what)
+    }
+
+    /// The same of a number in a unit.
+    fn same_number(&self, (key, value): (&str, Value), has: f64, unit: f64, what: &str) -> Result<(), Error> {
+        let given = unit * value.number();
         let allowed = self.allowed() * given.abs().max(has.abs());
         if !has.is_finite() || (given - has).abs() <= allowed {
             return Ok(());
         }
         let shown = rounded(has / unit);
-        let message = format!("{key} is {}, and {what} is {shown}", value.get_ref());
+        let message = format!("{key} is {}, and {what} is {shown}", value.number());
         let remedy = "a closed form is compared only with the scene it is of: correct one of the two, or leave `oracle` out and give checks a `value`";
-        Err(self.source.refused(value.span(), message, format!("give {shown}; {remedy}")))
+        Err(value.refused(message, format!("give {shown}; {remedy}")))
     }
 
-    /// Refuses the closed form as a whole.
-    fn refuse(&self, message: String) -> Result<(), Error> {
+    /// What is wrong with the closed form as a whole.
+    fn refused(&self, message: impl Into<String>) -> Error {
         let remedy = "correct the `oracle` or the scene, or leave `oracle` out and give checks a `value`";
-        Err(self.source.refused(self.given.span(), message, remedy))
+        self.given.refused(message, remedy)
     }
 
     fn allowed(&self) -> f64 {
@@ -147,9 +156,9 @@ impl Bench<'_> {
     }
 
     /// Refuses a radius that is not that of curvature of the gap, `1/R = g″(0)`, whatever part of the stretch it is taken on.
-    fn curved(&self, radius: &Number) -> Result<(), Error> {
+    fn curved(&self) -> Result<(), Error> {
         let Some([vertex, reach]) = self.vertex() else { return Ok(()) };
-        let given = self.units.length * radius.get_ref();
+        let (radius, given) = (self.numbers.at("radius"), self.length("radius"));
         let curvature = |k: i32| {
             let s = reach * 0.5f64.powi(k);
             2.0 * self.rise(vertex, s) / (self.pair.path.metric() * s).powi(2)
@@ -167,28 +176,23 @@ impl Bench<'_> {
         // A half of the stretch holds enough points of a table.
         let curvature = told.get(1).filter(|_| sampled).unwrap_or(finest);
         if (*curvature * given - 1.0).abs() <= ALIKE {
-            return self.refuse(
-                "`hertz` is of a gap that is a parabola where the bodies touch, and that of the contact is none".into(),
-            );
+            let message =
+                "`hertz` is of a gap that is a parabola where the bodies touch, and that of the contact is none";
+            return Err(self.refused(message));
         }
         if *curvature <= ALIKE * ALIKE / given {
-            let message = format!("`radius` is {}, and the gap is flat", radius.get_ref());
-            return Err(self.source.refused(
-                radius.span(),
-                message,
-                "leave `oracle` out, or give the gap that it is of",
-            ));
+            let message = format!("`radius` is {}, and the gap is flat", radius.number());
+            return Err(radius.refused(message, "leave `oracle` out, or give the gap that it is of"));
         }
-        let what = "the radius of curvature of the gap";
-        self.same("`radius`", radius, [given, 1.0 / curvature], self.units.length, what)
+        self.same("radius", 1.0 / curvature, "the radius of curvature of the gap")
     }
 
     /// Refuses a gap that differs from that of the closed form where the latter is in contact.
-    fn shaped(&self, name: &str, closed: &Profile, oracle: &SharedOracle) -> Result<(), Error> {
+    fn shaped(&self, closed: &Profile) -> Result<(), Error> {
         let Some([vertex, reach]) = self.vertex() else { return Ok(()) };
         let on_arc = !self.pair.path.is_straight();
         let asked = if on_arc { Quantity::ContactAngle } else { Quantity::HalfWidth };
-        let end = match oracle.read(asked) {
+        let end = match self.oracle.read(asked) {
             Reading::Value { value, .. } => reach.min(value),
             Reading::Silent | Reading::Unavailable(_) => reach,
         };
@@ -205,55 +209,61 @@ impl Bench<'_> {
         }
         let [given, has] = [worst[1], worst[2]].map(|gap| rounded(gap / self.units.length));
         let place = if on_arc { rounded(worst[0].to_degrees()) } else { rounded(worst[0] / self.units.length) };
-        self.refuse(format!(
-            "at s = {place} the gap of `{name}` has grown to {given}, and that of the contact to {has}"
-        ))
+        Err(self.refused(format!(
+            "at s = {place} the gap of `{}` has grown to {given}, and that of the contact to {has}",
+            self.name
+        )))
     }
 
-    fn wedge(&self, t: &WedgeTable, oracle: &SharedOracle) -> Result<(), Error> {
-        let [radius, round] = [&t.radius, &t.round].map(|given| self.units.length * given.get_ref());
+    fn wedge(&self) -> Result<(), Error> {
+        let [radius, round] = ["radius", "round"].map(|key| self.length(key));
         if let Profile::Wedge { slope } = self.profile {
             let given = round / radius;
             if (given - slope).abs() <= ALIKE * slope {
                 return Ok(());
             }
             let [given, slope] = [given, slope].map(rounded);
-            return self.refuse(format!(
+            return Err(self.refused(format!(
                 "`round` over `radius`, the slope of `wedge`, is {given}, and that of the gap is {slope}"
-            ));
+            )));
         }
         let tip = |s: f64| if s <= round { 0.5 * s * s / radius } else { round / radius * (s - 0.5 * round) };
         let end = self.pair.stretch * self.pair.path.metric();
         let ends = [0.0].into_iter().chain(self.places(round)).chain(self.places(end).filter(|s| *s > round));
         let points: Vec<[f64; 2]> = ends.map(|s| [s, tip(s)]).collect();
-        self.shaped("wedge", &Profile::Table(points.into()), oracle)
+        self.shaped(&Profile::Table(points.into()))
     }
 
-    fn persson(&self, t: &PerssonTable, oracle: &SharedOracle) -> Result<(), Error> {
-        let (Path::Arc(arc), Some(_)) = (&self.pair.path, self.pair.second) else {
-            let has = if self.pair.second.is_some() { "a straight path" } else { "a rigid other side" };
-            return self.refuse(format!(
-                "`persson` is of an elastic pin in an elastic hole on an `arc`, and the contact has {has}"
-            ));
+    /// The arc between two elastic bodies.
+    fn arc(&self, of: &str) -> Result<&Circle, Error> {
+        let has = match (&self.pair.path, self.pair.second) {
+            (Path::Arc(arc), Some(_)) => return Ok(arc),
+            (_, Some(_)) => "a straight path",
+            (_, None) => "a rigid other side",
         };
-        self.refuse_other_materials("persson", "a pin and a plate")?;
-        let [radius, clearance] = [&t.radius, &t.clearance].map(|given| self.units.length * given.get_ref());
+        Err(self.refused(format!("`{}` is of {of} on an `arc`, and the contact has {has}", self.name)))
+    }
+
+    fn persson(&self) -> Result<(), Error> {
+        let arc = self.arc("an elastic pin in an elastic hole")?;
+        self.refuse_other_materials("a pin and a plate")?;
+        let [radius, clearance] = ["radius", "clearance"].map(|key| self.length(key));
         match self.profile {
             Profile::Hole { radius: own, clearance: free } | Profile::Pin { radius: own, clearance: free } => {
-                self.same("`radius`", &t.radius, [radius, own], self.units.length, "the pin's radius in the gap")?;
-                self.same("`clearance`", &t.clearance, [clearance, free], self.units.length, "that of the gap")
+                self.same("radius", own, "the pin's radius in the gap")?;
+                self.same("clearance", free, "that of the gap")
             }
             _ => {
                 // The arc may be the pin's or the hole's.
                 let own = if (radius - arc.radius).abs() <= clearance { radius } else { arc.radius };
-                self.same("`radius`", &t.radius, [radius, own], self.units.length, "the radius of the arc")?;
-                self.shaped("persson", &Profile::Hole { radius, clearance }, oracle)
+                self.same("radius", own, "the radius of the arc")?;
+                self.shaped(&Profile::Hole { radius, clearance })
             }
         }
     }
 
     /// Refuses bodies of two materials.
-    fn refuse_other_materials(&self, name: &str, of: &str) -> Result<(), Error> {
+    fn refuse_other_materials(&self, of: &str) -> Result<(), Error> {
         let bodies: Vec<_> = self.pair.bodies().map(|body| &self.scene.bodies[body]).collect();
         let [first, .., last] = bodies.as_slice() else { return Ok(()) };
         let [a, b] = [first.material, last.material];
@@ -264,113 +274,98 @@ impl Bench<'_> {
             let young = rounded(body.material.young / self.units.stress);
             format!("`{}` has `young` {young} and `poisson` {}", body.name, body.material.poisson)
         });
-        self.refuse(format!("`{name}` is of {of} of one material, and {}", told.join(", ")))
+        Err(self.refused(format!("`{}` is of {of} of one material, and {}", self.name, told.join(", "))))
     }
 
-    fn lame(&self, t: &LameTable) -> Result<(), Error> {
-        let (Path::Arc(arc), Some(_)) = (&self.pair.path, self.pair.second) else {
-            let has = if self.pair.second.is_some() { "a straight path" } else { "a rigid other side" };
-            return self.refuse(format!("`lame` is of two elastic rings on an `arc`, and the contact has {has}"));
-        };
-        let [bore, fit, outside] = self.source.entries("radii", &t.radii)?;
+    fn lame(&self) -> Result<(), Error> {
+        let arc = self.arc("two elastic rings")?;
+        let [bore, fit, outside] = self.numbers.at("radii").exactly()?;
         let [inner, outer] = rings(self.pair).map(|body| &self.scene.bodies[body]);
         let ([least, _], [_, most]) = (extent(&inner.shape, arc.centre), extent(&outer.shape, arc.centre));
         let told = [
-            (bore, "the bore in `radii`", least, format!("the inner radius of `{}`", inner.name)),
-            (fit, "the fit in `radii`", arc.radius, "the radius of the arc".into()),
-            (outside, "the outside in `radii`", most, format!("the outer radius of `{}`", outer.name)),
+            (("the bore in `radii`", bore), least, format!("the inner radius of `{}`", inner.name)),
+            (("the fit in `radii`", fit), arc.radius, "the radius of the arc".into()),
+            (("the outside in `radii`", outside), most, format!("the outer radius of `{}`", outer.name)),
         ];
-        for (given, key, has, what) in told {
-            let radius = self.units.length * given.get_ref();
+        for (given, has, what) in told {
+            let radius = self.units.length * given.1.number();
             // A bore of nothing is as good as one that is small beside the fit.
             if !has.is_finite() || (radius - has).abs() > ALIKE * ALIKE * arc.radius {
-                self.same(key, given, [radius, has], self.units.length, &what)?;
+                self.same_number(given, has, self.units.length, &what)?;
             }
         }
-        let given = self.units.length * t.interference.get_ref();
-        let has = 0.0 - self.profile.gap(0.5 * self.pair.stretch);
-        self.same("`interference`", &t.interference, [given, has], self.units.length, "that of the gap")
+        self.same("interference", 0.0 - self.profile.gap(0.5 * self.pair.stretch), "that of the gap")
     }
 
-    fn punch(&self, t: &PunchTable) -> Result<(), Error> {
-        let given = self.units.length * t.half_width.get_ref();
-        let unit = self.units.length;
+    fn punch(&self) -> Result<(), Error> {
         if let Profile::Punch { half_width } = self.profile {
-            return self.same("`half-width`", &t.half_width, [given, half_width], unit, "that of the gap");
+            return self.same("half-width", half_width, "that of the gap");
         }
         let Some([vertex, reach]) = self.vertex() else { return Ok(()) };
         let metric = self.pair.path.metric();
-        let load = self.units.force * t.load.get_ref() / self.scene.thickness;
+        let load = self.units.force * self.numbers.at("load").number() / self.scene.thickness;
         let flat = ALIKE * load / self.scene.modulus_of(self.pair);
-        let open = self.places(reach).find(|s| self.rise(vertex, *s).abs() > flat);
-        match open {
-            Some(s) if metric * s < (1.0 - ALIKE) * given => {
-                let has = [metric * s, self.rise(vertex, s)].map(|x| rounded(x / unit));
-                let [place, gap] = has;
-                self.refuse(format!("`flat-punch` has no gap up to its `half-width` {}, and at s = {place} that of the contact has grown by {gap}", t.half_width.get_ref()))
+        match self.places(reach).find(|s| self.rise(vertex, *s).abs() > flat) {
+            Some(s) if metric * s < (1.0 - ALIKE) * self.length("half-width") => {
+                let width = self.numbers.at("half-width").number();
+                let [place, gap] = [metric * s, self.rise(vertex, s)].map(|x| rounded(x / self.units.length));
+                Err(self.refused(format!("`flat-punch` has no gap up to its `half-width` {width}, and at s = {place} that of the contact has grown by {gap}")))
             }
             Some(_) => Ok(()),
-            None => {
-                let has = metric * reach;
-                self.same("`half-width`", &t.half_width, [given, has], unit, "the stretch on which the gap is flat")
-            }
+            None => self.same("half-width", metric * reach, "the stretch on which the gap is flat"),
         }
     }
 
-    fn bars(&self, t: &BarsTable) -> Result<(), Error> {
+    fn bars(&self) -> Result<(), Error> {
         let Some(second) = self.pair.second else {
-            return self.refuse("`bars` is of two elastic bars, and the other side of the contact is rigid".into());
+            return Err(self.refused("`bars` is of two elastic bars, and the other side of the contact is rigid"));
         };
-        self.refuse_other_materials("bars", "two bars")?;
+        self.refuse_other_materials("two bars")?;
         let material = self.scene.bodies[self.pair.first].material;
         let plane = material.plane_modulus(self.scene.plane);
         if (plane - material.young).abs() > ALIKE * plane {
-            return self.refuse(format!(
+            return Err(self.refused(format!(
                 "`bars` is of bars that are free sideways, and in plane strain `poisson` {} makes them stiffer",
                 material.poisson
-            ));
+            )));
         }
-        let lengths = self.source.entries::<_, 2>("lengths", &t.lengths)?;
-        for (given, body) in lengths.iter().zip([self.pair.first, second]) {
-            let body = &self.scene.bodies[body];
-            self.height("an entry of `lengths`", given, &body.shape, &format!("the length of `{}`", body.name))?;
+        let lengths = self.numbers.at("lengths").exactly::<2>()?;
+        for (given, body) in lengths.into_iter().zip([self.pair.first, second]) {
+            self.height(("an entry of `lengths`", given), body, "length")?;
         }
-        let gap = self.units.length * t.gap.get_ref();
-        self.same("`gap`", &t.gap, [gap, self.profile.gap(0.0)], self.units.length, "that of the contact")?;
+        self.same("gap", self.profile.gap(0.0), "that of the contact")?;
         let pushed = |body: usize| {
             let supports = self.scene.bodies[body].supports.iter();
             let along = supports.filter(|support| support.component == Component::Y);
             along.map(|support| support.value.abs()).fold(0.0, f64::max)
         };
-        let push = self.units.length * t.push.get_ref();
         match [self.pair.first, second].map(pushed) {
-            [moved, other] if moved > 0.0 && other <= 0.0 => {
-                self.same("`push`", &t.push, [push, moved], self.units.length, "the displacement prescribed")
-            }
+            [moved, other] if moved > 0.0 && other <= 0.0 => self.same("push", moved, "the displacement prescribed"),
             _ => Ok(()),
         }
     }
 
-    fn weight(&self, t: &WeightTable) -> Result<(), Error> {
+    fn weight(&self) -> Result<(), Error> {
         let body = &self.scene.bodies[self.pair.first];
-        self.height("`height`", &t.height, &body.shape, &format!("the height of `{}`", body.name))?;
-        let unit = self.units.force / self.units.length.powi(3);
+        self.height(("`height`", self.numbers.at("height")), self.pair.first, "height")?;
         let weights = body.loads.iter().filter_map(|load| match load {
             Load::BodyForce(force) => Some(force[1].abs()),
             _ => None,
         });
-        match weights.sum() {
-            none if none <= 0.0 => {
-                self.refuse(format!("`own-weight` is of a block that has weight, and `{}` has no such load", body.name))
-            }
-            has => self.same("`weight`", &t.weight, [unit * t.weight.get_ref(), has], unit, "that of the load"),
+        let has: f64 = weights.sum();
+        if has <= 0.0 {
+            let message = format!("`own-weight` is of a block that has weight, and `{}` has no such load", body.name);
+            return Err(self.refused(message));
         }
+        let given = ("`weight`", self.numbers.at("weight"));
+        self.same_number(given, has, self.units.specific_weight(), "that of the load")
     }
 
     /// Refuses a height that is not that of a rectangle.
-    fn height(&self, key: &str, given: &Number, shape: &Shape, what: &str) -> Result<(), Error> {
-        let Shape::Rectangle { y, .. } = shape else { return Ok(()) };
-        self.same(key, given, [self.units.length * given.get_ref(), y[1] - y[0]], self.units.length, what)
+    fn height(&self, given: (&str, Value), body: usize, what: &str) -> Result<(), Error> {
+        let body = &self.scene.bodies[body];
+        let Shape::Rectangle { y, .. } = body.shape else { return Ok(()) };
+        self.same_number(given, y[1] - y[0], self.units.length, &format!("the {what} of `{}`", body.name))
     }
 }
 

@@ -1,51 +1,94 @@
-//! Loads from their tables.
+//! Loads of a body.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
-use toml::Spanned;
-
-use crate::case::file::Source;
-use crate::case::file::load_keys::{LawTable, LoadTable, PartTable, TractionTable};
+use crate::case::file::form::Form::{List, Number, OneOf, Table, Text};
+use crate::case::file::form::{Form, PAIR, may, must};
 use crate::case::file::named::{boundary, component, refuse_inside};
-use crate::case::file::units::Units;
-use crate::case::file::values::Keyed;
+use crate::case::file::value::Value;
 use crate::error::Error;
+use crate::oracle::analytic::hertz::Hertz;
 use crate::scene::{Action, Along, Load, Shape, SidePart, StressField, TractionField};
 
+/// One load.
+pub(super) const LOAD: Form = OneOf(&[
+    // The same everywhere, by its total force, or by a law for each component; on all of a boundary or a part of it.
+    (
+        "traction",
+        Table(&[
+            must("at", Text),
+            may("part", PART),
+            may("value", PAIR),
+            may("force", PAIR),
+            may("x", LAW),
+            may("y", LAW),
+        ]),
+    ),
+    // Normal to the boundary, positive inwards.
+    ("pressure", Table(&[must("at", Text), may("part", PART), must("law", LAW)])),
+    // A couple on what is modelled, counter-clockwise.
+    ("moment", Table(&[must("at", Text), may("part", PART), must("value", Number)])),
+    // The stresses of a half-plane under Hertz's pressure, so that a truncated body has no model error; `centre` is the middle of
+    // the contact.
+    (
+        "hertz",
+        Table(&[must("at", Text), must("peak-pressure", Number), must("half-width", Number), may("centre", PAIR)]),
+    ),
+    // Force per volume.
+    ("body-force", PAIR),
+    // At a point.
+    ("force", Table(&[must("at", PAIR), must("value", PAIR)])),
+    // The face stays flat and takes a total force on what is modelled.
+    ("rigid-face", Table(&[must("at", Text), must("component", Text), must("force", Number)])),
+]);
+
+/// `{ along = "x", from = 2, to = 5 }`, or `{ centre = [x, y], from = 30, to = 60 }` in degrees from the downward vertical.
+const PART: Form = Table(&[may("along", Text), may("centre", PAIR), must("from", Number), must("to", Number)]);
+
+/// How a pressure or a component of a traction depends on the place.
+const LAW: Form = OneOf(&[
+    ("uniform", Number),
+    // Σ c_k x^k, or of y.
+    ("polynomial", Table(&[must("along", Text), must("coefficients", List(&Number))])),
+    // Σ c_k cos kθ, θ from the downward vertical about the centre.
+    ("cosine", Table(&[must("centre", PAIR), must("coefficients", List(&Number))])),
+]);
+
 /// A load on a body of a shape.
-pub(super) fn load(source: Source, units: &Units, shape: &Shape, table: &Spanned<LoadTable>) -> Result<Load, Error> {
-    Ok(match table.get_ref() {
-        LoadTable::Traction(table) => traction(source, units, shape, table)?,
-        LoadTable::Pressure(table) => {
-            refuse_inside(source, shape, &table.at)?;
-            let (boundary, field) = (boundary(source, units, shape, &table.at)?, pressure(source, units, &table.law)?);
-            match part(source, units, table.part.as_ref())? {
+pub(super) fn load(shape: &Shape, given: Value) -> Result<Load, Error> {
+    let units = given.units;
+    let (name, table) = given.only();
+    let boundary = || boundary(shape, table.at("at"));
+    Ok(match name {
+        "traction" => traction(shape, table)?,
+        "pressure" => {
+            refuse_inside(shape, table.at("at"))?;
+            let (boundary, field) = (boundary()?, pressure(table.at("law"))?);
+            match part(table)? {
                 None => Load::Stress { boundary, field },
                 part => Load::OnSide { boundary, part, action: Action::Stress(field) },
             }
         }
-        LoadTable::Moment(table) => Load::OnSide {
-            boundary: boundary(source, units, shape, &table.at)?,
-            part: part(source, units, table.part.as_ref())?,
-            action: Action::Moment(units.force * units.length * source.finite("value", &table.value)?),
+        "moment" => Load::OnSide {
+            boundary: boundary()?,
+            part: part(table)?,
+            action: Action::Moment(units.force * units.length * table.at("value").finite()?),
         },
-        LoadTable::Hertz(table) => {
-            refuse_inside(source, shape, &table.at)?;
-            Load::Stress { boundary: boundary(source, units, shape, &table.at)?, field: table.field(source, units)? }
+        "hertz" => {
+            refuse_inside(shape, table.at("at"))?;
+            Load::Stress { boundary: boundary()?, field: hertz(table)? }
         }
-        LoadTable::BodyForce(pair) => {
-            let density = units.force / units.length.powi(3);
-            Load::BodyForce(source.pair("body-force", pair)?.map(|f| density * f))
+        "body-force" => Load::BodyForce(table.pair()?.map(|f| units.specific_weight() * f)),
+        "force" => {
+            Load::Force { at: table.at("at").point()?, force: table.at("value").pair()?.map(|f| units.force * f) }
         }
-        LoadTable::Force(table) => Load::Force {
-            at: source.pair("at", &table.at)?.map(|x| units.length * x),
-            force: source.pair("value", &table.value)?.map(|f| units.force * f),
+        "rigid-face" => Load::RigidFace {
+            boundary: boundary()?,
+            component: component(table.at("component"))?,
+            force: units.force * table.at("force").finite()?,
         },
-        LoadTable::RigidFace(table) => Load::RigidFace {
-            boundary: boundary(source, units, shape, &table.at)?,
-            component: component(source, &table.component)?,
-            force: units.force * source.finite("force", &table.force)?,
-        },
+        _ => table.unknown(),
     })
 }
 
@@ -55,22 +98,21 @@ const MOST_TERMS: usize = 16;
 const FULL_TURN: f64 = 360.0;
 
 /// A traction: the same everywhere, that of a total force, or each component by its law.
-fn traction(source: Source, units: &Units, shape: &Shape, table: &TractionTable) -> Result<Load, Error> {
-    let boundary = boundary(source, units, shape, &table.at)?;
-    let part = part(source, units, table.part.as_ref())?;
-    let action = match (&table.value, &table.force, &table.x, &table.y) {
-        (Some(pair), None, None, None) => Action::Uniform(source.pair("value", pair)?.map(|t| units.stress * t)),
-        (None, Some(pair), None, None) => Action::Total(source.pair("force", pair)?.map(|f| units.force * f)),
-        (None, None, x, y) if x.is_some() || y.is_some() => {
-            let component = |given: &Option<Spanned<LawTable>>| {
-                given.as_ref().map_or_else(|| Ok(Box::new(|_: [f64; 2]| 0.0) as Law), |given| law(source, units, given))
-            };
+fn traction(shape: &Shape, table: Value) -> Result<Load, Error> {
+    let units = table.units;
+    let boundary = boundary(shape, table.at("at"))?;
+    let part = part(table)?;
+    let action = match ["value", "force", "x", "y"].map(|key| table.get(key)) {
+        [Some(pair), None, None, None] => Action::Uniform(pair.pair()?.map(|t| units.stress * t)),
+        [None, Some(pair), None, None] => Action::Total(pair.pair()?.map(|f| units.force * f)),
+        [None, None, x, y] if x.is_some() || y.is_some() => {
+            let component = |given: Option<Value>| given.map_or_else(|| Ok(Box::new(|_: [f64; 2]| 0.0) as Law), law);
             let (x, y) = (component(x)?, component(y)?);
             Action::Field(TractionField(Arc::new(move |point| [x(point), y(point)])))
         }
         _ => {
             let remedy = "give `value = [tx, ty]`, a total `force = [fx, fy]`, or a law for `x`, `y` or both";
-            return Err(source.refused(table.at.span(), "the traction has no value, or two", remedy));
+            return Err(table.at("at").refused("the traction has no value, or two", remedy));
         }
     };
     Ok(match (part, action) {
@@ -81,38 +123,51 @@ fn traction(source: Source, units: &Units, shape: &Shape, table: &TractionTable)
 }
 
 /// The part of a side that a load acts on; none where it acts on all of it.
-fn part(source: Source, units: &Units, table: Option<&Spanned<Keyed<PartTable>>>) -> Result<Option<SidePart>, Error> {
-    let Some(spanned) = table else { return Ok(None) };
-    let table = spanned.get_ref();
-    let [from, to] = [source.finite("from", &table.from)?, source.finite("to", &table.to)?];
+fn part(load: Value) -> Result<Option<SidePart>, Error> {
+    let Some(table) = load.get("part") else { return Ok(None) };
+    let [from, to] = [table.at("from").finite()?, table.at("to").finite()?];
     if from >= to {
         let message = format!("the part goes from {from} to {to}, and has no length");
-        return Err(source.refused(spanned.span(), message, "give `from` below `to`"));
+        return Err(table.refused(message, "give `from` below `to`"));
     }
-    let (along, unit) = match (&table.along, &table.centre) {
-        (Some(name), None) => (Along::Axis(component(source, name)?), units.length),
+    let (along, unit) = match (table.get("along"), table.get("centre")) {
+        (Some(name), None) => (Along::Axis(component(name)?), table.units.length),
         (None, Some(centre)) => {
-            let centre = source.pair("centre", centre)?.map(|x| units.length * x);
+            let centre = centre.point()?;
             if to - from > FULL_TURN {
                 let message = format!("the part goes from {from} to {to} degrees, more than once around");
-                return Err(source.refused(spanned.span(), message, format!("let it end {FULL_TURN} on at most")));
+                return Err(table.refused(message, format!("let it end {FULL_TURN} on at most")));
             }
             (Along::Angle { centre }, 1f64.to_radians())
         }
         _ => {
             let remedy = "give `along = \"x\"` or \"y\", or for angles from the downward vertical `centre = [x, y]`";
-            return Err(source.refused(spanned.span(), "the part has no coordinate, or two", remedy));
+            return Err(table.refused("the part has no coordinate, or two", remedy));
         }
     };
     Ok(Some(SidePart { along, from: unit * from, to: unit * to }))
 }
 
 /// The stress `σ = −p I`, whose traction on any side is the pressure.
-fn pressure(source: Source, units: &Units, given: &Spanned<LawTable>) -> Result<StressField, Error> {
-    let at = law(source, units, given)?;
+fn pressure(given: Value) -> Result<StressField, Error> {
+    let at = law(given)?;
     Ok(StressField(Arc::new(move |point| {
         let p = at(point);
         [-p, -p, 0.0]
+    })))
+}
+
+/// The stresses under `p = p₀ √(1 − (x/a)²)` on a half-plane above or below the contact \[MPa\].
+fn hertz(table: Value) -> Result<StressField, Error> {
+    let peak = table.units.stress * table.at("peak-pressure").positive()?;
+    let a = table.at("half-width").length()?;
+    let [x0, y0] = table.get("centre").map_or(Ok([0.0; 2]), Value::point)?;
+    // Stresses depend on P and a alone: a² = 4PR/πE* holds with E* = 1.
+    let load = 0.5 * PI * a * peak;
+    let hertz = Hertz { load, radius: PI * a * a / (4.0 * load), modulus: 1.0 };
+    Ok(StressField(Arc::new(move |[x, y]| {
+        let [along, across, shear] = hertz.stress(x - x0, (y - y0).abs());
+        [along, across, shear * (y - y0).signum()]
     })))
 }
 
@@ -120,35 +175,35 @@ fn pressure(source: Source, units: &Units, given: &Spanned<LawTable>) -> Result<
 type Law = Box<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
 
 /// Uniform, a polynomial in a coordinate, or a cosine series in the angle.
-fn law(source: Source, units: &Units, law: &Spanned<LawTable>) -> Result<Law, Error> {
-    let list = |given: &[Spanned<f64>], per: f64| -> Result<Vec<f64>, Error> {
-        if given.is_empty() || given.len() > MOST_TERMS {
-            let message = format!("the law has {} coefficients", given.len());
-            return Err(source.refused(law.span(), message, format!("give 1 to {MOST_TERMS}")));
+fn law(given: Value) -> Result<Law, Error> {
+    let units = given.units;
+    let (name, table) = given.only();
+    let coefficients = |per: f64| -> Result<Vec<f64>, Error> {
+        let list = table.list("coefficients");
+        if list.is_empty() || list.len() > MOST_TERMS {
+            let message = format!("the law has {} coefficients", list.len());
+            return Err(given.refused(message, format!("give 1 to {MOST_TERMS}")));
         }
-        let each = given
-            .iter()
-            .enumerate()
-            .map(|(k, value)| Ok(units.stress * source.finite("coefficients", value)? / per.powi(k as i32)));
-        each.collect()
+        list.iter().zip(0..).map(|(value, k)| Ok(units.stress * value.finite()? / per.powi(k))).collect()
     };
-    Ok(match law.get_ref() {
-        LawTable::Uniform(value) => {
-            let value = units.stress * source.finite("uniform", value)?;
+    Ok(match name {
+        "uniform" => {
+            let value = units.stress * table.finite()?;
             Box::new(move |_| value)
         }
-        LawTable::Polynomial(table) => {
-            let k = component(source, &table.along)?.index();
-            let coefficients = list(&table.coefficients, units.length)?;
+        "polynomial" => {
+            let k = component(table.at("along"))?.index();
+            let coefficients = coefficients(units.length)?;
             Box::new(move |point| coefficients.iter().rev().fold(0.0, |sum, c| c + sum * point[k]))
         }
-        LawTable::Cosine(table) => {
-            let [x, y] = source.pair("centre", &table.centre)?.map(|x| units.length * x);
-            let coefficients = list(&table.coefficients, 1.0)?;
+        "cosine" => {
+            let [x, y] = table.at("centre").point()?;
+            let coefficients = coefficients(1.0)?;
             Box::new(move |point| {
                 let angle = (point[0] - x).atan2(y - point[1]);
                 coefficients.iter().zip(0..).map(|(c, k)| c * (f64::from(k) * angle).cos()).sum()
             })
         }
+        _ => table.unknown(),
     })
 }

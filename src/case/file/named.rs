@@ -1,55 +1,111 @@
-//! Boundaries, points and components by the names that a file gives them.
+//! Bodies, boundaries, points, components and supports by the names that a file gives them.
 
-use toml::Spanned;
-
-use crate::case::file::tables::PlaceTable;
-use crate::case::file::units::Units;
-use crate::case::file::{Source, disc};
+use crate::case::Quantity;
+use crate::case::file::form::Form::{Own, Table, Text};
+use crate::case::file::form::{Form, PAIR, must};
+use crate::case::file::value::Value;
 use crate::error::Error;
-use crate::scene::{BoundaryName, Component, Place, Shape};
+use crate::scene::{Body, BoundaryName, Component, Place, Shape};
+use crate::solve::Displaced;
+
+/// A boundary's name, or a point.
+pub(super) const PLACE: Form = Own(|value| {
+    let is_place = |form: Form| form.check(value).is_ok();
+    match is_place(Text) || is_place(PAIR) {
+        true => Ok(()),
+        false => Err((value.span(), "a place is the name of a boundary or a point [x, y]".into())),
+    }
+});
+
+/// `{ body = "…", at = "…", component = "…" }`: a support, or a side or point whose displacement is meant.
+pub(super) const OF_BODY: Form = Table(&[must("body", Text), must("at", PLACE), must("component", Text)]);
+
+/// Index of the body of a name.
+pub(super) fn body(name: Value, bodies: &[Body]) -> Result<usize, Error> {
+    let known: Vec<_> = bodies.iter().enumerate().map(|(index, body)| (body.name.as_str(), index)).collect();
+    name.choice("body", &known)
+}
 
 /// A component by its name.
-pub(super) fn component(source: Source, name: &Spanned<String>) -> Result<Component, Error> {
-    source.choice("component", name, &[("x", Component::X), ("y", Component::Y)])
+pub(super) fn component(name: Value) -> Result<Component, Error> {
+    name.choice("component", &[("x", Component::X), ("y", Component::Y)])
 }
 
 /// A boundary that the shape has, or a point.
-pub(super) fn place(source: Source, units: &Units, shape: &Shape, at: &Spanned<PlaceTable>) -> Result<Place, Error> {
-    let span = at.span();
-    Ok(match at.get_ref() {
-        PlaceTable::Boundary(name) => {
-            Place::Boundary(boundary(source, units, shape, &Spanned::new(span, name.clone()))?)
-        }
-        PlaceTable::Point(point) => {
-            let list = point.iter().map(|x| Spanned::new(span.clone(), *x)).collect();
-            Place::Point(source.pair("at", &Spanned::new(span, list))?.map(|x| units.length * x))
-        }
-    })
+pub(super) fn place(shape: &Shape, at: Value) -> Result<Place, Error> {
+    match at.word() {
+        Some(_) => Ok(Place::Boundary(boundary(shape, at)?)),
+        None => Ok(Place::Point(at.point()?)),
+    }
+}
+
+/// Whether two places are written alike.
+pub(super) fn same_place(a: Value, b: Value) -> bool {
+    a.word() == b.word() && numbers(a) == numbers(b)
+}
+
+/// The coordinates of a point as they are written.
+fn numbers(at: Value) -> Vec<f64> {
+    at.entries().into_iter().map(Value::number).collect()
 }
 
 /// A boundary that the shape has.
-pub(super) fn boundary(
-    source: Source,
-    units: &Units,
-    shape: &Shape,
-    name: &Spanned<String>,
-) -> Result<BoundaryName, Error> {
-    disc::refuse_axis(source, units, shape, name)?;
+pub(super) fn boundary(shape: &Shape, name: Value) -> Result<BoundaryName, Error> {
+    refuse_axis(shape, name)?;
     let boundaries = shape.boundaries();
     let known: Vec<_> = boundaries.iter().enumerate().map(|(k, name)| (name.as_ref(), k)).collect();
-    Ok(boundaries[source.choice("boundary", name, &known)?].clone())
+    Ok(boundaries[name.choice("boundary", &known)?].clone())
+}
+
+/// Refuses the axis of a disc on both sides of it, where it is no boundary.
+fn refuse_axis(shape: &Shape, name: Value) -> Result<(), Error> {
+    match shape {
+        Shape::Disc { sector, centre, .. } if sector.has_both_sides() && name.text() == "axis" => {
+            let [x, y] = centre.map(|x| x / name.units.length);
+            let message = "there is no boundary `axis`: with `both-sides` it lies inside the disc";
+            Err(name.refused(message, format!("fix a node, as in {{ at = [{x}, {y}], component = \"x\" }}")))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Refuses a pressure on a line inside the body, which has no outer side.
-pub(super) fn refuse_inside(source: Source, shape: &Shape, name: &Spanned<String>) -> Result<(), Error> {
+pub(super) fn refuse_inside(shape: &Shape, name: Value) -> Result<(), Error> {
     let inside = match shape {
-        Shape::Given(mesh) => mesh.inner.contains(name.get_ref().as_str()),
-        Shape::Disc { sector, .. } if sector.has_upper_part() => name.get_ref() == "middle",
+        Shape::Given(mesh) => mesh.inner.contains(name.text()),
+        Shape::Disc { sector, .. } if sector.has_upper_part() => name.text() == "middle",
         _ => false,
     };
     if !inside {
         return Ok(());
     }
-    let message = format!("`{}` runs inside the body, where a pressure has no side to act on", name.get_ref());
-    Err(source.refused(name.span(), message, "give a traction there, or a pressure on the outline"))
+    let message = format!("`{}` runs inside the body, where a pressure has no side to act on", name.text());
+    Err(name.refused(message, "give a traction there, or a pressure on the outline"))
+}
+
+/// The displacement of a side or a point; what does not exist is told with its line and what there is.
+pub(super) fn displaced(of: Value, bodies: &[Body]) -> Result<Displaced, Error> {
+    let body = body(of.at("body"), bodies)?;
+    let at = place(&bodies[body].shape, of.at("at"))?;
+    Ok(Displaced { body, at, component: component(of.at("component"))? })
+}
+
+/// The force of a support of a body, as the body lists it among its `supports`; the same is told of what does not exist.
+pub(super) fn reaction(of: Value, tables: &[Value], bodies: &[Body]) -> Result<Quantity, Error> {
+    let body = body(of.at("body"), bodies)?;
+    let supports = tables[body].list("supports");
+    let is_it = |support: &Value| {
+        same_place(support.at("at"), of.at("at")) && support.at("component").text() == of.at("component").text()
+    };
+    supports.iter().position(is_it).map(|support| Quantity::Reaction { body, support }).ok_or_else(|| {
+        let shown = |support: Value| {
+            let at = support.at("at");
+            let place = at.word().map_or_else(|| format!("{:?}", numbers(at)), |name| format!("`{name}`"));
+            format!("{place} along {}", support.at("component").text())
+        };
+        let known: Vec<String> = supports.iter().map(|support| shown(*support)).collect();
+        let message = format!("`{}` has no support at {}", bodies[body].name, shown(of));
+        let remedy = if known.is_empty() { "it has none".into() } else { format!("known: {}", known.join(", ")) };
+        of.at("at").refused(message, remedy)
+    })
 }

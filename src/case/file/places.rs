@@ -3,56 +3,31 @@
 use std::ops::Range;
 use std::path::PathBuf;
 
-use toml::Spanned;
-
-use crate::case::file::tables::ContactTable;
+use crate::case::file::source::Source;
+use crate::case::file::value::Value;
+use crate::case::file::{contact, gmsh};
 use crate::error::{Error, Located, Part, Place};
 
-/// Places of the bodies and of the contacts in a file.
+/// The text of a file, in which a place is looked for when it is asked for.
 #[derive(Clone, Debug)]
 pub struct Places {
-    /// The file.
-    pub(super) file: PathBuf,
+    file: PathBuf,
     /// The meshes that it names.
-    pub(super) meshes: Vec<PathBuf>,
-    /// Its text.
-    pub(super) text: String,
-    /// The bodies.
-    pub(super) bodies: Vec<Range<usize>>,
-    /// The loads of each body.
-    pub(super) loads: Vec<Vec<Range<usize>>>,
-    /// The contacts.
-    pub(super) contacts: Vec<PlacesOfContact>,
-    /// How it is to be solved; the contacts where the file does not say.
-    pub(super) solve: Range<usize>,
-    /// Initial stiffness of the springs; how it is to be solved where the file does not say.
-    pub(super) stiffness: Range<usize>,
-}
-
-/// Places of one contact in a file.
-#[derive(Clone, Debug)]
-pub(super) struct PlacesOfContact {
-    first: Range<usize>,
-    second: Option<Range<usize>>,
-    stretch: Range<usize>,
-}
-
-impl PlacesOfContact {
-    pub(super) fn of(table: &ContactTable) -> Self {
-        let second = table.second.as_ref().map(Spanned::span);
-        Self { first: table.first.span(), second, stretch: table.stretch.span() }
-    }
-
-    fn part(&self, part: Part) -> Option<Range<usize>> {
-        match part {
-            Part::First => Some(self.first.clone()),
-            Part::Second => self.second.clone(),
-            Part::Stretch => Some(self.stretch.clone()),
-        }
-    }
+    meshes: Vec<PathBuf>,
+    text: String,
 }
 
 impl Places {
+    /// Those of a file.
+    pub(super) fn of(file: Value) -> Self {
+        let shapes = file.list("body").into_iter().map(|body| body.at("shape"));
+        Self {
+            file: file.source.file.into(),
+            meshes: shapes.filter_map(|shape| Some(gmsh::path(shape.get("gmsh")?))).collect(),
+            text: file.source.text.into(),
+        }
+    }
+
     /// The file itself, and the meshes that it names.
     pub fn read(&self) -> impl Iterator<Item = &PathBuf> {
         std::iter::once(&self.file).chain(&self.meshes)
@@ -65,20 +40,33 @@ impl Places {
 
     /// The error with its line, where it is one of a body, of a load, of a contact or of how the scene is solved.
     pub fn locate(&self, error: Error) -> Error {
-        match self.of(&error.place) {
+        match self.find(&error.place) {
             Some(place) => Error { place: Located::new((&self.file, &self.text), place).into(), ..error },
             None => error,
         }
     }
 
-    fn of(&self, place: &Place) -> Option<Range<usize>> {
-        match place {
-            Place::Body { body, .. } => self.bodies.get(*body).cloned(),
-            Place::Load { body, load, .. } => self.loads.get(*body as usize)?.get(*load as usize).cloned(),
-            Place::Contact { contact, part, .. } => self.contacts.get(*contact)?.part(*part),
-            Place::Solve(_) => Some(self.solve.clone()),
-            Place::Stiffness(_) => Some(self.stiffness.clone()),
-            Place::Nowhere | Place::Named(_) | Place::File(_) | Place::Line(_) => None,
-        }
+    fn find(&self, place: &Place) -> Option<Range<usize>> {
+        let source = Source { file: &self.file, text: &self.text };
+        let parsed = source.parsed().ok()?;
+        let file = Value::all(source, &parsed);
+        let body = |index: usize| file.list("body").get(index).copied();
+        let solve = file.get("solve");
+        let found = match place {
+            Place::Body { body: index, .. } => body(*index)?.at("name"),
+            Place::Load { body: index, load, .. } => *body(*index as usize)?.list("loads").get(*load as usize)?,
+            Place::Contact { contact, part, .. } => {
+                contact::tables(file.at("contact")).get(*contact)?.get(match part {
+                    Part::First => "first",
+                    Part::Second => "second",
+                    Part::Stretch => "stretch",
+                })?
+            }
+            // The contacts where the file does not say how it is solved.
+            Place::Solve(_) => solve.unwrap_or(file.at("contact")),
+            Place::Stiffness(_) => solve.map_or(file.at("contact"), |solve| solve.get("stiffness").unwrap_or(solve)),
+            Place::Nowhere | Place::Named(_) | Place::File(_) | Place::Line(_) => return None,
+        };
+        Some(found.span())
     }
 }

@@ -2,11 +2,8 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
-use toml::Spanned;
-
-use crate::case::file::Source;
 use crate::case::file::curves;
-use crate::case::file::units::Units;
+use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
 use crate::scene::{Circle, Curve, Face, Path, Profile, Shape};
@@ -125,14 +122,12 @@ impl Side {
     /// the path; a gap or clearance may be drawn or not.
     pub(super) fn refuse_misfit(
         &self,
-        source: Source,
-        units: &Units,
-        name: &Spanned<String>,
+        name: Value,
         (path, profile): (&Path, &Profile),
         is_first: bool,
     ) -> Result<(), Error> {
         let [line, level] =
-            [("x", 0), ("y", 1)].map(|(axis, k)| format!("{axis} = {}", path.origin()[k] / units.length));
+            [("x", 0), ("y", 1)].map(|(axis, k)| format!("{axis} = {}", path.origin()[k] / name.units.length));
         let clearance = match profile {
             Profile::Hole { clearance, .. } | Profile::Pin { clearance, .. } => *clearance,
             Profile::Drawn | Profile::Bodies(_) => f64::INFINITY,
@@ -141,10 +136,7 @@ impl Side {
         let wanted = Wanted { path, line, level, clearance, is_first };
         match self.on_other_sides(&wanted).or_else(|| self.misplaced(&wanted)) {
             None => Ok(()),
-            Some(Misfit { what, remedy }) => {
-                let message = format!("the contact side of `{}` {what}", name.get_ref());
-                Err(source.refused(name.span(), message, remedy))
-            }
+            Some([what, remedy]) => Err(name.refused(format!("the contact side of `{}` {what}", name.text()), remedy)),
         }
     }
 
@@ -236,16 +228,9 @@ impl Side {
     }
 
     /// Refuses a candidate stretch that goes on where the side has ended.
-    pub(super) fn refuse_short(
-        &self,
-        source: Source,
-        units: &Units,
-        name: &Spanned<String>,
-        path: &Path,
-        (stretch, given): (f64, &Spanned<f64>),
-    ) -> Result<(), Error> {
+    pub(super) fn refuse_short(&self, name: Value, path: &Path, (stretch, given): (f64, Value)) -> Result<(), Error> {
         let (length, shown) = match (path, &self.place) {
-            (Path::Straight(_), _) => (self.length, self.length / units.length),
+            (Path::Straight(_), _) => (self.length, self.length / name.units.length),
             (Path::Arc(_), Place::Arc(_) | Place::Pieces(_)) => (self.length, self.length.to_degrees()),
             (Path::Arc(_), _) => return Ok(()),
         };
@@ -254,8 +239,8 @@ impl Side {
         }
         let shown = (1e6 * shown).round() / 1e6;
         let ends = if path.has_both_sides() { "ends at |s| =" } else { "ends at" };
-        let message = format!("the candidates reach beyond `{}`, whose contact side {ends} {shown}", name.get_ref());
-        Err(source.refused(given.span(), message, format!("give at most {shown}")))
+        let message = format!("the candidates reach beyond `{}`, whose contact side {ends} {shown}", name.text());
+        Err(given.refused(message, format!("give at most {shown}")))
     }
 }
 
@@ -331,11 +316,8 @@ impl Wanted<'_> {
 }
 
 /// What is wrong with a side, and what to do.
-struct Misfit {
-    what: String,
-    remedy: String,
-}
+type Misfit = [String; 2];
 
 fn misfit(what: impl Into<String>, remedy: impl Into<String>) -> Option<Misfit> {
-    Some(Misfit { what: what.into(), remedy: remedy.into() })
+    Some([what.into(), remedy.into()])
 }

@@ -1,38 +1,30 @@
-//! The checks of a scene file.
+//! `[[check]]`: the checks of a scene file.
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use crate::case::file::Source;
-use crate::case::file::tables::{BodyTable, Keyed, Name, Number};
-use crate::case::file::units::Units;
+use crate::case::file::form::Form::{Number, Table, Text};
+use crate::case::file::form::{Form, may, must};
+use crate::case::file::named::{self, OF_BODY};
+use crate::case::file::value::Value;
 use crate::case::{Check, Quantity, Reference, Relation};
 use crate::error::{Coordinate, Error};
 use crate::measure::display_factor;
-use crate::oracle::{self, ReferenceKind, SharedOracle};
+use crate::oracle::{ReferenceKind, SharedOracle};
 use crate::scene::{ContactPair, Scene};
 
-use super::displaced::DisplacedName;
-use super::support::SupportName;
-
 /// `[[check]]`.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct CheckTable {
-    quantity: Name,
-    contact: Option<Name>,
-    at: Option<Number>,
-    support: Option<Spanned<SupportName>>,
-    of: Option<Spanned<DisplacedName>>,
-    body: Option<Name>,
-    value: Option<Number>,
-    tolerance: Number,
-    #[serde(rename = "model-error")]
-    model_error: Option<Number>,
-    kind: Option<Name>,
-    source: Option<String>,
-    because: Option<String>,
-}
+pub(super) const CHECK: Form = Table(&[
+    must("quantity", Text),
+    may("contact", Text),
+    may("at", Number),
+    may("support", OF_BODY),
+    may("of", OF_BODY),
+    may("body", Text),
+    may("value", Number),
+    must("tolerance", Number),
+    may("model-error", Number),
+    may("kind", Text),
+    may("source", Text),
+    may("because", Text),
+]);
 
 /// What a check may ask for, as files name it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,9 +60,16 @@ pub(super) const HALF_WIDTH: &str = "contact-half-width";
 pub(super) const SECOND_MOMENT_WIDTH: &str = "second-moment-width";
 const OLD: &str = "half-width";
 
+const KINDS: [(&str, ReferenceKind); 4] = [
+    ("analytic", ReferenceKind::Analytic),
+    ("cross-code", ReferenceKind::CrossCode),
+    ("measured", ReferenceKind::Measured),
+    ("self-consistency", ReferenceKind::SelfConsistency),
+];
+
 /// Refuses the name that the second-moment width had: of a contact that is no semi-ellipse it is no half-width.
-pub(super) fn refuse_old(source: Source, name: &Name) -> Result<(), Error> {
-    if name.get_ref() != OLD {
+pub(super) fn refuse_old(name: Value) -> Result<(), Error> {
+    if name.text() != OLD {
         return Ok(());
     }
     let message =
@@ -78,218 +77,175 @@ pub(super) fn refuse_old(source: Source, name: &Name) -> Result<(), Error> {
     let remedy = format!(
         "write `{SECOND_MOMENT_WIDTH}`, 2 √(∫p (s − c)²/∫p), or `{HALF_WIDTH}`, half of what lies between begin and end"
     );
-    Err(source.refused(name.span(), message, remedy))
+    Err(name.refused(message, remedy))
 }
 
-/// What is said of keys that belong to other quantities.
-const SUPPORT: [&str; 2] = ["only a `reaction` has a support", "leave `support` out"];
-const OF: [&str; 2] = ["only a `displacement` is that of a place", "leave `of` out"];
-const BODY: [&str; 2] = ["only `shear` and `shear-depth` are taken in one body", "leave `body` out"];
-const KINDS: [(&str, ReferenceKind); 4] = [
-    ("analytic", ReferenceKind::Analytic),
-    ("cross-code", ReferenceKind::CrossCode),
-    ("measured", ReferenceKind::Measured),
-    ("self-consistency", ReferenceKind::SelfConsistency),
-];
-impl Asked {
-    /// Of what it is a number, where that is no contact.
-    fn belongs_to(self) -> Option<&'static str> {
-        match self {
-            Self::Reaction => Some("a reaction belongs to a support"),
-            Self::Displacement => Some("a displacement belongs to a body"),
-            _ => None,
-        }
-    }
-}
-
-impl CheckTable {
-    /// The contact that is named; one that is not named must be the only one.
-    fn contact(&self, source: Source, quantity: Asked, scene: &Scene) -> Result<usize, Error> {
-        let known: Vec<_> = scene.contacts.iter().enumerate().map(|(k, pair)| (pair.name.as_str(), k)).collect();
-        match (&self.contact, quantity.belongs_to()) {
-            (Some(name), Some(belongs)) => Err(source.refused(name.span(), belongs, "leave `contact` out")),
-            (Some(name), None) => source.choice("contact", name, &known),
-            (None, None) if known.len() > 1 => {
-                let names: Vec<String> = known.iter().map(|(name, _)| format!("`{name}`")).collect();
-                let message = "the scene has several contacts, and the check does not say which it means";
-                let remedy = format!("add `contact = \"…\"`, one of {}", names.join(", "));
-                Err(source.refused(self.quantity.span(), message, remedy))
-            }
-            (None, _) => Ok(0),
-        }
-    }
-
-    /// The check, in the scene's units.
-    pub(super) fn check(
-        &self,
-        source: Source,
-        units: &Units,
-        bodies: &[Keyed<BodyTable>],
-        scene: &Scene,
-        oracles: &[Option<SharedOracle>],
-    ) -> Result<Check, Error> {
-        refuse_old(source, &self.quantity)?;
-        let asked = source.choice("quantity", &self.quantity, &QUANTITIES)?;
-        let contact = self.contact(source, asked, scene)?;
-        let pair = &scene.contacts[contact];
-        // What turns a contact coordinate of the file into mm or rad.
-        let along = if pair.path.is_straight() { units.length } else { 1.0 / display_factor(&pair.path) };
-        let at = self.place(source, asked, pair, along)?;
-        self.refuse_unused(source, asked)?;
-        let (quantity, unit) = match asked {
-            Asked::PeakPressure => (Quantity::PeakPressure, units.stress),
-            Asked::HalfWidth if pair.path.is_straight() => (Quantity::HalfWidth, units.length),
-            Asked::HalfWidth => (Quantity::HalfAngle, 1.0),
-            Asked::SecondMomentWidth if pair.path.is_straight() => (Quantity::SecondMomentWidth, units.length),
-            // Given and told in degrees.
-            Asked::SecondMomentWidth => (Quantity::SecondMomentAngle, 1.0),
-            Asked::Centre => (Quantity::Centre, along),
-            Asked::Resultant => (Quantity::Resultant, units.force),
-            Asked::Pressure if pair.path.is_straight() => {
-                (Quantity::Pressure { at: Coordinate::Length(at) }, units.stress)
-            }
-            Asked::Pressure => (Quantity::Pressure { at: Coordinate::Angle(at) }, units.stress),
-            Asked::Reaction => (self.reaction(source, bodies)?, units.force),
-            Asked::Displacement => (self.displacement(source, units, scene)?, units.length),
-            Asked::Approach => (self.approach(source, scene, contact)?, units.length),
-            Asked::Shear => (Quantity::Shear { body: self.body(source, scene, pair)? }, units.stress),
-            Asked::ShearDepth => (Quantity::ShearDepth { body: self.body(source, scene, pair)? }, units.length),
-        };
-        let kind = self.kind.as_ref().map(|kind| source.choice("kind of reference", kind, &KINDS)).transpose()?;
-        let tolerance = source.positive("tolerance", &self.tolerance)?;
-        let reference = match &self.value {
-            Some(value) => Reference {
-                name: self.source.clone().unwrap_or_else(|| "the value given".into()),
-                kind: kind.unwrap_or(ReferenceKind::SelfConsistency),
-                value: unit * source.finite("value", value)?,
-                uncertainty: None,
-            },
-            None => self.read(source, &quantity, scene.thickness, oracles[contact].as_ref())?,
-        };
-        let because = self.because.clone().unwrap_or_else(|| "the tolerance given".into());
-        let check = match reference.value.abs() > 0.0 {
-            true => Check::near(quantity, reference, tolerance, because),
-            // Nothing is relative to 0.
-            false => Check::absolute(quantity, reference, unit * tolerance, because),
-        };
-        // As the tolerance: relative, or in the unit of the file.
-        let scale = if check.relation == Relation::Near { 1.0 } else { unit };
-        let model = self.model_error.as_ref().map(|model| source.positive("model-error", model)).transpose()?;
-        Ok(Check { contact, model: scale * model.unwrap_or(0.0), ..check })
-    }
-
-    /// Where a pressure is asked for \[mm, or rad on an arc\]; NaN for what has no place.
-    fn place(&self, source: Source, asked: Asked, pair: &ContactPair, along: f64) -> Result<f64, Error> {
-        let both = pair.path.has_both_sides();
-        match (&self.at, asked) {
-            (Some(at), Asked::Pressure) if both => {
-                let [end, shown] = [pair.stretch * (1.0 + 1e-9), pair.stretch / along];
-                let expected = format!("a coordinate from -{shown} to {shown}");
-                Ok(along * source.number("at", at, &expected, |s| (along * s).abs() <= end)?)
-            }
-            (Some(at), Asked::Pressure) => Ok(along * source.number("at", at, "a coordinate from 0 on", |s| s >= 0.0)?),
-            (None, Asked::Pressure) => {
-                Err(source.refused(self.quantity.span(), "a pressure without a place", "add `at`"))
-            }
-            (Some(at), _) => Err(source.refused(at.span(), "only `pressure` is taken at a place", "leave `at` out")),
-            (None, Asked::Centre) if !both => {
-                let remedy = "leave the check out, or give `both-sides = true` in [contact]";
-                Err(source.refused(self.quantity.span(), "a contact that begins at x = 0 has no `centre`", remedy))
-            }
-            (None, _) => Ok(f64::NAN),
-        }
-    }
-
-    /// Refuses keys that belong to other quantities.
-    fn refuse_unused(&self, source: Source, asked: Asked) -> Result<(), Error> {
-        let below = matches!(asked, Asked::Shear | Asked::ShearDepth);
-        let unused = [
-            (self.support.as_ref().map(Spanned::span), asked == Asked::Reaction, SUPPORT),
-            (self.of.as_ref().map(Spanned::span), asked == Asked::Displacement, OF),
-            (self.body.as_ref().map(Spanned::span), below, BODY),
-        ];
-        let unused = unused.into_iter().find_map(|(span, used, told)| span.filter(|_| !used).map(|span| (span, told)));
-        unused.map_or(Ok(()), |(span, [message, remedy])| Err(source.refused(span, message, remedy)))
-    }
-
-    /// Force of the support that is named.
-    fn reaction(&self, source: Source, bodies: &[Keyed<BodyTable>]) -> Result<Quantity, Error> {
-        let Some(support) = &self.support else {
+/// A check in the units of the scene, whose bodies were read from `bodies`.
+pub(super) fn check(
+    table: Value,
+    bodies: &[Value],
+    scene: &Scene,
+    oracles: &[Option<SharedOracle>],
+) -> Result<Check, Error> {
+    let (name, units) = (table.at("quantity"), table.units);
+    refuse_old(name)?;
+    let asked = name.choice("quantity", &QUANTITIES)?;
+    let contact = contact(table, asked, scene)?;
+    let pair = &scene.contacts[contact];
+    let is_straight = pair.path.is_straight();
+    // What turns a contact coordinate of the file into mm or rad.
+    let along = if is_straight { units.length } else { 1.0 / display_factor(&pair.path) };
+    let at = place(table, asked, pair, along)?;
+    refuse_unused(table, asked)?;
+    let (quantity, unit) = match asked {
+        Asked::PeakPressure => (Quantity::PeakPressure, units.stress),
+        Asked::HalfWidth if is_straight => (Quantity::HalfWidth, units.length),
+        // Given and told in degrees.
+        Asked::HalfWidth => (Quantity::HalfAngle, 1.0),
+        Asked::SecondMomentWidth if is_straight => (Quantity::SecondMomentWidth, units.length),
+        Asked::SecondMomentWidth => (Quantity::SecondMomentAngle, 1.0),
+        Asked::Centre => (Quantity::Centre, along),
+        Asked::Resultant => (Quantity::Resultant, units.force),
+        Asked::Pressure if is_straight => (Quantity::Pressure { at: Coordinate::Length(at) }, units.stress),
+        Asked::Pressure => (Quantity::Pressure { at: Coordinate::Angle(at) }, units.stress),
+        Asked::Reaction => {
             let remedy = "add `support = { body = \"…\", at = \"…\", component = \"…\" }`, as the body lists it";
-            return Err(source.refused(self.quantity.span(), "a reaction without its support", remedy));
-        };
-        let [body, support] = support.get_ref().find(source, bodies)?;
-        Ok(Quantity::Reaction { body, support })
-    }
-
-    /// Displacement of the side or the point that is named.
-    fn displacement(&self, source: Source, units: &Units, scene: &Scene) -> Result<Quantity, Error> {
-        let Some(of) = &self.of else {
+            let without = || name.refused("a reaction without its support", remedy);
+            let support = table.get("support").ok_or_else(without)?;
+            (named::reaction(support, bodies, &scene.bodies)?, units.force)
+        }
+        Asked::Displacement => {
             let remedy = "add `of = { body = \"…\", at = \"…\", component = \"…\" }`; `at` may be a point";
-            return Err(source.refused(self.quantity.span(), "a displacement without its place", remedy));
-        };
-        Ok(Quantity::Displacement(of.get_ref().find(source, units, scene)?))
-    }
+            let of = table.get("of").ok_or_else(|| name.refused("a displacement without its place", remedy))?;
+            (Quantity::Displacement(named::displaced(of, &scene.bodies)?), units.length)
+        }
+        Asked::Approach => {
+            refuse_no_approach(name, scene, contact)?;
+            (Quantity::Approach, units.length)
+        }
+        Asked::Shear => (Quantity::Shear { body: body(table, scene, pair)? }, units.stress),
+        Asked::ShearDepth => (Quantity::ShearDepth { body: body(table, scene, pair)? }, units.length),
+    };
+    let kind = table.get("kind").map(|kind| kind.choice("kind of reference", &KINDS)).transpose()?;
+    let tolerance = table.at("tolerance").positive()?;
+    let reference = match table.get("value") {
+        Some(value) => Reference {
+            name: table.get("source").map_or("the value given", Value::text).into(),
+            kind: kind.unwrap_or(ReferenceKind::SelfConsistency),
+            value: unit * value.finite()?,
+            uncertainty: None,
+        },
+        None => read(table, &quantity, scene.thickness, oracles[contact].as_ref())?,
+    };
+    let because = table.get("because").map_or("the tolerance given", Value::text).to_owned();
+    let check = match reference.value.abs() > 0.0 {
+        true => Check::near(quantity, reference, tolerance, because),
+        // Nothing is relative to 0.
+        false => Check::absolute(quantity, reference, unit * tolerance, because),
+    };
+    // As the tolerance: relative, or in the unit of the file.
+    let scale = if check.relation == Relation::Near { 1.0 } else { unit };
+    let model = table.get("model-error").map_or(Ok(0.0), Value::positive)?;
+    Ok(Check { contact, model: scale * model, ..check })
+}
 
-    /// Approach of the bodies of a contact that has one.
-    fn approach(&self, source: Source, scene: &Scene, contact: usize) -> Result<Quantity, Error> {
-        if scene.pressed_sides(contact).is_some() {
-            return Ok(Quantity::Approach);
+/// The contact that is named; one that is not named must be the only one.
+fn contact(table: Value, asked: Asked, scene: &Scene) -> Result<usize, Error> {
+    let belongs_elsewhere = match asked {
+        Asked::Reaction => Some("a reaction belongs to a support"),
+        Asked::Displacement => Some("a displacement belongs to a body"),
+        _ => None,
+    };
+    let known: Vec<_> = scene.contacts.iter().enumerate().map(|(k, pair)| (pair.name.as_str(), k)).collect();
+    match (table.get("contact"), belongs_elsewhere) {
+        (Some(name), Some(belongs)) => Err(name.refused(belongs, "leave `contact` out")),
+        (Some(name), None) => name.choice("contact", &known),
+        (None, None) if known.len() > 1 => {
+            let message = "the scene has several contacts, and the check does not say which it means";
+            let remedy = format!("add `contact = \"…\"`, one of {}", listed(&known));
+            Err(table.at("quantity").refused(message, remedy))
         }
-        let message = "the contact has no `approach`: not every body of it is pressed along y at one side only, or all is prescribed";
-        let remedy = "ask for the `displacement` of the sides that are meant";
-        Err(source.refused(self.quantity.span(), message, remedy))
+        (None, _) => Ok(0),
     }
+}
 
-    /// The body below whose surface the shear stress is meant; one that is not named must be the only one.
-    fn body(&self, source: Source, scene: &Scene, pair: &ContactPair) -> Result<usize, Error> {
-        let names: Vec<_> = pair.bodies().map(|body| (scene.bodies[body].name.as_str(), body)).collect();
-        match (&self.body, names.as_slice()) {
-            (Some(name), _) => source.choice("body of the contact", name, &names),
-            (None, [(_, only)]) => Ok(*only),
-            (None, _) => {
-                let names: Vec<String> = names.iter().map(|(name, _)| format!("`{name}`")).collect();
-                let message = "the contact has two elastic bodies, and the check does not say which it means";
-                let remedy = format!("add `body = \"…\"`, one of {}", names.join(", "));
-                Err(source.refused(self.quantity.span(), message, remedy))
-            }
+/// Names as a remedy lists them.
+fn listed(known: &[(&str, usize)]) -> String {
+    let names: Vec<String> = known.iter().map(|(name, _)| format!("`{name}`")).collect();
+    names.join(", ")
+}
+
+/// Where a pressure is asked for \[mm, or rad on an arc\]; NaN for what has no place.
+fn place(table: Value, asked: Asked, pair: &ContactPair, along: f64) -> Result<f64, Error> {
+    let both = pair.path.has_both_sides();
+    match (table.get("at"), asked) {
+        (Some(at), Asked::Pressure) if both => {
+            let [end, shown] = [pair.stretch * (1.0 + 1e-9), pair.stretch / along];
+            let expected = format!("a coordinate from -{shown} to {shown}");
+            Ok(along * at.within(&expected, |s| (along * s).abs() <= end)?)
+        }
+        (Some(at), Asked::Pressure) => Ok(along * at.within("a coordinate from 0 on", |s| s >= 0.0)?),
+        (None, Asked::Pressure) => Err(table.at("quantity").refused("a pressure without a place", "add `at`")),
+        (Some(at), _) => Err(at.refused("only `pressure` is taken at a place", "leave `at` out")),
+        (None, Asked::Centre) if !both => {
+            let remedy = "leave the check out, or give `both-sides = true` in [contact]";
+            Err(table.at("quantity").refused("a contact that begins at x = 0 has no `centre`", remedy))
+        }
+        (None, _) => Ok(f64::NAN),
+    }
+}
+
+/// Refuses keys that belong to other quantities.
+fn refuse_unused(table: Value, asked: Asked) -> Result<(), Error> {
+    let is_below = matches!(asked, Asked::Shear | Asked::ShearDepth);
+    let keys = [
+        ("support", asked == Asked::Reaction, "only a `reaction` has a support"),
+        ("of", asked == Asked::Displacement, "only a `displacement` is that of a place"),
+        ("body", is_below, "only `shear` and `shear-depth` are taken in one body"),
+    ];
+    match keys.into_iter().find_map(|(key, is_used, told)| Some((key, table.get(key).filter(|_| !is_used)?, told))) {
+        Some((key, given, told)) => Err(given.refused(told, format!("leave `{key}` out"))),
+        None => Ok(()),
+    }
+}
+
+/// Refuses the approach of bodies that have none.
+fn refuse_no_approach(name: Value, scene: &Scene, contact: usize) -> Result<(), Error> {
+    if scene.pressed_sides(contact).is_some() {
+        return Ok(());
+    }
+    let message =
+        "the contact has no `approach`: not every body of it is pressed along y at one side only, or all is prescribed";
+    Err(name.refused(message, "ask for the `displacement` of the sides that are meant"))
+}
+
+/// The body below whose surface the shear stress is meant; one that is not named must be the only one.
+fn body(table: Value, scene: &Scene, pair: &ContactPair) -> Result<usize, Error> {
+    let known: Vec<_> = pair.bodies().map(|body| (scene.bodies[body].name.as_str(), body)).collect();
+    match (table.get("body"), known.as_slice()) {
+        (Some(name), _) => name.choice("body of the contact", &known),
+        (None, [(_, only)]) => Ok(*only),
+        (None, _) => {
+            let message = "the contact has two elastic bodies, and the check does not say which it means";
+            let remedy = format!("add `body = \"…\"`, one of {}", listed(&known));
+            Err(table.at("quantity").refused(message, remedy))
         }
     }
+}
 
-    /// What the closed form of the contact says of a quantity.
-    fn read(
-        &self,
-        source: Source,
-        quantity: &Quantity,
-        thickness: f64,
-        oracle: Option<&SharedOracle>,
-    ) -> Result<Reference, Error> {
-        let place = self.quantity.span();
-        let Some(oracle) = oracle else {
-            let remedy = "give `value`, or the contact an `oracle`";
-            return Err(source.refused(place, "the check has nothing to be held against", remedy));
-        };
-        if let Some(kind) = &self.kind {
-            return Err(source.refused(kind.span(), "the kind is that of the oracle", "leave `kind` out"));
-        }
-        let read = |asked| Reference::read(oracle.as_ref(), asked);
-        let reference = match quantity {
-            Quantity::PeakPressure => read(oracle::Quantity::PeakPressure),
-            Quantity::HalfWidth => read(oracle::Quantity::HalfWidth),
-            Quantity::HalfAngle => read(oracle::Quantity::ContactAngle).in_degrees(),
-            Quantity::SecondMomentWidth => read(oracle::Quantity::SecondMoment),
-            Quantity::SecondMomentAngle => read(oracle::Quantity::SecondMoment).in_degrees(),
-            Quantity::Pressure { at } => read(oracle::Quantity::Pressure { at: at.value() }),
-            Quantity::Resultant => {
-                let per_thickness = read(oracle::Quantity::Resultant);
-                per_thickness.times(thickness)
-            }
-            _ => Reference::own(oracle.name(), f64::NAN),
-        };
-        if reference.value.is_finite() {
-            return Ok(reference);
-        }
+/// What the closed form of the contact says of a quantity.
+fn read(table: Value, quantity: &Quantity, thickness: f64, oracle: Option<&SharedOracle>) -> Result<Reference, Error> {
+    let name = table.at("quantity");
+    let Some(oracle) = oracle else {
+        let remedy = "give `value`, or the contact an `oracle`";
+        return Err(name.refused("the check has nothing to be held against", remedy));
+    };
+    if let Some(kind) = table.get("kind") {
+        return Err(kind.refused("the kind is that of the oracle", "leave `kind` out"));
+    }
+    let reference = Reference::of(oracle.as_ref(), quantity, thickness);
+    reference.filter(|reference| reference.value.is_finite()).ok_or_else(|| {
         let message = format!("{} gives no {} here", oracle.name(), quantity.name());
-        Err(source.refused(place, message, "give `value`, or mend the numbers of the `oracle`"))
-    }
+        name.refused(message, "give `value`, or mend the numbers of the `oracle`")
+    })
 }

@@ -1,11 +1,7 @@
 //! Two bars in line closing a gap.
-use std::sync::Arc;
 
-use crate::case::check::Against;
-use crate::case::check::Check;
-use crate::case::definition::Case;
-use crate::case::library::shared::{block, even, fixed, flat_contact};
-use crate::case::quantity::Quantity;
+use crate::case::library::shared::{block, even, flat_contact, moved};
+use crate::case::{Against, Case, Check, Quantity};
 use crate::oracle::analytic::bars as analytic;
 use crate::scene::{Face, Material, PlaneHypothesis, ReferenceValues, Scene};
 use crate::solve::{Element, Formulation, Iteration};
@@ -43,8 +39,8 @@ impl Bars {
             plane: PlaneHypothesis::Stress,
             thickness: 1.0,
             bodies: vec![
-                block("upper", [0.0, self.width], upper, Face::Bottom, material, vec![fixed(-u)], vec![]),
-                block("lower", [0.0, self.width], [-self.length, 0.0], Face::Top, material, vec![fixed(0.0)], vec![]),
+                block("upper", [0.0, self.width], upper, Face::Bottom, material, vec![moved(-u)], vec![]),
+                block("lower", [0.0, self.width], [-self.length, 0.0], Face::Top, material, vec![moved(0.0)], vec![]),
             ],
             contacts: vec![flat_contact(Some(1), self.gap, self.width)],
             reference: ReferenceValues {
@@ -73,7 +69,7 @@ impl Bars {
             gap: self.gap,
             displacement: self.push * self.gap,
         };
-        Case { oracles: vec![Some(Arc::new(oracle))], ..Case::of("bars", TITLE, self.scene(), 2) }
+        Case::of("bars", TITLE, self.scene(), 2).against(oracle)
     }
 }
 

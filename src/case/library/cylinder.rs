@@ -2,11 +2,8 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use crate::case::check::Check;
-use crate::case::check::Reference;
-use crate::case::definition::Case;
 use crate::case::library::shared::{ENGINEERING, hertz_checks};
-use crate::case::quantity::Quantity;
+use crate::case::{Case, Check, Quantity, Reference};
 use crate::mesh::Resolution;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::scene::{Component, Face, Load, Material, PlaneHypothesis, Scene, Sector, Shape, StressField};
@@ -88,15 +85,12 @@ impl Cylinder {
         }
         scene
     }
-}
 
-impl Cylinder {
     /// The case, with Hertz's solution.
     pub fn case(&self) -> Case {
         let scene = self.scene();
         let oracle = Hertz { load: self.load(), radius: self.radius, modulus: scene.contact_modulus() };
-        let source = SOURCE.into();
-        Case { source, oracles: vec![Some(Arc::new(oracle))], ..Case::of("cylinder", TITLE, scene, 12) }
+        Case { source: SOURCE.into(), ..Case::of("cylinder", TITLE, scene, 12).against(oracle) }
     }
 }
 

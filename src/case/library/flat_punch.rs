@@ -1,12 +1,8 @@
 //! A rigid flat punch on a large block.
 use std::f64::consts::PI;
-use std::sync::Arc;
 
-use crate::case::check::Against;
-use crate::case::check::Check;
-use crate::case::definition::Case;
 use crate::case::library::shared::block;
-use crate::case::quantity::Quantity;
+use crate::case::{Against, Case, Check, Quantity};
 use crate::error::Coordinate;
 use crate::oracle::analytic::punch;
 use crate::scene::{
@@ -28,7 +24,7 @@ pub struct FlatPunch {
 
 impl Default for FlatPunch {
     fn default() -> Self {
-        Self { half_width: 1.0, size: 40.0, material: Material { young: 210e3, poisson: 0.3 }, load: 1000.0 }
+        Self { half_width: 1.0, size: 40.0, material: Material::STEEL, load: 1000.0 }
     }
 }
 
@@ -50,13 +46,11 @@ impl FlatPunch {
             grading: Grading { unit: a, along: 1.4, depth: 1.4, first: 1.0, coarsest: 0.1, end: 0.02 },
         }
     }
-}
 
-impl FlatPunch {
     /// The case, with `p = P / π√(a² − x²)`.
     pub fn case(&self) -> Case {
         let oracle = punch::FlatPunch { load: self.load, half_width: self.half_width };
-        Case { oracles: vec![Some(Arc::new(oracle))], ..Case::of("flat-punch", TITLE, self.scene(), 24) }
+        Case::of("flat-punch", TITLE, self.scene(), 24).against(oracle)
     }
 }
 

@@ -8,48 +8,33 @@ use crate::case::library::{bars, cylinder, flat_punch, own_weight, patch, pin_pl
 use crate::error::{Error, meant};
 use crate::scene::PlaneHypothesis;
 
-/// Name, what it is, and the case; where its load can be set, by a/R.
-type Entry = (&'static str, &'static str, Made);
-
-enum Made {
-    Fixed(fn() -> Case),
-    Loaded(fn(f64) -> Case),
-}
+/// Name, what it is, whether its load can be set, and the case under a load by its a/R.
+type Entry = (&'static str, &'static str, bool, fn(f64) -> Case);
 
 /// Default a/R of the scenes whose load can be set.
 const RATIO: f64 = 0.05;
 
 const ENTRIES: [Entry; 12] = [
-    ("cylinder", cylinder::TITLE, Made::Loaded(|a_over_r| Cylinder { a_over_r, ..Default::default() }.case())),
-    (
-        "cylinder-half",
-        "the same with the half cylinder modelled",
-        Made::Loaded(|a_over_r| Cylinder { a_over_r, model: CylinderModel::Half, ..Default::default() }.case()),
-    ),
-    (
-        "cylinder-between-plates",
-        "the same between two rigid plates, the lower quarter",
-        Made::Loaded(|a_over_r| {
-            Cylinder { a_over_r, model: CylinderModel::BetweenPlates, ..Default::default() }.case()
-        }),
-    ),
-    (
-        "truncated-hertz",
-        truncated_hertz::TITLE,
-        Made::Loaded(|a_over_r| TruncatedHertz { a_over_r, ..Default::default() }.case()),
-    ),
-    ("pin-rod", pin_rod::TITLE, Made::Fixed(|| PinRod::default().case())),
-    ("pin-plate", pin_plate::TITLE, Made::Fixed(|| PinPlate::of_half_angle(60.0).case())),
-    ("patch", patch::TITLE, Made::Fixed(|| Patch::default().case())),
-    ("bars", bars::TITLE, Made::Fixed(|| Bars::default().case())),
-    ("own-weight", own_weight::TITLE, Made::Fixed(|| OwnWeight::default().case())),
-    ("press-fit", "press fit of two rings, plane stress", Made::Fixed(|| PressFit::default().case())),
-    (
-        "press-fit-strain",
-        "press fit of two rings, plane strain",
-        Made::Fixed(|| PressFit { plane: PlaneHypothesis::Strain, ..Default::default() }.case()),
-    ),
-    ("flat-punch", flat_punch::TITLE, Made::Fixed(|| FlatPunch::default().case())),
+    ("cylinder", cylinder::TITLE, true, |a_over_r| Cylinder { a_over_r, ..Default::default() }.case()),
+    ("cylinder-half", "the same with the half cylinder modelled", true, |a_over_r| {
+        Cylinder { a_over_r, model: CylinderModel::Half, ..Default::default() }.case()
+    }),
+    ("cylinder-between-plates", "the same between two rigid plates, the lower quarter", true, |a_over_r| {
+        Cylinder { a_over_r, model: CylinderModel::BetweenPlates, ..Default::default() }.case()
+    }),
+    ("truncated-hertz", truncated_hertz::TITLE, true, |a_over_r| {
+        TruncatedHertz { a_over_r, ..Default::default() }.case()
+    }),
+    ("pin-rod", pin_rod::TITLE, false, |_| PinRod::default().case()),
+    ("pin-plate", pin_plate::TITLE, false, |_| PinPlate::of_half_angle(60.0).case()),
+    ("patch", patch::TITLE, false, |_| Patch::default().case()),
+    ("bars", bars::TITLE, false, |_| Bars::default().case()),
+    ("own-weight", own_weight::TITLE, false, |_| OwnWeight::default().case()),
+    ("press-fit", "press fit of two rings, plane stress", false, |_| PressFit::default().case()),
+    ("press-fit-strain", "press fit of two rings, plane strain", false, |_| {
+        PressFit { plane: PlaneHypothesis::Strain, ..Default::default() }.case()
+    }),
+    ("flat-punch", flat_punch::TITLE, false, |_| FlatPunch::default().case()),
 ];
 
 /// Names and titles.
@@ -65,20 +50,20 @@ pub const NAMES: [(&str, &str); ENTRIES.len()] = {
 
 /// The case of a name; `a_over_r` sets the load of the Hertz scenes.
 pub fn find(name: &str, a_over_r: Option<f64>) -> Result<Case, Error> {
-    let Some((name, title, made)) = ENTRIES.iter().find(|(known, ..)| *known == name) else {
+    let Some((name, title, is_loaded, case)) = ENTRIES.iter().find(|(known, ..)| *known == name) else {
         let known = NAMES.map(|(name, _)| name);
         let remedy = format!("{}choose one of {}", meant(name, known), known.join(", "));
         return Err(Error::at("solve", format!("there is no case `{name}`"), remedy));
     };
-    let case = match (made, a_over_r) {
-        (Made::Fixed(case), None) => case(),
-        (Made::Loaded(case), _) => case(a_over_r.map_or(Ok(RATIO), |ratio| allowed(name, ratio))?),
-        (Made::Fixed(_), Some(_)) => {
+    let ratio = match a_over_r {
+        None => RATIO,
+        Some(ratio) if *is_loaded => allowed(name, ratio)?,
+        Some(_) => {
             let remedy = "leave it out, or solve cylinder, cylinder-half or truncated-hertz";
             return Err(Error::at("solve", format!("`{name}` has no a/R"), remedy));
         }
     };
-    Ok(Case { title: (*title).into(), ..case.named(*name) })
+    Ok(Case { title: (*title).into(), ..case(ratio).named(*name) })
 }
 
 fn allowed(name: &str, ratio: f64) -> Result<f64, Error> {

@@ -1,11 +1,7 @@
 //! A block on a rigid plane under its own weight.
-use std::sync::Arc;
 
-use crate::case::check::Against;
-use crate::case::check::Check;
-use crate::case::definition::Case;
 use crate::case::library::shared::{block, even, flat_contact, symmetry};
-use crate::case::quantity::Quantity;
+use crate::case::{Against, Case, Check, Quantity};
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::weight;
 use crate::scene::{Face, Load, Material, PlaneHypothesis, ReferenceValues, Scene};
@@ -54,13 +50,11 @@ impl OwnWeight {
             grading: even(self.width),
         }
     }
-}
 
-impl OwnWeight {
     /// The case, with `p = ρ g H`.
     pub fn case(&self) -> Case {
         let oracle = weight::OwnWeight { specific_weight: self.weight, height: self.height, width: 2.0 * self.width };
-        Case { oracles: vec![Some(Arc::new(oracle))], ..Case::of("own-weight", TITLE, self.scene(), 4) }
+        Case::of("own-weight", TITLE, self.scene(), 4).against(oracle)
     }
 }
 

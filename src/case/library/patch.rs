@@ -1,11 +1,7 @@
 //! Patch test: two blocks under uniform pressure.
-use std::sync::Arc;
 
-use crate::case::check::Against;
-use crate::case::check::Check;
-use crate::case::definition::Case;
-use crate::case::library::shared::{block, even, fixed, flat_contact};
-use crate::case::quantity::Quantity;
+use crate::case::library::shared::{block, even, flat_contact, moved};
+use crate::case::{Against, Case, Check, Quantity};
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::uniform::Uniform;
 use crate::scene::{Face, Load, Material, PlaneHypothesis, ReferenceValues, Scene};
@@ -24,7 +20,7 @@ pub struct Patch {
 
 impl Default for Patch {
     fn default() -> Self {
-        Self { side: 10.0, material: Material { young: 210e3, poisson: 0.3 }, pressure: 100.0 }
+        Self { side: 10.0, material: Material::STEEL, pressure: 100.0 }
     }
 }
 
@@ -48,7 +44,7 @@ impl Patch {
                     vec![],
                     vec![load],
                 ),
-                block("lower", [0.0, self.side], [-self.side, 0.0], Face::Top, self.material, vec![fixed(0.0)], vec![]),
+                block("lower", [0.0, self.side], [-self.side, 0.0], Face::Top, self.material, vec![moved(0.0)], vec![]),
             ],
             contacts: vec![flat_contact(Some(1), gap, self.side)],
             reference: ReferenceValues { length: self.side, pressure: self.pressure, gap },
@@ -64,7 +60,7 @@ impl Patch {
     /// The case of all nine, with its closed form `p = q`.
     pub fn case(&self) -> Case {
         let oracle = Uniform { applied: self.pressure, width: 2.0 * self.side };
-        Case { oracles: vec![Some(Arc::new(oracle))], ..Case::of("patch", TITLE, self.scene(), 3) }
+        Case::of("patch", TITLE, self.scene(), 3).against(oracle)
     }
 }
 

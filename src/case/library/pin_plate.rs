@@ -1,18 +1,12 @@
 //! Pin in a wide plate with clearance.
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::sync::Arc;
 
-use crate::case::check::Against;
-use crate::case::check::Check;
-use crate::case::definition::Case;
-use crate::case::library::shared::{ARC_UNIT, hole_contact, pin_reference, symmetry};
-use crate::case::quantity::Quantity;
+use crate::case::library::shared::{ARC_UNIT, body, fixed, hole_contact, pin_reference, symmetry};
+use crate::case::{Against, Case, Check, Quantity};
 use crate::mesh::Resolution;
 use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::persson::PinInHole;
-use crate::scene::{
-    Body, Circle, Component, Face, Grading, Load, Material, Place, PlaneHypothesis, Scene, Sector, Shape, Support,
-};
+use crate::scene::{Circle, Component, Face, Grading, Load, Material, PlaneHypothesis, Scene, Sector, Shape};
 
 /// Pin in a wide plate of the same material; the pin is fixed at its centre node only, where the force acts.
 #[derive(Clone, Copy, Debug)]
@@ -42,7 +36,7 @@ impl Default for PinPlate {
             clearance: 0.01,
             rim_radius: 5000.0,
             thickness: 1.0,
-            material: Material { young: 210e3, poisson: 0.3 },
+            material: Material::STEEL,
             force: 2000.0,
             stretch: FRAC_PI_2,
             unit: ARC_UNIT,
@@ -53,40 +47,22 @@ impl Default for PinPlate {
 impl PinPlate {
     /// The scene: half by symmetry; the pin is a half disc loaded at its centre and supported by contact alone.
     pub fn scene(&self) -> Scene {
-        let pin = Body {
-            density: 1.0,
-            name: "pin".into(),
-            shape: Shape::Disc {
-                centre: [0.0, 0.0],
-                radius: self.pin_radius,
-                sector: Sector::RightHalf,
-                contact: Face::Bottom,
-            },
-            material: self.material,
-            supports: vec![symmetry("axis")],
-            loads: vec![Load::Force { at: [0.0, 0.0], force: [0.0, -0.5 * self.force] }],
-        };
-        let hole = Circle { centre: [0.0, self.clearance], radius: self.pin_radius + self.clearance };
-        let fixed = |component| Support { at: Place::Boundary("outer".into()), component, value: 0.0 };
-        let plate = Body {
-            density: 1.0,
-            name: "plate".into(),
-            shape: Shape::Ring {
-                pole: [0.0, 0.0],
-                inner: hole,
-                outer: Circle { centre: hole.centre, radius: self.rim_radius },
-                sweep: PI,
-                contact: Face::Bottom,
-            },
-            material: self.material,
-            supports: vec![symmetry("start"), symmetry("end"), fixed(Component::X), fixed(Component::Y)],
-            loads: vec![],
-        };
+        let (centre, radius) = ([0.0, 0.0], self.pin_radius);
+        let disc = Shape::Disc { centre, radius, sector: Sector::RightHalf, contact: Face::Bottom };
+        let force = Load::Force { at: centre, force: [0.0, -0.5 * self.force] };
+        let inner = Circle { centre: [0.0, self.clearance], radius: radius + self.clearance };
+        let outer = Circle { radius: self.rim_radius, ..inner };
+        let ring = Shape::Ring { pole: centre, inner, outer, sweep: PI, contact: Face::Bottom };
+        let rim = [Component::X, Component::Y].map(|component| fixed("outer", component, 0.0));
+        let held = [symmetry("start"), symmetry("end")].into_iter().chain(rim).collect();
         Scene {
             name: "pin-plate".into(),
             plane: PlaneHypothesis::Stress,
             thickness: self.thickness,
-            bodies: vec![pin, plate],
+            bodies: vec![
+                body("pin", disc, self.material, vec![symmetry("axis")], vec![force]),
+                body("plate", ring, self.material, held, vec![]),
+            ],
             contacts: vec![hole_contact(self.pin_radius, self.clearance, self.stretch)],
             reference: pin_reference(self.force / self.thickness, self.pin_radius, self.clearance, [self.material; 2]),
             grading: Grading { unit: self.unit, along: 1.25, depth: 1.5, first: 0.4, coarsest: 0.045, end: 1.0 },
@@ -117,7 +93,7 @@ impl PinPlate {
             poisson: self.material.poisson,
             plane: Plane::Stress,
         };
-        Case { oracles: vec![Some(Arc::new(oracle))], ..Case::of("pin-plate", TITLE, self.scene(), 24) }
+        Case::of("pin-plate", TITLE, self.scene(), 24).against(oracle)
     }
 }
 

@@ -1,12 +1,7 @@
 //! Pin in a connecting-rod eye (the paper's example b).
-use crate::case::check::Against;
-use crate::case::check::Check;
-use crate::case::definition::Case;
-use crate::case::library::shared::{ARC_UNIT, ENGINEERING, hole_contact, pin_reference, symmetry};
-use crate::case::quantity::Quantity;
-use crate::scene::{
-    Body, Circle, Component, Face, Grading, Load, Material, Place, PlaneHypothesis, Scene, Sector, Shape, Support,
-};
+use crate::case::library::shared::{ARC_UNIT, ENGINEERING, body, fixed, hole_contact, pin_reference, symmetry};
+use crate::case::{Against, Case, Check, Quantity};
+use crate::scene::{Circle, Component, Face, Grading, Load, Material, PlaneHypothesis, Scene, Sector, Shape};
 use crate::solve::Formulation;
 
 /// Pin and connecting rod (paper, example b); every number of the scene is here.
@@ -38,7 +33,7 @@ pub struct PinRod {
 
 impl Default for PinRod {
     fn default() -> Self {
-        let steel = Material { young: 210e3, poisson: 0.3 };
+        let steel = Material::STEEL;
         Self {
             pin_radius: 10.0,
             clearance: 0.05,
@@ -58,41 +53,25 @@ impl Default for PinRod {
 impl PinRod {
     /// The scene: half by symmetry, pin fixed on its horizontal diameter, rod pulled upwards by a rigid end face.
     pub fn scene(&self) -> Scene {
-        let pin = Body {
-            density: 1.0,
-            name: "pin".into(),
-            shape: Shape::Disc {
-                centre: [0.0, 0.0],
-                radius: self.pin_radius,
-                sector: Sector::Quarter,
-                contact: Face::Bottom,
-            },
-            material: self.pin,
-            supports: vec![
-                symmetry("axis"),
-                Support { at: Place::Boundary("cut".into()), component: Component::Y, value: 0.0 },
-            ],
-            loads: vec![],
+        let (centre, radius) = ([0.0, 0.0], self.pin_radius);
+        let disc = Shape::Disc { centre, radius, sector: Sector::Quarter, contact: Face::Bottom };
+        let eye = Shape::Eye {
+            pole: centre,
+            hole: Circle { centre: [0.0, self.clearance], radius: radius + self.clearance },
+            outer_radius: self.eye_outer_radius,
+            shank_half_width: 0.5 * self.shank_width,
+            shank_end: self.shank_end,
         };
-        let rod = Body {
-            density: 1.0,
-            name: "rod".into(),
-            shape: Shape::Eye {
-                pole: [0.0, 0.0],
-                hole: Circle { centre: [0.0, self.clearance], radius: self.pin_radius + self.clearance },
-                outer_radius: self.eye_outer_radius,
-                shank_half_width: 0.5 * self.shank_width,
-                shank_end: self.shank_end,
-            },
-            material: self.rod,
-            supports: vec![symmetry("axis")],
-            loads: vec![Load::RigidFace { boundary: "end".into(), component: Component::Y, force: 0.5 * self.force }],
-        };
+        let pull = Load::RigidFace { boundary: "end".into(), component: Component::Y, force: 0.5 * self.force };
+        let held = vec![symmetry("axis"), fixed("cut", Component::Y, 0.0)];
         Scene {
             name: "pin-rod".into(),
             plane: PlaneHypothesis::Stress,
             thickness: self.thickness,
-            bodies: vec![pin, rod],
+            bodies: vec![
+                body("pin", disc, self.pin, held, vec![]),
+                body("rod", eye, self.rod, vec![symmetry("axis")], vec![pull]),
+            ],
             contacts: vec![hole_contact(self.pin_radius, self.clearance, self.stretch)],
             reference: pin_reference(
                 self.force / self.thickness,
@@ -103,9 +82,7 @@ impl PinRod {
             grading: Grading { unit: self.unit, along: 1.7, depth: 1.6, first: 1.0, coarsest: 0.3, end: 1.0 },
         }
     }
-}
 
-impl PinRod {
     /// The case; there is no closed form.
     pub fn case(&self) -> Case {
         Case { source: SOURCE.into(), ..Case::of("pin-rod", TITLE, self.scene(), 32) }

@@ -1,16 +1,11 @@
 //! Press fit of two rings.
 use std::f64::consts::FRAC_PI_2;
-use std::sync::Arc;
 
-use crate::case::check::Against;
-use crate::case::check::Check;
-use crate::case::definition::Case;
-use crate::case::library::shared::symmetry;
-use crate::case::quantity::Quantity;
+use crate::case::library::shared::{body, even, fixed, symmetry};
+use crate::case::{Against, Case, Check, Quantity};
 use crate::oracle::analytic::lame;
 use crate::scene::{
-    Body, Circle, Component, ContactPair, Face, Grading, Material, Path, Place, PlaneHypothesis, Profile,
-    ReferenceValues, Scene, Shape, Support,
+    Circle, Component, ContactPair, Face, Material, Path, PlaneHypothesis, Profile, ReferenceValues, Scene, Shape,
 };
 use crate::solve::{Element, Formulation, Iteration};
 
@@ -38,7 +33,7 @@ impl Default for PressFit {
             interface: 40.0,
             outer: 70.0,
             interference: 0.02,
-            materials: [Material { young: 210e3, poisson: 0.3 }, Material { young: 70e3, poisson: 0.33 }],
+            materials: [Material::STEEL, Material { young: 70e3, poisson: 0.33 }],
             plane: PlaneHypothesis::Stress,
         }
     }
@@ -48,22 +43,10 @@ impl PressFit {
     /// The scene: a quarter by symmetry, no load but the interference `δ`; `p_ref = E*δ/b`, so that `g_ref = δ`.
     pub fn scene(&self) -> Scene {
         let circle = |radius| Circle { centre: [0.0, 0.0], radius };
-        let ring = |name: &str, inner, outer, contact, material| Body {
-            density: 1.0,
-            name: name.into(),
-            shape: Shape::Ring {
-                pole: [0.0, 0.0],
-                inner: circle(inner),
-                outer: circle(outer),
-                sweep: FRAC_PI_2,
-                contact,
-            },
-            material,
-            supports: vec![
-                symmetry("start"),
-                Support { at: Place::Boundary("end".into()), component: Component::Y, value: 0.0 },
-            ],
-            loads: vec![],
+        let ring = |name, inner, outer, contact, material| {
+            let [inner, outer] = [inner, outer].map(circle);
+            let shape = Shape::Ring { pole: [0.0, 0.0], inner, outer, sweep: FRAC_PI_2, contact };
+            body(name, shape, material, vec![symmetry("start"), fixed("end", Component::Y, 0.0)], vec![])
         };
         let [inner, outer] = self.materials;
         let compliance: f64 = self.materials.iter().map(|m| 1.0 / m.plane_modulus(self.plane)).sum();
@@ -83,19 +66,10 @@ impl PressFit {
                 FRAC_PI_2,
             )],
             reference: ReferenceValues { length: self.interface, pressure, gap: self.interference },
-            grading: Grading {
-                unit: self.interface * FRAC_PI_2,
-                along: 1.0,
-                depth: 1.0,
-                first: 1.0,
-                coarsest: 1.0,
-                end: 1.0,
-            },
+            grading: even(self.interface * FRAC_PI_2),
         }
     }
-}
 
-impl PressFit {
     /// The case, with Lamé's solution.
     pub fn case(&self) -> Case {
         let [inner, outer] = self.materials.map(|m| lame::RingMaterial { young: m.young, poisson: m.poisson });
@@ -108,7 +82,7 @@ impl PressFit {
             outer,
             plane: self.plane.into(),
         };
-        Case { oracles: vec![Some(Arc::new(oracle))], ..Case::of("press-fit", TITLE, self.scene(), 32) }
+        Case::of("press-fit", TITLE, self.scene(), 32).against(oracle)
     }
 }
 

@@ -1,7 +1,6 @@
 //! What several scenes of the library share.
 
-use crate::case::check::{Against, Check};
-use crate::case::quantity::Quantity;
+use crate::case::{Against, Check, Quantity};
 use crate::scene::{
     Body, Circle, Component, ContactPair, Face, Grading, Load, Material, Path, Place, Profile, ReferenceValues, Shape,
     Support,
@@ -10,9 +9,19 @@ use crate::scene::{
 /// Length of arc that holds `N` elements of the candidate stretch on pins \[mm\].
 pub const ARC_UNIT: f64 = 10.0;
 
+/// A component prescribed on a named boundary \[mm\].
+pub(super) fn fixed(boundary: &'static str, component: Component, value: f64) -> Support {
+    Support { at: Place::Boundary(boundary.into()), component, value }
+}
+
 /// Symmetry about x = 0 on a named boundary.
 pub(super) fn symmetry(boundary: &'static str) -> Support {
-    Support { at: Place::Boundary(boundary.into()), component: Component::X, value: 0.0 }
+    fixed(boundary, Component::X, 0.0)
+}
+
+/// A body whose elements on the contact are as large as those of the other one.
+pub(super) fn body(name: &str, shape: Shape, material: Material, supports: Vec<Support>, loads: Vec<Load>) -> Body {
+    Body { name: name.into(), shape, material, density: 1.0, supports, loads }
 }
 
 /// A rectangle with symmetry about x = 0.
@@ -26,12 +35,12 @@ pub(super) fn block(
     loads: Vec<Load>,
 ) -> Body {
     supports.push(symmetry("left"));
-    Body { name: name.into(), shape: Shape::Rectangle { x, y, contact }, material, density: 1.0, supports, loads }
+    body(name, Shape::Rectangle { x, y, contact }, material, supports, loads)
 }
 
 /// Prescribed vertical displacement of the side opposite to the contact.
-pub(super) fn fixed(value: f64) -> Support {
-    Support { at: Place::Boundary("far".into()), component: Component::Y, value }
+pub(super) fn moved(value: f64) -> Support {
+    fixed("far", Component::Y, value)
 }
 
 /// Contact of flat sides across a uniform gap.

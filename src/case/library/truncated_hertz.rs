@@ -2,15 +2,11 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use crate::case::check::Against;
-use crate::case::check::Check;
-use crate::case::definition::Case;
-use crate::case::library::shared::{ENGINEERING, hertz_checks, symmetry};
-use crate::case::quantity::Quantity;
+use crate::case::library::shared::{ENGINEERING, block, hertz_checks};
+use crate::case::{Against, Case, Check, Quantity};
 use crate::oracle::analytic::hertz::Hertz;
 use crate::scene::{
-    Body, ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, ReferenceValues, Scene, Shape,
-    StressField,
+    ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, ReferenceValues, Scene, StressField,
 };
 use crate::solve::Formulation;
 
@@ -66,18 +62,12 @@ impl TruncatedHertz {
         let a = self.half_width();
         let side = self.size * a;
         let field = |boundary: &'static str| Load::Stress { boundary: boundary.into(), field: half_space.clone() };
+        let loads = vec![field("right"), field("far")];
         Scene {
             name: "truncated-hertz".into(),
             plane: PlaneHypothesis::Strain,
             thickness: 1.0,
-            bodies: vec![Body {
-                density: 1.0,
-                name: "block".into(),
-                shape: Shape::Rectangle { x: [0.0, side], y: [0.0, side], contact: Face::Bottom },
-                material: self.material(),
-                supports: vec![symmetry("left")],
-                loads: vec![field("right"), field("far")],
-            }],
+            bodies: vec![block("block", [0.0, side], [0.0, side], Face::Bottom, self.material(), vec![], loads)],
             contacts: vec![ContactPair::new(
                 None,
                 Path::HORIZONTAL,
@@ -88,9 +78,7 @@ impl TruncatedHertz {
             grading: Grading { unit: a, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
         }
     }
-}
 
-impl TruncatedHertz {
     /// The closed form, whose stresses are also the load.
     pub fn closed_form(&self) -> Hertz {
         let modulus = self.young / (1.0 - self.poisson * self.poisson);
@@ -99,10 +87,7 @@ impl TruncatedHertz {
 
     /// The case, with Hertz's solution.
     pub fn case(&self) -> Case {
-        Case {
-            oracles: vec![Some(Arc::new(self.closed_form()))],
-            ..Case::of("truncated-hertz", TITLE, self.scene(), 8)
-        }
+        Case::of("truncated-hertz", TITLE, self.scene(), 8).against(self.closed_form())
     }
 }
 

@@ -6,14 +6,11 @@ mod words;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use toml::Spanned;
-
-use crate::case::file::Source;
-use crate::case::file::tables::GmshTable;
-use crate::case::file::units::Units;
+use crate::case::file::source::Source;
+use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
 use crate::scene::{BoundaryName, GivenMesh, Shape};
@@ -29,18 +26,24 @@ const SUBDIVISION: &str =
 /// Node tags of a side in ascending order.
 type SideKey = [u64; 2];
 
+/// Where the mesh that a body is read from lies: its file is given from the folder of the scene file.
+pub fn path(table: Value) -> PathBuf {
+    table.source.file.parent().unwrap_or(Path::new("")).join(table.at("file").text())
+}
+
 /// The physical surface of a mesh file as a body.
-pub fn shape(source: Source, units: &Units, table: &GmshTable) -> Result<Shape, Error> {
-    let path = table.path(source.file);
-    let text = text(source, &path, &table.file)?;
+pub fn shape(table: Value) -> Result<Shape, Error> {
+    let [group, side] = ["group", "contact"].map(|key| table.at(key));
+    let path = path(table);
+    let text = text(table.at("file"), &path)?;
     let gmsh = Gmsh::parse(Source { file: &path, text: &text })?;
-    let (cells, turned) = cells(source, table, &gmsh)?;
+    let (cells, turned) = cells(group, &gmsh)?;
     let sides = sides(&cells);
     let mut numbers = HashMap::new();
     let mut points = Vec::new();
     let mut number = |tag: u64| -> usize {
         *numbers.entry(tag).or_insert_with(|| {
-            points.push(gmsh.nodes.get(&tag).copied().unwrap_or([f64::NAN; 2]).map(|x| units.length * x));
+            points.push(gmsh.nodes.get(&tag).copied().unwrap_or([f64::NAN; 2]).map(|x| table.units.length * x));
             points.len() - 1
         })
     };
@@ -62,18 +65,18 @@ pub fn shape(source: Source, units: &Units, table: &GmshTable) -> Result<Shape, 
             boundaries.insert(name.clone().into(), edges);
         }
     }
-    if table.contact.get_ref() != CONTACT && boundaries.contains_key(CONTACT) {
+    if side.text() != CONTACT && boundaries.contains_key(CONTACT) {
         let remedy = "rename that group: the boundary given as `contact` takes this name";
-        return Err(source.refused(table.contact.span(), "another physical curve is called `contact`", remedy));
+        return Err(side.refused("another physical curve is called `contact`", remedy));
     }
     let known: Vec<&str> = boundaries.keys().map(AsRef::as_ref).collect();
-    let Some(contact) = boundaries.get(table.contact.get_ref().as_str()) else {
-        let message = format!("no physical curve `{}` bounds `{}`", table.contact.get_ref(), table.group.get_ref());
-        return Err(source.refused(table.contact.span(), message, known_names(&known)));
+    let Some(contact) = boundaries.get(side.text()) else {
+        let message = format!("no physical curve `{}` bounds `{}`", side.text(), group.text());
+        return Err(side.refused(message, known_names(&known)));
     };
-    if inner.contains(table.contact.get_ref().as_str()) {
-        let message = format!("the curve `{}` runs inside `{}`", table.contact.get_ref(), table.group.get_ref());
-        return Err(source.refused(table.contact.span(), message, "name a curve on the outline of the body"));
+    if inner.contains(side.text()) {
+        let message = format!("the curve `{}` runs inside `{}`", side.text(), group.text());
+        return Err(side.refused(message, "name a curve on the outline of the body"));
     }
     let contact = contact.clone();
     boundaries.insert(CONTACT.into(), contact);
@@ -88,10 +91,10 @@ fn known_names(known: &[&str]) -> String {
     format!("known: {}", known.join(", "))
 }
 
-fn text(source: Source, path: &Path, name: &Spanned<String>) -> Result<String, Error> {
+fn text(name: Value, path: &Path) -> Result<String, Error> {
     let refused = |reason: String| {
         let remedy = "give the file as seen from the folder of the scene file; save it as version 4.1, ASCII";
-        source.refused(name.span(), format!("`{}` cannot be read: {reason}", path.display()), remedy)
+        name.refused(format!("`{}` cannot be read: {reason}", path.display()), remedy)
     };
     let failed = |error: std::io::Error| refused(error.to_string());
     if !std::fs::metadata(path).map_err(failed)?.is_file() {
@@ -108,26 +111,25 @@ fn text(source: Source, path: &Path, name: &Spanned<String>) -> Result<String, E
 
 /// Cells of the physical surface, counter-clockwise, and how many were turned: Gmsh lists cells clockwise where their surface is
 /// turned over.
-fn cells(source: Source, table: &GmshTable, gmsh: &Gmsh) -> Result<(Vec<Vec<u64>>, usize), Error> {
-    let name = &table.group;
-    let Some(blocks) = gmsh.surfaces.get(name.get_ref()) else {
+fn cells(name: Value, gmsh: &Gmsh) -> Result<(Vec<Vec<u64>>, usize), Error> {
+    let Some(blocks) = gmsh.surfaces.get(name.text()) else {
         let known: Vec<&str> = gmsh.surfaces.keys().map(String::as_str).collect();
-        let message = format!("there is no physical surface `{}`", name.get_ref());
-        return Err(source.refused(name.span(), message, known_names(&known)));
+        let message = format!("there is no physical surface `{}`", name.text());
+        return Err(name.refused(message, known_names(&known)));
     };
     let pieces = || blocks.iter().flat_map(|block| block.iter());
-    let refused = |message: String, remedy: &str| Err(source.refused(name.span(), message, remedy));
+    let refused = |message: String, remedy: &str| Err(name.refused(message, remedy));
     let other = |piece: &&Piece| ![4, 8].contains(&piece.nodes.len());
     if let Some(piece) = pieces().find(|piece| piece.is_triangular) {
-        let message = format!("cell {} of `{}` is a triangle, no quadrilateral", piece.tag, name.get_ref());
+        let message = format!("cell {} of `{}` is a triangle, no quadrilateral", piece.tag, name.text());
         return refused(message, SUBDIVISION);
     }
     if let Some(piece) = pieces().find(other) {
-        let message = format!("cell {} of `{}` is no quadrilateral of 4 or 8 nodes", piece.tag, name.get_ref());
+        let message = format!("cell {} of `{}` is no quadrilateral of 4 or 8 nodes", piece.tag, name.text());
         return refused(message, OPTIONS);
     }
     let Some(first) = pieces().next() else {
-        return refused(format!("the physical surface `{}` has no cells", name.get_ref()), OPTIONS);
+        return refused(format!("the physical surface `{}` has no cells", name.text()), OPTIONS);
     };
     if let Some(piece) = pieces().find(|piece| piece.nodes.len() != first.nodes.len()) {
         let message =
@@ -139,7 +141,7 @@ fn cells(source: Source, table: &GmshTable, gmsh: &Gmsh) -> Result<(Vec<Vec<u64>
         (0..4).map(|k| at(k)[0] * at(k + 1)[1] - at(k + 1)[0] * at(k)[1]).sum::<f64>()
     };
     if let Some(piece) = pieces().find(|piece| area(piece).is_nan() || area(piece) == 0.0) {
-        return refused(format!("cell {} of `{}` is degenerate", piece.tag, name.get_ref()), "repair the mesh");
+        return refused(format!("cell {} of `{}` is degenerate", piece.tag, name.text()), "repair the mesh");
     }
     let clockwise = |piece: &Piece| area(piece) < 0.0;
     let counter_clockwise = |piece: &Piece| match (clockwise(piece), piece.nodes.len()) {
@@ -153,7 +155,7 @@ fn cells(source: Source, table: &GmshTable, gmsh: &Gmsh) -> Result<(Vec<Vec<u64>
     for (piece, cell) in pieces().zip(&cells) {
         for k in 0..4 {
             if let Some(other) = along.insert([cell[k], cell[(k + 1) % 4]], piece.tag) {
-                let message = format!("cells {other} and {} of `{}` lie over one another", piece.tag, name.get_ref());
+                let message = format!("cells {other} and {} of `{}` lie over one another", piece.tag, name.text());
                 return refused(message, "repair the mesh: it is folded");
             }
         }

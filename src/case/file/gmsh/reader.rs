@@ -5,7 +5,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
-use crate::case::file::Source;
+use crate::case::file::source::Source;
 use crate::error::Error;
 
 use super::words::{Words, shown};
@@ -111,15 +111,15 @@ impl Gmsh {
             let kind: u64 = words.number("an element type")?;
             if dimension == 3 {
                 let message = format!("elements of Gmsh's type {kind} are solids");
-                return Err(words.source.refused(begin..words.at, message, PLANE));
+                return Err(words.refused(begin, message, PLANE));
             }
             let Some((_, count, corners)) = TYPES.iter().find(|(known, ..)| *known == kind).copied() else {
                 let message = format!("elements of Gmsh's type {kind} are not read");
-                return Err(words.source.refused(begin..words.at, message, OPTIONS));
+                return Err(words.refused(begin, message, OPTIONS));
             };
             if dimension != (corners - 1).min(2) {
                 let message = format!("elements of Gmsh's type {kind} stand in an entity of dimension {dimension}");
-                return Err(words.source.refused(begin..words.at, message, "save the mesh again"));
+                return Err(words.refused(begin, message, "save the mesh again"));
             }
             let elements: u64 = words.number("a number of elements")?;
             let mut pieces = Vec::new();
@@ -129,11 +129,7 @@ impl Gmsh {
                 let nodes = (0..count).map(|_| words.number("a node tag")).collect::<Result<Vec<u64>, Error>>()?;
                 if let Some(missing) = nodes.iter().find(|node| !self.nodes.contains_key(node)) {
                     let message = format!("element {tag} names node {missing}, which does not exist");
-                    return Err(words.source.refused(
-                        begin..words.at,
-                        message,
-                        "save the mesh again, with its nodes first",
-                    ));
+                    return Err(words.refused(begin, message, "save the mesh again, with its nodes first"));
                 }
                 pieces.push(Piece { tag, nodes, is_triangular: corners == 3 });
             }
@@ -163,7 +159,7 @@ fn refuse_format(words: &mut Words) -> Result<(), Error> {
     }
     let found = if kind == 0.0 { format!("version {version}") } else { "a binary file".into() };
     let remedy = "save it as version 4.1, ASCII: Mesh.MshFileVersion = 4.1, Mesh.Binary = 0";
-    Err(words.source.refused(begin..words.at, format!("the mesh is {found}"), remedy))
+    Err(words.refused(begin, format!("the mesh is {found}"), remedy))
 }
 
 /// `dimension tag "name"`, one a line.
@@ -210,7 +206,7 @@ fn entities(words: &mut Words) -> Result<Groups, Error> {
                 if own.len() > MOST_GROUPS {
                     let message = format!("entity {tag} belongs to more than {MOST_GROUPS} physical groups");
                     let remedy = format!("give every curve and surface at most {MOST_GROUPS}, and list it once");
-                    return Err(words.source.refused(begin..words.at, message, remedy));
+                    return Err(words.refused(begin, message, remedy));
                 }
             }
             if dimension > 0 {
@@ -248,11 +244,11 @@ fn nodes(words: &mut Words) -> Result<HashMap<u64, [f64; 2]>, Error> {
             }
             if z.abs() > 1e-9 * (1.0 + x.abs().max(y.abs())) {
                 let message = format!("node {tag} lies at z = {z}");
-                return Err(words.source.refused(begin..words.at, message, PLANE));
+                return Err(words.refused(begin, message, PLANE));
             }
             if nodes.insert(tag, [x, y]).is_some() {
                 let message = format!("node {tag} stands twice");
-                return Err(words.source.refused(begin..words.at, message, "save the mesh again"));
+                return Err(words.refused(begin, message, "save the mesh again"));
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::case::file::Source;
+use crate::case::file::source::Source;
 use crate::error::Error;
 
 /// Words of the file with their places.
@@ -30,6 +30,11 @@ impl<'a> Words<'a> {
         self.at
     }
 
+    /// Something wrong with what has been read since a place.
+    pub fn refused(&self, begin: usize, message: String, remedy: impl Into<String>) -> Error {
+        self.source.refused(begin..self.at, message, remedy)
+    }
+
     /// The next word as a number.
     pub fn number<T: std::str::FromStr>(&mut self, what: &str) -> Result<T, Error> {
         let remedy = "save it again as version 4.1, ASCII (Mesh.MshFileVersion = 4.1, Mesh.Binary = 0)";
@@ -48,7 +53,7 @@ impl<'a> Words<'a> {
         if value.is_finite() && value.abs() <= 1e13 {
             return Ok(value);
         }
-        Err(self.source.refused(begin..self.at, format!("{what} is {value}"), "repair the mesh"))
+        Err(self.refused(begin, format!("{what} is {value}"), "repair the mesh"))
     }
 
     /// The rest of the line.
@@ -68,11 +73,10 @@ impl<'a> Words<'a> {
                 self.at += k + end.len();
                 Ok(())
             }
-            None => Err(self.source.refused(
-                place,
-                format!("`{}` has no end", shown(name)),
-                "the file is cut: save it again",
-            )),
+            None => {
+                let message = format!("`{}` has no end", shown(name));
+                Err(self.source.refused(place, message, "the file is cut: save it again"))
+            }
         }
     }
 }
