@@ -9,7 +9,7 @@ use crate::report::links::to_page as link;
 use crate::report::statements::found::Findings;
 use crate::report::{checks_page, told};
 use crate::study::drawn::picture;
-use crate::study::{Finding, Numbers, Room, measured, promised};
+use crate::study::{Finding, Numbers, measured, promised};
 
 /// What a check of each kind can show.
 const SHOWS: [(ReferenceKind, &str, &str); 4] = [

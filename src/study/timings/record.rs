@@ -81,17 +81,32 @@ impl Record {
         let [one, two] = files();
         let text = std::fs::read_to_string(&one).map_err(|_| Error::missing_file(&one, RENEW))?;
         let measured = serde_json::from_str(&text).map_err(|error| Error::unreadable(&one, error, RENEW))?;
-        Ok(Self { measured, points: records::read(&two, RENEW)? })
+        Ok(Self { measured, points: records::read(&two, &records::named(POINTS), RENEW)? })
     }
 
     /// Writes both files.
     pub fn write(&self) -> Result<(), Error> {
         let [one, two] = files();
         let text = serde_json::to_string_pretty(&self.measured).map_err(|error| Error::unwritable(&one, error))?;
-        records::write(&two, &self.points)?;
+        records::write(&two, &records::named(POINTS), &self.points)?;
         std::fs::write(&one, text + "\n").map_err(|error| Error::unwritable(&one, error))
     }
 }
+
+/// Columns of the points, the fields of [`Point`].
+const POINTS: [&str; 11] = [
+    "series",
+    "mesh",
+    "formulation",
+    "dofs",
+    "operations",
+    "converged",
+    "seconds",
+    "peak",
+    "peak_worst",
+    "half_width",
+    "half_width_worst",
+];
 
 /// The two files.
 fn files() -> [PathBuf; 2] {
