@@ -9,8 +9,9 @@
 //! * [`report`] — the page.
 //! * [`cli`] — what the user types.
 //!
-//! Beside them stand [`checkout`], where the project's files are, and [`figure`] and [`markdown`], how results are drawn and written.
+//! Beside them stand [`checkout`], where the project's files are, the crate [`drawing`], and [`markdown`], how results are drawn and written.
 
+pub use drawing;
 use signorini::named;
 pub use signorini::{
     accuracy, algorithm, clock, condensation, contact, elasticity, error, measure, mesh, scene, solution, solve,
@@ -20,7 +21,6 @@ pub use signorini::{
 pub mod case;
 pub mod checkout;
 pub mod cli;
-pub mod figure;
 pub mod markdown;
 pub mod oracle;
 pub mod referee;

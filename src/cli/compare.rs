@@ -11,12 +11,13 @@ use crate::cli::outputs::{self, Output, STDOUT};
 use crate::cli::terminal::{say, table};
 use crate::cli::{choice, json};
 use crate::clock::Stage;
+use crate::drawing;
 use crate::error::{Error, meant};
-use crate::figure::{self, Theme};
 use crate::markdown;
 use crate::report::pictures;
 use crate::solution::Outcome;
 use crate::solve::{Element, Formulation, Iteration, Run};
+use crate::study::drawn::on_light;
 
 /// Arguments of `compare`.
 #[derive(Debug, Args)]
@@ -61,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
         print(&compared);
     }
     let drawn = arguments.plot.as_ref().filter(|_| !runs.is_empty());
-    let drawing = drawn.map(|_| pictures::compare::drawing(&compared.case, &runs)).transpose()?;
+    let drawing = drawn.map(|_| pictures::compare::drawing(&compared.case, &runs));
     let document = Answer::Compared(Box::new(compared)).document();
     match &arguments.json {
         Some(_) if to_stdout => say(document),
@@ -69,7 +70,7 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
         None => {}
     }
     if let (Some(path), Some(drawing)) = (&arguments.plot, drawing) {
-        std::fs::write(path, drawing.svg(Theme::Light)).map_err(|error| Error::unwritable(path, error))?;
+        std::fs::write(path, on_light(&drawing)?).map_err(|error| Error::unwritable(path, error))?;
     }
     Ok(ended)
 }
@@ -157,7 +158,7 @@ impl Arguments {
         outputs::refuse_plot("compare", &self.plot)?;
         let files = [
             Output::of("--json", &self.json, json::is_comparison),
-            Output::of("--plot", &self.plot, figure::is_drawing),
+            Output::of("--plot", &self.plot, drawing::is_drawing),
         ];
         outputs::refuse("compare", files, &case.read_files(), self.force)
     }

@@ -1,7 +1,7 @@
 //! What was handed in, drawn on the truth, and the differences beside it.
 
-use crate::figure::palette::{INK, LINE};
-use crate::figure::{Axis, Chart, Dash, Marker, Series, Sheet, Style};
+use crate::drawing::palette::{INK, LINE};
+use crate::drawing::{Axis, Chart, Dash, Marker, Series, Sheet, Style};
 use crate::measure::display_factor;
 use crate::referee::answer::Answer;
 use crate::referee::profile::Profile;

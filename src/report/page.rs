@@ -1,11 +1,11 @@
 //! The whole report: the front page, a page a case and a study, charts and benchmark sheets.
 
+use crate::drawing::schematic;
 use crate::error::Error;
-use crate::figure::schematic;
 use crate::report::links::{CHARTS, PAGES};
 use crate::report::{case_page, checks_page, front, paper_page, record, study_page, symbols};
 use crate::study::references::{self, Sheet};
-use crate::study::{Finding, Numbers, Room};
+use crate::study::{Finding, Numbers, Room, drawn};
 
 /// The front page and all that is behind it.
 #[derive(Clone, Debug)]
@@ -24,13 +24,13 @@ pub struct Page {
 
 /// Makes the report from the findings of the whole suite.
 pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
-    let mut charts = [
-        schematic("contact problem", include_str!("pictures/contact-problem.svg"), &[])?.files("contact-problem.svg"),
-        schematic("contact elements", include_str!("pictures/contact-elements.svg"), &[])?
-            .files("contact-elements.svg"),
-    ]
-    .concat();
-    charts.extend(front::nearness::chart(findings)?.files(front::nearness::CHART[0]));
+    let problem = schematic("contact problem", include_str!("pictures/contact-problem.svg"), &[]);
+    let elements = schematic("contact elements", include_str!("pictures/contact-elements.svg"), &[]);
+    let mut charts = drawn::written(&[
+        ("contact-problem.svg".into(), problem),
+        ("contact-elements.svg".into(), elements),
+        (front::nearness::CHART[0].into(), front::nearness::chart(findings)),
+    ])?;
     for room in Room::ALL {
         charts.extend(room.pictures(findings)?);
     }

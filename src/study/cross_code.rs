@@ -6,11 +6,11 @@ use serde::Serialize;
 use crate::algorithm::StiffnessRule;
 use crate::case::{Check, Judged, Quantity, Reference, Verdict, library};
 use crate::contact::Quadrature;
+use crate::drawing::Drawing;
 use crate::elasticity::Dofs;
 use crate::error::Error;
 #[cfg(feature = "python")]
 use crate::error::Kind;
-use crate::figure::Drawing;
 use crate::markdown;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::ReferenceKind;

@@ -1,9 +1,25 @@
 //! How formulations are drawn everywhere: colour = element, dash = algorithm; and what a page's picture is called.
 
 use crate::algorithm::Acceleration;
-use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Series, Theme};
+use crate::drawing::palette::{self, Dash, Marker, Style};
+use crate::drawing::{self, Drawing, Series, Theme};
+use crate::error::Error;
 use crate::solve::{Formulation, Iteration};
+
+/// Files of figures by their names, for light and for dark pages.
+pub fn written(figures: &[(String, Drawing)]) -> Result<Vec<(String, String)>, Error> {
+    let files = figures.iter().map(|(name, figure)| figure.files(name).map_err(undrawn));
+    Ok(files.collect::<Result<Vec<_>, _>>()?.concat())
+}
+
+/// The SVG of a figure for light pages.
+pub fn on_light(figure: &Drawing) -> Result<String, Error> {
+    figure.svg(Theme::Light).map_err(undrawn)
+}
+
+fn undrawn(drawing::Error { figure, reason, remedy }: drawing::Error) -> Error {
+    Error::at(format!("figure `{figure}`").as_str(), reason, remedy)
+}
 
 /// Points of a curve, and the abscissae of runs that did not converge.
 #[derive(Clone, Debug, Default, serde::Serialize)]

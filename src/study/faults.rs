@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::case::{Check, Judged, Quantity};
 use crate::checkout::root;
+use crate::drawing::Drawing;
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::study::about::About;
@@ -172,6 +173,6 @@ fn example(fault: &Fault) -> String {
 }
 
 /// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
     Ok(Vec::new())
 }

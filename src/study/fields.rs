@@ -4,11 +4,11 @@ use serde::Serialize;
 
 use crate::case::library::{Bars, Cylinder, PinRod};
 use crate::case::{Case, Check, Judged, Quantity, Reference, universal};
-use crate::error::Error;
-use crate::figure::palette::{self, Marker, Style};
-use crate::figure::{
+use crate::drawing::palette::{self, Marker, Style};
+use crate::drawing::{
     self, Axis, Band, Chart, ColourMap, Detail, Direction, Drawing, IterationPaths, Path, State, Window, panels,
 };
+use crate::error::Error;
 use crate::measure;
 use crate::mesh::BodyMesh;
 use crate::solve::{Discretisation, Element, Fields, Formulation, Iteration, Run, shapes};
@@ -302,38 +302,38 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
     for found in findings {
         match found.numbers {
             Numbers::Path(run) => runs.push(&**run),
-            Numbers::Field(field) => charts.push(of_field(field)?),
+            Numbers::Field(field) => charts.push(of_field(field)),
             Numbers::Along(along) => alongs.push(along),
         }
     }
-    charts.push(("figure-15.svg".into(), along_chart(&alongs)?));
-    charts.push(("iteration-paths.svg".into(), paths(&runs)?));
+    charts.push(("figure-15.svg".into(), along_chart(&alongs)));
+    charts.push(("iteration-paths.svg".into(), paths(&runs)));
     Ok(charts)
 }
 
-fn of_field(field: &Field) -> Result<(String, Drawing), Error> {
+fn of_field(field: &Field) -> (String, Drawing) {
     let [length, pressure] = field.reference;
     let stress = match field.scene {
         Shown::Cylinder => {
             let window = Window { x: (0.0, 4.0 * length), y: (-0.1 * length, 3.9 * length) };
-            stress(field, 1.0, pressure, window)?
+            stress(field, 1.0, pressure, window)
         }
         Shown::PinRod => {
             let window = Window { x: (0.0, 1.3 * length), y: (-1.3 * length, 0.0) };
-            stress(field, 20.0, 1.5 * pressure, window)?
+            stress(field, 20.0, 1.5 * pressure, window)
         }
     };
-    Ok((format!("field-{}.svg", field.scene.name()), stress))
+    (format!("field-{}.svg", field.scene.name()), stress)
 }
 
 /// Values are rounded to this fraction of the range, so that round-off cannot move one across the edge of a band.
 const GRAIN: f64 = 1e-6;
 
 /// σ_y up to a largest size, with the contact enlarged.
-fn stress(field: &Field, magnification: f64, largest: f64, zoom: Window) -> Result<Drawing, Error> {
+fn stress(field: &Field, magnification: f64, largest: f64, zoom: Window) -> Drawing {
     let pairs = |list: &[[f64; 2]]| list.iter().map(|&[x, y]| (x, y)).collect();
     let grain = GRAIN * 2.0 * largest;
-    figure::Field {
+    drawing::Field {
         title: format!("{}: σ_y on the deformed mesh", field.scene.name()),
         quantity: "σ_y [MPa]".into(),
         points: pairs(&field.points),
@@ -351,7 +351,7 @@ fn stress(field: &Field, magnification: f64, largest: f64, zoom: Window) -> Resu
 }
 
 /// Hoop stress and normal displacement along the arcs of pin and rod, by every formulation.
-fn along_chart(alongs: &[&Along]) -> Result<Drawing, Error> {
+fn along_chart(alongs: &[&Along]) -> Drawing {
     let chart = |body: usize, quantity: &str, axis: &str, of: fn(&Arc) -> &Vec<[f64; 2]>| {
         let name = alongs.first().map_or("", |along| &along.arcs[body].body);
         let angle = Axis::linear("θ from the load line [°]").over(0.0, 90.0);
@@ -376,7 +376,7 @@ fn along_chart(alongs: &[&Along]) -> Result<Drawing, Error> {
 }
 
 /// The way of each iteration to the solution of two bars closing a gap.
-fn paths(runs: &[&Run]) -> Result<Drawing, Error> {
+fn paths(runs: &[&Run]) -> Drawing {
     let bars = bars();
     let (u, stiffness) = (bars.push * bars.gap, bars.young / (2.0 * bars.length));
     IterationPaths {

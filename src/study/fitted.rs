@@ -8,9 +8,9 @@ use crate::accuracy::{self, Quantity};
 use crate::case::library::{PinPlate, TruncatedHertz};
 use crate::case::{self, Case, Check, Judged, Reference};
 use crate::checkout::root;
+use crate::drawing::palette::{self, Dash, Marker, Style};
+use crate::drawing::{Axis, Chart, Drawing};
 use crate::error::Error;
-use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, Drawing};
 use crate::markdown::{self, Column};
 use crate::measure::{larger, relative_error};
 use crate::mesh::{Order, Resolution};
@@ -332,5 +332,5 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
             chart.series.push(Curve { points, failed: Vec::new() }.drawn(label, style));
         }
     }
-    Ok(vec![(FILE.into(), chart.drawing()?)])
+    Ok(vec![(FILE.into(), chart.drawing())])
 }

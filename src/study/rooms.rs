@@ -62,7 +62,7 @@ macro_rules! rooms {
                 match self {
                     $(Self::$Room => {
                         let drawn = $room::pictures(&rooms!(@found findings, $Room))?;
-                        Ok(drawn.iter().flat_map(|(name, drawing)| drawing.files(name)).collect())
+                        $crate::study::drawn::written(&drawn)
                     })*
                 }
             }

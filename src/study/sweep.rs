@@ -6,9 +6,9 @@ use crate::algorithm::logarithms::STOOD;
 use crate::algorithm::{Acceleration, StiffnessRule, StiffnessUnit};
 use crate::case::library::{Cylinder, PinRod};
 use crate::case::{Case, Check, Judged, Quantity, Reference};
+use crate::drawing::palette::{Dash, Style};
+use crate::drawing::{Axis, Chart, Drawing, panels};
 use crate::error::{Error, Kind};
-use crate::figure::palette::{Dash, Style};
-use crate::figure::{Axis, Chart, Drawing, panels};
 use crate::markdown;
 use crate::measure::larger;
 use crate::mesh::Resolution;
@@ -362,7 +362,7 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
     let sweeps: Vec<&Sweep> = sweeps.collect();
     let panels_of = |scene| Iteration::ALL.map(|algorithm| panel(&sweeps, scene, algorithm));
     let charts: Vec<Chart> = Scene::PAPER.into_iter().flat_map(panels_of).collect();
-    Ok(vec![("iterations-against-stiffness.svg".into(), panels("Iterations against initial stiffness", &charts, 3)?)])
+    Ok(vec![("iterations-against-stiffness.svg".into(), panels("Iterations against initial stiffness", &charts, 3))])
 }
 
 fn panel(sweeps: &[&Sweep], scene: Scene, algorithm: Iteration) -> Chart {

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use contact_vv::figure::colour_map::{CLASSES, ON_CLASSES};
-use contact_vv::figure::palette::{self, CARD, CURVES, Dash, GREY, INK, Marker, WINE};
-use contact_vv::figure::theme::Rgb;
-use contact_vv::figure::{
+use contact_vv::drawing::colour_map::{CLASSES, ON_CLASSES};
+use contact_vv::drawing::palette::{self, CARD, CURVES, Dash, GREY, INK, Marker, WINE};
+use contact_vv::drawing::theme::Rgb;
+use contact_vv::drawing::{
     Axis, Band, Bars, Cell, Chart, ClassMap, Direction, Drawing, Guide, MapPanel, Remark, Ribbon, Series, Style, Theme,
     schematic,
 };
@@ -73,7 +73,7 @@ fn any_two_classes_of_a_map_differ_in_brightness_for_deuteranopes_too() {
 #[test]
 fn text_and_lines_stand_out_on_light_and_dark_cards() {
     for theme in Theme::ALL {
-        let on_card = |colour: contact_vv::figure::Colour| contrast(linear(colour.on(theme)), linear(CARD.on(theme)));
+        let on_card = |colour: contact_vv::drawing::Colour| contrast(linear(colour.on(theme)), linear(CARD.on(theme)));
         for colour in CURVES.into_iter().chain([WINE, INK, GREY]) {
             assert!(on_card(colour) >= 3.0, "{theme:?}: a line {}: {:.2}", colour.on(theme), on_card(colour));
         }
@@ -130,8 +130,7 @@ fn map() -> ClassMap {
 fn drawings() -> Vec<Drawing> {
     let problem = schematic("problem", include_str!("../../src/report/pictures/contact-problem.svg"), &[]);
     let elements = schematic("elements", include_str!("../../src/report/pictures/contact-elements.svg"), &[]);
-    let all = [problem, elements, full().drawing(), map().drawing()];
-    all.map(|drawing| drawing.expect("drawn")).into()
+    vec![problem, elements, full().drawing(), map().drawing()]
 }
 
 /// The value of an attribute in a tag.
@@ -149,7 +148,7 @@ fn colour(text: &str) -> Rgb {
 fn text_and_lines_of_written_charts_stand_out_on_their_card() {
     for (number, drawing) in drawings().iter().enumerate() {
         for theme in Theme::ALL {
-            let (svg, card) = (drawing.svg(theme), CARD.on(theme));
+            let (svg, card) = (drawing.svg(theme).expect("drawn"), CARD.on(theme));
             let tags = || svg.split('<').filter_map(|part| part.split_once('>')).map(|(tag, _)| tag);
             // The numbers on the cells of the map are held against the cells above.
             let cells: BTreeSet<String> = ON_CLASSES.iter().map(|colour| colour.on(theme).to_string()).collect();
@@ -190,7 +189,7 @@ fn shapes(svg: &str) -> String {
 #[test]
 fn light_and_dark_files_hold_the_same_shapes_in_other_colours() {
     for drawing in drawings() {
-        let [(name, light), (dark_name, dark)] = drawing.files("a-chart.svg");
+        let [(name, light), (dark_name, dark)] = drawing.files("a-chart.svg").expect("drawn");
         assert_eq!([name.as_str(), dark_name.as_str()], ["a-chart.svg", "a-chart-dark.svg"]);
         assert_ne!(light, dark);
         assert_eq!(shapes(&light), shapes(&dark));
@@ -200,10 +199,12 @@ fn light_and_dark_files_hold_the_same_shapes_in_other_colours() {
 #[test]
 fn numbers_of_a_schematic_stand_where_it_asks_for_them() {
     let svg = "<svg><text fill=\"#222222\">R = {R} mm</text></svg>";
-    let drawn = schematic("one", svg, &[("R", -0.1 - 0.2)]).expect("drawn");
-    assert_eq!(drawn.svg(Theme::Light), "<svg><text fill=\"#222222\">R = −0.3 mm</text></svg>");
-    assert_eq!(drawn.svg(Theme::Dark), "<svg><text fill=\"#E8E8E5\">R = −0.3 mm</text></svg>");
-    let refused = |svg: &str, numbers: &[(&str, f64)]| schematic("one", svg, numbers).expect_err("refused").to_string();
+    let drawn = |theme| schematic("one", svg, &[("R", -0.1 - 0.2)]).svg(theme).expect("drawn");
+    assert_eq!(drawn(Theme::Light), "<svg><text fill=\"#222222\">R = −0.3 mm</text></svg>");
+    assert_eq!(drawn(Theme::Dark), "<svg><text fill=\"#E8E8E5\">R = −0.3 mm</text></svg>");
+    let refused = |svg: &str, numbers: &[(&str, f64)]| {
+        schematic("one", svg, numbers).svg(Theme::Light).expect_err("refused").to_string()
+    };
     assert!(refused(svg, &[]).contains("`R` has no number"));
     assert!(refused(svg, &[("R", f64::NAN)]).contains("`R` = NaN has no place"));
     assert!(refused(svg, &[("R", 1.0), ("q", 1.0)]).contains("`q` = 1 has no place"));
@@ -212,7 +213,7 @@ fn numbers_of_a_schematic_stand_where_it_asks_for_them() {
 
 #[test]
 fn everything_that_is_drawn_is_in_the_legend() {
-    let svg = full().drawing().expect("drawn").svg(Theme::Light);
+    let svg = full().drawing().svg(Theme::Light).expect("drawn");
     for text in [
         "curve 0",
         "curve 5",
@@ -227,7 +228,7 @@ fn everything_that_is_drawn_is_in_the_legend() {
     ] {
         assert!(svg.contains(&format!("\n{text}\n")), "no `{text}`");
     }
-    let svg = map().drawing().expect("drawn").svg(Theme::Light);
+    let svg = map().drawing().svg(Theme::Light).expect("drawn");
     for text in ["class 0", "class 6", "the boundary", "across [–]", "up", "10⁻⁶"] {
         assert!(svg.contains(&format!("\n{text}\n")), "no `{text}`");
     }

@@ -62,6 +62,6 @@ fn picture_shows_what_was_handed_in_on_the_truth() {
     let apart = pressures.series[0].points[0].1 - peak;
     assert!((differences.series[0].points[0].1 - apart).abs() <= 1e-9 * peak);
     assert!(
-        sheet.drawing().expect("drawn").svg(contact_vv::figure::Theme::Light).contains("Difference from the truth")
+        sheet.drawing().svg(contact_vv::drawing::Theme::Light).expect("drawn").contains("Difference from the truth")
     );
 }

@@ -14,8 +14,8 @@ use crate::cli::ended::Ended;
 use crate::cli::json::{Answer, Line, Refereed};
 use crate::cli::terminal::say;
 use crate::error::Error;
-use crate::figure::Theme;
 use crate::referee::{Truth, Verdicts, picture, read, series, verdicts};
+use crate::study::drawn::on_light;
 
 pub use options::Arguments;
 
@@ -38,7 +38,7 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
         }
     }
     if let (Some(path), [one]) = (&arguments.plot, judged.as_slice()) {
-        let svg = picture::sheet(&truth, &one.answer).drawing()?.svg(Theme::Light);
+        let svg = on_light(&picture::sheet(&truth, &one.answer).drawing())?;
         fs::write(path, svg).map_err(|error| Error::unwritable(path, error))?;
     }
     let mut met = judged.iter().all(Verdicts::met);

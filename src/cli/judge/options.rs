@@ -8,8 +8,8 @@ use crate::accuracy;
 use crate::case::Case;
 use crate::cli::choice::choice;
 use crate::cli::outputs::{self, Output};
+use crate::drawing;
 use crate::error::Error;
-use crate::figure;
 use crate::mesh::Order;
 use crate::referee::Asked;
 use crate::referee::judge::ENGINEERING;
@@ -96,7 +96,7 @@ impl Arguments {
     /// Refuses a drawing that cannot be written, or by which something would be lost.
     pub fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
         let inputs = [self.answers.clone(), case.read_files()].concat();
-        outputs::refuse("judge", [Output::of("--plot", &self.plot, figure::is_drawing)], &inputs, self.force)
+        outputs::refuse("judge", [Output::of("--plot", &self.plot, drawing::is_drawing)], &inputs, self.force)
     }
 
     /// The tolerance asked for.

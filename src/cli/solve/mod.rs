@@ -25,8 +25,8 @@ use crate::cli::outputs::STDOUT;
 use crate::cli::terminal::say;
 use crate::cli::{self, vtu};
 use crate::error::Error;
-use crate::figure::Theme;
 use crate::report::pictures;
+use crate::study::drawn::on_light;
 
 pub use options::Arguments;
 
@@ -112,7 +112,7 @@ fn write_files(arguments: &Arguments, document: &str, found: &Found) -> Result<(
     }
     if let Some(path) = &arguments.plot {
         let sheet = pictures::solve::sheet(problem, discretisation, run)?;
-        files.push((path, sheet.drawing()?.svg(Theme::Light)));
+        files.push((path, on_light(&sheet.drawing())?));
     }
     let mut written = files.into_iter();
     written.try_for_each(|(path, text)| std::fs::write(path, text).map_err(|error| Error::unwritable(path, error)))

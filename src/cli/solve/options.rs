@@ -11,8 +11,8 @@ use crate::cli::choice::{self, choice};
 use crate::cli::outputs::{self, Output, STDOUT};
 use crate::cli::solve::{curve, profile};
 use crate::cli::{json, vtu};
+use crate::drawing;
 use crate::error::Error;
-use crate::figure;
 use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Body;
@@ -244,7 +244,7 @@ impl Arguments {
             Output::of("--csv", &self.csv, profile::is_profile),
             Output::of("--curve", &self.curve, curve::is_curve),
             Output::of("--vtu", &self.vtu, vtu::is_ours),
-            Output::of("--plot", &self.plot, figure::is_drawing),
+            Output::of("--plot", &self.plot, drawing::is_drawing),
         ];
         outputs::refuse("solve", files, &case.read_files(), self.force)
     }

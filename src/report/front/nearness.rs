@@ -1,9 +1,8 @@
 //! How much of their tolerances the checks use, by what they are held against.
 
-use crate::error::Error;
-use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::theme::Colour;
-use crate::figure::{Axis, Chart, Direction, Drawing, Guide, Series};
+use crate::drawing::palette::{self, Dash, Marker, Style};
+use crate::drawing::theme::Colour;
+use crate::drawing::{Axis, Chart, Direction, Drawing, Guide, Series};
 use crate::oracle::ReferenceKind;
 use crate::report::record;
 use crate::study::Finding;
@@ -27,7 +26,7 @@ const CURVES: [(ReferenceKind, Colour, Dash, Marker); 4] = [
 ];
 
 /// A curve for each kind that has checks; a check without an error counts as beyond every share.
-pub fn chart(findings: &[Finding]) -> Result<Drawing, Error> {
+pub fn chart(findings: &[Finding]) -> Drawing {
     let rows = record::rows(findings);
     let [least, most] = RANGE;
     let share = Axis::log("share of the tolerance that is used [–]").over(least, most);

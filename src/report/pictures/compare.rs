@@ -1,12 +1,11 @@
 //! The picture of formulations side by side: the iteration error of each from iteration to iteration.
 
-use crate::error::Error;
-use crate::figure::{Axis, Chart, Direction, Drawing, Guide, Series, panels};
+use crate::drawing::{Axis, Chart, Direction, Drawing, Guide, Series, panels};
 use crate::solve::{Iteration, Run};
 use crate::study::drawn::{label, style};
 
 /// Iteration error against iterations, a panel for each algorithm.
-pub fn drawing(case: &str, runs: &[Run]) -> Result<Drawing, Error> {
+pub fn drawing(case: &str, runs: &[Run]) -> Drawing {
     let charts: Vec<Chart> = Iteration::ALL.into_iter().filter_map(|algorithm| chart(runs, algorithm)).collect();
     panels(&format!("{case}: iteration error of each formulation"), &charts, charts.len().max(1))
 }

@@ -1,7 +1,7 @@
 //! The deformed bodies of one run with their von Mises stress, the contact enlarged where it is small.
 
+use crate::drawing::{ColourMap, Detail, Field, Window};
 use crate::error::Error;
-use crate::figure::{ColourMap, Detail, Field, Window};
 use crate::markdown::significant;
 use crate::solve::{Discretisation, Run, shapes};
 

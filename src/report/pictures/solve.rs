@@ -2,9 +2,9 @@
 
 use super::deformed;
 use crate::case::Case;
+use crate::drawing::palette;
+use crate::drawing::{Axis, Chart, Colour, Dash, Direction, Guide, Marker, Series, Sheet, Style};
 use crate::error::Error;
-use crate::figure::palette;
-use crate::figure::{Axis, Chart, Colour, Dash, Direction, Guide, Marker, Series, Sheet, Style};
 use crate::markdown;
 use crate::measure::display_factor;
 use crate::scene::ContactPair;

@@ -1,9 +1,9 @@
 //! Iterations against initial stiffness with their prediction (Fig. 11).
 
 use crate::algorithm::{Acceleration, StiffnessRule};
+use crate::drawing::palette::{self, Dash, Marker, Style};
+use crate::drawing::{Axis, Chart, Colour, Drawing, Series, panels};
 use crate::error::Error;
-use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, Colour, Drawing, Series, panels};
 use crate::solve::{Element, Iteration};
 use crate::study::Found;
 use crate::study::atlas::chart::Chart as Recorded;
@@ -19,17 +19,17 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
     let mut pictures = Vec::new();
     for chart in findings.iter().map(|found| &found.numbers.chart) {
         if [Plane::Stretch, Plane::Mesh].contains(&chart.plane) {
-            pictures.push((format!("atlas-{}.svg", chart.plane.name()), map(chart)?));
+            pictures.push((format!("atlas-{}.svg", chart.plane.name()), map(chart)));
         }
         if chart.plane == Plane::Stretch {
-            pictures.push(("iterations-predicted.svg".into(), iterations(chart)?));
+            pictures.push(("iterations-predicted.svg".into(), iterations(chart)));
         }
     }
     Ok(pictures)
 }
 
 /// Iterations against initial stiffness, one panel per algorithm and element: measured points over the predicted curve.
-fn iterations(stretch: &Recorded) -> Result<Drawing, Error> {
+fn iterations(stretch: &Recorded) -> Drawing {
     let mut charts = Vec::new();
     for algorithm in Iteration::ALL {
         for element in Element::ALL {

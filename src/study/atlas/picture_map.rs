@@ -1,7 +1,6 @@
 //! Maps of the atlas: how every run of a plane ended, with the error where it stopped off the solution.
 
-use crate::error::Error;
-use crate::figure::{Cell, ClassMap, Drawing, MapPanel};
+use crate::drawing::{Cell, ClassMap, Drawing, MapPanel};
 use crate::solve::{Element, Iteration, Settings};
 use crate::study::atlas::chart::Chart;
 use crate::study::atlas::record::Record;
@@ -18,7 +17,7 @@ const LABELLED: [f64; 7] = [0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
 const TICKS: [(usize, &str); 5] = [(0, "10⁻⁶"), (6, "10⁻³"), (12, "1"), (18, "10³"), (24, "10⁶")];
 
 /// One panel a rule and element, with the predicted boundary.
-pub fn map(plane: &Chart) -> Result<Drawing, Error> {
+pub fn map(plane: &Chart) -> Drawing {
     let on_each = |method: Method| Element::ALL.map(|element| panel(plane, Method { element, ..method }));
     let limit = Settings::default().max_iterations;
     let [quick, ordinary] = QUICK;

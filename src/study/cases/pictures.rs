@@ -2,9 +2,9 @@
 //! formulations, and that of all nine as a band over the reference with their differences to it.
 
 use crate::case::library::{Cylinder, PinRod, cylinder, pin_rod};
+use crate::drawing::palette::{GREY, Style};
+use crate::drawing::{Axis, Band, Chart, Direction, Drawing, Ribbon, Series, panels, schematic};
 use crate::error::Error;
-use crate::figure::palette::{GREY, Style};
-use crate::figure::{Axis, Band, Chart, Direction, Drawing, Ribbon, Series, panels, schematic};
 use crate::measure::display_factor;
 use crate::scene::ReferenceValues;
 use crate::solution::EdgeState;
@@ -29,17 +29,17 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
     };
     let [on_cylinder, on_pin] = [nine(cylinder::NINE), nine(pin_rod::NINE)];
     Ok(vec![
-        ("scene-cylinder.svg".into(), cylinder_scheme()?),
-        ("scene-pin-rod.svg".into(), pin_rod_scheme()?),
-        ("figure-10.svg".into(), figure_10(&on_cylinder).drawing()?),
-        ("pressure-cylinder.svg".into(), all_on_cylinder(&on_cylinder)?),
-        ("figure-14.svg".into(), figure_14(&on_pin).drawing()?),
-        ("pressure-pin-rod.svg".into(), all_on_pin(&on_pin)?),
+        ("scene-cylinder.svg".into(), cylinder_scheme()),
+        ("scene-pin-rod.svg".into(), pin_rod_scheme()),
+        ("figure-10.svg".into(), figure_10(&on_cylinder).drawing()),
+        ("pressure-cylinder.svg".into(), all_on_cylinder(&on_cylinder)),
+        ("figure-14.svg".into(), figure_14(&on_pin).drawing()),
+        ("pressure-pin-rod.svg".into(), all_on_pin(&on_pin)),
     ])
 }
 
 /// The cylinder on its rigid plane with its load and supports (the paper's Fig. 8).
-fn cylinder_scheme() -> Result<Drawing, Error> {
+fn cylinder_scheme() -> Drawing {
     let numbers = Cylinder::default();
     let (a, load) = (numbers.half_width(), numbers.load() / (2.0 * numbers.radius));
     let shown = [("R", numbers.radius), ("a", a), ("L", numbers.stretch * a), ("q", load.round())];
@@ -47,7 +47,7 @@ fn cylinder_scheme() -> Result<Drawing, Error> {
 }
 
 /// The pin in the connecting-rod eye with its load and supports (the paper's Fig. 12).
-fn pin_rod_scheme() -> Result<Drawing, Error> {
+fn pin_rod_scheme() -> Drawing {
     let numbers = PinRod::default();
     let shown = [
         ("R", numbers.pin_radius),
@@ -115,7 +115,7 @@ fn figure_14(runs: &[&Run]) -> Chart {
 }
 
 /// All nine on the cylinder against Hertz.
-fn all_on_cylinder(runs: &[&Run]) -> Result<Drawing, Error> {
+fn all_on_cylinder(runs: &[&Run]) -> Drawing {
     let problem = Cylinder::default().case();
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
     let exact = |x: f64| problem.reference_pressure(x * a) / p0;
@@ -134,7 +134,7 @@ fn all_on_cylinder(runs: &[&Run]) -> Result<Drawing, Error> {
 }
 
 /// All nine on the pin against the formulation that verification uses: there is no closed form.
-fn all_on_pin(runs: &[&Run]) -> Result<Drawing, Error> {
+fn all_on_pin(runs: &[&Run]) -> Drawing {
     let scene = PinRod::default().case().scene;
     let (degrees, scale) = (display_factor(&scene.contact().path), scene.reference.pressure);
     let own = Formulation::verification();

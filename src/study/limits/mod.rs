@@ -15,6 +15,7 @@ mod push;
 mod springs;
 
 use crate::case::Judged;
+use crate::drawing::Drawing;
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::study::about::About;
@@ -81,6 +82,6 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
 }
 
 /// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
     Ok(Vec::new())
 }

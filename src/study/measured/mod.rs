@@ -12,8 +12,8 @@ pub mod photograph;
 use serde::Serialize;
 
 use crate::case::Judged;
+use crate::drawing::Drawing;
 use crate::error::Error;
-use crate::figure::Drawing;
 use crate::oracle::digitised::fringes;
 use crate::study::about::About;
 use crate::study::{Found, Planned};
@@ -85,8 +85,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
 
 /// Of the photograph.
 pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
-    let drawn: Vec<_> = photographs(findings).map(photograph::pictures).collect::<Result<_, _>>()?;
-    Ok(drawn.into_iter().flatten().collect())
+    Ok(photographs(findings).flat_map(photograph::pictures).collect())
 }
 
 fn photographs<'a>(findings: &'a [Found<Numbers>]) -> impl Iterator<Item = &'a Photograph> {

@@ -4,9 +4,9 @@
 use serde::Serialize;
 
 use crate::case::{Check, Judged, Quantity, Reference};
+use crate::drawing::palette::{self, Dash, Marker, Style};
+use crate::drawing::{Axis, Chart, Direction, Drawing, Guide, panels};
 use crate::error::Error;
-use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, Direction, Drawing, Guide, panels};
 use crate::markdown::{self, Column, significant};
 use crate::measure::larger;
 use crate::oracle::ReferenceKind;
@@ -205,11 +205,11 @@ pub fn section(photograph: &Photograph) -> String {
 }
 
 /// Fringes measured and computed, and the root mean square over the half-width.
-pub fn pictures(photograph: &Photograph) -> Result<[(String, Drawing); 2], Error> {
+pub fn pictures(photograph: &Photograph) -> [(String, Drawing); 2] {
     let ends = [(End::Bottom, "bottom, fitted"), (End::Top, "top, predicted")];
     let ends = ends.map(|(end, title)| fringes(photograph, end, title));
-    let fringes = panels("Isochromatics of a disc between two plates", &ends, 2)?;
-    Ok([(FRINGES.into(), fringes), (WIDTH.into(), widths(photograph)?)])
+    let fringes = panels("Isochromatics of a disc between two plates", &ends, 2);
+    [(FRINGES.into(), fringes), (WIDTH.into(), widths(photograph))]
 }
 
 fn fringes(photograph: &Photograph, end: End, title: &str) -> Chart {
@@ -234,7 +234,7 @@ fn fringes(photograph: &Photograph, end: End, title: &str) -> Chart {
     chart
 }
 
-fn widths(photograph: &Photograph) -> Result<Drawing, Error> {
+fn widths(photograph: &Photograph) -> Drawing {
     let title = "Root mean square of the fringe orders at the bottom";
     let mut chart = Chart::new(title, Axis::linear("half-width a / R [–]"), Axis::linear("rms [fringe orders]"));
     let kinds = [("all else held", palette::LINE, Dash::Solid, 1), ("all else fitted", palette::NODE, Dash::Dashed, 2)];

@@ -6,9 +6,9 @@ use crate::accuracy::longest::longest;
 use crate::accuracy::{Quantity, Subject, bars};
 use crate::algorithm::StiffnessRule;
 use crate::case::{self, Check, Judged, Reference};
+use crate::drawing::palette::{self, Dash, Marker, Style};
+use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::error::Error;
-use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, Drawing, Series, panels};
 use crate::markdown;
 use crate::measure::larger;
 use crate::mesh::{Order, Resolution};
@@ -439,10 +439,10 @@ const PER_DECADE: f64 = 4.0;
 const FEWEST: usize = 20;
 
 /// True error against the bar claimed.
-pub(super) fn picture(recorded: &[Record]) -> Result<(String, Drawing), Error> {
+pub(super) fn picture(recorded: &[Record]) -> (String, Drawing) {
     let shown = Kind::ALL.into_iter().filter(|(kind, ..)| SHOWN.contains(kind));
     let shown: Vec<Chart> = shown.map(|(kind, name, _)| panel(name, &meant(recorded, |_, own| own == kind))).collect();
-    Ok(("coverage.svg".into(), panels("True error against the bar claimed", &shown, 3)?))
+    ("coverage.svg".into(), panels("True error against the bar claimed", &shown, 3))
 }
 
 fn panel(name: &str, numbers: &[[f64; 2]]) -> Chart {

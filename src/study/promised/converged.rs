@@ -9,8 +9,8 @@ use crate::case::file::files_in;
 use crate::case::library::{self, NAMES, TruncatedHertz};
 use crate::case::{Case, Check, Judged, Quantity, Reference};
 use crate::checkout::root;
+use crate::drawing::{Axis, Chart, Drawing, panels};
 use crate::error::{Error, Kind};
-use crate::figure::{Axis, Chart, Drawing, panels};
 use crate::markdown;
 use crate::solution::EnergyError;
 use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin, Run, Settings};
@@ -336,7 +336,7 @@ fn percent(share: Option<f64>) -> String {
 }
 
 /// Share of the runs that converge at the default tolerance against the candidate stretch, one panel an algorithm.
-pub(super) fn picture(recorded: &[Record]) -> Result<(String, Drawing), Error> {
+pub(super) fn picture(recorded: &[Record]) -> (String, Drawing) {
     let all = Pairing::all();
     let panel = |algorithm: Iteration| {
         let share_of_runs = Axis::linear("converged [%]").over(0.0, 100.0);
@@ -354,5 +354,5 @@ pub(super) fn picture(recorded: &[Record]) -> Result<(String, Drawing), Error> {
         }
         chart
     };
-    Ok(("converged.svg".into(), panels("Share of the runs that converge", &Iteration::ALL.map(panel), 3)?))
+    ("converged.svg".into(), panels("Share of the runs that converge", &Iteration::ALL.map(panel), 3))
 }

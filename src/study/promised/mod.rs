@@ -16,8 +16,8 @@ pub mod met;
 use serde::Serialize;
 
 use crate::case::Judged;
+use crate::drawing::Drawing;
 use crate::error::Error;
-use crate::figure::Drawing;
 use crate::solution::EnergyError;
 use crate::study::about::About;
 use crate::study::records::Surveyed;
@@ -109,5 +109,5 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
         Numbers::Bars(surveyed) => Some(bars::picture(&surveyed.recorded)),
         _ => None,
     };
-    findings.iter().filter_map(picture).collect()
+    Ok(findings.iter().filter_map(picture).collect())
 }

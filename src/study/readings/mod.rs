@@ -14,8 +14,8 @@ pub mod sentence;
 use serde::Serialize;
 
 use crate::case::{Check, Judged, Quantity, Reference};
+use crate::drawing::Drawing;
 use crate::error::Error;
-use crate::figure::Drawing;
 use crate::markdown::table;
 use crate::study::about::About;
 use crate::study::{Found, Planned};

@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use crate::case::library::PinRod;
 use crate::case::{Check, Judged, Quantity, Reference};
+use crate::drawing::palette::{self, Dash, Marker, Style};
+use crate::drawing::{Axis, Chart, Drawing, panels};
 use crate::error::{Error, Kind};
-use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, Drawing, panels};
 use crate::markdown::{self, Column};
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::Plane;
@@ -229,7 +229,7 @@ pub fn table_of_slopes(slopes: &[Slope]) -> String {
 const ENDS: [f64; 2] = [0.25, 60.0];
 
 /// Pressure and angle over the clearance.
-pub fn chart(all: &[&[Curve]]) -> Result<Drawing, Error> {
+pub fn chart(all: &[&[Curve]]) -> Drawing {
     let chart = |title: &str, axis: &str, of: fn([f64; 2]) -> f64| {
         let clearance = Axis::log("clearance E t c / F [–]").over(ENDS[0], ENDS[1]);
         let mut chart = Chart::new(title, clearance, Axis::linear(axis));

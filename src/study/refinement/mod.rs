@@ -13,8 +13,8 @@ pub mod nested;
 use serde::Serialize;
 
 use crate::case::Judged;
+use crate::drawing::Drawing;
 use crate::error::Error;
-use crate::figure::Drawing;
 use crate::mesh::Order;
 use crate::study::about::About;
 use crate::study::drawn::picture;
@@ -135,5 +135,5 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
     let curves: Vec<&[Curve]> = numbers()
         .filter_map(|one| if let Numbers::Family { curves, .. } = one { Some(curves.as_slice()) } else { None })
         .collect();
-    Ok(vec![(nested::FILE.into(), nested::chart(&orders)?), (family::FILE.into(), family::chart(&curves)?)])
+    Ok(vec![(nested::FILE.into(), nested::chart(&orders)), (family::FILE.into(), family::chart(&curves))])
 }

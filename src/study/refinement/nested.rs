@@ -5,9 +5,9 @@ use serde::Serialize;
 
 use crate::case::library::{PinRod, TruncatedHertz};
 use crate::case::{Check, Judged, Quantity, Reference, covered};
+use crate::drawing::palette::{self, Dash, Marker, Style};
+use crate::drawing::{Axis, Chart, Drawing, Series as Drawn, Slope};
 use crate::error::Error;
-use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, Drawing, Series as Drawn, Slope};
 use crate::markdown::{self, Column};
 use crate::measure::order::{Observed, Richardson, Why, of_changes, pairs, richardson};
 use crate::measure::{larger, profile, relative_error, whole};
@@ -345,7 +345,7 @@ pub const FILE: &str = "orders.svg";
 const APART: f64 = 1.6;
 
 /// Errors of truncated Hertz over the mesh size, beside triangles of the formal orders.
-pub fn chart(all: &[&Series]) -> Result<Drawing, Error> {
+pub fn chart(all: &[&Series]) -> Drawing {
     let mut chart = Chart::new(
         "Truncated Hertz: errors on nested meshes",
         Axis::log("mesh size h / a [–]"),

@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
+use crate::drawing::palette::{self, Dash, Marker, Style};
+use crate::drawing::{Axis, Chart, Drawing};
 use crate::error::Error;
-use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{Axis, Chart, Drawing};
 use crate::markdown::{self, Column};
 use crate::measure::larger;
 use crate::study::Found;
@@ -150,7 +150,7 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
         let name = if first { "first choice" } else { "best setting" };
         chart.series.push(curve.drawn(format!("{}, {name}", code.name()), style(code, first)));
     }
-    Ok(vec![(FILE.into(), chart.drawing()?)])
+    Ok(vec![(FILE.into(), chart.drawing())])
 }
 
 /// Colour = code, sign = setting.

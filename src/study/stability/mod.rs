@@ -11,6 +11,7 @@ pub mod rates;
 pub mod springs;
 
 use crate::case::Judged;
+use crate::drawing::Drawing;
 use crate::error::Error;
 use crate::markdown;
 use crate::solve::{Element, Iteration};
@@ -127,7 +128,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
 }
 
 /// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, crate::figure::Drawing)>, Error> {
+pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
     Ok(Vec::new())
 }
 

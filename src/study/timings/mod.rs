@@ -23,8 +23,8 @@ pub mod statistics;
 pub mod targets;
 pub mod work_precision;
 
+use crate::drawing::Drawing;
 use crate::error::Error;
-use crate::figure::Drawing;
 use crate::study::Found;
 use crate::study::about::About;
 use record::Record;
@@ -45,5 +45,5 @@ pub fn section(_: &[Found<Numbers>]) -> Result<String, Error> {
 
 /// The chart of the committed record.
 pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
-    Ok(vec![("work-precision.svg".into(), work_precision::chart(&Record::read()?)?)])
+    Ok(vec![("work-precision.svg".into(), work_precision::chart(&Record::read()?))])
 }

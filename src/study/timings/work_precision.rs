@@ -1,8 +1,7 @@
 //! The worst error of p₀ and a under all loads against seconds and counted work, with what is cheapest for an error.
 
-use crate::error::Error;
-use crate::figure::palette::{self, Dash, Marker, Style};
-use crate::figure::{self, Axis, Bars, Chart, Colour, Direction, Drawing, Guide, Remark, panels};
+use crate::drawing::palette::{self, Dash, Marker, Style};
+use crate::drawing::{self, Axis, Bars, Chart, Colour, Direction, Drawing, Guide, Remark, panels};
 use crate::markdown::significant;
 use crate::solve::Element;
 use crate::study::timings::others::cells;
@@ -24,7 +23,7 @@ const OPERATIONS: Cost = (
 );
 
 /// Truncated Hertz, whose answer is known, beside meshes fitted to the contact and codes on meshes of their own.
-pub fn chart(record: &Record) -> Result<Drawing, Error> {
+pub fn chart(record: &Record) -> Drawing {
     let mut charts = charts(record);
     for (chart, measure) in charts.iter_mut().step_by(2).zip(Measure::ALL) {
         let style = Style::run(palette::INK, Dash::Dashed, Marker::Square);
@@ -49,7 +48,7 @@ fn ours(points: &[&Point], measure: Measure, cost: Cost) -> Chart {
     let mut chart = Chart::new(measure.name(), Axis::log(axis), Axis::log("worst relative error [%]"));
     for (element, colour) in Element::ALL.into_iter().zip(palette::CURVES) {
         let own = points.iter().filter(|point| point.formulation.is_some_and(|own| own.element == element));
-        chart.series.push(figure::Series {
+        chart.series.push(drawing::Series {
             label: format!("{} element, any algorithm and mesh", element.name()),
             points: own.map(|point| (value(point), 100.0 * worst(point))).collect(),
             style: Style::run(colour, Dash::Absent, Marker::Dot),
@@ -80,7 +79,7 @@ fn curve(
     let ends: Vec<_> =
         points.iter().map(|point| measure.errors(point).map(|error| (cost(point), 100.0 * error))).collect();
     let worst = ends.iter().map(|[_, worst]| *worst).collect();
-    chart.series.push(figure::Series { label, points: worst, style, hollow: vec![] });
+    chart.series.push(drawing::Series { label, points: worst, style, hollow: vec![] });
     let label = format!("upright bar: median to worst of {LOADS} loads");
     chart.bars.push(Bars { label, ends, colour: style.colour });
 }

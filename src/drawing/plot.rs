@@ -3,11 +3,11 @@
 use super::axis::{Span, Tick};
 use super::canvas::Canvas;
 use super::chart::{Chart, Direction, Series};
+use super::error::Error;
 use super::frame::{Frame, Point};
 use super::palette::{GREY, PALE};
 use super::pen::{Lettering, Pen, widest};
 use super::signs;
-use crate::error::Error;
 
 /// Size of the labels of guides and bands.
 pub(super) const GUIDE_SIZE: f64 = 10.5;

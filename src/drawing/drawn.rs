@@ -4,20 +4,24 @@ use super::canvas::{Canvas, EDGE, TITLE};
 use super::chart::Chart;
 use super::curves::{Curve, curves};
 use super::drawing::Drawing;
+use super::error::Error;
 use super::frame::{Frame, Point};
 use super::legend::Legend;
 use super::palette::{Dash, Marker, Style};
 use super::pen::Pen;
 use super::plot::Plot;
 use super::signs;
-use crate::error::Error;
 
 const PLOT_WIDTH: f64 = 560.0;
 const PLOT_HEIGHT: f64 = 372.0;
 
 impl Chart {
     /// The chart, drawn, its legend on the right.
-    pub fn drawing(&self) -> Result<Drawing, Error> {
+    pub fn drawing(&self) -> Drawing {
+        Drawing::of(self.drawn())
+    }
+
+    fn drawn(&self) -> Result<Drawing, Error> {
         let mut canvas = Canvas::new();
         let outer = Frame { left: EDGE, top: TITLE, right: EDGE + PLOT_WIDTH, bottom: TITLE + PLOT_HEIGHT };
         let plot = Plot::new(self, outer, Plot::headroom(self))?;

@@ -3,12 +3,12 @@
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::colour_map::{CLASSES, ON_CLASSES};
 use super::drawing::Drawing;
+use super::error::Error;
 use super::frame::{Frame, Point};
 use super::legend::Legend;
 use super::palette::{CARD, GREY, INK};
 use super::pen::{Lettering, Pen, text_width};
 use super::regions::{Cell, Region, regions};
-use crate::error::Error;
 
 /// Rows of cells, the first at the bottom.
 #[derive(Clone, Debug)]
@@ -57,7 +57,11 @@ const BOUNDARY: f64 = 2.0;
 
 impl ClassMap {
     /// The maps, drawn.
-    pub fn drawing(&self) -> Result<Drawing, Error> {
+    pub fn drawing(&self) -> Drawing {
+        Drawing::of(self.drawn())
+    }
+
+    fn drawn(&self) -> Result<Drawing, Error> {
         let columns = self.columns.max(1);
         let pitch = (WIDTH - 2.0 * EDGE) / columns as f64;
         let names = self.panels.iter().flat_map(|panel| &panel.rows).map(|(name, _)| text_width(name, SIZE));

@@ -1,9 +1,8 @@
 //! Where values stand on an axis, and which ticks it carries.
 
-use super::canvas::drawing;
 use super::chart::{Axis, Scale};
+use super::error::Error;
 use super::numbers::{ends, number, power, round_values};
-use crate::error::Error;
 
 /// An axis with its ends: in decades when logarithmic.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +26,7 @@ impl Span {
         let places = values.iter().map(|&value| coordinate(axis.scale, value)).filter(|place| place.is_finite());
         let Some((from, to)) = ends(places) else {
             let reason = format!("the axis `{}` has no finite value", axis.label);
-            return Err(drawing(figure, reason, "give it a range or a series"));
+            return Err(Error::of(figure, reason, "give it a range or a series"));
         };
         let span = Span { scale: axis.scale, from, to };
         Ok(if given.is_some() { span } else { span.with_margin() })

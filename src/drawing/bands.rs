@@ -1,14 +1,14 @@
 //! Bands of a field: cells cut along the levels between them.
 
-use super::canvas::{Canvas, drawing};
+use super::canvas::Canvas;
 use super::cell_grid::{Grid, Vertex};
 use super::colour_map::ColourMap;
+use super::error::Error;
 use super::field::{Field, Shapes};
 use super::frame::{Point, between};
 use super::numbers::round_values;
 use super::panel::Panel;
 use super::theme::Colour;
-use crate::error::Error;
 
 /// Levels between the bands, and their colours.
 pub(super) struct Bands {
@@ -23,7 +23,7 @@ impl Field {
     pub(super) fn bands(&self) -> Result<Bands, Error> {
         let (mut low, mut high) = self.range.or_else(|| self.ends(|node| self.values[node])).unwrap_or_default();
         if !(low.is_finite() && high.is_finite() && low <= high) {
-            return Err(drawing(&self.title, format!("values from {low} to {high}"), "leave infinite ones out"));
+            return Err(Error::of(&self.title, format!("values from {low} to {high}"), "leave infinite ones out"));
         }
         if self.map == ColourMap::Diverging {
             high = high.abs().max(low.abs());

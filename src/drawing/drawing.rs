@@ -8,6 +8,7 @@ use svg::Document;
 use svg::node::element::{Circle, ClipPath, Description, Group, Path, Rectangle, Text, Title};
 use svg::node::{Node, Text as Words};
 
+use super::error::Error;
 use super::frame::{Frame, Point};
 use super::outline::{outlines, tenths};
 use super::palette::{CARD, Dash, INK, PALE};
@@ -45,6 +46,8 @@ pub enum Drawing {
     Painted(Painted),
     /// Drawn by hand: an SVG file in the colours of light pages.
     Schematic(String),
+    /// One that cannot be drawn, which is told where it is written.
+    Broken(Error),
 }
 
 /// A figure of shapes.
@@ -58,17 +61,24 @@ pub struct Painted {
 }
 
 impl Drawing {
+    /// What became of a figure.
+    pub(super) fn of(drawn: Result<Self, Error>) -> Self {
+        drawn.unwrap_or_else(Self::Broken)
+    }
+
     /// The SVG text, the same bytes for the same shapes.
-    pub fn svg(&self, theme: Theme) -> String {
+    pub fn svg(&self, theme: Theme) -> Result<String, Error> {
         match self {
-            Drawing::Painted(painted) => painted.svg(theme),
-            Drawing::Schematic(light) => schematic::on(light, theme),
+            Self::Painted(painted) => Ok(painted.svg(theme)),
+            Self::Schematic(light) => Ok(schematic::on(light, theme)),
+            Self::Broken(error) => Err(error.clone()),
         }
     }
 
     /// Files of a figure of a name, for light and for dark pages.
-    pub fn files(&self, name: &str) -> [(String, String); 2] {
-        Theme::ALL.map(|theme| (theme.file(name), self.svg(theme)))
+    pub fn files(&self, name: &str) -> Result<[(String, String); 2], Error> {
+        let [light, dark] = Theme::ALL.map(|theme| self.svg(theme).map(|svg| (theme.file(name), svg)));
+        Ok([light?, dark?])
     }
 }
 

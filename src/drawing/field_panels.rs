@@ -3,6 +3,7 @@
 use super::bands::Bands;
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::drawing::Drawing;
+use super::error::Error;
 use super::field::{Detail, Field, Window};
 use super::frame::{Frame, Point};
 use super::mesh_lines::mesh_lines;
@@ -10,7 +11,6 @@ use super::numbers::number;
 use super::palette::{GREY, INK};
 use super::panel::Panel;
 use super::pen::{Lettering, Pen, text_width};
-use crate::error::Error;
 
 /// The panels of a field, placed.
 pub(super) struct Panels<'a> {
@@ -34,7 +34,11 @@ const QUANTITY: f64 = 11.5;
 
 impl Field {
     /// The field, drawn.
-    pub fn drawing(&self) -> Result<Drawing, Error> {
+    pub fn drawing(&self) -> Drawing {
+        Drawing::of(self.drawn())
+    }
+
+    fn drawn(&self) -> Result<Drawing, Error> {
         let mut canvas = Canvas::new();
         let panels = self.panels(TITLE)?;
         panels.draw(&mut canvas);

@@ -1,10 +1,9 @@
 //! A nodal scalar on the deformed mesh, in discrete bands, with an optional detail.
 
-use super::canvas::drawing;
 use super::colour_map::ColourMap;
+use super::error::Error;
 use super::frame::Point;
 use super::numbers::ends;
-use crate::error::Error;
 
 /// A rectangle of the drawn (deformed) shape, in its length unit.
 #[derive(Clone, Copy, Debug)]
@@ -82,7 +81,7 @@ impl Field {
         } else {
             return Ok(());
         };
-        Err(drawing(&self.title, reason, remedy))
+        Err(Error::of(&self.title, reason, remedy))
     }
 
     /// Ends of the drawn shape.

@@ -1,4 +1,4 @@
-//! Figures of the report, as byte-stable SVG text.
+//! Figures as byte-stable SVG text, for light and for dark pages; a figure that cannot be drawn says so when it is written.
 //!
 //! Conventions, the same in every figure: the colour names the contact element, the dash the algorithm, the marker the
 //! mesh or the formulation; references are black and dashed, measured values are points without a line, and runs that
@@ -29,6 +29,7 @@ pub mod colour_map;
 mod curves;
 mod drawing;
 mod drawn;
+pub mod error;
 pub mod field;
 mod field_panels;
 mod frame;
@@ -53,6 +54,7 @@ pub use chart::{Axis, Band, Bars, Chart, Direction, Guide, Remark, Ribbon, Scale
 pub use class_map::{ClassMap, MapPanel};
 pub use colour_map::ColourMap;
 pub use drawing::{Drawing, is_drawing};
+pub use error::Error;
 pub use field::{Detail, Field, Window};
 pub use iteration_path::{IterationPaths, Path, State};
 pub use multiples::panels;

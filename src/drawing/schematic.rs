@@ -2,11 +2,10 @@
 //!
 //! Any editor shows and changes them. On dark pages each colour is the partner it has in the palette, or below.
 
-use super::canvas::drawing;
 use super::drawing::Drawing;
+use super::error::Error;
 use super::palette::{CARD, CURVES, GREY, INK, PALE};
 use super::theme::{Colour, Theme};
-use crate::error::Error;
 
 /// Bodies: of the element, of the layer, of the pin, of the rod; and the springs of a line element.
 const FILLS: [Colour; 8] = [
@@ -20,14 +19,18 @@ const FILLS: [Colour; 8] = [
     PALE,
 ];
 
-/// The drawing of a file with its numbers, to six decimals; refused where the file asks for another number, or none of a name, or
+/// The drawing of a file with its numbers, to six decimals; broken where the file asks for another number, or none of a name, or
 /// has a colour of which no dark one is known.
-pub fn schematic(name: &str, light: &str, numbers: &[(&str, f64)]) -> Result<Drawing, Error> {
+pub fn schematic(name: &str, light: &str, numbers: &[(&str, f64)]) -> Drawing {
+    Drawing::of(filled_in(name, light, numbers))
+}
+
+fn filled_in(name: &str, light: &str, numbers: &[(&str, f64)]) -> Result<Drawing, Error> {
     let mut text = light.to_owned();
     for (number, value) in numbers {
         let place = format!("{{{number}}}");
         if !value.is_finite() || !text.contains(&place) {
-            return Err(drawing(
+            return Err(Error::of(
                 name,
                 format!("`{number}` = {value} has no place"),
                 "give finite numbers that it asks for",
@@ -38,11 +41,11 @@ pub fn schematic(name: &str, light: &str, numbers: &[(&str, f64)]) -> Result<Dra
     }
     if let Some((_, asked)) = text.split_once('{') {
         let asked = asked.split('}').next().unwrap_or_default();
-        return Err(drawing(name, format!("`{asked}` has no number"), "give it"));
+        return Err(Error::of(name, format!("`{asked}` has no number"), "give it"));
     }
     let unknown = colours_of(&text).find(|colour| partner(colour).is_none());
     match unknown {
-        Some(unknown) => Err(drawing(name, format!("{unknown} has no dark partner"), "name both in `FILLS`")),
+        Some(unknown) => Err(Error::of(name, format!("{unknown} has no dark partner"), "name both in `FILLS`")),
         None => Ok(Drawing::Schematic(text)),
     }
 }

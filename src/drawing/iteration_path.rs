@@ -6,6 +6,7 @@
 use super::canvas::Canvas;
 use super::chart::{Axis, Chart, Series};
 use super::drawing::Drawing;
+use super::error::Error;
 use super::frame::{Point, distance};
 use super::multiples::grid;
 use super::palette::{CARD, Dash, GREY, INK, Marker, SKY, Style, tint};
@@ -13,7 +14,6 @@ use super::pen::Lettering;
 use super::plot::Plot;
 use super::signs;
 use super::theme::Colour;
-use crate::error::Error;
 
 /// One state of the iteration at the contact point.
 #[derive(Clone, Copy, Debug)]
@@ -67,7 +67,11 @@ const CLEAR: f64 = 17.0;
 
 impl IterationPaths {
     /// The panels, drawn, on the same axes.
-    pub fn drawing(&self) -> Result<Drawing, Error> {
+    pub fn drawing(&self) -> Drawing {
+        Drawing::of(self.drawn())
+    }
+
+    fn drawn(&self) -> Result<Drawing, Error> {
         let charts: Vec<Chart> = self.paths.iter().map(|path| self.chart(path)).collect();
         let mut canvas = Canvas::new();
         let (plots, corner) = grid(&mut canvas, &charts, charts.len())?;

@@ -3,11 +3,11 @@
 use std::mem;
 
 use super::drawing::{Drawing, NOTE_ROW, NOTE_SIZE, Painted, Shape, TITLE_SIZE};
+use super::error::Error;
 use super::frame::{Frame, Point};
 use super::palette::GREY;
 use super::pen::{Lettering, Pen, text_width, wrapped};
 use super::theme::Colour;
-use crate::error::Error;
 
 /// Margin left and right.
 pub(super) const EDGE: f64 = 18.0;
@@ -85,7 +85,7 @@ impl Canvas {
             self.label(place, line, Lettering::start(NOTE_SIZE).coloured(GREY));
         }
         if !self.sound {
-            return Err(drawing(title, "a coordinate is not finite", FINITE));
+            return Err(Error::of(title, "a coordinate is not finite", FINITE));
         }
         let (title, about) = (title.to_string(), notes.join(" "));
         Ok(Drawing::Painted(Painted { title, about, size: (width, height), shapes: self.shapes }))
@@ -98,8 +98,3 @@ impl Canvas {
 
 /// What to do where a shape cannot be drawn.
 const FINITE: &str = "leave values that are not finite out of the input";
-
-/// Error of a figure that cannot be drawn.
-pub(super) fn drawing(figure: &str, reason: impl Into<String>, remedy: &str) -> Error {
-    Error::at(format!("figure `{figure}`").as_str(), reason, remedy)
-}
