@@ -83,12 +83,7 @@ pub fn solve(name: &str) -> Result<Numbers, Error> {
     let discretisation = Discretisation::of(case.scene.clone(), resolution)?;
     let run = Run::of(&discretisation, &Formulation::verification())?.with_limits(&discretisation)?;
     let barred = bars(&discretisation, &run, &[])?.all;
-    let mut numbers = of(&case, &discretisation, &run, &barred)?;
-    // Where a mesh can be fitted to the contact, and tells more.
-    if let ([pair], Ok(answer)) = (&case.scene.contacts[..], reference::answer(&case.scene)) {
-        answer.known.iter().for_each(|known| numbers.takes(pair, known));
-    }
-    Ok(numbers)
+    of(&case, &discretisation, &run, &barred)
 }
 
 impl Numbers {
@@ -97,7 +92,7 @@ impl Numbers {
         let (name, of, (unit, factor)) = (known.measured.name(), &pair.name, known.measured.unit(&pair.path));
         let Known { value, bound, .. } = known.times(factor);
         match self.values.iter_mut().find(|own| own.of == *of && own.quantity == name) {
-            Some(own) if bound < own.bound => (own.value, own.bound, own.fitted) = (value, bound, true),
+            Some(own) if bound <= own.bound => (own.value, own.bound, own.fitted) = (value, bound, true),
             Some(_) => {}
             None if value.is_finite() => {
                 let row = Value {
@@ -118,7 +113,7 @@ impl Numbers {
     }
 }
 
-/// The sheet of a case from a run, whose numbers have bars.
+/// The sheet of a case from a run, whose numbers have bars; or from cells fitted to the contact, where that can be and tells more.
 pub fn of(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[Barred]) -> Result<Numbers, Error> {
     let shared = SHARED.iter().find(|(known, _)| *known == case.name);
     let frozen = shared.map(|_| Independent::read()).transpose()?;
@@ -136,14 +131,18 @@ pub fn of(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[Bar
         let value = if sound { factor * one.value } else { f64::NAN };
         Value { of, quantity, unit, value, bound: factor * one.bar.total(), fitted: false, closed_form, others }
     };
-    Ok(Numbers {
+    let mut numbers = Numbers {
         name: case.name.clone(),
         title: case.title.clone(),
         scene: described::scene(&case.scene),
         sources: sources(case),
         dofs: run.dofs,
         values: barred.iter().map(value).collect(),
-    })
+    };
+    if let ([pair], Ok(answer)) = (&case.scene.contacts[..], reference::answer(&case.scene)) {
+        answer.known.iter().for_each(|known| numbers.takes(pair, known));
+    }
+    Ok(numbers)
 }
 
 fn sources(case: &Case) -> Vec<String> {
