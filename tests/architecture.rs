@@ -263,7 +263,7 @@ const BUDGETS: [(&str, usize); 8] = [
     ("case", 7_300),
     ("oracle", 4_100),
     ("study", 20_200),
-    ("referee", 4_200),
+    ("referee", 5_250),
     ("report", 4_050),
     ("cli", 4_350),
 ];
