@@ -9,6 +9,7 @@ use crate::referee::field::Field as Displaced;
 use crate::referee::side::{self, Cell, Side};
 use crate::referee::source::Source;
 use crate::referee::units::Role;
+use crate::referee::unstructured::{Field, Grid};
 use crate::referee::vtu::AGAIN;
 use crate::referee::{vtk, vtu};
 use crate::scene::{ContactPair, Scene};
@@ -53,64 +54,12 @@ pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<
     Ok(Answer { file: file.into(), code: None, read, notes: vec![], contacts, field })
 }
 
-/// The grid of a file.
-pub struct Grid<'a> {
-    /// The file.
-    pub file: &'a Path,
-    /// Coordinates, three a point.
-    pub points: Vec<f64>,
-    /// Nodes of the cells, one cell behind the other.
-    pub connectivity: Vec<usize>,
-    /// Where the nodes of each cell end.
-    pub ends: Vec<usize>,
-    /// Types of the cells, by VTK's numbers.
-    pub types: Vec<u8>,
-    /// Nodal fields.
-    pub fields: Vec<Field>,
-}
-
-/// Numbers at the nodes.
-pub struct Field {
-    /// Its name.
-    pub name: String,
-    /// How many of them a node has.
-    pub components: usize,
-    /// Names of the components, empty where they have none.
-    pub names: Vec<String>,
-    /// The numbers, node by node.
-    pub data: Vec<f64>,
-}
-
-impl Field {
-    /// A number of a node.
-    fn at(&self, node: usize, component: usize) -> f64 {
-        self.data[node * self.components + component]
-    }
-
-    /// The component of a number, from 0 as in ParaView, or of a name: one that the file gives, or `x` of a vector and `xy` of a stress.
-    fn component(&self, name: &str) -> Option<usize> {
-        let usual: &[&str] = match self.components {
-            2 | 3 => &["x", "y", "z"],
-            6 => &["xx", "yy", "zz", "xy", "yz", "xz"],
-            9 => &["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"],
-            _ => &[],
-        };
-        let named = || self.names.iter().position(|known| known == name);
-        let common = || usual.iter().position(|known| known.eq_ignore_ascii_case(name));
-        let found = name.parse().ok().or_else(named).or_else(common);
-        found.filter(|component| *component < self.components)
-    }
-}
-
 /// A component of a field.
 type Part<'f> = (&'f Field, usize);
+/// A number of a node.
+type OfNode<'f> = Box<dyn Fn(usize) -> f64 + 'f>;
 
 impl<'a> Grid<'a> {
-    /// One without points.
-    pub fn of(file: &'a Path) -> Self {
-        Self { file, points: vec![], connectivity: vec![], ends: vec![], types: vec![], fields: vec![] }
-    }
-
     /// What is wrong with the file.
     fn source(&self) -> Source<'a> {
         Source { file: self.file, text: "" }
@@ -259,7 +208,7 @@ impl<'a> Grid<'a> {
         points: &'g [[f64; 2]],
         pair: &'g ContactPair,
         asked: &Asked,
-    ) -> Result<(Box<dyn Fn(usize) -> f64 + 'g>, String), Error> {
+    ) -> Result<(OfNode<'g>, String), Error> {
         if let Some((field, component)) = self.part(Role::Pressure, asked)? {
             let factor = asked.sign() * self.factor(Role::Pressure, field, asked)?;
             let of = if field.components > 1 { format!(", component {component}") } else { String::new() };

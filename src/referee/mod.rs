@@ -6,7 +6,7 @@
 //! * [`asked`] — how a file is to be read.
 //! * [`table`], [`document`], [`grid`], [`calculix`], [`frd`] — answers as CSV, as JSON, of VTK and of CalculiX; [`mod@read`] — a file by its ending.
 //! * [`state`] — which state of an analysis is judged.
-//! * `vtu`, `vtk` — grids of VTK, in XML and in the legacy format.
+//! * `unstructured` — a grid of VTK; `vtu`, `vtk` — one in XML, and in the legacy format.
 //! * [`side`] — which nodes of a mesh lie on the contact side, and whether they are all that is pressed.
 //! * `complete` — whether an answer holds the whole contact.
 //! * [`profile`] — an answer as contact points and edge means, of which measures are taken.
@@ -44,6 +44,7 @@ pub mod state;
 pub mod table;
 pub mod truth;
 pub mod units;
+mod unstructured;
 mod vtk;
 mod vtu;
 mod whole;

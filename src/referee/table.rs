@@ -67,6 +67,8 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
 
 /// What separates cells: the mark by which most lines are rows of numbers.
 const MARKS: [char; 4] = [';', '\t', ',', ' '];
+/// Lines by which what separates cells is found.
+const SEEN: usize = 1000;
 /// What comments begin with.
 const COMMENTS: [&str; 6] = ["#", "%", "!", "//", "$", "**"];
 /// What lines below the numbers of a report begin with.
@@ -85,7 +87,7 @@ impl<'a> Table<'a> {
         let is_rule = |line: &str| line.chars().all(|mark| "-=+|,; \t".contains(mark));
         let lines: Vec<&str> = source.text.lines().filter(|line| !is_rule(line)).collect();
         let is_data = |line: &str, mark: char| comment(line).is_none() && is_data(&cells(line, mark), mark != ',');
-        let rows = |mark: &char| lines.iter().filter(|line| is_data(line, *mark)).count();
+        let rows = |mark: &char| lines.iter().take(SEEN).filter(|line| is_data(line, *mark)).count();
         let most = MARKS.iter().map(rows).max().unwrap_or_default();
         let stands = |mark: &char| lines.first().is_some_and(|line| line.trim().contains(*mark));
         let is_it = |mark: &char| if most > 0 { rows(mark) == most } else { stands(mark) };

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use crate::error::Error;
-use crate::referee::grid::{Field, Grid};
+use crate::referee::unstructured::{Field, Grid};
 use crate::referee::vtu::{AGAIN, numbers};
 
 /// The grid of a file.

@@ -10,7 +10,7 @@ use base64::engine::general_purpose::STANDARD;
 use flate2::read::ZlibDecoder;
 
 use crate::error::Error;
-use crate::referee::grid::{Field, Grid};
+use crate::referee::unstructured::{Field, Grid};
 
 /// What to do with a file that is not read.
 pub const AGAIN: &str = "save it as a VTK unstructured grid (.vtu) in one piece, little endian, its arrays as text, plain or compressed by zlib";
