@@ -78,7 +78,7 @@ fn mesh() -> (Vec<[f64; 2]>, Vec<[usize; 4]>) {
     let points = (0..2 * NODES).map(|k| [place(k % NODES), 0.5 * (k / NODES) as f64]).collect();
     let cell = |k: usize| {
         let [a, b, c, d] = [k, k + 1, k + 1 + NODES, k + NODES];
-        if k % 2 == 0 { [a, b, c, d] } else { [a, d, c, b] }
+        if k.is_multiple_of(2) { [a, b, c, d] } else { [a, d, c, b] }
     };
     (points, (0..NODES - 1).map(cell).collect())
 }
