@@ -262,8 +262,8 @@ const BUDGETS: [(&str, usize); 8] = [
     ("drawing", 3_000),
     ("case", 6_550),
     ("oracle", 4_100),
-    ("study", 19_300),
-    ("referee", 4_200),
+    ("study", 18_200),
+    ("referee", 5_250),
     ("report", 3_800),
     ("cli", 4_300),
 ];

@@ -17,6 +17,8 @@ pub struct Answer {
     pub code: Option<String>,
     /// What was read as what, a sentence each.
     pub read: Vec<String>,
+    /// What makes it another answer than may be meant, a sentence each.
+    pub notes: Vec<String>,
     /// Its contacts.
     pub contacts: Vec<Handed>,
     /// Displacements on its mesh, where they were handed in with their unit.

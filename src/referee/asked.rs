@@ -17,6 +17,10 @@ pub struct Asked {
     pub contact: Option<String>,
     /// Whether pressures and forces are positive in tension.
     pub tension_positive: bool,
+    /// Time of the state that is judged, of files with several; the last one where neither it nor the step is named.
+    pub time: Option<f64>,
+    /// Step at whose end the state is.
+    pub step: Option<usize>,
 }
 
 impl Asked {
@@ -28,6 +32,11 @@ impl Asked {
     /// The unit that was named for a role.
     pub fn unit(&self, role: Role) -> Option<&str> {
         self.units.iter().find(|(known, _)| *known == role).map(|(_, unit)| unit.as_str())
+    }
+
+    /// Whether one of several states is asked for.
+    pub fn has_state(&self) -> bool {
+        self.time.is_some() || self.step.is_some()
     }
 
     /// 1, or −1 where compression is negative.

@@ -3,11 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use crate::error::{Error, Located};
+use crate::error::Error;
 use crate::mesh::Order;
 use crate::referee::answer::{Answer, Handed, Point, ordered, signed_coordinate};
 use crate::referee::asked::Asked;
 use crate::referee::export::deck::{GAPS, named};
+use crate::referee::source::Source;
+use crate::referee::state::State;
 use crate::referee::units::Role;
 use crate::scene::Scene;
 
@@ -16,21 +18,6 @@ const OURS: &str = ": mm, N, MPa.";
 /// What to do with files that are cut or of another kind.
 pub const AGAIN: &str = "run ccx again, and hand in the file that it writes";
 
-/// What is wrong at the line of a word of a text.
-pub fn at(file: &Path, text: &str, word: &str, message: String, remedy: &str) -> Error {
-    let begin = (word.as_ptr() as usize).saturating_sub(text.as_ptr() as usize).min(text.len());
-    Error::at(Located::new((file, text), begin..begin + word.len()), message, remedy)
-}
-
-/// A unit that is named, or known because the deck is one of ours.
-pub fn factor(file: &Path, role: Role, asked: &Asked, ours: Option<&str>) -> Result<f64, Error> {
-    let remedy = format!("give --unit {}=UNIT, with one of {}", role.name(), role.known_units());
-    let Some(unit) = asked.unit(role).or(ours) else {
-        return Err(Error::file(file, format!("it does not say the unit of {}", role.name()), remedy));
-    };
-    role.factor(unit).ok_or_else(|| Error::file(file, format!("the unit `{unit}` is not known"), remedy))
-}
-
 /// Whether a deck is one that we exported.
 pub fn is_ours(deck: &str) -> bool {
     deck.lines().next().is_some_and(|line| line.contains(OURS))
@@ -38,27 +25,31 @@ pub fn is_ours(deck: &str) -> bool {
 
 /// Nodal forces of the sets behind the gap elements of an exported deck.
 pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
-    let own = is_ours(deck);
-    let [length, force] =
-        [(Role::X, "mm"), (Role::Force, "N")].map(|(role, unit)| factor(file, role, asked, own.then_some(unit)));
-    let [length, force] = [length?, force?];
-    let places = nodes_of_deck(&file.with_extension("inp"), deck)?;
+    let (source, own) = (Source { file, text }, is_ours(deck));
+    let unit = |role: Role, ours: &'static str| asked.unit(role).or(own.then_some(ours));
+    let length = source.factor(Role::X, "the place of a node of the deck", unit(Role::X, "mm"))?;
+    let force = source.factor(Role::Force, "the force", unit(Role::Force, "N"))?;
+    let places = nodes_of_deck(&Source { file: &file.with_extension("inp"), text: deck })?;
     let order = asked.order.unwrap_or_else(|| order_of_deck(deck));
-    let mut contacts = Vec::new();
+    let (mut contacts, mut read, mut notes) = (Vec::new(), Vec::new(), Vec::new());
     for (contact, pair) in scene.contacts.iter().enumerate() {
         let set = format!("{GAPS}{}", named(&[&pair.name]));
-        let lines = table_of(text, &set);
-        if lines.is_empty() {
+        let tables = tables_of(text, &set);
+        if tables.is_empty() {
             continue;
         }
+        let states: Vec<State> = tables.iter().map(|(state, _)| *state).collect();
+        let (state, lines) = &tables[State::chosen(&source, &states, asked)?];
+        read.push(format!("the forces of {set} at {state}, of {} that are there", tables.len()));
+        notes.extend(state.notes(&states));
         let wanted = size_of_set(deck, &set);
         if lines.len() != wanted {
             let message = format!("its table of {set} has {} nodes, and the set in the deck {wanted}", lines.len());
-            return Err(Error::file(file, message, AGAIN));
+            return Err(source.refused(message, AGAIN));
         }
-        let point = |line: &str| -> Result<Point, Error> {
+        let point = |line: &&str| -> Result<Point, Error> {
             let words: Vec<&str> = line.split_whitespace().collect();
-            let wrong = |message: String| at(file, text, line, message, AGAIN);
+            let wrong = |message: String| source.at(line, message, AGAIN);
             let [node, along, ..] = words.as_slice() else {
                 return Err(wrong("this line has no node and force".into()));
             };
@@ -72,38 +63,35 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
             let position = signed_coordinate(pair, place.map(|x| length * x));
             Ok(Point { position, value: 0.0 - asked.sign() * force * value, area: None, gap: None })
         };
-        let points = lines.into_iter().map(point).collect::<Result<Vec<Point>, Error>>()?;
-        let points =
-            ordered(points, order, |message, remedy| Error::file(file, format!("set {set}: {message}"), remedy))?;
+        let points = lines.iter().map(point).collect::<Result<Vec<Point>, Error>>()?;
+        let points = ordered(points, order, |message, remedy| source.refused(format!("set {set}: {message}"), remedy))?;
         contacts.push(Handed { contact, points, order, edges: vec![], forces: true });
     }
     if contacts.is_empty() {
         let message = format!("it has no forces of a set whose name begins with {GAPS}");
         let remedy = "run the deck that `contact-vv export` writes; of another deck hand in the .frd, or a .csv of positions and forces";
-        return Err(Error::file(file, message, remedy));
+        return Err(source.refused(message, remedy));
     }
-    let read = vec![
-        "reactions behind the gap elements as contact forces, turned round".into(),
-        "places from the deck of the same name".into(),
-    ];
-    Ok(Answer { file: file.into(), code: Some("CalculiX".into()), read, contacts, field: None })
+    read.insert(0, "reactions behind the gap elements as contact forces, turned round".into());
+    read.push("places from the deck of the same name".into());
+    notes.dedup();
+    Ok(Answer { file: file.into(), code: Some("CalculiX".into()), read, notes, contacts, field: None })
 }
 
-/// Lines of the last table of forces of a set.
-fn table_of<'a>(text: &'a str, set: &str) -> Vec<&'a str> {
-    let mut lines = Vec::new();
+/// The tables of forces of a set, each with its time and its lines.
+fn tables_of<'a>(text: &'a str, set: &str) -> Vec<(State, Vec<&'a str>)> {
+    let mut tables: Vec<(State, Vec<&str>)> = Vec::new();
     let mut inside = false;
     for line in text.lines() {
         if line.contains(" for set ") {
             inside = line.trim_start().starts_with("forces") && line.split_whitespace().any(|word| word == set);
-            if inside {
-                lines.clear();
-            }
-        } else if inside && !line.trim().is_empty() {
+            let time = line.split_whitespace().last().and_then(|word| word.parse().ok()).unwrap_or(f64::NAN);
+            tables.extend(inside.then_some((State { step: None, time }, vec![])));
+        } else if let (true, false, Some((_, lines))) = (inside, line.trim().is_empty(), tables.last_mut()) {
             lines.push(line);
         }
     }
-    lines
+    tables
 }
 
 /// How many nodes a deck lists in a set.
@@ -115,10 +103,10 @@ fn size_of_set(deck: &str, set: &str) -> usize {
 }
 
 /// Places of the nodes of a deck.
-fn nodes_of_deck(file: &Path, deck: &str) -> Result<BTreeMap<usize, [f64; 2]>, Error> {
+fn nodes_of_deck(source: &Source) -> Result<BTreeMap<usize, [f64; 2]>, Error> {
     let mut nodes = BTreeMap::new();
     let mut inside = false;
-    for line in deck.lines() {
+    for line in source.text.lines() {
         if line.starts_with('*') {
             inside = if line.starts_with("**") {
                 inside
@@ -131,13 +119,7 @@ fn nodes_of_deck(file: &Path, deck: &str) -> Result<BTreeMap<usize, [f64; 2]>, E
         if let (true, Some(number), Some(x), Some(y)) = (inside, words.next(), words.next(), words.next()) {
             let (number, x, y) = (number.parse::<usize>(), x.parse::<f64>(), y.parse::<f64>());
             let (Ok(number), Ok(x), Ok(y)) = (number, x, y) else {
-                return Err(at(
-                    file,
-                    deck,
-                    line,
-                    format!("`{line}` is no node with its place"),
-                    "export the deck again",
-                ));
+                return Err(source.at(line, format!("`{line}` is no node with its place"), "export the deck again"));
             };
             nodes.insert(number, [x, y]);
         }

@@ -120,7 +120,7 @@ pub fn parse(file: &Path, text: &str, case: &str, scene: &Scene, asked: &Asked) 
         ));
     }
     let read = vec!["lists by their keys, in the units that the file names".to_owned()];
-    Ok(Answer { file: file.into(), code: document.code.clone(), read, contacts, field: None })
+    Ok(Answer { file: file.into(), code: document.code.clone(), read, notes: vec![], contacts, field: None })
 }
 
 /// Byte at which a line begins, from 1.

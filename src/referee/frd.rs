@@ -1,89 +1,161 @@
-//! Answers of CalculiX as fields (`.frd`), written with `OUTPUT=2D`: pressures and gaps of any deck with contact pairs, displacements of all.
+//! Answers of CalculiX as fields (`.frd`): pressures and gaps of any deck with contact pairs, displacements of all; of plane cells, or of the slice
+//! into which CalculiX expands them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::error::Error;
-use crate::mesh::Order;
 use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered, signed_coordinate};
 use crate::referee::asked::Asked;
-use crate::referee::calculix::{AGAIN, at, factor};
+use crate::referee::calculix::AGAIN;
 use crate::referee::field::Field;
-use crate::referee::side::{self, Cell};
+use crate::referee::side::{Cell, Side};
+use crate::referee::source::Source;
+use crate::referee::state::State;
 use crate::referee::units::Role;
 use crate::scene::Scene;
 
-/// Pressures and gaps of the last contact block of a file of fields.
+/// How contact results are written.
+const CONTACT: &str =
+    "write `*CONTACT FILE` with CDIS and CSTR in the step, and run ccx again; of an exported deck hand in the .dat";
+/// How they are written such that their nodes are there.
+const EXPANDED: &str = "write *CONTACT FILE and *NODE FILE with OUTPUT=3D, so that the file has the nodes into which ccx expands plane elements and those \
+                        of the contact are among them; or hand in a .csv of positions and nodal forces";
+
+/// Pressures and gaps of the contact block of the state that is asked for, or of the last one.
 pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
-    let contact = contact_named(scene, asked.contact.as_deref(), |message, remedy| Error::file(file, message, remedy))?;
-    let [length, stress] = [Role::Position, Role::Pressure].map(|role| factor(file, role, asked, None));
-    let [length, stress] = [length?, stress?];
-    let (nodes, block) = (nodes_of_fields(file, text)?, contact_block(file, text)?);
-    let named = |role: Role, usual: &str| asked.column(role).unwrap_or(usual).to_owned();
-    let column = |name: &str| block.components.iter().position(|known| known == name);
-    let name = named(Role::Pressure, "CPRESS");
-    let Some(pressure) = column(&name) else {
+    let source = Source { file, text };
+    let contact = contact_named(scene, asked.contact.as_deref(), |message, remedy| source.refused(message, remedy))?;
+    let length = source.factor(Role::Position, "the place of a node", asked.unit(Role::Position))?;
+    let stress = source.factor(Role::Pressure, "the pressure", asked.unit(Role::Pressure))?;
+    let gaps = source.factor(Role::Gap, "the gap", asked.unit(Role::Gap).or(asked.unit(Role::Position)))?;
+    let heads = heads(&source);
+    let own: Vec<&Head> = heads.iter().filter(|head| head.name == "CONTACT").collect();
+    if own.is_empty() {
+        return Err(source.refused("it has no contact block", CONTACT));
+    }
+    let states: Vec<State> = own.iter().map(|head| head.state).collect();
+    let head = own[State::chosen(&source, &states, asked)?];
+    let block = block(&source, head)?;
+    let column = |role: Role, usual: &str| {
+        let name = asked.column(role).unwrap_or(usual).to_owned();
+        (block.components.iter().position(|known| *known == name), name)
+    };
+    let (Some(pressure), name) = column(Role::Pressure, "CPRESS") else {
+        let name = asked.column(Role::Pressure).unwrap_or("CPRESS");
         let message = format!("its contact block has no component {name} but {}", block.components.join(", "));
-        return Err(Error::file(
-            file,
-            message,
-            "write *CONTACT FILE with CSTR, or name the component by --column pressure=NAME",
-        ));
+        let remedy = "write *CONTACT FILE with CSTR, or name the component by --column pressure=NAME";
+        return Err(source.refused(message, remedy));
     };
-    let gap = column(&named(Role::Gap, "COPEN"));
+    let (gap, _) = column(Role::Gap, "COPEN");
+    let plane = Plane::of(&source)?;
+    let (values, strange) = plane.values(&block);
     let pair = &scene.contacts[contact];
-    let numbers: Vec<usize> = nodes.keys().copied().collect();
-    let places: Vec<[f64; 2]> = nodes.values().map(|[x, y, _]| [length * x, length * y]).collect();
-    let cells = cells(file, text, &numbers)?;
-    let edges = side::edges(scene, contact, &places, &cells);
-    let mut own: Vec<usize> = edges.iter().flatten().copied().collect();
-    own.sort_unstable();
-    own.dedup();
-    let none = vec![0.0; block.components.len()];
-    let point = |index: usize| {
-        // Nodes that it does not list carry nothing.
-        let values = block.rows.get(&numbers[index]).unwrap_or(&none);
-        let gap = gap.map(|gap| length * values[gap]);
-        Point {
-            position: signed_coordinate(pair, places[index]),
-            value: asked.sign() * stress * values[pressure],
-            area: None,
-            gap,
-        }
+    let places: Vec<[f64; 2]> = plane.places.iter().map(|place| place.map(|x| length * x)).collect();
+    let side = Side::of(&source, scene, contact, &places, &plane.cells)?;
+    let nodes = side.nodes();
+    let value = |node: usize| values[node].as_ref().map(|values| asked.sign() * stress * values[pressure]);
+    let point = |&node: &usize| {
+        let position = signed_coordinate(pair, places[node]);
+        let gap = gap.zip(values[node].as_ref()).map(|(gap, values)| gaps * values[gap]);
+        (position, value(node).map(|value| Point { position, value, area: None, gap }))
     };
-    let points = own.into_iter().map(point).collect();
-    let quadratic = !edges.is_empty() && edges.iter().all(|edge| edge.len() == 3);
-    let order = asked.order.unwrap_or(if quadratic { Order::Quadratic } else { Order::Linear });
-    let points =
-        ordered(points, order, |message, remedy| Error::file(file, format!("contact block: {message}"), remedy))?;
-    let read = [Some(format!("{name} as pressure")), gap.map(|gap| format!("{} as gap", block.components[gap]))];
+    let (points, lacking) = without_gaps(nodes.iter().map(point).collect());
+    if lacking > 0 {
+        let message = format!(
+            "its contact block has values at {} nodes, {strange} of which the file does not have; {lacking} of the {} nodes of contact `{}` have \
+             none, and none is no zero",
+            block.rows.len(),
+            nodes.len(),
+            pair.name
+        );
+        return Err(source.refused(message, EXPANDED));
+    }
+    side.all_pressed(&source, pair, &places, value)?;
+    let order = asked.order.unwrap_or(side.order());
+    let points = ordered(points, order, |message, remedy| source.refused(format!("contact block: {message}"), remedy))?;
+    let mut read = vec![format!("{name} as pressure")];
+    read.extend(gap.map(|gap| format!("{} as gap", block.components[gap])));
+    read.extend(heads.iter().map(|head| format!("block {} of {}", head.name, head.state)));
+    read.push(format!("the contact block of {} is judged", head.state));
+    let all: Vec<State> = heads.iter().map(|head| head.state).collect();
     let contacts = vec![Handed { contact, points, order, edges: vec![], forces: false }];
-    Ok(Answer {
-        file: file.into(),
-        code: Some("CalculiX".into()),
-        read: read.into_iter().flatten().collect(),
-        contacts,
-        field: displacements(file, text, asked, None)?,
-    })
+    let field = displacements(&source, asked, None, Some(head.state.time))?;
+    let code = Some("CalculiX".into());
+    Ok(Answer { file: file.into(), code, read, notes: head.state.notes(&all), contacts, field })
 }
 
-/// The displacements of a file; none where it has none, or their unit is not known. `ours` is the unit of our own decks.
-pub fn displacements(file: &Path, text: &str, asked: &Asked, ours: Option<&str>) -> Result<Option<Field>, Error> {
-    let known = asked.unit(Role::Displacement).or(ours).is_some();
-    let Some(block) = last_block(file, text, "DISP")?.filter(|_| known) else { return Ok(None) };
-    let [length, moved] = [Role::Position, Role::Displacement].map(|role| factor(file, role, asked, ours));
-    let [length, moved] = [length?, moved?];
-    let nodes = nodes_of_fields(file, text)?;
-    let numbers: Vec<usize> = nodes.keys().copied().collect();
-    let value = |number: &usize| match block.rows.get(number).map(Vec::as_slice) {
+/// Largest pressure at the end of those that are listed, over all, behind which nodes without a value are beyond the contact.
+const CLOSED: f64 = 1e-3;
+
+/// Points in order, and how many nodes of the contact lack one: those between others, and those at an end that is pressed.
+fn without_gaps(mut nodes: Vec<(f64, Option<Point>)>) -> (Vec<Point>, usize) {
+    nodes.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let points: Vec<Point> = nodes.iter().filter_map(|(_, point)| *point).collect();
+    let largest = points.iter().map(|point| point.value.abs()).fold(0.0, f64::max);
+    let is_free = |point: Option<&Point>| point.is_some_and(|point| point.value.abs() <= CLOSED * largest);
+    let begin = nodes.iter().take_while(|(_, point)| point.is_none()).count();
+    let end = nodes.iter().rev().take_while(|(_, point)| point.is_none()).count();
+    let beyond = [(begin, points.first()), (end, points.last())];
+    let beyond: usize = beyond.into_iter().filter(|(_, point)| is_free(*point)).map(|(count, _)| count).sum();
+    let lacking = nodes.len() - points.len() - beyond.min(nodes.len() - points.len());
+    (points, lacking)
+}
+
+/// The displacements of a file, of a time where one is given; none where it has none, or their unit is not known. `ours` is the unit of our own decks.
+pub fn displacements(
+    source: &Source,
+    asked: &Asked,
+    ours: Option<&str>,
+    time: Option<f64>,
+) -> Result<Option<Field>, Error> {
+    let unit = asked.unit(Role::Displacement).or(ours);
+    let heads = heads(source);
+    let is_it = |head: &&Head| head.name == "DISP" && time.is_none_or(|time| head.state.is_at(time));
+    let Some(head) = heads.iter().rfind(is_it).filter(|_| unit.is_some()) else { return Ok(None) };
+    let length = source.factor(Role::Position, "the place of a node", asked.unit(Role::Position).or(ours))?;
+    let moved = source.factor(Role::Displacement, "the displacement", unit)?;
+    let (block, plane) = (block(source, head)?, Plane::of(source)?);
+    if let Some(number) = plane.all.keys().find(|number| !block.rows.contains_key(number)) {
+        return Err(source.refused(format!("its block of displacements has no node {number}"), AGAIN));
+    }
+    let vector = |values: &Option<Vec<f64>>| match values.as_deref() {
         Some([u, v, ..]) => Ok([moved * u, moved * v]),
-        _ => Err(Error::file(file, format!("its block of displacements has no node {number}"), AGAIN)),
+        _ => Err(source.refused("its block of displacements has no two components at every node", AGAIN)),
     };
     Ok(Some(Field {
-        points: nodes.values().map(|[x, y, _]| [length * x, length * y]).collect(),
-        cells: cells(file, text, &numbers)?,
-        displacement: numbers.iter().map(value).collect::<Result<_, Error>>()?,
+        displacement: plane.values(&block).0.iter().map(vector).collect::<Result<_, Error>>()?,
+        points: plane.places.iter().map(|place| place.map(|x| length * x)).collect(),
+        cells: plane.cells,
     }))
+}
+
+/// Where a block of results begins, and what it is of.
+struct Head<'a> {
+    name: &'a str,
+    state: State,
+    /// The text behind its first line.
+    rest: &'a str,
+}
+
+/// All blocks of results.
+fn heads<'a>(source: &Source<'a>) -> Vec<Head<'a>> {
+    let (mut state, mut heads, mut at) = (State::default(), Vec::new(), 0);
+    for line in source.text.split_inclusive('\n') {
+        at += line.len();
+        let words = || line.split_whitespace();
+        if line.starts_with("    1PSTEP") {
+            // Number of the block of states, increment and step.
+            let numbers: Vec<usize> = words().skip(1).filter_map(|word| word.parse().ok()).collect();
+            state.step = if let [_, increment, step] = numbers[..] { Some([step, increment]) } else { None };
+        } else if line.starts_with("  100C") {
+            let time = line.get(12..24).and_then(|word| word.trim().parse().ok());
+            state.time = time.or(words().nth(2).and_then(|word| word.parse().ok())).unwrap_or(f64::NAN);
+        } else if line.starts_with(" -4") {
+            heads.extend(words().nth(1).map(|name| Head { name, state, rest: &source.text[at..] }));
+        }
+    }
+    heads
 }
 
 /// A block of results: names of components, and their values a node.
@@ -92,92 +164,207 @@ struct Block {
     rows: BTreeMap<usize, Vec<f64>>,
 }
 
-/// Number of a node and the numbers behind it, twelve characters each.
-fn record(file: &Path, text: &str, line: &str, wanted: usize) -> Result<(usize, Vec<f64>), Error> {
-    let wrong = || at(file, text, line, "this line is cut, or holds no finite numbers".into(), AGAIN);
-    let node = line.get(3..13).and_then(|word| word.trim().parse().ok()).ok_or_else(wrong)?;
-    let number = |k: usize| {
-        line.get(13 + 12 * k..25 + 12 * k)
-            .and_then(|word| word.trim().parse::<f64>().ok())
-            .filter(|value| value.is_finite())
-    };
-    Ok((node, (0..wanted).map(number).collect::<Option<Vec<f64>>>().ok_or_else(wrong)?))
-}
-
-/// Places of the nodes.
-fn nodes_of_fields(file: &Path, text: &str) -> Result<BTreeMap<usize, [f64; 3]>, Error> {
-    let mut lines = text.lines().skip_while(|line| !line.starts_with("    2C"));
-    if lines.next().is_none() {
-        return Err(Error::file(file, "it has no block of nodes", AGAIN));
-    }
-    let mut nodes = BTreeMap::new();
-    for line in lines.take_while(|line| line.starts_with(" -1")) {
-        let (node, place) = record(file, text, line, 3)?;
-        nodes.insert(node, [place[0], place[1], place[2]]);
-    }
-    Ok(nodes)
-}
-
-/// Types of plane cells: corners, then all nodes.
-const PLANE: [(&str, usize, usize); 4] = [("7", 3, 3), ("8", 3, 6), ("9", 4, 4), ("10", 4, 8)];
-/// Types of lines, as which gap elements are written.
-const LINES: [&str; 2] = ["11", "12"];
-
-/// The plane cells, their nodes by index.
-fn cells(file: &Path, text: &str, numbers: &[usize]) -> Result<Vec<Cell>, Error> {
-    let wrong = |line: &str, message: &str, remedy: &str| at(file, text, line, message.into(), remedy);
-    let mut lines = text.lines().skip_while(|line| !line.starts_with("    3C")).skip(1).peekable();
-    let mut cells = Vec::new();
-    while let Some(head) = lines.next_if(|line| line.starts_with(" -1")) {
-        let kind = head.split_whitespace().nth(2).unwrap_or_default();
-        let mut nodes = Vec::new();
-        while let Some(line) = lines.next_if(|line| line.starts_with(" -2")) {
-            for word in line[3..].split_whitespace() {
-                let index = word.parse().ok().and_then(|number: usize| numbers.binary_search(&number).ok());
-                nodes.push(index.ok_or_else(|| wrong(line, "this line names a node that is not there", AGAIN))?);
-            }
-        }
-        if LINES.contains(&kind) {
-            continue;
-        }
-        let Some((_, corners, all)) = PLANE.into_iter().find(|(known, ..)| *known == kind) else {
-            return Err(wrong(
-                head,
-                "this cell is not plane",
-                "write *CONTACT FILE and *NODE FILE with OUTPUT=2D, and run ccx again",
-            ));
-        };
-        if nodes.len() != all {
-            return Err(wrong(head, "this cell has not the nodes of its type", AGAIN));
-        }
-        cells.push(Cell { nodes, corners });
-    }
-    Ok(cells)
-}
-
-/// The last block of contact results.
-fn contact_block(file: &Path, text: &str) -> Result<Block, Error> {
-    let remedy =
-        "write `*CONTACT FILE` with CDIS and CSTR in the step, and run ccx again; of an exported deck hand in the .dat";
-    last_block(file, text, "CONTACT")?.ok_or_else(|| Error::file(file, "it has no contact block", remedy))
-}
-
-/// The last block of a name; none where there is none.
-fn last_block(file: &Path, text: &str, name: &str) -> Result<Option<Block>, Error> {
-    let Some(begin) = text.rfind(&format!(" -4  {name}")) else { return Ok(None) };
-    let mut lines = text[begin..].lines().skip(1).peekable();
+/// The rows of a block.
+fn block(source: &Source, head: &Head) -> Result<Block, Error> {
+    let mut lines = head.rest.lines().peekable();
     let mut components = Vec::new();
     while let Some(line) = lines.next_if(|line| line.starts_with(" -5")) {
         // What a viewer is to compute from the others is listed too.
         components.extend(line.split_whitespace().nth(1).filter(|name| *name != "ALL").map(str::to_owned));
     }
-    let mut rows = BTreeMap::new();
+    let mut rows: Vec<(usize, &str, Vec<f64>)> = Vec::new();
     for line in lines {
         if line.starts_with(" -3") {
-            return Ok(Some(Block { components, rows }));
+            if let Some((_, line, values)) = rows.iter().find(|(.., values)| values.len() != components.len()) {
+                return Err(wrong(source, line, &format!("{} of {} components", values.len(), components.len())));
+            }
+            return Ok(Block { components, rows: rows.into_iter().map(|(node, _, values)| (node, values)).collect() });
         }
-        let (node, values) = record(file, text, line, components.len())?;
-        rows.insert(node, values);
+        match (line.strip_prefix(" -2"), rows.last_mut()) {
+            // More than six components go on in the next line.
+            (Some(more), Some((.., values))) => {
+                values.extend(numbers(more).ok_or_else(|| wrong(source, line, more.trim()))?);
+            }
+            _ => {
+                let (node, values) = record(source, line)?;
+                rows.push((node, line, values));
+            }
+        }
     }
-    Err(Error::file(file, format!("its block {name} has no end"), AGAIN))
+    Err(source.refused(format!("its block {} has no end", head.name), AGAIN))
+}
+
+fn wrong(source: &Source, line: &str, what: &str) -> Error {
+    source.at(line, format!("this line is cut, or holds no finite numbers: {what}"), AGAIN)
+}
+
+/// Number of a node, in ten columns or in five, and the numbers behind it.
+fn record(source: &Source, line: &str) -> Result<(usize, Vec<f64>), Error> {
+    let split = |at: usize| Some((line.get(3..at)?.trim().parse::<usize>().ok()?, line.get(at..)?));
+    let (node, rest) = split(13).or_else(|| split(8)).ok_or_else(|| wrong(source, line, "no number of a node"))?;
+    Ok((node, numbers(rest).ok_or_else(|| wrong(source, line, rest.trim()))?))
+}
+
+/// Numbers one behind the other, with blanks between or none; none where a word is no row of finite numbers.
+fn numbers(text: &str) -> Option<Vec<f64>> {
+    let mut all = Vec::new();
+    for mut rest in text.split_whitespace() {
+        while !rest.is_empty() {
+            let (own, behind) = rest.split_at(end_of_number(rest));
+            all.push(own.parse().ok().filter(|value: &f64| value.is_finite())?);
+            rest = behind;
+        }
+    }
+    Some(all)
+}
+
+/// Where the first number ends: its exponent has digits up to the sign of the next one, or to the one digit before the point of the next one.
+fn end_of_number(text: &str) -> usize {
+    let Some(exponent) = text.find(['E', 'e']) else { return text.len() };
+    let rest = &text[exponent + 1..];
+    let signed = usize::from(rest.starts_with(['+', '-']));
+    let digits = rest[signed..].bytes().take_while(u8::is_ascii_digit).count();
+    let end = exponent + 1 + signed + digits;
+    if text[end..].starts_with('.') && digits > 1 { end - 1 } else { end }
+}
+
+/// A kind of cell: its corners and nodes in the plane, and all it has.
+struct Kind(&'static str, usize, usize, usize);
+
+/// Plane cells, and the bricks and wedges into which they are expanded.
+const KINDS: [Kind; 8] = [
+    Kind("7", 3, 3, 3),
+    Kind("8", 3, 6, 6),
+    Kind("9", 4, 4, 4),
+    Kind("10", 4, 8, 8),
+    Kind("1", 4, 4, 8),
+    Kind("2", 3, 3, 6),
+    Kind("4", 4, 8, 20),
+    Kind("5", 3, 6, 15),
+];
+/// Types of lines, as which gap elements are written.
+const LINES: [&str; 2] = ["11", "12"];
+
+/// The mesh in the plane: nodes at the same place of the slice are one.
+struct Plane {
+    /// All nodes of the file.
+    all: BTreeMap<usize, [f64; 3]>,
+    /// Nodes of the plane by the number of each node that stands for them.
+    of: BTreeMap<usize, usize>,
+    /// Their places.
+    places: Vec<[f64; 2]>,
+    cells: Vec<Cell>,
+}
+
+impl Plane {
+    fn of(source: &Source) -> Result<Self, Error> {
+        let all = nodes(source)?;
+        let mut plane = Self { all, of: BTreeMap::new(), places: vec![], cells: vec![] };
+        let mut lines = source.text.lines().skip_while(|line| !line.starts_with("    3C")).skip(1).peekable();
+        while let Some(head) = lines.next_if(|line| line.starts_with(" -1")) {
+            let kind = head.split_whitespace().nth(2).unwrap_or_default();
+            let mut nodes = Vec::new();
+            while let Some(line) = lines.next_if(|line| line.starts_with(" -2")) {
+                let node = |word: &str| word.parse().ok().filter(|number| plane.all.contains_key(number));
+                let own: Option<Vec<usize>> = line[3..].split_whitespace().map(node).collect();
+                let strange = || source.at(line, "this line names a node that is not there", AGAIN);
+                nodes.extend(own.ok_or_else(strange)?);
+            }
+            if LINES.contains(&kind) {
+                continue;
+            }
+            let Some(kind) = KINDS.iter().find(|Kind(known, ..)| *known == kind) else {
+                let remedy = "write *CONTACT FILE and *NODE FILE of plane elements, and run ccx again";
+                return Err(source.at(head, "this cell is neither plane nor a slice of plane ones", remedy));
+            };
+            if nodes.len() != kind.3 {
+                return Err(source.at(head, "this cell has not the nodes of its type", AGAIN));
+            }
+            let sliced = "this cell is not plane: its nodes do not lie in pairs at the same x and y";
+            plane.add(kind, &nodes).ok_or_else(|| source.at(head, sliced, "hand in a plane model"))?;
+        }
+        // Several layers of a slice are the same cells.
+        let mut known = BTreeSet::new();
+        plane.cells.retain(|cell| {
+            let mut nodes = cell.nodes.clone();
+            nodes.sort_unstable();
+            known.insert(nodes)
+        });
+        Ok(plane)
+    }
+
+    /// Adds a cell; none where nodes of it stand for none of the plane.
+    fn add(&mut self, Kind(_, corners, in_plane, all): &Kind, nodes: &[usize]) -> Option<()> {
+        // Mid-sides in the plane stand behind all corners.
+        let mids = if in_plane < all { 2 * corners } else { *corners };
+        let own: Vec<usize> = (0..*corners).chain(mids..mids + in_plane - corners).map(|k| nodes[k]).collect();
+        let place = |number: &usize| [self.all[number][0] + 0.0, self.all[number][1] + 0.0];
+        let size = own.iter().map(|node| place(node)[0].abs().max(place(node)[1].abs())).fold(0.0, f64::max);
+        let near = |a: &usize, b: &usize| {
+            let (a, b) = (place(a), place(b));
+            (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) <= SAME * size
+        };
+        let groups: Vec<Vec<usize>> = own
+            .iter()
+            .map(|node| {
+                nodes.iter().copied().filter(|other| other == node || (in_plane < all && near(node, other))).collect()
+            })
+            .collect();
+        if groups.iter().map(Vec::len).sum::<usize>() != nodes.len() {
+            return None;
+        }
+        let mut found = Vec::new();
+        for (group, node) in groups.iter().zip(&own) {
+            let known = group.iter().find_map(|number| self.of.get(number).copied());
+            let index = known.unwrap_or(self.places.len());
+            if known.is_none() {
+                self.places.push(place(node));
+            }
+            found.push(index);
+            self.of.extend(group.iter().map(|number| (*number, index)));
+        }
+        self.cells.push(Cell { nodes: found, corners: *corners });
+        Some(())
+    }
+
+    /// Means of the values of a block at each node of the plane, none where it has none; and how many of its nodes are not there. Where it names no
+    /// node of a cell, those at the same place are meant.
+    fn values(&self, block: &Block) -> (Vec<Option<Vec<f64>>>, usize) {
+        let is_direct = block.rows.keys().any(|number| self.of.contains_key(number));
+        let key = |x: f64, y: f64| [x + 0.0, y + 0.0].map(f64::to_bits);
+        let mut at: BTreeMap<[u64; 2], Vec<usize>> = BTreeMap::new();
+        self.places.iter().enumerate().for_each(|(node, [x, y])| at.entry(key(*x, *y)).or_default().push(node));
+        let nodes = |number: &usize| match (is_direct, self.all.get(number)) {
+            (false, Some([x, y, _])) => at.get(&key(*x, *y)).cloned().unwrap_or_default(),
+            _ => self.of.get(number).copied().into_iter().collect(),
+        };
+        let mut sums = vec![(0.0, vec![0.0; block.components.len()]); self.places.len()];
+        for (number, values) in &block.rows {
+            for node in nodes(number) {
+                sums[node].0 += 1.0;
+                sums[node].1.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
+            }
+        }
+        let mean = |(count, sum): (f64, Vec<f64>)| (count > 0.0).then(|| sum.iter().map(|sum| sum / count).collect());
+        let strange = block.rows.keys().filter(|number| !self.all.contains_key(number)).count();
+        (sums.into_iter().map(mean).collect(), strange)
+    }
+}
+
+/// Distance of nodes, over the largest coordinate of their cell, within which they are at the same place: six digits are written.
+const SAME: f64 = 2e-6;
+
+/// Places of the nodes.
+fn nodes(source: &Source) -> Result<BTreeMap<usize, [f64; 3]>, Error> {
+    let mut lines = source.text.lines().skip_while(|line| !line.starts_with("    2C"));
+    if lines.next().is_none() {
+        return Err(source.refused("it has no block of nodes", AGAIN));
+    }
+    let mut nodes = BTreeMap::new();
+    for line in lines.take_while(|line| line.starts_with(" -1")) {
+        let (node, place) = record(source, line)?;
+        let place = <[f64; 3]>::try_from(place);
+        nodes.insert(node, place.map_err(|place| wrong(source, line, &format!("{} of 3 coordinates", place.len())))?);
+    }
+    Ok(nodes)
 }

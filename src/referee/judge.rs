@@ -67,7 +67,8 @@ impl Bench<'_> {
         let at = Coordinate::Length(0.0);
         let reference = self.truth.closed(oracle::Quantity::Pressure { at: 0.0 })?;
         let ours = self.truth.run.contacts[contact].measures.pressure_at_origin;
-        let bar = (ours - reference.value).abs();
+        let model = self.truth.model(oracle::Quantity::Pressure { at: 0.0 });
+        let bar = larger((ours - reference.value).abs(), model * reference.value.abs());
         let value = peak::pressure_at(&self.profile.edges, 0.0);
         Some(self.near(Asked::Pressure { at }, value, Known { reference, bar }))
     }
@@ -139,11 +140,15 @@ impl Bench<'_> {
 
     fn resultant(&self) -> Judged {
         let contact = self.profile.contact;
-        let transmitted = self.truth.run.contacts[contact].transmitted;
-        let ours = self.truth.ours(contact, Quantity::Resultant);
-        let bar = if ours.bar.is_finite() { ours.bar } else { 0.0 };
-        let reference = Reference { value: transmitted, ..Reference::own("equilibrium with the load", transmitted) };
-        self.near(Asked::Resultant, self.measures.resultant, Known { reference, bar })
+        let known = if self.truth.is_told_by_loads(contact) {
+            let ours = self.truth.ours(contact, Quantity::Resultant);
+            let transmitted = self.truth.run.contacts[contact].transmitted;
+            let reference = Reference::own("equilibrium with the load", transmitted);
+            Known { reference, bar: if ours.bar.is_finite() { ours.bar } else { 0.0 } }
+        } else {
+            self.truth.known(contact, Quantity::Resultant, oracle::Quantity::Resultant)
+        };
+        self.near(Asked::Resultant, self.measures.resultant, known)
     }
 
     fn tension(&self) -> Judged {

@@ -5,8 +5,10 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
+use crate::accuracy::Quantity;
 use crate::case::Verdict;
 use crate::mesh::Order;
+use crate::oracle;
 use crate::referee::answer::{Handed, Point};
 use crate::referee::judge::judge;
 use crate::referee::profile::{Profile, tributary};
@@ -30,20 +32,21 @@ pub fn explain(truth: &Truth, handed: &Handed, tolerance: f64) -> Vec<String> {
     if meets(&plain) {
         return vec![];
     }
-    let all = corrections(&truth.case.scene, &plain).into_iter();
+    let all = corrections(truth, &plain).into_iter();
     all.filter(|one| sound(&one.corrected) && meets(&one.corrected)).map(|one| one.says).collect()
 }
 
 /// Every correction that is tried.
-fn corrections(scene: &Scene, handed: &Handed) -> Vec<Correction> {
-    let scales = scales(scene, handed).into_iter();
+fn corrections(truth: &Truth, handed: &Handed) -> Vec<Correction> {
+    let scales = scales(truth, handed).into_iter();
     let scaled =
         scales.map(|(says, [pressure, place])| Correction { says, corrected: scaled(handed, pressure, place) });
     scaled.chain(shifts(handed)).chain(halves(handed)).chain(orders(handed)).collect()
 }
 
 /// Factors on pressures and on positions.
-fn scales(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
+fn scales(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
+    let scene = &truth.case.scene;
     let pair = &scene.contacts[handed.contact];
     let say = |text: &str| text.to_owned();
     let mut all = vec![
@@ -67,6 +70,9 @@ fn scales(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
         (say("positions are doubled: a width for a half-width"), [1.0, 0.5]),
         (say("positions are halved: a half-width for a width"), [1.0, 2.0]),
     ];
+    let sphere =
+        "p₀ = 3F/2πa² is that of a sphere, whose a = ∛(3FR/4E*): of a cylinder p₀ = 2F/πat and a = √(4FR/πE*t)";
+    all.extend(of_spheres(truth, handed).map(|factors| (say(sphere), factors)));
     let other = match scene.plane {
         PlaneHypothesis::Strain => Scene { plane: PlaneHypothesis::Stress, ..scene.clone() },
         PlaneHypothesis::Stress => Scene { plane: PlaneHypothesis::Strain, ..scene.clone() },
@@ -103,6 +109,16 @@ fn scales(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
         }
     }
     all
+}
+
+/// What turns a sphere's peak into that of a cylinder, with its half-width and without: since `a² = 4PR/πE*`, the sphere has `a₃³ = 3πta²/16`, and
+/// its peak is `3ta/4a₃²` times that of the cylinder.
+fn of_spheres(truth: &Truth, handed: &Handed) -> [[f64; 2]; 2] {
+    let known = truth.known(handed.contact, Quantity::SecondMomentWidth, oracle::Quantity::SecondMoment);
+    let (a, thickness) = (known.reference.value, truth.case.scene.thickness);
+    let of_sphere = (3.0 * PI * thickness * a * a / 16.0).cbrt();
+    let peak = |own: f64| 4.0 * own * own / (3.0 * thickness * a);
+    [[peak(of_sphere), a / of_sphere], [peak(a), 1.0]]
 }
 
 /// Pressures times one factor, positions times another; forces and areas follow.

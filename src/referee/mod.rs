@@ -1,11 +1,14 @@
 //! The referee: another code's answer, on its own mesh, judged by the truths, measures and tolerances of a case.
 //!
 //! * [`units`] — units of what is handed in.
+//! * [`source`] — a file that is handed in, and how it is refused.
 //! * [`answer`] — what another code found.
 //! * [`asked`] — how a file is to be read.
 //! * [`table`], [`document`], [`grid`], [`calculix`], [`frd`] — answers as CSV, as JSON, of VTK and of CalculiX; [`mod@read`] — a file by its ending.
-//! * `vtu` — arrays of VTU files that are no text, made such.
-//! * [`side`] — which nodes of a mesh lie on the contact side.
+//! * [`state`] — which state of an analysis is judged.
+//! * `unstructured` — a grid of VTK; `vtu`, `vtk` — one in XML, and in the legacy format.
+//! * [`side`] — which nodes of a mesh lie on the contact side, and whether they are all that is pressed.
+//! * `complete` — whether an answer holds the whole contact.
 //! * [`profile`] — an answer as contact points and edge means, of which measures are taken.
 //! * [`field`] — displacements brought to our mesh; `whole` — what they tell: equilibrium, energy, declared checks.
 //! * [`norm`] — the distance of a profile from the truth.
@@ -20,6 +23,7 @@ pub mod answer;
 pub mod asked;
 pub mod bench;
 pub mod calculix;
+mod complete;
 mod contact_laws;
 mod declared;
 pub mod document;
@@ -35,9 +39,13 @@ pub mod profile;
 pub mod read;
 pub mod series;
 pub mod side;
+pub mod source;
+pub mod state;
 pub mod table;
 pub mod truth;
 pub mod units;
+mod unstructured;
+mod vtk;
 mod vtu;
 mod whole;
 
@@ -60,6 +68,8 @@ pub struct Verdicts {
     pub mistakes: Vec<String>,
     /// Contacts of the scene that were not handed in.
     pub absent: Vec<String>,
+    /// What the closed forms of the case say that our own run contradicts, and what makes the answer another one than may be meant.
+    pub notes: Vec<String>,
 }
 
 impl Verdicts {
@@ -75,6 +85,9 @@ pub fn verdicts(truth: &Truth, answer: Answer, tolerance: f64) -> Result<Verdict
     let scene = &truth.case.scene;
     let handed = || (0..scene.contacts.len()).filter_map(|contact| answer.of(contact));
     let profiles: Vec<Profile> = handed().map(|handed| Profile::of(scene, handed)).collect();
+    for (handed, profile) in handed().zip(&profiles) {
+        complete::all(truth, &answer, handed, profile, tolerance)?;
+    }
     let mut ruled: Vec<Ruled> = profiles.iter().map(|profile| judge::judge(truth, profile, tolerance)).collect();
     match &answer.field {
         Some(field) => whole::judge(truth, field, &profiles, &mut ruled, tolerance)?,
@@ -83,5 +96,6 @@ pub fn verdicts(truth: &Truth, answer: Answer, tolerance: f64) -> Result<Verdict
     let mistakes = handed().flat_map(|handed| mistakes::explain(truth, handed, tolerance)).collect();
     let names = scene.contacts.iter().enumerate().filter(|(contact, _)| answer.of(*contact).is_none());
     let absent = names.map(|(_, pair)| pair.name.clone()).collect();
-    Ok(Verdicts { ruled, mistakes, absent, answer })
+    let notes = [truth.notes(), answer.notes.clone()].concat();
+    Ok(Verdicts { ruled, mistakes, absent, notes, answer })
 }

@@ -10,13 +10,14 @@ use crate::case::Case;
 use crate::error::Error;
 use crate::referee::answer::Answer;
 use crate::referee::asked::Asked;
+use crate::referee::source::Source;
 use crate::referee::{calculix, document, frd, grid, table};
 use crate::scene::Scene;
 
 /// Largest file that is read \[bytes\].
 const LARGEST_FILE: u64 = 256 << 20;
 /// What can be handed in.
-const KNOWN: &str = "hand in .csv, .json, .vtu, .vtk, .frd or .dat, or one of them compressed as .gz";
+const KNOWN: &str = "hand in .csv, .tsv, .txt, .rpt, .json, .vtu, .vtk, .frd or .dat, or one of them compressed as .gz";
 
 /// The answer in a file.
 pub fn read(file: &Path, case: &Case, asked: &Asked) -> Result<Answer, Error> {
@@ -35,11 +36,23 @@ pub fn parse(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<An
         }
         return parse(&within, &decompressed(file, bytes)?, case, asked);
     }
+    let has_states = matches!(ending.as_str(), "frd" | "dat");
+    if asked.has_state() && !has_states {
+        let message = "--time and --step are asked for, and it has one state";
+        return Err(Error::file(
+            file,
+            message,
+            "leave them out: they choose among those of a .frd or .dat of CalculiX",
+        ));
+    }
     match ending.as_str() {
-        "csv" | "tsv" | "txt" => table::parse(file, text(file, bytes)?, &case.scene, asked),
+        "csv" | "tsv" | "txt" | "rpt" => table::parse(file, text(file, bytes)?, &case.scene, asked),
         "json" => document::parse(file, text(file, bytes)?, &case.name, &case.scene, asked),
         "vtu" | "vtk" => grid::parse(file, bytes, &case.scene, asked),
         "frd" => frd::parse(file, text(file, bytes)?, &case.scene, asked),
+        "dat" if !text(file, bytes)?.contains(" for set ") => {
+            table::parse(file, text(file, bytes)?, &case.scene, asked)
+        }
         "dat" => exported(file, text(file, bytes)?, &case.scene, asked),
         _ => Err(Error::file(file, format!("its ending `{ending}` names no format that is read"), KNOWN)),
     }
@@ -52,8 +65,8 @@ fn exported(file: &Path, table: &str, scene: &Scene, asked: &Asked) -> Result<An
     let fields = file.with_extension("frd");
     if fields.exists() {
         let read = bytes(&fields)?;
-        answer.field =
-            frd::displacements(&fields, text(&fields, &read)?, asked, calculix::is_ours(&deck).then_some("mm"))?;
+        let source = Source { file: &fields, text: text(&fields, &read)? };
+        answer.field = frd::displacements(&source, asked, calculix::is_ours(&deck).then_some("mm"), None)?;
         answer.read.extend(answer.field.is_some().then(|| "displacements from the .frd of the same name".into()));
     }
     Ok(answer)
@@ -75,9 +88,14 @@ fn decompressed(file: &Path, bytes: &[u8]) -> Result<Vec<u8>, Error> {
 }
 
 fn text<'a>(file: &Path, bytes: &'a [u8]) -> Result<&'a str, Error> {
-    let text = std::str::from_utf8(bytes);
+    // Programs of Windows put a mark of the order of bytes before.
+    let text = std::str::from_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes));
     text.map_err(|error| {
-        Error::unreadable(file, format!("byte {} is no text", error.valid_up_to()), "write it as UTF-8")
+        Error::unreadable(
+            file,
+            format!("byte {} is no text", error.valid_up_to()),
+            "write it as text, in UTF-8 and not in binary",
+        )
     })
 }
 

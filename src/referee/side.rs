@@ -1,7 +1,11 @@
-//! Which edges of a mesh made elsewhere lie on the contact side of the first body.
+//! Which edges of a mesh made elsewhere lie on the contact side of the first body, and whether they are all that is pressed there.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{HashMap, HashSet, VecDeque};
 
+use crate::error::Error;
+use crate::mesh::Order;
+use crate::referee::source::Source;
+use crate::referee::units::{Role, is_angle};
 use crate::scene::{ContactPair, Path, Profile, Scene, Shape};
 
 /// Distance from the side, over the length of an edge, that its chord explains.
@@ -10,6 +14,13 @@ const NEAR: f64 = 0.02;
 const ALONG: f64 = 0.5;
 /// Rounding of the stretch.
 const SAME: f64 = 1e-6;
+/// Pressure over the largest, above which an edge is pressed: stresses at free nodes are not quite 0.
+const PRESSED: f64 = 0.02;
+/// Share of the force that may lie elsewhere.
+const DROPPED: f64 = 1e-3;
+/// What to do about points that lie elsewhere.
+const UNDEFORMED: &str = "hand in the mesh undeformed, in plane cells, in the coordinates of the scene and the unit of --unit position=UNIT; --contact \
+                          names one of several";
 
 /// A cell by its nodes: three or four corners, then the mid-sides, if it has them.
 #[derive(Clone, Debug)]
@@ -26,25 +37,159 @@ pub fn have_own_points(cells: &[Cell]) -> bool {
     cells.len() > 1 && all.iter().collect::<HashSet<_>>().len() == all.len()
 }
 
-/// The nodes of the edges on the contact side within the candidate stretch, in pairs or, with mid-sides, in threes.
-pub fn edges(scene: &Scene, contact: usize, points: &[[f64; 2]], cells: &[Cell]) -> Vec<Vec<usize>> {
-    let pair = &scene.contacts[contact];
-    let all = outline(points, cells);
-    let depth = |node: usize| pair.path.depth(points[node]);
-    let within = |edge: &&Vec<usize>| {
-        edge.iter().all(|&node| pair.path.coordinate(points[node]).abs() <= pair.stretch * (1.0 + SAME))
+/// The nodes of an edge: its ends, and its mid-side where it has one.
+type Edge = Vec<usize>;
+
+/// The contact side of a mesh.
+pub struct Side {
+    /// Edges on it within the candidate stretch.
+    edges: Vec<Edge>,
+    /// Edges that go on from these and face the same way, and lie off the undeformed path or beyond the stretch.
+    off: Vec<Edge>,
+    /// What unit of the points would bring more of them onto it.
+    fits: String,
+}
+
+impl Side {
+    /// The side of a contact; refused where no edge lies there.
+    pub fn of(
+        source: &Source,
+        scene: &Scene,
+        contact: usize,
+        points: &[[f64; 2]],
+        cells: &[Cell],
+    ) -> Result<Self, Error> {
+        let all = outline(points, cells);
+        let pair = &scene.contacts[contact];
+        let edges: Vec<Edge> = all.iter().filter(|edge| lies_on(scene, pair, points, edge)).cloned().collect();
+        if edges.is_empty() {
+            let range = |axis: usize| {
+                let along = || points.iter().map(|point| point[axis]);
+                let [least, most] = [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)];
+                format!("{least:.4} to {most:.4}")
+            };
+            let message = format!(
+                "no edge of its cells lies on the side of contact `{}`, within the candidate stretch; its points lie at x = {}, y = {} mm",
+                pair.name,
+                range(0),
+                range(1)
+            );
+            return Err(
+                source.refused(message, format!("{UNDEFORMED}{}", unit_that_fits(scene, pair, points, &all, 1)))
+            );
+        }
+        let is_other = |edge: &Edge| scene.contacts.iter().any(|pair| lies_on(scene, pair, points, edge));
+        let others: Vec<&Edge> = all.iter().filter(|edge| faces(pair, points, edge) && !is_other(edge)).collect();
+        let off = connected(points, &edges, &others);
+        let fits = if off.is_empty() { String::new() } else { unit_that_fits(scene, pair, points, &all, edges.len()) };
+        Ok(Self { edges, off, fits })
+    }
+
+    /// The nodes on it, once each.
+    pub fn nodes(&self) -> Vec<usize> {
+        let mut nodes: Vec<usize> = self.edges.iter().flatten().copied().collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        nodes
+    }
+
+    /// Whether all its edges have mid-sides, or not.
+    pub fn order(&self) -> Order {
+        if self.edges.iter().all(|edge| edge.len() == 3) { Order::Quadratic } else { Order::Linear }
+    }
+
+    /// Refuses a side of which only a part is read: edges that go on from it are pressed too.
+    pub fn all_pressed(
+        &self,
+        source: &Source,
+        pair: &ContactPair,
+        points: &[[f64; 2]],
+        pressure: impl Fn(usize) -> Option<f64>,
+    ) -> Result<(), Error> {
+        let at = |node: usize| pressure(node).filter(|value| value.is_finite()).unwrap_or(0.0).abs();
+        let all = || self.edges.iter().chain(&self.off);
+        let largest = all().flatten().map(|&node| at(node)).fold(0.0, f64::max);
+        let force = |edge: &Edge| {
+            let mean = edge.iter().map(|&node| at(node)).sum::<f64>() / edge.len() as f64;
+            distance(points[edge[0]], points[edge[1]]) * mean
+        };
+        // The edge at which the contact ends has one pressed node.
+        let pressed = || self.off.iter().filter(|edge| edge.iter().all(|&node| at(node) > PRESSED * largest));
+        let (whole, dropped) = (all().map(force).sum::<f64>(), pressed().map(force).sum::<f64>());
+        if dropped <= DROPPED * whole {
+            return Ok(());
+        }
+        let is_beyond = |edge: &Edge| edge.iter().any(|&node| pair.path.coordinate(points[node]).abs() > pair.stretch);
+        let beyond = pressed().filter(|edge| is_beyond(edge)).count();
+        let message = format!(
+            "{} of the edges that are pressed lie off the undeformed path of contact `{}`, {beyond} of them beyond its candidate stretch: {:.2} % of \
+             the force would be left out",
+            pressed().count(),
+            pair.name,
+            100.0 * dropped / whole
+        );
+        let remedy = match beyond == pressed().count() {
+            true => "give the contact a longer `stretch`".into(),
+            false => format!("{UNDEFORMED}{}", self.fits),
+        };
+        Err(source.refused(message, remedy))
+    }
+}
+
+/// The factor by which more than so many edges would lie on the side, as a part of a remedy; nothing where none is.
+fn unit_that_fits(
+    scene: &Scene,
+    pair: &ContactPair,
+    points: &[[f64; 2]],
+    outline: &[Edge],
+    more_than: usize,
+) -> String {
+    let count = |factor: f64| {
+        let scaled: Vec<[f64; 2]> = points.iter().map(|point| point.map(|x| factor * x)).collect();
+        outline.iter().filter(|edge| lies_on(scene, pair, &scaled, edge)).count()
     };
-    let own = all.iter().filter(within).filter(|edge| faces(pair, points, edge));
-    own.filter(|edge| {
-        let [a, b] = [edge[0], edge[1]].map(|node| points[node]);
-        let length = (a[0] - b[0]).hypot(a[1] - b[1]);
-        edge.iter().all(|&node| {
-            let wanted = surface(scene, pair, points[node]);
-            wanted.is_none_or(|wanted| (depth(node) - wanted).abs() <= NEAR * length)
-        })
-    })
-    .cloned()
-    .collect()
+    let lengths = Role::Position.units().iter().filter(|(unit, factor)| !is_angle(unit) && (factor - 1.0).abs() > 0.0);
+    let tried = lengths.flat_map(|(_, factor)| [*factor, 1.0 / factor]).map(|factor| (count(factor), factor));
+    match tried.max_by_key(|(count, _)| *count) {
+        Some((count, factor)) if count > more_than => {
+            let factor = crate::markdown::significant(factor, 4);
+            format!(
+                "; with all coordinates times {factor} it would lie there, so that their unit may be another one than was named"
+            )
+        }
+        _ => String::new(),
+    }
+}
+
+/// Whether an edge lies on the contact side, within the candidate stretch.
+fn lies_on(scene: &Scene, pair: &ContactPair, points: &[[f64; 2]], edge: &Edge) -> bool {
+    let is_within = |&node: &usize| pair.path.coordinate(points[node]).abs() <= pair.stretch * (1.0 + SAME);
+    let length = distance(points[edge[0]], points[edge[1]]);
+    let is_near = |&node: &usize| {
+        let wanted = surface(scene, pair, points[node]);
+        wanted.is_none_or(|wanted| (pair.path.depth(points[node]) - wanted).abs() <= NEAR * length)
+    };
+    faces(pair, points, edge) && edge.iter().all(is_within) && edge.iter().all(is_near)
+}
+
+/// Those of some edges that go on from others, one behind the other.
+fn connected(points: &[[f64; 2]], from: &[Edge], others: &[&Edge]) -> Vec<Edge> {
+    let key = |node: usize| points[node].map(|x| (x + 0.0).to_bits());
+    let mut at: HashMap<[u64; 2], Vec<usize>> = HashMap::new();
+    for (k, edge) in others.iter().enumerate() {
+        edge[..2].iter().for_each(|&node| at.entry(key(node)).or_default().push(k));
+    }
+    let mut next: VecDeque<[u64; 2]> = from.iter().flat_map(|edge| [key(edge[0]), key(edge[1])]).collect();
+    let mut found = Vec::new();
+    while let Some(place) = next.pop_front() {
+        for k in at.remove(&place).unwrap_or_default() {
+            found.push(k);
+            next.extend(others[k][..2].iter().map(|&node| key(node)));
+        }
+    }
+    found.sort_unstable();
+    found.dedup();
+    found.into_iter().map(|k| others[k].clone()).collect()
 }
 
 /// How deep the first body's side lies where a point is; none where only its mesh tells.
@@ -73,18 +218,22 @@ fn surface(scene: &Scene, pair: &ContactPair, point: [f64; 2]) -> Option<f64> {
 }
 
 /// Whether an edge faces the other side of the contact: the body is to its left.
-fn faces(pair: &ContactPair, points: &[[f64; 2]], edge: &[usize]) -> bool {
+fn faces(pair: &ContactPair, points: &[[f64; 2]], edge: &Edge) -> bool {
     let [a, b] = [edge[0], edge[1]].map(|node| points[node]);
-    let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+    let length = distance(a, b);
     let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
     let normal = [(b[1] - a[1]) / length, (a[0] - b[0]) / length];
     let wanted = pair.normal(middle);
     normal[0] * wanted[0] + normal[1] * wanted[1] >= ALONG
 }
 
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (b[0] - a[0]).hypot(b[1] - a[1])
+}
+
 /// Edges of one cell only, each with the cell to its left.
-fn outline(points: &[[f64; 2]], cells: &[Cell]) -> Vec<Vec<usize>> {
-    let mut known: HashMap<[usize; 2], Option<Vec<usize>>> = HashMap::new();
+fn outline(points: &[[f64; 2]], cells: &[Cell]) -> Vec<Edge> {
+    let mut known: HashMap<[usize; 2], Option<Edge>> = HashMap::new();
     for Cell { nodes, corners } in cells {
         let at = |k: usize| points[nodes[k % corners]];
         let area: f64 = (0..*corners).map(|k| at(k)[0] * at(k + 1)[1] - at(k + 1)[0] * at(k)[1]).sum();

@@ -1,77 +1,51 @@
-//! Answers as CSV: a line of names with their units, then a line a point.
+//! Answers as tables: a line of names with their units, then a line a point; separated by commas, semicolons, tabs or blanks.
 //!
 //! A column is called what it holds, `position [mm]`, `pressure [MPa]`, `force [N]`, `gap [mm]`, `area [mm2]`, `x [mm]`, `y [mm]` or
-//! `contact`, or is named by `--column`. A unit stands in its brackets, or is named by `--unit`; none is guessed.
+//! `contact`, or has a name that other programs give it ([`Role::usual`]), or is named by `--column`. A unit stands in its brackets, in a row
+//! of units behind the names, or is named by `--unit`; none is guessed. What stands before the names, and comments, are passed over; where a
+//! comment is all that stands before the numbers, it has the names. Numbers may have decimal commas, and exponents of Fortran.
 
 use std::path::Path;
 
-use csv::{ReaderBuilder, StringRecord, Trim};
-
-use crate::error::{Error, Located};
+use crate::error::Error;
 use crate::mesh::Order;
 use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered, signed_coordinate};
 use crate::referee::asked::Asked;
+use crate::referee::source::Source;
 use crate::referee::units::{Role, is_angle};
 use crate::scene::Scene;
 
 /// What a file needs.
-const HEADER: &str = "begin with a line of names and units such as `position [mm],pressure [MPa]`, or name columns by --column and --unit";
+const HEADER: &str = "begin with a line of names and units such as `position [mm],pressure [MPa]`, or name columns by --column and --unit; where \
+                      there are no names, by their numbers, --column position=1 --column pressure=2";
 
 /// A column that is read.
-#[derive(Clone, Debug)]
-pub struct Column {
+struct Column {
     /// What it holds.
-    pub role: Role,
+    role: Role,
     /// Its place.
-    pub index: usize,
+    index: usize,
     /// From its unit to ours.
-    pub factor: f64,
+    factor: f64,
     /// Its name and unit, as it was read.
-    pub title: String,
+    title: String,
     /// Whether it holds angles.
-    pub angle: bool,
-}
-
-/// A file with its text.
-struct Source<'a> {
-    file: &'a Path,
-    text: &'a str,
-}
-
-impl Source<'_> {
-    /// What is wrong with the file as a whole.
-    fn refused(&self, message: impl Into<String>, remedy: impl Into<String>) -> Error {
-        Error::file(self.file, message, remedy)
-    }
-
-    /// What is wrong with a line.
-    fn at(&self, record: &StringRecord, message: String, remedy: &str) -> Error {
-        let begin = record.position().map_or(0, |place| place.byte() as usize);
-        let length = self.text.get(begin..).and_then(|rest| rest.find('\n')).unwrap_or(self.text.len());
-        Error::at(Located::new((self.file, self.text), begin..begin + length), message, remedy)
-    }
+    angle: bool,
 }
 
 /// The answer in a text.
 pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
     let source = Source { file, text };
-    let delimiter = delimiter(text);
-    let mut builder = ReaderBuilder::new();
-    builder.delimiter(delimiter).comment(Some(b'#')).trim(Trim::All).flexible(true);
-    let mut reader = builder.from_reader(text.as_bytes());
-    let head = reader.headers().map_err(|error| source.refused(format!("cannot be read: {error}"), HEADER))?.clone();
-    let columns = columns(&source, &head, asked)?;
+    let table = Table::of(&source, asked)?;
+    let columns = columns(&source, &table.head, scene, asked)?;
+    let reader = Reader { source, columns, scene, asked, comma: table.comma };
     let mut groups: Vec<(usize, Vec<Point>)> = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(|error| source.refused(format!("cannot be read: {error}"), HEADER))?;
-        if record.iter().all(str::is_empty) {
-            continue;
+    for (line, cells) in &table.rows {
+        if cells.len() != table.head.len() {
+            let message = format!("this line has {} cells, but the head names {}", cells.len(), table.head.len());
+            return Err(source.at(line, message, "the file is cut, or a cell is missing: write it again"));
         }
-        if record.len() != head.len() {
-            let message = format!("this line has {} cells, but the head names {}", record.len(), head.len());
-            return Err(source.at(&record, message, "the file is cut, or a cell is missing: write it again"));
-        }
-        let (contact, point) = point(&source, &record, &columns, scene, asked)?;
+        let (contact, point) = reader.point(line, cells)?;
         match groups.iter_mut().find(|(known, _)| *known == contact) {
             Some((_, points)) => points.push(point),
             None => groups.push((contact, vec![point])),
@@ -81,152 +55,306 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         return Err(source.refused("it has no line behind its head", "the file is cut: write it again"));
     }
     let order = asked.order.unwrap_or(Order::Linear);
-    let forces = !columns.iter().any(|column| column.role == Role::Pressure);
+    let forces = !reader.columns.iter().any(|column| column.role == Role::Pressure);
     let handed = |(contact, points): (usize, Vec<Point>)| {
         let points = ordered(points, order, |message, remedy| source.refused(message, remedy))?;
         Ok(Handed { contact, points, order, edges: vec![], forces })
     };
     let contacts = groups.into_iter().map(handed).collect::<Result<_, Error>>()?;
-    let read = columns.iter().map(|column| format!("`{}` as {}", column.title, column.role.name())).collect();
-    Ok(Answer { file: file.into(), code: None, read, contacts, field: None })
+    let read = reader.columns.iter().map(|column| format!("`{}` as {}", column.title, column.role.name())).collect();
+    Ok(Answer { file: file.into(), code: None, read, notes: vec![], contacts, field: None })
 }
 
-/// A comma, unless the first line has none but semicolons or tabs.
-fn delimiter(text: &str) -> u8 {
-    let head = text.lines().find(|line| !line.trim_start().starts_with('#')).unwrap_or_default();
-    [b',', b';', b'\t'].into_iter().find(|mark| head.as_bytes().contains(mark)).unwrap_or(b',')
+/// What separates cells: the mark by which most lines are rows of numbers.
+const MARKS: [char; 4] = [';', '\t', ',', ' '];
+/// Lines by which what separates cells is found.
+const SEEN: usize = 1000;
+/// What comments begin with.
+const COMMENTS: [&str; 6] = ["#", "%", "!", "//", "$", "**"];
+/// What lines below the numbers of a report begin with.
+const BELOW: [&str; 4] = ["minimum", "maximum", "total", "at"];
+
+/// A file as names and lines of cells.
+struct Table<'a> {
+    head: Vec<String>,
+    rows: Vec<(&'a str, Vec<String>)>,
+    /// Whether numbers have a decimal comma.
+    comma: bool,
 }
 
-/// Name and unit of a column: `pressure [MPa]` or `pressure (MPa)`.
+impl<'a> Table<'a> {
+    fn of(source: &Source<'a>, asked: &Asked) -> Result<Self, Error> {
+        let is_rule = |line: &str| line.chars().all(|mark| "-=+|,; \t".contains(mark));
+        let lines: Vec<&str> = source.text.lines().filter(|line| !is_rule(line)).collect();
+        let is_data = |line: &str, mark: char| comment(line).is_none() && is_data(&cells(line, mark), mark != ',');
+        let rows = |mark: &char| lines.iter().take(SEEN).filter(|line| is_data(line, *mark)).count();
+        let most = MARKS.iter().map(rows).max().unwrap_or_default();
+        let stands = |mark: &char| lines.first().is_some_and(|line| line.trim().contains(*mark));
+        let is_it = |mark: &char| if most > 0 { rows(mark) == most } else { stands(mark) };
+        let mark = MARKS.into_iter().find(is_it).unwrap_or(',');
+        let first = lines.iter().position(|line| is_data(line, mark));
+        let count = first.map(|first| cells(lines[first], mark).len());
+        let (begin, mut head) = match (head(&lines[..first.unwrap_or(lines.len().min(1))], mark, count, asked), count) {
+            (Some((index, head)), _) => (index + 1, head),
+            // Names of columns without a head are their numbers.
+            (None, Some(count)) if !asked.columns.is_empty() => {
+                (first.unwrap_or(0), (1..=count).map(|number| number.to_string()).collect())
+            }
+            _ => {
+                let shown = lines.first().map_or_else(Vec::new, |line| cells(line, mark)).join("`, `");
+                return Err(source.refused(format!("its first line holds no names but `{shown}`"), HEADER));
+            }
+        };
+        let mut rows: Vec<(&str, Vec<String>)> = Vec::new();
+        for (k, line) in lines.iter().enumerate().skip(begin).filter(|(_, line)| comment(line).is_none()) {
+            let own = fitting(line, mark, head.len());
+            let is_text = own.iter().all(|cell| number(cell, mark != ',').is_none());
+            let word = own.first().and_then(|cell| cell.split_whitespace().next()).unwrap_or_default().to_lowercase();
+            match first.is_some_and(|first| k < first) && is_text {
+                true if own.len() == head.len() && own.iter().all(|cell| is_unit(cell)) => {
+                    head = head.iter().zip(&own).map(|(name, unit)| format!("{name} [{}]", inner(unit))).collect();
+                }
+                // The second line of a head of two.
+                true => {}
+                false if BELOW.contains(&word.as_str()) => break,
+                false => rows.push((line, own)),
+            }
+        }
+        let comma = mark != ',' && rows.iter().flat_map(|(_, cells)| cells).any(|cell| cell.contains(','));
+        Ok(Self { head, rows, comma })
+    }
+}
+
+/// The line of names and its place: the last above the numbers that names a place and what presses there; else the last with as many cells as
+/// they have, a comment where there is no other; else the last.
+fn head(above: &[&str], mark: char, count: Option<usize>, asked: &Asked) -> Option<(usize, Vec<String>)> {
+    let candidate = |(k, line): (usize, &&str)| {
+        let names = fitting(comment(line).unwrap_or(line), mark, count.unwrap_or(0));
+        let is_no_name = |cell: &String| is_unit(cell) || number(cell, mark != ',').is_some();
+        (!names.iter().all(is_no_name) && count.is_none_or(|count| names.len() == count)).then_some((k, names))
+    };
+    let all: Vec<(usize, Vec<String>)> = above.iter().enumerate().filter_map(candidate).collect();
+    let has = |roles: [Role; 2], (_, head): &&(usize, Vec<String>)| {
+        roles.iter().any(|role| head.iter().any(|title| asked.names(*role, title) || is_usual(*role, title)))
+    };
+    let known = all.iter().rfind(|one| has([Role::Position, Role::X], one) && has([Role::Pressure, Role::Force], one));
+    let is_plain = |k: usize| comment(above[k]).is_none();
+    let last = || all.iter().rfind(|(k, _)| is_plain(*k)).or(all.last());
+    let any = || (0..above.len()).rev().find(|k| is_plain(*k)).map(|k| (k, cells(above[k], mark)));
+    known.or_else(last).cloned().or_else(any)
+}
+
+/// What stands behind the mark of a comment; none of a line that is none.
+fn comment(line: &str) -> Option<&str> {
+    let line = line.trim_start();
+    let mark = COMMENTS.iter().find(|mark| line.starts_with(**mark))?;
+    Some(line[mark.len()..].trim_start_matches(*mark).trim())
+}
+
+/// The cells of a line, without blanks and quotes around them; where blanks separate them, a unit in brackets belongs to the name before it.
+fn cells(line: &str, mark: char) -> Vec<String> {
+    let (mut all, mut quoted, mut deep) = (vec![String::new()], false, 0);
+    for letter in line.trim_matches([' ', '\r']).chars() {
+        quoted ^= letter == '"';
+        deep += match letter {
+            '[' | '(' if mark == ' ' => 1,
+            ']' | ')' if mark == ' ' => -1,
+            _ => 0,
+        };
+        match all.last_mut() {
+            _ if (letter == mark || mark == ' ' && letter == '\t') && !quoted && deep <= 0 => all.push(String::new()),
+            Some(last) if letter != '"' => last.push(letter),
+            _ => {}
+        }
+    }
+    let mut all: Vec<String> = all.into_iter().map(|cell| cell.trim().to_owned()).collect();
+    if mark == ' ' {
+        all.retain(|cell| !cell.is_empty());
+        while let Some(k) = (1..all.len()).find(|&k| all[k].starts_with(['[', '('])) {
+            let unit = all.remove(k);
+            all[k - 1] += &format!(" {unit}");
+        }
+    }
+    all
+}
+
+/// The cells of a line, as many as wanted where blanks separate them: names of several words have two blanks or more between them.
+fn fitting(line: &str, mark: char, wanted: usize) -> Vec<String> {
+    let own = cells(line, mark);
+    if mark != ' ' || own.len() == wanted {
+        return own;
+    }
+    let apart: Vec<String> =
+        line.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).map(str::to_owned).collect();
+    if apart.len() == wanted { apart } else { own }
+}
+
+/// Whether the cells are those of a row: two numbers or more, and fewer names.
+fn is_data(cells: &[String], comma: bool) -> bool {
+    let (numbers, others): (Vec<&String>, Vec<&String>) =
+        cells.iter().partition(|cell| number(cell, comma).is_some_and(f64::is_finite));
+    numbers.len() > 1.max(others.len())
+        && others.iter().all(|cell| !cell.starts_with(|first: char| first.is_ascii_digit()))
+}
+
+/// A number with a point or, where it may be, a comma; its exponent may begin with the D of Fortran.
+fn number(cell: &str, comma: bool) -> Option<f64> {
+    let plain = cell.replace(['D', 'd'], "E");
+    let has_comma = plain.contains(',');
+    if has_comma && (!comma || plain.contains('.')) {
+        return None;
+    }
+    plain.replacen(',', ".", 1).parse().ok()
+}
+
+/// What stands within brackets, where a cell is in any.
+fn inner(cell: &str) -> &str {
+    cell.trim_matches(|mark: char| "[]() ".contains(mark))
+}
+
+/// Whether a cell is a unit, or says that there is none.
+fn is_unit(cell: &str) -> bool {
+    ["", "-", "–"].contains(&inner(cell)) || Role::ALL.iter().any(|role| role.factor(inner(cell)).is_some())
+}
+
+/// Name and unit of a column: `pressure [MPa]`, `pressure (MPa)` or `pressure / MPa`.
 fn split(title: &str) -> (&str, Option<&str>) {
     let inside = |open: char, close: char| {
-        let (name, rest) = title.split_once(open)?;
-        Some((name.trim(), Some(rest.trim().strip_suffix(close)?.trim())))
+        let (name, rest) = title.rsplit_once(open)?;
+        Some((name.trim(), Some(rest.trim().strip_suffix(close)?.trim()).filter(|unit| !unit.is_empty())))
     };
-    inside('[', ']').or_else(|| inside('(', ')')).unwrap_or((title.trim(), None))
+    let over = || title.split_once(" / ").map(|(name, unit)| (name.trim(), Some(unit.trim())));
+    inside('[', ']').or_else(|| inside('(', ')')).or_else(over).unwrap_or((title.trim(), None))
 }
 
-/// The columns that are read, by what they hold.
-fn columns(source: &Source, head: &StringRecord, asked: &Asked) -> Result<Vec<Column>, Error> {
-    let shown = || head.iter().map(|title| format!("`{title}`")).collect::<Vec<_>>().join(", ");
-    if head.iter().all(|title| title.parse::<f64>().is_ok()) {
-        return Err(source.refused(format!("its first line holds no names but {}", shown()), HEADER));
+/// Whether a column has one of the usual names of a role.
+fn is_usual(role: Role, title: &str) -> bool {
+    role.usual().contains(&split(title).0.to_lowercase().as_str())
+}
+
+impl Asked {
+    /// Whether a title is the column that was named for a role.
+    fn names(&self, role: Role, title: &str) -> bool {
+        self.column(role).is_some_and(|named| named == title || named == split(title).0)
     }
-    let mut found = Vec::new();
+}
+
+/// The columns that are read, by what they hold. Others are passed over, and asked for no unit.
+fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Result<Vec<Column>, Error> {
+    let shown = || head.iter().map(|title| format!("`{title}`")).collect::<Vec<_>>().join(", ");
+    let of = |is_it: &dyn Fn(&str) -> bool| (0..head.len()).filter(|&k| is_it(&head[k])).collect::<Vec<usize>>();
+    let mut found: Vec<(Role, usize)> = Vec::new();
     for role in Role::OF_TABLES {
-        let is_it = |title: &str| match asked.column(role) {
-            Some(named) => named == title || named == split(title).0,
-            None => split(title).0.to_lowercase() == role.name(),
+        let usual = |name: &&str| of(&|title: &str| split(title).0.to_lowercase() == *name);
+        let all = match asked.column(role) {
+            Some(_) => of(&|title: &str| asked.names(role, title)),
+            None => role.usual().iter().map(usual).find(|all| !all.is_empty()).unwrap_or_default(),
         };
-        let all: Vec<usize> = (0..head.len()).filter(|&k| is_it(&head[k])).collect();
         match (all.as_slice(), asked.column(role)) {
             ([], None) => {}
             ([], Some(named)) => {
                 let message = format!("there is no column `{named}` among {}", shown());
                 return Err(source.refused(message, format!("name the column of {} by --column", role.name())));
             }
-            ([index], _) => found.push(column(source, role, *index, &head[*index], asked)?),
+            ([index], _) => found.push((role, *index)),
             (_, _) => {
                 let message = format!("more than one column is called {}: {}", role.name(), shown());
                 return Err(source.refused(message, "name it by --column, with its unit"));
             }
         }
     }
-    let has = |role: Role| found.iter().any(|column| column.role == role);
+    let has = |role: Role| found.iter().any(|(known, _)| *known == role);
     if !has(Role::Position) && !has(Role::X) {
         return Err(source.refused(format!("no column is called `position` or `x`, but {}", shown()), HEADER));
     }
-    match (has(Role::Pressure), has(Role::Force)) {
-        (false, false) => {
-            Err(source.refused(format!("no column is called `pressure` or `force`, but {}", shown()), HEADER))
-        }
-        _ => Ok(found),
+    if !has(Role::Pressure) && !has(Role::Force) {
+        return Err(source.refused(format!("no column is called `pressure` or `force`, but {}", shown()), HEADER));
     }
+    let all_straight = scene.contacts.iter().all(|pair| pair.path.is_straight());
+    let is_used = |role: Role| match role {
+        Role::X => !has(Role::Position),
+        Role::Y => !has(Role::Position) && !all_straight,
+        Role::Force => !has(Role::Pressure),
+        _ => true,
+    };
+    let used = found.iter().filter(|(role, _)| is_used(*role));
+    used.map(|&(role, index)| column(source, role, index, &head[index], asked)).collect()
 }
 
-/// One column with its unit.
+/// One column with its unit: that of the file where it says one, else the one that is named.
 fn column(source: &Source, role: Role, index: usize, title: &str, asked: &Asked) -> Result<Column, Error> {
-    let written = split(title).1;
-    let unit = asked.unit(role).or(written);
-    let remedy = || {
-        format!(
-            "write `{} [UNIT]`, or give --unit {}=UNIT, with one of {}",
-            split(title).0,
-            role.name(),
-            role.known_units()
-        )
+    let (written, named) = (split(title).1, asked.unit(role));
+    let unit = written.filter(|unit| role.factor(unit).is_some()).or(named).or(written);
+    let factor =
+        if role == Role::Contact { 1.0 } else { source.factor(role, &format!("the column `{title}`"), unit)? };
+    let said = match (written, named) {
+        (None, Some(named)) => format!(", in {named}"),
+        (Some(written), Some(named)) if unit != Some(named) => {
+            format!(", in {written} and not in {named}, which is for columns that say no unit")
+        }
+        _ => String::new(),
     };
-    let (factor, angle) = match unit {
-        _ if role == Role::Contact => (1.0, false),
-        None => return Err(source.refused(format!("the column `{title}` has no unit"), remedy())),
-        Some(unit) => match role.factor(unit) {
-            Some(factor) => (factor, is_angle(unit)),
-            None => {
-                return Err(source.refused(format!("the unit `{unit}` of the column `{title}` is not known"), remedy()));
-            }
-        },
-    };
-    let named =
-        asked.unit(role).filter(|_| written != asked.unit(role)).map_or(String::new(), |unit| format!(", in {unit}"));
-    Ok(Column { role, index, factor, title: format!("{title}{named}"), angle })
+    let angle = unit.is_some_and(is_angle) && role == Role::Position;
+    Ok(Column { role, index, factor, title: format!("{title}{said}"), angle })
 }
 
-/// The point of a line, and the contact it belongs to.
-fn point(
-    source: &Source,
-    record: &StringRecord,
-    columns: &[Column],
-    scene: &Scene,
-    asked: &Asked,
-) -> Result<(usize, Point), Error> {
-    let cell =
-        |role: Role| columns.iter().find(|column| column.role == role).map(|column| (column, &record[column.index]));
-    let number = |role: Role| -> Result<Option<f64>, Error> {
-        let Some((column, text)) = cell(role) else { return Ok(None) };
-        match text.parse::<f64>() {
-            Ok(value) if value.is_finite() => Ok(Some(column.factor * value)),
+/// What turns lines into points.
+struct Reader<'a> {
+    source: Source<'a>,
+    columns: Vec<Column>,
+    scene: &'a Scene,
+    asked: &'a Asked,
+    /// Whether numbers have a decimal comma.
+    comma: bool,
+}
+
+impl Reader<'_> {
+    /// The number of a role in our unit; none where there is no such column.
+    fn number(&self, line: &str, cells: &[String], role: Role) -> Result<Option<f64>, Error> {
+        let Some(column) = self.columns.iter().find(|column| column.role == role) else { return Ok(None) };
+        let text = &cells[column.index];
+        let mixed = self.comma && text.contains('.');
+        match number(text, self.comma).filter(|_| !mixed) {
+            Some(value) if value.is_finite() => Ok(Some(column.factor * value)),
             // Far from the other side there is no gap.
-            Ok(value) if role == Role::Gap && value == f64::INFINITY => Ok(Some(value)),
+            Some(value) if role == Role::Gap && value == f64::INFINITY => Ok(Some(value)),
             _ => {
-                let message = format!("`{}` is `{}`, which is no number", column.title, text);
-                Err(source.at(
-                    record,
-                    message,
-                    "write a finite number with a decimal point; leave nodes out that have none",
-                ))
+                let also = if mixed { ": other numbers of the file have a decimal comma" } else { "" };
+                let message = format!("`{}` is `{text}`, which is no number{also}", column.title);
+                let remedy = "write finite numbers, all with a decimal point or all with a comma; leave nodes out that have none";
+                Err(self.source.at(line, message, remedy))
             }
         }
-    };
-    let name = cell(Role::Contact).map(|(_, text)| text).or(asked.contact.as_deref());
-    let contact = contact_named(scene, name, |message, remedy| source.at(record, message, &remedy))?;
-    let pair = &scene.contacts[contact];
-    let position = match (number(Role::Position)?, number(Role::X)?, number(Role::Y)?) {
-        (Some(position), ..) => {
-            let angle = cell(Role::Position).is_some_and(|(column, _)| column.angle);
-            if angle == pair.path.is_straight() {
-                let [is, wanted] = if angle { ["angles", "mm, m or um"] } else { ["lengths", "deg or rad"] };
-                let message =
-                    format!("positions are {is}, but the contact runs along {}", along(pair.path.is_straight()));
-                return Err(
-                    source.refused(message, format!("give positions in {wanted}, or columns `x [mm]` and `y [mm]`"))
-                );
-            }
-            position
-        }
-        (None, Some(x), Some(y)) => signed_coordinate(pair, [x, y]),
-        (None, Some(x), None) if pair.path.is_straight() => signed_coordinate(pair, [x, pair.path.origin()[1]]),
-        _ => {
-            return Err(source.refused(
-                "the contact runs along an arc, and there is no column `y`",
-                "add `y [mm]`, or give `position [deg]`",
-            ));
-        }
-    };
-    let value = number(Role::Pressure)?.map_or_else(|| number(Role::Force), |pressure| Ok(Some(pressure)))?;
-    let value = asked.sign() * value.unwrap_or(f64::NAN);
-    Ok((contact, Point { position, value, area: number(Role::Area)?, gap: number(Role::Gap)? }))
-}
+    }
 
-fn along(straight: bool) -> &'static str {
-    if straight { "a straight line" } else { "an arc, from the load line on" }
+    /// The point of a line, and the contact it belongs to.
+    fn point(&self, line: &str, cells: &[String]) -> Result<(usize, Point), Error> {
+        let number = |role: Role| self.number(line, cells, role);
+        let column = |role: Role| self.columns.iter().find(|column| column.role == role);
+        let name = column(Role::Contact).map(|column| cells[column.index].as_str()).or(self.asked.contact.as_deref());
+        let contact = contact_named(self.scene, name, |message, remedy| self.source.at(line, message, remedy))?;
+        let pair = &self.scene.contacts[contact];
+        let straight = pair.path.is_straight();
+        let position = match (number(Role::Position)?, number(Role::X)?, number(Role::Y)?) {
+            (Some(position), ..) => {
+                if column(Role::Position).is_some_and(|column| column.angle) == straight {
+                    let [is, wanted] = if straight { ["angles", "mm, m or um"] } else { ["lengths", "deg or rad"] };
+                    let along = if straight { "a straight line" } else { "an arc, from the load line on" };
+                    let message = format!("positions are {is}, but the contact runs along {along}");
+                    let remedy = format!("give positions in {wanted}, or columns `x [mm]` and `y [mm]`");
+                    return Err(self.source.refused(message, remedy));
+                }
+                position
+            }
+            (None, Some(x), Some(y)) => signed_coordinate(pair, [x, y]),
+            (None, Some(x), None) if straight => signed_coordinate(pair, [x, pair.path.origin()[1]]),
+            _ => {
+                let message = "the contact runs along an arc, and there is no column `y`";
+                return Err(self.source.refused(message, "add `y [mm]`, or give `position [deg]`"));
+            }
+        };
+        let value = number(Role::Pressure)?.map_or_else(|| number(Role::Force), |pressure| Ok(Some(pressure)))?;
+        let value = self.asked.sign() * value.unwrap_or(f64::NAN);
+        Ok((contact, Point { position, value, area: number(Role::Area)?, gap: number(Role::Gap)? }))
+    }
 }

@@ -9,6 +9,7 @@ use crate::mesh::Resolution;
 use crate::mesh::size::solvable;
 use crate::oracle::{self, ReferenceKind};
 use crate::referee::norm;
+use crate::scene::Component;
 use crate::solve::{Discretisation, Formulation, Run};
 
 /// A value with how far it may be off.
@@ -90,7 +91,7 @@ impl Truth {
                 }
                 let apart = (reference.value - ours.reference.value).abs() + ours.bar;
                 let bar = if apart.is_finite() { apart } else { 0.0 };
-                Known { bar: larger(bar, self.model(&reference, quantity)), reference }
+                Known { bar: larger(bar, self.model(asked) * reference.value.abs()), reference }
             }
             None => ours,
         }
@@ -102,16 +103,49 @@ impl Truth {
         Some(self.case.reading(asked)).filter(|reference| only && reference.value.is_finite())
     }
 
-    /// What the case states that its closed form may be off.
-    fn model(&self, reference: &Reference, quantity: Quantity) -> f64 {
-        let is_it = |asked: &Asked| match quantity {
-            Quantity::PeakPressure => *asked == Asked::PeakPressure,
-            Quantity::HalfWidth => matches!(asked, Asked::HalfWidth | Asked::HalfAngle),
-            Quantity::SecondMomentWidth => matches!(asked, Asked::SecondMomentWidth | Asked::SecondMomentAngle),
-            _ => false,
+    /// What the case states that its closed form may be off of a number, relative; 0 where it states nothing.
+    pub fn model(&self, asked: oracle::Quantity) -> f64 {
+        self.stated(|own| match asked {
+            oracle::Quantity::PeakPressure => *own == Asked::PeakPressure,
+            oracle::Quantity::HalfWidth | oracle::Quantity::ContactAngle => {
+                matches!(own, Asked::HalfWidth | Asked::HalfAngle)
+            }
+            oracle::Quantity::SecondMoment => matches!(own, Asked::SecondMomentWidth | Asked::SecondMomentAngle),
+            oracle::Quantity::Resultant => *own == Asked::Resultant,
+            oracle::Quantity::Pressure { at: s } => {
+                matches!(own, Asked::Pressure { at } if (at.value() - s).abs() <= 1e-9 * s.abs().max(1.0))
+            }
+            oracle::Quantity::HoopStress { .. } | oracle::Quantity::PinHoopStress { .. } => false,
+        })
+    }
+
+    /// The largest model error that the case states for some quantities, relative.
+    fn stated(&self, is_it: impl Fn(&Asked) -> bool) -> f64 {
+        self.case.checks.iter().filter(|check| is_it(&check.quantity)).map(|check| check.model).fold(0.0, f64::max)
+    }
+
+    /// Whether equilibrium tells the force of a contact: loads act on a body of it that no support holds along the load line, and the forces of
+    /// its other contacts are told so too.
+    pub fn is_told_by_loads(&self, contact: usize) -> bool {
+        let scene = &self.case.scene;
+        let bodies = |contact: usize| {
+            let pair = &scene.contacts[contact];
+            std::iter::once(pair.first).chain(pair.second)
         };
-        let stated = self.case.checks.iter().filter(|check| is_it(&check.quantity));
-        stated.map(|check| check.model * reference.value.abs()).fold(0.0, f64::max)
+        let is_free = |body: &usize| {
+            let mut supports = scene.bodies[*body].supports.iter();
+            supports.all(|support| support.component != Component::Y)
+        };
+        let mut told = vec![false; scene.contacts.len()];
+        for _ in 0..told.len() {
+            for one in 0..told.len() {
+                let others_told = |body: usize| {
+                    (0..told.len()).all(|other| other == one || told[other] || !bodies(other).any(|own| own == body))
+                };
+                told[one] |= bodies(one).filter(is_free).any(others_told);
+            }
+        }
+        told[contact] && scene.bodies.iter().any(|body| !body.loads.is_empty())
     }
 
     /// Pressure at a contact coordinate of either side \[MPa\]; infinite where it has no limit.
@@ -143,7 +177,10 @@ impl Truth {
         let edges = self.run.solution.edges_of(contact);
         let closed = self.closed(oracle::Quantity::Pressure { at: 0.0 });
         let bar = match closed {
-            Some(_) => norm::of_means(edges, |s| self.pressure(contact, s)),
+            Some(_) => larger(
+                norm::of_means(edges, |s| self.pressure(contact, s)),
+                self.stated(|own| matches!(own, Asked::Profile | Asked::Departure)),
+            ),
             None => self
                 .bars
                 .iter()

@@ -63,6 +63,25 @@ impl Role {
         }
     }
 
+    /// Names that columns and fields have without being named, in small letters, the one that goes first in front: our own, then those of ParaView,
+    /// MOOSE, Abaqus, Ansys, COMSOL and CalculiX.
+    pub fn usual(self) -> &'static [&'static str] {
+        match self {
+            Self::Position => &["position"],
+            Self::X => &["x", "points:0", "points_0", "coord.coor1", "coor1", "x location", "x coordinate"],
+            Self::Y => &["y", "points:1", "points_1", "coord.coor2", "coor2", "y location", "y coordinate"],
+            Self::Pressure => {
+                &["contact_pressure", "contact pressure", "pressure", "cpress", "pres", "solid.tn", "tn", "p"]
+            }
+            Self::Force => &["force", "contact_force", "contact force"],
+            Self::Gap => &["contact_gap", "contact gap", "gap", "copen", "solid.gap"],
+            Self::Area => &["area", "nodal_area", "cnarea"],
+            Self::Contact => &["contact"],
+            Self::Displacement => &["displacement", "displacements", "disp", "u"],
+            Self::Stress => &["stress"],
+        }
+    }
+
     /// The role of a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|role| role.name() == name)
@@ -80,9 +99,10 @@ impl Role {
         }
     }
 
-    /// What a unit of it is in ours; none where that is not known.
+    /// What a unit of it is in ours; none where that is not known. `N/mm²` and `N/mm^2` are `N/mm2`, `µm` is `um`.
     pub fn factor(self, unit: &str) -> Option<f64> {
-        self.units().iter().find(|(known, _)| *known == unit).map(|(_, factor)| *factor)
+        let plain = unit.trim().replace(['^', '*'], "").replace('²', "2").replace(['µ', 'μ'], "u");
+        self.units().iter().find(|(known, _)| *known == plain).map(|(_, factor)| *factor)
     }
 
     /// Names of its units, in a row.
@@ -92,11 +112,26 @@ impl Role {
 }
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
-const PLACES: [(&str, f64); 6] = [("mm", 1.0), ("m", 1e3), ("um", 1e-3), ("rad", 1.0), ("deg", DEGREE), ("°", DEGREE)];
-const LENGTHS: [(&str, f64); 3] = [("mm", 1.0), ("m", 1e3), ("um", 1e-3)];
-const PRESSURES: [(&str, f64); 5] = [("MPa", 1.0), ("N/mm2", 1.0), ("kPa", 1e-3), ("Pa", 1e-6), ("GPa", 1e3)];
-const FORCES: [(&str, f64); 2] = [("N", 1.0), ("kN", 1e3)];
-const AREAS: [(&str, f64); 2] = [("mm2", 1.0), ("m2", 1e6)];
+/// Pound-force \[N\] and inch \[mm\], both by definition.
+const POUND: f64 = 4.448_221_615_260_5;
+const INCH: f64 = 25.4;
+const PSI: f64 = POUND / (INCH * INCH);
+const PLACES: [(&str, f64); 8] =
+    [("mm", 1.0), ("m", 1e3), ("um", 1e-3), ("cm", 10.0), ("in", INCH), ("rad", 1.0), ("deg", DEGREE), ("°", DEGREE)];
+const LENGTHS: [(&str, f64); 5] = [("mm", 1.0), ("m", 1e3), ("um", 1e-3), ("cm", 10.0), ("in", INCH)];
+const PRESSURES: [(&str, f64); 9] = [
+    ("MPa", 1.0),
+    ("N/mm2", 1.0),
+    ("kPa", 1e-3),
+    ("Pa", 1e-6),
+    ("GPa", 1e3),
+    ("N/m2", 1e-6),
+    ("bar", 0.1),
+    ("psi", PSI),
+    ("ksi", 1e3 * PSI),
+];
+const FORCES: [(&str, f64); 3] = [("N", 1.0), ("kN", 1e3), ("lbf", POUND)];
+const AREAS: [(&str, f64); 4] = [("mm2", 1.0), ("m2", 1e6), ("cm2", 100.0), ("in2", INCH * INCH)];
 
 /// Whether a unit is one of angles.
 pub fn is_angle(unit: &str) -> bool {
@@ -107,15 +142,15 @@ pub fn is_angle(unit: &str) -> bool {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Units {
-    /// Of positions: mm, m or um on a straight path; deg or rad on an arc.
+    /// Of positions: mm, m, um, cm or in on a straight path; deg or rad on an arc.
     pub position: Option<String>,
-    /// Of pressures: MPa, N/mm2, kPa, Pa or GPa.
+    /// Of pressures: MPa, N/mm2, kPa, Pa, GPa, N/m2, bar, psi or ksi.
     pub pressure: Option<String>,
-    /// Of forces: N or kN.
+    /// Of forces: N, kN or lbf.
     pub force: Option<String>,
-    /// Of gaps: mm, m or um.
+    /// Of gaps: mm, m, um, cm or in.
     pub gap: Option<String>,
-    /// Of areas: mm2 or m2.
+    /// Of areas: mm2, m2, cm2 or in2.
     pub area: Option<String>,
 }
 

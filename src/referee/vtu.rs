@@ -1,8 +1,7 @@
-//! VTU files as other programs write them, made such that their arrays are plain text: binary and appended ones, in base64 or raw, compressed by
-//! zlib or not. `vtkio` 0.6, which reads the outcome, fails at the padding that meshio and VTK put between header and data. Its 0.7.0-rc2 reads
-//! that, but no raw appended data (NGSolve, and VTK by default), takes a last block that is full for none, and panics where a file is cut.
+//! VTU files as other programs write them: arrays as text, binary or appended, in base64 or raw, compressed by zlib or not. `vtkio` 0.6 fails at the
+//! padding that meshio and VTK put between header and data; its 0.7.0-rc2 reads no raw appended data (NGSolve, and VTK by default), takes a last
+//! block that is full for none, and panics where a file is cut.
 
-use std::borrow::Cow;
 use std::io::Read;
 use std::path::Path;
 
@@ -11,23 +10,36 @@ use base64::engine::general_purpose::STANDARD;
 use flate2::read::ZlibDecoder;
 
 use crate::error::Error;
+use crate::referee::unstructured::{Field, Grid};
 
 /// What to do with a file that is not read.
 pub const AGAIN: &str = "save it as a VTK unstructured grid (.vtu) in one piece, little endian, its arrays as text, plain or compressed by zlib";
 /// Most bytes of an array.
 const LARGEST: u64 = 64 << 20;
+/// Parts of a piece that hold arrays.
+const PARTS: [&str; 5] = ["<PointData", "<CellData", "<Points", "<Cells", "<FieldData"];
 
-/// The file with all its arrays as text, and types of cells as bytes; as it is where it is no such file.
-pub fn as_text<'a>(file: &Path, bytes: &'a [u8]) -> Result<Cow<'a, [u8]>, Error> {
+/// The grid of a file.
+pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
     let refused = |why: String| Error::unreadable(file, why, AGAIN);
-    let Some(head) = tag(bytes, b"<VTKFile", 0) else { return Ok(bytes.into()) };
+    let head = tag(bytes, b"<VTKFile", 0).ok_or_else(|| refused("it has no tag <VTKFile>".into()))?;
     let head = String::from_utf8_lossy(&bytes[head.begin..head.end]).into_owned();
+    if attribute(&head, "type") != Some("UnstructuredGrid") {
+        return Err(refused("it is no unstructured grid".into()));
+    }
+    if !bytes.trim_ascii_end().ends_with(b"</VTKFile>") {
+        return Err(refused("it is cut: its last tag is not </VTKFile>".into()));
+    }
     let has = |format: &str| position(bytes, format!("format=\"{format}\"").as_bytes(), 0).is_some();
     if attribute(&head, "byte_order") == Some("BigEndian") && (has("binary") || has("appended")) {
         return Err(refused("its numbers are big endian".into()));
     }
     let appended = tag(bytes, b"<AppendedData", 0);
     let body = &bytes[..appended.as_ref().map_or(bytes.len(), |tag| tag.begin)];
+    let piece = tag(body, b"<Piece", 0).filter(|piece| tag(body, b"<Piece", piece.end).is_none());
+    let piece = piece.ok_or_else(|| refused("it has not one piece".into()))?;
+    let piece = String::from_utf8_lossy(&body[piece.begin..piece.end]).into_owned();
+    let count = attribute(&piece, "NumberOfPoints").and_then(|count| count.trim().parse::<usize>().ok());
     let coding = Coding {
         wide: attribute(&head, "header_type") == Some("UInt64"),
         zlib: match attribute(&head, "compressor") {
@@ -36,45 +48,72 @@ pub fn as_text<'a>(file: &Path, bytes: &'a [u8]) -> Result<Cow<'a, [u8]>, Error>
             Some(other) => return Err(refused(format!("its arrays are compressed by {other}, and zlib is read"))),
         },
     };
-    let (mut text, mut at) = (Vec::new(), 0);
+    let mut grid = Grid::of(file);
+    let (mut at, mut part) = (0, "");
     while let Some(found) = tag(body, b"<DataArray", at) {
+        let begun = PARTS.iter().filter_map(|part| Some((last(&body[at..found.begin], part)?, *part))).max();
+        part = begun.map_or(part, |(_, part)| part);
         let array = String::from_utf8_lossy(&body[found.begin..found.end]).into_owned();
-        let named = attribute(&array, "Name").unwrap_or("");
-        let format = attribute(&array, "format").unwrap_or("ascii");
-        text.extend_from_slice(&body[at..found.begin]);
-        let end = position(body, b"</DataArray", found.end).unwrap_or(body.len());
-        let empty = body[found.begin..found.end].ends_with(b"/");
-        let kind = attribute(&array, "type").unwrap_or("Float64");
-        let numbers = match (format, &appended) {
-            ("binary", _) if !empty => Some(coding.decoded(&unpadded(&body[(found.end + 1).min(end)..end]), kind)),
+        let [name, kind] = ["Name", "type"].map(|key| attribute(&array, key).unwrap_or_default());
+        let components = attribute(&array, "NumberOfComponents").map_or(Some(1), |number| number.trim().parse().ok());
+        let empty = array.ends_with('/');
+        let end = if empty { Some(found.end) } else { position(body, b"</DataArray", found.end) };
+        let end = end.ok_or_else(|| refused(format!("its array `{name}` has no end")))?;
+        let inside = body.get(found.end + 1..end).unwrap_or_default();
+        at = end;
+        // Other fields than numbers, and those of cells, are not read.
+        if ["<CellData", "<FieldData"].contains(&part) || kind == "String" {
+            continue;
+        }
+        let numbers = match (attribute(&array, "format").unwrap_or("ascii"), &appended) {
+            ("binary", _) if !empty => coding.decoded(&unpadded(inside), kind),
             ("appended", Some(place)) => {
                 let offset = attribute(&array, "offset").and_then(|offset| offset.parse::<usize>().ok());
-                Some(coding.appended(bytes, place, offset.unwrap_or(usize::MAX), kind))
+                coding.appended(bytes, place, offset.unwrap_or(usize::MAX), kind)
             }
-            _ => None,
+            _ => as_words(inside),
         };
-        let types =
-            |kind: &str| if named == "types" && kind.contains("nt") { "UInt8".to_owned() } else { kind.to_owned() };
-        let tag = array.replacen(&format!("type=\"{kind}\""), &format!("type=\"{}\"", types(kind)), 1);
-        match numbers {
-            None => {
-                text.extend_from_slice(tag.as_bytes());
-                at = found.end;
+        let data = numbers.map_err(|why| refused(format!("its array `{name}` {why}")))?;
+        let index = |value: &f64| if *value >= 0.0 { *value as usize } else { usize::MAX };
+        match (part, name) {
+            ("<Points", _) => grid.points = data,
+            ("<Cells", "connectivity") => grid.connectivity = data.iter().map(index).collect(),
+            ("<Cells", "offsets") => grid.ends = data.iter().map(index).collect(),
+            ("<Cells", "types") => grid.types = data.iter().map(|kind| *kind as u8).collect(),
+            ("<PointData", _) => {
+                let components = components.ok_or_else(|| refused(format!("`{name}` has no number of components")))?;
+                let names =
+                    (0..components.min(9)).map(|k| attribute(&array, &format!("ComponentName{k}")).unwrap_or_default());
+                grid.fields.push(Field {
+                    name: name.into(),
+                    components,
+                    names: names.map(str::to_owned).collect(),
+                    data,
+                });
             }
-            Some(numbers) => {
-                let numbers = numbers.map_err(|why| refused(format!("its array `{named}` {why}")))?;
-                let tag = tag.replacen(&format!("format=\"{format}\""), "format=\"ascii\"", 1);
-                let tag = tag.trim_end_matches('/');
-                text.extend_from_slice(format!("{tag}>\n{numbers}\n</DataArray").as_bytes());
-                at = if empty { found.end } else { end + b"</DataArray".len() };
-            }
+            _ => {}
         }
     }
-    text.extend_from_slice(&body[at.min(body.len())..]);
-    if appended.is_some() {
-        text.extend_from_slice(b"</VTKFile>\n");
+    match count {
+        Some(count) if Some(grid.points.len()) == count.checked_mul(3) => Ok(grid),
+        _ => Err(refused(format!(
+            "it has {} coordinates, which are not those of the points it announces",
+            grid.points.len()
+        ))),
     }
-    Ok(text.into())
+}
+
+/// Where a part begins last: its name, and no longer one.
+fn last(bytes: &[u8], part: &str) -> Option<usize> {
+    let is_it = |window: &[u8]| window.starts_with(part.as_bytes()) && !window[part.len()].is_ascii_alphabetic();
+    bytes.windows(part.len() + 1).rposition(is_it)
+}
+
+/// Numbers that are written out.
+fn as_words(text: &[u8]) -> Result<Vec<f64>, String> {
+    let text = String::from_utf8_lossy(text);
+    let number = |word: &str| word.parse().map_err(|_| format!("has the word `{word}`, which is no number"));
+    text.split_whitespace().map(number).collect()
 }
 
 /// Where a tag begins, and where its `>` is.
@@ -94,8 +133,11 @@ fn position(bytes: &[u8], wanted: &[u8], from: usize) -> Option<usize> {
 
 /// The value of an attribute of a tag.
 fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
-    let (_, rest) = tag.split_once(&format!(" {name}=\""))?;
-    rest.split_once('"').map(|(value, _)| value)
+    let key = format!("{name}=");
+    let (at, _) = tag.match_indices(&key).find(|(at, _)| tag[..*at].ends_with(char::is_whitespace))?;
+    let rest = &tag[at + key.len()..];
+    let mark = rest.chars().next().filter(|mark| ['"', '\''].contains(mark))?;
+    rest[1..].split_once(mark).map(|(value, _)| value)
 }
 
 /// Base64 with padding anywhere: four letters at a time. Nothing of what is no base64.
@@ -115,7 +157,7 @@ struct Coding {
 
 impl Coding {
     /// An array that begins so many bytes behind the mark of the appended data.
-    fn appended(&self, bytes: &[u8], place: &Tag, offset: usize, kind: &str) -> Result<String, String> {
+    fn appended(&self, bytes: &[u8], place: &Tag, offset: usize, kind: &str) -> Result<Vec<f64>, String> {
         let head = String::from_utf8_lossy(&bytes[place.begin..place.end]).into_owned();
         let mark = position(bytes, b"_", place.end).ok_or("is appended, and nothing is")?;
         let begin = (mark + 1).checked_add(offset).filter(|begin| *begin < bytes.len());
@@ -149,15 +191,15 @@ impl Coding {
         Ok((usize::try_from(value).map_err(|_| "has a header too large")?, (k + 1) * size))
     }
 
-    /// The numbers of header and data, as text.
-    fn decoded(&self, bytes: &[u8], kind: &str) -> Result<String, String> {
+    /// The numbers of header and data.
+    fn decoded(&self, bytes: &[u8], kind: &str) -> Result<Vec<f64>, String> {
         let plain = if self.zlib {
             self.inflated(bytes)?
         } else {
             let (length, begin) = self.word(bytes, 0)?;
             begin.checked_add(length).and_then(|end| bytes.get(begin..end)).ok_or("is cut")?.to_vec()
         };
-        numbers(&plain, kind).ok_or_else(|| format!("is of the type {kind}, which is not read"))
+        numbers(&plain, kind, false).ok_or_else(|| format!("is of the type {kind}, which is not read"))
     }
 
     /// All blocks, inflated: the header has their number, two sizes, and the compressed size of each.
@@ -190,23 +232,26 @@ impl Coding {
 /// Letters that hold the two first words of any header.
 const HEADER: usize = 24;
 
-/// Numbers as text; none of a type that is not known.
-fn numbers(bytes: &[u8], kind: &str) -> Option<String> {
-    fn all<const N: usize, T: ToString>(bytes: &[u8], of: fn([u8; N]) -> T) -> String {
-        let (chunks, _) = bytes.as_chunks::<N>();
-        chunks.iter().map(|chunk| of(*chunk).to_string()).collect::<Vec<String>>().join(" ")
+/// Numbers of a type, their bytes from the smallest on or from the largest; none where it is not known.
+pub fn numbers(bytes: &[u8], kind: &str, big: bool) -> Option<Vec<f64>> {
+    fn all<const N: usize>(bytes: &[u8], big: bool, of: fn([u8; N]) -> f64) -> Vec<f64> {
+        let turned = |mut chunk: [u8; N]| {
+            chunk.reverse();
+            chunk
+        };
+        bytes.as_chunks::<N>().0.iter().map(|chunk| of(if big { turned(*chunk) } else { *chunk })).collect()
     }
     Some(match kind {
-        "Float32" => all(bytes, f32::from_le_bytes),
-        "Float64" => all(bytes, f64::from_le_bytes),
-        "Int8" => all(bytes, i8::from_le_bytes),
-        "UInt8" => all(bytes, u8::from_le_bytes),
-        "Int16" => all(bytes, i16::from_le_bytes),
-        "UInt16" => all(bytes, u16::from_le_bytes),
-        "Int32" => all(bytes, i32::from_le_bytes),
-        "UInt32" => all(bytes, u32::from_le_bytes),
-        "Int64" => all(bytes, i64::from_le_bytes),
-        "UInt64" => all(bytes, u64::from_le_bytes),
+        "Float32" => all(bytes, big, |b| f32::from_le_bytes(b).into()),
+        "Float64" => all(bytes, big, f64::from_le_bytes),
+        "Int8" => all(bytes, big, |b| i8::from_le_bytes(b).into()),
+        "UInt8" => all(bytes, big, |b| u8::from_le_bytes(b).into()),
+        "Int16" => all(bytes, big, |b| i16::from_le_bytes(b).into()),
+        "UInt16" => all(bytes, big, |b| u16::from_le_bytes(b).into()),
+        "Int32" => all(bytes, big, |b| i32::from_le_bytes(b).into()),
+        "UInt32" => all(bytes, big, |b| u32::from_le_bytes(b).into()),
+        "Int64" => all(bytes, big, |b| i64::from_le_bytes(b) as f64),
+        "UInt64" => all(bytes, big, |b| u64::from_le_bytes(b) as f64),
         _ => return None,
     })
 }

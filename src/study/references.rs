@@ -152,15 +152,10 @@ fn answer(case: &Case) -> Result<Numbers, Error> {
 pub fn solve(name: &str) -> Result<Sheet, Error> {
     let case = find(name, None)?;
     let (discretisation, run, barred) = on_8_node_cells(&case)?;
-    let mut sheet = sheet(&case, &discretisation, &run, &barred)?;
-    // Where a mesh can be fitted to the contact, and tells more.
-    if let ([pair], Ok(answer)) = (&case.scene.contacts[..], reference::answer(&case.scene)) {
-        answer.known.iter().for_each(|known| sheet.takes(pair, known));
-    }
-    Ok(sheet)
+    sheet(&case, &discretisation, &run, &barred)
 }
 
-/// The sheet of a case from a run, whose numbers have bars.
+/// The sheet of a case from a run, whose numbers have bars; or from cells fitted to the contact, where that can be and tells more.
 pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[Barred]) -> Result<Sheet, Error> {
     let shared = SHARED.iter().find(|(known, _)| *known == case.name);
     let frozen = shared.map(|_| Independent::read()).transpose()?;
@@ -185,14 +180,18 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
         format!("{}: {} ({})", oracle.name(), source.citation, source.note)
     });
     let own = std::iter::once(case.source.clone()).filter(|source| !source.is_empty());
-    Ok(Sheet {
+    let mut sheet = Sheet {
         name: case.name.clone(),
         title: case.title.clone(),
         scene: described::scene(&case.scene),
         sources: own.chain(of_oracle).collect(),
         dofs: run.dofs,
         values: barred.iter().map(value).collect(),
-    })
+    };
+    if let ([pair], Ok(answer)) = (&case.scene.contacts[..], reference::answer(&case.scene)) {
+        answer.known.iter().for_each(|known| sheet.takes(pair, known));
+    }
+    Ok(sheet)
 }
 
 /// What the closed form says of a number; none where there is no such form, or it is silent.
@@ -231,7 +230,7 @@ impl Sheet {
         let (quantity, (unit, factor)) = (known.measured.name(), known.measured.unit(&pair.path));
         let Known { value, bound, .. } = known.times(factor);
         match self.values.iter_mut().find(|own| own.of == pair.name && own.quantity == quantity) {
-            Some(own) if bound < own.bound => (own.value, own.bound, own.fitted) = (value, bound, true),
+            Some(own) if bound <= own.bound => (own.value, own.bound, own.fitted) = (value, bound, true),
             Some(_) => {}
             None if value.is_finite() => {
                 let place = self.values.iter().take_while(|own| own.of == pair.name).count();

@@ -39,7 +39,7 @@ fn what_is_unknown_is_asked_for_with_file_found_and_remedy() {
             &plain,
             ["the column `position` has no unit", "--unit position=UNIT"],
         ),
-        (&case, "position [mm],pressure [bar]\n0,3\n", &plain, ["the unit `bar`", "MPa, N/mm2, kPa, Pa, GPa"]),
+        (&case, "position [mm],pressure [torr]\n0,3\n", &plain, ["the unit `torr`", "MPa, N/mm2, kPa, Pa, GPa"]),
         (&case, good, &named, ["there is no column `cpress`", "--column"]),
         (
             &case,

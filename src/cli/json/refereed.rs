@@ -24,7 +24,7 @@ pub struct Refereed {
     mistakes: Vec<String>,
     /// What could not be judged.
     missing: Vec<Missing>,
-    /// What the closed forms of the case say that our own run contradicts.
+    /// What the closed forms of the case say that our own run contradicts, and what makes the answer another one than may be meant.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     notes: Vec<String>,
 }
@@ -52,7 +52,7 @@ impl Refereed {
             checks: found.ruled.iter().flat_map(|ruled| &ruled.judged).map(Checked::of).collect(),
             mistakes: found.mistakes.clone(),
             missing: missing.chain(absent).collect(),
-            notes: truth.notes(),
+            notes: found.notes.clone(),
         }
     }
 }

@@ -19,11 +19,12 @@ use crate::referee::judge::ENGINEERING;
 pub struct Arguments {
     /// Case of the library (`list` names them), or a scene file.
     pub case: String,
-    /// Answers: .csv (columns `position [mm]`, `pressure [MPa]` or `force [N]`), .json (`schema answer`), .vtu or .vtk (nodal pressure
-    /// or stress), .frd (contact fields) or .dat (of an exported deck) of CalculiX.
+    /// Answers: .csv, .tsv, .txt or .rpt (columns `position [mm]`, `pressure [MPa]` or `force [N]`), .json (`schema answer`), .vtu or .vtk
+    /// (nodal pressure or stress), .frd (contact fields) or .dat (of an exported deck) of CalculiX.
     #[arg(required = true, value_name = "ANSWER")]
     pub answers: Vec<PathBuf>,
-    /// Which column or field holds what, such as pressure=CPRESS; may be given several times.
+    /// Which column or field holds what, such as pressure=CPRESS; a component of a field by its number from 0 or its name, such as
+    /// pressure=CONTACT:3 or pressure=S:yy; may be given several times.
     #[arg(long, value_name = "ROLE=NAME")]
     column: Vec<String>,
     /// Unit of a column or field that does not say it, such as pressure=Pa; may be given several times.
@@ -38,6 +39,12 @@ pub struct Arguments {
     /// Pressures and forces are negative in compression.
     #[arg(long)]
     tension_positive: bool,
+    /// Time of the state that is judged, of a .frd or .dat with several; the last one where neither it nor the step is given.
+    #[arg(long, value_name = "TIME")]
+    time: Option<f64>,
+    /// Step at whose end the state is that is judged, of a .frd.
+    #[arg(long, value_name = "STEP")]
+    step: Option<usize>,
     /// Relative error that is accepted, such as "0.1 %"; 1 % by default.
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true)]
     tolerance: Option<String>,
@@ -71,6 +78,8 @@ impl Arguments {
             order: self.order,
             contact: self.contact.clone(),
             tension_positive: self.tension_positive,
+            time: self.time,
+            step: self.step,
         })
     }
 

@@ -19,7 +19,7 @@ pub fn print(truth: &Truth, found: &Verdicts) {
         say(format!("contact `{}`:", truth.case.scene.contacts[ruled.contact].name));
         say(table);
     }
-    remarks(truth, found).into_iter().for_each(say);
+    remarks(found).into_iter().for_each(say);
 }
 
 /// The same as Markdown.
@@ -30,7 +30,7 @@ pub fn markdown(truth: &Truth, found: &Verdicts) -> String {
         let name = &truth.case.scene.contacts[ruled.contact].name;
         text += &format!("\nContact `{name}`:\n\n{}", markdown::table(&HEAD.map(String::from), &rows));
     }
-    let remarks: String = remarks(truth, found).iter().map(|remark| format!("* {remark}\n")).collect();
+    let remarks: String = remarks(found).iter().map(|remark| format!("* {remark}\n")).collect();
     text + "\n" + &remarks
 }
 
@@ -105,7 +105,7 @@ fn is_absolute(judged: &Judged) -> bool {
 }
 
 /// How the file was read, closed forms that are not of the case, usual mistakes, and what is missing.
-fn remarks(truth: &Truth, found: &Verdicts) -> Vec<String> {
+fn remarks(found: &Verdicts) -> Vec<String> {
     let read = format!("read: {}", found.answer.read.join(", "));
     let mistakes = found.mistakes.iter().map(|mistake| format!("usual mistake: {mistake}; corrected so, all is met"));
     let of = |ruled: &Ruled| {
@@ -113,6 +113,6 @@ fn remarks(truth: &Truth, found: &Verdicts) -> Vec<String> {
     };
     let missing = found.ruled.iter().flat_map(of);
     let absent = found.absent.iter().map(|name| format!("not judged: contact `{name}`; hand in its points too"));
-    let notes = truth.notes().into_iter().map(|note| format!("note: {note}"));
+    let notes = found.notes.iter().map(|note| format!("note: {note}"));
     std::iter::once(read).chain(notes).chain(mistakes).chain(missing).chain(absent).collect()
 }

@@ -1,0 +1,363 @@
+//! Files as people have them: what they hold is read, whatever its widths, marks and names; what they lack is no zero, and a part is not judged.
+
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use approx::assert_relative_eq;
+use contact_vv::accuracy::Quantity;
+use contact_vv::case::library::find;
+use contact_vv::case::{Case, Judged, Quantity as Asks};
+use contact_vv::cli::vtu;
+use contact_vv::error::Error;
+use contact_vv::oracle;
+use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::referee::units::Role;
+use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
+
+use crate::referee_readers::{Frd, ellipse, half_width, peak, vtk};
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/wild")
+}
+
+/// A block pressed by a rigid parabola, by Hertz: a = 2 mm, p₀ = 100 MPa.
+pub fn tiny() -> Case {
+    Case::read(&folder().join("tiny.toml")).expect("a case")
+}
+
+static TRUTH: LazyLock<Truth> = LazyLock::new(|| Truth::of(tiny()).expect("solved"));
+
+/// As the inputs are read.
+pub fn usual() -> Asked {
+    let units = [(Role::Position, "mm"), (Role::X, "mm"), (Role::Y, "mm"), (Role::Pressure, "MPa"), (Role::Gap, "mm")];
+    Asked { units: units.map(|(role, unit)| (role, unit.to_owned())).into(), ..Asked::default() }
+}
+
+fn naming(columns: &[(Role, &str)]) -> Asked {
+    Asked { columns: columns.iter().map(|(role, name)| (*role, (*name).to_owned())).collect(), ..usual() }
+}
+
+pub fn parsed(name: &str, text: impl AsRef<[u8]>, asked: &Asked) -> Result<Answer, Error> {
+    read::parse(Path::new(name), text.as_ref(), &TRUTH.case, asked)
+}
+
+fn judged(answer: Answer) -> Result<Verdicts, Error> {
+    verdicts(&TRUTH, answer, ENGINEERING)
+}
+
+fn peak_of(answer: Answer) -> f64 {
+    judged(answer).expect("judged").ruled[0].measures.peak.pressure
+}
+
+/// That it is refused, or not judged, for what is named.
+fn refused(name: &str, text: impl AsRef<[u8]>, asked: &Asked, parts: &[&str]) {
+    let error = parsed(name, text, asked).and_then(judged).map(|_| ()).expect_err(name).to_string();
+    assert!(error.contains(name) && parts.iter().all(|part| error.contains(part)), "{parts:?}: {error}");
+}
+
+#[test]
+fn files_of_the_wild_are_judged_as_what_they_hold() {
+    let handed = |file: &str, asked: &Asked| read::read(&folder().join(file), &TRUTH.case, asked);
+    for (file, wanted) in [("8_frd_three_digit_exponents.frd", 99.92), ("6_vtk_5.1.vtk", 100.0)] {
+        assert_relative_eq!(peak_of(handed(file, &usual()).expect(file)), wanted, max_relative = 2e-3);
+    }
+    let of_six = "15_field_of_six.vtk";
+    let third = naming(&[(Role::Pressure, "CONTACT:3"), (Role::Gap, "CONTACT:0")]);
+    assert_relative_eq!(peak_of(handed(of_six, &third).expect(of_six)), 100.0, max_relative = 2e-3);
+    let error = |file: &str, asked: &Asked| handed(file, asked).map(|_| ()).expect_err(file).to_string();
+    let whole = error(of_six, &naming(&[(Role::Pressure, "CONTACT")]));
+    assert!(whole.contains("`CONTACT` has 6 components") && whole.contains("pressure=CONTACT:5"), "{whole}");
+    let strange = error("1_frd_nodes_not_in_file.frd", &usual());
+    let parts = ["values at 11 nodes, 11 of which the file does not have", "25 of the 25 nodes", "OUTPUT=3D"];
+    assert!(parts.iter().all(|part| strange.contains(part)), "{strange}");
+    let early = judged(handed("5_frd_last_increment_0.4.frd", &usual()).expect("read")).expect("judged");
+    assert!(
+        !early.met() && early.notes.iter().any(|note| note.contains("increment 1, time 0.4, which is not the end"))
+    );
+    assert!(early.answer.read.iter().any(|how| how.contains("block CONTACT of step 1, increment 1, time 0.4")));
+}
+
+#[test]
+fn tables_of_the_wild_are_read_and_met() {
+    let files = std::fs::read_dir(folder().join("tables")).expect("tables");
+    let files: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
+    assert_eq!(files.len(), 9);
+    for file in files {
+        // Units that the file says are its own, whatever is named for others.
+        let asked = usual();
+        let answer = read::read(&file, &TRUTH.case, &asked).unwrap_or_else(|error| panic!("{error}"));
+        let found = judged(answer).expect("judged");
+        assert_relative_eq!(found.ruled[0].measures.peak.pressure, 100.0, max_relative = 2e-3);
+        assert!(found.met(), "{}", file.display());
+    }
+}
+
+#[test]
+fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
+    let row = |separator: &str, number: fn(f64) -> String| ellipse::rows(separator, number);
+    let plain: fn(f64) -> String = |x| format!("{x:.6}");
+    let comma: fn(f64) -> String = |x| format!("{x:.6}").replace('.', ",");
+    let fortran: fn(f64) -> String = |x| format!("{x:.6E}").replace('E', "d");
+    let heads = [
+        "x [mm],pressure [MPa]\n",
+        "\u{feff}position / mm,contact pressure / MPa\n",
+        "X Location (mm),Pressure (N/mm^2)\n",
+        "position,pressure\n[mm],[N/mm²]\n",
+        "position,pressure\nmm,MPa\n",
+        "// solved by hand\n! twice\nposition (mm),Tn (MPa)\n",
+    ];
+    let commas = heads.map(|head| format!("{head}{}", row(",", plain)));
+    let others = [
+        format!("position [mm];pressure [MPa]\r\n{}", row(" ; ", comma).replace('\n', "\r\n")),
+        format!("position [mm]\tpressure [MPa]\n{}", row("\t", comma)),
+        format!("position [mm]   pressure [MPa]\n{}", row("   ", comma)),
+        format!("# x [mm] p [MPa]\n{}", row(" ", fortran)),
+        format!("$ x (mm)  Contact Pressure (MPa)\n{}", row("  ", plain)),
+        format!(
+            "***\nField Output Report, written Mon Nov 23 10:21:07\n\n  Node    COORD.COOR1 [mm]    CPRESS [MPa]\n  Label              @Loc 1          @Loc 1\n-----\n{}\n\n  \
+             Minimum 0.  0.\n      At Node 4\n",
+            row("  ", plain).lines().enumerate().map(|(k, line)| format!("  {}  {line}\n", k + 1)).collect::<String>()
+        ),
+    ];
+    for text in commas.iter().chain(&others) {
+        let answer = parsed("theirs.rpt", text, &Asked::default()).unwrap_or_else(|error| panic!("{text}: {error}"));
+        ellipse::assert(&answer, 1e-5);
+    }
+    // Columns without a head by their numbers; a .dat that is no file of CalculiX.
+    let numbered = naming(&[(Role::Position, "1"), (Role::Pressure, "2")]);
+    ellipse::assert(&parsed("savetxt.dat", row(" ", plain), &numbered).expect("read"), 1e-5);
+    // A column that is not used needs no unit.
+    let more = row(",", plain).lines().map(|line| format!("{line},7,0\n")).collect::<String>();
+    let more = format!("position [mm],pressure [MPa],force,Points:1\n{more}");
+    ellipse::assert(&parsed("theirs.csv", more, &Asked::default()).expect("read"), 1e-5);
+}
+
+#[test]
+fn what_is_no_number_in_a_table_is_named_with_its_line_and_what_to_change() {
+    for (text, parts) in [
+        ("position [mm];pressure [MPa]\n0,5;3\n1.5;2\n2,5;1\n", ["theirs.csv:3", "`1.5`, which is no number"]),
+        ("position [mm];pressure [MPa]\n0;3\n1.234,5;2\n2;1\n", ["theirs.csv:3", "all with a comma"]),
+        ("# x [mm] p [MPa]\n0 3\n1 2x\n2 1\n", ["theirs.csv:3", "`2x`, which is no number"]),
+        ("x [mm],p [torr]\n0,3\n1,2\n2,1\n", ["the unit `torr`", "bar, psi, ksi"]),
+        ("0 3\n1 2\n2 1\n", ["holds no names", "--column position=1"]),
+        ("t [mm] q [MPa]\n0 3\n1 2\n", ["no column is called `position` or `x`, but `t [mm]`, `q [MPa]`", "--column"]),
+    ] {
+        refused("theirs.csv", text, &Asked::default(), &parts);
+    }
+}
+
+#[test]
+fn nodes_of_the_contact_without_a_value_are_counted_and_no_zeros() {
+    let whole = Frd::plain();
+    let full = peak_of(parsed("theirs.frd", whole.text(), &usual()).expect("read"));
+    // Those that are listed reach to where nothing presses: the rest is beyond the contact.
+    let pressed = Frd { listed: (0..=20).collect(), ..Frd::plain() };
+    assert_relative_eq!(peak_of(parsed("theirs.frd", pressed.text(), &usual()).expect("read")), full);
+    for (listed, lacking) in
+        [((1..49).collect(), 1), ((0..49).filter(|k| k % 4 != 3).collect(), 12), ((0..8).collect(), 41)]
+    {
+        let holes: Frd = Frd { listed, ..Frd::plain() };
+        let count = format!("{lacking} of the 49 nodes");
+        refused("theirs.frd", holes.text(), &usual(), &[&count, "none is no zero", "OUTPUT=3D"]);
+    }
+    for nan in ["nan", "-nan(ind)", "NaN"] {
+        // In the middle of the file: what stands behind it is read too.
+        let text =
+            vtk::ascii(&|s| if (s - 0.6).abs() < 1e-9 { nan.into() } else { format!("{:e}", ellipse::pressure(s)) });
+        let part = if nan == "-nan(ind)" { "`-nan(ind)` is no number" } else { "1 of the 49 nodes" };
+        refused("theirs.vtk", text, &usual(), &[part]);
+    }
+}
+
+#[test]
+fn nodes_of_an_expanded_slice_are_judged_as_those_of_the_plane() {
+    for expanded in [Frd { slice: true, ..Frd::plain() }, Frd { slice: true, layer: 1, ..Frd::plain() }] {
+        let answer = parsed("theirs.frd", expanded.text(), &usual()).expect("read");
+        ellipse::assert(&answer, 1e-5);
+        assert!(judged(answer).expect("judged").met());
+    }
+    // Where the contact's nodes are there, at the same place, though the cells are plane.
+    ellipse::assert(&parsed("theirs.frd", Frd { layer: 1, ..Frd::plain() }.text(), &usual()).expect("read"), 1e-5);
+    let skew = Frd { slice: true, skew: 0.05, ..Frd::plain() };
+    refused("theirs.frd", skew.text(), &usual(), &["do not lie in pairs at the same x and y"]);
+}
+
+#[test]
+fn numbers_of_a_frd_are_read_whatever_their_width_and_no_part_of_one_is() {
+    let widths: [fn(f64) -> String; 5] = [
+        |x| format!("{x:>12.5E}"),
+        |x| format!(" {x:.5E}"),
+        |x| Frd::exponent(x, 3),
+        |x| format!(" {x:.3}"),
+        |x| format!("{x:>20.12E}"),
+    ];
+    for width in widths {
+        ellipse::assert(
+            &parsed("theirs.frd", Frd { number: width, ..Frd::plain() }.text(), &usual()).expect("read"),
+            2e-3,
+        );
+    }
+    let text = Frd::plain().text();
+    let line = text.lines().position(|line| line.contains("9.94987E1")).expect("a row") + 1;
+    for wrong in ["9.94987E1X", "9.94987E1 7.0", "--1", "nan", "9.94987E", "9.94987E1E2", "9.9.4", "9,94987E1"] {
+        let spoiled = text.replacen("9.94987E1", wrong, 1);
+        refused("theirs.frd", spoiled, &usual(), &[&format!("theirs.frd:{line}"), "this line is cut, or holds no"]);
+    }
+}
+
+#[test]
+fn the_state_that_is_judged_is_printed_named_and_chosen() {
+    let two = Frd { states: vec![(1, 4, 1.0, 0.5), (2, 3, 1.7, 0.8), (2, 5, 2.0, 1.0)], ..Frd::plain() };
+    let at = |asked: Asked| judged(parsed("theirs.frd", two.text(), &asked).expect("read")).expect("judged");
+    let says = |found: &Verdicts, part: &str| found.notes.iter().any(|note| note.contains(part));
+    let last = at(usual());
+    assert!(last.met() && last.notes.is_empty(), "{:?}", last.notes);
+    for state in ["step 1, increment 4, time 1", "step 2, increment 3, time 1.7", "step 2, increment 5, time 2"] {
+        assert!(last.answer.read.contains(&format!("block CONTACT of {state}")), "{:?}", last.answer.read);
+    }
+    for first in [at(Asked { time: Some(1.0), ..usual() }), at(Asked { step: Some(1), ..usual() })] {
+        assert_relative_eq!(first.ruled[0].measures.peak.pressure, 0.5 * peak(), max_relative = 2e-3);
+        assert!(!first.met() && says(&first, "its file goes on to time 2"), "{:?}", first.notes);
+    }
+    let within = at(Asked { time: Some(1.7), step: Some(2), ..usual() });
+    assert_relative_eq!(within.ruled[0].measures.peak.pressure, 0.8 * peak(), max_relative = 2e-3);
+    assert!(says(&within, "time 1.7, which is not the end of a step"));
+    refused("theirs.frd", two.text(), &Asked { time: Some(3.0), ..usual() }, &["--time or --step", "time 1.7"]);
+    refused("theirs.csv", ellipse::text(), &Asked { step: Some(1), ..usual() }, &["it has one state"]);
+}
+
+#[test]
+fn a_contact_that_is_there_in_part_is_not_judged_and_what_is_dropped_is_said() {
+    // Beyond s the ellipse has 1 − 2/π (asin s/a + s/a √(1 − s²/a²)) of its force.
+    let rows = |from: f64, to: f64| {
+        let places = (-30..=30).map(|k| 0.1 * f64::from(k)).filter(|s| from - 1e-9 <= *s && *s <= to + 1e-9);
+        let rows = places.map(|s| format!("{s},{}\n", ellipse::pressure(s.abs()))).collect::<String>();
+        format!("position [mm],pressure [MPa]\n{rows}")
+    };
+    for (from, to, parts) in [
+        (0.0, 1.0, ["stop at 1", "39.1 % of the force"]),
+        (0.0, 1.8, ["stop at 1.8", "3.7 % of the force"]),
+        (0.6, 3.0, ["stop at 0.6", "37.6 % of the force"]),
+        (-0.6, 3.0, ["stop at -0.6", "31.2 % of the force"]),
+    ] {
+        refused("theirs.csv", rows(from, to), &Asked::default(), &parts);
+    }
+    for (from, to) in [(0.0, 2.0), (-2.0, 2.0), (-3.0, 3.0)] {
+        judged(parsed("theirs.csv", rows(from, to), &Asked::default()).expect("read")).expect("judged");
+    }
+}
+
+#[test]
+fn a_mesh_that_lies_partly_off_the_path_is_not_judged_and_its_unit_is_questioned() {
+    let warped = vtk::points(&|x, y| if y == 0.0 && (0.7..1.5).contains(&x) { [x, 0.02] } else { [x, y] });
+    refused("theirs.vtk", warped, &usual(), &["of the edges that are pressed lie off", "undeformed", "% of the force"]);
+    let warped = Frd { warp: 0.03, ..Frd::plain() };
+    refused("theirs.frd", warped.text(), &usual(), &["of the edges that are pressed lie off"]);
+    // Metres called mm: on a straight side a usual mistake, on a circle no side at all.
+    let metres = vtk::points(&|x, y| [1e-3 * x, 1e-3 * y]);
+    let found = judged(parsed("theirs.vtk", metres, &usual()).expect("read")).expect("judged");
+    assert!(found.mistakes.iter().any(|says| says.contains("positions in m are called mm")), "{:?}", found.mistakes);
+    for name in ["cylinder", "pin-rod"] {
+        let case = find(name, None).expect("a case");
+        let (meshed, run) = case.solve().expect("solved");
+        let text = vtu::text(&meshed.discretisation, &run).expect("written");
+        for (unit, factor) in [("m", "0.001"), ("um", "1000")] {
+            let mut asked = usual();
+            asked.units[0].1 = unit.into();
+            let error = read::parse(Path::new("ours.vtu"), text.as_bytes(), &case, &asked).map(|_| ());
+            let error = error.expect_err(name).to_string();
+            assert!(
+                error.contains(&format!("times {factor}")) && error.contains("it would lie there"),
+                "{name}: {error}"
+            );
+        }
+    }
+    let far = refused_text(&vtk::points(&|x, y| [x, y + 7.0]));
+    assert!(far.contains("y = 7.0000 to 7.5000 mm"), "{far}");
+    let far = parsed("theirs.frd", Frd { below: 7.0, ..Frd::plain() }.text(), &usual()).map(|_| ());
+    assert!(far.expect_err("far").to_string().contains("its points lie at x = 0.0000 to 4.8000"));
+}
+
+fn refused_text(text: &str) -> String {
+    parsed("theirs.vtk", text, &usual()).map(|_| ()).expect_err("refused").to_string()
+}
+
+/// The row of a quantity.
+fn row(found: &Verdicts, asked: &Asks) -> Judged {
+    found.ruled[0].judged.iter().find(|one| one.check.quantity == *asked).expect("judged").clone()
+}
+
+#[test]
+fn a_resultant_without_a_load_is_that_of_one_solve_with_its_bar() {
+    let text = std::fs::read_to_string(folder().join("2_displacement_driven.toml")).expect("a scene");
+    let rows = std::fs::read_to_string(folder().join("2_answer.csv")).expect("an answer");
+    let mut found = Vec::new();
+    for elements in ["elements = 3", "elements = 5"] {
+        let case = Case::parse(&folder().join("driven.toml"), &text.replace("elements = 3", elements)).expect("read");
+        let truth = Truth::of(case).expect("solved");
+        assert!(!truth.is_told_by_loads(0));
+        let answer = read::parse(Path::new("a.csv"), rows.as_bytes(), &truth.case, &Asked::default()).expect("read");
+        let reference = row(&verdicts(&truth, answer, ENGINEERING).expect("judged"), &Asks::Resultant).reference;
+        assert_ne!(reference.name, "equilibrium with the load");
+        found.push((reference.value, truth.ours(0, Quantity::Resultant).bar));
+        let sheet = &contact_vv::cli::export::files(&truth.case).expect("exported")[0].1;
+        let line = sheet.lines().find(|line| line.contains("| resultant")).expect("a resultant");
+        assert!(line.contains("66.866"), "{line}");
+    }
+    for (value, bar) in &found {
+        assert!((value - 66.866).abs() <= 1e-3 && *bar <= 1e-2, "{value} ± {bar}");
+    }
+    assert!((found[0].0 - found[1].0).abs() <= found[0].1 + found[1].1, "{found:?}");
+    let loaded = judged(parsed("a.csv", ellipse::text(), &Asked::default()).expect("read")).expect("judged");
+    assert_eq!(row(&loaded, &Asks::Resultant).reference.name, "equilibrium with the load");
+}
+
+#[test]
+fn a_stated_model_error_counts_for_every_quantity_it_is_stated_for() {
+    let text = std::fs::read_to_string(folder().join("tiny.toml")).expect("a scene");
+    let stated = |quantity: &str| {
+        let check =
+            format!("\n[[check]]\nquantity = \"{quantity}\"\ntolerance = 0.5\nmodel-error = 0.07\nbecause = \".\"\n");
+        Truth::of(Case::parse(&folder().join("stated.toml"), &(text.clone() + &check)).expect("read")).expect("solved")
+    };
+    let known = |truth: &Truth, asked| truth.known(0, Quantity::Resultant, asked);
+    for (quantity, asked) in [
+        ("resultant", oracle::Quantity::Resultant),
+        ("peak-pressure", oracle::Quantity::PeakPressure),
+        ("contact-half-width", oracle::Quantity::HalfWidth),
+        ("second-moment-width", oracle::Quantity::SecondMoment),
+    ] {
+        let truth = stated(quantity);
+        assert_relative_eq!(truth.model(asked), 0.07);
+        let known = known(&truth, asked);
+        assert!(known.bar >= 0.07 * known.reference.value, "{quantity}: {known:?}");
+    }
+}
+
+#[test]
+fn exported_sheets_are_those_of_the_snapshots() {
+    for name in ["cylinder", "pin-rod", "press-fit"] {
+        let files = contact_vv::cli::export::files(&find(name, None).expect("a case")).expect("exported");
+        let sheet = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("snapshots/sheets/{name}.md"));
+        assert_eq!(files[0].1, std::fs::read_to_string(sheet).expect("a sheet"), "{name}");
+    }
+}
+
+#[test]
+fn the_formula_of_a_sphere_used_for_a_cylinder_is_a_usual_mistake() {
+    // a₃ = ∛(3FR/4E*) and 3F/2πa²: 314.1593 N on R = 1000 mm, E* = 100 GPa.
+    let (force, radius, modulus) = (314.1593_f64, 1000.0, 91000.0 / 0.91);
+    let sphere = (0.75 * force * radius / modulus).cbrt();
+    for (a, width) in [(sphere, sphere), (half_width(), half_width())] {
+        let p = 1.5 * force / (std::f64::consts::PI * a * a);
+        let at = |k: u32| (0.05 * f64::from(k) * width, p * (1.0 - (0.05 * f64::from(k)).powi(2)).max(0.0).sqrt());
+        let rows: String = (0..=26).map(|k| format!("{},{}\n", at(k).0, at(k).1)).collect();
+        let text = format!("position [mm],pressure [MPa]\n{rows}");
+        let found = judged(parsed("a.csv", text, &Asked::default()).expect("read")).expect("judged");
+        assert!(
+            !found.met() && found.mistakes.iter().any(|says| says.contains("that of a sphere")),
+            "{a}: {:?}",
+            found.mistakes
+        );
+    }
+}
