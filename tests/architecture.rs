@@ -258,12 +258,12 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 8] = [
-    ("solver", 18_100),
+    ("solver", 18_200),
     ("drawing", 3_000),
     ("case", 6_550),
     ("oracle", 4_100),
     ("study", 18_200),
-    ("referee", 5_250),
+    ("referee", 5_300),
     ("report", 3_800),
     ("cli", 4_300),
 ];
