@@ -101,6 +101,9 @@ struct Course {
     noise: usize,
     /// Index of its first iteration in the history.
     first: usize,
+    /// Least error of all but the last iterations that [`FALLS`] looks at, and how many they are.
+    least: f64,
+    counted: usize,
 }
 
 /// What is known of one increment.
@@ -143,7 +146,7 @@ impl<'a> Run<'a> {
         let fraction = increment as f64 / self.settings.increments as f64;
         let load: Vec<f64> = self.problem.load.iter().map(|f| f * fraction).collect();
         let law = if algorithm.is_elastic() { Law::Springs } else { Law::Rigid };
-        let mut course = Course { first: self.history.len(), ..Course::default() };
+        let mut course = Course { first: self.history.len(), least: f64::INFINITY, ..Course::default() };
         let mut outcome = Outcome::Capped;
         algorithm.reload(self.problem, springs);
         while self.work.iterations < self.settings.max_iterations {
@@ -196,14 +199,19 @@ impl<'a> Run<'a> {
         if let Some(period) = returned(&course.earlier, &state) {
             return Some(Outcome::Cycling { period });
         }
+        // Errors are told a few iterations late: those before the last ones stand, and are counted once.
         let own = &self.history[course.first..];
+        let (before, last) = own.split_at(own.len().saturating_sub(FALLS.0));
+        course.least = course.least.min(least(&before[course.counted..]));
+        course.counted = before.len();
+        let newest = least(last);
         course.still = if changes_less(&course.earlier, &state, STILL.1) { course.still + 1 } else { 0 };
         course.noise = if changes_less(&course.earlier, &state, NOISE) { course.noise + 1 } else { 0 };
-        let rests = course.noise >= FALLS.0 && !falls(own);
+        let rests = course.noise >= FALLS.0 && newest >= (1.0 - FALLS.1) * course.least;
         if course.known.looked && (course.still >= STILL.0 || rests) {
             return Some(Outcome::Stalled);
         }
-        if has_grown(own) {
+        if has_grown(last, course.least.min(newest)) {
             return Some(Outcome::Diverged);
         }
         course.earlier.push_front(state);
@@ -349,22 +357,16 @@ fn changes_less(earlier: &VecDeque<State>, state: &State, share: f64) -> bool {
     earlier.front().is_some_and(|before| state.is_within(share, before))
 }
 
-/// Whether the least error of the last iterations is below that of all before them.
-fn falls(history: &[Iterated]) -> bool {
-    let (iterations, part) = FALLS;
-    let least = |iterations: &[Iterated]| {
-        iterations.iter().map(|iteration| iteration.error.largest()).fold(f64::INFINITY, f64::min)
-    };
-    let (before, last) = history.split_at(history.len().saturating_sub(iterations));
-    least(last) < (1.0 - part) * least(before)
+/// The least error of some iterations; infinite where none is known.
+fn least(iterations: &[Iterated]) -> f64 {
+    iterations.iter().map(|iteration| iteration.error.largest()).fold(f64::INFINITY, f64::min)
 }
 
 /// Whether the error has grown far beyond its least, and stayed there.
-fn has_grown(history: &[Iterated]) -> bool {
+fn has_grown(last: &[Iterated], least: f64) -> bool {
     let (iterations, times) = GROWN;
-    let errors = || history.iter().map(|iteration| iteration.error.largest());
-    let least = errors().fold(f64::INFINITY, f64::min);
-    history.len() > iterations && errors().rev().take(iterations).all(|error| error > times * least)
+    let mut errors = last.iter().rev().take(iterations).map(|iteration| iteration.error.largest());
+    last.len() > iterations && errors.all(|error| error > times * least)
 }
 
 /// Period after which the state has returned, while the last iteration itself did change it.
