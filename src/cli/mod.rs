@@ -1,9 +1,8 @@
 //! What the user types.
 //!
 //! * [`accuracy`] — what `solve` says of an accuracy that was asked for.
-//! * [`survey`] — surveys what is called converged and met, and whether error bars hold, with a progress bar.
+//! * [`survey`] — surveys where methods fail, what is called converged and met, and whether error bars hold, with a progress bar.
 //! * [`ended`] — how a command ended, as its exit code tells.
-//! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`timings`] — measures speed against accuracy.
 //! * [`review`] — what moved between two commits.
 //! * [`scoreboard`] — asks other codes for exported cases.
@@ -23,7 +22,6 @@
 //! * [`writable`] — whether results can be written; [`outputs`] — and whether nothing is lost by it.
 
 pub mod accuracy;
-pub mod atlas;
 mod bars;
 mod choice;
 pub mod compare;
@@ -198,7 +196,7 @@ pub fn main() -> ExitCode {
         Command::Report { study: Some(room), .. } => study_command(room).map(Ended::checked),
         Command::Report { check, .. } => report_command(check).map(Ended::checked),
         Command::Verdicts => Ok(Ended::checked(suite::verdicts())),
-        Command::Atlas => atlas::run().map(|()| Ended::Well),
+        Command::Atlas => survey::atlas().map(|()| Ended::Well),
         Command::Converged => survey::converged().map(|()| Ended::Well),
         Command::Met => survey::met().map(|()| Ended::Well),
         Command::Coverage => survey::coverage().map(|()| Ended::Well),

@@ -62,7 +62,7 @@ pub fn open_points() -> String {
          "with line and layer elements, hard springs let an alternating pressure mode grow between Gauss points that no node feels".into()],
         ["Acceleration".into(),
          "none in the paper; as the program takes them, under their own rules, (a) Newton's method on ln k, (b) Newton's method on the carried forces, and their names say so".into(),
-         "iterations only: *Elements and iterations* and *Where methods fail* have both side by side; the readings and the rates are of the paper's own".into()],
+         "iterations only: *Where methods fail* has both side by side; the readings and the rates are of the paper's own".into()],
         ["Penetration of hard springs".into(),
          "(c): where p/k exceeds the tolerance at the stiffest spring, hard points carry their force over to the next iteration".into(),
          "tolerances below the stiffest spring's penetration can be reached; nothing at the default tolerance".into()],

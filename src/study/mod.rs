@@ -45,7 +45,6 @@ mod rooms;
 pub mod scoreboard;
 pub mod sheets;
 pub mod stability;
-pub mod sweep;
 pub mod timings;
 pub mod trial;
 
@@ -81,8 +80,6 @@ rooms! {
     References in references,
     /// Benchmark sheets.
     Sheets in sheets,
-    /// Initial stiffness and rules.
-    Sweep in sweep,
     /// What the paper leaves open: its sentences under readings of it.
     Readings in readings,
     /// Speed against accuracy.
@@ -99,7 +96,7 @@ rooms! {
     Met in met,
     /// Cells of high order, fitted to the end of the contact.
     Fitted in fitted,
-    /// Where methods fail: the recorded survey.
+    /// Where methods fail: the recorded survey, and iterations on the paper's scenes.
     Atlas in atlas,
     /// Where methods fail: predicted rates and iterations.
     Stability in stability,

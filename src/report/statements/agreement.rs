@@ -4,9 +4,9 @@ use super::found::{Findings, extremes};
 use super::statement::{Judgement, Statement, judged};
 use crate::case::library::{cylinder, pin_rod};
 use crate::case::{Quantity, Verdict};
+use crate::study::atlas::{self, Plane};
 use crate::study::digitised::GAERTNER;
 use crate::study::quarter::LEFT_OUT;
-use crate::study::sweep::{self, Scene};
 use crate::study::{Numbers, Room};
 use crate::uncertainty::COVERAGE;
 
@@ -39,7 +39,7 @@ pub fn of_all(f: &Findings) -> Statement {
 /// No formulation is more accurate than another, as they stand in the paper.
 pub fn no_difference(f: &Findings) -> Statement {
     let nine = f.0.iter().find_map(|finding| match &finding.numbers {
-        Numbers::Sweep(sweep::Numbers::Saved(Scene::Cylinder, saved)) => Some(saved.as_slice()),
+        Numbers::Atlas(atlas::Numbers::Saved(Plane::Cylinder, saved)) => Some(saved.as_slice()),
         _ => None,
     });
     let nine = nine.unwrap_or_default();
