@@ -262,9 +262,9 @@ const BUDGETS: [(&str, usize); 8] = [
     ("figure", 3_450),
     ("case", 7_300),
     ("oracle", 4_100),
-    ("study", 20_200),
+    ("study", 19_550),
     ("referee", 4_200),
-    ("report", 4_050),
+    ("report", 3_700),
     ("cli", 4_350),
 ];
 

@@ -33,11 +33,11 @@ pub mod limits;
 pub mod met;
 pub mod method;
 pub mod pairing;
+pub mod paper;
 pub mod photoelastic;
 pub mod present;
 pub mod quarter;
 pub mod random;
-pub mod readings;
 pub mod records;
 pub mod references;
 pub mod refinement;
@@ -80,8 +80,8 @@ rooms! {
     References in references,
     /// Benchmark sheets.
     Sheets in sheets,
-    /// What the paper leaves open: its sentences under readings of it.
-    Readings in readings,
+    /// The paper: what it says, under readings of it, and what it leaves open.
+    Paper in paper,
     /// Speed against accuracy.
     Timings in timings,
     /// What is called converged.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::report::statements::Statement;
+use crate::study::paper::statement::Statement;
 
 /// A statement as the record has it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
