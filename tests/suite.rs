@@ -11,7 +11,7 @@ use contact_vv::markdown::significant;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Formulation};
-use contact_vv::study::atlas::{Chart, Plane, record};
+use contact_vv::study::atlas::{Chart, Plane};
 use contact_vv::study::{self, Finding, Numbers, promised};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 
@@ -117,8 +117,8 @@ fn runs(scene: &'static str) -> Vec<Trial> {
 
 /// Drift lock: classes near a boundary of the recorded atlas, and iterations elsewhere, are what they were.
 fn charted(plane: Plane) -> Result<(), Failed> {
-    let records = record::read(plane).map_err(|error| error.to_string())?;
-    frozen::freeze("atlas", Some(plane.name()), Chart::of(plane, &records).frozen())
+    let chart = Chart::read(plane).map_err(|error| error.to_string())?;
+    frozen::freeze("atlas", Some(plane.name()), chart.frozen())
 }
 
 /// What is frozen of a run; of one that did not converge, the outcome only.

@@ -1,9 +1,8 @@
 //! What the user types.
 //!
 //! * [`accuracy`] — what `solve` says of an accuracy that was asked for.
-//! * [`survey`] — runs a recorded survey with a progress bar.
+//! * [`survey`] — runs recorded surveys with a progress bar.
 //! * [`ended`] — how a command ended, as its exit code tells.
-//! * [`atlas`] — surveys the stability atlas with a progress bar.
 //! * [`timings`] — measures speed against accuracy.
 //! * [`review`] — what moved between two commits.
 //! * [`scoreboard`] — asks other codes for exported cases.
@@ -22,7 +21,6 @@
 //! * [`writable`] — whether results can be written; [`outputs`] — and whether nothing is lost by it.
 
 pub mod accuracy;
-pub mod atlas;
 mod bars;
 mod choice;
 pub mod compare;
@@ -197,7 +195,7 @@ pub fn main() -> ExitCode {
         Command::Report { study: Some(room), .. } => study_command(room).map(Ended::checked),
         Command::Report { check, .. } => report_command(check).map(Ended::checked),
         Command::Verdicts => Ok(Ended::checked(suite::verdicts())),
-        Command::Atlas => atlas::run().map(|()| Ended::Well),
+        Command::Atlas => survey::atlas().map(|()| Ended::Well),
         Command::Converged => survey::run(&promised::converged::SURVEY).map(|()| Ended::Well),
         Command::Met => survey::run(&promised::met::SURVEY).map(|()| Ended::Well),
         Command::Coverage => survey::run(&promised::bars::SURVEY).map(|()| Ended::Well),

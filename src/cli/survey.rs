@@ -1,4 +1,6 @@
-//! Runs a recorded survey with a progress bar.
+//! Runs recorded surveys with a progress bar.
+
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -6,21 +8,44 @@ use serde::de::DeserializeOwned;
 use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
+use crate::study::atlas::{self, Plane, record};
 use crate::study::records::{self, Survey};
 
 /// Runs every site that this program has not yet run, then writes the record.
 pub fn run<S: Send + Sync, R: Serialize + DeserializeOwned + Clone + Send + Sync>(
     survey: &Survey<S, R>,
 ) -> Result<(), Error> {
-    let (name, record, unfinished) = (survey.name, survey.file(), records::unfinished(survey.name)?);
-    writable::file(&record, writable::CHECKOUT)?;
+    let (name, record) = (survey.name, survey.file());
+    let renew = |unfinished: &Path, done: &(dyn Fn() + Sync)| survey.renew(unfinished, &record, done);
+    renewed(name, &format!("snapshots/{name}.csv"), &[survey.file()], (survey.sites)()?.len(), renew)
+}
+
+/// The same of where methods fail, a record a plane.
+pub fn atlas() -> Result<(), Error> {
+    let sites = Plane::ALL.iter().map(|plane| plane.sites().len()).sum();
+    let renew = |unfinished: &Path, done: &(dyn Fn() + Sync)| {
+        Plane::ALL.into_iter().map(|plane| atlas::run::renew(plane, unfinished, &record::file(plane), done)).sum()
+    };
+    renewed("atlas", "snapshots/atlas", &Plane::ALL.map(record::file), sites, renew)
+}
+
+/// Renews the files of a survey of so many sites, which are at `place`.
+fn renewed(
+    name: &str,
+    place: &str,
+    files: &[PathBuf],
+    sites: usize,
+    renew: impl FnOnce(&Path, &(dyn Fn() + Sync)) -> Result<usize, Error>,
+) -> Result<(), Error> {
+    let unfinished = records::unfinished(name)?;
+    files.iter().try_for_each(|file| writable::file(file, writable::CHECKOUT))?;
     writable::folder(&unfinished, writable::CHECKOUT)?;
-    let bar = progress((survey.sites)()?.len());
-    let renewed = survey.renew(&unfinished, &record, || bar.inc(1));
+    let bar = progress(sites);
+    let number = renew(&unfinished, &|| bar.inc(1));
     bar.finish_and_clear();
-    let number = renewed?;
+    let number = number?;
     // What is left behind is in the build's own folder: nothing is lost if it cannot be removed.
     let _ = std::fs::remove_dir_all(&unfinished);
-    say(format!("written: {number} records to snapshots/{name}.csv; `git diff snapshots/{name}.csv` shows what moved"));
+    say(format!("written: {number} records to {place}; `git diff {place}` shows what moved"));
     Ok(())
 }

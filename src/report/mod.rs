@@ -3,14 +3,13 @@
 //! * [`page`] — the whole of it.
 //! * [`front`] — the front page.
 //! * [`case_page`], [`study_page`] — a page a case, and a study.
-//! * [`paper_page`], [`checks_page`] — the pages on the paper, and on all checks.
+//! * [`checks_page`] — the page on all checks.
 //! * `heading` — what every page behind the front page begins with; [`symbols`] — what letters stand for; [`links`] —
 //!   links of texts that are read elsewhere than at the root.
 //! * [`matrix`] — the verdict matrix, and verdicts by kind and by study.
 //! * [`checks`] — requirement by requirement; [`told`] — what became of checks, in a sentence.
-//! * [`decisions`] — misprints, decisions where the paper is silent, what is not covered, references.
 //! * [`pictures`] — the charts by name.
-//! * [`statements`] — the paper's statements, judged.
+//! * [`statements`] — the paper's statements, judged from the numbers of all studies: the first part of the page on the paper.
 //! * [`record`] — what was judged, counted and stated, as tables; [`diff`] — what moved in them between two commits.
 //! * [`grouped`] — what has the same key together.
 //! * [`files`] — writing, and comparing with what is committed.
@@ -18,7 +17,6 @@
 pub mod case_page;
 pub mod checks;
 pub mod checks_page;
-pub mod decisions;
 pub mod diff;
 pub mod files;
 pub mod front;
@@ -27,7 +25,6 @@ mod heading;
 pub mod links;
 pub mod matrix;
 pub mod page;
-pub mod paper_page;
 pub mod pictures;
 pub mod record;
 pub mod statements;

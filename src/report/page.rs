@@ -3,7 +3,7 @@
 use crate::drawing::schematic;
 use crate::error::Error;
 use crate::report::links::{CHARTS, PAGES};
-use crate::report::{case_page, checks_page, front, paper_page, record, study_page, symbols};
+use crate::report::{case_page, checks_page, front, record, study_page, symbols};
 use crate::study::references::{self, Sheet};
 use crate::study::{Finding, Numbers, Room, drawn};
 
@@ -60,7 +60,6 @@ pub fn of_study(room: Room, findings: &[Finding]) -> Result<Vec<(String, String)
 /// The pages behind the front page: a loop over the studies, of which that of the cases has a page a case.
 pub fn pages(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
     let mut pages = vec![
-        (paper_page::FILE.to_string(), paper_page::page(findings)),
         (checks_page::FILE.to_string(), checks_page::page(findings)),
         (symbols::FILE.to_string(), symbols::page()),
     ];

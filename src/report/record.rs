@@ -14,8 +14,9 @@ use crate::case::{Judged, Quantity, Relation, Verdict, judged};
 use crate::error::Error;
 use crate::markdown::Column;
 use crate::report::matrix;
-use crate::report::statements::{self, Statement};
+use crate::report::statements;
 use crate::solve::Run;
+use crate::study::paper::statement::Statement;
 use crate::study::records::rounded;
 use crate::study::{Finding, Room};
 

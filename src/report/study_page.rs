@@ -3,7 +3,7 @@
 use crate::case::{Judged, Verdict};
 use crate::error::Error;
 use crate::report::grouped::counted;
-use crate::report::{checks, heading};
+use crate::report::{checks, heading, statements};
 use crate::study::{Finding, Room};
 
 /// Name of the file.
@@ -19,7 +19,9 @@ pub fn page(room: Room, findings: &[Finding]) -> Result<String, Error> {
         Room::Cases => "The page of each case has its checks.\n\n".into(),
         _ => tables(room, findings),
     };
-    let body = format!("{}\n## Checks\n\n{checks}{}", room.section(findings)?, limits(about.limits, &own));
+    // What the paper says is judged by the findings of all studies, of which its own sees only its part.
+    let first = if room == Room::Paper { statements::section(findings) } else { String::new() };
+    let body = format!("{first}{}\n## Checks\n\n{checks}{}", room.section(findings)?, limits(about.limits, &own));
     Ok(heading::page(about.title, about.asked, &own, &body))
 }
 

@@ -31,17 +31,16 @@ pub mod machine;
 pub mod measured;
 pub mod method;
 pub mod pairing;
+pub mod paper;
 pub mod present;
 pub mod promised;
 pub mod random;
-pub mod readings;
 pub mod records;
 pub mod references;
 pub mod refinement;
 mod rooms;
 pub mod scoreboard;
 pub mod stability;
-pub mod sweep;
 pub mod timings;
 pub mod trial;
 
@@ -69,17 +68,15 @@ rooms! {
     Scoreboard in scoreboard,
     /// Reference answers to five digits, and benchmark sheets.
     References in references,
-    /// Initial stiffness and rules.
-    Sweep in sweep,
-    /// What the paper leaves open: its sentences under readings of it.
-    Readings in readings,
+    /// The paper: what it says, under readings of it, and what it leaves open.
+    Paper in paper,
     /// Speed against accuracy.
     Timings in timings,
     /// What is promised: converged, error bars, accuracies.
     Promised in promised,
     /// Cells of high order, fitted to the end of the contact.
     Fitted in fitted,
-    /// Where methods fail: the recorded survey.
+    /// Where methods fail: the recorded survey, and iterations on the paper's scenes.
     Atlas in atlas,
     /// Where methods fail: predicted rates and iterations.
     Stability in stability,

@@ -48,7 +48,7 @@ pub struct Surveyed<R> {
 impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Survey<S, R> {
     /// Its record.
     pub fn file(&self) -> PathBuf {
-        root().join("snapshots").join(self.name).with_extension("csv")
+        file(self.name)
     }
 
     /// What it has recorded.
@@ -84,20 +84,7 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Surv
     /// Runs every site, whose lines are kept under its name in the folder `unfinished` until all are written to `record`; `done` is
     /// told when one more is ready.
     pub fn renew(&self, unfinished: &Path, record: &Path, done: impl Fn() + Sync) -> Result<usize, Error> {
-        let head = (self.head)();
-        let of_site = |site: &S| -> Result<Vec<R>, Error> {
-            let kept = unfinished.join((self.key)(site) + ".csv");
-            let found = read(&kept, &head, "").or_else(|_| {
-                let found = (self.run)(site)?;
-                write(&kept, &head, &found)?;
-                Ok(found)
-            });
-            done();
-            found
-        };
-        let found = (self.sites)()?.par_iter().map(of_site).collect::<Result<Vec<_>, Error>>()?.concat();
-        write(record, &head, &found)?;
-        Ok(found.len())
+        survey([unfinished, record], &(self.head)(), &(self.sites)()?, self.key, self.run, done)
     }
 }
 
@@ -119,6 +106,30 @@ impl<R> Surveyed<R> {
             "`cargo run --release -- {name}` renews the record of {all} lines; the report computes {again} of them again."
         )
     }
+}
+
+/// Runs every site of a survey whose record has such columns; see [`Survey::renew`].
+pub fn survey<S: Sync, R: Serialize + DeserializeOwned + Clone + Send>(
+    [unfinished, record]: [&Path; 2],
+    head: &[String],
+    sites: &[S],
+    key: fn(&S) -> String,
+    run: fn(&S) -> Result<Vec<R>, Error>,
+    done: impl Fn() + Sync,
+) -> Result<usize, Error> {
+    let of_site = |site: &S| -> Result<Vec<R>, Error> {
+        let kept = unfinished.join(key(site) + ".csv");
+        let found = read(&kept, head, "").or_else(|_| {
+            let found = run(site)?;
+            write(&kept, head, &found)?;
+            Ok(found)
+        });
+        done();
+        found
+    };
+    let found = sites.par_iter().map(of_site).collect::<Result<Vec<_>, Error>>()?.concat();
+    write(record, head, &found)?;
+    Ok(found.len())
 }
 
 /// The lines of a file, whatever they are; `renew` says what renews them. Refused where its columns are others.
@@ -149,6 +160,11 @@ pub fn write<T: Serialize>(path: &Path, head: &[String], lines: &[T]) -> Result<
     std::fs::write(&fresh, text)
         .and_then(|()| std::fs::rename(&fresh, path))
         .map_err(|error| Error::unwritable(path, error))
+}
+
+/// The record of a name.
+pub fn file(name: &str) -> PathBuf {
+    root().join("snapshots").join(name).with_extension("csv")
 }
 
 /// Names of columns.

@@ -4,10 +4,6 @@ use contact_vv::case::judged::requirements;
 use contact_vv::case::{Check, Judged, Quantity, Reference, Verdict};
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::{checks, told};
-use contact_vv::study::drawn::Curve;
-use contact_vv::study::sweep;
-use contact_vv::study::sweep::Scene;
-use contact_vv::study::sweep::{Numbers, Sweep};
 use contact_vv::study::trial::complete;
 
 /// One of each relation to a reference of 2, with a value that passes.
@@ -114,21 +110,6 @@ fn trial_without_a_check_or_with_one_that_gives_no_reason_is_an_error() {
         let error = of(judged).expect_err(says).to_string();
         assert!(error.contains("cylinder × node") && error.contains(says), "{error}");
     }
-}
-
-#[test]
-fn sweep_fails_on_a_wrong_run_and_on_nan_and_says_where_nothing_converges() {
-    let formulation = contact_vv::solve::Formulation::verification();
-    let verdict = |error: Option<f64>| {
-        let iterations = Curve { points: vec![[1.0, 7.0]], failed: vec![] };
-        let sweep = Sweep { scene: Scene::Cylinder, formulation: formulation.clone(), iterations, error };
-        sweep::judge(&Numbers::Sweep(sweep)).expect("judged")[0].verdict.clone()
-    };
-    let tolerance = formulation.settings.tolerance;
-    assert_eq!(verdict(Some(tolerance)), Verdict::Pass);
-    assert_eq!(verdict(Some(4.0 * tolerance)), Verdict::Fail);
-    assert_eq!(verdict(Some(f64::NAN)), Verdict::Fail);
-    assert!(matches!(verdict(None), Verdict::NotRun(why) if why.contains("no start converges")));
 }
 
 #[test]

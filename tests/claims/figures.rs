@@ -6,8 +6,8 @@ use contact_vv::drawing::colour_map::{CLASSES, ON_CLASSES};
 use contact_vv::drawing::palette::{self, CARD, CURVES, Dash, GREY, INK, Marker, WINE};
 use contact_vv::drawing::theme::Rgb;
 use contact_vv::drawing::{
-    Axis, Band, Bars, Cell, Chart, ClassMap, Direction, Drawing, Guide, MapPanel, Remark, Ribbon, Series, Style, Theme,
-    schematic,
+    Axis, Band, Bars, Cell, Chart, ClassMap, Colour, Direction, Drawing, Guide, MapPanel, Remark, Ribbon, Series,
+    Style, Theme, schematic,
 };
 use contact_vv::study::drawn::picture;
 use contact_vv::study::timings::pareto::{Measure, cheapest, front, sound};
@@ -73,7 +73,7 @@ fn any_two_classes_of_a_map_differ_in_brightness_for_deuteranopes_too() {
 #[test]
 fn text_and_lines_stand_out_on_light_and_dark_cards() {
     for theme in Theme::ALL {
-        let on_card = |colour: contact_vv::drawing::Colour| contrast(linear(colour.on(theme)), linear(CARD.on(theme)));
+        let on_card = |colour: Colour| contrast(linear(colour.on(theme)), linear(CARD.on(theme)));
         for colour in CURVES.into_iter().chain([WINE, INK, GREY]) {
             assert!(on_card(colour) >= 3.0, "{theme:?}: a line {}: {:.2}", colour.on(theme), on_card(colour));
         }

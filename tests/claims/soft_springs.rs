@@ -1,7 +1,8 @@
 //! Springs lost in the round-off of the bodies' stiffness: told with file and key, and recorded by the atlas.
 
 use contact_vv::case::Case;
-use contact_vv::study::atlas::point::{Ground, Site};
+use contact_vv::solve::Discretisation;
+use contact_vv::study::atlas::run::Ground;
 use contact_vv::study::atlas::{Class, Plane};
 
 use crate::scene_file::{folder, text_of};
@@ -21,9 +22,9 @@ fn springs_too_soft_name_the_line_of_their_stiffness() {
 
 #[test]
 fn atlas_records_springs_too_soft_as_unsupported() {
-    let row = Plane::Cylinder.rows()[0];
-    let site = Site::of(&row).expect("meshed");
-    let ground = Ground::of(&site, &row).expect("points");
-    let record = ground.record(&row, LOST).expect("a record");
+    let (site, method) = Plane::Cylinder.rows()[0];
+    let case = site.case();
+    let discretisation = Discretisation::of(case.scene, case.resolution).expect("meshed");
+    let record = Ground::of(&discretisation, site, method).record(method, LOST).expect("a record");
     assert_eq!((record.class, record.iterations), (Class::Unsupported, 0));
 }

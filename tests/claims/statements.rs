@@ -2,23 +2,22 @@
 
 use contact_vv::algorithm::{Criterion, StiffnessRule};
 use contact_vv::case::Verdict;
-use contact_vv::report::statements::readings::judgement;
-use contact_vv::report::statements::{self, Judgement};
+use contact_vv::report::statements;
 use contact_vv::solve::{Element, Iteration};
-use contact_vv::study::readings::fared::{Fared, NONE};
-use contact_vv::study::readings::reading::{Axis, Candidates, Reading};
-use contact_vv::study::readings::runs::{Course, courses, shown, stopped};
-use contact_vv::study::readings::sentence::{End, Met, Seen, Sentence};
-use contact_vv::study::readings::{self, stops_where_told};
+use contact_vv::study::paper::reading::{Axis, Candidates, Reading, Stop};
+use contact_vv::study::paper::runs::{Course, courses, shown};
+use contact_vv::study::paper::sentence::{Met, Seen, Sentence, Starts, agrees};
+use contact_vv::study::paper::statement::{Fared, Judgement, NONE};
+use contact_vv::study::paper::{self, judge};
 use contact_vv::study::{Finding, Numbers, Room};
 
-/// An end after so many iterations with 10 dofs retained; none is a start that never ends.
-fn end(iterations: Option<usize>) -> End {
-    End { retained: 10, met: iterations.map(|iterations| Met { iterations, error: 0.01 }) }
+/// An end after so many iterations.
+fn end(iterations: usize) -> Option<Met> {
+    Some(Met { iterations, error: 0.01 })
 }
 
 /// Ends of the paper's combinations under which every sentence holds.
-fn fitting(element: Element, algorithm: Iteration) -> Vec<End> {
+fn fitting(element: Element, algorithm: Iteration) -> Vec<Option<Met>> {
     let ends = match (element, algorithm) {
         (Element::Line, Iteration::Varying) => [Some(10), Some(20), Some(30), Some(30)],
         (_, Iteration::Varying) => [Some(10), Some(20), Some(30), None],
@@ -26,18 +25,18 @@ fn fitting(element: Element, algorithm: Iteration) -> Vec<End> {
         (_, Iteration::Constant) => [None, Some(15), Some(45), None],
         (_, Iteration::Kinematic) => [Some(2); 4],
     };
-    ends.map(end).to_vec()
+    ends.map(|iterations| iterations.and_then(end)).to_vec()
 }
 
 /// Both examples, the second spoiled.
-fn spoiled(spoil: impl Fn(Element, Iteration, &mut [End])) -> [Seen; 2] {
+fn spoiled(spoil: impl Fn(Element, Iteration, &mut [Option<Met>])) -> [Seen; 2] {
     [false, true].map(|is_second| {
         let of = shown().map(|(element, algorithm)| {
-            let mut ends = fitting(element, algorithm);
+            let mut met = fitting(element, algorithm);
             if is_second {
-                spoil(element, algorithm, &mut ends);
+                spoil(element, algorithm, &mut met);
             }
-            (element, algorithm, ends)
+            Starts { element, algorithm, retained: 10, met }
         });
         Seen { of: of.collect() }
     })
@@ -46,33 +45,35 @@ fn spoiled(spoil: impl Fn(Element, Iteration, &mut [End])) -> [Seen; 2] {
 #[test]
 fn every_sentence_holds_under_runs_made_for_it_and_fails_where_they_are_spoiled_in_one_example() {
     let sound = spoiled(|_, _, _| {});
+    assert!(agrees(&sound));
+    let off = spoiled(|element, algorithm, ends| {
+        if (element, algorithm) == (Element::Layer, Iteration::Constant) {
+            ends[1] = Some(Met { iterations: 15, error: 0.051 });
+        }
+    });
+    assert!(!agrees(&off));
     for sentence in Sentence::ALL {
         assert!(sentence.holds(&sound), "{}", sentence.name());
-        let seen = spoiled(|element, algorithm, ends| {
-            let all = |ends: &mut [End], iterations| ends.iter_mut().for_each(|one| *one = end(iterations));
-            match (sentence, element, algorithm) {
-                (Sentence::Agrees, Element::Layer, Iteration::Constant) => {
-                    ends[1].met = Some(Met { iterations: 15, error: 0.051 });
-                }
-                (Sentence::VaryingDepends, Element::Line, Iteration::Varying) => ends[0] = end(Some(11)),
-                (Sentence::ConstantDepends, Element::Line, Iteration::Constant) => ends[0] = end(Some(16)),
-                (Sentence::Fails, _, Iteration::Varying | Iteration::Constant) => all(ends, Some(10)),
-                (Sentence::MoreStable, Element::Layer, Iteration::Constant) => ends[0] = end(Some(50)),
-                (Sentence::LineAlways, Element::Line, Iteration::Varying) => ends[2] = end(None),
-                (Sentence::Proviso, Element::Layer, Iteration::Varying) => ends[3] = end(Some(40)),
-                (Sentence::TwoSteps, Element::Node, Iteration::Kinematic) => ends[1] = end(Some(3)),
-                (Sentence::Fewest, Element::Node, Iteration::Kinematic) => ends[1] = end(Some(10)),
-                (Sentence::LeastWork, Element::Node, Iteration::Kinematic) => ends[0] = end(Some(7)),
-                (Sentence::Saves, Element::Line, Iteration::Constant) => ends[0] = end(Some(26)),
-                (Sentence::Alike, Element::Layer, Iteration::Varying) => all(&mut ends[..2], None),
-                _ => {}
-            }
+        let seen = spoiled(|element, algorithm, ends| match (sentence, element, algorithm) {
+            (Sentence::VaryingDepends, Element::Line, Iteration::Varying) => ends[0] = end(11),
+            (Sentence::ConstantDepends, Element::Line, Iteration::Constant) => ends[0] = end(16),
+            (Sentence::Fails, _, Iteration::Varying | Iteration::Constant) => ends.fill(end(10)),
+            (Sentence::MoreStable, Element::Layer, Iteration::Constant) => ends[0] = end(50),
+            (Sentence::LineAlways, Element::Line, Iteration::Varying) => ends[2] = None,
+            (Sentence::Proviso, Element::Layer, Iteration::Varying) => ends[3] = end(40),
+            (Sentence::TwoSteps, Element::Node, Iteration::Kinematic) => ends[1] = end(3),
+            (Sentence::Fewest, Element::Node, Iteration::Kinematic) => ends[1] = end(10),
+            (Sentence::LeastWork, Element::Node, Iteration::Kinematic) => ends[0] = end(7),
+            (Sentence::Saves, Element::Line, Iteration::Constant) => ends[0] = end(26),
+            (Sentence::Alike, Element::Layer, Iteration::Varying) => ends[..2].fill(None),
+            _ => {}
         });
         assert!(!sentence.holds(&seen), "{}", sentence.name());
     }
     // Of runs that are not there nothing holds.
-    let none = [0, 1].map(|_| Seen { of: vec![(Element::Line, Iteration::Varying, vec![])] });
-    assert!(Sentence::ALL.into_iter().all(|sentence| !sentence.holds(&none)));
+    let starts = || Starts { element: Element::Line, algorithm: Iteration::Varying, retained: 10, met: vec![] };
+    let none = [0, 1].map(|_| Seen { of: vec![starts()] });
+    assert!(!agrees(&none) && Sentence::ALL.into_iter().all(|sentence| !sentence.holds(&none)));
 }
 
 #[test]
@@ -102,7 +103,7 @@ fn fared(holds: impl Fn(&Reading) -> bool) -> Fared {
 
 #[test]
 fn judgement_names_what_would_have_to_be_so() {
-    let judged = |holds: &dyn Fn(&Reading) -> bool| judgement(&fared(holds));
+    let judged = |holds: &dyn Fn(&Reading) -> bool| fared(holds).judgement();
     assert_eq!(judged(&|_| true), Judgement::Reproduced);
     assert_eq!(judged(&|_| false), Judgement::NotReproduced);
     let exact = |one: &Reading| one.stop.tolerance <= 1e-3;
@@ -123,8 +124,8 @@ fn judgement_names_what_would_have_to_be_so() {
     assert_eq!(judged(&|one| !by_doubling(one)), Judgement::Undecidable(format!("fails if {told}")));
     // But not a rule under which nothing agrees.
     let agrees = |one: &Reading| !by_doubling(one);
-    assert_eq!(judgement(&Fared::by(|one| !by_doubling(one), agrees)), Judgement::Reproduced);
-    assert_eq!(judgement(&Fared::by(by_doubling, agrees)), Judgement::NotReproduced);
+    assert_eq!(Fared::by(|one| !by_doubling(one), agrees).judgement(), Judgement::Reproduced);
+    assert_eq!(Fared::by(by_doubling, agrees).judgement(), Judgement::NotReproduced);
 }
 
 #[test]
@@ -141,14 +142,15 @@ fn departures_that_flip_a_sentence_are_told_and_pairs_that_go_another_way_than_t
     assert_eq!(told(&|one| is_edge(one) && !is_state(one)), but);
 }
 
-/// Courses of the nearest reading alone.
+/// Courses of the nearest reading alone, by every stop.
 fn nearest() -> Vec<Course> {
-    courses(&[Reading::nearest()]).expect("runs")
+    let by = |stop| Reading { stop, ..Reading::nearest() };
+    courses(&Stop::all().into_iter().map(by).collect::<Vec<_>>()).expect("runs")
 }
 
 fn judged(courses: Vec<Course>, sentence: Sentence) -> Judgement {
-    let numbers = Numbers::Readings(readings::Numbers { courses, stopped: vec![] });
-    let finding = Finding { room: Room::Readings, case: "r".into(), name: "r".into(), numbers, judged: vec![] };
+    let numbers = Numbers::Paper(paper::Numbers { courses });
+    let finding = Finding { room: Room::Paper, case: "r".into(), name: "r".into(), numbers, judged: vec![] };
     let mut all = statements::judge(&[finding]).into_iter();
     all.find(|statement| statement.text == sentence.name()).expect("a statement").judgement
 }
@@ -160,25 +162,38 @@ fn one_start_that_never_ends_turns_the_sentence_on_every_case() {
     let mut one_lost = all;
     let is_line = |course: &&mut Course| course.site.element == Element::Line;
     let course = one_lost.iter_mut().find(is_line).expect("line elements");
-    course.starts[3].met.iter_mut().for_each(|met| *met = None);
+    course.met[3].fill(None);
     assert_ne!(judged(one_lost, Sentence::LineAlways), Judgement::Reproduced);
 }
 
 #[test]
+fn statement_that_needs_what_was_not_run_is_not_judged() {
+    let all = statements::judge(&[]);
+    assert!(all.len() == 5 && all.iter().all(|one| one.judgement == Judgement::NotJudged));
+}
+
+#[test]
 fn run_that_stops_elsewhere_than_its_course_tells_is_red() {
+    let verdict = |courses: &[Course]| {
+        let judged = judge(&paper::Numbers { courses: courses.to_vec() }).expect("judged");
+        judged[0].verdict.clone()
+    };
     let all = nearest();
-    let found = stopped(&all).expect("runs");
-    assert_eq!(stops_where_told(&found).verdict, Verdict::Pass);
-    assert_eq!(stops_where_told(&[]).verdict, Verdict::Fail, "nothing was looked at");
-    assert_eq!(stops_where_told(&[[None, None]]).verdict, Verdict::Fail, "nothing ended");
-    let mut late = all;
-    for met in late.iter_mut().flat_map(|course| &mut course.starts).flat_map(|start| start.met.iter_mut().flatten()) {
-        met.iterations += 1;
+    assert_eq!(verdict(&all), Verdict::Pass);
+    assert_eq!(verdict(&[]), Verdict::Fail, "nothing was looked at");
+    let first = all.iter().position(|course| course.alone.iter().any(|pair| pair[1].is_some())).expect("one that ends");
+    let spoiled = |spoil: &dyn Fn(&mut [Option<Met>; 2])| {
+        let mut spoiled = all.clone();
+        spoiled[first].alone.iter_mut().filter(|pair| pair[1].is_some()).take(1).for_each(spoil);
+        verdict(&spoiled)
+    };
+    let mut none_ends = all.clone();
+    none_ends.iter_mut().flat_map(|course| &mut course.alone).for_each(|pair| *pair = [None, None]);
+    assert_eq!(verdict(&none_ends), Verdict::Fail, "nothing ended");
+    let of = |pair: &[Option<Met>; 2]| pair[0].expect("it ended");
+    for error in [of(&all[first].alone[0]).error + 1e-8, f64::NAN] {
+        assert_eq!(spoiled(&|pair| pair[0] = Some(Met { error, ..of(pair) })), Verdict::Fail);
     }
-    assert_eq!(stops_where_told(&stopped(&late).expect("runs")).verdict, Verdict::Fail);
-    for spoil in [|met: &mut Met| met.error += 1e-8, |met: &mut Met| met.error = f64::NAN] {
-        let mut off = found.clone();
-        off.iter_mut().flatten().flatten().take(1).for_each(spoil);
-        assert_eq!(stops_where_told(&off).verdict, Verdict::Fail);
-    }
+    assert_eq!(spoiled(&|pair| pair[0] = Some(Met { iterations: of(pair).iterations + 1, ..of(pair) })), Verdict::Fail);
+    assert_eq!(spoiled(&|pair| pair[0] = None), Verdict::Fail);
 }

@@ -19,7 +19,7 @@ fn surveyed(findings: &[Finding]) -> Option<Vec<Digest>> {
     let charts: Vec<&Chart> = findings
         .iter()
         .filter_map(|finding| match &finding.numbers {
-            Numbers::Atlas(numbers) => Some(&numbers.chart),
+            Numbers::Atlas(atlas::Numbers::Surveyed { chart, .. }) => Some(chart),
             _ => None,
         })
         .collect();

@@ -6,8 +6,7 @@ use crate::markdown;
 use crate::oracle::ReferenceKind;
 use crate::report::front::nearness;
 use crate::report::links::to_page as link;
-use crate::report::statements::found::Findings;
-use crate::report::{checks_page, told};
+use crate::report::{checks_page, statements, told};
 use crate::study::drawn::picture;
 use crate::study::{Finding, Numbers, measured, promised};
 
@@ -52,8 +51,7 @@ pub fn right(findings: &[Finding]) -> String {
 
 /// The nine on the cylinder.
 fn hertz(findings: &[Finding]) -> String {
-    let found = Findings(findings);
-    let worst = |quantity| found.error(cylinder::NINE, &quantity);
+    let worst = |quantity| statements::error(findings, cylinder::NINE, &quantity);
     let [peak, width] = [worst(Quantity::PeakPressure), worst(Quantity::SecondMomentWidth)];
     if peak.is_nan() || width.is_nan() {
         return " The nine formulations were not held against Hertz.".into();

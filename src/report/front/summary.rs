@@ -5,8 +5,9 @@ use crate::markdown;
 use crate::report::grouped::counted;
 use crate::report::links::to_page as link;
 use crate::report::matrix::{self, Column};
-use crate::report::{case_page, checks_page, decisions, paper_page, statements, study_page, told};
+use crate::report::{case_page, checks_page, statements, study_page, told};
 use crate::study::cases::page;
+use crate::study::paper::decided::NOT_COVERED;
 use crate::study::{Finding, Numbers, Room};
 
 /// Judgement and one measured clause.
@@ -22,7 +23,7 @@ pub fn statements(findings: &[Finding]) -> String {
         "Of {} statements: {}. {}.\n\n{}",
         judged.len(),
         words.join(", "),
-        link("Measurements and conditions in full, misprints, decisions, sources", paper_page::FILE),
+        link("Measurements and conditions in full, misprints, decisions, sources", &study_page::file(Room::Paper)),
         markdown::table(&["statement", "judgement", "measured"].map(String::from), &rows)
     )
 }
@@ -61,7 +62,7 @@ pub fn never_compared(findings: &[Finding]) -> String {
         [] => "Every check was run.".into(),
         some => format!("Checks that could not be run: {}.", some.iter().map(told).collect::<Vec<_>>().join("; ")),
     };
-    format!("{absent}\n\nOut of scope: {}.\n", decisions::NOT_COVERED.join("; "))
+    format!("{absent}\n\nOut of scope: {}.\n", NOT_COVERED.join("; "))
 }
 
 /// The page of a finding.
@@ -86,9 +87,8 @@ pub fn index(findings: &[Finding]) -> String {
     };
     let rooms: Vec<String> = study_page::asked(findings).iter().map(one).collect();
     format!(
-        "Studies, with their numbers of checks: {}.\n\nBesides: {} · {}. The README says how to read them and how to make them again.\n",
+        "Studies, with their numbers of checks: {}.\n\nBesides: {}. The README says how to read them and how to make them again.\n",
         rooms.join(" · "),
-        link("all checks", checks_page::FILE),
-        link("the paper", paper_page::FILE)
+        link("all checks", checks_page::FILE)
     )
 }

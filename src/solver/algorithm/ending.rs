@@ -25,6 +25,7 @@ impl State {
 /// All watchers of an increment.
 #[derive(Default)]
 pub(super) struct Watchers {
+    errors: Errors,
     cycle: Cycle,
     still: Still,
     round_off: RoundOff,
@@ -37,16 +38,41 @@ impl Watchers {
         if let Some(period) = self.cycle.period(&state) {
             return Some(Outcome::Cycling { period });
         }
+        let last = self.errors.seen(history);
+        let newest = least(last);
         let before = self.cycle.earlier.front();
-        let stands = [self.still.stands(before, &state), self.round_off.stands(before, &state, history)];
+        let falls = newest < (1.0 - RoundOff::FALLS) * self.errors.least;
+        let stands = [self.still.stands(before, &state), self.round_off.stands(before, &state, falls)];
         if looked && stands.contains(&true) {
             return Some(Outcome::Stalled);
         }
-        if has_grown(history) {
+        if has_grown(last, self.errors.least.min(newest)) {
             return Some(Outcome::Diverged);
         }
         self.cycle.remember(state);
         None
+    }
+}
+
+/// The least error of all iterations but the last; those stand, since errors are told a few iterations late, and are counted once.
+struct Errors {
+    least: f64,
+    counted: usize,
+}
+
+impl Default for Errors {
+    fn default() -> Self {
+        Self { least: f64::INFINITY, counted: 0 }
+    }
+}
+
+impl Errors {
+    /// Counts a history that has grown; its last iterations.
+    fn seen<'a>(&mut self, history: &'a [Iterated]) -> &'a [Iterated] {
+        let (before, last) = history.split_at(history.len().saturating_sub(RoundOff::ITERATIONS));
+        self.least = self.least.min(least(&before[self.counted..]));
+        self.counted = before.len();
+        last
     }
 }
 
@@ -109,27 +135,21 @@ impl RoundOff {
     /// Part by which the error falls where it is not left to round-off.
     const FALLS: f64 = 1e-3;
 
-    fn stands(&mut self, before: Option<&State>, state: &State, history: &[Iterated]) -> bool {
+    /// Given whether the least error of the last iterations is below that of all before them.
+    fn stands(&mut self, before: Option<&State>, state: &State, falls: bool) -> bool {
         let noise = before.is_some_and(|before| state.is_within(Self::NOISE, before));
         self.0 = if noise { self.0 + 1 } else { 0 };
-        self.0 >= Self::ITERATIONS && !Self::falls(history)
-    }
-
-    /// Whether the least error of the last iterations is below that of all before them.
-    fn falls(history: &[Iterated]) -> bool {
-        let (before, last) = history.split_at(history.len().saturating_sub(Self::ITERATIONS));
-        least(last) < (1.0 - Self::FALLS) * least(before)
+        self.0 >= Self::ITERATIONS && !falls
     }
 }
 
 /// Whether the error has grown far beyond its least, and stayed there.
-fn has_grown(history: &[Iterated]) -> bool {
+fn has_grown(last: &[Iterated], least: f64) -> bool {
     /// Iterations for which it stays, and how many times beyond.
     const GROWN: (usize, f64) = (20, 1e3);
     let (iterations, times) = GROWN;
-    let limit = times * least(history);
-    let mut last = history.iter().rev().take(iterations).map(|iteration| iteration.error.largest());
-    history.len() > iterations && last.all(|error| error > limit)
+    let mut errors = last.iter().rev().take(iterations).map(|iteration| iteration.error.largest());
+    last.len() > iterations && errors.all(|error| error > times * least)
 }
 
 /// Least error of some iterations.

@@ -1,53 +1,38 @@
-//! The stability atlas: outcome, iterations, rate and error of every element × algorithm × rule, and of what the program makes of
-//! the first of them, over initial stiffness and one other number; the plain ones predicted before they are run.
+//! The stability atlas: outcome, iterations and error of every element × algorithm × rule, and of what the program makes of the
+//! first of them, over initial stiffness and one other number; the plain ones predicted before they are run. Above 400 lines, so
+//! a folder:
 //!
-//! * `plane` — initial stiffness against which other number.
-//! * `row` — a line of a plane.
-//! * `point` — one point, predicted and run.
-//! * `record` — what is kept under `snapshots/atlas`.
-//! * `survey` — all points, resumable.
-//! * `chart` — a plane as classes and their boundaries.
-//! * `plan`, `run` — a record is read, and a twentieth of it recomputed.
-//! * `agreement` — predictions against runs.
-//! * `judge` — what the records must hold.
-//! * `summary` — what the records say of each method.
-//! * `section`, `recommended`, `slices` — the chapter.
-//! * `picture` — iterations with their predictions, `picture_map` — the maps.
+//! * `plane` — initial stiffness against which other number, and what lies on one mesh.
+//! * `record` — what is kept under `snapshots/atlas`, and its chart of classes with their boundaries.
+//! * `run` — a point predicted and run; a record read and a twentieth of it recomputed; the paper's scenes before and after
+//!   acceleration.
+//! * `judge` — predictions against runs, and what the records must hold.
+//! * `summary` — what the records say of each method, and what to use.
+//! * `section`, `picture` — the page and its charts.
 
-pub mod agreement;
-pub mod chart;
 mod judge;
 mod picture;
-mod picture_map;
-mod plan;
 pub mod plane;
-pub mod point;
-mod recommended;
 pub mod record;
-pub mod row;
 pub mod run;
 mod section;
-mod slices;
 pub mod summary;
-pub mod survey;
 
 use crate::study::about::About;
 
 pub use crate::study::class::Class;
-pub use chart::Chart;
 pub use judge::judge;
 pub use picture::pictures;
-pub use plan::plan;
-pub use plane::Plane;
-pub use recommended::{recommendation, recommended};
-pub use record::Record;
-pub use row::Row;
-pub use run::Numbers;
+pub use plane::{Plane, Site};
+pub use record::{Chart, Record};
+pub use run::{Numbers, Saved, plan};
 pub use section::section;
+pub use summary::{recommendation, recommended};
 
 /// What its page is called, what it asks, and what it cannot tell.
 pub const ABOUT: About = About {
     title: "Where methods fail",
-    asked: "From which initial stiffness every method ends right, over candidates, meshes and scenes.",
+    asked: "How many iterations every method takes from each initial stiffness, and from which it ends right, over candidates, meshes and \
+            scenes.",
     limits: "Scenes of one contact without friction; beyond the surveyed range nothing is known.",
 };

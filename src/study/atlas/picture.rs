@@ -1,54 +1,89 @@
-//! Iterations against initial stiffness with their prediction (Fig. 11).
+//! Iterations against initial stiffness, measured and predicted (Fig. 11), and maps of how every run of a plane ended.
 
 use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Colour, Drawing, Series, panels};
+use crate::drawing::{Axis, Cell, Chart as Figure, ClassMap, Colour, Drawing, MapPanel, Series, panels};
 use crate::error::Error;
-use crate::solve::{Element, Iteration};
+use crate::solve::{Element, Iteration, Settings};
 use crate::study::Found;
-use crate::study::atlas::chart::Chart as Recorded;
-use crate::study::atlas::picture_map::map;
 use crate::study::atlas::plane::{Plane, STRETCH};
-use crate::study::atlas::record::{Record, same};
+use crate::study::atlas::record::{Chart, Record, same};
 use crate::study::atlas::run::Numbers;
+use crate::study::atlas::section::charts;
 use crate::study::class::Class;
+use crate::study::drawn::{Curve, label, style};
 use crate::study::method::Method;
 
-/// A map of each full plane, and the iterations with their prediction.
+/// A map of each full plane, the iterations with their prediction, and those on the scenes of the paper.
 pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
+    let charts = charts(findings);
     let mut pictures = Vec::new();
-    for chart in findings.iter().map(|found| &found.numbers.chart) {
-        if [Plane::Stretch, Plane::Mesh].contains(&chart.plane) {
-            pictures.push((format!("atlas-{}.svg", chart.plane.name()), map(chart)));
-        }
+    for chart in charts.iter().filter(|chart| chart.plane.is_full()) {
+        pictures.push((format!("atlas-{}.svg", chart.plane.name()), map(chart)));
         if chart.plane == Plane::Stretch {
-            pictures.push(("iterations-predicted.svg".into(), iterations(chart)));
+            pictures.push(("iterations-predicted.svg".into(), predicted(chart)));
         }
     }
+    pictures.push(("iterations-against-stiffness.svg".into(), in_the_paper(&charts)));
     Ok(pictures)
 }
 
-/// Iterations against initial stiffness, one panel per algorithm and element: measured points over the predicted curve.
-fn iterations(stretch: &Recorded) -> Drawing {
-    let mut charts = Vec::new();
-    for algorithm in Iteration::ALL {
-        for element in Element::ALL {
-            let title = format!("{} · {}", element.name(), algorithm.name());
-            let mut chart = Chart::new(
-                &title,
-                Axis::log("initial stiffness κ₀ [–]").over(1e-6, 1e6),
-                Axis::log("iterations [–]").over(1.0, 3000.0),
-            );
-            for method in Method::of(element).into_iter().filter(|method| method.algorithm == algorithm) {
-                let mut rows = stretch.of_method(method);
-                if let Some(row) = rows.find(|row| same(row[0].ordinate, STRETCH)) {
-                    chart.series.extend(curves(row, method));
-                }
+/// Iterations over initial stiffness.
+fn panel(title: &str, softest: f64) -> Figure {
+    let stiffness = Axis::log("initial stiffness κ₀ [–]").over(softest, 1e6);
+    Figure::new(title, stiffness, Axis::log("iterations [–]").over(1.0, 3000.0))
+}
+
+/// All nine formulations on the scenes of the paper, one panel a scene and algorithm, accelerated ones dash-dotted.
+fn in_the_paper(charts: &[&Chart]) -> Drawing {
+    const SOFTEST: f64 = 1e-3;
+    let curve = |chart: &Chart, method: Method| {
+        let mut curve = Curve::default();
+        let row = chart.of_method(method).flatten().zip(chart.plane.stiffnesses());
+        for (record, stiffness) in row.filter(|(record, _)| record.stiffness >= SOFTEST) {
+            match record.class {
+                Class::Converged => curve.points.push([stiffness, record.iterations as f64]),
+                _ => curve.failed.push(stiffness),
             }
-            charts.push(chart);
         }
+        let formulation = method.formulation(1.0);
+        let plain = style(&formulation);
+        let drawn = if method.is_accelerated() { Style { dash: Dash::DashDot, ..plain } } else { plain };
+        curve.drawn(label(&formulation), drawn)
+    };
+    let on = |chart: &Chart, algorithm: Iteration| {
+        let mut panel = panel(&format!("{}: {}", chart.plane.name(), algorithm.name()), SOFTEST);
+        let plain = Element::ALL.map(|element| Method::usual(element, algorithm));
+        let taken = Element::ALL.map(|element| Method::default(element, algorithm));
+        let methods = plain.into_iter().chain(taken.into_iter().filter(|method| method.is_accelerated()));
+        panel.series = methods.map(|method| curve(chart, method)).collect();
+        panel
+    };
+    let scenes = charts.iter().filter(|chart| Plane::PAPER.contains(&chart.plane));
+    let all: Vec<Figure> = scenes.flat_map(|chart| Iteration::ALL.map(|algorithm| on(chart, algorithm))).collect();
+    panels("Iterations against initial stiffness", &all, 3)
+}
+
+/// Measured points over the predicted curve, one panel an algorithm and element.
+fn predicted(stretch: &Chart) -> Drawing {
+    let on = |algorithm: Iteration, element: Element| {
+        let mut panel = panel(&format!("{} · {}", element.name(), algorithm.name()), 1e-6);
+        for method in Method::of(element).into_iter().filter(|method| method.algorithm == algorithm) {
+            let row = stretch.of_method(method).find(|row| same(row[0].ordinate, STRETCH));
+            panel.series.extend(row.map(|row| curves(row, method)).unwrap_or_default());
+        }
+        panel
+    };
+    let pairs = Iteration::ALL.into_iter().flat_map(|algorithm| Element::ALL.map(|element| on(algorithm, element)));
+    panels("Iterations against initial stiffness: measured points on predicted curves", &pairs.collect::<Vec<_>>(), 3)
+}
+
+/// Name of a method's rule, with what is added.
+fn rule(method: Method) -> String {
+    match method.acceleration {
+        Acceleration::None => method.rule.name().to_string(),
+        acceleration => format!("{} + {}", method.rule.name(), acceleration.name()),
     }
-    panels("Iterations against initial stiffness: measured points on predicted curves", &charts, 3)
 }
 
 /// One colour a rule, whatever the algorithm, and one for what is accelerated.
@@ -65,25 +100,22 @@ fn colour(method: Method) -> Colour {
 
 /// Predicted curve, measured points, and the failures by their cause.
 fn curves(row: &[Record], method: Method) -> Vec<Series> {
-    let rule = match method.acceleration {
-        Acceleration::None => method.rule.name().to_string(),
-        acceleration => format!("{} + {}", method.rule.name(), acceleration.name()),
+    let points = |of: fn(&Record) -> Option<f64>| -> Vec<(f64, f64)> {
+        row.iter().map(|record| (record.stiffness, of(record).unwrap_or(f64::NAN))).collect()
     };
-    let colour = colour(method);
-    let points = |of: &dyn Fn(&Record) -> f64| row.iter().map(|r| (r.stiffness, of(r))).collect::<Vec<_>>();
-    let predicted = points(&|r| if r.predicted_iterations.is_finite() { r.predicted_iterations } else { f64::NAN });
-    let measured = points(&|r| if r.class == Class::Converged { r.iterations as f64 } else { f64::NAN });
-    let series = |label: String, points, style, hollow| Series { label, points, style, hollow };
-    let shown = |points: &[(f64, f64)]| points.iter().any(|(_, iterations)| iterations.is_finite());
-    let mut curves = Vec::new();
-    if shown(&predicted) {
-        let style = Style::run(colour, Dash::Solid, Marker::Absent);
-        curves.push(series(format!("{rule}: predicted"), predicted, style, vec![]));
-    }
-    if shown(&measured) {
-        let style = Style::run(colour, Dash::Absent, Marker::Circle);
-        curves.push(series(format!("{rule}: measured"), measured, style, vec![]));
-    }
+    let predicted = points(|record| record.predicted_iterations.filter(|iterations| iterations.is_finite()));
+    let measured = points(|record| (record.class == Class::Converged).then_some(record.iterations as f64));
+    let series = |what: &str, points, dash, marker, hollow| Series {
+        label: format!("{}: {what}", rule(method)),
+        points,
+        style: Style::run(colour(method), dash, marker),
+        hollow,
+    };
+    let mut curves = vec![
+        series("predicted", predicted, Dash::Solid, Marker::Absent, vec![]),
+        series("measured", measured, Dash::Absent, Marker::Circle, vec![]),
+    ];
+    curves.retain(|curve| curve.points.iter().any(|(_, iterations)| iterations.is_finite()));
     let causes = [
         (Class::Capped, Marker::Circle),
         (Class::Stalled, Marker::Circle),
@@ -92,12 +124,89 @@ fn curves(row: &[Record], method: Method) -> Vec<Series> {
         (Class::Unsupported, Marker::Square),
         (Class::Beyond, Marker::Wedge),
     ];
-    for (class, marker) in causes {
-        let hollow: Vec<f64> = row.iter().filter(|r| r.class == class).map(|r| r.stiffness).collect();
-        if !hollow.is_empty() {
-            let label = format!("{rule}: {}", class.name());
-            curves.push(series(label, vec![], Style::run(colour, Dash::Absent, marker), hollow));
-        }
-    }
+    let failed = causes.map(|(class, marker)| {
+        let hollow = row.iter().filter(|record| record.class == class).map(|record| record.stiffness).collect();
+        series(class.name(), vec![], Dash::Absent, marker, hollow)
+    });
+    curves.extend(failed.into_iter().filter(|curve| !curve.hollow.is_empty()));
     curves
+}
+
+/// Iterations up to which a converged run is quick, and ordinary.
+const QUICK: [usize; 2] = [20, 200];
+/// Error of p₀ and a from which a run that stopped off the solution has the next colour.
+const OFF: f64 = 0.1;
+/// Errors that labels tell apart [%].
+const LABELLED: [f64; 7] = [0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
+/// Where the maps carry ticks: every third decade of twelve, by halves.
+const TICKS: [(usize, &str); 5] = [(0, "10⁻⁶"), (6, "10⁻³"), (12, "1"), (18, "10³"), (24, "10⁶")];
+
+/// How every run of a plane ended, one panel a rule and element, with the predicted boundary.
+fn map(chart: &Chart) -> Drawing {
+    let on_each = |method: Method| Element::ALL.map(|element| map_panel(chart, Method { element, ..method }));
+    let limit = Settings::default().max_iterations;
+    let [quick, ordinary] = QUICK;
+    ClassMap {
+        title: format!("How runs end on truncated Hertz: {} against initial stiffness", chart.plane.label()),
+        axes: ["initial stiffness κ₀ [–]".into(), chart.plane.label().into()],
+        panels: Method::of(Element::Node).into_iter().flat_map(on_each).collect(),
+        columns: 3,
+        ticks: TICKS.map(|(column, text)| (column, text.to_string())).into(),
+        classes: vec![
+            format!("converged in ≤ {quick} iterations"),
+            format!("in ≤ {ordinary} iterations"),
+            "in more iterations".into(),
+            format!("stopped, error ≤ {} % (the number: at most so many %)", 100.0 * OFF),
+            format!("stopped, error > {} % (the number: at most so many %)", 100.0 * OFF),
+            "not converged: m at the maximum, s stalled, c cycling, d diverged".into(),
+            "named error: o no spring left, b contact beyond candidates".into(),
+        ],
+        boundary: Some(format!("predicted: ≤ {limit} iterations on one side only")),
+        notes: vec![note(chart)],
+    }
+    .drawing()
+}
+
+fn map_panel(chart: &Chart, method: Method) -> MapPanel {
+    let rows = chart.of_method(method).map(|row| (row[0].ordinate.to_string(), row.iter().map(cell).collect()));
+    let [element, algorithm] = [method.element.name(), method.algorithm.name()];
+    MapPanel { rows: rows.collect(), title: format!("{element} · {algorithm} · {}", rule(method)) }
+}
+
+fn note(chart: &Chart) -> String {
+    let is_predicted = |rule: &StiffnessRule| {
+        chart.rows.iter().flatten().any(|r| r.method.rule == *rule && r.predicted_iterations.is_some())
+    };
+    let rules = Iteration::ALL.into_iter().flat_map(Iteration::rules);
+    let silent: Vec<&str> = rules.filter(|rule| !is_predicted(rule)).map(|rule| rule.name()).collect();
+    format!(
+        "Error: the larger one of p₀ and a against the solution of the same discrete problem. The boundary is predicted from the \
+         condensed matrices. Nothing is predicted for what is accelerated, nor for: {}.",
+        silent.join(", ")
+    )
+}
+
+/// Class and label of a run.
+fn cell(record: &Record) -> Cell {
+    let [quick, ordinary] = QUICK;
+    let (class, label) = match record.class {
+        Class::Converged if !record.is_right() => (if record.off() <= OFF { 3 } else { 4 }, percent(record.off())),
+        Class::Converged if record.iterations <= quick => (0, format!("≤{quick}")),
+        Class::Converged if record.iterations <= ordinary => (1, format!("≤{ordinary}")),
+        Class::Converged => (2, format!(">{ordinary}")),
+        Class::Capped => (5, "m".into()),
+        Class::Stopped | Class::Stalled => (5, "s".into()),
+        Class::Cycling => (5, "c".into()),
+        Class::Diverged => (5, "d".into()),
+        Class::Unsupported => (6, "o".into()),
+        Class::Beyond => (6, "b".into()),
+    };
+    let limit = Settings::default().max_iterations as f64;
+    Cell { class, label, predicted: record.predicted_iterations.map(|predicted| predicted <= limit) }
+}
+
+/// The least of the labelled errors that is not below this one [%].
+fn percent(error: f64) -> String {
+    let enough = LABELLED.into_iter().find(|labelled| 100.0 * error <= *labelled);
+    enough.map_or("> 50".into(), |labelled| labelled.to_string())
 }

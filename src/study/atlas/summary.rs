@@ -1,15 +1,14 @@
-//! What the atlas says of each method: where every run ends right, how the others end, and from where to start.
+//! What the atlas says of each method: where every run ends right, how the others end, and which to use from where.
 
-use crate::study::atlas::chart::Chart;
-use crate::study::atlas::plane::Plane;
-use crate::study::atlas::record::{Record, same};
+use std::fmt::Write;
+
+use crate::algorithm::StiffnessRule;
+use crate::solve::Iteration;
+use crate::study::atlas::record::{Chart, Record, same};
 use crate::study::class::Class;
 use crate::study::method::Method;
 
-/// Planes over all scenes, meshes and candidate stretches, each with the same initial stiffnesses.
-const SCENES: [Plane; 4] = [Plane::Stretch, Plane::Mesh, Plane::Cylinder, Plane::PinRod];
-
-/// What the scenes say of a method.
+/// What the scenes say of a method: the planes over scenes, meshes and candidate stretches, which have the same initial stiffnesses.
 #[derive(Clone, Debug)]
 pub struct Digest {
     /// What was run.
@@ -38,14 +37,11 @@ pub struct Safe {
 }
 
 impl Safe {
-    /// Decades of the range.
-    pub fn decades(&self) -> f64 {
-        (self.to / self.from).log10()
-    }
-
-    /// Whether the range is wider than another, if there is one.
+    /// Whether the range has more decades than another, if there is one.
     pub fn is_wider_than(&self, other: Option<Self>) -> bool {
-        other.is_none_or(|other| self.decades() > other.decades() && !same(self.decades(), other.decades()))
+        let decades = |range: &Self| (range.to / range.from).log10();
+        let own = decades(self);
+        other.is_none_or(|other| own > decades(&other) && !same(own, decades(&other)))
     }
 }
 
@@ -55,7 +51,7 @@ pub fn digests(charts: &[&Chart]) -> Vec<Digest> {
 }
 
 fn digest(charts: &[&Chart], method: Method) -> Digest {
-    let scenes = charts.iter().filter(|chart| SCENES.contains(&chart.plane));
+    let scenes = charts.iter().filter(|chart| !chart.plane.is_slice());
     let rows: Vec<&[Record]> = scenes.flat_map(|chart| chart.of_method(method)).collect();
     let all = || rows.iter().flat_map(|row| row.iter());
     let count = |class: Class| (class, all().filter(|record| record.class == class).count());
@@ -63,7 +59,7 @@ fn digest(charts: &[&Chart], method: Method) -> Digest {
         method,
         safe: safe(&rows, method.algorithm.default_stiffness()),
         ends: Class::ALL.map(count).into_iter().filter(|(_, number)| *number > 0).collect(),
-        predicted: all().filter(|record| !record.predicted_iterations.is_nan()).count(),
+        predicted: all().filter(|record| record.predicted_iterations.is_some()).count(),
     }
 }
 
@@ -71,36 +67,78 @@ fn digest(charts: &[&Chart], method: Method) -> Digest {
 fn safe(rows: &[&[Record]], usual: f64) -> Option<Safe> {
     let columns = rows.first().map_or(0, |row| row.len());
     let column = |c: usize| rows.iter().map(move |row| &row[c]);
-    let [from, to] = longest_run(columns, |c| column(c).all(Record::is_right))?;
+    let right: Vec<usize> = (0..columns).filter(|&c| column(c).all(Record::is_right)).collect();
+    // Of equally long ranges the first.
+    let range = right.chunk_by(|a, b| a + 1 == *b).rev().max_by_key(|range| range.len())?;
     let stiffness = |c: usize| rows[0][c].stiffness;
     let worst = |c: usize| column(c).map(|record| record.iterations).max().unwrap_or(0);
     let away = |c: usize| (stiffness(c) / usual).ln().abs();
     let better = |a: &usize, b: &usize| worst(*a).cmp(&worst(*b)).then(away(*a).total_cmp(&away(*b)));
-    let best = (from..=to).min_by(better)?;
+    let best = range.iter().copied().min_by(better)?;
     Some(Safe {
-        from: stiffness(from),
-        to: stiffness(to),
-        iterations: (from..=to).map(worst).max()?,
+        from: stiffness(range[0]),
+        to: stiffness(range[range.len() - 1]),
+        iterations: range.iter().copied().map(worst).max()?,
         best: stiffness(best),
         best_iterations: worst(best),
     })
 }
 
-/// First and last of the longest run of numbers that hold.
-fn longest_run(count: usize, holds: impl Fn(usize) -> bool) -> Option<[usize; 2]> {
-    let mut best: Option<[usize; 2]> = None;
-    let mut start = None;
-    for c in 0..=count {
-        match (c < count && holds(c), start) {
-            (true, None) => start = Some(c),
-            (false, Some(from)) => {
-                if best.is_none_or(|[a, b]| c - from > b - a + 1) {
-                    best = Some([from, c - 1]);
-                }
-                start = None;
-            }
-            _ => {}
-        }
+/// Which element and algorithm to use from which initial stiffness, and which not.
+pub fn recommendation(digests: &[Digest]) -> String {
+    let points: usize = digests.iter().flat_map(|digest| &digest.ends).map(|(_, count)| count).sum();
+    let predicted: usize = digests.iter().map(|digest| digest.predicted).sum();
+    let mut text = format!(
+        "From {points} runs over candidate surface, mesh and both paper scenes, {predicted} of them predicted before they were run:\n\n"
+    );
+    let reliable = reliable(digests);
+    let constant = reliable.iter().find(|(method, _)| method.algorithm == Iteration::Constant);
+    if let Some(first) = reliable.iter().find(|(method, _)| !method.is_accelerated()) {
+        let _ = writeln!(text, "* **Use** {}.", sentence(first));
     }
-    best
+    if let Some(constant) = constant {
+        let _ = writeln!(text, "* **Where one factorisation must do**: {}.", sentence(constant));
+    }
+    let widest = widest(&reliable);
+    if !widest.is_empty() {
+        let _ = writeln!(text, "* **Where nothing is known of the stiffness**: {}.", widest.join(", "));
+    }
+    let nowhere = digests.iter().filter(|digest| digest.safe.is_none());
+    let nowhere: Vec<String> = nowhere.map(|digest| format!("`{}`", digest.method)).collect();
+    if !nowhere.is_empty() {
+        let _ =
+            writeln!(text, "* **Do not use** {}: at no initial stiffness do all runs end right.", nowhere.join(", "));
+    }
+    text
+}
+
+/// The method to use, of those to which nothing is added; none where there is none of which every surveyed run ends right.
+pub fn recommended(digests: &[Digest]) -> Option<Method> {
+    reliable(digests).into_iter().map(|(method, _)| method).find(|method| !method.is_accelerated())
+}
+
+/// Methods with a range, fewest iterations first; a penalty stops at a penetration of its own and is not among them.
+fn reliable(digests: &[Digest]) -> Vec<(Method, Safe)> {
+    let exact = digests.iter().filter(|digest| digest.method.rule != StiffnessRule::Penalty);
+    let mut reliable: Vec<(Method, Safe)> =
+        exact.filter_map(|digest| digest.safe.map(|safe| (digest.method, safe))).collect();
+    reliable.sort_by_key(|(_, safe)| safe.best_iterations);
+    reliable
+}
+
+fn sentence((method, safe): &(Method, Safe)) -> String {
+    let Safe { from, to, best, best_iterations, .. } = safe;
+    format!(
+        "`{method}` from κ₀ = {best:e} (at most {best_iterations} iterations; every surveyed run ends right for κ₀ from {from:e} to {to:e})"
+    )
+}
+
+/// The methods whose range no other's exceeds.
+fn widest(reliable: &[(Method, Safe)]) -> Vec<String> {
+    let is_widest = |safe: &Safe| !reliable.iter().any(|(_, other)| other.is_wider_than(Some(*safe)));
+    let widest = reliable.iter().filter(|(_, safe)| is_widest(safe));
+    let told = |(method, Safe { from, to, iterations, .. }): &(Method, Safe)| {
+        format!("`{method}` (at most {iterations} iterations from any κ₀ from {from:e} to {to:e})")
+    };
+    widest.map(told).collect()
 }

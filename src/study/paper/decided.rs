@@ -1,7 +1,7 @@
 //! What the paper misprints or leaves open, what is not covered, and the sources: prose whose numbers come from the code.
 
 use crate::case::library::{Cylinder, PinRod};
-use crate::markdown;
+use crate::markdown::{self, Column};
 use crate::solve::{Element, Formulation, Iteration, LIMITS, Settings};
 
 /// Misprints and gaps of the paper, and what is read instead.
@@ -25,8 +25,9 @@ const MISPRINTS: [[&str; 3]; 11] = [
 
 /// Table of misprints.
 pub fn misprints() -> String {
-    let rows: Vec<Vec<String>> = MISPRINTS.iter().map(|row| row.map(String::from).into()).collect();
-    markdown::table(&["where", "printed", "read as"].map(String::from), &rows)
+    let columns: [Column<[&str; 3]>; 3] =
+        [("where", |row| row[0].into()), ("printed", |row| row[1].into()), ("read as", |row| row[2].into())];
+    markdown::columns(&columns, &MISPRINTS)
 }
 
 /// Decisions where the source is silent, and what each changes.
@@ -50,7 +51,7 @@ pub fn open_points() -> String {
         ["The rigid end face of the shank".into(), "u_y common to all its nodes, u_x free".into(), "nothing at the eye (Saint-Venant)".into()],
         ["The rule that changes the stiffness".into(),
          format!("(a) secant, by no more than {bound} times an iteration, (b) correction, (c) its own switching; others selectable"),
-         "whether and how fast (a) and (b) converge: *Readings of the paper*; unbounded, a stiff start raises every other Gauss point, which no node feels".into()],
+         "whether and how fast (a) and (b) converge, as the readings show; unbounded, a stiff start raises every other Gauss point, which no node feels".into()],
         ["What has a stiffness".into(), "every contact point; `spring = \"element\"` gives one to every element".into(), "with one an element, the pressures of its points cannot differ as they shall".into()],
         ["Tangential dofs of external nodes".into(), "condensed with the interior ones: without friction they carry no force".into(), "nothing in the result; half the retained dofs".into()],
         ["Factorisations of constant stiffness".into(), "one a run; the paper says one an increment, whose K_c0 here stays".into(), "operations of runs in several increments".into()],
@@ -62,7 +63,7 @@ pub fn open_points() -> String {
          "with line and layer elements, hard springs let an alternating pressure mode grow between Gauss points that no node feels".into()],
         ["Acceleration".into(),
          "none in the paper; as the program takes them, under their own rules, (a) Newton's method on ln k, (b) Newton's method on the carried forces, and their names say so".into(),
-         "iterations only: *Elements and iterations* and *Where methods fail* have both side by side; the readings and the rates are of the paper's own".into()],
+         "iterations only: *Where methods fail* has both side by side; the readings and the rates are of the paper's own".into()],
         ["Penetration of hard springs".into(),
          "(c): where p/k exceeds the tolerance at the stiffest spring, hard points carry their force over to the next iteration".into(),
          "tolerances below the stiffest spring's penetration can be reached; nothing at the default tolerance".into()],

@@ -1,0 +1,168 @@
+//! The paper's statements, judged from the numbers of the studies: no verdict and no condition here is typed.
+
+use crate::case::judged::worst;
+use crate::case::library::{cylinder, pin_rod};
+use crate::case::{Quantity, Verdict};
+use crate::markdown::{self, Column};
+use crate::measure::larger;
+use crate::solve::{Iteration, Run};
+use crate::study::atlas::{self, Plane, Saved};
+use crate::study::measured::GAERTNER;
+use crate::study::paper::statement::{self, Judgement, Statement};
+use crate::study::refinement;
+use crate::study::refinement::cylinder::{Change, LEFT_OUT};
+use crate::study::{Finding, Numbers, Room};
+use crate::uncertainty::COVERAGE;
+
+/// Difference of the nine that counts as none [%].
+const UNREMARKABLE: f64 = 1.0;
+/// Most over fewest iterations that count as a difference.
+const DIFFERENT: f64 = 10.0;
+
+/// All statements, judged; what is not among the findings is not judged.
+pub fn judge(findings: &[Finding]) -> Vec<Statement> {
+    let sentences = findings.iter().filter_map(|finding| match &finding.numbers {
+        Numbers::Paper(numbers) => Some(statement::statements(&numbers.courses)),
+        _ => None,
+    });
+    let mut all = vec![all_agree(findings)];
+    all.extend(sentences.flatten());
+    all.extend([no_difference(findings), top_quarter(findings), condensation_pays(findings), gaertner(findings)]);
+    all
+}
+
+/// How they are judged, and all of them, for the page on the paper.
+pub fn section(findings: &[Finding]) -> String {
+    let columns: [Column<Statement>; 3] = [
+        ("statement", |one| one.text.into()),
+        ("measured", |one| one.measured.clone()),
+        ("judgement", |one| format!("**{}**", one.judgement)),
+    ];
+    let table = markdown::columns(&columns, &judge(findings));
+    format!("## Its statements\n\n{}\n\n{table}\n", statement::RULE)
+}
+
+fn of_case<'a>(findings: &'a [Finding], case: &str) -> impl Iterator<Item = &'a Finding> {
+    findings.iter().filter(move |finding| finding.case == case)
+}
+
+/// Largest error of a quantity over all runs of a case; NaN where none was judged.
+pub fn error(findings: &[Finding], case: &str, quantity: &Quantity) -> f64 {
+    let judged = of_case(findings, case).flat_map(|finding| &finding.judged);
+    let errors = judged.filter(|judged| judged.check.quantity == *quantity).map(|judged| judged.error);
+    errors.reduce(larger).unwrap_or(f64::NAN)
+}
+
+/// Whether every check of a case passed; none where it was not run.
+fn passes(findings: &[Finding], case: &str) -> Option<bool> {
+    worst(of_case(findings, case).flat_map(|finding| &finding.judged)).map(|worst| *worst == Verdict::Pass)
+}
+
+/// The smallest and the largest of some numbers; NaN where one is.
+fn extremes(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    numbers.fold([f64::INFINITY, 0.0], |[low, high], x| [-larger(-low, -x), larger(high, x)])
+}
+
+/// A statement by its clause, what was measured, and the judgement; not judged where nothing was found.
+fn statement(text: &'static str, found: Option<(String, String, Judgement)>) -> Statement {
+    let nothing = || ("not asked".into(), "not asked".into(), Judgement::NotJudged);
+    let (clause, measured, judgement) = found.unwrap_or_else(nothing);
+    Statement { text, clause, measured, judgement }
+}
+
+/// Every combination agrees with the reference.
+fn all_agree(findings: &[Finding]) -> Statement {
+    let worst = |case: &str, quantity| 100.0 * error(findings, case, &quantity);
+    let found = passes(findings, cylinder::NINE).zip(passes(findings, pin_rod::NINE)).map(|(cylinder, rod)| {
+        let [peak, rod_peak] = [cylinder::NINE, pin_rod::NINE].map(|case| worst(case, Quantity::PeakPressure));
+        let width = worst(cylinder::NINE, Quantity::SecondMomentWidth);
+        let means = worst(pin_rod::NINE, Quantity::EdgeMeans);
+        let measured = format!(
+            "cylinder, all nine: p₀ within {peak:.2} %, a within {width:.2} %; pin–rod, all nine: peak within {rod_peak:.2} %, edge means within {means:.2} %"
+        );
+        let clause = format!("p₀ within {peak:.2} % of Hertz, pin–rod peak within {rod_peak:.2} %");
+        (clause, measured, Judgement::of(cylinder && rod))
+    });
+    statement(
+        "Every combination of element and algorithm agrees with Hertz, and for the pin–rod with one another (Figs 10, 14, 15)",
+        found,
+    )
+}
+
+/// No formulation is more accurate than another, as they stand in the paper.
+fn no_difference(findings: &[Finding]) -> Statement {
+    let nine = findings.iter().find_map(|finding| match &finding.numbers {
+        Numbers::Atlas(atlas::Numbers::Saved(Plane::Cylinder, saved)) => Some(saved.as_slice()),
+        _ => None,
+    });
+    let found = nine.map(|nine| {
+        let all = |of: fn(&Saved) -> f64| extremes(nine.iter().map(of));
+        let spread = |[low, high]: [f64; 2]| 100.0 * (high / low - 1.0);
+        let [low, high] = all(|one| one.iterations[0].map_or(f64::NAN, |count| count as f64));
+        let [peak, width] = [spread(all(|one| one.measured[0])), spread(all(|one| one.measured[1]))];
+        let measured = format!(
+            "cylinder: spread of the nine {peak:.2} % in p₀, {width:.2} % in the second-moment width; {low} to {high} iterations"
+        );
+        let holds = peak < UNREMARKABLE && width < UNREMARKABLE && high / low > DIFFERENT;
+        (format!("spread {peak:.2} % in p₀; {low} to {high} iterations"), measured, Judgement::of(holds))
+    });
+    statement(
+        "Within the prescribed accuracy there is no remarkable difference between elements or algorithms; the differences are in iterations and time",
+        found,
+    )
+}
+
+/// The upper quarter may be left out.
+fn top_quarter(findings: &[Finding]) -> Statement {
+    let changes = findings.iter().find_map(|finding| match &finding.numbers {
+        Numbers::Refinement(refinement::Numbers::Quarter(changes)) => Some(changes),
+        _ => None,
+    });
+    let found = changes.map(|changes| {
+        let is_small = |change: &&Change| change.largest() <= LEFT_OUT;
+        let small = changes.iter().filter(is_small).map(|change| change.a_over_r).fold(0.0, f64::max);
+        let told = |change: &Change| format!("{:.3} % at a/R = {}", 100.0 * change.largest(), change.a_over_r);
+        let all = changes.iter().map(told).collect::<Vec<_>>().join(", ");
+        let below = format!("below {} % up to a/R = {small}", 100.0 * LEFT_OUT);
+        let judgement = match changes.iter().all(|change| is_small(&change)) {
+            false if small > 0.0 => Judgement::OnlyIf(format!("a/R is at most {small}")),
+            holds => Judgement::of(holds),
+        };
+        (format!("change {below}"), format!("change of p₀ or a: {all}; {below}"), judgement)
+    });
+    statement("The top quarter of the half cylinder does not influence the contact and may be left out", found)
+}
+
+/// Condensation pays.
+fn condensation_pays(findings: &[Finding]) -> Statement {
+    let both = [cylinder::NINE, pin_rod::NINE].into_iter().flat_map(|case| of_case(findings, case));
+    let refactoring = both.filter_map(|finding| match &finding.numbers {
+        Numbers::Cases(numbers) if numbers.run.formulation.algorithm != Iteration::Constant => Some(&numbers.run),
+        _ => None,
+    });
+    // Without condensation every factorisation would be the sparse one; with it there is one, and dense small ones.
+    let gain = |run: &Run| {
+        run.sparse_operations * run.solution.work.factorisations as f64
+            / (run.sparse_operations + run.solution.work.operations)
+    };
+    let gains: Vec<f64> = refactoring.map(gain).collect();
+    let [low, high] = extremes(gains.iter().copied());
+    let measured = format!(
+        "operations without over with condensation, where the algorithm factorises at every iteration: {low:.1} to {high:.0}; with constant stiffness one factorisation serves either way"
+    );
+    let clause = format!("{low:.1} to {high:.0} times the operations without");
+    let found = (!gains.is_empty()).then(|| (clause, measured, Judgement::of(low > 1.0)));
+    statement("It pays to iterate on the external dofs alone (substructuring)", found)
+}
+
+/// Gaertner's curves.
+fn gaertner(findings: &[Finding]) -> Statement {
+    let own = of_case(findings, GAERTNER).find(|finding| finding.room == Room::Measured);
+    let found = own.map(|own| match own.verdict() {
+        Verdict::Pass => (format!("every point within {COVERAGE} u_val"), Judgement::Reproduced),
+        Verdict::Fail => (format!("a point beyond {COVERAGE} u_val"), Judgement::NotReproduced),
+        Verdict::NotRun(why) => (why, Judgement::NotJudged),
+    });
+    let found = found.map(|(measured, judgement)| (measured.clone(), measured, judgement));
+    statement("Reasonable agreement with Gaertner's finite elements and experiment (Figs 14, 15)", found)
+}
