@@ -150,9 +150,9 @@ fn no_study_imports_another() {
     let found: Vec<String> = source::all().iter().flat_map(|source| of_another_study(source, &studies)).collect();
     assert!(found.is_empty(), "{}", found.join("\n"));
     for (snippet, wrong) in [
-        ("use crate::study::family::run::Numbers;", 1),
-        ("fn f() { crate::study::family::plan() }", 1),
-        ("use super::super::family::plan;", 1),
+        ("use crate::study::limits::Numbers;", 1),
+        ("fn f() { crate::study::limits::plan() }", 1),
+        ("use super::super::limits::plan;", 1),
         ("use crate::study::atlas::run::Numbers; use crate::study::drawn::label; use super::plane::Plane;", 0),
     ] {
         let source = Source::new("study/atlas/judge.rs", snippet);

@@ -11,9 +11,8 @@ use svg::node::{Node, Text as Words};
 use super::error::Error;
 use super::frame::{Frame, Point};
 use super::outline::{outlines, tenths};
-use super::palette::{CARD, Dash, INK, PALE};
+use super::palette::{self, CARD, Dash, INK, PALE};
 use super::pen::{Lettering, Pen};
-use super::schematic;
 use super::theme::{Colour, Theme};
 
 pub(super) const TITLE_SIZE: f64 = 15.0;
@@ -70,7 +69,7 @@ impl Drawing {
     pub fn svg(&self, theme: Theme) -> Result<String, Error> {
         match self {
             Self::Painted(painted) => Ok(painted.svg(theme)),
-            Self::Schematic(light) => Ok(schematic::on(light, theme)),
+            Self::Schematic(light) => Ok(palette::on(light, theme)),
             Self::Broken(error) => Err(error.clone()),
         }
     }

@@ -3,7 +3,7 @@
 //! The hues are those of Okabe & Ito 2008, darkened for light pages and lightened for dark ones until a line of each has a
 //! contrast of 3:1 with its card, and text in it, ink or grey one of 4.5:1 (WCAG 2.1, criteria 1.4.3 and 1.4.11).
 
-use super::theme::{Colour, blend};
+use super::theme::{Colour, Theme, blend};
 
 /// The line element.
 pub const LINE: Colour = Colour::new(0x0072B2, 0x5AA9E6);
@@ -113,4 +113,32 @@ impl Style {
 /// The colour thinned on the card: 1 leaves it, 0 is the card.
 pub(super) fn tint(colour: Colour, share: f64) -> Colour {
     blend(CARD, colour, share)
+}
+
+/// Fills of schematic drawings, bodies: of the element, of the layer, of the pin, of the rod; and the springs of a line element.
+const FILLS: [Colour; 8] = [
+    Colour::new(0xE5E5E4, 0x2C2F34),
+    Colour::new(0xF0D7C5, 0x452E21),
+    Colour::new(0xCCE2EF, 0x364855),
+    Colour::new(0xD2E5F0, 0x32424E),
+    Colour::new(0xB9D7E9, 0x445B6B),
+    Colour::new(0xEFE5CF, 0x3D3422),
+    Colour::new(0x338EC1, 0x4C8CBE),
+    PALE,
+];
+
+/// The colour of a page for light ones.
+pub(super) fn partner(light: &str) -> Option<Colour> {
+    CURVES.into_iter().chain([INK, GREY, CARD]).chain(FILLS).find(|one| one.on(Theme::Light).to_string() == light)
+}
+
+/// An SVG in the colours of light pages, in those of a page.
+pub(super) fn on(light: &str, theme: Theme) -> String {
+    let mut parts = light.split('#');
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |text, part| {
+        let (colour, rest) = part.split_at_checked(6).unwrap_or((part, ""));
+        let themed = partner(&format!("#{colour}")).map(|pair| pair.on(theme).to_string());
+        text + &themed.unwrap_or_else(|| format!("#{colour}")) + rest
+    })
 }

@@ -4,20 +4,7 @@
 
 use super::drawing::Drawing;
 use super::error::Error;
-use super::palette::{CARD, CURVES, GREY, INK, PALE};
-use super::theme::{Colour, Theme};
-
-/// Bodies: of the element, of the layer, of the pin, of the rod; and the springs of a line element.
-const FILLS: [Colour; 8] = [
-    Colour::new(0xE5E5E4, 0x2C2F34),
-    Colour::new(0xF0D7C5, 0x452E21),
-    Colour::new(0xCCE2EF, 0x364855),
-    Colour::new(0xD2E5F0, 0x32424E),
-    Colour::new(0xB9D7E9, 0x445B6B),
-    Colour::new(0xEFE5CF, 0x3D3422),
-    Colour::new(0x338EC1, 0x4C8CBE),
-    PALE,
-];
+use super::palette::partner;
 
 /// The drawing of a file with its numbers, to six decimals; broken where the file asks for another number, or none of a name, or
 /// has a colour of which no dark one is known.
@@ -50,22 +37,6 @@ fn filled_in(name: &str, light: &str, numbers: &[(&str, f64)]) -> Result<Drawing
     }
 }
 
-/// The text in the colours of a page.
-pub(super) fn on(light: &str, theme: Theme) -> String {
-    let mut parts = light.split('#');
-    let first = parts.next().unwrap_or_default().to_owned();
-    parts.fold(first, |text, part| {
-        let (colour, rest) = part.split_at_checked(6).unwrap_or((part, ""));
-        let themed = partner(&format!("#{colour}")).map(|pair| pair.on(theme).to_string());
-        text + &themed.unwrap_or_else(|| format!("#{colour}")) + rest
-    })
-}
-
 fn colours_of(text: &str) -> impl Iterator<Item = String> {
     text.split('#').skip(1).map(|part| format!("#{}", part.get(..6).unwrap_or(part)))
-}
-
-/// The colour of a page for light ones.
-fn partner(light: &str) -> Option<Colour> {
-    CURVES.into_iter().chain([INK, GREY, CARD]).chain(FILLS).find(|one| one.on(Theme::Light).to_string() == light)
 }
