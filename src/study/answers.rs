@@ -1,7 +1,5 @@
 //! Where other codes' answers come from, frozen files or the codes themselves, and whether these still say what was frozen.
 
-use serde::Serialize;
-
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::oracle::ReferenceKind;
 use crate::study::differences::{Groups, largest_change};
@@ -20,7 +18,7 @@ pub enum Answers {
 }
 
 /// A live answer beside the frozen one.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Reproduced {
     /// Largest relative change of a number.
     pub change: f64,

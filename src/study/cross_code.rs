@@ -1,8 +1,6 @@
 //! The solver against other finite element codes on the same discrete problem: our mesh, loads, supports and line elements, assembled and
 //! solved by another code; agreement to round-off, a code check.
 
-use serde::Serialize;
-
 use crate::algorithm::StiffnessRule;
 use crate::case::{Check, Judged, Quantity, Reference, Verdict, library};
 use crate::contact::Quadrature;
@@ -56,7 +54,7 @@ fn against(answers: Answers) -> Vec<Planned<Numbers>> {
 }
 
 /// A discrete problem in another code.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Numbers {
     /// The code.
     pub code: Code,
@@ -67,7 +65,7 @@ pub struct Numbers {
 }
 
 /// A relative difference from another code.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Difference {
     /// Of what.
     pub part: Part,
@@ -78,7 +76,7 @@ pub struct Difference {
 }
 
 /// What both codes make of the same mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// The stiffness.
     Stiffness,

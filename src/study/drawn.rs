@@ -22,7 +22,7 @@ fn undrawn(drawing::Error { figure, reason, remedy }: drawing::Error) -> Error {
 }
 
 /// Points of a curve, and the abscissae of runs that did not converge.
-#[derive(Clone, Debug, Default, serde::Serialize)]
+#[derive(Clone, Debug, Default)]
 pub struct Curve {
     /// Points.
     pub points: Vec<[f64; 2]>,

@@ -1,7 +1,5 @@
 //! Stress on the deformed bodies, and the path of the iterations.
 
-use serde::Serialize;
-
 use crate::case::library::{Bars, Cylinder, PinRod};
 use crate::case::{Case, Check, Judged, Quantity, Reference, universal};
 use crate::drawing::palette::{self, Marker, Style};
@@ -42,7 +40,7 @@ pub fn plan() -> Vec<Planned<Numbers>> {
 }
 
 /// What a trial found.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub enum Numbers {
     /// A run on two bars closing a gap; its history is the path.
     Path(Box<Run>),
@@ -53,7 +51,7 @@ pub enum Numbers {
 }
 
 /// Pin and rod along their contact arcs, by a formulation.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Along {
     /// Contact element and algorithm.
     pub formulation: Formulation,
@@ -66,7 +64,7 @@ pub struct Along {
 }
 
 /// A scene whose fields are shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
     /// The cylinder on its plane.
     Cylinder,
@@ -75,7 +73,7 @@ pub enum Shown {
 }
 
 /// Stress and displacement of a scene under node elements and kinematic load.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Field {
     /// The scene.
     pub scene: Shown,
@@ -96,7 +94,7 @@ pub struct Field {
 }
 
 /// Stress and displacement along the candidates of a body.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Arc {
     /// Name of the body.
     pub body: String,
@@ -107,7 +105,7 @@ pub struct Arc {
 }
 
 /// Vertical force of the recovered stresses on a line.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Resultant {
     /// Name of the body.
     pub body: String,
@@ -118,7 +116,7 @@ pub struct Resultant {
 }
 
 /// A line that takes the whole load.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Where {
     /// The candidates of the contact.
     Contact,

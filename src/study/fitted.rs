@@ -2,7 +2,6 @@
 //! how many degrees of freedom.
 
 use rayon::prelude::*;
-use serde::Serialize;
 
 use crate::accuracy::{self, Quantity};
 use crate::case::library::{PinPlate, TruncatedHertz};
@@ -63,7 +62,7 @@ pub fn plan() -> Vec<Planned<Numbers>> {
 }
 
 /// All meshes.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Numbers {
     /// Of truncated Hertz, each under the worst of all loads.
     pub meshes: Vec<Mesh>,
@@ -72,7 +71,7 @@ pub struct Numbers {
 }
 
 /// A mesh, and what it gives.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Mesh {
     /// What it is made of.
     pub cells: Cells,
@@ -87,7 +86,7 @@ pub struct Mesh {
 }
 
 /// The cells of a mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cells {
     /// Fitted to the contact.
     Fitted(Fitted),

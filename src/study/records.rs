@@ -33,7 +33,7 @@ pub struct Survey<S, R> {
 }
 
 /// What a survey has recorded, and what of it was run again.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Surveyed<R> {
     /// Name of the survey.
     pub name: &'static str,

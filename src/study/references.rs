@@ -4,8 +4,6 @@
 
 use std::fmt::Write;
 
-use serde::Serialize;
-
 use crate::accuracy::reference::{self, Known, MESHES};
 use crate::accuracy::{Barred, Quantity, Subject, Told, bars};
 use crate::case::library::{Cylinder, NAMES, find};
@@ -62,7 +60,7 @@ pub fn plan() -> Vec<Planned<Numbers>> {
 }
 
 /// What a trial found.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub enum Numbers {
     /// Of a scene on all meshes.
     Answer {
@@ -76,7 +74,7 @@ pub enum Numbers {
 }
 
 /// A number of an answer, in the unit that it is shown in.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Answered {
     /// The number.
     pub known: Known,
@@ -87,7 +85,7 @@ pub struct Answered {
 }
 
 /// A benchmark sheet.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Sheet {
     /// Name on the command line.
     pub name: String,
@@ -104,7 +102,7 @@ pub struct Sheet {
 }
 
 /// A reference value.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Value {
     /// The contact, or the body.
     pub of: String,

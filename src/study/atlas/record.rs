@@ -60,7 +60,7 @@ pub const HEAD: [&str; 8] =
     ["formulation", "ordinate", "stiffness", "class", "iterations", "error", "penalty", "predicted_iterations"];
 
 /// The records of a plane, a line per row of the plan.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Chart {
     /// The plane.
     pub plane: Plane,

@@ -4,7 +4,6 @@
 use std::path::Path;
 
 use rayon::prelude::*;
-use serde::Serialize;
 
 use crate::algorithm::StiffnessRule;
 use crate::contact::ContactPoint;
@@ -29,7 +28,7 @@ pub fn plan() -> Vec<Planned<Numbers>> {
 }
 
 /// What came out of a trial.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub enum Numbers {
     /// A plane.
     Surveyed {
@@ -45,7 +44,7 @@ pub enum Numbers {
 }
 
 /// A formulation as it stands in the paper, and as the program takes it.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Saved {
     /// Name of the element and the algorithm.
     pub paper: String,

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
-
 use crate::case::Case;
 use crate::case::library::{Cylinder, PinPlate, PinRod, TruncatedHertz};
 use crate::oracle::cross_code::PhysicalScene;
@@ -16,7 +14,7 @@ pub const STATIONS: usize = 40;
 const PLATE_ANGLE: f64 = 60.0;
 
 /// A scene that every code solves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scene {
     /// The cylinder on its plane at a/R = 0.05.
     Cylinder,

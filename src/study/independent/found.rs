@@ -2,8 +2,6 @@
 
 use std::f64::consts::PI;
 
-use serde::Serialize;
-
 use crate::error::Error;
 use crate::measure::order::richardson;
 use crate::measure::profile;
@@ -15,7 +13,7 @@ use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::independent::benchmark::{Benchmark, LEVELS, Scene};
 
 /// What was found on the finest mesh, with its uncertainty.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Found {
     /// Peak pressure \[MPa\] and half-width by second moment \[mm, or rad\].
     pub measured: [Measured; 2],
@@ -28,7 +26,7 @@ pub struct Found {
 }
 
 /// A number on the finest of three meshes.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Measured {
     /// The number.
     pub value: f64,

@@ -1,7 +1,5 @@
 //! What every script found of a scene, beside ours.
 
-use serde::Serialize;
-
 use crate::algorithm::StiffnessRule;
 use crate::error::Error;
 use crate::measure::whole;
@@ -46,7 +44,7 @@ fn against(answers: Answers) -> Vec<Planned<Compared>> {
 }
 
 /// A scene by every script that serves it.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Compared {
     /// The scene.
     pub scene: Scene,
@@ -67,7 +65,7 @@ pub struct Compared {
 }
 
 /// What a script found.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Other {
     /// The script.
     pub script: Script,

@@ -2,8 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use serde::Serialize;
-
 use crate::case::library::{PinPlate, PinRod};
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::checkout::root;
@@ -25,7 +23,7 @@ use crate::uncertainty::{COVERAGE, standard};
 const ELEMENTS: [usize; 2] = [24, 48];
 
 /// A digitised curve beside ours.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Curve {
     /// Its file.
     pub file: String,

@@ -1,8 +1,6 @@
 //! Fringe orders of our disc between two plates: its principal stress difference, and the constants that are fitted to
 //! a photograph.
 
-use serde::Serialize;
-
 use crate::case::library::{Cylinder, CylinderModel};
 use crate::elasticity::{point, shape_functions};
 use crate::error::Error;
@@ -81,7 +79,7 @@ const GOLDEN: f64 = 0.618_033_988_749_895;
 const SECTIONS: usize = 28;
 
 /// Constants of a field that are fitted to fringes.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Constants {
     /// Fringe order at the centre of the disc, by channel.
     pub orders: [f64; 3],

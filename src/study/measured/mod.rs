@@ -9,8 +9,6 @@ pub mod curves;
 mod field;
 pub mod photograph;
 
-use serde::Serialize;
-
 use crate::case::Judged;
 use crate::drawing::Drawing;
 use crate::error::Error;
@@ -37,7 +35,7 @@ pub const GAERTNER: &str = "gaertner 1977";
 const SOURCES: [(&str, &str); 2] = [(GAERTNER, "gaertner-1977"), ("ghosh 1982", "ghosh-1982")];
 
 /// What a trial found.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub enum Numbers {
     /// The curves of a source.
     Curves {

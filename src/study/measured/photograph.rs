@@ -1,8 +1,6 @@
 //! The disc between two plates against a photograph of its isochromatics: measured, shape only, uncalibrated. Both ends
 //! in fringe orders: fitted at the bottom, predicted at the top.
 
-use serde::Serialize;
-
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Direction, Drawing, Guide, panels};
@@ -25,7 +23,7 @@ const DEPTHS: usize = 27;
 const HALVINGS: usize = 40;
 
 /// What the photograph says of our disc.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Photograph {
     /// Half-width by Hertz over the radius, fitted, and its standard deviation if readings were independent.
     pub half_width: [f64; 2],
@@ -43,7 +41,7 @@ pub struct Photograph {
 }
 
 /// A fringe of an end: `[x, z]` over the radius.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Line {
     /// The end.
     pub end: End,

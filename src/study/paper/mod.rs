@@ -15,8 +15,6 @@ pub mod runs;
 pub mod sentence;
 pub mod statement;
 
-use serde::Serialize;
-
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::drawing::Drawing;
 use crate::error::Error;
@@ -36,7 +34,7 @@ pub const ABOUT: About = About {
 };
 
 /// What was run.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Numbers {
     /// Every start of every site of the designed set.
     pub courses: Vec<Course>,

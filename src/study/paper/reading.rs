@@ -1,7 +1,5 @@
 //! A reading: one choice on every axis that the paper leaves open; and the designed set of them.
 
-use serde::Serialize;
-
 use crate::algorithm::{Criterion, Leeway, Spring, StiffnessRule};
 use crate::named::named_enum;
 use crate::solve::{Element, Formulation, Iteration, Settings};
@@ -49,7 +47,7 @@ named_enum! {
 }
 
 /// How an algorithm changes its springs.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rule {
     /// Rule.
     pub rule: StiffnessRule,
@@ -58,7 +56,7 @@ pub struct Rule {
 }
 
 /// A criterion with its tolerance.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
     /// Criterion.
     pub criterion: Criterion,
@@ -67,7 +65,7 @@ pub struct Stop {
 }
 
 /// One choice on every axis.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
     /// How varying stiffness changes its springs.
     pub varying: Rule,

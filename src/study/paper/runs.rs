@@ -1,7 +1,6 @@
 //! Iterations from every initial stiffness: when each criterion would have stopped them, and how far off they were then.
 
 use rayon::prelude::*;
-use serde::Serialize;
 
 use crate::algorithm::Criterion;
 use crate::case::library::{Cylinder, PinRod};
@@ -24,7 +23,7 @@ named_enum! {
 }
 
 /// What iterates: an element with an algorithm on a mesh, however it is stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Site {
     /// Example.
     pub example: Example,
@@ -43,7 +42,7 @@ pub struct Site {
 }
 
 /// All starts of a site.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Course {
     /// The site.
     pub site: Site,

@@ -1,7 +1,5 @@
 //! What the paper says of iterations, sentence by sentence: whether it holds, and the numbers that it rests on.
 
-use serde::Serialize;
-
 use crate::measure::larger;
 use crate::named::named_enum;
 use crate::solve::{Element, Iteration};
@@ -42,7 +40,7 @@ pub const STRONG: f64 = 3.0;
 const TWO: usize = 2;
 
 /// When a criterion was met.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Met {
     /// Iterations until then.
     pub iterations: usize,

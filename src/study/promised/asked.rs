@@ -1,7 +1,5 @@
 //! What an accuracy costs against meshes made by hand, and whether it is kept.
 
-use serde::Serialize;
-
 use crate::accuracy::{self, Answer, Asked};
 use crate::case::library::{Cylinder, PinPlate, TruncatedHertz};
 use crate::case::solved::estimated;
@@ -157,7 +155,7 @@ fn truth(subject: Subject) -> Result<[f64; 2], Error> {
 }
 
 /// What an accuracy costs, and whether it is kept; errors are relative, the larger ones of peak and second-moment width.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Answered {
     /// Error asked for.
     pub asked: f64,

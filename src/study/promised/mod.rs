@@ -13,8 +13,6 @@ mod checks;
 pub mod converged;
 pub mod met;
 
-use serde::Serialize;
-
 use crate::case::Judged;
 use crate::drawing::Drawing;
 use crate::error::Error;
@@ -35,7 +33,7 @@ pub const ABOUT: About = About {
 };
 
 /// What came out of a trial.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub enum Numbers {
     /// What is called converged, and errors in the energy norm with their bounds; none where they are not known.
     Converged(Surveyed<converged::Record>, Vec<Option<EnergyError>>),
@@ -46,7 +44,7 @@ pub enum Numbers {
     /// An answer beside a mesh made by hand.
     Asked(asked::Answered),
     /// How many checks have bars, and those whose error is beyond, each with the title of its trial.
-    Checks(usize, #[serde(skip)] Vec<(String, Judged)>),
+    Checks(usize, Vec<(String, Judged)>),
 }
 
 impl Numbers {

@@ -1,7 +1,5 @@
 //! The quarter cylinder under uniform load: how far it is from Hertz, and from the half cylinder.
 
-use serde::Serialize;
-
 use crate::case::library::{Cylinder, CylinderModel};
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
@@ -21,7 +19,7 @@ const BESIDE_HERTZ: [f64; 4] = [0.005, 0.05, 0.1, 0.2];
 const HALVES: [f64; 4] = [0.0125, 0.025, 0.05, 0.1];
 
 /// The cylinder beside Hertz at one a/R.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Ratio {
     /// Half-width of Hertz over the radius.
     pub a_over_r: f64,
@@ -33,7 +31,7 @@ pub struct Ratio {
 }
 
 /// Peak pressure \[MPa\] and half-width \[mm\] of each model at one a/R.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Change {
     /// Half-width of Hertz over the radius.
     pub a_over_r: f64,

@@ -1,7 +1,5 @@
 //! The dimensionless family of the pin–rod, so that any published figure can be placed the day it appears.
 
-use serde::Serialize;
-
 use crate::case::library::PinRod;
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::drawing::palette::{self, Dash, Marker, Style};
@@ -36,7 +34,7 @@ const DEFAULT: [f64; 3] = [5.0, 2.0, 1.0];
 pub type Placed = Result<[f64; 2], Class>;
 
 /// An eye or a shank.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Curve {
     /// Radius of the eye over that of the pin, or width of the shank over the diameter of the pin.
     pub name: String,
@@ -45,7 +43,7 @@ pub struct Curve {
 }
 
 /// `∂ ln result / ∂ ln number`, by central differences.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Slope {
     /// The number.
     pub number: &'static str,

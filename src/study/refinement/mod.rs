@@ -10,8 +10,6 @@ pub mod cylinder;
 pub mod family;
 pub mod nested;
 
-use serde::Serialize;
-
 use crate::case::Judged;
 use crate::drawing::Drawing;
 use crate::error::Error;
@@ -36,7 +34,7 @@ pub const ABOUT: About = About {
 };
 
 /// What a trial found.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub enum Numbers {
     /// Truncated Hertz by cells of one order.
     Orders {

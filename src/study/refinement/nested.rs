@@ -1,8 +1,6 @@
 //! Nested meshes: the orders by which errors of truncated Hertz fall, pair by pair, and what the series of the pin–rod
 //! says of its limit.
 
-use serde::Serialize;
-
 use crate::case::library::{PinRod, TruncatedHertz};
 use crate::case::{Check, Judged, Quantity, Reference, covered};
 use crate::drawing::palette::{self, Dash, Marker, Style};
@@ -23,7 +21,7 @@ const COARSEST: [usize; 2] = [4, 8];
 const LEVELS: u32 = 4;
 
 /// Nested meshes of cells of one order.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Series {
     /// Order of the cells.
     pub order: Order,
@@ -32,7 +30,7 @@ pub struct Series {
 }
 
 /// What is found on one of them; NaN where the run did not converge.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Level {
     /// Elements per half-width, or per 10 mm of arc.
     pub elements: usize,

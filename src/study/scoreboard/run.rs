@@ -3,8 +3,6 @@
 use std::fs;
 use std::path::Path;
 
-use serde::Serialize;
-
 use crate::case::{Case, Check, Judged, Quantity, Reference, Verdict, library};
 use crate::checkout::root;
 use crate::error::Error;
@@ -37,7 +35,7 @@ pub fn plan() -> Vec<Planned<Numbers>> {
 }
 
 /// A case by all codes.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Numbers {
     /// The case.
     pub case: String,
@@ -52,7 +50,7 @@ pub struct Numbers {
 }
 
 /// A run.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Row {
     /// Its setting.
     pub setting: Setting,
@@ -63,7 +61,7 @@ pub struct Row {
 }
 
 /// An answer against its truth.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Scored {
     /// Peak pressure, half-width.
     pub scores: [Score; 2],
@@ -72,7 +70,7 @@ pub struct Scored {
 }
 
 /// A number against its truth.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Score {
     /// The number \[MPa; mm, or ° on an arc\].
     pub value: f64,

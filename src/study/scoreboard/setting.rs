@@ -1,7 +1,5 @@
 //! Codes of the scoreboard, and the contact that each is run with.
 
-use serde::Serialize;
-
 use crate::named::named_enum;
 
 named_enum! {
@@ -46,7 +44,7 @@ impl Code {
 }
 
 /// A code with one of its contacts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Setting {
     /// The code.
     pub code: Code,

@@ -1,7 +1,5 @@
 //! Seconds are believed only while the errors and counts recorded beside them are still the code's own: these are computed again.
 
-use serde::Serialize;
-
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::study::Planned;
@@ -24,7 +22,7 @@ pub fn plan() -> Vec<Planned<Numbers>> {
 }
 
 /// What a trial found.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub enum Numbers {
     /// Error against work on a series of meshes.
     Precision(Again<Point>),
@@ -33,7 +31,7 @@ pub enum Numbers {
 }
 
 /// What is recorded, and what of it is computed again.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Again<T> {
     /// As recorded.
     pub recorded: Vec<T>,
