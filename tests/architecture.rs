@@ -258,13 +258,13 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 8] = [
-    ("solver", 18_200),
+    ("solver", 17_950),
     ("drawing", 3_000),
-    ("case", 6_550),
+    ("case", 6_850),
     ("oracle", 4_100),
-    ("study", 18_200),
+    ("study", 16_200),
     ("referee", 5_300),
-    ("report", 3_800),
+    ("report", 3_450),
     ("cli", 4_300),
 ];
 

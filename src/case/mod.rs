@@ -8,6 +8,7 @@
 //! * [`meshed`] — a case on its mesh.
 //! * [`barred`] — checks beside the error bars of what they judge.
 //! * [`hertz`] — errors against Hertz.
+//! * [`notes`] — what must be known of a contact before it is quoted; [`plausible`] — what of a result is hardly meant.
 //! * [`solved`] — a case run and judged.
 //! * [`universal`] — what every run must satisfy, whatever the case.
 //! * [`library`] — the cases of the suite.
@@ -23,6 +24,8 @@ pub mod judged;
 pub mod library;
 mod measured;
 pub mod meshed;
+pub mod notes;
+pub mod plausible;
 pub mod quantity;
 pub mod solved;
 pub mod universal;

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::case::notes;
 use contact_vv::case::{Case, Verdict};
 use contact_vv::error::Kind;
 use contact_vv::measure::{peak, profile};
@@ -274,7 +275,7 @@ fn contact_on_few_points_is_noted_by_those_on_each_side() {
             let [half, whole] = [half, whole].map(|text| {
                 let text = text.replace("elements = 6", &format!("elements = {elements}\norder = 1"));
                 let (_, run) = parsed(&text).solve().expect("solved");
-                (run.notes(0).iter().any(|note| note.contains("refine before quoting")), run.measures().active)
+                (notes::of(&run, 0).iter().any(|note| note.contains("refine before quoting")), run.measures().active)
             });
             assert_eq!((half.0, whole.0), (noted, noted), "{} and {} points", half.1, whole.1);
             assert_eq!(whole.1, 2 * half.1 - 1);
@@ -290,13 +291,13 @@ fn pressures_that_oscillate_are_noted_within_the_contact_wherever_it_lies() {
         let (_, run) = parsed(&text).solve().expect("solved");
         let [begin, end] = [run.measures().begin(), run.measures().edge()];
         let [middle, reach] = [0.5 * (begin + end), 0.5 * (end - begin)];
-        assert!(middle.abs() > 1.0 && run.notes(0).is_empty(), "{middle}: {:?}", run.notes(0));
+        assert!(middle.abs() > 1.0 && notes::of(&run, 0).is_empty(), "{middle}: {:?}", notes::of(&run, 0));
         for (part, noted) in [(-0.95, false), (-0.7, true), (0.0, true), (0.7, true), (0.95, false)] {
             let mut bent = run.clone();
             let away = |point: &PointState| (point.position - middle - part * reach).abs();
             let at = bent.solution.points.iter_mut().min_by(|a, b| away(a).total_cmp(&away(b))).expect("points");
             at.pressure += 0.2 * run.measures().peak.pressure;
-            let notes = bent.notes(0);
+            let notes = notes::of(&bent, 0);
             assert_eq!(notes.iter().any(|note| note.contains("quote means over edges")), noted, "{slope}, {part}");
         }
     }
@@ -361,7 +362,12 @@ fn point_far_above_the_peak_is_noted() {
     for (text, wanted) in [(text_of("eccentric-load.toml"), false), (kinked, true)] {
         let file = Case::parse(Path::new("kink.toml"), &text).expect("sound");
         let (_, run) = file.solve().expect("solved");
-        assert_eq!(run.notes(0).iter().any(|note| note.contains("more than the peak")), wanted, "{:?}", run.notes(0));
+        assert_eq!(
+            notes::of(&run, 0).iter().any(|note| note.contains("more than the peak")),
+            wanted,
+            "{:?}",
+            notes::of(&run, 0)
+        );
     }
 }
 

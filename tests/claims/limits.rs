@@ -1,13 +1,14 @@
 //! What used to be called converged and was wrong is refused or noted; what is right is not.
 
 use contact_vv::case::library::{Bars, Cylinder, FlatPunch, Patch, PinRod};
+use contact_vv::case::notes;
+use contact_vv::case::notes::RESOLVED;
 use contact_vv::case::{Verdict, judged, library};
 use contact_vv::error::{Error, Kind};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::{Load, Profile, Scene};
 use contact_vv::solution::PointState;
 use contact_vv::solve::Run;
-use contact_vv::solve::run::RESOLVED;
 use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, candidate_end};
 use contact_vv::stability::conditioning;
 use contact_vv::study::limits;
@@ -121,7 +122,7 @@ fn without_a_load_bodies_held_by_contact_alone_are_refused_and_held_ones_carry_n
         let held = run(unloaded(Bars::default().scene()), 2, Order::Quadratic, &formulation).expect("held");
         assert!(held.solution.converged(), "{}: {}", formulation.name(), held.solution.outcome);
         assert!(held.solution.points.iter().all(|point| point.pressure.abs() <= 0.0));
-        assert!(held.notes(0).iter().any(|note| note.contains("no contact")));
+        assert!(notes::of(&held, 0).iter().any(|note| note.contains("no contact")));
     }
 }
 
@@ -130,13 +131,13 @@ fn contact_on_too_few_points_is_noted_and_contact_on_enough_is_not() {
     let verification = Formulation::verification();
     let coarse = run(Cylinder::default().scene(), 1, Order::Linear, &verification).expect("solvable");
     assert!(coarse.solution.converged() && coarse.measures().active < RESOLVED[0]);
-    let note = coarse.notes(0).join("; ");
+    let note = notes::of(&coarse, 0).join("; ");
     assert!(note.contains(&format!("rests on {} of", coarse.measures().active)), "{note}");
     let fine = run(Cylinder::default().scene(), 8, Order::Quadratic, &verification).expect("solvable");
-    assert!(fine.measures().active >= RESOLVED[0] && fine.notes(0).is_empty(), "{:?}", fine.notes(0));
+    assert!(fine.measures().active >= RESOLVED[0] && notes::of(&fine, 0).is_empty(), "{:?}", notes::of(&fine, 0));
     // A patch of two edges rests on all it has.
     let patch = run(Patch::default().scene(), 2, Order::Linear, &verification).expect("solvable");
-    assert!(patch.measures().active < RESOLVED[0] && patch.notes(0).is_empty(), "{:?}", patch.notes(0));
+    assert!(patch.measures().active < RESOLVED[0] && notes::of(&patch, 0).is_empty(), "{:?}", notes::of(&patch, 0));
 }
 
 #[test]
@@ -145,7 +146,7 @@ fn pressures_that_oscillate_are_noted() {
         let verification = Formulation::verification();
         let mut run = run(Cylinder::default().scene(), 8, Order::Quadratic, &verification).expect("solvable");
         run.solution.points[5].pressure += departure * run.measures().peak.pressure;
-        run.notes(0)
+        notes::of(&run, 0)
     };
     assert!(spoiled(0.02).is_empty());
     assert!(spoiled(0.2).iter().any(|note| note.contains("quote means over edges")));

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::case::notes;
 use contact_vv::case::{Case, Verdict};
 use contact_vv::error::{Part, Place};
 use contact_vv::measure::Measures;
@@ -87,7 +88,7 @@ fn stack_of_blocks_carries_one_pressure_through_both_contacts() {
                     assert_relative_eq!(point.pressure, 100.0, max_relative = 1e-5);
                 }
                 assert_relative_eq!(found.transmitted, 4000.0, max_relative = 1e-5);
-                assert!(run.notes(contact).is_empty());
+                assert!(notes::of(&run, contact).is_empty());
             }
         }
     }
@@ -307,7 +308,7 @@ fn weak_contact_beside_a_strong_one_is_converged_on_its_own_scale() {
         assert!(error <= 1e-3, "{error:e}");
     }
     for run in [coarse, fine] {
-        assert!(run.solution.converged() && run.notes(0).is_empty() && run.notes(1).is_empty());
+        assert!(run.solution.converged() && notes::of(&run, 0).is_empty() && notes::of(&run, 1).is_empty());
         let weak = &run.contacts[1];
         assert!(weak.measures.active > 10, "{} active points", weak.measures.active);
         assert_relative_eq!(weak.transmitted, 0.3, max_relative = 1e-2);

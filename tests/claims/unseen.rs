@@ -1,6 +1,7 @@
 //! What no contact point and no coarser mesh sees: surfaces that meet elsewhere, sharp tops, places on large cells, widths.
 
 use contact_vv::accuracy::{self, Asked, Quantity, Subject};
+use contact_vv::case::notes;
 use contact_vv::error::Kind;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
@@ -28,7 +29,7 @@ fn asperity_narrower_than_an_element_is_noted() {
     for (elements, told) in [("elements = 3", true), ("elements = 25", false)] {
         let case = scene("far", &[[was, gap], ["elements = 6", elements]]);
         let (_, run) = solved(&case, &kinematic());
-        let notes = run.notes(0);
+        let notes = notes::of(&run, 0);
         let found = notes.iter().any(|note| note.contains("between contact points, at s = 0.600000 mm"));
         assert_eq!(found, told, "{elements}: {notes:?}");
     }
@@ -90,7 +91,7 @@ fn peak_on_one_point_is_unresolved_and_not_without_limit() {
     let (discretisation, run) = solved(&case, &kinematic());
     let run = run.with_limits(&discretisation).expect("coarser meshes");
     assert!(run.contacts[0].unbounded.is_none());
-    assert!(run.notes(0).iter().any(|note| note.contains("rests on 1 of")), "{:?}", run.notes(0));
+    assert!(notes::of(&run, 0).iter().any(|note| note.contains("rests on 1 of")), "{:?}", notes::of(&run, 0));
 }
 
 /// The block of `corner.toml` and the longer one below it, as Gmsh has them.

@@ -103,7 +103,7 @@ impl From<&PointState> for Point {
 
 impl<'a> Contact<'a> {
     /// One of a run.
-    pub fn of(problem: &'a Case, run: &Run, contact: usize) -> Self {
+    pub fn of(problem: &'a Case, run: &Run, contact: usize, notes: Vec<String>) -> Self {
         let (pair, found) = (&problem.scene.contacts[contact], &run.contacts[contact]);
         let measures = &found.measures;
         Self {
@@ -115,7 +115,7 @@ impl<'a> Contact<'a> {
             centre: pair.path.has_both_sides().then_some(measures.centre.into()),
             active_points: measures.active,
             closed: measures.stretches.iter().map(|one| [one.begin, one.end].map(Number::from)).collect(),
-            notes: run.notes(contact),
+            notes,
             peak_pressure: found.unbounded.is_none().then_some(measures.peak.pressure).into(),
             peak_position: measures.peak.position.into(),
             peak_growth: found.unbounded.map(|unbounded| unbounded.growth.into()),

@@ -148,7 +148,9 @@ impl<'a> Solved<'a> {
             rejected: solution.work.rejected,
             seconds: run.seconds.iter().map(|&(stage, seconds)| (stage.name(), seconds)).collect(),
             iteration_error: solution.error().into(),
-            contacts: (0..run.contacts.len()).map(|contact| Contact::of(problem, run, contact)).collect(),
+            contacts: (0..run.contacts.len())
+                .map(|contact| Contact::of(problem, run, contact, found.notes_of(contact)))
+                .collect(),
             imbalance: run.imbalance().into(),
             reactions,
             error_bars: bars::Document::all(found),

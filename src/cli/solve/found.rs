@@ -2,7 +2,7 @@
 
 use crate::accuracy::{self, Barred, Bars};
 use crate::case::solved::met;
-use crate::case::{Case, Judged};
+use crate::case::{Case, Judged, notes, plausible};
 use crate::cli::reactions::{self, ReactionReading};
 use crate::cli::solve::stages::Stages;
 use crate::clock::{Clock, Stage};
@@ -37,6 +37,8 @@ pub struct Found {
     pub discretisation: Discretisation,
     /// The run.
     pub run: Run,
+    /// What of its contacts is hardly meant.
+    pub doubts: Vec<Vec<String>>,
     /// Whether neither an accuracy nor the ends of the contact chose the mesh.
     pub is_mesh_given: bool,
     /// What its supports exert.
@@ -55,7 +57,7 @@ impl Found {
         let Question { mut problem, formulation, mesh } = question;
         let is_mesh_given = matches!(mesh, Mesh::Given);
         let (discretisation, run, accurate) = solved(&problem, &formulation, mesh, stages)?;
-        let run = run.with_doubts(&discretisation);
+        let doubts = plausible::doubts(&discretisation, &run);
         (problem.scene, problem.resolution) = (discretisation.scene.clone(), discretisation.resolution);
         stages.write();
         let mut checks = problem.own(&discretisation, &run)?;
@@ -71,7 +73,12 @@ impl Found {
             checks = checks.into_iter().map(|check| check.with_bar(&bars.all)).collect();
         }
         let reactions = reactions::readings(&discretisation, &run)?;
-        Ok(Self { problem, discretisation, run, is_mesh_given, reactions, bars, checks, accurate })
+        Ok(Self { problem, discretisation, run, doubts, is_mesh_given, reactions, bars, checks, accurate })
+    }
+
+    /// What must be known of a contact before it is quoted.
+    pub fn notes_of(&self, contact: usize) -> Vec<String> {
+        [notes::of(&self.run, contact), self.doubts[contact].clone()].concat()
     }
 
     /// What closed forms say that the run contradicts.

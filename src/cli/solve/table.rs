@@ -25,7 +25,7 @@ pub fn print(found: &Found) {
         if several {
             say(format!("contact `{}`:", pair.name));
         }
-        print_contact(pair, &run.contacts[index], &run.notes(index), if several { "  " } else { "" });
+        print_contact(pair, &run.contacts[index], &found.notes_of(index), if several { "  " } else { "" });
     }
     print_reactions(run, reactions);
     bars::print(found);

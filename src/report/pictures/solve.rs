@@ -1,7 +1,7 @@
 //! The picture of one run: deformed shape with stress, contact pressure, and the iteration error from iteration to iteration.
 
 use super::deformed;
-use crate::case::Case;
+use crate::case::{Case, notes, plausible};
 use crate::drawing::palette;
 use crate::drawing::{Axis, Chart, Colour, Dash, Direction, Guide, Marker, Series, Sheet, Style};
 use crate::error::Error;
@@ -39,7 +39,7 @@ pub fn sheet(problem: &Case, discretisation: &Discretisation, run: &Run) -> Resu
         ),
         field,
         charts: charts(problem, run),
-        notes: missing.into_iter().chain(notes(problem, run)).collect(),
+        notes: missing.into_iter().chain(told(problem, discretisation, run)).collect(),
     })
 }
 
@@ -52,14 +52,15 @@ fn charts(problem: &Case, run: &Run) -> Vec<Vec<Chart>> {
 }
 
 /// The notes on the contacts, by name where there are several.
-fn notes(problem: &Case, run: &Run) -> Vec<String> {
+fn told(problem: &Case, discretisation: &Discretisation, run: &Run) -> Vec<String> {
+    let doubts = plausible::doubts(discretisation, run);
     let several = run.contacts.len() > 1;
     let of = |(index, pair): (usize, &ContactPair)| {
         let told = |note: String| match several {
             true => format!("{}: {note}.", pair.name),
             false => markdown::capitalised(&note) + ".",
         };
-        run.notes(index).into_iter().map(told).collect::<Vec<_>>()
+        notes::of(run, index).iter().chain(&doubts[index]).cloned().map(told).collect::<Vec<_>>()
     };
     problem.scene.contacts.iter().enumerate().flat_map(of).collect()
 }

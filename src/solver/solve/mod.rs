@@ -19,7 +19,7 @@
 //! * `uncondensed` — its pressures once more without condensation.
 //! * [`curve`] — what every load increment came to.
 //! * [`run`] — one scene solved by one formulation, measured.
-//! * [`unbounded`] — peaks without a limit; [`mod@plausible`] — what else of a result is hardly meant.
+//! * [`unbounded`] — peaks without a limit.
 //!
 //! ```
 //! use signorini::scene::{Material, Scene};
@@ -45,7 +45,6 @@ pub mod equilibrium;
 pub mod fields;
 pub mod formulation;
 pub mod origin;
-pub mod plausible;
 pub mod reactions;
 mod refusals;
 mod road;

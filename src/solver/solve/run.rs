@@ -4,27 +4,15 @@ use crate::algorithm::StiffnessRule;
 use crate::clock::{Clock, Seconds, Stage};
 use crate::contact::Interface;
 use crate::error::Error;
-use crate::measure::{Measures, larger, nodal, profile, whole};
-use crate::solution::{Outcome, Solution, States, Unseen};
+use crate::measure::{Measures, larger, whole};
+use crate::solution::{Outcome, Solution, States};
 use crate::solve::{Change, Discretisation, Equilibrium, Formulation, Origin, edge_fitted};
-
-/// Active points and pressed edges on a half-width from which on it is worth quoting.
-pub const RESOLVED: [usize; 2] = [4, 3];
-
-/// Width of a contact over the edge in which it lies, below which it is narrower; where a mesh line lies on its end, round-off
-/// does not count.
-const NARROW: f64 = 0.98;
-
-/// A point that carries so many times the peak is no part of the profile around it.
-const ABOVE: f64 = 1.2;
 
 /// Imbalance of a body that the round-off of its stiffness may leave, whatever the tolerance.
 pub const BALANCED: f64 = 1e-7;
 
 /// Part of the contact in which oscillation is looked for: nearer its end a smooth pressure bends as strongly.
 pub const INSIDE: f64 = 0.8;
-/// Departure of a pressure from its neighbours' line, over the peak, that no smooth contact on a usable mesh shows.
-const ROUGH: f64 = 0.1;
 
 /// The numbers one quotes of a contact.
 #[derive(Clone, Debug, serde::Serialize)]
@@ -44,9 +32,6 @@ pub struct Contact {
     pub unbounded: Option<Unbounded>,
     /// Whether the contact is open in the discrete solution; none where that was not found.
     pub open: Option<bool>,
-    /// What of it is hardly meant; nothing where that was not asked.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub doubts: Vec<String>,
 }
 
 /// A peak that grows with every halving of the elements.
@@ -184,97 +169,6 @@ impl Run {
         largest(self.contacts.iter().map(of))
     }
 
-    /// What a user must know before quoting a contact: of a converged run what its solution shows, of every run what is hardly meant.
-    /// One note hides no other.
-    pub fn notes(&self, contact: usize) -> Vec<String> {
-        [self.shown(contact), self.contacts[contact].doubts.clone()].concat()
-    }
-
-    /// What a converged solution shows: no contact, what a penalty costs, contact on too few points, pressures that oscillate, a
-    /// point above its neighbours, an open middle.
-    fn shown(&self, contact: usize) -> Vec<String> {
-        if !self.solution.converged() {
-            return Vec::new();
-        }
-        let Contact { measures, penalty, open, unbounded, .. } = &self.contacts[contact];
-        if *open == Some(true) {
-            return vec!["no contact: every candidate is open".into()];
-        }
-        let points = self.solution.points_of(contact);
-        let (begin, edge) = (measures.begin(), measures.edge());
-        let (middle, reach) = (0.5 * (begin + edge), 0.5 * (edge - begin));
-        let rough = profile::oscillation(&profile::about(points, middle), INSIDE * reach) / measures.peak.pressure;
-        let highest = measures.largest.pressure;
-        let penalty = penalty.map(|errors| {
-            let [peak, half_width] = [errors.peak, errors.half_width].map(|error| 100.0 * error);
-            format!("the springs of the penalty cost {peak:+.2} % of the peak and {half_width:+.2} % of the half-width")
-        });
-        let unbounded = unbounded.map(|Unbounded { growth, .. }| format!(
-            "the peak has grown by {:.0} % with the last halving of the elements: it has no limit, or is narrower than the mesh shows",
-            100.0 * growth
-        ));
-        let rough = (rough > ROUGH).then(|| format!(
-            "pressures of neighbouring points depart from one another by {:.0} % of the peak: quote means over edges, or use the node element",
-            100.0 * rough
-        ));
-        let above = (highest > ABOVE * measures.peak.pressure).then(|| format!(
-            "a point carries {highest:.4} MPa, more than the peak through its neighbours: a corner, or too coarse a mesh"
-        ));
-        let open_between = (measures.stretches.len() > 1).then(|| {
-            format!(
-                "the contact is closed on {} stretches and open between them: the half-width is that of all together",
-                measures.stretches.len()
-            )
-        });
-        let notes = [penalty, unbounded, self.unresolved(contact), rough, above, open_between].into_iter().flatten();
-        notes.chain(self.unseen(contact)).collect()
-    }
-
-    /// Penetrations that no contact point sees.
-    fn unseen(&self, contact: usize) -> impl Iterator<Item = String> {
-        let approach = self.solution.contacts[contact].approach;
-        self.solution.unseen.get(contact).into_iter().flatten().map(move |one| {
-            let Unseen { position, penetration, is_candidate } = one;
-            let part = 100.0 * penetration / approach;
-            let (place, remedy) = match is_candidate {
-                true => ("between contact points", "the gap is narrower there than an element: refine the mesh"),
-                false => ("beyond the candidates", "widen the candidate stretch, or add a contact there"),
-            };
-            format!("{place}, at s = {position}, the surfaces penetrate by {penetration:.2e} mm, {part:.1} % of the approach that the contact's force makes: {remedy}")
-        })
-    }
-
-    /// That a contact rests on too few points, or else on too few edges.
-    fn unresolved(&self, contact: usize) -> Option<String> {
-        let points = self.solution.points_of(contact);
-        let measures = &self.contacts[contact].measures;
-        // As many on each side of x = 0, where the point there may be common to both.
-        let across = points.first().is_some_and(|point| point.position < 0.0);
-        let resolved = RESOLVED.map(|number| if across { 2 * number - 1 } else { number });
-        let all = [points.len(), self.solution.edges_of(contact).len()];
-        let rests = |on: usize, k: usize, what: &str| {
-            let few = on < resolved[k].min(all[k]);
-            few.then(|| format!("contact rests on {on} of {} candidate {what}: refine before quoting it", all[k]))
-        };
-        // An edge of many nodes is as good as several.
-        let by_edges = !nodal::are_many(self.solution.part(contact));
-        let few = || if by_edges { rests(measures.pressed_edges, 1, "edges") } else { self.narrow(contact) };
-        rests(measures.active, 0, "points").or_else(few)
-    }
-
-    /// That a closed stretch is narrower than the edge in which it lies, however many nodes that has.
-    fn narrow(&self, contact: usize) -> Option<String> {
-        let edges = self.solution.edges_of(contact);
-        self.contacts[contact].measures.stretches.iter().find_map(|one| {
-            let middle = 0.5 * (one.begin + one.end);
-            let edge = edges.iter().find(|edge| edge.ends[0] <= middle && middle <= edge.ends[1])?;
-            let part = (one.end - one.begin) / edge.length();
-            let told =
-                || format!("contact is narrower than an element, {part:.2} of its length: refine before quoting it");
-            (part < NARROW).then(told)
-        })
-    }
-
     /// Decades between the last iteration error and the tolerance, and between the last but one and the tolerance.
     pub fn decision_margin(&self) -> [f64; 2] {
         let tolerance = self.formulation.settings.tolerance;
@@ -324,7 +218,6 @@ fn contact(
         iteration: pressing.map(|target| Errors::between(&measures, target)),
         penalty: pressing.zip(rigidly).map(|(target, rigid)| Errors::between(target, rigid)),
         unbounded: None,
-        doubts: Vec::new(),
         open: discrete.map(|discrete| discrete.largest.pressure <= 0.0),
         exact: target.clone().map(|target| [target.clone(), rigid.unwrap_or(target)]),
         measures,

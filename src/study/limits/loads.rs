@@ -1,7 +1,7 @@
 //! Limits of the load: of the wrong sign, of zero, too small for the mesh.
 
 use crate::case::library::{Bars, Cylinder};
-use crate::case::{Check, Quantity, Reference};
+use crate::case::{Check, Quantity, Reference, notes};
 use crate::error::{Error, Kind};
 use crate::measure::larger;
 use crate::mesh::Order;
@@ -140,7 +140,7 @@ pub(super) fn small_load() -> Result<Limit, Error> {
         instead: format!("a mesh made for the load: at least {} elements in the half-width", number(enough)),
         judged: vec![against_hertz(
             Quantity::at("largest error of p₀ and a of a contact reported without a note", "every load"),
-            worst(sizes.all().filter(|solved| solved.run.notes(0).is_empty())),
+            worst(sizes.all().filter(|solved| notes::of(&solved.run, 0).is_empty())),
             WRONG,
             "four points: the edge is known to a third of the half-width, and enters the error of p₀ squared",
         )],

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::case::{Check, Judged, Quantity, Reference};
+use crate::case::{Check, Judged, Quantity, Reference, notes};
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::measure::largest;
@@ -140,7 +140,7 @@ impl Solved {
 
     /// What the user sees: how it ended, with what must be known before it is quoted.
     pub fn seen(&self) -> String {
-        let (outcome, notes) = (self.run.solution.outcome, self.run.notes(0));
+        let (outcome, notes) = (self.run.solution.outcome, notes::of(&self.run, 0));
         if notes.is_empty() { outcome.to_string() } else { format!("{outcome}, note: {}", notes.join("; ")) }
     }
 }

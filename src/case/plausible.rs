@@ -21,32 +21,28 @@ const UNSTRAINED: f64 = 1e-7;
 /// Digits that rounding explains.
 const ROUNDING: f64 = 1e-9;
 
-impl Run {
-    /// The same run with what is hardly meant of each of its contacts, converged or not.
-    pub fn with_doubts(mut self, discretisation: &Discretisation) -> Self {
-        let Discretisation { scene, mesh, .. } = discretisation;
-        let displacement = discretisation.displacement_under(self.share(), &self.solution);
-        let bodies: Vec<Body> = (0..scene.bodies.len()).map(|body| Body::of(mesh, body, &displacement)).collect();
-        let deepest = |contact| {
-            let points = discretisation.points(&self.formulation);
-            let own = points.into_iter().filter(|point| point.contact == contact);
-            own.map(|point| -point.gap).fold(0.0, f64::max)
-        };
-        let deepest: Vec<f64> = (0..scene.contacts.len()).map(deepest).collect();
-        for (index, contact) in self.contacts.iter_mut().enumerate() {
-            let pair = &scene.contacts[index];
-            // What is said of a body is said with its first contact.
-            let own = pair
-                .bodies()
-                .filter(|body| scene.contacts_of(*body).next().is_some_and(|first| std::ptr::eq(first, pair)));
-            let of_bodies = own.flat_map(|body| [moved(scene, &bodies, body), turned(scene, body)]);
-            let of_pair = [strained(scene, pair, contact), apart(scene, &bodies, pair)];
-            let deep =
-                pair.bodies().map(|body| interference(scene, &bodies, body, deepest[index])).find(Option::is_some);
-            contact.doubts = of_pair.into_iter().chain(deep).chain(of_bodies).flatten().collect();
-        }
-        self
-    }
+/// What is hardly meant of each contact of a run, converged or not.
+pub fn doubts(discretisation: &Discretisation, run: &Run) -> Vec<Vec<String>> {
+    let Discretisation { scene, mesh, .. } = discretisation;
+    let displacement = discretisation.displacement_under(run.share(), &run.solution);
+    let bodies: Vec<Body> = (0..scene.bodies.len()).map(|body| Body::of(mesh, body, &displacement)).collect();
+    let deepest = |contact| {
+        let points = discretisation.points(&run.formulation);
+        let own = points.into_iter().filter(|point| point.contact == contact);
+        own.map(|point| -point.gap).fold(0.0, f64::max)
+    };
+    let of = |(index, contact): (usize, &Contact)| {
+        let pair = &scene.contacts[index];
+        // What is said of a body is said with its first contact.
+        let own =
+            pair.bodies().filter(|body| scene.contacts_of(*body).next().is_some_and(|first| std::ptr::eq(first, pair)));
+        let of_bodies = own.flat_map(|body| [moved(scene, &bodies, body), turned(scene, body)]);
+        let of_pair = [strained(scene, pair, contact), apart(scene, &bodies, pair)];
+        let depth = deepest(index);
+        let deep = pair.bodies().map(|body| interference(scene, &bodies, body, depth)).find(Option::is_some);
+        of_pair.into_iter().chain(deep).chain(of_bodies).flatten().collect()
+    };
+    run.contacts.iter().enumerate().map(of).collect()
 }
 
 /// Sizes of a meshed body \[mm\].
