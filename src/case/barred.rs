@@ -59,6 +59,11 @@ impl Judged {
         self.bar.map(|bar| bar / scale)
     }
 
+    /// Whether how far the number may be off is known.
+    pub fn has_known_bar(&self) -> bool {
+        self.bar_as_error().is_some_and(|bar| !bar.is_nan())
+    }
+
     /// Whether the error is within the bar and what the closed form itself may be off; none where the number has no bar or is not
     /// held against a closed form, false where the bar is not known.
     pub fn is_within_bar(&self) -> Option<bool> {

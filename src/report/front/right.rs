@@ -32,10 +32,13 @@ pub fn right(findings: &[Finding]) -> String {
         (number, _) => format!("**✗ {fail} of {number} checks fail**; {pass} pass{not_run}.{}", told::failures(&all)),
     };
     let bars = findings.iter().filter_map(|finding| match &finding.numbers {
-        Numbers::Promised(promised::Numbers::Checks(all, outside)) => Some(format!(
-            " Of {all} numbers with an error bar beside a closed form {} are off by more than it.",
-            outside.len()
-        )),
+        Numbers::Promised(promised::Numbers::Checks(all, outside)) => {
+            let unknown = outside.iter().filter(|(_, one)| !one.has_known_bar()).count();
+            let beyond = outside.len() - unknown;
+            Some(format!(
+                " Of {all} numbers beside a closed form {beyond} are off by more than their error bar; of {unknown} the bar is not known."
+            ))
+        }
         _ => None,
     });
     format!(

@@ -19,8 +19,10 @@ pub(super) fn barred<'a>(checks: impl IntoIterator<Item = (String, &'a Judged)>)
 /// The check; it fails where there is nothing to judge.
 pub(super) fn judge(all: usize, outside: &[(String, Judged)]) -> Vec<Judged> {
     let share = outside.len() as f64 / all as f64;
-    let quantity =
-        Quantity::at("share of checks against closed forms whose true error is beyond its bar", format!("of {all}"));
+    let quantity = Quantity::at(
+        "share of checks against closed forms whose true error is beyond its bar, or whose bar is not known",
+        format!("of {all}"),
+    );
     let because = "a bar holds for 95 of 100 numbers; those beyond are listed";
     vec![Check::at_most(quantity, Reference::analytic("closed forms", SHARE), because).judge(share)]
 }
@@ -42,11 +44,12 @@ const COLUMNS: [Column<(String, Judged)>; 7] = [
 /// The section: the checks beyond their bars.
 pub(super) fn section(all: usize, outside: &[(String, Judged)]) -> String {
     let table = if outside.is_empty() { String::new() } else { markdown::columns(&COLUMNS, outside) };
+    let unknown = outside.iter().filter(|(_, one)| !one.has_known_bar()).count();
     format!(
         "## Error bars beside checks\n\n\
-         Every check of a case that holds a number with an error bar against a closed form shows that bar in its table. {} of {all} \
-         have a true error beyond the sum of the bar and the model error that the case states of its closed form, or a bar that is not known{}\n\n{table}\n",
-        outside.len(),
+         Every check of a case that holds a number with an error bar against a closed form shows that bar in its table. Of {all} \
+         {} have a true error beyond the sum of the bar and the model error that the case states of its closed form, and {unknown} a bar that is not known{}\n\n{table}\n",
+        outside.len() - unknown,
         if outside.is_empty() { "." } else { ":" }
     )
 }
