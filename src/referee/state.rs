@@ -60,7 +60,7 @@ impl State {
         let within = !self.is_at(self.time.round()) || self.is_at(0.0);
         let later = later.then(|| format!("the answer is of {self}, and its file goes on to time {last}"));
         let within = within.then(|| {
-            format!("the answer is of {self}, which is not the end of a step of length 1: it has the load of that time, and not that of the scene")
+            format!("the answer is of {self}, which is not the end of a step of length 1: if its steps have that length, it has not the whole load of the scene")
         });
         later.into_iter().chain(within).collect()
     }
