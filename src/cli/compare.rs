@@ -17,7 +17,7 @@ use crate::markdown;
 use crate::report::pictures;
 use crate::solution::Outcome;
 use crate::solve::{Element, Formulation, Iteration, Run};
-use crate::study::drawn::on_light;
+use crate::study::drawn;
 
 /// Arguments of `compare`.
 #[derive(Debug, Args)]
@@ -70,7 +70,7 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
         None => {}
     }
     if let (Some(path), Some(drawing)) = (&arguments.plot, drawing) {
-        std::fs::write(path, on_light(&drawing)?).map_err(|error| Error::unwritable(path, error))?;
+        std::fs::write(path, drawn::svg(&drawing)?).map_err(|error| Error::unwritable(path, error))?;
     }
     Ok(ended)
 }

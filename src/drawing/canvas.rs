@@ -2,7 +2,7 @@
 
 use std::mem;
 
-use super::drawing::{Drawing, NOTE_ROW, NOTE_SIZE, Painted, Shape, TITLE_SIZE};
+use super::drawing::{Drawing, NOTE_ROW, NOTE_SIZE, Painted, SLACK, Shape, TITLE_SIZE};
 use super::error::Error;
 use super::frame::{Frame, Point};
 use super::palette::GREY;
@@ -44,20 +44,28 @@ impl Canvas {
 
     /// A filled polygon.
     pub fn area(&mut self, points: &[Point], fill: Colour) {
-        self.check(points);
-        self.shapes.push(Shape::Areas { polygons: vec![points.to_vec()], fill, tiled: false });
+        self.areas(&[points.to_vec()], fill, None);
+    }
+
+    /// A filled polygon with a line on its rim.
+    pub fn rimmed(&mut self, points: &[Point], fill: Colour, rim: Pen) {
+        self.areas(&[points.to_vec()], fill, Some(rim));
     }
 
     /// Filled polygons that tile a surface.
     pub fn tiles(&mut self, polygons: &[Vec<Point>], fill: Colour) {
-        self.check(polygons.iter().flatten());
-        self.shapes.push(Shape::Areas { polygons: polygons.to_vec(), fill, tiled: true });
+        self.areas(polygons, fill, Some(Pen::solid(fill, SLACK)));
     }
 
-    /// A filled disc.
-    pub fn disc(&mut self, centre: Point, radius: f64, fill: Colour) {
+    fn areas(&mut self, polygons: &[Vec<Point>], fill: Colour, rim: Option<Pen>) {
+        self.check(polygons.iter().flatten());
+        self.shapes.push(Shape::Areas { polygons: polygons.to_vec(), fill, rim });
+    }
+
+    /// A filled disc, with the line on its rim.
+    pub fn disc(&mut self, centre: Point, radius: f64, fill: Colour, rim: Option<Pen>) {
         self.check(&[centre]);
-        self.shapes.push(Shape::Disc { centre, radius, fill });
+        self.shapes.push(Shape::Disc { centre, radius, fill, rim });
     }
 
     /// A line of text, its middle height at the place.

@@ -11,7 +11,7 @@ pub(super) struct Vertex {
 }
 
 /// Parts longer than this are cut in smaller ones, so that straight cuts follow the field [display pixels].
-const PART: f64 = 16.0;
+const PART: f64 = 20.0;
 const FINEST: usize = 8;
 
 /// A cell divided in equal parts of its natural coordinates, vertices row by row.

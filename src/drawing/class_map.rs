@@ -107,10 +107,12 @@ impl ClassMap {
             canvas.label((frame.left - GAP, y(row) - 0.5 * ROW), label, Lettering::end(SIZE));
         }
         canvas.line(&frame.outline(), Pen::solid(GREY, 1.0));
+        let middle = |column: usize| 0.5 * (x(column) + x(column + 1));
+        let tick =
+            |(column, _): &(usize, String)| [0.0, 3.5].map(|below| (middle(*column), frame.bottom + below)).to_vec();
+        canvas.lines(&self.ticks.iter().map(tick).collect::<Vec<_>>(), Pen::solid(GREY, 0.8));
         for (column, text) in &self.ticks {
-            let middle = 0.5 * (x(*column) + x(column + 1));
-            canvas.line(&[(middle, frame.bottom), (middle, frame.bottom + 3.5)], Pen::solid(GREY, 0.8));
-            canvas.label((middle, frame.bottom + 10.0), text, Lettering::middle(SIZE));
+            canvas.label((middle(*column), frame.bottom + 10.0), text, Lettering::middle(SIZE));
         }
         let edges = boundary(&rows).into_iter().map(|ends| ends.map(|(column, row)| (x(column), y(row))).to_vec());
         let edges: Vec<_> = edges.collect();

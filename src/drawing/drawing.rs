@@ -1,19 +1,23 @@
-//! A finished figure, and its SVG for light and dark pages.
+//! A finished figure, and its SVG: one file for light and for dark pages.
+//!
+//! Attributes hold the colours of light pages, a style sheet exchanges them where dark ones are preferred.
 //!
 //! plotters was tried and refused: it places whole pixels, so that curves kink unless the drawing is enlarged and its
 //! text edited afterwards, and its chart builder cuts labels it has no font to measure and keeps no room above a frame.
 //! The crate `svg` writes the elements with fractions of pixels, and leaves dashes and clipping to the viewer.
 
+use std::collections::BTreeSet;
 use svg::Document;
-use svg::node::element::{Circle, ClipPath, Description, Group, Path, Rectangle, Text, Title};
+
+use svg::node::element::{Circle, ClipPath, Description, Group, Path, Rectangle, Style, Text, Title};
 use svg::node::{Node, Text as Words};
 
 use super::error::Error;
 use super::frame::{Frame, Point};
 use super::outline::{outlines, tenths};
-use super::palette::{self, CARD, Dash, INK, PALE};
+use super::palette::{CARD, Dash, INK, PALE};
 use super::pen::{Lettering, Pen};
-use super::theme::{Colour, Theme};
+use super::theme::{Colour, Theme, exchanged};
 
 pub(super) const TITLE_SIZE: f64 = 15.0;
 pub(super) const NOTE_SIZE: f64 = 10.5;
@@ -21,17 +25,17 @@ pub(super) const NOTE_ROW: f64 = 15.0;
 /// Size of a text that says nothing else.
 const TEXT_SIZE: f64 = 11.0;
 /// Lines on the rim of a clipped part keep their half width, and areas overlap by as much, so that no seam shows.
-const SLACK: f64 = 0.5;
+pub(super) const SLACK: f64 = 0.5;
 
 /// What is painted, in display pixels.
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
     /// Lines of one pen.
     Lines { lines: Vec<Vec<Point>>, pen: Pen },
-    /// Filled polygons; tiles overlap a little.
-    Areas { polygons: Vec<Vec<Point>>, fill: Colour, tiled: bool },
-    /// A filled disc.
-    Disc { centre: Point, radius: f64, fill: Colour },
+    /// Filled polygons, with the line on their rims.
+    Areas { polygons: Vec<Vec<Point>>, fill: Colour, rim: Option<Pen> },
+    /// A filled disc, with the line on its rim.
+    Disc { centre: Point, radius: f64, fill: Colour, rim: Option<Pen> },
     /// A line of text, its middle height at the place.
     Label { at: Point, text: String, lettering: Lettering },
     /// What shows only inside a frame.
@@ -43,8 +47,8 @@ pub(super) enum Shape {
 pub enum Drawing {
     /// Of shapes.
     Painted(Painted),
-    /// Drawn by hand: an SVG file in the colours of light pages.
-    Schematic(String),
+    /// Drawn by hand: an SVG file, and its colours.
+    Schematic(String, BTreeSet<Colour>),
     /// One that cannot be drawn, which is told where it is written.
     Broken(Error),
 }
@@ -66,33 +70,32 @@ impl Drawing {
     }
 
     /// The SVG text, the same bytes for the same shapes.
-    pub fn svg(&self, theme: Theme) -> Result<String, Error> {
+    pub fn svg(&self) -> Result<String, Error> {
         match self {
-            Self::Painted(painted) => Ok(painted.svg(theme)),
-            Self::Schematic(light) => Ok(palette::on(light, theme)),
+            Self::Painted(painted) => painted.svg(),
+            Self::Schematic(svg, colours) => {
+                let (head, shapes) = svg.split_once('>').unwrap_or_default();
+                Ok(format!("{head}>\n{}{shapes}", Style::new(exchanged("drawn by hand", colours)?)))
+            }
             Self::Broken(error) => Err(error.clone()),
         }
-    }
-
-    /// Files of a figure of a name, for light and for dark pages.
-    pub fn files(&self, name: &str) -> Result<[(String, String); 2], Error> {
-        let [light, dark] = Theme::ALL.map(|theme| self.svg(theme).map(|svg| (theme.file(name), svg)));
-        Ok([light?, dark?])
     }
 }
 
 impl Painted {
-    fn svg(&self, theme: Theme) -> String {
+    fn svg(&self) -> Result<String, Error> {
         let (right, bottom) = self.size;
-        let card = rectangle(Frame { left: 0.0, top: 0.0, right, bottom }).set("fill", CARD.on(theme).to_string());
-        let card = card.set("stroke", PALE.on(theme).to_string()).set("stroke-width", 1.6);
+        let mut writer = Writer { colours: BTreeSet::new(), clips: 0 };
+        let card = rectangle(Frame { left: 0.0, top: 0.0, right, bottom }).set("fill", writer.colour(CARD));
+        let card = card.set("stroke", writer.colour(PALE)).set("stroke-width", 1.6);
+        let shapes = writer.group(&self.shapes).set("fill", writer.colour(INK));
         let document = Document::new().set("width", right).set("height", bottom).set("role", "img");
         let document = document.set("viewBox", (0, 0, right, bottom)).set("font-family", "sans-serif");
         let document = document.set("font-size", TEXT_SIZE).set("stroke-linejoin", "round");
         let document = document.add(Title::new(self.title.as_str()));
-        let document = document.add(Description::new().add(Words::new(self.about.as_str()))).add(card);
-        let mut writer = Writer { theme, clips: 0 };
-        document.add(writer.group(&self.shapes).set("fill", INK.on(theme).to_string())).to_string()
+        let document = document.add(Description::new().add(Words::new(self.about.as_str())));
+        let document = document.add(Style::new(exchanged(&self.title, &writer.colours)?));
+        Ok(document.add(card).add(shapes).to_string())
     }
 }
 
@@ -101,9 +104,10 @@ pub fn is_drawing(text: &str) -> bool {
     text.starts_with("<svg font-family=\"sans-serif\" font-size=") && text.trim_end().ends_with("</svg>")
 }
 
-/// Writes shapes for a page.
+/// Writes shapes.
 struct Writer {
-    theme: Theme,
+    /// Colours so far.
+    colours: BTreeSet<Colour>,
     /// How many frames have clipped so far: each has a name of its own.
     clips: usize,
 }
@@ -118,12 +122,17 @@ impl Writer {
     fn append(&mut self, group: &mut Group, shape: &Shape) {
         match shape {
             Shape::Lines { lines, pen } => group.append(self.lines(lines, *pen)),
-            Shape::Areas { polygons, fill, tiled } => group.append(self.areas(polygons, *fill, *tiled)),
-            Shape::Disc { centre, radius, fill } => {
+            Shape::Areas { polygons, fill, rim } => {
+                let path = Path::new().set("d", outlines(polygons, "Z")).set("fill", self.colour(*fill));
+                group.append(rim.iter().fold(path, |path, pen| self.stroked(path, pen)));
+            }
+            Shape::Disc { centre, radius, fill, rim } => {
                 let (x, y) = (tenths(centre.0), tenths(centre.1));
-                group.append(
-                    Circle::new().set("cx", x).set("cy", y).set("r", tenths(*radius)).set("fill", self.colour(*fill)),
-                );
+                let disc = Circle::new().set("cx", x).set("cy", y).set("r", tenths(*radius));
+                let disc = disc.set("fill", self.colour(*fill));
+                group.append(rim.iter().fold(disc, |disc, pen| {
+                    disc.set("stroke", self.colour(pen.colour)).set("stroke-width", tenths(pen.width))
+                }));
             }
             Shape::Label { at, text, lettering } => group.append(self.label(*at, text, *lettering)),
             Shape::Within { frame, shapes } => {
@@ -136,25 +145,25 @@ impl Writer {
         }
     }
 
-    fn colour(&self, colour: Colour) -> String {
-        colour.on(self.theme).to_string()
+    fn colour(&mut self, colour: Colour) -> String {
+        self.colours.insert(colour);
+        colour.on(Theme::Light).to_string()
     }
 
-    fn lines(&self, lines: &[Vec<Point>], pen: Pen) -> Path {
+    fn lines(&mut self, lines: &[Vec<Point>], pen: Pen) -> Path {
         let path = Path::new().set("d", outlines(lines, "")).set("fill", "none");
-        let path = path.set("stroke", self.colour(pen.colour)).set("stroke-width", tenths(pen.width));
+        let path = self.stroked(path, &pen);
         match pen.dash {
             Dash::Solid | Dash::Absent => path,
             dash => path.set("stroke-dasharray", dash.pattern()),
         }
     }
 
-    fn areas(&self, polygons: &[Vec<Point>], fill: Colour, tiled: bool) -> Path {
-        let path = Path::new().set("d", outlines(polygons, "Z")).set("fill", self.colour(fill));
-        if tiled { path.set("stroke", self.colour(fill)).set("stroke-width", SLACK) } else { path }
+    fn stroked(&mut self, path: Path, pen: &Pen) -> Path {
+        path.set("stroke", self.colour(pen.colour)).set("stroke-width", tenths(pen.width))
     }
 
-    fn label(&self, (x, y): Point, words: &str, lettering: Lettering) -> Text {
+    fn label(&mut self, (x, y): Point, words: &str, lettering: Lettering) -> Text {
         let text = Text::new(words).set("x", tenths(x)).set("y", tenths(y)).set("dy", ".32em");
         let turn = format!("rotate(-90 {} {})", tenths(x), tenths(y));
         let text = if lettering.upright { text.set("transform", turn) } else { text };

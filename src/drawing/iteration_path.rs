@@ -152,14 +152,15 @@ fn states(canvas: &mut Canvas, plot: &Plot<'_>, path: &Path, colour: Colour) {
     let last = places.len().saturating_sub(1);
     let mut numbered: Vec<Point> = places.last().copied().into_iter().collect();
     for (n, &place) in places.iter().enumerate() {
-        canvas.disc(place, 4.0, colour);
         if n == last && !path.converged {
-            canvas.disc(place, 2.6, CARD);
+            signs::ring(canvas, place, 4.0, colour);
+        } else {
+            canvas.disc(place, 4.0, colour, None);
         }
         let free = numbered.iter().all(|other| distance(*other, place) > CLEAR);
         if n == last || free {
             let below = (place.0, place.1 + 14.0);
-            canvas.disc(below, 6.5, CARD);
+            canvas.disc(below, 6.5, CARD, None);
             canvas.label(below, &(n + 1).to_string(), Lettering::middle(10.5).bold());
             numbered.push(place);
         }

@@ -131,14 +131,3 @@ const FILLS: [Colour; 8] = [
 pub(super) fn partner(light: &str) -> Option<Colour> {
     CURVES.into_iter().chain([INK, GREY, CARD]).chain(FILLS).find(|one| one.on(Theme::Light).to_string() == light)
 }
-
-/// An SVG in the colours of light pages, in those of a page.
-pub(super) fn on(light: &str, theme: Theme) -> String {
-    let mut parts = light.split('#');
-    let first = parts.next().unwrap_or_default().to_owned();
-    parts.fold(first, |text, part| {
-        let (colour, rest) = part.split_at_checked(6).unwrap_or((part, ""));
-        let themed = partner(&format!("#{colour}")).map(|pair| pair.on(theme).to_string());
-        text + &themed.unwrap_or_else(|| format!("#{colour}")) + rest
-    })
-}

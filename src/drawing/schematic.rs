@@ -30,11 +30,10 @@ fn filled_in(name: &str, light: &str, numbers: &[(&str, f64)]) -> Result<Drawing
         let asked = asked.split('}').next().unwrap_or_default();
         return Err(Error::of(name, format!("`{asked}` has no number"), "give it"));
     }
-    let unknown = colours_of(&text).find(|colour| partner(colour).is_none());
-    match unknown {
-        Some(unknown) => Err(Error::of(name, format!("{unknown} has no dark partner"), "name both in `FILLS`")),
-        None => Ok(Drawing::Schematic(text)),
-    }
+    let unknown = |colour| Error::of(name, format!("{colour} has no dark partner"), "name both in `FILLS`");
+    let colours =
+        colours_of(&text).map(|colour| partner(&colour).ok_or_else(|| unknown(colour))).collect::<Result<_, _>>()?;
+    Ok(Drawing::Schematic(text, colours))
 }
 
 fn colours_of(text: &str) -> impl Iterator<Item = String> {

@@ -11,15 +11,9 @@ pub(super) fn filled(canvas: &mut Canvas, centre: Point, sign: Marker, radius: f
     match sign {
         Marker::Absent => {}
         Marker::Dot => cloud(canvas, &[(centre, radius)], colour),
-        Marker::Circle => {
-            canvas.disc(centre, radius + 0.8, CARD);
-            canvas.disc(centre, radius, colour);
-        }
+        Marker::Circle => canvas.disc(centre, radius + 0.4, colour, Some(Pen::solid(CARD, 0.8))),
         Marker::Cross => cross(canvas, centre, 0.85 * radius, Pen::solid(colour, 1.7)),
-        _ => {
-            canvas.area(&corners(sign, centre, radius + 1.1), CARD);
-            canvas.area(&corners(sign, centre, radius), colour);
-        }
+        _ => canvas.rimmed(&corners(sign, centre, radius + 0.5), colour, Pen::solid(CARD, 1.0)),
     }
 }
 
@@ -41,17 +35,13 @@ pub(super) fn hollow(canvas: &mut Canvas, centre: Point, sign: Marker, colour: C
     match sign {
         Marker::Absent | Marker::Circle => ring(canvas, centre, RADIUS, colour),
         Marker::Cross => cross(canvas, centre, 0.85 * RADIUS, Pen::solid(colour, 1.7)),
-        _ => {
-            canvas.area(&corners(sign, centre, RADIUS + 0.6), colour);
-            canvas.area(&corners(sign, centre, RADIUS - 0.9), CARD);
-        }
+        _ => canvas.rimmed(&corners(sign, centre, RADIUS - 0.2), CARD, Pen::solid(colour, 1.3)),
     }
 }
 
 /// A hollow disc.
 pub(super) fn ring(canvas: &mut Canvas, centre: Point, radius: f64, colour: Colour) {
-    canvas.disc(centre, radius, colour);
-    canvas.disc(centre, radius - 1.3, CARD);
+    canvas.disc(centre, radius - 0.65, CARD, Some(Pen::solid(colour, 1.3)));
 }
 
 /// A diagonal cross.

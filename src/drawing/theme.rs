@@ -1,6 +1,9 @@
 //! Light and dark pages: every colour is a pair, one for each, and its contrast can be computed.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
+
+use super::error::Error;
 
 /// Which page a figure is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,15 +17,6 @@ pub enum Theme {
 impl Theme {
     /// Both.
     pub const ALL: [Theme; 2] = [Theme::Light, Theme::Dark];
-
-    /// The file of a figure for this page: `name.svg` or `name-dark.svg`.
-    pub fn file(self, name: &str) -> String {
-        let stem = name.strip_suffix(".svg").unwrap_or(name);
-        match self {
-            Theme::Light => format!("{stem}.svg"),
-            Theme::Dark => format!("{stem}-dark.svg"),
-        }
-    }
 }
 
 /// Red, green and blue of the standard screen (sRGB).
@@ -72,4 +66,22 @@ pub(super) fn blend(from: Colour, to: Colour, share: f64) -> Colour {
     let channel = |a: u8, b: u8| (f64::from(a) + share * (f64::from(b) - f64::from(a))).round() as u8;
     let mix = |a: Rgb, b: Rgb| Rgb(channel(a.0, b.0), channel(a.1, b.1), channel(a.2, b.2));
     Colour { light: mix(from.light, to.light), dark: mix(from.dark, to.dark) }
+}
+
+/// The style sheet that exchanges the colours of light pages for those of dark ones, where a reader prefers these.
+///
+/// Refused where one colour of a light page would be two on a dark one.
+pub(super) fn exchanged(figure: &str, colours: &BTreeSet<Colour>) -> Result<String, Error> {
+    let mut partners = BTreeMap::new();
+    for &Colour { light, dark } in colours {
+        if let Some(other) = partners.insert(light, dark).filter(|other| *other != dark) {
+            let what = format!("{light} is both {other} and {dark} on dark pages");
+            return Err(Error::of(figure, what, "let one of them be another colour on light pages"));
+        }
+    }
+    let rule = |(light, dark): (Rgb, Rgb)| {
+        ["fill", "stroke"].map(|what| format!("[{what}=\"{light}\"]{{{what}:{dark}}}\n")).concat()
+    };
+    let rules: String = partners.into_iter().filter(|(light, dark)| light != dark).map(rule).collect();
+    Ok(format!("@media(prefers-color-scheme:dark){{\n{rules}}}"))
 }

@@ -2,23 +2,20 @@
 
 use crate::algorithm::Acceleration;
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{self, Drawing, Series, Theme};
+use crate::drawing::{self, Drawing, Series};
 use crate::error::Error;
 use crate::solve::{Formulation, Iteration};
 
-/// Files of figures by their names, for light and for dark pages.
+/// The SVG of a figure.
+pub fn svg(figure: &Drawing) -> Result<String, Error> {
+    figure.svg().map_err(|drawing::Error { figure, reason, remedy }| {
+        Error::at(format!("figure `{figure}`").as_str(), reason, remedy)
+    })
+}
+
+/// Files of figures by their names.
 pub fn written(figures: &[(String, Drawing)]) -> Result<Vec<(String, String)>, Error> {
-    let files = figures.iter().map(|(name, figure)| figure.files(name).map_err(undrawn));
-    Ok(files.collect::<Result<Vec<_>, _>>()?.concat())
-}
-
-/// The SVG of a figure for light pages.
-pub fn on_light(figure: &Drawing) -> Result<String, Error> {
-    figure.svg(Theme::Light).map_err(undrawn)
-}
-
-fn undrawn(drawing::Error { figure, reason, remedy }: drawing::Error) -> Error {
-    Error::at(format!("figure `{figure}`").as_str(), reason, remedy)
+    figures.iter().map(|(name, figure)| Ok((name.clone(), svg(figure)?))).collect()
 }
 
 /// Points of a curve, and the abscissae of runs that did not converge.
@@ -56,14 +53,9 @@ pub fn label(formulation: &Formulation) -> String {
     format!("{} · {}{added}", element.name(), algorithm.name())
 }
 
-/// A picture of the page, for light and for dark ones, with its caption below.
+/// A picture of the page, with its caption below.
 pub fn picture(file: &str, caption: &str) -> String {
-    let [light, dark] = Theme::ALL.map(|theme| format!("snapshots/charts/{}", theme.file(file)));
-    let alt = attribute(caption);
-    format!(
-        "<picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"{dark}\"><img alt=\"{alt}\" src=\"{light}\"></picture>\n\n\
-         *{caption}.*\n\n"
-    )
+    format!("<img alt=\"{}\" src=\"snapshots/charts/{file}\">\n\n*{caption}.*\n\n", attribute(caption))
 }
 
 /// A text inside the quotes of an attribute.

@@ -193,6 +193,9 @@ fn exchanged_palette_moves_no_data_and_a_recoloured_part_does() {
     let (text, _) = replaced(path, "M0 0L1 1", "M0 0L1 2");
     assert!(text.contains("Charts whose data moved: 1, 0 new or gone"), "{text}");
     assert_eq!(change(CHART, &CHART.replace("<text>a", "<text>b")), Change::Words);
+    let styled = |sheet: &str| CHART.replace("<path", &format!("<style>{sheet}</style><path"));
+    assert_eq!(change(&styled("[fill]{fill:#111111}"), &styled("[fill]{fill:#222222}")), Change::Looks);
+    assert_eq!(change(&styled("a"), &styled("b").replace("<text>a", "<text>b")), Change::Words);
     // Of two parts of one colour only one has another: in a map that is data.
     let map = "<svg><path d=\"M0\" fill=\"#111111\"/><path d=\"M1\" fill=\"#111111\"/></svg>";
     assert_eq!(change(map, &map.replacen("#111111", "#222222", 1)), Change::Data);

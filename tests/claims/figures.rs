@@ -144,18 +144,28 @@ fn colour(text: &str) -> Rgb {
     Rgb(channel(1), channel(3), channel(5))
 }
 
+/// What a colour of a light page becomes on a dark one, by the style sheet of a drawing.
+fn dark(svg: &str, light: &str) -> String {
+    let rule = |what: &str| svg.split_once(&format!("[{what}=\"{light}\"]{{{what}:")).map(|(_, rest)| &rest[..7]);
+    assert_eq!(rule("fill"), rule("stroke"), "{light}");
+    rule("fill").unwrap_or(light).to_owned()
+}
+
 #[test]
 fn text_and_lines_of_written_charts_stand_out_on_their_card() {
     for (number, drawing) in drawings().iter().enumerate() {
+        let svg = drawing.svg().expect("drawn");
+        assert!(svg.contains("<style>\n@media(prefers-color-scheme:dark){\n["), "{number}");
         for theme in Theme::ALL {
-            let (svg, card) = (drawing.svg(theme).expect("drawn"), CARD.on(theme));
+            let on = |light: &str| if theme == Theme::Light { light.to_owned() } else { dark(&svg, light) };
+            let card = CARD.on(theme);
+            assert_eq!(on(&CARD.on(Theme::Light).to_string()), card.to_string());
             let tags = || svg.split('<').filter_map(|part| part.split_once('>')).map(|(tag, _)| tag);
             // The numbers on the cells of the map are held against the cells above.
             let cells: BTreeSet<String> = ON_CLASSES.iter().map(|colour| colour.on(theme).to_string()).collect();
-            let texts: Vec<String> = tags()
-                .filter(|tag| tag.starts_with("text"))
-                .map(|tag| attribute(tag, "fill").map_or(INK.on(theme).to_string(), String::from))
-                .collect();
+            let ink = INK.on(Theme::Light).to_string();
+            let texts = tags().filter(|tag| tag.starts_with("text"));
+            let texts: Vec<String> = texts.map(|tag| on(attribute(tag, "fill").unwrap_or(&ink))).collect();
             assert!(!texts.is_empty());
             for fill in texts.iter().filter(|fill| !cells.contains(*fill)) {
                 let ratio = contrast(linear(colour(fill)), linear(card));
@@ -169,42 +179,31 @@ fn text_and_lines_of_written_charts_stand_out_on_their_card() {
                     .is_some_and(|width: f64| width >= 0.9)
             };
             // The rim of the card that a line over cells has is no line of its own.
-            let strokes = lines
-                .filter(wide)
-                .filter_map(|tag| attribute(tag, "stroke"))
-                .filter(|stroke| *stroke != card.to_string());
-            for stroke in strokes {
-                let ratio = contrast(linear(colour(stroke)), linear(card));
+            let strokes = lines.filter(wide).filter_map(|tag| attribute(tag, "stroke")).map(on);
+            for stroke in strokes.filter(|stroke| *stroke != card.to_string()) {
+                let ratio = contrast(linear(colour(&stroke)), linear(card));
                 assert!(ratio >= 3.0, "{number} {theme:?}: a line {stroke}: {ratio:.2}");
             }
         }
     }
 }
 
-/// An SVG with its colours left out.
-fn shapes(svg: &str) -> String {
-    svg.split('#').enumerate().map(|(k, part)| if k == 0 { part } else { part.get(6..).unwrap_or(part) }).collect()
-}
-
 #[test]
-fn light_and_dark_files_hold_the_same_shapes_in_other_colours() {
-    for drawing in drawings() {
-        let [(name, light), (dark_name, dark)] = drawing.files("a-chart.svg").expect("drawn");
-        assert_eq!([name.as_str(), dark_name.as_str()], ["a-chart.svg", "a-chart-dark.svg"]);
-        assert_ne!(light, dark);
-        assert_eq!(shapes(&light), shapes(&dark));
-    }
+fn colour_that_would_be_two_on_dark_pages_is_refused() {
+    let mut chart = full();
+    chart.remarks[0].colour = Colour::new(0x0072B2, 0x112233);
+    let refused = chart.drawing().svg().expect_err("two partners").to_string();
+    assert!(refused.contains("#0072B2 is both #112233 and #5AA9E6 on dark pages"), "{refused}");
 }
 
 #[test]
 fn numbers_of_a_schematic_stand_where_it_asks_for_them() {
     let svg = "<svg><text fill=\"#222222\">R = {R} mm</text></svg>";
-    let drawn = |theme| schematic("one", svg, &[("R", -0.1 - 0.2)]).svg(theme).expect("drawn");
-    assert_eq!(drawn(Theme::Light), "<svg><text fill=\"#222222\">R = −0.3 mm</text></svg>");
-    assert_eq!(drawn(Theme::Dark), "<svg><text fill=\"#E8E8E5\">R = −0.3 mm</text></svg>");
-    let refused = |svg: &str, numbers: &[(&str, f64)]| {
-        schematic("one", svg, numbers).svg(Theme::Light).expect_err("refused").to_string()
-    };
+    let drawn = schematic("one", svg, &[("R", -0.1 - 0.2)]).svg().expect("drawn");
+    assert!(drawn.ends_with("<text fill=\"#222222\">R = −0.3 mm</text></svg>"), "{drawn}");
+    assert_eq!(dark(&drawn, "#222222"), "#E8E8E5");
+    let refused =
+        |svg: &str, numbers: &[(&str, f64)]| schematic("one", svg, numbers).svg().expect_err("refused").to_string();
     assert!(refused(svg, &[]).contains("`R` has no number"));
     assert!(refused(svg, &[("R", f64::NAN)]).contains("`R` = NaN has no place"));
     assert!(refused(svg, &[("R", 1.0), ("q", 1.0)]).contains("`q` = 1 has no place"));
@@ -213,7 +212,7 @@ fn numbers_of_a_schematic_stand_where_it_asks_for_them() {
 
 #[test]
 fn everything_that_is_drawn_is_in_the_legend() {
-    let svg = full().drawing().svg(Theme::Light).expect("drawn");
+    let svg = full().drawing().svg().expect("drawn");
     for text in [
         "curve 0",
         "curve 5",
@@ -228,22 +227,17 @@ fn everything_that_is_drawn_is_in_the_legend() {
     ] {
         assert!(svg.contains(&format!("\n{text}\n")), "no `{text}`");
     }
-    let svg = map().drawing().svg(Theme::Light).expect("drawn");
+    let svg = map().drawing().svg().expect("drawn");
     for text in ["class 0", "class 6", "the boundary", "across [–]", "up", "10⁻⁶"] {
         assert!(svg.contains(&format!("\n{text}\n")), "no `{text}`");
     }
 }
 
 #[test]
-fn picture_of_the_page_has_both_files_an_escaped_name_and_a_caption_after_a_blank_line() {
+fn picture_of_the_page_has_an_escaped_name_and_a_caption_after_a_blank_line() {
     let text = picture("orders.svg", "Errors < \"bars\" & more");
     let (tag, caption) = text.split_once("\n\n").expect("a blank line");
-    assert!(tag.starts_with(
-        "<picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"snapshots/charts/orders-dark.svg\">"
-    ));
-    assert!(tag.ends_with(
-        "<img alt=\"Errors &lt; &quot;bars&quot; &amp; more\" src=\"snapshots/charts/orders.svg\"></picture>"
-    ));
+    assert_eq!(tag, "<img alt=\"Errors &lt; &quot;bars&quot; &amp; more\" src=\"snapshots/charts/orders.svg\">");
     assert_eq!(caption, "*Errors < \"bars\" & more.*\n\n");
 }
 

@@ -41,7 +41,7 @@ fn targets(page: &Path) -> Vec<PathBuf> {
             text.split(begin).skip(1).filter_map(|part| part.split_once(end)).map(|(target, _)| target.to_string());
         parts.collect::<Vec<_>>()
     };
-    let all = [after("](", ')'), after("src=\"", '"'), after("srcset=\"", '"'), after("href=\"", '"')].concat();
+    let all = [after("](", ')'), after("src=\"", '"'), after("href=\"", '"')].concat();
     let folder = page.parent().expect("a page is in a folder");
     all.iter().filter(|target| !target.starts_with("http")).map(|target| folder.join(target)).collect()
 }

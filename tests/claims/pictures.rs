@@ -6,7 +6,7 @@ use std::process::Command;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::Case;
 use contact_vv::clock::{Clock, Stage};
-use contact_vv::drawing::{Chart, Direction, Slope, Theme};
+use contact_vv::drawing::{Chart, Direction, Slope};
 use contact_vv::report::pictures::{deformed, solve};
 use contact_vv::solve::Discretisation;
 use contact_vv::solve::Run;
@@ -28,7 +28,7 @@ fn solved(name: &str) -> Solved {
 impl Solved {
     fn svg(&self) -> String {
         let sheet = solve::sheet(&self.problem, &self.discretisation, &self.run).expect("composed");
-        sheet.drawing().svg(Theme::Light).expect("drawn")
+        sheet.drawing().svg().expect("drawn")
     }
 }
 
@@ -186,7 +186,7 @@ fn charts_hold_the_pressures_and_the_iteration_error_of_every_step() {
     let [guide] = chart.guides.as_slice() else { panic!("one guide") };
     assert_eq!(guide.direction, Direction::Horizontal);
     assert_abs_diff_eq!(guide.at, run.formulation.settings.tolerance, epsilon = 0.0);
-    elements(&chart.drawing().svg(Theme::Light).expect("drawn"));
+    elements(&chart.drawing().svg().expect("drawn"));
 }
 
 #[test]

@@ -4,7 +4,6 @@ use std::path::Path;
 
 use contact_vv::case::Verdict;
 use contact_vv::case::library::TruncatedHertz;
-use contact_vv::drawing::Theme;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::export::own;
 use contact_vv::referee::judge::ENGINEERING;
@@ -62,5 +61,5 @@ fn picture_shows_what_was_handed_in_on_the_truth() {
     assert!((pressures.series[1].points[0].1 - peak).abs() <= 1e-9 * peak);
     let apart = pressures.series[0].points[0].1 - peak;
     assert!((differences.series[0].points[0].1 - apart).abs() <= 1e-9 * peak);
-    assert!(sheet.drawing().svg(Theme::Light).expect("drawn").contains("Difference from the truth"));
+    assert!(sheet.drawing().svg().expect("drawn").contains("Difference from the truth"));
 }

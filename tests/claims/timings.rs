@@ -3,7 +3,6 @@
 use approx::assert_relative_eq;
 use contact_vv::case::Verdict;
 use contact_vv::checkout::root;
-use contact_vv::drawing::Theme;
 use contact_vv::study::machine::Machine;
 use contact_vv::study::timings::growth::{Counts, Growth, exponent};
 use contact_vv::study::timings::others::answered;
@@ -217,7 +216,7 @@ fn record_without_a_code_says_so_and_a_code_asked_later_has_our_seconds_beside_i
 fn chart_shows_ngsolve_by_its_orders_and_fitted_meshes_where_they_are_recorded() {
     let mut record = without_ngsolve();
     record.points.retain(|point| point.series != Series::Fitted);
-    let drawn = |record: &Record| chart(record).svg(Theme::Light).expect("drawn");
+    let drawn = |record: &Record| chart(record).svg().expect("drawn");
     let named = ["NGSolve, orders 3 to 6, contact edge unknown to its mesh", "fitted to the contact"];
     assert_eq!(named.map(|name| drawn(&record).contains(name)), [false; 2]);
     record.points.push(of_ngsolve(8e-3, 5e-4));

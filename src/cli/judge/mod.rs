@@ -15,7 +15,7 @@ use crate::cli::json::{Answer, Line, Refereed};
 use crate::cli::terminal::say;
 use crate::error::Error;
 use crate::referee::{Truth, Verdicts, picture, read, series, verdicts};
-use crate::study::drawn::on_light;
+use crate::study::drawn;
 
 pub use options::Arguments;
 
@@ -38,7 +38,7 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
         }
     }
     if let (Some(path), [one]) = (&arguments.plot, judged.as_slice()) {
-        let svg = on_light(&picture::sheet(&truth, &one.answer).drawing())?;
+        let svg = drawn::svg(&picture::sheet(&truth, &one.answer).drawing())?;
         fs::write(path, svg).map_err(|error| Error::unwritable(path, error))?;
     }
     let mut met = judged.iter().all(Verdicts::met);

@@ -26,7 +26,7 @@ use crate::cli::terminal::say;
 use crate::cli::{self, vtu};
 use crate::error::Error;
 use crate::report::pictures;
-use crate::study::drawn::on_light;
+use crate::study::drawn;
 
 pub use options::Arguments;
 
@@ -112,7 +112,7 @@ fn write_files(arguments: &Arguments, document: &str, found: &Found) -> Result<(
     }
     if let Some(path) = &arguments.plot {
         let sheet = pictures::solve::sheet(problem, discretisation, run)?;
-        files.push((path, on_light(&sheet.drawing())?));
+        files.push((path, drawn::svg(&sheet.drawing())?));
     }
     let mut written = files.into_iter();
     written.try_for_each(|(path, text)| std::fs::write(path, text).map_err(|error| Error::unwritable(path, error)))

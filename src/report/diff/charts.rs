@@ -34,15 +34,11 @@ pub enum Change {
     Looks,
 }
 
-/// Charts whose data moved, to be seen before and after; then those that only look otherwise. A chart for dark pages is told with its
-/// twin for light ones.
+/// Charts whose data moved, to be seen before and after; then those that only look otherwise.
 pub fn told(moved: &[Moved]) -> Vec<Told> {
-    let has_light_twin = |path: &str| {
-        path.strip_suffix("-dark.svg").is_some_and(|name| moved.iter().any(|one| one.0 == format!("{name}.svg")))
-    };
     let mut both: BTreeMap<Change, Vec<&str>> = BTreeMap::new();
     let mut single: Vec<(&str, &str)> = Vec::new();
-    for (path, texts) in moved.iter().filter(|one| !has_light_twin(one.0)) {
+    for (path, texts) in moved {
         match texts {
             [Some(old), Some(new)] => both.entry(change(old, new)).or_default().push(path),
             _ => single.push((path, tree::came_or_went(texts))),
@@ -75,9 +71,15 @@ pub fn change(before: &str, after: &str) -> Change {
     let mut sides = [before, after].map(Parser::new);
     let [mut to, mut from] = [const { BTreeMap::new() }; 2];
     let mut change = Change::Looks;
+    let mut of_style = false;
     loop {
-        match sides.each_mut().map(Iterator::next) {
+        let both = sides.each_mut().map(Iterator::next);
+        if let [Some(Event::Tag(name, ..)), _] = both {
+            of_style = name == "style";
+        }
+        match both {
             [None, None] => return change,
+            [Some(Event::Text(_)), Some(Event::Text(_))] if of_style => (),
             [Some(Event::Text(old)), Some(Event::Text(new))] if old.trim() != new.trim() => change = Change::Words,
             [Some(Event::Text(_)), Some(Event::Text(_))] | [Some(Event::Comment(_)), Some(Event::Comment(_))] => (),
             [Some(Event::Tag(a, _, old)), Some(Event::Tag(b, _, new))]
