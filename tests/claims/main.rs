@@ -54,6 +54,7 @@ mod measure;
 mod mesh;
 mod met;
 mod new_scenes;
+mod options;
 mod oracles;
 mod outputs;
 mod pages;

@@ -95,6 +95,16 @@ impl Formulation {
         Self { settings: Settings { increments, max_iterations, ..self.settings }, ..self }
     }
 
+    /// The same discrete problem by kinematic load with its own defaults, which converges where others may not.
+    pub fn by_kinematic_load(&self) -> Self {
+        let own = Self {
+            quadrature: self.quadrature,
+            layer_thickness: self.layer_thickness,
+            ..Self::new(self.element, Iteration::Kinematic)
+        };
+        own.tolerance(self.settings.tolerance)
+    }
+
     /// Node element with kinematic load at tolerance 1e-8: the formulation of the verification rows.
     pub fn verification() -> Self {
         Self::new(Element::Node, Iteration::Kinematic).tolerance(1e-8)

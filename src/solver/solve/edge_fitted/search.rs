@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
+use crate::solution::Outcome;
 use crate::solve::{Discretisation, Formulation, Run};
 
 /// A mesh on which an end was sought.
@@ -87,13 +88,15 @@ impl Fitted {
                 break;
             }
             let made = Discretisation::of(scene.clone(), resolution).map_err(on_fitted)?;
-            let first = Run::of(&made, formulation)?;
+            let first = Run::of(&made, &formulation.by_kinematic_load())?;
             found(&first).refuse(scene)?;
             tried.push(Tried { order: FIRST.order, dofs: first.dofs, cells: made.mesh.cells(), moved: f64::NAN });
             match self.around(scene, &first, formulation, at_rest) {
                 Ok(mut answer) => {
                     tried.append(&mut answer.tried);
-                    if answer.is_where_it_was_sought() {
+                    // An iteration that did not converge says nothing of the mesh.
+                    let has_converged = answer.run.solution.outcome == Outcome::Converged;
+                    if !has_converged || answer.is_where_it_was_sought() {
                         return Ok(Answer { tried, ..answer });
                     }
                     let message = "the contact is not closed where its ends were found: the mesh that it was sought on is too coarse";
