@@ -1,11 +1,12 @@
-//! Contact element × algorithm × rule, plain or accelerated, by the name that records keep.
+//! Contact element × algorithm × rule by the name that records keep, and how a run of it ended.
 
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
 use crate::algorithm::{Acceleration, StiffnessRule};
-use crate::error::Error;
+use crate::error::{Error, Place};
+use crate::solution::Outcome;
 use crate::solve::{Element, Formulation, Iteration};
 
 /// A way of solving, but for its numbers.
@@ -96,5 +97,121 @@ impl TryFrom<String> for Method {
         found.ok_or_else(|| {
             Error::at("formulation", format!("there is no method `{name}`"), format!("choose one of {}", known()))
         })
+    }
+}
+
+/// One of the nine formulations, but for its settings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct Pairing {
+    /// Contact element.
+    pub element: Element,
+    /// Algorithm.
+    pub algorithm: Iteration,
+}
+
+impl Pairing {
+    /// All nine, element by element.
+    pub fn all() -> Vec<Self> {
+        Formulation::nine().iter().map(Self::of).collect()
+    }
+
+    /// Of a formulation.
+    pub fn of(&Formulation { element, algorithm, .. }: &Formulation) -> Self {
+        Self { element, algorithm }
+    }
+
+    /// The formulation at its defaults.
+    pub fn formulation(self) -> Formulation {
+        Formulation::new(self.element, self.algorithm)
+    }
+}
+
+/// `element.algorithm`.
+impl fmt::Display for Pairing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.element.name(), self.algorithm.name())
+    }
+}
+
+impl From<Pairing> for String {
+    fn from(pairing: Pairing) -> Self {
+        pairing.to_string()
+    }
+}
+
+/// The pairing of a name; refused where there is none.
+impl TryFrom<String> for Pairing {
+    type Error = Error;
+
+    fn try_from(name: String) -> Result<Self, Error> {
+        let all = Self::all();
+        let known = || all.iter().map(Self::to_string).collect::<Vec<_>>().join(", ");
+        let found = all.iter().find(|pairing| pairing.to_string() == name).copied();
+        found.ok_or_else(|| {
+            Error::at(Place::Nowhere, format!("`{name}` is no formulation"), format!("give one of {}", known()))
+        })
+    }
+}
+
+/// How a run ended, as the maps colour it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Class {
+    /// Within the limit of iterations.
+    Converged,
+    /// Stopped by its criterion, above the tolerance.
+    Stopped,
+    /// Not converged when the cap of iterations was reached.
+    Capped,
+    /// Returned to an earlier state.
+    Cycling,
+    /// The error grows without end, or is no number.
+    Diverged,
+    /// Nothing changes any more, and the error is above the tolerance.
+    Stalled,
+    /// No spring left to hold a body: the named error.
+    Unsupported,
+    /// Converged with contact beyond the candidates: the named error.
+    Beyond,
+}
+
+impl Class {
+    /// All, from good to bad.
+    pub const ALL: [Self; 8] = [
+        Self::Converged,
+        Self::Stopped,
+        Self::Capped,
+        Self::Stalled,
+        Self::Cycling,
+        Self::Diverged,
+        Self::Unsupported,
+        Self::Beyond,
+    ];
+
+    /// The class of an outcome.
+    pub fn of(outcome: Outcome) -> Self {
+        match outcome {
+            Outcome::Converged => Self::Converged,
+            Outcome::Stopped => Self::Stopped,
+            Outcome::Capped => Self::Capped,
+            Outcome::Cycling { .. } => Self::Cycling,
+            Outcome::Diverged => Self::Diverged,
+            Outcome::Stalled => Self::Stalled,
+        }
+    }
+
+    /// Name in records and legends.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::Stopped => "stopped",
+            Self::Capped => "capped",
+            Self::Cycling => "cycling",
+            Self::Diverged => "diverged",
+            Self::Stalled => "stalled",
+            Self::Unsupported => "unsupported",
+            Self::Beyond => "beyond",
+        }
     }
 }

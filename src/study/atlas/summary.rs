@@ -4,9 +4,8 @@ use std::fmt::Write;
 
 use crate::algorithm::StiffnessRule;
 use crate::solve::Iteration;
-use crate::study::atlas::record::{Chart, Record, same};
-use crate::study::class::Class;
-use crate::study::method::Method;
+use crate::study::atlas::plane::{Chart, Record, same};
+use crate::study::method::{Class, Method};
 
 /// What the scenes say of a method: the planes over scenes, meshes and candidate stretches, which have the same initial stiffnesses.
 #[derive(Clone, Debug)]

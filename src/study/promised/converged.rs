@@ -14,9 +14,8 @@ use crate::error::{Error, Kind};
 use crate::markdown;
 use crate::solution::EnergyError;
 use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin, Run, Settings};
-use crate::study::class::Class;
 use crate::study::drawn::{self, Curve};
-use crate::study::pairing::Pairing;
+use crate::study::method::{Class, Pairing};
 use crate::study::records::{Millionths, Survey, Surveyed, are_like};
 
 /// The survey.

@@ -11,23 +11,14 @@ pub mod rates;
 pub mod springs;
 
 use crate::case::Judged;
-use crate::drawing::Drawing;
 use crate::error::Error;
 use crate::markdown;
 use crate::solve::{Element, Iteration};
-use crate::study::about::About;
+use crate::study::about::{About, Found, Planned, Study};
 use crate::study::method::Method;
-use crate::study::{Found, Planned};
 use halving::{Mesh, Scene};
 use rates::{Before, Rate};
 use springs::{Basin, Failing, Towards};
-
-/// What its page is called, what it asks, and what it cannot tell.
-pub const ABOUT: About = About {
-    title: "Predicted against measured",
-    asked: "Whether rates and iterations are those that the matrices predict.",
-    limits: "What is called a posteriori needs the solved contact, and is no help before it.",
-};
 
 /// What came out of a trial.
 #[derive(Clone, Debug)]
@@ -46,90 +37,95 @@ pub enum Numbers {
     Halving(Scene, Vec<Mesh>),
 }
 
-/// All trials of the predictions.
-pub fn plan() -> Vec<Planned<Numbers>> {
-    let mut trials = Vec::new();
-    for element in Element::ALL {
-        for algorithm in [Iteration::Constant, Iteration::Varying] {
-            let method = Method::usual(element, algorithm);
-            let run = move || rates::rates(method).map(Numbers::Rates);
-            trials.push(Planned::new("predicted rate of convergence", method.to_string(), run));
+impl Study for Numbers {
+    const NAME: &'static str = "stability";
+    const ABOUT: About = About {
+        title: "Predicted against measured",
+        asked: "Whether rates and iterations are those that the matrices predict.",
+        limits: "What is called a posteriori needs the solved contact, and is no help before it.",
+    };
+
+    /// All trials of the predictions.
+    fn plan() -> Vec<Planned<Self>> {
+        let mut trials = Vec::new();
+        for element in Element::ALL {
+            for algorithm in [Iteration::Constant, Iteration::Varying] {
+                let method = Method::usual(element, algorithm);
+                let run = move || rates::rates(method).map(Numbers::Rates);
+                trials.push(Planned::new("predicted rate of convergence", method.to_string(), run));
+            }
         }
+        trials.extend([Scene::TruncatedHertz, Scene::Cylinder].map(|scene| {
+            let run = move || rates::before(scene).map(Numbers::Before);
+            Planned::new("rate of varying stiffness before the contact is solved", scene.name(), run)
+        }));
+        trials.extend(by_element("constant stiffness, fixed target springs", |e| {
+            springs::towards(e).map(Numbers::Towards)
+        }));
+        trials.extend(by_element("varying stiffness with correction, near and far", |e| {
+            springs::basin(e).map(Numbers::Basin)
+        }));
+        trials.extend(by_element("constant stiffness, rules that fail", |e| springs::failing(e).map(Numbers::Failing)));
+        trials.extend(Scene::ALL.map(|scene| {
+            let run = move || halving::meshes(scene).map(|meshes| Numbers::Halving(scene, meshes));
+            Planned::new("predicted iterations of kinematic load", scene.name(), run)
+        }));
+        trials
     }
-    trials.extend([Scene::TruncatedHertz, Scene::Cylinder].map(|scene| {
-        let run = move || rates::before(scene).map(Numbers::Before);
-        Planned::new("rate of varying stiffness before the contact is solved", scene.name(), run)
-    }));
-    trials
-        .extend(by_element("constant stiffness, fixed target springs", |e| springs::towards(e).map(Numbers::Towards)));
-    trials.extend(by_element("varying stiffness with correction, near and far", |e| {
-        springs::basin(e).map(Numbers::Basin)
-    }));
-    trials.extend(by_element("constant stiffness, rules that fail", |e| springs::failing(e).map(Numbers::Failing)));
-    trials.extend(Scene::ALL.map(|scene| {
-        let run = move || halving::meshes(scene).map(|meshes| Numbers::Halving(scene, meshes));
-        Planned::new("predicted iterations of kinematic load", scene.name(), run)
-    }));
-    trials
+
+    /// The predictions hold.
+    fn judge(&self) -> Result<Vec<Judged>, Error> {
+        Ok(match self {
+            Numbers::Rates(starts) => rates::judge_rates(starts),
+            Numbers::Before(meshes) => vec![rates::judge_before(meshes)],
+            Numbers::Towards(starts) => springs::judge_towards(starts),
+            Numbers::Basin(starts) => vec![springs::judge_basin(starts)],
+            Numbers::Failing(starts) => springs::judge_failing(starts),
+            Numbers::Halving(scene, meshes) => halving::judge_halving(*scene, meshes),
+        })
+    }
+
+    /// A subsection for each prediction.
+    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+        let (mut rates, mut before, mut basin, mut failing) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (mut towards, mut halving) = (String::new(), String::new());
+        for Found { case, name, numbers, .. } in findings {
+            match numbers {
+                Numbers::Rates(starts) => rates.extend(starts.iter().map(|start| (*name, start))),
+                Numbers::Before(meshes) => before.extend(meshes.iter().map(|mesh| (*name, mesh))),
+                Numbers::Basin(starts) => basin.extend(starts.iter().map(|start| (*name, start))),
+                Numbers::Failing(starts) => failing.extend(starts.iter().map(|start| (*name, start))),
+                Numbers::Towards(starts) => {
+                    let title = format!("{case}, {name}: starts κ₀ from 1e-6 to 1e6 by how they end");
+                    towards += &markdown::folded(&title, &springs::table_of_towards(starts), false);
+                }
+                Numbers::Halving(scene, meshes) => {
+                    let table = halving::table_of_halving(*scene, meshes);
+                    halving += &markdown::folded(&format!("{case}: {name}"), &table, false);
+                }
+            }
+        }
+        Ok([
+            TOWARDS,
+            &towards,
+            RATES,
+            &rates::table_of_rates(&rates),
+            BEFORE,
+            &rates::table_of_before(&before),
+            FAILING,
+            &springs::table_of_failing(&failing),
+            BASIN,
+            &springs::table_of_basin(&basin),
+            HALVING,
+            &halving,
+        ]
+        .concat())
+    }
 }
 
 /// One trial an element.
 fn by_element(case: &str, run: fn(Element) -> Result<Numbers, Error>) -> [Planned<Numbers>; 3] {
     Element::ALL.map(|element| Planned::new(case, element.name(), move || run(element)))
-}
-
-/// The predictions hold.
-pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
-    Ok(match numbers {
-        Numbers::Rates(starts) => rates::judge_rates(starts),
-        Numbers::Before(meshes) => vec![rates::judge_before(meshes)],
-        Numbers::Towards(starts) => springs::judge_towards(starts),
-        Numbers::Basin(starts) => vec![springs::judge_basin(starts)],
-        Numbers::Failing(starts) => springs::judge_failing(starts),
-        Numbers::Halving(scene, meshes) => halving::judge_halving(*scene, meshes),
-    })
-}
-
-/// A subsection for each prediction.
-pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let (mut rates, mut before, mut basin, mut failing) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    let (mut towards, mut halving) = (String::new(), String::new());
-    for Found { case, name, numbers, .. } in findings {
-        match numbers {
-            Numbers::Rates(starts) => rates.extend(starts.iter().map(|start| (*name, start))),
-            Numbers::Before(meshes) => before.extend(meshes.iter().map(|mesh| (*name, mesh))),
-            Numbers::Basin(starts) => basin.extend(starts.iter().map(|start| (*name, start))),
-            Numbers::Failing(starts) => failing.extend(starts.iter().map(|start| (*name, start))),
-            Numbers::Towards(starts) => {
-                let title = format!("{case}, {name}: starts κ₀ from 1e-6 to 1e6 by how they end");
-                towards += &markdown::folded(&title, &springs::table_of_towards(starts), false);
-            }
-            Numbers::Halving(scene, meshes) => {
-                let table = halving::table_of_halving(*scene, meshes);
-                halving += &markdown::folded(&format!("{case}: {name}"), &table, false);
-            }
-        }
-    }
-    Ok([
-        TOWARDS,
-        &towards,
-        RATES,
-        &rates::table_of_rates(&rates),
-        BEFORE,
-        &rates::table_of_before(&before),
-        FAILING,
-        &springs::table_of_failing(&failing),
-        BASIN,
-        &springs::table_of_basin(&basin),
-        HALVING,
-        &halving,
-    ]
-    .concat())
-}
-
-/// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
-    Ok(Vec::new())
 }
 
 const TOWARDS: &str = "## Constant stiffness towards fixed springs\n\n\

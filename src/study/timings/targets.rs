@@ -3,13 +3,10 @@
 use crate::clock::Stage;
 use crate::error::Error;
 use crate::solve::{Element, Iteration};
-use crate::study::pairing::Pairing;
+use crate::study::method::Pairing;
 use crate::study::timings::growth::{Growth, exponent};
-use crate::study::timings::others::Peer;
-use crate::study::timings::pareto::{cheapest, sound};
-use crate::study::timings::precision::{Point, half_widths, solved};
-use crate::study::timings::record::{Beside, Record};
-use crate::study::timings::series::{Series, TOLERANCE};
+use crate::study::timings::precision::{Peer, Point, Series, TOLERANCE, half_widths, solved};
+use crate::study::timings::record::{Beside, Record, cheapest, sound};
 
 /// One row.
 #[derive(Clone, Debug)]
