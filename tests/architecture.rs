@@ -262,7 +262,7 @@ const BUDGETS: [(&str, usize); 8] = [
     ("drawing", 3_000),
     ("case", 6_850),
     ("oracle", 4_100),
-    ("study", 16_200),
+    ("study", 15_750),
     ("referee", 5_300),
     ("report", 3_450),
     ("cli", 4_300),
@@ -276,4 +276,17 @@ fn rooms_keep_to_their_budgets() {
         let lines: usize = own.map(|source| source.lines).sum();
         assert!(lines > most / 2 && lines <= most, "{room} has {lines} lines of {most}");
     }
+}
+
+/// Files and types that the studies may have together.
+const STUDIES: [usize; 2] = [60, 140];
+
+#[test]
+fn studies_keep_to_their_files_and_types() {
+    let own: Vec<&Source> = source::all().iter().filter(|source| source.link() == "study").collect();
+    let words = own.iter().flat_map(|source| &source.words);
+    let types = words.filter(|word| ["struct", "enum", "trait"].contains(&word.as_str())).count();
+    let [files, most] = STUDIES;
+    assert!(own.len() > files / 2 && own.len() <= files, "the studies have {} files of {files}", own.len());
+    assert!(types > most / 2 && types <= most, "the studies define {types} types of {most}");
 }

@@ -11,7 +11,7 @@ use crate::checkout::root;
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::present::FAULTS;
+use crate::study::present::{FAULTS, Record};
 
 /// The faults to plant.
 const LIST: &str = "tests/faults/faults.toml";
@@ -45,15 +45,8 @@ pub struct Fault {
     pub ended: Option<String>,
 }
 
-/// Every planted fault with what it did, as recorded.
-#[derive(Clone, Debug, Deserialize)]
-pub struct Numbers {
-    /// Files and folders whose digest a fault carries: all that the verdicts are computed from.
-    pub sources: Vec<String>,
-    /// In the order of the list.
-    #[serde(rename = "record")]
-    pub faults: Vec<Fault>,
-}
+/// Every planted fault with what it did, in the order of the list.
+pub type Numbers = Record<Fault>;
 
 impl Study for Numbers {
     const NAME: &'static str = "faults";
@@ -69,9 +62,9 @@ impl Study for Numbers {
 
     /// The check.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
-        let missed = self.faults.iter().filter(|fault| !is_caught(fault)).count();
+        let missed = self.record.iter().filter(|fault| !is_caught(fault)).count();
         let quantity =
-            Quantity::at("planted fault that turns no check against a truth red", format!("of {}", self.faults.len()));
+            Quantity::at("planted fault that turns no check against a truth red", format!("of {}", self.record.len()));
         Ok(vec![Check::none(quantity, "snapshots alone verify nothing").judge(missed as f64)])
     }
 
@@ -87,7 +80,7 @@ impl Study for Numbers {
             ("broken off", |fault| count(fault, "broken off")),
             ("for instance", |fault| example(fault)),
         ];
-        let faults: Vec<&Fault> = findings.iter().flat_map(|found| &found.numbers.faults).collect();
+        let faults: Vec<&Fault> = findings.iter().flat_map(|found| &found.numbers.record).collect();
         Ok(format!(
             "Faults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red, of the suite \
              and of the worked scene files. *Sources* is the digest (SHA-256) of what a fault was planted on: {}. The terminal says at every report \
@@ -114,7 +107,7 @@ pub fn record() -> Result<Numbers, Error> {
 pub fn parse((list, listed): (&Path, &str), (file, text): (&Path, &str)) -> Result<Numbers, Error> {
     let planted: List = toml::from_str(listed).map_err(|error| Error::unreadable(list, error, "restore it"))?;
     let numbers: Numbers = serde_json::from_str(text).map_err(|error| Error::unreadable(file, error, FAULTS.renew))?;
-    let Numbers { sources, faults } = &numbers;
+    let Record { sources, record: faults } = &numbers;
     let refused = |key: &str, found: String| Err(Error::refused(file, key, found, FAULTS.renew));
     if !sources.iter().any(|name| name == "src") {
         return refused("sources", format!("{sources:?}, without `src`"));

@@ -150,19 +150,10 @@ pub struct Arc {
 pub struct Resultant {
     /// Name of the body.
     pub body: String,
-    /// The line.
-    pub on: Where,
+    /// Whether the line is the horizontal cut of the disc; else it is the candidates of the contact.
+    pub on_cut: bool,
     /// Its size \[N\].
     pub force: f64,
-}
-
-/// A line that takes the whole load.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Where {
-    /// The candidates of the contact.
-    Contact,
-    /// The horizontal cut of the disc.
-    Cut,
 }
 
 impl Shown {
@@ -208,11 +199,11 @@ pub fn field(scene: Shown) -> Result<Field, Error> {
     let thickness = given.thickness;
     let contact = bodies().map(|(body, part)| {
         let force = thickness * on_candidates(&mesh.points, part, &fields);
-        Resultant { body: body.name.clone(), on: Where::Contact, force }
+        Resultant { body: body.name.clone(), on_cut: false, force }
     });
     let edges = mesh.boundary(given, 0, "cut")?;
     let cut = thickness * edges.iter().map(|edge| on_edge(&mesh.points, edge, &fields)).sum::<f64>();
-    let cut = Resultant { body: given.bodies[0].name.clone(), on: Where::Cut, force: cut.abs() };
+    let cut = Resultant { body: given.bodies[0].name.clone(), on_cut: true, force: cut.abs() };
     Ok(Field {
         scene,
         reference: [given.reference.length, given.reference.pressure],
@@ -296,13 +287,13 @@ fn agrees(along: &Along) -> Judged {
 
 /// The vertical resultant of the recovered stresses is the load.
 fn carries(field: &Field, resultant: &Resultant) -> Judged {
-    let (name, tolerance, because) = match resultant.on {
-        Where::Contact => (
+    let (name, tolerance, because) = match resultant.on_cut {
+        false => (
             "force of the recovered stresses on the contact [N]",
             1e-2,
             "trapezoids between nodes, nodal means of the cells; the edge of the contact lies inside an element",
         ),
-        Where::Cut => {
+        true => {
             ("force of the recovered stresses on the cut [N]", 5e-3, "nodal means of the cells, which are coarse there")
         }
     };

@@ -5,9 +5,9 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::algorithm::{Acceleration, StiffnessRule};
-use crate::error::{Error, Place};
+use crate::error::{Error, Kind};
 use crate::solution::Outcome;
-use crate::solve::{Element, Formulation, Iteration};
+use crate::solve::{Element, Formulation, Iteration, Run};
 
 /// A way of solving, but for its numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -100,61 +100,7 @@ impl TryFrom<String> for Method {
     }
 }
 
-/// One of the nine formulations, but for its settings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(try_from = "String", into = "String")]
-pub struct Pairing {
-    /// Contact element.
-    pub element: Element,
-    /// Algorithm.
-    pub algorithm: Iteration,
-}
-
-impl Pairing {
-    /// All nine, element by element.
-    pub fn all() -> Vec<Self> {
-        Formulation::nine().iter().map(Self::of).collect()
-    }
-
-    /// Of a formulation.
-    pub fn of(&Formulation { element, algorithm, .. }: &Formulation) -> Self {
-        Self { element, algorithm }
-    }
-
-    /// The formulation at its defaults.
-    pub fn formulation(self) -> Formulation {
-        Formulation::new(self.element, self.algorithm)
-    }
-}
-
-/// `element.algorithm`.
-impl fmt::Display for Pairing {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}.{}", self.element.name(), self.algorithm.name())
-    }
-}
-
-impl From<Pairing> for String {
-    fn from(pairing: Pairing) -> Self {
-        pairing.to_string()
-    }
-}
-
-/// The pairing of a name; refused where there is none.
-impl TryFrom<String> for Pairing {
-    type Error = Error;
-
-    fn try_from(name: String) -> Result<Self, Error> {
-        let all = Self::all();
-        let known = || all.iter().map(Self::to_string).collect::<Vec<_>>().join(", ");
-        let found = all.iter().find(|pairing| pairing.to_string() == name).copied();
-        found.ok_or_else(|| {
-            Error::at(Place::Nowhere, format!("`{name}` is no formulation"), format!("give one of {}", known()))
-        })
-    }
-}
-
-/// How a run ended, as the maps colour it.
+/// How a run ended, as records keep it and maps colour it: its outcome, or one of the errors that a formulation may end in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Class {
@@ -189,16 +135,24 @@ impl Class {
         Self::Beyond,
     ];
 
-    /// The class of an outcome.
-    pub fn of(outcome: Outcome) -> Self {
-        match outcome {
+    /// How a run ended and its iterations; an error that is no way to end is handed on.
+    pub fn of(run: &Result<Run, Error>) -> Result<(Self, usize), Error> {
+        let solution = match run {
+            Ok(run) => &run.solution,
+            Err(Error { kind: Kind::NoSpringLeft { iterations }, .. }) => return Ok((Self::Unsupported, *iterations)),
+            Err(Error { kind: Kind::SpringsTooSoft, .. }) => return Ok((Self::Unsupported, 0)),
+            Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => return Ok((Self::Beyond, 0)),
+            Err(error) => return Err(error.clone()),
+        };
+        let class = match solution.outcome {
             Outcome::Converged => Self::Converged,
             Outcome::Stopped => Self::Stopped,
             Outcome::Capped => Self::Capped,
             Outcome::Cycling { .. } => Self::Cycling,
             Outcome::Diverged => Self::Diverged,
             Outcome::Stalled => Self::Stalled,
-        }
+        };
+        Ok((class, solution.work.iterations))
     }
 
     /// Name in records and legends.

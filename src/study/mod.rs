@@ -47,6 +47,9 @@ use about::{About, complete};
 
 pub use about::{Found, Planned, Study};
 
+/// Names and texts of files.
+pub type Files = Vec<(String, String)>;
+
 /// A study among all: what it is and does, whatever its numbers are.
 #[derive(Clone, Copy, Debug)]
 pub struct Room {
@@ -59,7 +62,7 @@ pub struct Room {
     /// Its part of the page, without the table of its checks, from all findings.
     pub section: fn(&[Finding]) -> Result<String, Error>,
     /// Its charts for light and dark pages: file names and SVG.
-    pub pictures: fn(&[Finding]) -> Result<Vec<(String, String)>, Error>,
+    pub pictures: fn(&[Finding]) -> Result<Files, Error>,
 }
 
 impl Room {

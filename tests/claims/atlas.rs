@@ -5,7 +5,7 @@ use contact_vv::error::Kind;
 use contact_vv::solve::{Element, Iteration};
 use contact_vv::stability::halving::SOFT;
 use contact_vv::study::Study;
-use contact_vv::study::atlas::{Chart, Numbers, Plane, Record, plane, run, summary};
+use contact_vv::study::atlas::{Chart, Numbers, Plane, Record, plane, run};
 use contact_vv::study::method::{Class, Method};
 use contact_vv::study::records;
 
@@ -197,11 +197,11 @@ fn a_digest_takes_what_converges_everywhere_and_the_best_of_the_worst() {
     let mut charts = Plane::ALL.map(|plane| Chart::read(plane).expect("records"));
     let method = Method::usual(Element::Node, Iteration::Constant);
     let of = |charts: &[Chart]| {
-        let digests = summary::digests(&charts.iter().collect::<Vec<_>>());
+        let digests = plane::digests(&charts.iter().collect::<Vec<_>>());
         digests.into_iter().find(|d| d.method == method).and_then(|digest| digest.safe)
     };
     let before = of(&charts);
-    let summary::Safe { from, to, best, best_iterations, iterations } = before.expect("a range");
+    let plane::Safe { from, to, best, best_iterations, iterations } = before.expect("a range");
     assert!(best_iterations <= iterations);
     assert!(from <= best && best <= to && from < to);
     let row = charts[0].rows.iter_mut().find(|row| row[0].method == method).expect("a row");

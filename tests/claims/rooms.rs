@@ -160,8 +160,8 @@ fn stresses_that_do_not_carry_the_load_turn_red() {
 #[test]
 fn a_curve_beyond_its_uncertainty_turns_red_and_one_that_is_absent_is_not_run() {
     let judge = |found: Result<f64, &str>| {
-        let (file, source, kind) = ("curve.csv".into(), "Gaertner 1977".into(), ReferenceKind::Measured);
-        let found = found.map(|worst| vec![measured::Curve { file, source, kind, worst, model_form: None }]);
+        let check = measured::check("curve.csv", "Gaertner 1977", ReferenceKind::Measured, None);
+        let found = found.map(|worst| vec![check.judge(worst)]);
         let found = found.map_err(str::to_owned);
         let judged = measured::Numbers::Curves { source: "Gaertner 1977".into(), found }.judge();
         judged.expect("judged")[0].verdict.clone()

@@ -11,9 +11,8 @@ use contact_vv::solution::{IterationError, Work};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::stability::{Limit, halving, linear, rate, release};
 use contact_vv::study::Study;
-use contact_vv::study::stability::Numbers;
-use contact_vv::study::stability::halving::{Mesh, Scene};
-use contact_vv::study::stability::rates::{Before, Rate};
+use contact_vv::study::stability::rates::{Before, Rate, Scene};
+use contact_vv::study::stability::{Mesh, Numbers};
 
 fn discretisation() -> Discretisation {
     let scene = library::find("truncated-hertz", None).expect("a scene of the library").scene;

@@ -5,8 +5,8 @@ use contact_vv::case::Verdict;
 use contact_vv::report::statements;
 use contact_vv::solve::{Element, Iteration};
 use contact_vv::study::paper::reading::{Axis, Candidates, Reading, Stop};
-use contact_vv::study::paper::runs::{Course, courses, shown};
 use contact_vv::study::paper::sentence::{Met, Seen, Sentence, Starts, agrees};
+use contact_vv::study::paper::statement::{Course, courses, shown};
 use contact_vv::study::paper::statement::{Fared, Judgement, NONE};
 use contact_vv::study::{Finding, Study, paper};
 

@@ -3,7 +3,7 @@
 use crate::report::links::to_page as link;
 use crate::report::matrix::Column;
 use crate::report::study_page;
-use crate::study::atlas::summary::{Digest, digests};
+use crate::study::atlas::plane::{Digest, digests};
 use crate::study::atlas::{self, Chart};
 use crate::study::drawn::picture;
 use crate::study::{Finding, Study, limits, promised};

@@ -3,10 +3,9 @@
 //! a folder:
 //!
 //! * `plane` — initial stiffness against which other number, and what lies on one mesh; what is kept under `snapshots/atlas`, and its
-//!   chart of classes with their boundaries.
+//!   chart of classes with their boundaries; what the records say of each method, and what to use.
 //! * `run` — a point predicted and run; a record read and a twentieth of it recomputed; the paper's scenes before and after
 //!   acceleration; and predictions against runs.
-//! * `summary` — what the records say of each method, and what to use.
 //! * `picture` — charts.
 //!
 //! Below is the page: recommendation, predicted curves and their laws, methods, maps, slices, predictions against runs; and the iterations
@@ -15,7 +14,6 @@
 mod picture;
 pub mod plane;
 pub mod run;
-pub mod summary;
 
 use std::fmt::Write;
 
@@ -27,15 +25,14 @@ use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::solve::{Element, Formulation, Iteration, Settings};
 use crate::study::about::{About, Found, Planned, Study};
+use crate::study::atlas::plane::{Digest, Safe, digests};
 use crate::study::atlas::plane::{STRETCH, same};
 use crate::study::atlas::run::{ENOUGH, FACTOR, HALVINGS, agreement, charts};
-use crate::study::atlas::summary::{Digest, Safe, digests};
 use crate::study::drawn::picture;
 use crate::study::method::{Class, Method};
 
-pub use plane::{Chart, Plane, Record, Site};
+pub use plane::{Chart, Plane, Record, Site, recommendation, recommended};
 pub use run::{Numbers, Saved};
-pub use summary::{recommendation, recommended};
 
 impl Study for Numbers {
     const NAME: &'static str = "atlas";

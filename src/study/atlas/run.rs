@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use crate::algorithm::StiffnessRule;
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::contact::ContactPoint;
-use crate::error::{Error, Kind};
+use crate::error::Error;
 use crate::measure::larger;
 use crate::solution::IterationError;
 use crate::solve::run::Run;
@@ -163,17 +163,9 @@ impl<'a> Ground<'a> {
     /// Predicts and runs a method at an initial stiffness.
     pub fn record(&self, method: Method, stiffness: f64) -> Result<Record, Error> {
         let formulation = self.site.formulation(method, stiffness);
-        let nothing = |class, iterations| (class, iterations, [f64::NAN; 2]);
-        let (class, iterations, [error, penalty]) = match Run::of(self.discretisation, &formulation) {
-            Ok(run) => {
-                let errors = [run.iteration_error(), run.penalty_error()];
-                (Class::of(run.solution.outcome), run.solution.work.iterations, errors)
-            }
-            Err(Error { kind: Kind::NoSpringLeft { iterations }, .. }) => nothing(Class::Unsupported, iterations),
-            Err(Error { kind: Kind::SpringsTooSoft, .. }) => nothing(Class::Unsupported, 0),
-            Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => nothing(Class::Beyond, 0),
-            Err(error) => return Err(error),
-        };
+        let run = Run::of(self.discretisation, &formulation);
+        let (class, iterations) = Class::of(&run)?;
+        let [error, penalty] = run.map_or([f64::NAN; 2], |run| [run.iteration_error(), run.penalty_error()]);
         Ok(Record {
             method,
             ordinate: self.site.ordinate,

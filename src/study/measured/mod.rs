@@ -42,8 +42,8 @@ pub enum Numbers {
     Curves {
         /// Its name.
         source: String,
-        /// Every curve, or why the figures are not at hand.
-        found: Result<Vec<Curve>, String>,
+        /// The check of every curve, or why the figures are not at hand.
+        found: Result<Vec<Judged>, String>,
     },
     /// What the photograph says of our disc.
     Photograph(Photograph),
@@ -107,22 +107,6 @@ fn photographs<'a>(findings: &'a [Found<Numbers>]) -> impl Iterator<Item = &'a P
 /// Elements per 10 mm of arc for a pin of 10 mm radius, on the coarse and the fine mesh; scaled with the source's pin.
 const ELEMENTS: [usize; 2] = [24, 48];
 
-/// A digitised curve beside ours.
-#[derive(Clone, Debug)]
-pub struct Curve {
-    /// Its file.
-    pub file: String,
-    /// Name of the source.
-    pub source: String,
-    /// Experiment, or elements of another code.
-    pub kind: ReferenceKind,
-    /// Largest deviation of a point, in combined standard uncertainties; NaN without points, or where a run of ours did
-    /// not converge.
-    pub worst: f64,
-    /// What the source models and we do not.
-    pub model_form: Option<String>,
-}
-
 /// Ours at an abscissa \[rad, mm or N\], with the uncertainty of its mesh.
 type Ours = Box<dyn Fn(f64) -> Result<OurPoint, Error>>;
 
@@ -132,14 +116,14 @@ pub fn folder_of(name: &str) -> PathBuf {
 }
 
 /// Compares every curve of a source's folder; why not, where its figures are not at hand.
-pub fn against(folder: &Path) -> Result<Result<Vec<Curve>, String>, Error> {
+pub fn against(folder: &Path) -> Result<Result<Vec<Judged>, String>, Error> {
     match Digitised::load(folder)? {
         Digitised::Absent(why) => Ok(Err(why)),
         Digitised::Present(curves) => curves.iter().map(compared).collect::<Result<_, _>>().map(Ok),
     }
 }
 
-fn compared(curve: &DigitisedCurve) -> Result<Curve, Error> {
+fn compared(curve: &DigitisedCurve) -> Result<Judged, Error> {
     let ours = ours(curve)?;
     // A scene that is refused says why; one that cannot be solved beside a point is no agreement: NaN, which no check
     // passes.
@@ -148,8 +132,7 @@ fn compared(curve: &DigitisedCurve) -> Result<Curve, Error> {
     }
     let comparison = compare(curve, &|at| ours(at).unwrap_or(OurPoint { value: f64::NAN, uncertainty: f64::NAN }));
     let worst = comparison.worst().map_or(f64::NAN, |deviation| deviation.ratio);
-    let (file, source, kind) = (curve.file.clone(), curve.name().into(), curve.kind());
-    Ok(Curve { file, source, kind, worst, model_form: comparison.model_form })
+    Ok(check(&curve.file, curve.name(), curve.kind(), comparison.model_form.as_deref()).judge(worst))
 }
 
 fn ours(curve: &DigitisedCurve) -> Result<Ours, Error> {
@@ -250,19 +233,17 @@ fn material(source: SceneMaterial) -> Material {
 }
 
 /// Our curves agree with the digitised ones of a source within the combined uncertainty.
-pub fn judge_curves(source: &str, found: &Result<Vec<Curve>, String>) -> Vec<Judged> {
+pub fn judge_curves(source: &str, found: &Result<Vec<Judged>, String>) -> Vec<Judged> {
     let measured = ReferenceKind::Measured;
     match found {
-        Ok(curves) => curves.iter().map(judge_curve).collect(),
+        Ok(curves) => curves.clone(),
         Err(why) => vec![check("every curve", source, measured, None).not_run(measured, source, why.clone())],
     }
 }
 
-fn judge_curve(curve: &Curve) -> Judged {
-    check(&curve.file, &curve.source, curve.kind, curve.model_form.as_deref()).judge(curve.worst)
-}
-
-fn check(curve: &str, source: &str, kind: ReferenceKind, model_form: Option<&str>) -> Check {
+/// The check of the largest deviation of a point, which is NaN without points, or where a run of ours did not converge;
+/// `model_form` is what the source models and we do not.
+pub fn check(curve: &str, source: &str, kind: ReferenceKind, model_form: Option<&str>) -> Check {
     let friction = model_form.unwrap_or("no friction in the source");
     Check::error(
         Quantity::at("largest deviation in combined standard uncertainties", curve),

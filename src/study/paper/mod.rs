@@ -4,22 +4,20 @@
 //! other studies too.
 //!
 //! * `reading` — one choice on every axis; the designed set.
-//! * `runs` — iterations from every start, and when each criterion would have stopped them.
 //! * `sentence` — what the paper says, and whether it holds.
-//! * `statement` — which departures flip a sentence, and what is made of it.
+//! * `statement` — iterations from every start, and when each criterion would have stopped them; which departures flip a sentence,
+//!   and what is made of it.
 //!
 //! Below are the page, and its prose whose numbers come from the code: misprints, decisions where the paper is silent, what is not
 //! covered, sources.
 
 pub mod reading;
-pub mod runs;
 pub mod sentence;
 pub mod statement;
 
 use reading::Reading;
-use runs::{Course, starts};
 use sentence::{GOOD, Met, STRONG};
-use statement::Fared;
+use statement::{Course, Fared, starts};
 
 use crate::case::library::{Cylinder, PinRod};
 use crate::case::{Check, Judged, Quantity, Reference};
@@ -44,7 +42,7 @@ impl Study for Numbers {
     };
 
     fn plan() -> Vec<Planned<Self>> {
-        let run = || Ok(Numbers { courses: runs::courses(&Reading::designed())? });
+        let run = || Ok(Numbers { courses: statement::courses(&Reading::designed())? });
         vec![Planned::new("readings of the paper", "designed set", run)]
     }
 

@@ -58,10 +58,7 @@ impl Study for Numbers {
             of("coverage of error bars", || bars::SURVEY.surveyed().map(Numbers::Bars)),
             of("what is called met", || met::SURVEY.surveyed().map(Numbers::Met)),
         ];
-        let asked = asked::plan().into_iter().map(|one| {
-            let (case, name) = (one.case.clone(), one.name.clone());
-            Planned::new(case, name, move || one.run().map(Numbers::Asked))
-        });
+        let asked = asked::plan().into_iter().map(|one| one.map(Numbers::Asked));
         surveys.into_iter().chain(asked).collect()
     }
 

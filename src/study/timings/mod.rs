@@ -25,7 +25,7 @@ use crate::drawing::{self, Axis, Bars, Chart, Colour, Direction, Drawing, Guide,
 use crate::error::Error;
 use crate::markdown::{self, Column, significant};
 use crate::mesh::Order;
-use crate::solve::Element;
+use crate::solve::{Element, Formulation, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::timings::growth::{Counts, Growth, exponent};
@@ -134,7 +134,7 @@ fn as_recorded<T>(what: &'static str, because: String, again: &Again<T>, is_same
 
 /// Whether two points are of the same mesh and formulation, with the same errors and counts; seconds are not compared.
 fn is_same(kept: &Point, fresh: &Point) -> bool {
-    let exact = |one: &Point| (one.series, one.mesh, one.formulation, one.dofs, one.converged);
+    let exact = |one: &Point| (one.series, one.mesh, one.formulation.clone(), one.dofs, one.converged);
     let numbers = |one: &Point| [one.operations, one.peak, one.peak_worst, one.half_width, one.half_width_worst];
     exact(kept) == exact(fresh) && numbers(kept).into_iter().zip(numbers(fresh)).all(|(a, b)| near(a, b))
 }
@@ -242,7 +242,7 @@ fn growth(record: &Record) -> String {
 pub fn conclusion(record: &Record) -> String {
     let best = |points: Vec<&Point>| cheapest(points, |point| point.seconds, Point::worst, COMPARED).cloned();
     let own = best(sound(&record.points)).map(|Point { series, seconds, formulation, mesh, dofs, .. }| {
-        let formulation = formulation.map_or_else(String::new, |formulation| formulation.to_string());
+        let formulation = formulation.unwrap_or_default();
         let (told, nodes) = (milliseconds(seconds), series.order().map_or(0, Order::nodes_per_cell));
         format!("ours {told} ({formulation}, {nodes}-node cells, {mesh} per half-width, {dofs} dofs)")
     });
@@ -319,7 +319,8 @@ fn own(points: &[&Point], measure: Measure, cost: Cost) -> Chart {
     let worst = |point: &Point| measure.errors(point)[1];
     let mut chart = Chart::new(measure.name(), Axis::log(axis), Axis::log("worst relative error [%]"));
     for (element, colour) in Element::ALL.into_iter().zip(palette::CURVES) {
-        let own = points.iter().filter(|point| point.formulation.is_some_and(|own| own.element == element));
+        let names = Iteration::ALL.map(|algorithm| Some(Formulation::new(element, algorithm).name()));
+        let own = points.iter().filter(|point| names.contains(&point.formulation));
         chart.series.push(drawing::Series {
             label: format!("{} element, any algorithm and mesh", element.name()),
             points: own.map(|point| (value(point), 100.0 * worst(point))).collect(),

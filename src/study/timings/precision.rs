@@ -21,7 +21,6 @@ use crate::scene::{Grading, Scene};
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Fitted, Formulation, Iteration};
 use crate::study::handed_over;
-use crate::study::method::Pairing;
 use crate::study::seconds::Spread;
 use crate::study::timings::growth::{contact_seconds, discretised};
 
@@ -128,8 +127,8 @@ pub struct Point {
     pub series: Series,
     /// Elements per nominal half-width, digits for which it is fitted, or its place in the series of another code.
     pub mesh: usize,
-    /// Contact element and algorithm of ours.
-    pub formulation: Option<Pairing>,
+    /// Name of ours: contact element and algorithm.
+    pub formulation: Option<String>,
     /// Unknown displacement components; of the last mesh where several are solved on the way.
     pub dofs: usize,
     /// Operations of the sparse factorisation and, median, of the iteration; NaN where they are not counted.
@@ -191,7 +190,7 @@ pub fn measure(series: Series, mesh: usize) -> Result<Vec<Point>, Error> {
         Point {
             series,
             mesh,
-            formulation: Some(Pairing::of(formulation)),
+            formulation: Some(Formulation::new(formulation.element, formulation.algorithm).name()),
             dofs: loaded.iter().map(|one| one.run.dofs).max().unwrap_or(0),
             operations: if series == Series::Fitted { f64::NAN } else { counted },
             converged: loaded.iter().filter(|one| one.run.solution.converged()).count(),
