@@ -17,7 +17,7 @@ use contact_vv::mesh::{Mesh, Resolution};
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
 use contact_vv::study::promised::bars::setup;
-use contact_vv::study::random::unseen::{self, FAMILIES};
+use contact_vv::study::random::family::{self, FAMILIES};
 use contact_vv::study::random::{Family, Site};
 use libtest_mimic::{Failed, Trial};
 
@@ -80,7 +80,7 @@ fn meshes() -> Result<String, Failed> {
         meshed(&mut text, &case.name, &case.scene, case.resolution)?;
     }
     for family in FAMILIES {
-        for site in unseen::of(family).take(EACH) {
+        for site in family::unseen(family).take(EACH) {
             let (scene, resolution, _) = setup(&site, &site.sample().map_err(said)?);
             meshed(&mut text, &site.key(), &scene, resolution)?;
         }
@@ -116,7 +116,7 @@ fn fitted() -> Result<String, Failed> {
         scenes.push((name.to_string(), find(name, None).map_err(said)?.scene));
     }
     scenes.extend(files()?.into_iter().map(|case| (case.name, case.scene)));
-    for site in FAMILIES.into_iter().flat_map(|family| unseen::of(family).take(FITTED)) {
+    for site in FAMILIES.into_iter().flat_map(|family| family::unseen(family).take(FITTED)) {
         scenes.push((site.key(), site.sample().map_err(said)?.scene));
     }
     let mut text = String::new();
@@ -148,7 +148,7 @@ fn scene_files() -> Result<String, Failed> {
 /// Every number of some random scenes of a family.
 fn random(family: Family) -> Result<(), Failed> {
     let mut text = String::new();
-    for site in unseen::of(family).take(EACH) {
+    for site in family::unseen(family).take(EACH) {
         solved(&mut text, &site).map_err(said)?;
     }
     freeze("random", Some(family.name()), text)

@@ -12,7 +12,7 @@ use contact_vv::oracle::ReferenceKind;
 use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Formulation};
 use contact_vv::study::atlas::{Chart, Plane};
-use contact_vv::study::{self, Finding, Numbers, promised};
+use contact_vv::study::{self, Finding, cross_code, promised};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 
 /// Scenes whose runs are frozen.
@@ -53,7 +53,7 @@ fn main() {
     let [frozen, live] = *origins.lock().expect("no test panics while counting");
     println!("of these against other codes: {frozen} frozen, {live} live{}", if live == 0 { NOT_LIVE } else { "" });
     let bars = study::on_bars(&findings.lock().expect("no test panics while keeping")).expect("judged");
-    let all = matches!(&bars.numbers, Numbers::Promised(promised::Numbers::Checks(all, _)) if *all > 0);
+    let all = matches!(bars.numbers(), Some(promised::Numbers::Checks(all, _)) if *all > 0);
     // Of some trials only there may be none to judge.
     let beyond = bars.judged.iter().filter(|one| all && one.verdict != Verdict::Pass);
     let beyond: Vec<String> = beyond.map(|one| format!("{}: {}", one.requirement(), one.value)).collect();
@@ -71,7 +71,7 @@ fn truth(trial: study::Trial, counts: Counts, origins: Origins, findings: Findin
         let mut message = String::new();
         for check in &finding.judged {
             if check.reference.kind == ReferenceKind::CrossCode {
-                let live = matches!(&finding.numbers, Numbers::CrossCode(numbers) if numbers.reproduced.is_some());
+                let live = finding.numbers().is_some_and(|numbers: &cross_code::Numbers| numbers.reproduced.is_some());
                 origins.lock().expect("no test panics while counting")[usize::from(live)] += 1;
             }
             let slot = match &check.verdict {

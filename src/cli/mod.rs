@@ -59,11 +59,10 @@ use crate::cli::terminal::{say, show};
 use crate::error::Error;
 use crate::referee::document;
 use crate::report;
-use crate::study::Room;
-use crate::study::promised;
 use crate::study::references::SHEETS;
 use crate::study::timings::growth;
-use crate::study::timings::series::Series;
+use crate::study::timings::precision::Series;
+use crate::study::{Room, promised};
 
 /// Contact elements and iterations for frictionless elastic contact in 2D, verified.
 ///
@@ -85,7 +84,7 @@ enum Command {
         check: bool,
         /// Solve one study alone and write its page and its charts.
         #[arg(long, value_name = "NAME", conflicts_with = "check", value_parser = suite::study())]
-        study: Option<Room>,
+        study: Option<&'static Room>,
         #[command(subcommand)]
         part: Option<Part>,
     },
@@ -285,7 +284,7 @@ fn report_command(check: bool) -> Result<bool, Error> {
 }
 
 /// Whether all checks of a study pass; its page and its charts are written.
-fn study_command(room: Room) -> Result<bool, Error> {
+fn study_command(room: &Room) -> Result<bool, Error> {
     let root = root()?;
     refuse_read_only(&root)?;
     let findings = suite::of(room)?;

@@ -5,10 +5,9 @@ use std::fs;
 use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
-use crate::study::machine::Machine;
-use crate::study::scoreboard::board::{self, Board, hashes};
-use crate::study::scoreboard::setting::{Code, Setting};
-use crate::study::scoreboard::{CASES, Scored, live, named, numbers};
+use crate::study::scoreboard::board::{self, Board, Code, Setting, hashes};
+use crate::study::scoreboard::{CASES, Scored, named, numbers};
+use crate::study::seconds::Machine;
 
 /// Asks every installed code for every case, writes the record, and tells how each run ended.
 pub fn run() -> Result<(), Error> {
@@ -19,7 +18,7 @@ pub fn run() -> Result<(), Error> {
     let mut fresh = Board { scripts: hashes(), processor: Machine::here().processor, ..Board::default() };
     let mut absent = Vec::new();
     for name in CASES {
-        let (asked, without) = live::ask(name, &named(name)?, |setting| {
+        let (asked, without) = board::ask(name, &named(name)?, |setting| {
             bar.inc(1);
             bar.set_message(format!("{name}, {}, {}", setting.code.name(), setting.method));
         })?;

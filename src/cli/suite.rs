@@ -13,14 +13,14 @@ use crate::study::present::{MADE, Made};
 use crate::study::{self, Finding, Room, Trial};
 
 /// The parser of an option that names a study.
-pub fn study() -> impl TypedValueParser<Value = Room> {
-    PossibleValuesParser::new(Room::ALL.iter().map(|room| room.name()))
-        .try_map(|given| Room::ALL.iter().copied().find(|room| room.name() == given).ok_or("no such study"))
+pub fn study() -> impl TypedValueParser<Value = &'static Room> {
+    PossibleValuesParser::new(Room::ALL.iter().map(|room| room.name))
+        .try_map(|given| Room::ALL.iter().find(|room| room.name == given).ok_or("no such study"))
 }
 
 /// Runs the trials of one study.
-pub fn of(room: Room) -> Result<Vec<Finding>, Error> {
-    run_all(&room.plan(), |_, _| ()).into_iter().collect()
+pub fn of(room: &Room) -> Result<Vec<Finding>, Error> {
+    run_all(&(room.plan)(), |_, _| ()).into_iter().collect()
 }
 
 /// Runs every trial, two or more at a time, in the order of the page; the first that breaks off ends it.

@@ -60,7 +60,7 @@ fn row(title: &str, check: &Judged) -> Option<(bool, Row)> {
 fn studies(findings: &[Finding], columns: u16) -> String {
     let mut told = table_on(columns, ["verdict", "study", "trials", "checks", "passed", "failed", "not run"]);
     for room in Room::ALL {
-        let own: Vec<&Finding> = findings.iter().filter(|finding| finding.room == *room).collect();
+        let own: Vec<&Finding> = findings.iter().filter(|finding| finding.study == room.name).collect();
         if own.is_empty() {
             continue;
         }
@@ -72,7 +72,7 @@ fn studies(findings: &[Finding], columns: u16) -> String {
         };
         let [pass, fail, not_run] = matrix::counts(own.iter().copied());
         let counts = [own.len(), pass + fail + not_run, pass, fail, not_run].map(|count| count.to_string());
-        told.add_row([sign.to_string(), room.name().replace('_', " ")].into_iter().chain(counts));
+        told.add_row([sign.to_string(), room.name.replace('_', " ")].into_iter().chain(counts));
     }
     told.to_string()
 }

@@ -8,7 +8,7 @@ use serde::de::DeserializeOwned;
 use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
-use crate::study::atlas::{self, Plane, record};
+use crate::study::atlas::{self, Plane, plane};
 use crate::study::records::{self, Survey};
 
 /// Runs every site that this program has not yet run, then writes the record.
@@ -24,9 +24,9 @@ pub fn run<S: Send + Sync, R: Serialize + DeserializeOwned + Clone + Send + Sync
 pub fn atlas() -> Result<(), Error> {
     let sites = Plane::ALL.iter().map(|plane| plane.sites().len()).sum();
     let renew = |unfinished: &Path, done: &(dyn Fn() + Sync)| {
-        Plane::ALL.into_iter().map(|plane| atlas::run::renew(plane, unfinished, &record::file(plane), done)).sum()
+        Plane::ALL.into_iter().map(|plane| atlas::run::renew(plane, unfinished, &plane::file(plane), done)).sum()
     };
-    renewed("atlas", "snapshots/atlas", &Plane::ALL.map(record::file), sites, renew)
+    renewed("atlas", "snapshots/atlas", &Plane::ALL.map(plane::file), sites, renew)
 }
 
 /// Renews the files of a survey of so many sites, which are at `place`.

@@ -10,14 +10,10 @@ use crate::checkout::root;
 use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
-use crate::study::machine::Machine;
-use crate::study::timings::others::{self, Peer};
-use crate::study::timings::precision::{self, Point};
+use crate::study::seconds::{Machine, Spread};
+use crate::study::timings::precision::{self, Peer, Point, Series};
 use crate::study::timings::record::{Beside, FOLDER, Measured, Record};
-use crate::study::timings::section::beside;
-use crate::study::timings::series::Series;
-use crate::study::timings::statistics::Spread;
-use crate::study::timings::{growth, targets};
+use crate::study::timings::{beside, growth, targets};
 
 /// Repeats of the comparison of nine formulations with one.
 const REPEATS: usize = 5;
@@ -69,7 +65,7 @@ fn measure() -> Result<Record, Error> {
     }
     for peer in Peer::ALL {
         step(&bar, peer.name());
-        match others::cylinder(peer)? {
+        match precision::cylinder(peer)? {
             Ok(found) => record.measured.peers.extend(found),
             Err(why) => drop(record.measured.absent.insert(peer.name().into(), why)),
         }
@@ -120,13 +116,13 @@ pub fn ask(code: Series) -> Result<(), Error> {
 /// Takes in what a code answers, with our own cheapest solve before and after it; the reason where it does not answer.
 fn asked(record: &mut Record, code: Series) -> Result<Result<(), String>, Error> {
     let mut own = targets::seconds_of_ours(&record.points)?;
-    let lines = match others::precision(code)? {
+    let lines = match precision::precision(code)? {
         Ok(lines) => lines,
         Err(why) => return Ok(Err(why)),
     };
     own.extend(targets::seconds_of_ours(&record.points)?);
-    let version = lines.first().map_or_else(String::new, others::version);
-    let points = lines.iter().enumerate().map(|(mesh, line)| others::answered(code, mesh, line)).collect();
+    let version = lines.first().map_or_else(String::new, precision::version);
+    let points = lines.iter().enumerate().map(|(mesh, line)| precision::answered(code, mesh, line)).collect();
     record.renew(points, Beside { code, version, seconds: Spread::of(&own), machine: Machine::here() });
     Ok(Ok(()))
 }

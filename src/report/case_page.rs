@@ -7,7 +7,7 @@ use crate::oracle::ReferenceKind;
 use crate::report::grouped::{counted, in_order};
 use crate::report::{checks, heading};
 use crate::study::cases::{self, Numbers, charts, page as name_of, remark, sketch};
-use crate::study::{Finding, Numbers as Any, described};
+use crate::study::{Finding, described};
 
 /// Runs that share a page.
 pub struct Shared<'a> {
@@ -24,9 +24,9 @@ pub fn file(name: &str) -> String {
 
 /// All pages of cases, in the order of the suite.
 pub fn shared(findings: &[Finding]) -> Vec<Shared<'_>> {
-    let runs = findings.iter().filter_map(|finding| match &finding.numbers {
-        Any::Cases(numbers) => Some((name_of(&numbers.case), (finding, numbers))),
-        _ => None,
+    let runs = findings.iter().filter_map(|finding| {
+        let numbers: &Numbers = finding.numbers()?;
+        Some((name_of(&numbers.case), (finding, numbers)))
     });
     in_order(runs).into_iter().map(|(name, runs)| Shared { name, runs }).collect()
 }

@@ -8,14 +8,12 @@ use crate::report::grouped::in_order;
 use crate::report::told;
 use crate::solution::Outcome;
 use crate::solve::{Element, Iteration, Run};
-use crate::study::{Finding, Numbers};
+use crate::study::Finding;
+use crate::study::cases::Numbers;
 
 /// The run of a finding that is one.
 pub fn run(finding: &Finding) -> Option<&Run> {
-    match &finding.numbers {
-        Numbers::Cases(numbers) => Some(&numbers.run),
-        _ => None,
-    }
+    finding.numbers().map(|Numbers { run, .. }| run)
 }
 
 /// All runs of cases.
@@ -96,7 +94,7 @@ const SIGNS: [&str; 4] = ["✓", "·", "○", "✗"];
 /// Whether all checks of a run pass, it is reported only, some could not be run, or some fail.
 fn mark(finding: &Finding) -> &'static str {
     match finding.verdict() {
-        _ if matches!(&finding.numbers, Numbers::Cases(numbers) if numbers.case.is_reported()) => SIGNS[1],
+        _ if finding.numbers().is_some_and(|Numbers { case, .. }| case.is_reported()) => SIGNS[1],
         Verdict::Pass => SIGNS[0],
         Verdict::NotRun(_) => SIGNS[2],
         Verdict::Fail => SIGNS[3],

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::report::links::{CHARTS, PAGES};
 use crate::report::{case_page, checks_page, front, record, study_page, symbols};
 use crate::study::references::{self, Sheet};
-use crate::study::{Finding, Numbers, Room, drawn};
+use crate::study::{Finding, Room, drawn};
 
 /// The front page and all that is behind it.
 #[derive(Clone, Debug)]
@@ -31,8 +31,8 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
         ("contact-elements.svg".into(), elements),
         (front::nearness::CHART[0].into(), front::nearness::chart(findings)),
     ])?;
-    for room in Room::ALL {
-        charts.extend(room.pictures(findings)?);
+    for room in &Room::ALL {
+        charts.extend((room.pictures)(findings)?);
     }
     Ok(Page {
         markdown: front::page(findings),
@@ -44,16 +44,16 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
 }
 
 fn sheets(findings: &[Finding]) -> impl Iterator<Item = &Sheet> {
-    findings.iter().filter_map(|finding| match &finding.numbers {
-        Numbers::References(references::Numbers::Sheet(sheet)) => Some(sheet),
+    findings.iter().filter_map(|finding| match finding.numbers() {
+        Some(references::Numbers::Sheet(sheet)) => Some(sheet),
         _ => None,
     })
 }
 
 /// The page and the charts of one study: paths and texts.
-pub fn of_study(room: Room, findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
-    let page = (format!("{}/{}", PAGES, study_page::file(room)), study_page::page(room, findings)?);
-    let charts = room.pictures(findings)?.into_iter().map(|(name, svg)| (format!("{CHARTS}/{name}"), svg));
+pub fn of_study(room: &Room, findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
+    let page = (format!("{}/{}", PAGES, study_page::file(room.name)), study_page::page(room, findings)?);
+    let charts = (room.pictures)(findings)?.into_iter().map(|(name, svg)| (format!("{CHARTS}/{name}"), svg));
     Ok(std::iter::once(page).chain(charts).collect())
 }
 
@@ -64,7 +64,7 @@ pub fn pages(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
         (symbols::FILE.to_string(), symbols::page()),
     ];
     for room in study_page::asked(findings) {
-        pages.push((study_page::file(room), study_page::page(room, findings)?));
+        pages.push((study_page::file(room.name), study_page::page(room, findings)?));
     }
     let has_sheet = |name: &str| sheets(findings).any(|sheet| sheet.name == name);
     let cases = case_page::shared(findings);

@@ -194,7 +194,7 @@ impl CheckRow {
         let shown = if verdict == Mark::Fail && judged.error < ROUND_OFF { four } else { floored };
         let error = shown(judged.error);
         Self {
-            study: finding.room.name().into(),
+            study: finding.study.into(),
             case: finding.case.clone(),
             trial: finding.name.clone(),
             quantity: check.quantity.name().into(),
@@ -251,7 +251,7 @@ fn share(judged: &Judged, error: f64) -> f64 {
 /// The rows of all checks, sorted by their keys; checks that nothing else tells apart are numbered.
 pub fn rows(findings: &[Finding]) -> Vec<CheckRow> {
     let of_room = |room: &Room| {
-        let own = findings.iter().filter(|finding| finding.room == *room);
+        let own = findings.iter().filter(|finding| finding.study == room.name);
         judged::requirements(own.flat_map(|finding| finding.judged.iter().map(move |one| (finding, one))))
     };
     numbered(Room::ALL.iter().flat_map(of_room).map(|runs| CheckRow::of_all(&runs)).collect())

@@ -9,9 +9,8 @@ use crate::solve::{Iteration, Run};
 use crate::study::atlas::{self, Plane, Saved};
 use crate::study::measured::GAERTNER;
 use crate::study::paper::statement::{self, Judgement, Statement};
-use crate::study::refinement;
-use crate::study::refinement::cylinder::{Change, LEFT_OUT};
-use crate::study::{Finding, Numbers, Room};
+use crate::study::refinement::{self, Change, LEFT_OUT};
+use crate::study::{Finding, Study, cases, measured, paper};
 use crate::uncertainty::COVERAGE;
 
 /// Difference of the nine that counts as none [%].
@@ -21,9 +20,9 @@ const DIFFERENT: f64 = 10.0;
 
 /// All statements, judged; what is not among the findings is not judged.
 pub fn judge(findings: &[Finding]) -> Vec<Statement> {
-    let sentences = findings.iter().filter_map(|finding| match &finding.numbers {
-        Numbers::Paper(numbers) => Some(statement::statements(&numbers.courses)),
-        _ => None,
+    let sentences = findings.iter().filter_map(|finding| {
+        let numbers: &paper::Numbers = finding.numbers()?;
+        Some(statement::statements(&numbers.courses))
     });
     let mut all = vec![all_agree(findings)];
     all.extend(sentences.flatten());
@@ -91,8 +90,8 @@ fn all_agree(findings: &[Finding]) -> Statement {
 
 /// No formulation is more accurate than another, as they stand in the paper.
 fn no_difference(findings: &[Finding]) -> Statement {
-    let nine = findings.iter().find_map(|finding| match &finding.numbers {
-        Numbers::Atlas(atlas::Numbers::Saved(Plane::Cylinder, saved)) => Some(saved.as_slice()),
+    let nine = findings.iter().find_map(|finding| match finding.numbers() {
+        Some(atlas::Numbers::Saved(Plane::Cylinder, saved)) => Some(saved.as_slice()),
         _ => None,
     });
     let found = nine.map(|nine| {
@@ -114,8 +113,8 @@ fn no_difference(findings: &[Finding]) -> Statement {
 
 /// The upper quarter may be left out.
 fn top_quarter(findings: &[Finding]) -> Statement {
-    let changes = findings.iter().find_map(|finding| match &finding.numbers {
-        Numbers::Refinement(refinement::Numbers::Quarter(changes)) => Some(changes),
+    let changes = findings.iter().find_map(|finding| match finding.numbers() {
+        Some(refinement::Numbers::Quarter(changes)) => Some(changes),
         _ => None,
     });
     let found = changes.map(|changes| {
@@ -136,8 +135,8 @@ fn top_quarter(findings: &[Finding]) -> Statement {
 /// Condensation pays.
 fn condensation_pays(findings: &[Finding]) -> Statement {
     let both = [cylinder::NINE, pin_rod::NINE].into_iter().flat_map(|case| of_case(findings, case));
-    let refactoring = both.filter_map(|finding| match &finding.numbers {
-        Numbers::Cases(numbers) if numbers.run.formulation.algorithm != Iteration::Constant => Some(&numbers.run),
+    let refactoring = both.filter_map(|finding| match finding.numbers::<cases::Numbers>() {
+        Some(numbers) if numbers.run.formulation.algorithm != Iteration::Constant => Some(&numbers.run),
         _ => None,
     });
     // Without condensation every factorisation would be the sparse one; with it there is one, and dense small ones.
@@ -157,7 +156,7 @@ fn condensation_pays(findings: &[Finding]) -> Statement {
 
 /// Gaertner's curves.
 fn gaertner(findings: &[Finding]) -> Statement {
-    let own = of_case(findings, GAERTNER).find(|finding| finding.room == Room::Measured);
+    let own = of_case(findings, GAERTNER).find(|finding| finding.study == measured::Numbers::NAME);
     let found = own.map(|own| match own.verdict() {
         Verdict::Pass => (format!("every point within {COVERAGE} u_val"), Judgement::Reproduced),
         Verdict::Fail => (format!("a point beyond {COVERAGE} u_val"), Judgement::NotReproduced),

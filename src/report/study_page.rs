@@ -4,40 +4,40 @@ use crate::case::{Judged, Verdict};
 use crate::error::Error;
 use crate::report::grouped::counted;
 use crate::report::{checks, heading, statements};
-use crate::study::{Finding, Room};
+use crate::study::{Finding, Room, Study, cases, paper};
 
-/// Name of the file.
-pub fn file(room: Room) -> String {
-    format!("{}.md", room.name().replace('_', "-"))
+/// Name of the file of a study of this name.
+pub fn file(study: &str) -> String {
+    format!("{}.md", study.replace('_', "-"))
 }
 
 /// The page.
-pub fn page(room: Room, findings: &[Finding]) -> Result<String, Error> {
-    let about = room.about();
-    let own: Vec<&Judged> = of(room, findings).flat_map(|finding| &finding.judged).collect();
-    let checks = match room {
-        Room::Cases => "The page of each case has its checks.\n\n".into(),
-        _ => tables(room, findings),
+pub fn page(room: &Room, findings: &[Finding]) -> Result<String, Error> {
+    let Room { name, about, .. } = *room;
+    let own: Vec<&Judged> = of(name, findings).flat_map(|finding| &finding.judged).collect();
+    let checks = match name {
+        cases::Numbers::NAME => "The page of each case has its checks.\n\n".into(),
+        _ => tables(name, findings),
     };
     // What the paper says is judged by the findings of all studies, of which its own sees only its part.
-    let first = if room == Room::Paper { statements::section(findings) } else { String::new() };
-    let body = format!("{first}{}\n## Checks\n\n{checks}{}", room.section(findings)?, limits(about.limits, &own));
+    let first = if name == paper::Numbers::NAME { statements::section(findings) } else { String::new() };
+    let body = format!("{first}{}\n## Checks\n\n{checks}{}", (room.section)(findings)?, limits(about.limits, &own));
     Ok(heading::page(about.title, about.asked, &own, &body))
 }
 
 /// Findings of a study.
-pub fn of(room: Room, findings: &[Finding]) -> impl Iterator<Item = &Finding> {
-    findings.iter().filter(move |finding| finding.room == room)
+pub fn of<'a>(study: &str, findings: &'a [Finding]) -> impl Iterator<Item = &'a Finding> {
+    findings.iter().filter(move |finding| finding.study == study)
 }
 
 /// Studies of which something was found, in their order.
-pub fn asked(findings: &[Finding]) -> Vec<Room> {
-    Room::ALL.iter().copied().filter(|room| of(*room, findings).next().is_some()).collect()
+pub fn asked(findings: &[Finding]) -> impl Iterator<Item = &'static Room> {
+    Room::ALL.iter().filter(|room| of(room.name, findings).next().is_some())
 }
 
 /// All checks of a study, one part a case: none can be forgotten.
-pub fn tables(room: Room, findings: &[Finding]) -> String {
-    let own: Vec<&Finding> = of(room, findings).collect();
+pub fn tables(study: &str, findings: &[Finding]) -> String {
+    let own: Vec<&Finding> = of(study, findings).collect();
     let parts: Vec<&[&Finding]> = own.chunk_by(|a, b| a.case == b.case).collect();
     let table = |members: &&[&Finding]| {
         let named: Vec<checks::Named> = members.iter().map(|one| (one.name.as_str(), &one.judged[..])).collect();

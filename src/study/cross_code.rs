@@ -4,7 +4,6 @@
 use crate::algorithm::StiffnessRule;
 use crate::case::{Check, Judged, Quantity, Reference, Verdict, library};
 use crate::contact::Quadrature;
-use crate::drawing::Drawing;
 use crate::elasticity::Dofs;
 use crate::error::Error;
 #[cfg(feature = "python")]
@@ -335,9 +334,21 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
     ))
 }
 
-/// None: the verdicts say all.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
-    Ok(Vec::new())
+impl crate::study::Study for Numbers {
+    const NAME: &'static str = "cross_code";
+    const ABOUT: About = ABOUT;
+
+    fn plan() -> Vec<Planned<Self>> {
+        plan()
+    }
+
+    fn judge(&self) -> Result<Vec<Judged>, Error> {
+        judge(self)
+    }
+
+    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+        section(findings)
+    }
 }
 
 fn frozen(code: Code, frozen: &Frozen) -> String {

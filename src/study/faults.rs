@@ -8,24 +8,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::case::{Check, Judged, Quantity};
 use crate::checkout::root;
-use crate::drawing::Drawing;
 use crate::error::Error;
 use crate::markdown::{self, Column};
-use crate::study::about::About;
-use crate::study::present::FAULTS;
-use crate::study::{Found, Planned};
-
-/// What its page is called, what it asks, and what it cannot tell.
-pub const ABOUT: About = About {
-    title: "Fault injection",
-    asked: "Which checks turn red when something is broken on purpose.",
-    limits: "Faults that somebody thought of, one at a time.",
-};
-
-/// The one trial.
-pub fn plan() -> Vec<Planned<Numbers>> {
-    vec![Planned::new("planted faults", "the record", record)]
-}
+use crate::study::about::{About, Found, Planned, Study};
+use crate::study::present::{FAULTS, Record};
 
 /// The faults to plant.
 const LIST: &str = "tests/faults/faults.toml";
@@ -59,14 +45,50 @@ pub struct Fault {
     pub ended: Option<String>,
 }
 
-/// Every planted fault with what it did, as recorded.
-#[derive(Clone, Debug, Deserialize)]
-pub struct Numbers {
-    /// Files and folders whose digest a fault carries: all that the verdicts are computed from.
-    pub sources: Vec<String>,
-    /// In the order of the list.
-    #[serde(rename = "record")]
-    pub faults: Vec<Fault>,
+/// Every planted fault with what it did, in the order of the list.
+pub type Numbers = Record<Fault>;
+
+impl Study for Numbers {
+    const NAME: &'static str = "faults";
+    const ABOUT: About = About {
+        title: "Fault injection",
+        asked: "Which checks turn red when something is broken on purpose.",
+        limits: "Faults that somebody thought of, one at a time.",
+    };
+
+    fn plan() -> Vec<Planned<Self>> {
+        vec![Planned::new("planted faults", "the record", record)]
+    }
+
+    /// The check.
+    fn judge(&self) -> Result<Vec<Judged>, Error> {
+        let missed = self.record.iter().filter(|fault| !is_caught(fault)).count();
+        let quantity =
+            Quantity::at("planted fault that turns no check against a truth red", format!("of {}", self.record.len()));
+        Ok(vec![Check::none(quantity, "snapshots alone verify nothing").judge(missed as f64)])
+    }
+
+    /// A row for each fault: what turned red.
+    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+        let columns: [Column<&Fault>; 8] = [
+            ("planted fault", |fault| fault.planted.name.clone()),
+            ("in", |fault| format!("`{}`", fault.planted.file)),
+            ("sources", |fault| shown(fault)),
+            ("closed forms", |fault| count(fault, "analytic")),
+            ("other codes", |fault| count(fault, "cross-code")),
+            ("self-consistency", |fault| count(fault, "self-consistency")),
+            ("broken off", |fault| count(fault, "broken off")),
+            ("for instance", |fault| example(fault)),
+        ];
+        let faults: Vec<&Fault> = findings.iter().flat_map(|found| &found.numbers.record).collect();
+        Ok(format!(
+            "Faults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red, of the suite \
+             and of the worked scene files. *Sources* is the digest (SHA-256) of what a fault was planted on: {}. The terminal says at every report \
+             how many are not of the present sources.\n\n{}\n",
+            planted_on(&faults),
+            markdown::columns(&columns, &faults)
+        ))
+    }
 }
 
 #[derive(Deserialize)]
@@ -85,7 +107,7 @@ pub fn record() -> Result<Numbers, Error> {
 pub fn parse((list, listed): (&Path, &str), (file, text): (&Path, &str)) -> Result<Numbers, Error> {
     let planted: List = toml::from_str(listed).map_err(|error| Error::unreadable(list, error, "restore it"))?;
     let numbers: Numbers = serde_json::from_str(text).map_err(|error| Error::unreadable(file, error, FAULTS.renew))?;
-    let Numbers { sources, faults } = &numbers;
+    let Record { sources, record: faults } = &numbers;
     let refused = |key: &str, found: String| Err(Error::refused(file, key, found, FAULTS.renew));
     if !sources.iter().any(|name| name == "src") {
         return refused("sources", format!("{sources:?}, without `src`"));
@@ -103,14 +125,6 @@ pub fn parse((list, listed): (&Path, &str), (file, text): (&Path, &str)) -> Resu
 /// Kinds of the references of truth locks; a trial that broke off with an error is counted beside them.
 const TRUTHS: [&str; 3] = ["analytic", "cross-code", "self-consistency"];
 
-/// The check.
-pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
-    let missed = numbers.faults.iter().filter(|fault| !is_caught(fault)).count();
-    let quantity =
-        Quantity::at("planted fault that turns no check against a truth red", format!("of {}", numbers.faults.len()));
-    Ok(vec![Check::none(quantity, "snapshots alone verify nothing").judge(missed as f64)])
-}
-
 /// Whether a check against a truth turned red; a run that broke off shows none.
 pub fn is_caught(fault: &Fault) -> bool {
     TRUTHS.iter().any(|kind| fault.red.get(*kind).is_some_and(|&number| number > 0))
@@ -122,28 +136,6 @@ const KINDS: [&str; 4] = ["analytic", "cross-code", "self-consistency", "broken 
 const SHOWN: usize = 160;
 /// Digits of a digest that are shown.
 const DIGITS: usize = 12;
-
-/// A row for each fault: what turned red.
-pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let columns: [Column<&Fault>; 8] = [
-        ("planted fault", |fault| fault.planted.name.clone()),
-        ("in", |fault| format!("`{}`", fault.planted.file)),
-        ("sources", |fault| shown(fault)),
-        ("closed forms", |fault| count(fault, "analytic")),
-        ("other codes", |fault| count(fault, "cross-code")),
-        ("self-consistency", |fault| count(fault, "self-consistency")),
-        ("broken off", |fault| count(fault, "broken off")),
-        ("for instance", |fault| example(fault)),
-    ];
-    let faults: Vec<&Fault> = findings.iter().flat_map(|found| &found.numbers.faults).collect();
-    Ok(format!(
-        "Faults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red, of the suite \
-         and of the worked scene files. *Sources* is the digest (SHA-256) of what a fault was planted on: {}. The terminal says at every report \
-         how many are not of the present sources.\n\n{}\n",
-        planted_on(&faults),
-        markdown::columns(&columns, &faults)
-    ))
-}
 
 /// How many faults were planted on which sources.
 fn planted_on(faults: &[&Fault]) -> String {
@@ -170,9 +162,4 @@ fn count(fault: &Fault, kind: &str) -> String {
 fn example(fault: &Fault) -> String {
     let example = KINDS.iter().find_map(|kind| fault.examples.get(*kind)).or(fault.ended.as_ref());
     example.map_or("**nothing**", String::as_str).chars().take(SHOWN).collect()
-}
-
-/// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
-    Ok(Vec::new())
 }

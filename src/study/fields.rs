@@ -10,34 +10,11 @@ use crate::error::Error;
 use crate::measure;
 use crate::mesh::BodyMesh;
 use crate::solve::{Discretisation, Element, Fields, Formulation, Iteration, Run, shapes};
-use crate::study::about::About;
+use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::{Curve, label, picture, style};
-use crate::study::{Found, Planned};
-
-/// What its page is called, what it asks, and what it cannot tell.
-pub const ABOUT: About = About {
-    title: "Fields and iteration paths",
-    asked: "What the deformed bodies look like, and which way the iterations go.",
-    limits: "Pictures; the resultants of the stresses are checked, not every stress.",
-};
 
 /// Start stiffness of the bars, so soft that every iteration has a way to go.
 const SOFT: f64 = 0.4;
-
-/// All trials.
-pub fn plan() -> Vec<Planned<Numbers>> {
-    let paths = Iteration::ALL.map(|algorithm| {
-        let formulation = Formulation { stiffness: SOFT, ..Formulation::new(Element::Node, algorithm) };
-        Planned::new("iteration paths, two bars", formulation.name(), move || path(&formulation))
-    });
-    let fields = Shown::ALL.map(|scene| {
-        Planned::new(format!("fields, {}", scene.name()), "node.kinematic", move || field(scene).map(Numbers::Field))
-    });
-    let along = Formulation::compared().into_iter().filter(Formulation::is_in_the_paper).map(|formulation| {
-        Planned::new("along pin and rod", formulation.name(), move || along(&formulation).map(Numbers::Along))
-    });
-    paths.into_iter().chain(fields).chain(along).collect()
-}
 
 /// What a trial found.
 #[derive(Clone, Debug)]
@@ -48,6 +25,70 @@ pub enum Numbers {
     Field(Field),
     /// Pin and rod along their contact arcs.
     Along(Along),
+}
+
+impl Study for Numbers {
+    const NAME: &'static str = "fields";
+    const ABOUT: About = About {
+        title: "Fields and iteration paths",
+        asked: "What the deformed bodies look like, and which way the iterations go.",
+        limits: "Pictures; the resultants of the stresses are checked, not every stress.",
+    };
+
+    fn plan() -> Vec<Planned<Self>> {
+        let paths = Iteration::ALL.map(|algorithm| {
+            let formulation = Formulation { stiffness: SOFT, ..Formulation::new(Element::Node, algorithm) };
+            Planned::new("iteration paths, two bars", formulation.name(), move || path(&formulation))
+        });
+        let fields = Shown::ALL.map(|scene| {
+            Planned::new(format!("fields, {}", scene.name()), "node.kinematic", move || {
+                field(scene).map(Numbers::Field)
+            })
+        });
+        let along = Formulation::compared().into_iter().filter(Formulation::is_in_the_paper).map(|formulation| {
+            Planned::new("along pin and rod", formulation.name(), move || along(&formulation).map(Numbers::Along))
+        });
+        paths.into_iter().chain(fields).chain(along).collect()
+    }
+
+    fn judge(&self) -> Result<Vec<Judged>, Error> {
+        Ok(match self {
+            Numbers::Path(run) => universal::bounded(run).into_iter().collect(),
+            Numbers::Along(along) => vec![agrees(along)],
+            Numbers::Field(field) => field.resultants.iter().map(|resultant| carries(field, resultant)).collect(),
+        })
+    }
+
+    /// Charts with their captions.
+    fn section(_: &[Found<Self>]) -> Result<String, Error> {
+        let charts = [
+            ("field-cylinder.svg", "As Fig. 9. Cylinder: mesh and vertical stress on the deformed shape"),
+            ("field-pin-rod.svg", "As Fig. 13. Pin and rod: mesh and vertical stress on the deformed shape"),
+            (
+                "figure-15.svg",
+                "Fig. 15, which quantity it shows not being known: hoop stress and displacement along pin and rod by the five combinations \
+                 that the paper shows; the place of Gaertner's curves is empty",
+            ),
+            ("iteration-paths.svg", "Figs 6 and 7, and kinematic load beside them: the path of the iterations"),
+        ];
+        let charts = charts.map(|(file, caption)| picture(file, caption));
+        Ok(charts.concat())
+    }
+
+    /// All charts of what was found.
+    fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
+        let (mut runs, mut alongs, mut charts) = (Vec::new(), Vec::new(), Vec::new());
+        for found in findings {
+            match found.numbers {
+                Numbers::Path(run) => runs.push(&**run),
+                Numbers::Field(field) => charts.push(of_field(field)),
+                Numbers::Along(along) => alongs.push(along),
+            }
+        }
+        charts.push(("figure-15.svg".into(), along_chart(&alongs)));
+        charts.push(("iteration-paths.svg".into(), paths(&runs)));
+        Ok(charts)
+    }
 }
 
 /// Pin and rod along their contact arcs, by a formulation.
@@ -109,19 +150,10 @@ pub struct Arc {
 pub struct Resultant {
     /// Name of the body.
     pub body: String,
-    /// The line.
-    pub on: Where,
+    /// Whether the line is the horizontal cut of the disc; else it is the candidates of the contact.
+    pub on_cut: bool,
     /// Its size \[N\].
     pub force: f64,
-}
-
-/// A line that takes the whole load.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Where {
-    /// The candidates of the contact.
-    Contact,
-    /// The horizontal cut of the disc.
-    Cut,
 }
 
 impl Shown {
@@ -167,11 +199,11 @@ pub fn field(scene: Shown) -> Result<Field, Error> {
     let thickness = given.thickness;
     let contact = bodies().map(|(body, part)| {
         let force = thickness * on_candidates(&mesh.points, part, &fields);
-        Resultant { body: body.name.clone(), on: Where::Contact, force }
+        Resultant { body: body.name.clone(), on_cut: false, force }
     });
     let edges = mesh.boundary(given, 0, "cut")?;
     let cut = thickness * edges.iter().map(|edge| on_edge(&mesh.points, edge, &fields)).sum::<f64>();
-    let cut = Resultant { body: given.bodies[0].name.clone(), on: Where::Cut, force: cut.abs() };
+    let cut = Resultant { body: given.bodies[0].name.clone(), on_cut: true, force: cut.abs() };
     Ok(Field {
         scene,
         reference: [given.reference.length, given.reference.pressure],
@@ -242,15 +274,6 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
 /// Difference of hoop stresses that is accepted.
 const HOOP: f64 = 0.03;
 
-/// The checks.
-pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
-    Ok(match numbers {
-        Numbers::Path(run) => universal::bounded(run).into_iter().collect(),
-        Numbers::Along(along) => vec![agrees(along)],
-        Numbers::Field(field) => field.resultants.iter().map(|resultant| carries(field, resultant)).collect(),
-    })
-}
-
 /// What the paper says of its Figs 14 and 15: a reasonable agreement of the different solutions.
 fn agrees(along: &Along) -> Judged {
     Check::error(
@@ -264,49 +287,18 @@ fn agrees(along: &Along) -> Judged {
 
 /// The vertical resultant of the recovered stresses is the load.
 fn carries(field: &Field, resultant: &Resultant) -> Judged {
-    let (name, tolerance, because) = match resultant.on {
-        Where::Contact => (
+    let (name, tolerance, because) = match resultant.on_cut {
+        false => (
             "force of the recovered stresses on the contact [N]",
             1e-2,
             "trapezoids between nodes, nodal means of the cells; the edge of the contact lies inside an element",
         ),
-        Where::Cut => {
+        true => {
             ("force of the recovered stresses on the cut [N]", 5e-3, "nodal means of the cells, which are coarse there")
         }
     };
     let load = Reference::own("load", field.load);
     Check::near(Quantity::at(name, resultant.body.clone()), load, tolerance, because).judge(resultant.force)
-}
-
-/// Charts with their captions.
-pub fn section(_: &[Found<Numbers>]) -> Result<String, Error> {
-    let charts = [
-        ("field-cylinder.svg", "As Fig. 9. Cylinder: mesh and vertical stress on the deformed shape"),
-        ("field-pin-rod.svg", "As Fig. 13. Pin and rod: mesh and vertical stress on the deformed shape"),
-        (
-            "figure-15.svg",
-            "Fig. 15, which quantity it shows not being known: hoop stress and displacement along pin and rod by the five combinations \
-             that the paper shows; the place of Gaertner's curves is empty",
-        ),
-        ("iteration-paths.svg", "Figs 6 and 7, and kinematic load beside them: the path of the iterations"),
-    ];
-    let charts = charts.map(|(file, caption)| picture(file, caption));
-    Ok(charts.concat())
-}
-
-/// All charts of what was found.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
-    let (mut runs, mut alongs, mut charts) = (Vec::new(), Vec::new(), Vec::new());
-    for found in findings {
-        match found.numbers {
-            Numbers::Path(run) => runs.push(&**run),
-            Numbers::Field(field) => charts.push(of_field(field)),
-            Numbers::Along(along) => alongs.push(along),
-        }
-    }
-    charts.push(("figure-15.svg".into(), along_chart(&alongs)));
-    charts.push(("iteration-paths.svg".into(), paths(&runs)));
-    Ok(charts)
 }
 
 fn of_field(field: &Field) -> (String, Drawing) {

@@ -15,19 +15,9 @@ use crate::measure::{larger, relative_error};
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solve::{Discretisation, Fitted, Formulation, Run};
-use crate::study::about::About;
+use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::{Curve, picture};
 use crate::study::random::{Family, Site};
-use crate::study::{Found, Planned};
-
-/// What its page is called, what it asks, and what it cannot tell.
-pub const ABOUT: About = About {
-    title: "Meshes fitted to the contact",
-    asked: "How many degrees of freedom an accuracy costs where cells of high order end with the contact.",
-    limits: "Order and layers of the other scenes are chosen by hand, knowing what they give. `--accuracy` has only its \
-        error bars, and is asked for both numbers of the table; alone it asks for the half-width instead of the \
-        second-moment width.",
-};
 
 /// What is asked: digits that order and layers are chosen for, relative error of peak and second-moment width, degrees
 /// of freedom.
@@ -56,11 +46,6 @@ const fn fitted(order: Order, layers: usize) -> Fitted {
     Fitted { order, layers }
 }
 
-/// The one trial.
-pub fn plan() -> Vec<Planned<Numbers>> {
-    vec![Planned::new("fitted to the contact, truncated hertz", "node.kinematic", numbers)]
-}
-
 /// All meshes.
 #[derive(Clone, Debug)]
 pub struct Numbers {
@@ -68,6 +53,97 @@ pub struct Numbers {
     pub meshes: Vec<Mesh>,
     /// Of other scenes, and their names.
     pub scenes: Vec<(String, Mesh)>,
+}
+
+impl Study for Numbers {
+    const NAME: &'static str = "fitted";
+    const ABOUT: About = About {
+        title: "Meshes fitted to the contact",
+        asked: "How many degrees of freedom an accuracy costs where cells of high order end with the contact.",
+        limits: "Order and layers of the other scenes are chosen by hand, knowing what they give. `--accuracy` has only its \
+            error bars, and is asked for both numbers of the table; alone it asks for the half-width instead of the \
+            second-moment width.",
+    };
+
+    fn plan() -> Vec<Planned<Self>> {
+        vec![Planned::new("fitted to the contact, truncated hertz", "node.kinematic", numbers)]
+    }
+
+    /// The checks; a mesh that was not solved has no number that could pass.
+    fn judge(&self) -> Result<Vec<Judged>, Error> {
+        let own = ASKED.into_iter().flat_map(|(digits, error, dofs)| {
+            let fitted = Fitted::of_digits(digits);
+            let mesh = self.meshes.iter().find(|mesh| mesh.cells == Cells::Fitted(fitted));
+            let at = format!("order {}, layers {}", fitted.order.number(), fitted.layers);
+            let because = "what the order and the layers are chosen for; the worst of all loads";
+            let reference = Reference::analytic("Hertz", 0.0);
+            of(mesh, &at, reference, (error, because), Reference::own("asked of this accuracy", dofs as f64))
+        });
+        let (error, dofs) = ASKED_ELSEWHERE;
+        let elsewhere = self.scenes.iter().flat_map(|(scene, mesh)| {
+            let reference = match mesh.exact {
+                true => Reference::analytic("its closed form", 0.0),
+                false => Reference::own("cells of order 8, three layers", 0.0),
+            };
+            let because = "five digits of a contact that no mesh knew the ends of";
+            of(Some(mesh), scene, reference, (error, because), Reference::own("asked of five digits", dofs as f64))
+        });
+        Ok(own.chain(elsewhere).collect())
+    }
+
+    /// A row a mesh.
+    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+        Ok(format!(
+            "Truncated Hertz under {} loads; p₀ is the peak pressure, a the half-width. Cells of order p have (p + 1)² nodes, at products of \
+             Gauss–Lobatto–Legendre points. `solve --fitted` lays a mesh line on the end of the contact, and layers of cells towards it, each a \
+             fixed part of the one before. It knows nothing of the end: a mesh of 8-node cells finds about where it is; then all points \
+             up to an expected end e are closed, the pressure at the distance d from it is p √d = A₀ + B₀ d + C₀ d², and e moves by 2 A₀/B₀ \
+             until that no longer matters. Beside them are the meshes that `--accuracy` chooses by their error bars, 8-node cells above 0.1 % and from \
+             there on fitted ones, of higher order until the bars are within what is asked; and 8-node cells that are as fine on all candidates.\n\n{}\n{}\n\
+             ## Other scenes\n\n\
+             Peak and second-moment width to five digits with at most {} degrees of freedom. Rectangles have frames of ever larger cells around a contact, \
+             discs too where the contact is small, and rings rows of cells whose radii grow in geometric progression.\n\n{}",
+            LOADS.len(),
+            markdown::columns(&MESHES, findings.iter().flat_map(|found| &found.numbers.meshes)),
+            picture(
+                FILE,
+                "Truncated Hertz: larger error of peak pressure and second-moment width, under the worst of all loads"
+            ),
+            ASKED_ELSEWHERE.1,
+            markdown::columns(&SCENES, findings.iter().flat_map(|found| &found.numbers.scenes)),
+        ))
+    }
+
+    /// Error over degrees of freedom: fitted cells of high order, what an accuracy chooses, and 8-node cells.
+    fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
+        let mut chart = Chart::new(
+            "Truncated Hertz: what accuracy costs",
+            Axis::log("degrees of freedom [–]"),
+            Axis::log("larger relative error of p₀ and a [–]"),
+        );
+        type Kind = (&'static str, Style, fn(&Mesh) -> bool);
+        let kinds: [Kind; 3] = [
+            ("order 4 to 8, fitted to the contact", Style::run(palette::PURPLE, Dash::Solid, Marker::Circle), |mesh| {
+                matches!(mesh.cells, Cells::Fitted(_))
+            }),
+            ("chosen by --accuracy", Style::run(palette::ORANGE, Dash::DashDot, Marker::Diamond), |mesh| {
+                matches!(mesh.cells, Cells::Chosen(..))
+            }),
+            (
+                "8-node cells, as fine on all candidates",
+                Style::run(palette::NODE, Dash::Dashed, Marker::Square),
+                |mesh| matches!(mesh.cells, Cells::Plain(_)),
+            ),
+        ];
+        for Found { numbers, .. } in findings {
+            for (label, style, is_one) in kinds {
+                let own = numbers.meshes.iter().filter(|mesh| is_one(mesh));
+                let points = own.map(|mesh| [mesh.dofs as f64, larger(mesh.errors[0], mesh.errors[1])]).collect();
+                chart.series.push(Curve { points, failed: Vec::new() }.drawn(label, style));
+            }
+        }
+        Ok(vec![(FILE.into(), chart.drawing())])
+    }
 }
 
 /// A mesh, and what it gives.
@@ -205,28 +281,6 @@ fn elsewhere() -> Result<Vec<(String, Mesh)>, Error> {
     solved.collect()
 }
 
-/// The checks; a mesh that was not solved has no number that could pass.
-pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
-    let own = ASKED.into_iter().flat_map(|(digits, error, dofs)| {
-        let fitted = Fitted::of_digits(digits);
-        let mesh = numbers.meshes.iter().find(|mesh| mesh.cells == Cells::Fitted(fitted));
-        let at = format!("order {}, layers {}", fitted.order.number(), fitted.layers);
-        let because = "what the order and the layers are chosen for; the worst of all loads";
-        let reference = Reference::analytic("Hertz", 0.0);
-        of(mesh, &at, reference, (error, because), Reference::own("asked of this accuracy", dofs as f64))
-    });
-    let (error, dofs) = ASKED_ELSEWHERE;
-    let elsewhere = numbers.scenes.iter().flat_map(|(scene, mesh)| {
-        let reference = match mesh.exact {
-            true => Reference::analytic("its closed form", 0.0),
-            false => Reference::own("cells of order 8, three layers", 0.0),
-        };
-        let because = "five digits of a contact that no mesh knew the ends of";
-        of(Some(mesh), scene, reference, (error, because), Reference::own("asked of five digits", dofs as f64))
-    });
-    Ok(own.chain(elsewhere).collect())
-}
-
 /// Both errors of a mesh, and its degrees of freedom.
 fn of(
     mesh: Option<&Mesh>,
@@ -281,55 +335,3 @@ const SCENES: [Column<(String, Mesh)>; 6] = [
         false => format!("order {}, {} layers", BEST.order.number(), BEST.layers),
     }),
 ];
-
-/// A row a mesh.
-pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    Ok(format!(
-        "Truncated Hertz under {} loads; p₀ is the peak pressure, a the half-width. Cells of order p have (p + 1)² nodes, at products of \
-         Gauss–Lobatto–Legendre points. `solve --fitted` lays a mesh line on the end of the contact, and layers of cells towards it, each a \
-         fixed part of the one before. It knows nothing of the end: a mesh of 8-node cells finds about where it is; then all points \
-         up to an expected end e are closed, the pressure at the distance d from it is p √d = A₀ + B₀ d + C₀ d², and e moves by 2 A₀/B₀ \
-         until that no longer matters. Beside them are the meshes that `--accuracy` chooses by their error bars, 8-node cells above 0.1 % and from \
-         there on fitted ones, of higher order until the bars are within what is asked; and 8-node cells that are as fine on all candidates.\n\n{}\n{}\n\
-         ## Other scenes\n\n\
-         Peak and second-moment width to five digits with at most {} degrees of freedom. Rectangles have frames of ever larger cells around a contact, \
-         discs too where the contact is small, and rings rows of cells whose radii grow in geometric progression.\n\n{}",
-        LOADS.len(),
-        markdown::columns(&MESHES, findings.iter().flat_map(|found| &found.numbers.meshes)),
-        picture(
-            FILE,
-            "Truncated Hertz: larger error of peak pressure and second-moment width, under the worst of all loads"
-        ),
-        ASKED_ELSEWHERE.1,
-        markdown::columns(&SCENES, findings.iter().flat_map(|found| &found.numbers.scenes)),
-    ))
-}
-
-/// Error over degrees of freedom: fitted cells of high order, what an accuracy chooses, and 8-node cells.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
-    let mut chart = Chart::new(
-        "Truncated Hertz: what accuracy costs",
-        Axis::log("degrees of freedom [–]"),
-        Axis::log("larger relative error of p₀ and a [–]"),
-    );
-    type Kind = (&'static str, Style, fn(&Mesh) -> bool);
-    let kinds: [Kind; 3] = [
-        ("order 4 to 8, fitted to the contact", Style::run(palette::PURPLE, Dash::Solid, Marker::Circle), |mesh| {
-            matches!(mesh.cells, Cells::Fitted(_))
-        }),
-        ("chosen by --accuracy", Style::run(palette::ORANGE, Dash::DashDot, Marker::Diamond), |mesh| {
-            matches!(mesh.cells, Cells::Chosen(..))
-        }),
-        ("8-node cells, as fine on all candidates", Style::run(palette::NODE, Dash::Dashed, Marker::Square), |mesh| {
-            matches!(mesh.cells, Cells::Plain(_))
-        }),
-    ];
-    for Found { numbers, .. } in findings {
-        for (label, style, is_one) in kinds {
-            let own = numbers.meshes.iter().filter(|mesh| is_one(mesh));
-            let points = own.map(|mesh| [mesh.dofs as f64, larger(mesh.errors[0], mesh.errors[1])]).collect();
-            chart.series.push(Curve { points, failed: Vec::new() }.drawn(label, style));
-        }
-    }
-    Ok(vec![(FILE.into(), chart.drawing())])
-}

@@ -1,12 +1,13 @@
-//! Contact element × algorithm × rule, plain or accelerated, by the name that records keep.
+//! Contact element × algorithm × rule by the name that records keep, and how a run of it ended.
 
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
 use crate::algorithm::{Acceleration, StiffnessRule};
-use crate::error::Error;
-use crate::solve::{Element, Formulation, Iteration};
+use crate::error::{Error, Kind};
+use crate::solution::Outcome;
+use crate::solve::{Element, Formulation, Iteration, Run};
 
 /// A way of solving, but for its numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -96,5 +97,75 @@ impl TryFrom<String> for Method {
         found.ok_or_else(|| {
             Error::at("formulation", format!("there is no method `{name}`"), format!("choose one of {}", known()))
         })
+    }
+}
+
+/// How a run ended, as records keep it and maps colour it: its outcome, or one of the errors that a formulation may end in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Class {
+    /// Within the limit of iterations.
+    Converged,
+    /// Stopped by its criterion, above the tolerance.
+    Stopped,
+    /// Not converged when the cap of iterations was reached.
+    Capped,
+    /// Returned to an earlier state.
+    Cycling,
+    /// The error grows without end, or is no number.
+    Diverged,
+    /// Nothing changes any more, and the error is above the tolerance.
+    Stalled,
+    /// No spring left to hold a body: the named error.
+    Unsupported,
+    /// Converged with contact beyond the candidates: the named error.
+    Beyond,
+}
+
+impl Class {
+    /// All, from good to bad.
+    pub const ALL: [Self; 8] = [
+        Self::Converged,
+        Self::Stopped,
+        Self::Capped,
+        Self::Stalled,
+        Self::Cycling,
+        Self::Diverged,
+        Self::Unsupported,
+        Self::Beyond,
+    ];
+
+    /// How a run ended and its iterations; an error that is no way to end is handed on.
+    pub fn of(run: &Result<Run, Error>) -> Result<(Self, usize), Error> {
+        let solution = match run {
+            Ok(run) => &run.solution,
+            Err(Error { kind: Kind::NoSpringLeft { iterations }, .. }) => return Ok((Self::Unsupported, *iterations)),
+            Err(Error { kind: Kind::SpringsTooSoft, .. }) => return Ok((Self::Unsupported, 0)),
+            Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => return Ok((Self::Beyond, 0)),
+            Err(error) => return Err(error.clone()),
+        };
+        let class = match solution.outcome {
+            Outcome::Converged => Self::Converged,
+            Outcome::Stopped => Self::Stopped,
+            Outcome::Capped => Self::Capped,
+            Outcome::Cycling { .. } => Self::Cycling,
+            Outcome::Diverged => Self::Diverged,
+            Outcome::Stalled => Self::Stalled,
+        };
+        Ok((class, solution.work.iterations))
+    }
+
+    /// Name in records and legends.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::Stopped => "stopped",
+            Self::Capped => "capped",
+            Self::Cycling => "cycling",
+            Self::Diverged => "diverged",
+            Self::Stalled => "stalled",
+            Self::Unsupported => "unsupported",
+            Self::Beyond => "beyond",
+        }
     }
 }

@@ -1,14 +1,12 @@
-//! What is found out over many solves: studies as rooms, and what they share.
+//! What is found out over many solves: the list of studies, and what they share.
 //!
-//! * [`about`] — what a study is called, what it asks, and what it cannot tell.
-//! * [`trial`] — one piece of a study that can run alone.
-//! * `rooms` — what a room must have, and how the page meets all of them.
+//! * [`about`] — what a study is: its name, its trials, and what is made of what they found.
 //! * [`described`] — a scene in words and numbers.
 //! * [`drawn`] — colours and dashes of formulations, and curves.
-//! * [`class`](mod@class), [`method`], [`pairing`] — how a run ended and what was run, as they are recorded.
+//! * [`method`] — what was run and how it ended, as they are recorded.
 //! * [`random`] — random scenes of closed form.
 //! * [`records`] — recorded surveys; [`present`] — whether what scripts record is of the present sources.
-//! * [`machine`] — on what seconds were measured.
+//! * [`seconds`] — on what seconds were measured, and their quantiles.
 //! * [`handed_over`] — our discretisation as plain numbers, for other codes; [`answers`] — where theirs come from; [`differences`] — how far
 //!   two of them are apart.
 
@@ -16,7 +14,6 @@ pub mod about;
 pub mod answers;
 pub mod atlas;
 pub mod cases;
-pub mod class;
 pub mod cross_code;
 pub mod described;
 pub mod differences;
@@ -27,10 +24,8 @@ pub mod fitted;
 pub mod handed_over;
 pub mod independent;
 pub mod limits;
-pub mod machine;
 pub mod measured;
 pub mod method;
-pub mod pairing;
 pub mod paper;
 pub mod present;
 pub mod promised;
@@ -38,82 +33,109 @@ pub mod random;
 pub mod records;
 pub mod references;
 pub mod refinement;
-mod rooms;
 pub mod scoreboard;
+pub mod seconds;
 pub mod stability;
 pub mod timings;
-pub mod trial;
+
+use std::any::Any;
+use std::sync::Arc;
 
 use crate::case::judged::{Judged, Verdict, worst};
 use crate::error::Error;
-use about::About;
-use rooms::rooms;
+use about::{About, complete};
 
-pub use trial::{Found, Planned};
+pub use about::{Found, Planned, Study};
 
-rooms! {
-    /// The cases of the suite.
-    Cases in cases,
-    /// Observed orders, the cylinder, the pin–rod and its family.
-    Refinement in refinement,
-    /// Digitised curves of pins, and a photograph of a disc between two plates.
-    Measured in measured,
-    /// Fields and iteration paths.
-    Fields in fields,
-    /// Other codes.
-    CrossCode in cross_code,
-    /// Independent codes.
-    Independent in independent,
-    /// Other codes on exported cases.
-    Scoreboard in scoreboard,
-    /// Reference answers to five digits, and benchmark sheets.
-    References in references,
-    /// The paper: what it says, under readings of it, and what it leaves open.
-    Paper in paper,
-    /// Speed against accuracy.
-    Timings in timings,
-    /// What is promised: converged, error bars, accuracies.
-    Promised in promised,
-    /// Cells of high order, fitted to the end of the contact.
-    Fitted in fitted,
-    /// Where methods fail: the recorded survey, and iterations on the paper's scenes.
-    Atlas in atlas,
-    /// Where methods fail: predicted rates and iterations.
-    Stability in stability,
-    /// Limits of validity.
-    Limits in limits,
-    /// Fault injection.
-    Faults in faults,
+/// Names and texts of files.
+pub type Files = Vec<(String, String)>;
+
+/// A study among all: what it is and does, whatever its numbers are.
+#[derive(Clone, Copy, Debug)]
+pub struct Room {
+    /// Name of its module, which its page has too.
+    pub name: &'static str,
+    /// What its page is called, what it asks, and what it cannot tell.
+    pub about: About,
+    /// Its trials.
+    pub plan: fn() -> Vec<Trial>,
+    /// Its part of the page, without the table of its checks, from all findings.
+    pub section: fn(&[Finding]) -> Result<String, Error>,
+    /// Its charts for light and dark pages: file names and SVG.
+    pub pictures: fn(&[Finding]) -> Result<Files, Error>,
 }
 
-/// A trial of any room.
+impl Room {
+    /// All, in the order of the page.
+    pub const ALL: [Self; 16] = [
+        Self::of::<cases::Numbers>(),
+        Self::of::<refinement::Numbers>(),
+        Self::of::<measured::Numbers>(),
+        Self::of::<fields::Numbers>(),
+        Self::of::<cross_code::Numbers>(),
+        Self::of::<independent::Numbers>(),
+        Self::of::<scoreboard::Numbers>(),
+        Self::of::<references::Numbers>(),
+        Self::of::<paper::Numbers>(),
+        Self::of::<timings::Numbers>(),
+        Self::of::<promised::Numbers>(),
+        Self::of::<fitted::Numbers>(),
+        Self::of::<atlas::Numbers>(),
+        Self::of::<stability::Numbers>(),
+        Self::of::<limits::Numbers>(),
+        Self::of::<faults::Numbers>(),
+    ];
+
+    const fn of<S: Study>() -> Self {
+        Self {
+            name: S::NAME,
+            about: S::ABOUT,
+            plan: || S::plan().into_iter().map(judged).collect(),
+            section: |findings| S::section(&found(findings)),
+            pictures: |findings| drawn::written(&S::pictures(&found(findings))?),
+        }
+    }
+}
+
+/// A trial of any study.
 pub type Trial = Planned<Finding>;
 
 /// What a trial found.
 #[derive(Clone, Debug)]
 pub struct Finding {
-    /// The room it belongs to.
-    pub room: Room,
+    /// Name of the study that it belongs to.
+    pub study: &'static str,
     /// Name of the case or study.
     pub case: String,
     /// Name of the trial.
     pub name: String,
-    /// Its numbers.
-    pub numbers: Numbers,
+    /// Its numbers, of the type that its study has.
+    numbers: Arc<dyn Any + Send + Sync>,
     /// Checks with their verdicts.
     pub judged: Vec<Judged>,
 }
 
 impl Finding {
+    /// What a trial of a study found, judged.
+    pub fn of<S: Study>(case: &str, name: &str, numbers: S) -> Result<Self, Error> {
+        let judged = complete(&format!("{case} × {name}"), numbers.judge()?)?;
+        Ok(Self { study: S::NAME, case: case.into(), name: name.into(), numbers: Arc::new(numbers), judged })
+    }
+
+    /// Its numbers, if it is of this study.
+    pub fn numbers<S: Study>(&self) -> Option<&S> {
+        self.numbers.downcast_ref()
+    }
+
     /// Worst verdict of its checks; without one it is no pass.
     pub fn verdict(&self) -> Verdict {
         worst(&self.judged).cloned().unwrap_or(Verdict::Fail)
     }
 }
 
-/// The trials of all rooms, in the order of the page.
+/// The trials of all studies, in the order of the page.
 pub fn trials() -> Vec<Trial> {
-    Room::ALL.iter().flat_map(|room| room.plan()).collect()
+    Room::ALL.iter().flat_map(|room| (room.plan)()).collect()
 }
 
 /// The finding on the error bars of all checks, made of the findings of the others.
@@ -121,26 +143,23 @@ pub fn on_bars(findings: &[Finding]) -> Result<Finding, Error> {
     let checks = findings
         .iter()
         .flat_map(|Finding { case, name, judged, .. }| judged.iter().map(move |one| (format!("{case} × {name}"), one)));
-    let numbers = Numbers::Promised(promised::Numbers::of_checks(checks));
-    let (case, name) = ("error bars of checks".to_string(), "all trials".to_string());
-    let judged = trial::complete(&case, numbers.judge()?)?;
-    Ok(Finding { room: Room::Promised, case, name, numbers, judged })
+    Finding::of("error bars of checks", "all trials", promised::Numbers::of_checks(checks))
 }
 
 /// Trials that ask the other codes themselves.
 #[cfg(feature = "python")]
 pub fn live() -> Vec<Trial> {
-    let twins = cross_code::live().into_iter().map(|planned| judged(planned, Room::CrossCode, Numbers::CrossCode));
-    let others = independent::live().into_iter();
-    twins.chain(others.map(|planned| judged(planned, Room::Independent, Numbers::Independent))).collect()
+    cross_code::live().into_iter().map(judged).chain(independent::live().into_iter().map(judged)).collect()
 }
 
-/// A trial of a room among those of all, judged.
-fn judged<N: 'static>(planned: Planned<N>, room: Room, numbers: fn(N) -> Numbers) -> Trial {
+/// A trial of a study among those of all, judged.
+fn judged<S: Study>(planned: Planned<S>) -> Trial {
     let (case, name) = (planned.case.clone(), planned.name.clone());
-    Trial::new(case.clone(), name.clone(), move || {
-        let numbers = numbers(planned.run()?);
-        let judged = trial::complete(&planned.title(), numbers.judge()?)?;
-        Ok(Finding { room, case: case.clone(), name: name.clone(), numbers, judged })
-    })
+    Trial::new(case.clone(), name.clone(), move || Finding::of(&case, &name, planned.run()?))
+}
+
+/// The findings of a study among those of all.
+fn found<S: Study>(findings: &[Finding]) -> Vec<Found<'_, S>> {
+    let own = findings.iter().filter_map(|one| Some((one, one.numbers()?)));
+    own.map(|(Finding { case, name, judged, .. }, numbers)| Found { case, name, numbers, judged }).collect()
 }

@@ -32,13 +32,13 @@ pub const MADE: [Made; 3] = [
     Made { entry: "mutant", file: "snapshots/mutants.json", renew: "run `python3 tests/mutants/run.py`" },
 ];
 
-/// What all records have in common.
+/// A record: entries with what is told of each beside its sources.
 #[derive(Clone, Debug, Deserialize)]
-pub struct Record {
-    /// Files and folders whose digest an entry carries.
+pub struct Record<T> {
+    /// Files and folders whose digest an entry carries: all that its verdicts are computed from.
     pub sources: Vec<String>,
     /// Entries.
-    pub record: Vec<Entry>,
+    pub record: Vec<T>,
 }
 
 /// What all entries have in common.
@@ -50,7 +50,7 @@ pub struct Entry {
 
 impl Made {
     /// Reads it.
-    pub fn read(&self) -> Result<Record, Error> {
+    pub fn read(&self) -> Result<Record<Entry>, Error> {
         let file = root().join(self.file);
         let text = fs::read_to_string(&file).map_err(|_| Error::missing_file(&file, self.renew))?;
         serde_json::from_str(&text).map_err(|error| Error::unreadable(&file, error, self.renew))
@@ -66,7 +66,7 @@ impl Made {
     }
 
     /// Not run where an entry was made on other sources than those of this digest: nothing is known of it on these.
-    pub fn judge(&self, record: &Record, present: &str) -> Judged {
+    pub fn judge(&self, record: &Record<Entry>, present: &str) -> Judged {
         let old = record.record.iter().filter(|entry| entry.sources.as_deref() != Some(present)).count();
         let all = record.record.len();
         let quantity =

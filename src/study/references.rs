@@ -8,7 +8,6 @@ use crate::accuracy::reference::{self, Known, MESHES};
 use crate::accuracy::{Barred, Quantity, Subject, Told, bars};
 use crate::case::library::{Cylinder, NAMES, find};
 use crate::case::{self, Case, Check, Judged, Reference};
-use crate::drawing::Drawing;
 use crate::error::Error;
 use crate::markdown::{self, Column, significant, to_bound};
 use crate::measure::order::richardson;
@@ -18,17 +17,8 @@ use crate::oracle::cross_code::independent::{Independent, Script};
 use crate::oracle::{self, Reading, ReferenceKind};
 use crate::scene::ContactPair;
 use crate::solve::{Discretisation, Formulation, Run};
-use crate::study::about::About;
-use crate::study::{Found, Planned, described};
-
-/// What its page is called, what it asks, and what it cannot tell.
-pub const ABOUT: About = About {
-    title: "Reference answers and benchmark sheets",
-    asked: "Which numbers of scenes without a closed form are known to five digits, and what somebody with another code \
-        needs to run the cases of the library.",
-    limits: "The bound of an answer is drawn from differences between meshes of this code; other codes confirm it to \
-        three or four digits only. A closed form may be of an idealised scene; the sheet says where.",
-};
+use crate::study::about::{About, Found, Planned, Study};
+use crate::study::described;
 
 /// The folder of the sheets.
 pub const SHEETS: &str = "snapshots/sheets";
@@ -47,18 +37,6 @@ const SHARED: [(&str, &str); 4] = [
     ("pin-plate", "pin in plate"),
 ];
 
-/// A trial an answer, and a case of the library.
-pub fn plan() -> Vec<Planned<Numbers>> {
-    let wide = Cylinder { a_over_r: 0.1, ..Cylinder::default() }.case().named("cylinder, a/R = 0.1");
-    let named = NAMED.iter().map(|name| find(name, None)).chain([Ok(wide)]);
-    let answer = |(name, case): (&str, Result<Case, Error>)| {
-        Planned::new("reference answers", name, move || answer(case.as_ref().map_err(Clone::clone)?))
-    };
-    let answers = NAMED.into_iter().chain(["cylinder, a/R = 0.1"]).zip(named).map(answer);
-    let sheets = NAMES.map(|(name, _)| Planned::new("benchmark sheets", name, move || solve(name).map(Numbers::Sheet)));
-    answers.chain(sheets).collect()
-}
-
 /// What a trial found.
 #[derive(Clone, Debug)]
 pub enum Numbers {
@@ -71,6 +49,78 @@ pub enum Numbers {
     },
     /// What is on a sheet.
     Sheet(Sheet),
+}
+
+impl Study for Numbers {
+    const NAME: &'static str = "references";
+    const ABOUT: About = About {
+        title: "Reference answers and benchmark sheets",
+        asked: "Which numbers of scenes without a closed form are known to five digits, and what somebody with another code \
+            needs to run the cases of the library.",
+        limits: "The bound of an answer is drawn from differences between meshes of this code; other codes confirm it to \
+            three or four digits only. A closed form may be of an idealised scene; the sheet says where.",
+    };
+
+    /// A trial an answer, and a case of the library.
+    fn plan() -> Vec<Planned<Self>> {
+        let wide = Cylinder { a_over_r: 0.1, ..Cylinder::default() }.case().named("cylinder, a/R = 0.1");
+        let named = NAMED.iter().map(|name| find(name, None)).chain([Ok(wide)]);
+        let answer = |(name, case): (&str, Result<Case, Error>)| {
+            Planned::new("reference answers", name, move || answer(case.as_ref().map_err(Clone::clone)?))
+        };
+        let answers = NAMED.into_iter().chain(["cylinder, a/R = 0.1"]).zip(named).map(answer);
+        let sheets =
+            NAMES.map(|(name, _)| Planned::new("benchmark sheets", name, move || solve(name).map(Numbers::Sheet)));
+        answers.chain(sheets).collect()
+    }
+
+    /// The checks: answers are known to five digits; values of a sheet well enough to be met, and they are met by the codes
+    /// that solved the case.
+    fn judge(&self) -> Result<Vec<Judged>, Error> {
+        let sheet = match self {
+            Numbers::Answer { known, .. } => return Ok(known.iter().flat_map(judge_answer).collect()),
+            Numbers::Sheet(sheet) => sheet,
+        };
+        let known = sheet.values.iter().filter(|value| value.bound.is_finite() && value.value.is_finite()).count();
+        let because = "a sheet without self can be met by nobody";
+        let known = Check::at_least("reference values with a bound", Reference::own("at least", 2.0), because)
+            .judge(known as f64);
+        let met = sheet.values.iter().flat_map(|value| value.others.iter().map(|other| met(value, other)));
+        Ok(std::iter::once(known).chain(met).collect())
+    }
+
+    /// A table an answer, and the list of the sheets.
+    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+        let [answer, order, layers, cells] = MESHES;
+        let mut answers = format!(
+            "The answer is that of cells of order {}, {} on every piece of the contact side, with {} layers towards the ends of the contact, \
+             towards forces at points and re-entrant corners; its ends are found on the way, to a millionth of the half-width. Three other meshes \
+             confirm it: cells of order {}; {} layers; {} cells on every piece. The bound is twice the largest difference to one of them. 8-node cells, \
+             half as large as the case has them, stand beside it with their error bars; an end is there known to a part of an element only. The \
+             benchmark sheets have the answers.\n",
+            answer.fitted.order.number(),
+            answer.cells,
+            answer.fitted.layers,
+            order.fitted.order.number(),
+            layers.fitted.layers,
+            cells.cells,
+        );
+        let mut sheets = String::from(
+            "\n## Benchmark sheets\n\nA page a case of the library: geometry, material, loads, supports, equations, reference values with what \
+             they may be off, sources, and which codes agree. Everything somebody with another code needs to run it.\n\n",
+        );
+        for found in findings {
+            match found.numbers {
+                Numbers::Answer { dofs, known } => {
+                    let _ = write!(answers, "\n## {}\n\n{}", found.name, table_of_answer(*dofs, known));
+                }
+                Numbers::Sheet(Sheet { name, title, .. }) => {
+                    let _ = writeln!(sheets, "* [{name}]({SHEETS}/{name}.md): {title}");
+                }
+            }
+        }
+        Ok(answers + &sheets + "\n")
+    }
 }
 
 /// A number of an answer, in the unit that it is shown in.
@@ -250,21 +300,6 @@ const PENALTY: f64 = 2e-4;
 /// comparisons.
 const SPREAD: f64 = 3.0;
 
-/// The checks: answers are known to five digits; values of a sheet well enough to be met, and they are met by the codes
-/// that solved the case.
-pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
-    let sheet = match numbers {
-        Numbers::Answer { known, .. } => return Ok(known.iter().flat_map(judge_answer).collect()),
-        Numbers::Sheet(sheet) => sheet,
-    };
-    let known = sheet.values.iter().filter(|value| value.bound.is_finite() && value.value.is_finite()).count();
-    let because = "a sheet without numbers can be met by nobody";
-    let known =
-        Check::at_least("reference values with a bound", Reference::own("at least", 2.0), because).judge(known as f64);
-    let met = sheet.values.iter().flat_map(|value| value.others.iter().map(|other| met(value, other)));
-    Ok(std::iter::once(known).chain(met).collect())
-}
-
 fn judge_answer(Answered { known, eight, .. }: &Answered) -> Vec<Judged> {
     let at = |name: &'static str| case::Quantity::at(name, known.measured.name());
     let because = "what other codes are measured against has five digits";
@@ -291,39 +326,6 @@ fn met(value: &Value, (script, [theirs, uncertainty]): &(Script, [f64; 2])) -> J
     let quantity = case::Quantity::at("difference over what both may be off", at);
     let because = "our bound, three standard uncertainties of theirs, and what their springs leave";
     Check::error(quantity, reference, 1.0, because).judge((value.value - theirs).abs() / allowed)
-}
-
-/// A table an answer, and the list of the sheets.
-pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let [answer, order, layers, cells] = MESHES;
-    let mut answers = format!(
-        "The answer is that of cells of order {}, {} on every piece of the contact side, with {} layers towards the ends of the contact, \
-         towards forces at points and re-entrant corners; its ends are found on the way, to a millionth of the half-width. Three other meshes \
-         confirm it: cells of order {}; {} layers; {} cells on every piece. The bound is twice the largest difference to one of them. 8-node cells, \
-         half as large as the case has them, stand beside it with their error bars; an end is there known to a part of an element only. The \
-         benchmark sheets have the answers.\n",
-        answer.fitted.order.number(),
-        answer.cells,
-        answer.fitted.layers,
-        order.fitted.order.number(),
-        layers.fitted.layers,
-        cells.cells,
-    );
-    let mut sheets = String::from(
-        "\n## Benchmark sheets\n\nA page a case of the library: geometry, material, loads, supports, equations, reference values with what \
-         they may be off, sources, and which codes agree. Everything somebody with another code needs to run it.\n\n",
-    );
-    for found in findings {
-        match found.numbers {
-            Numbers::Answer { dofs, known } => {
-                let _ = write!(answers, "\n## {}\n\n{}", found.name, table_of_answer(*dofs, known));
-            }
-            Numbers::Sheet(Sheet { name, title, .. }) => {
-                let _ = writeln!(sheets, "* [{name}]({SHEETS}/{name}.md): {title}");
-            }
-        }
-    }
-    Ok(answers + &sheets + "\n")
 }
 
 fn table_of_answer([answer, order, layers, cells, eight]: [usize; 5], known: &[Answered]) -> String {
@@ -389,9 +391,4 @@ pub fn file(sheet: &Sheet) -> (String, String) {
         markdown::columns(&VALUES, values),
     );
     (format!("{name}.md"), text)
-}
-
-/// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
-    Ok(Vec::new())
 }

@@ -8,8 +8,8 @@ use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::Scene;
 use contact_vv::solution::Solution;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
-use contact_vv::study::Found;
-use contact_vv::study::atlas::{self, Numbers};
+use contact_vv::study::atlas::Numbers;
+use contact_vv::study::{Found, Study};
 
 use crate::workbench::{distance, resolution};
 
@@ -196,15 +196,14 @@ fn bodies_in_free_motion_are_brought_together() {
 
 #[test]
 fn page_has_plain_beside_accelerated_and_one_that_does_not_converge_turns_red() {
-    let trials = atlas::plan();
+    let trials = Numbers::plan();
     let trial = trials.iter().find(|trial| trial.case == "before and after, cylinder").expect("planned");
     let mut numbers = trial.run().expect("run");
-    let verdicts = |numbers: &Numbers| {
-        atlas::judge(numbers).expect("judged").iter().map(|one| one.verdict.clone()).collect::<Vec<_>>()
-    };
+    let verdicts =
+        |numbers: &Numbers| numbers.judge().expect("judged").iter().map(|one| one.verdict.clone()).collect::<Vec<_>>();
     assert_eq!(verdicts(&numbers), [Verdict::Pass, Verdict::Pass]);
     let found = Found { case: &trial.case, name: &trial.name, numbers: &numbers, judged: &[] };
-    let page = atlas::section(&[found]).expect("a section");
+    let page = Numbers::section(&[found]).expect("a section");
     let row = page.lines().find(|line| line.starts_with("| line.varying ")).expect("a row");
     let counts: Vec<usize> = row.split([' ', '|']).filter_map(|word| word.parse().ok()).collect();
     assert!(row.contains("line.varying+newton") && counts.len() == 2 && counts[0] > 10 * counts[1], "{row}");

@@ -4,8 +4,9 @@ use contact_vv::case::Verdict;
 use contact_vv::error::Kind;
 use contact_vv::solve::{Element, Iteration};
 use contact_vv::stability::halving::SOFT;
-use contact_vv::study::atlas::{Chart, Class, Numbers, Plane, Record, judge, record, run, summary};
-use contact_vv::study::method::Method;
+use contact_vv::study::Study;
+use contact_vv::study::atlas::{Chart, Numbers, Plane, Record, plane, run};
+use contact_vv::study::method::{Class, Method};
 use contact_vv::study::records;
 
 fn point(method: Method, ordinate: f64, stiffness: f64, class: Class, iterations: usize) -> Record {
@@ -46,8 +47,8 @@ fn records_come_back_from_a_file_as_they_went() {
     let path = folder.path().join("some.csv");
     let mut kept = vec![point(Method::usual(Element::Node, Iteration::Varying), 1.9, 0.1, Class::Capped, 2000)];
     kept.push(Record { error: f64::NAN, penalty: None, predicted_iterations: None, ..kept[0].clone() });
-    records::write(&path, &records::named(record::HEAD), &kept).expect("written");
-    let read = records::read::<Record>(&path, &records::named(record::HEAD), record::RENEW).expect("read");
+    records::write(&path, &records::named(plane::HEAD), &kept).expect("written");
+    let read = records::read::<Record>(&path, &records::named(plane::HEAD), plane::RENEW).expect("read");
     assert_eq!(format!("{read:?}"), format!("{kept:?}"));
 }
 
@@ -56,7 +57,7 @@ fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() 
     let folder = tempfile::tempdir().expect("a folder");
     let (plane, file) = (Plane::Thickness, folder.path().join("thickness.csv"));
     let refused = |records: &[Record]| {
-        records::write(&file, &records::named(record::HEAD), records).expect("written");
+        records::write(&file, &records::named(plane::HEAD), records).expect("written");
         Chart::read_from(&file, plane).expect_err("refused").to_string()
     };
     let whole = flat(plane);
@@ -65,7 +66,7 @@ fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() 
     for message in [refused(&whole[1..]), refused(&moved)] {
         assert!(message.contains("thickness.csv") && message.contains("-- atlas"), "{message}");
     }
-    records::write(&file, &records::named(record::HEAD), &whole).expect("written");
+    records::write(&file, &records::named(plane::HEAD), &whole).expect("written");
     assert_eq!(Chart::read_from(&file, plane).expect("complete").rows.concat().len(), whole.len());
     let missing = Chart::read_from(&folder.path().join("mesh.csv"), Plane::Mesh).expect_err("missing");
     assert!(missing.kind == Kind::MissingFile, "{missing}");
@@ -75,7 +76,7 @@ fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() 
 fn record_of_an_unknown_method_is_refused_with_file_and_remedy() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("thickness.csv");
-    records::write(&path, &records::named(record::HEAD), &flat(Plane::Thickness)).expect("written");
+    records::write(&path, &records::named(plane::HEAD), &flat(Plane::Thickness)).expect("written");
     let text = std::fs::read_to_string(&path).expect("written");
     for foreign in ["layer.varying.penalty", "layer.varying", "line"] {
         std::fs::write(&path, text.replacen("layer.varying.secant", foreign, 1)).expect("written");
@@ -94,7 +95,7 @@ fn atlas_turns_red_where_a_point_moved_a_prediction_failed_or_an_answer_is_wrong
     }
     let verdicts = |records: &[Record], moved: usize| {
         let numbers = Numbers::Surveyed { chart: Chart::of(plane, records), recomputed: 20, moved };
-        judge(&numbers).expect("judged").iter().map(|one| one.verdict == Verdict::Pass).collect::<Vec<_>>()
+        numbers.judge().expect("judged").iter().map(|one| one.verdict == Verdict::Pass).collect::<Vec<_>>()
     };
     // Nothing is predicted to fail: a prediction that is compared with nothing is red.
     assert_eq!(verdicts(&records, 0), [true, false, true, true, false, true, true]);
@@ -153,8 +154,7 @@ fn records_of_a_plane_are_those_of_its_sites_in_their_order() {
     let marked = |record: Record| Record { class: Class::Cycling, iterations: 123_456, ..record };
     let kept: Vec<Record> =
         flat(plane).into_iter().filter(|one| one.ordinate == sites[0].ordinate).map(marked).collect();
-    records::write(&folder.path().join(sites[0].key() + ".csv"), &records::named(record::HEAD), &kept)
-        .expect("written");
+    records::write(&folder.path().join(sites[0].key() + ".csv"), &records::named(plane::HEAD), &kept).expect("written");
     let surveyed = run::renew(plane, folder.path(), &file, || ());
     let chart = Chart::read_from(&file, plane).expect("complete");
     assert_eq!(surveyed.expect("surveyed"), chart.rows.concat().len());
@@ -197,18 +197,18 @@ fn a_digest_takes_what_converges_everywhere_and_the_best_of_the_worst() {
     let mut charts = Plane::ALL.map(|plane| Chart::read(plane).expect("records"));
     let method = Method::usual(Element::Node, Iteration::Constant);
     let of = |charts: &[Chart]| {
-        let digests = summary::digests(&charts.iter().collect::<Vec<_>>());
+        let digests = plane::digests(&charts.iter().collect::<Vec<_>>());
         digests.into_iter().find(|d| d.method == method).and_then(|digest| digest.safe)
     };
     let before = of(&charts);
-    let summary::Safe { from, to, best, best_iterations, iterations } = before.expect("a range");
+    let plane::Safe { from, to, best, best_iterations, iterations } = before.expect("a range");
     assert!(best_iterations <= iterations);
     assert!(from <= best && best <= to && from < to);
     let row = charts[0].rows.iter_mut().find(|row| row[0].method == method).expect("a row");
-    let point = row.iter_mut().find(|r| record::same(r.stiffness, best)).expect("the best start");
+    let point = row.iter_mut().find(|r| plane::same(r.stiffness, best)).expect("the best start");
     point.iterations = 10 * best_iterations;
     let after = of(&charts);
-    assert!(after.is_some_and(|now| !record::same(now.best, best)
+    assert!(after.is_some_and(|now| !plane::same(now.best, best)
         && now.best_iterations >= best_iterations
         && now.iterations >= 10 * best_iterations));
     let row = charts[0].rows.iter_mut().find(|row| row[0].method == method).expect("a row");

@@ -5,7 +5,8 @@ use std::path::Path;
 use contact_vv::accuracy::{Subject, bars};
 use contact_vv::case::{Case, Judged, Scope, Verdict};
 use contact_vv::oracle::ReferenceKind;
-use contact_vv::study::promised::{Numbers, judge};
+use contact_vv::study::Study;
+use contact_vv::study::promised::Numbers;
 
 /// The judged checks of a scene file, with the bars of `solve`.
 fn judged(file: &str) -> (Vec<Judged>, Vec<(Subject, f64)>) {
@@ -44,7 +45,7 @@ fn too_many_errors_beyond_their_bars_turn_the_claim_red_and_are_listed() {
     let of = |spoil: &dyn Fn(f64) -> f64| {
         let spoiled: Vec<Judged> = all.iter().map(|one| Judged { bar: one.bar.map(spoil), ..one.clone() }).collect();
         let numbers = Numbers::of_checks(spoiled.iter().map(|one| ("a trial".to_string(), one)));
-        let verdict = judge(&numbers).expect("judged")[0].verdict.clone();
+        let verdict = numbers.judge().expect("judged")[0].verdict.clone();
         match numbers {
             Numbers::Checks(all, outside) => (verdict, outside.len(), all),
             other => panic!("{other:?}"),
@@ -63,5 +64,5 @@ fn too_many_errors_beyond_their_bars_turn_the_claim_red_and_are_listed() {
     let excused = |model: f64| Judged { check: narrow.check.clone().leaving(model), ..narrow.clone() }.is_within_bar();
     assert_eq!([excused(1e-4), excused(2e-3)], [Some(false), Some(true)]);
     let none = Numbers::of_checks(std::iter::empty());
-    assert_eq!(judge(&none).expect("judged")[0].verdict, Verdict::Fail);
+    assert_eq!(none.judge().expect("judged")[0].verdict, Verdict::Fail);
 }

@@ -12,7 +12,7 @@ use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use contact_vv::study::promised::bars::{
     Kind, Record, SURVEY, beyond, meant, narrow, record, setup, share_within, told, within,
 };
-use contact_vv::study::random::unseen::JUDGED;
+use contact_vv::study::random::family::JUDGED;
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
 

@@ -4,7 +4,7 @@ use contact_vv::case::judged::requirements;
 use contact_vv::case::{Check, Judged, Quantity, Reference, Verdict};
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::{checks, told};
-use contact_vv::study::trial::complete;
+use contact_vv::study::about::complete;
 
 /// One of each relation to a reference of 2, with a value that passes.
 fn each() -> [(Check, f64); 5] {

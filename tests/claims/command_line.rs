@@ -8,7 +8,8 @@ use contact_vv::case::{Check, Reference};
 use contact_vv::cli::{self, summary, writable};
 use contact_vv::error::nearest::nearest;
 use contact_vv::oracle::ReferenceKind;
-use contact_vv::study::Room;
+use contact_vv::study::faults;
+use contact_vv::study::{Finding, Study};
 
 use crate::outputs::{contact_vv, scene};
 
@@ -205,7 +206,8 @@ fn numbers_out_of_range_are_refused_with_what_they_may_be() {
 
 #[test]
 fn what_did_not_pass_is_told_first_and_passes_are_summed_up() {
-    let found = || Room::Faults.plan()[0].run().expect("the record of planted faults is read");
+    let faults = || faults::Numbers::plan()[0].run().expect("the record of planted faults is read");
+    let found = || Finding::of("planted faults", "the record", faults()).expect("judged");
     let judged = |name: &'static str, value: f64| {
         Check::error(name, Reference::own("none", 0.0), 1e-3, "for this test").judge(value)
     };

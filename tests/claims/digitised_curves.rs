@@ -8,7 +8,7 @@ use contact_vv::case::library::PinRod;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::oracle::analytic::persson::PinInHole;
 use contact_vv::solve::{Discretisation, Formulation, Run};
-use contact_vv::study::measured::curves::{against, judge};
+use contact_vv::study::measured::{against, judge_curves};
 
 const ROD: &str = "pin_radius = 10.0\nclearance = 0.05\neye_outer_radius = 20.0\nshank_width = 20.0\nshank_end = 60.0\n\
     thickness = 1.0\nforce = 2000.0\nfriction = 0.0\n[pin]\nyoung = 210e3\npoisson = 0.3\n[rod]\nyoung = 210e3\npoisson = 0.3\n";
@@ -30,7 +30,7 @@ fn verdict(scene: &str, [across, up]: [&str; 2], error: f64, points: impl IntoIt
     }
     let found = against(folder.path()).expect("a complete folder");
     assert!(found.as_ref().is_ok_and(|curves| curves.len() == 1));
-    judge("synthetic", &found)[0].verdict.clone()
+    judge_curves("synthetic", &found)[0].verdict.clone()
 }
 
 /// Half-angles of Persson's closed form over the force on a thickness of 1 mm.

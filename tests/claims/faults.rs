@@ -23,7 +23,7 @@ fn fault(name: &str, red: &[(&str, usize)], sources: Option<&str>) -> Fault {
 
 #[test]
 fn every_planted_fault_finds_the_line_it_spoils_exactly_once() {
-    let faults = faults::record().expect("recorded").faults;
+    let faults = faults::record().expect("recorded").record;
     assert!(faults.len() >= 20);
     for Fault { planted: Planted { name, file, was, is }, .. } in faults {
         let text = fs::read_to_string(root().join(&file)).unwrap_or_else(|error| panic!("{file}: {error}"));
@@ -141,7 +141,7 @@ fn a_record_of_another_list_is_refused() {
     };
     let one = fault("one", &[("analytic", 1)], None);
     let alone = std::slice::from_ref(&one);
-    assert_eq!(parsed(list, &record(alone, "src")).expect("the same").faults.len(), 1);
+    assert_eq!(parsed(list, &record(alone, "src")).expect("the same").record.len(), 1);
     for (list, record, told) in [
         (list.replace("spoiled", "spoilt"), record(alone, "src"), "another `one`"),
         (list.replace("sound", "whole"), record(alone, "src"), "another `one`"),

@@ -10,9 +10,8 @@ use contact_vv::drawing::{
     Style, Theme, schematic,
 };
 use contact_vv::study::drawn::picture;
-use contact_vv::study::timings::pareto::{Measure, cheapest, front, sound};
 use contact_vv::study::timings::precision::Point;
-use contact_vv::study::timings::record::Record;
+use contact_vv::study::timings::record::{Measure, Record, cheapest, front, sound};
 
 /// Linear red, green and blue (IEC 61966-2-1, as in WCAG 2.1).
 fn linear(Rgb(red, green, blue): Rgb) -> [f64; 3] {

@@ -6,10 +6,10 @@ use std::path::PathBuf;
 use contact_vv::case::{Judged, Verdict};
 use contact_vv::oracle::cross_code::independent::{Folder, Independent, Script};
 use contact_vv::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
+use contact_vv::study::Study;
 use contact_vv::study::answers::Answers;
 use contact_vv::study::independent::benchmark::{STATIONS, Scene};
 use contact_vv::study::independent::found::Found;
-use contact_vv::study::independent::judge;
 use contact_vv::study::independent::run::{Compared, asked, compare};
 
 /// Whether there is a check, and all pass.
@@ -18,7 +18,7 @@ fn all_pass(checks: &[Judged]) -> bool {
 }
 
 fn judged(compared: &Compared) -> Vec<Judged> {
-    judge(compared).expect("judged")
+    compared.judge().expect("judged")
 }
 
 /// The same with the refinement series of a script replaced.

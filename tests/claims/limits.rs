@@ -11,7 +11,7 @@ use contact_vv::solution::PointState;
 use contact_vv::solve::Run;
 use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, candidate_end};
 use contact_vv::stability::conditioning;
-use contact_vv::study::limits;
+use contact_vv::study::{Study, limits};
 
 use crate::workbench::{distorted_patch, resolution};
 
@@ -248,7 +248,7 @@ fn shaken_mesh_moves_inner_nodes_only_and_keeps_edges_straight() {
 
 #[test]
 fn every_limit_gives_one_full_row_of_the_summary_and_passes() {
-    let trials = limits::plan();
+    let trials = limits::Numbers::plan();
     assert_eq!(trials.len(), 14);
     for trial in trials {
         let numbers = trial.run().unwrap_or_else(|error| panic!("{}: {error}", trial.title()));
@@ -256,7 +256,7 @@ fn every_limit_gives_one_full_row_of_the_summary_and_passes() {
         assert!(row.iter().all(|cell| !cell.is_empty() && !cell.contains("NaN")), "{}: {row:?}", trial.title());
         let table = &numbers.table;
         assert!(!table.contains("|  |") && !table.contains("NaN"), "{}: {table}", trial.title());
-        let judged = limits::judge(&numbers).unwrap_or_else(|error| panic!("{}: {error}", trial.title()));
+        let judged = numbers.judge().unwrap_or_else(|error| panic!("{}: {error}", trial.title()));
         assert_eq!(judged::worst(&judged), Some(&Verdict::Pass), "{}", trial.title());
     }
 }
@@ -270,7 +270,7 @@ fn limit_that_ends_in_an_error_shows_its_remedy_as_what_to_do_instead() {
         ("candidates too short", "widen the candidate stretch"),
         ("distorted cells", "make the grading gentler"),
     ] {
-        let trial = limits::plan().into_iter().find(|trial| trial.name == name).expect("a trial of this name");
+        let trial = limits::Numbers::plan().into_iter().find(|trial| trial.name == name).expect("a trial of this name");
         let limit = trial.run().unwrap_or_else(|error| panic!("{}: {error}", trial.title()));
         assert!(limit.instead.starts_with(remedy), "{limit:?}");
         assert!(limit.seen.contains("error: ") && !limit.seen.contains(remedy), "{limit:?}");

@@ -4,8 +4,9 @@ use contact_vv::accuracy::reference::{Answer, Known, Measured, answer};
 use contact_vv::case::Verdict;
 use contact_vv::case::library::{Bars, Cylinder, PinPlate};
 use contact_vv::measure::relative_error;
+use contact_vv::study::Study;
 use contact_vv::study::fitted::{LOADS, under};
-use contact_vv::study::references::{Answered, Numbers, judge};
+use contact_vv::study::references::{Answered, Numbers};
 
 fn of(known: &[Known], measured: Measured) -> &Known {
     known.iter().find(|one| one.measured == measured).expect("measured")
@@ -49,7 +50,7 @@ fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
     let Answer { known, .. } = answer(&Cylinder::default().scene()).expect("answered");
     let sound: Vec<_> = known.into_iter().map(|known| Answered { known, unit: "", eight: None }).collect();
     let failed = |known: &[Answered]| {
-        let judged = judge(&Numbers::Answer { dofs: [0; 5], known: known.into() }).expect("judged").into_iter();
+        let judged = Numbers::Answer { dofs: [0; 5], known: known.into() }.judge().expect("judged").into_iter();
         judged.filter(|one| one.verdict != Verdict::Pass).map(|one| one.check.quantity.to_string()).collect::<Vec<_>>()
     };
     assert_eq!(failed(&sound), Vec::<String>::new());

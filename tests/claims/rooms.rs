@@ -5,16 +5,16 @@ use contact_vv::measure::order::{Richardson, richardson};
 use contact_vv::mesh::Order;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::solve::Fitted;
-use contact_vv::study::class::Class;
-use contact_vv::study::refinement::{Numbers, cylinder, family, nested};
-use contact_vv::study::{fields, fitted, measured, refinement};
+use contact_vv::study::method::Class;
+use contact_vv::study::refinement::{self, Numbers, family, nested};
+use contact_vv::study::{Study, fields, fitted, measured};
 
 fn fails(judged: &[Judged]) -> usize {
     judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
 }
 
 fn judged(numbers: &Numbers) -> Vec<Judged> {
-    refinement::judge(numbers).expect("judged")
+    numbers.judge().expect("judged")
 }
 
 #[test]
@@ -22,7 +22,7 @@ fn a_model_error_that_does_not_fall_with_the_square_of_the_contact_turns_red() {
     let judge = |of: [[f64; 2]; 4]| {
         let ratio = |k: usize| {
             let departures = of[k].map(|value| [value, 1e-6]);
-            cylinder::Ratio { a_over_r: [0.005, 0.05, 0.1, 0.2][k], departures, dofs: 1 }
+            refinement::Ratio { a_over_r: [0.005, 0.05, 0.1, 0.2][k], departures, dofs: 1 }
         };
         judged(&Numbers::ModelError([0, 1, 2, 3].map(ratio)))
     };
@@ -107,7 +107,7 @@ fn limits_of_both_orders_of_cells_that_their_uncertainties_do_not_cover_turn_red
 #[test]
 fn a_quarter_that_changes_a_small_contact_turns_red() {
     let changes = |a_over_r, by: f64| {
-        let change = cylinder::Change { a_over_r, quarter: [by, 1.0], half: [1.0; 2], above: [1.0; 2] };
+        let change = refinement::Change { a_over_r, quarter: [by, 1.0], half: [1.0; 2], above: [1.0; 2] };
         fails(&judged(&Numbers::Quarter(vec![change])))
     };
     assert_eq!(
@@ -147,7 +147,7 @@ fn a_slope_that_depends_on_its_step_turns_red() {
 #[test]
 fn stresses_that_do_not_carry_the_load_turn_red() {
     let mut field = fields::field(fields::Shown::Cylinder).expect("solved");
-    let judge = |field: &fields::Field| fails(&fields::judge(&fields::Numbers::Field(field.clone())).expect("judged"));
+    let judge = |field: &fields::Field| fails(&fields::Numbers::Field(field.clone()).judge().expect("judged"));
     assert_eq!(judge(&field), 0);
     for resultant in &mut field.resultants {
         resultant.force *= 1.1;
@@ -160,10 +160,10 @@ fn stresses_that_do_not_carry_the_load_turn_red() {
 #[test]
 fn a_curve_beyond_its_uncertainty_turns_red_and_one_that_is_absent_is_not_run() {
     let judge = |found: Result<f64, &str>| {
-        let (file, source, kind) = ("curve.csv".into(), "Gaertner 1977".into(), ReferenceKind::Measured);
-        let found = found.map(|worst| vec![measured::curves::Curve { file, source, kind, worst, model_form: None }]);
+        let check = measured::check("curve.csv", "Gaertner 1977", ReferenceKind::Measured, None);
+        let found = found.map(|worst| vec![check.judge(worst)]);
         let found = found.map_err(str::to_owned);
-        let judged = measured::judge(&measured::Numbers::Curves { source: "Gaertner 1977".into(), found });
+        let judged = measured::Numbers::Curves { source: "Gaertner 1977".into(), found }.judge();
         judged.expect("judged")[0].verdict.clone()
     };
     assert_eq!([1.9, 2.1, f64::NAN].map(|worst| judge(Ok(worst))), [Verdict::Pass, Verdict::Fail, Verdict::Fail]);
@@ -184,7 +184,7 @@ fn a_fitted_mesh_that_costs_or_errs_more_than_is_asked_turns_red() {
         meshes.iter_mut().chain(scenes.iter_mut().map(|(_, mesh)| mesh)).for_each(spoil);
         let judge = |meshes: &[fitted::Mesh], scenes: &[(String, fitted::Mesh)]| {
             let numbers = fitted::Numbers { meshes: meshes.into(), scenes: scenes.into() };
-            let judged = fitted::judge(&numbers).expect("judged");
+            let judged = numbers.judge().expect("judged");
             assert_eq!(judged.len(), 9 + 3 * scenes.len());
             fails(&judged)
         };

@@ -7,8 +7,9 @@ use contact_vv::case::Verdict;
 use contact_vv::checkout::root;
 use contact_vv::referee::Truth;
 use contact_vv::solve::Discretisation;
+use contact_vv::study::Study;
 use contact_vv::study::scoreboard::board::{Board, Ended, FOLDER, Told};
-use contact_vv::study::scoreboard::{CASES, Numbers, Score, judge, named, numbers, scored};
+use contact_vv::study::scoreboard::{CASES, Numbers, Score, named, numbers, scored};
 use flate2::read::GzDecoder;
 
 /// A frozen file as text, and what it is called without compression.
@@ -36,7 +37,7 @@ fn of(case: &str, board: &Board) -> Numbers {
 
 /// Which checks of a case do not pass.
 fn not_passed(numbers: &Numbers) -> Vec<String> {
-    let judged = judge(numbers).expect("judged").into_iter();
+    let judged = numbers.judge().expect("judged").into_iter();
     judged.filter(|one| one.verdict != Verdict::Pass).map(|one| one.check.quantity.to_string()).collect()
 }
 
@@ -150,7 +151,7 @@ fn the_best_setting_is_the_one_with_the_least_that_is_not_met() {
     let board = Board::load().expect("frozen");
     for case in CASES {
         let numbers = of(case, &board);
-        for code in contact_vv::study::scoreboard::setting::Code::ALL {
+        for code in contact_vv::study::scoreboard::board::Code::ALL {
             let Some(best) = numbers.best(|setting| setting.code == code) else { continue };
             let own = numbers.rows.iter().filter(|row| row.setting.code == code);
             assert_eq!(own.map(|row| row.not_met()).min(), Some(best.not_met()), "{case}, {}", code.name());

@@ -2,10 +2,11 @@
 
 use contact_vv::case::Verdict;
 use contact_vv::case::library::NAMES;
-use contact_vv::study::references::{Numbers, Sheet, file, judge, solve};
+use contact_vv::study::Study;
+use contact_vv::study::references::{Numbers, Sheet, file, solve};
 
 fn green(sheet: &Sheet) -> bool {
-    judge(&Numbers::Sheet(sheet.clone())).expect("judged").iter().all(|one| one.verdict == Verdict::Pass)
+    Numbers::Sheet(sheet.clone()).judge().expect("judged").iter().all(|one| one.verdict == Verdict::Pass)
 }
 
 #[test]

@@ -10,9 +10,9 @@ use contact_vv::mesh::{Order, Resolution};
 use contact_vv::solution::{IterationError, Work};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::stability::{Limit, halving, linear, rate, release};
-use contact_vv::study::stability::halving::{Mesh, Scene};
-use contact_vv::study::stability::rates::{Before, Rate};
-use contact_vv::study::stability::{Numbers, judge};
+use contact_vv::study::Study;
+use contact_vv::study::stability::rates::{Before, Rate, Scene};
+use contact_vv::study::stability::{Mesh, Numbers};
 
 fn discretisation() -> Discretisation {
     let scene = library::find("truncated-hertz", None).expect("a scene of the library").scene;
@@ -140,7 +140,7 @@ fn no_active_set_lets_constant_stiffness_with_correction_leave_its_limit() {
 
 /// What is judged of a trial, spoiled.
 fn fails(numbers: Numbers) -> bool {
-    judge(&numbers).expect("judged").iter().any(|judged| judged.verdict == Verdict::Fail)
+    numbers.judge().expect("judged").iter().any(|judged| judged.verdict == Verdict::Fail)
 }
 
 #[test]
@@ -151,7 +151,7 @@ fn no_prediction_of_a_rate_takes_the_place_of_another() {
         linearised: Some(linearised),
         measured: Some(measured),
     };
-    let judged = |start: Rate| judge(&Numbers::Rates(vec![start; 3])).expect("judged").len();
+    let judged = |start: Rate| Numbers::Rates(vec![start; 3]).judge().expect("judged").len();
     // The slowest mode alone: both predictions are judged. Not alone: the linear iteration is.
     assert_eq!(judged(start(0.96, 0.96)), 7);
     assert_eq!(judged(start(0.95, 0.95)), 4);
@@ -210,7 +210,7 @@ fn pin_rod_turns_red_where_twice_the_elements_cost_more_than_a_halving() {
     let mesh = |elements, measured| Mesh { stretch: 1.5, elements, predicted: [5; 3], measured, hard_from: None };
     let verdict = |fine: [Option<usize>; 3]| {
         let meshes = vec![mesh(12, [Some(6), Some(5), Some(5)]), mesh(24, fine)];
-        let judged = judge(&Numbers::Halving(Scene::PinRod, meshes)).expect("judged");
+        let judged = Numbers::Halving(Scene::PinRod, meshes).judge().expect("judged");
         assert_eq!(judged.len(), 1);
         judged[0].verdict.clone()
     };

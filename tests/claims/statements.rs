@@ -5,11 +5,10 @@ use contact_vv::case::Verdict;
 use contact_vv::report::statements;
 use contact_vv::solve::{Element, Iteration};
 use contact_vv::study::paper::reading::{Axis, Candidates, Reading, Stop};
-use contact_vv::study::paper::runs::{Course, courses, shown};
 use contact_vv::study::paper::sentence::{Met, Seen, Sentence, Starts, agrees};
+use contact_vv::study::paper::statement::{Course, courses, shown};
 use contact_vv::study::paper::statement::{Fared, Judgement, NONE};
-use contact_vv::study::paper::{self, judge};
-use contact_vv::study::{Finding, Numbers, Room};
+use contact_vv::study::{Finding, Study, paper};
 
 /// An end after so many iterations.
 fn end(iterations: usize) -> Option<Met> {
@@ -149,8 +148,7 @@ fn nearest() -> Vec<Course> {
 }
 
 fn judged(courses: Vec<Course>, sentence: Sentence) -> Judgement {
-    let numbers = Numbers::Paper(paper::Numbers { courses });
-    let finding = Finding { room: Room::Paper, case: "r".into(), name: "r".into(), numbers, judged: vec![] };
+    let finding = Finding::of("r", "r", paper::Numbers { courses }).expect("judged");
     let mut all = statements::judge(&[finding]).into_iter();
     all.find(|statement| statement.text == sentence.name()).expect("a statement").judgement
 }
@@ -175,7 +173,7 @@ fn statement_that_needs_what_was_not_run_is_not_judged() {
 #[test]
 fn run_that_stops_elsewhere_than_its_course_tells_is_red() {
     let verdict = |courses: &[Course]| {
-        let judged = judge(&paper::Numbers { courses: courses.to_vec() }).expect("judged");
+        let judged = paper::Numbers { courses: courses.to_vec() }.judge().expect("judged");
         judged[0].verdict.clone()
     };
     let all = nearest();

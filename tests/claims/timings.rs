@@ -3,18 +3,13 @@
 use approx::assert_relative_eq;
 use contact_vv::case::Verdict;
 use contact_vv::checkout::root;
-use contact_vv::study::machine::Machine;
-use contact_vv::study::timings::growth::{Counts, Growth, exponent};
-use contact_vv::study::timings::others::answered;
-use contact_vv::study::timings::precision::{self, LOADS, Point, half_widths};
+use contact_vv::study::Study;
+use contact_vv::study::seconds::{Machine, Spread, quantile, ratios};
+use contact_vv::study::timings::growth::{self, Counts, Growth, exponent};
+use contact_vv::study::timings::precision::{self, LOADS, Point, Series, answered, half_widths, nominal};
 use contact_vv::study::timings::record::{Beside, FOLDER, Record};
-use contact_vv::study::timings::run::Again;
-use contact_vv::study::timings::section::{beside, conclusion, page};
-use contact_vv::study::timings::series::{Series, nominal};
-use contact_vv::study::timings::statistics::{Spread, quantile, ratios};
 use contact_vv::study::timings::targets::{Target, targets};
-use contact_vv::study::timings::work_precision::chart;
-use contact_vv::study::timings::{Numbers, growth, judge};
+use contact_vv::study::timings::{Again, Numbers, beside, chart, conclusion, page};
 
 fn committed() -> Record {
     Record::read().expect("the committed record")
@@ -49,7 +44,7 @@ fn loads_move_the_edge_across_one_element_and_no_further() {
 }
 
 fn verdict(numbers: Numbers) -> Verdict {
-    judge(&numbers).expect("judged")[0].verdict.clone()
+    numbers.judge().expect("judged")[0].verdict.clone()
 }
 
 #[test]

@@ -3,10 +3,10 @@
 use crate::report::links::to_page as link;
 use crate::report::matrix::Column;
 use crate::report::study_page;
-use crate::study::atlas::summary::{Digest, digests};
+use crate::study::atlas::plane::{Digest, digests};
 use crate::study::atlas::{self, Chart};
 use crate::study::drawn::picture;
-use crate::study::{Finding, Numbers, Room};
+use crate::study::{Finding, Study, limits, promised};
 
 /// The map, and what it shows.
 const CHART: [&str; 2] = [
@@ -18,8 +18,8 @@ const CHART: [&str; 2] = [
 fn surveyed(findings: &[Finding]) -> Option<Vec<Digest>> {
     let charts: Vec<&Chart> = findings
         .iter()
-        .filter_map(|finding| match &finding.numbers {
-            Numbers::Atlas(atlas::Numbers::Surveyed { chart, .. }) => Some(chart),
+        .filter_map(|finding| match finding.numbers() {
+            Some(atlas::Numbers::Surveyed { chart, .. }) => Some(chart),
             _ => None,
         })
         .collect();
@@ -34,13 +34,13 @@ pub fn recommended(findings: &[Finding]) -> Option<Column> {
 /// The recommendation and the map.
 pub fn advice(findings: &[Finding]) -> String {
     let Some(digests) = surveyed(findings) else { return "Nothing was surveyed.".into() };
-    let page = |text: &str, room: Room| link(text, &study_page::file(room));
+    let page = |text: &str, study: &str| link(text, &study_page::file(study));
     format!(
         "{}\n{}, {}, {}.\n\n{}",
         atlas::recommendation(&digests),
-        page("Why", Room::Atlas),
-        page("where everything else ends", Room::Limits),
-        page("what is called converged", Room::Promised),
+        page("Why", atlas::Numbers::NAME),
+        page("where everything else ends", limits::Numbers::NAME),
+        page("what is called converged", promised::Numbers::NAME),
         picture(CHART[0], CHART[1])
     )
 }

@@ -2,10 +2,10 @@
 
 use crate::report::links::to_page as link;
 use crate::report::study_page;
-use crate::study::Room;
+use crate::study::Study;
 use crate::study::drawn::picture;
 use crate::study::timings::record::Record;
-use crate::study::timings::section::conclusion;
+use crate::study::timings::{Numbers, conclusion};
 
 /// The chart, and what it shows.
 const CHART: [&str; 2] = [
@@ -20,7 +20,7 @@ pub fn cost() -> String {
     format!(
         "{} Seconds of one machine ({processor}), one thread; {}.\n\n{}",
         conclusion(&record),
-        link("growth, stages, memory, targets", &study_page::file(Room::Timings)),
+        link("growth, stages, memory, targets", &study_page::file(Numbers::NAME)),
         picture(CHART[0], CHART[1])
     )
 }

@@ -8,7 +8,7 @@ use crate::report::front::nearness;
 use crate::report::links::to_page as link;
 use crate::report::{checks_page, statements, told};
 use crate::study::drawn::picture;
-use crate::study::{Finding, Numbers, measured, promised};
+use crate::study::{Finding, measured, promised};
 
 /// What a check of each kind can show.
 const SHOWS: [(ReferenceKind, &str, &str); 4] = [
@@ -31,8 +31,8 @@ pub fn right(findings: &[Finding]) -> String {
         (number, 0) => format!("**No check fails**: {pass} of {number} pass{not_run}."),
         (number, _) => format!("**✗ {fail} of {number} checks fail**; {pass} pass{not_run}.{}", told::failures(&all)),
     };
-    let bars = findings.iter().filter_map(|finding| match &finding.numbers {
-        Numbers::Promised(promised::Numbers::Checks(all, outside)) => {
+    let bars = findings.iter().filter_map(|finding| match finding.numbers() {
+        Some(promised::Numbers::Checks(all, outside)) => {
             let unknown = outside.iter().filter(|(_, one)| !one.has_known_bar()).count();
             let beyond = outside.len() - unknown;
             Some(format!(
@@ -95,9 +95,8 @@ pub fn against(findings: &[Finding]) -> String {
 /// How many comparisons with measurements were judged, and of what kind.
 fn experiments(findings: &[Finding]) -> String {
     let of_photographs = |yes: bool| {
-        let own = findings.iter().filter(move |finding| match &finding.numbers {
-            Numbers::Measured(numbers) => matches!(numbers, measured::Numbers::Photograph(_)) == yes,
-            _ => false,
+        let own = findings.iter().filter(move |finding| {
+            finding.numbers().is_some_and(|numbers| matches!(numbers, measured::Numbers::Photograph(_)) == yes)
         });
         own.flat_map(|finding| &finding.judged).filter(|judged| !matches!(judged.verdict, Verdict::NotRun(_)))
     };

@@ -7,8 +7,8 @@ use crate::report::links::to_page as link;
 use crate::report::matrix::{self, Column};
 use crate::report::{case_page, checks_page, statements, study_page, told};
 use crate::study::cases::page;
-use crate::study::paper::decided::NOT_COVERED;
-use crate::study::{Finding, Numbers, Room};
+use crate::study::paper::NOT_COVERED;
+use crate::study::{Finding, Room, Study, cases, paper};
 
 /// Judgement and one measured clause.
 pub fn statements(findings: &[Finding]) -> String {
@@ -23,7 +23,10 @@ pub fn statements(findings: &[Finding]) -> String {
         "Of {} statements: {}. {}.\n\n{}",
         judged.len(),
         words.join(", "),
-        link("Measurements and conditions in full, misprints, decisions, sources", &study_page::file(Room::Paper)),
+        link(
+            "Measurements and conditions in full, misprints, decisions, sources",
+            &study_page::file(paper::Numbers::NAME)
+        ),
         markdown::table(&["statement", "judgement", "measured"].map(String::from), &rows)
     )
 }
@@ -42,9 +45,9 @@ pub fn verdicts(findings: &[Finding], recommended: Option<Column>) -> String {
 /// Name of a case with the link to its page.
 fn named(finding: &Finding) -> String {
     let name = finding.case.trim_end_matches(".toml");
-    match &finding.numbers {
-        Numbers::Cases(numbers) => link(name, &case_page::file(&page(&numbers.case))),
-        _ => name.into(),
+    match finding.numbers::<cases::Numbers>() {
+        Some(numbers) => link(name, &case_page::file(&page(&numbers.case))),
+        None => name.into(),
     }
 }
 
@@ -67,25 +70,25 @@ pub fn never_compared(findings: &[Finding]) -> String {
 
 /// The page of a finding.
 fn file(finding: &Finding) -> String {
-    match &finding.numbers {
-        Numbers::Cases(numbers) => case_page::file(&page(&numbers.case)),
-        _ => study_page::file(finding.room),
+    match finding.numbers::<cases::Numbers>() {
+        Some(numbers) => case_page::file(&page(&numbers.case)),
+        None => study_page::file(finding.study),
     }
 }
 
 /// Every page of a study, with its sign and number of checks.
 pub fn index(findings: &[Finding]) -> String {
     let one = |room: &Room| {
-        let judged = study_page::of(*room, findings).flat_map(|finding| &finding.judged);
+        let judged = study_page::of(room.name, findings).flat_map(|finding| &finding.judged);
         let [pass, fail, absent] = told::counts(judged);
         let sign = match (fail, absent) {
             (0, 0) => "✓",
             (0, _) => "○",
             _ => "✗",
         };
-        format!("{sign} {} {}", link(room.about().title, &study_page::file(*room)), pass + fail + absent)
+        format!("{sign} {} {}", link(room.about.title, &study_page::file(room.name)), pass + fail + absent)
     };
-    let rooms: Vec<String> = study_page::asked(findings).iter().map(one).collect();
+    let rooms: Vec<String> = study_page::asked(findings).map(one).collect();
     format!(
         "Studies, with their numbers of checks: {}.\n\nBesides: {}. The README says how to read them and how to make them again.\n",
         rooms.join(" · "),

@@ -2,37 +2,293 @@
 //! first of them, over initial stiffness and one other number; the plain ones predicted before they are run. Above 400 lines, so
 //! a folder:
 //!
-//! * `plane` — initial stiffness against which other number, and what lies on one mesh.
-//! * `record` — what is kept under `snapshots/atlas`, and its chart of classes with their boundaries.
+//! * `plane` — initial stiffness against which other number, and what lies on one mesh; what is kept under `snapshots/atlas`, and its
+//!   chart of classes with their boundaries; what the records say of each method, and what to use.
 //! * `run` — a point predicted and run; a record read and a twentieth of it recomputed; the paper's scenes before and after
-//!   acceleration.
-//! * `judge` — predictions against runs, and what the records must hold.
-//! * `summary` — what the records say of each method, and what to use.
-//! * `section`, `picture` — the page and its charts.
+//!   acceleration; and predictions against runs.
+//! * `picture` — charts.
+//!
+//! Below is the page: recommendation, predicted curves and their laws, methods, maps, slices, predictions against runs; and the iterations
+//! of the paper's elements and algorithms on its scenes.
 
-mod judge;
 mod picture;
 pub mod plane;
-pub mod record;
 pub mod run;
-mod section;
-pub mod summary;
 
-use crate::study::about::About;
+use std::fmt::Write;
 
-pub use crate::study::class::Class;
-pub use judge::judge;
-pub use picture::pictures;
-pub use plane::{Plane, Site};
-pub use record::{Chart, Record};
-pub use run::{Numbers, Saved, plan};
-pub use section::section;
-pub use summary::{recommendation, recommended};
+use crate::algorithm::StiffnessRule;
+use crate::algorithm::logarithms::STOOD;
+use crate::case::Judged;
+use crate::drawing::Drawing;
+use crate::error::Error;
+use crate::markdown::{self, Column};
+use crate::solve::{Element, Formulation, Iteration, Settings};
+use crate::study::about::{About, Found, Planned, Study};
+use crate::study::atlas::plane::{Digest, Safe, digests};
+use crate::study::atlas::plane::{STRETCH, same};
+use crate::study::atlas::run::{ENOUGH, FACTOR, HALVINGS, agreement, charts};
+use crate::study::drawn::picture;
+use crate::study::method::{Class, Method};
 
-/// What its page is called, what it asks, and what it cannot tell.
-pub const ABOUT: About = About {
-    title: "Where methods fail",
-    asked: "How many iterations every method takes from each initial stiffness, and from which it ends right, over candidates, meshes and \
-            scenes.",
-    limits: "Scenes of one contact without friction; beyond the surveyed range nothing is known.",
-};
+pub use plane::{Chart, Plane, Record, Site, recommendation, recommended};
+pub use run::{Numbers, Saved};
+
+impl Study for Numbers {
+    const NAME: &'static str = "atlas";
+    const ABOUT: About = About {
+        title: "Where methods fail",
+        asked: "How many iterations every method takes from each initial stiffness, and from which it ends right, over candidates, meshes and \
+                scenes.",
+        limits: "Scenes of one contact without friction; beyond the surveyed range nothing is known.",
+    };
+
+    fn plan() -> Vec<Planned<Self>> {
+        run::plan()
+    }
+
+    fn judge(&self) -> Result<Vec<Judged>, Error> {
+        Ok(run::judge(self))
+    }
+
+    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+        let charts = charts(findings);
+        let digests = digests(&charts);
+        let mut text = format!("{}\n", recommendation(&digests));
+        text += &picture(
+            "iterations-predicted.svg",
+            &format!(
+                "As Fig. 11, predicted: measured points on curves predicted from the condensed matrices; truncated Hertz, candidates to \
+                 {STRETCH} half-widths; colours tell the rules apart. Hollow markers above the frame: how the others ended"
+            ),
+        );
+        let _ = writeln!(text, "{LAWS}{}", methods(&digests));
+        text += &picture(
+            "atlas-stretch.svg",
+            "How every run ends over initial stiffness and candidate surface, with the predicted boundary",
+        );
+        text += &picture("atlas-mesh.svg", "The same over initial stiffness and mesh");
+        text += &slices(&charts);
+        let _ = writeln!(text, "**Predictions against runs**\n\n{}\n{EXPLAINED}", predictions(&charts));
+        Ok(text + &in_the_paper(findings, &charts))
+    }
+
+    fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
+        Ok(picture::pictures(&charts(findings)))
+    }
+}
+
+const LAWS: &str = "\
+The curves, *a posteriori* but for kinematic load: from the condensed matrices and the final active set, which needs the solved contact. \
+*Constant stiffness with correction* is followed as a \
+linear iteration from its start to the tolerance, and takes no fewer iterations than hard springs need to work off their gaps, \
+k₀ g/p̄; *varying stiffness* is as slow as the slowest point near the contact edge, whose force falls by w/g, or by κ (w − g), an iteration; \
+*kinematic load* halves L² − a². *A priori*, for any scene: constant stiffness with correction is an averaged map, which comes no farther from its limit at any \
+iteration, so that from no κ₀ > 0 it diverges or cycles. Derivations are given beside the formulas in `src/solver/stability`.\n\n";
+
+const EXPLAINED: &str = "\
+What the predictions leave out: *line and layer elements* have an alternating pressure mode, which hard springs raise and soft ones \
+hardly feel; the rates at the limit do not know how much of it a start raises. *Varying stiffness with correction* is predicted next to \
+the contact: whether a run from afar gets there is not. *Constant stiffness with secant* may pass where the whole gap of the point \
+nearest the centre, in which its instability sits, is below the tolerance: the error does not see it swing.\n\n";
+
+/// Method → where it works → how its runs end → why → which rule does better.
+fn methods(all: &[Digest]) -> String {
+    let columns: [Column<(&[Digest], Method)>; 5] = [
+        ("method", |(_, method)| method.way()),
+        ("every run ends right for κ₀ from … to", |(all, method)| ranges(all, *method)),
+        ("how the runs ended", |(all, method)| ends(all, *method)),
+        ("what stands in its way", |(_, method)| obstacle(*method).into()),
+        ("what else of the same algorithm has a wider range", |(all, method)| wider(all, *method)),
+    ];
+    let rows: Vec<(&[Digest], Method)> = Method::of(Element::Node).into_iter().map(|method| (all, method)).collect();
+    markdown::columns(&columns, &rows)
+}
+
+/// What is said of a method on each element.
+fn on_elements(all: &[Digest], method: Method) -> impl Iterator<Item = &Digest> {
+    all.iter().filter(move |digest| digest.method == Method { element: digest.method.element, ..method })
+}
+
+fn ranges(all: &[Digest], method: Method) -> String {
+    let range = |digest: &Digest| {
+        let range = digest.safe.map_or("nowhere".into(), |Safe { from, to, .. }| format!("{from:e} … {to:e}"));
+        format!("{}: {range}", digest.method.element.name())
+    };
+    on_elements(all, method).map(range).collect::<Vec<_>>().join("; ")
+}
+
+/// Runs by how they ended.
+fn ends(all: &[Digest], method: Method) -> String {
+    let ended = |class: Class| {
+        let counts = on_elements(all, method).flat_map(|digest| &digest.ends).filter(|(other, _)| *other == class);
+        (class, counts.map(|(_, count)| count).sum::<usize>())
+    };
+    let counted = Class::ALL.map(ended).into_iter().filter(|(_, count)| *count > 0);
+    counted.map(|(class, count)| format!("{count} {}", class.name())).collect::<Vec<_>>().join(", ")
+}
+
+/// Other methods of the algorithm, with the elements on which their range is wider.
+fn wider(all: &[Digest], method: Method) -> String {
+    let others = Method::of(method.element).into_iter().filter(|other| other.algorithm == method.algorithm);
+    let told = |other: Method| {
+        let pairs = on_elements(all, other).zip(on_elements(all, method));
+        let wider = pairs.filter(|(other, own)| other.safe.is_some_and(|range| range.is_wider_than(own.safe)));
+        let elements: Vec<&str> = wider.map(|(other, _)| other.method.element.name()).collect();
+        (!elements.is_empty()).then(|| format!("`{}` ({})", other.way(), elements.join(", ")))
+    };
+    let found: Vec<String> = others.filter_map(told).collect();
+    if found.is_empty() { "–".into() } else { found.join("; ") }
+}
+
+/// What a rule has to overcome, by its own formula.
+fn obstacle(method: Method) -> &'static str {
+    match (method.algorithm, method.rule) {
+        (Iteration::Varying, _) if method.is_accelerated() => {
+            "points that part from the contact one by one: until those that press stand still, the rule goes alone"
+        }
+        (Iteration::Constant, _) if method.is_accelerated() => "which points press is found step by step",
+        (Iteration::Varying, StiffnessRule::Secant) => {
+            "an open point loses its force by w/g an iteration, and w/g → 1 at the contact edge"
+        }
+        (Iteration::Varying, StiffnessRule::Correction) => {
+            "a correction by κ ≥ k₀ of points near the edge, where p/w is small: of hard κ₀ it is too large, and they swing"
+        }
+        (Iteration::Constant, StiffnessRule::Correction) => {
+            "a closed point keeps 1 − k₀ C of an error at each iteration, nearly all where κ₀ is soft; an open one k₀ C, nearly all where it is hard"
+        }
+        (Iteration::Constant, StiffnessRule::Secant) => "the spring asked for, p/g, has no bound where g → 0",
+        (Iteration::Constant, StiffnessRule::Literal) => {
+            "Σ Δk w is not the change of k w: what is missing stays in points that open"
+        }
+        (Iteration::Kinematic, StiffnessRule::Switching) => {
+            "the alternating mode of Gauss points, which the halving law of nodes does not know"
+        }
+        (Iteration::Kinematic, StiffnessRule::Penalty) => {
+            "the penetration p/k, which is its own law; soft springs let the contact reach the end of the candidate surface"
+        }
+        _ => "not offered",
+    }
+}
+
+/// Iterations along the slices, a table each, at the initial stiffness of each algorithm that the paper's forms start from.
+fn slices(charts: &[&Chart]) -> String {
+    let mut text = String::from(
+        "Slices through the centre, at the surveyed initial stiffness next to each algorithm's own: iterations, and error of p₀ or a \
+         against the discrete solution.\n\n",
+    );
+    for chart in charts.iter().filter(|chart| chart.plane.is_slice()) {
+        let first = chart.plane.methods().into_iter().filter(|method| method.rule == method.algorithm.rules()[0]);
+        let rows: Vec<Vec<String>> = first.filter_map(|method| along(chart, method)).collect();
+        let ordinates = chart.plane.ordinates().iter().map(f64::to_string);
+        let head: Vec<String> = std::iter::once(chart.plane.label().to_string()).chain(ordinates).collect();
+        let _ = writeln!(text, "{}", markdown::table(&head, &rows));
+    }
+    text
+}
+
+/// A method along a slice.
+fn along(chart: &Chart, method: Method) -> Option<Vec<String>> {
+    let near = |r: &&Record| (r.stiffness / method.algorithm.default_stiffness()).log10().abs() < 0.5;
+    let records: Vec<&Record> = chart.of_method(method).filter_map(|row| row.iter().find(near)).collect();
+    let first = format!("{method}, κ₀ = {:e}", records.first()?.stiffness);
+    let cell = |record: &Record| match record.class {
+        Class::Converged => format!("{} iterations, {}", record.iterations, markdown::error(record.error)),
+        class => class.name().into(),
+    };
+    Some(std::iter::once(first).chain(records.into_iter().map(cell)).collect())
+}
+
+/// How often each prediction fails, by method.
+fn predictions(charts: &[&Chart]) -> String {
+    let head = [
+        "method".into(),
+        "converged against the prediction".into(),
+        "failed against it".into(),
+        format!("iterations off by a factor above {FACTOR}, or under kinematic load by more than {HALVINGS}"),
+    ];
+    let cell = |[count, of]: [usize; 2]| if of == 0 { "–".into() } else { format!("{count} of {of}") };
+    let row = |method: Method| {
+        let shares = agreement(charts, method)?;
+        Some(std::iter::once(method.to_string()).chain(shares.map(cell)).collect())
+    };
+    markdown::table(&head, &Method::all().into_iter().filter_map(row).collect::<Vec<Vec<String>>>())
+}
+
+/// Elements and iterations: what they are, iterations from every initial stiffness, before and after acceleration, and by every rule.
+fn in_the_paper(findings: &[Found<Numbers>], charts: &[&Chart]) -> String {
+    let mut text = "## Elements and iterations on the scenes of the paper\n\n".to_string();
+    text += &picture(
+        "contact-problem.svg",
+        "As Figs 1 and 2: bodies in contact, and contact elements on the potential contact area",
+    );
+    text += &picture("contact-elements.svg", "As Figs 3, 4 and 5: line, layer and node contact element");
+    text += &picture(
+        "iterations-against-stiffness.svg",
+        "As Fig. 11 with all nine formulations, by the iteration error: iterations against initial stiffness, as they stand in the paper and, dash-dotted, accelerated; runs that did not converge are drawn as hollow markers above the chart",
+    );
+    text + &before_and_after(findings) + &rules(charts)
+}
+
+/// Iterations of the paper's formulations, and of what the program takes in their place, on both scenes.
+fn before_and_after(findings: &[Found<Numbers>]) -> String {
+    let saved = findings.iter().filter_map(|found| match found.numbers {
+        Numbers::Saved(scene, saved) => Some((scene.name(), saved)),
+        Numbers::Surveyed { .. } => None,
+    });
+    let scenes: Vec<(&str, &Vec<Saved>)> = saved.collect();
+    let Some((_, first)) = scenes.first() else { return String::new() };
+    let head = ["in the paper", "as the program takes it"].into_iter().chain(scenes.iter().map(|(name, _)| *name));
+    let cell = |saved: &Saved| {
+        let [before, after] = saved.iterations.map(|iterations| iterations.map(|count| count.to_string()));
+        let before = before.unwrap_or_else(|| format!("not converged in {ENOUGH}"));
+        format!("{before} → {}", after.unwrap_or_else(|| "not converged".into()))
+    };
+    let row = |(k, one): (usize, &Saved)| {
+        let cells = scenes.iter().map(|(_, saved)| cell(&saved[k]));
+        [one.paper.clone(), one.program.clone()].into_iter().chain(cells).collect()
+    };
+    let rows: Vec<Vec<String>> = first.iter().enumerate().map(row).collect();
+    let kinematic = Formulation::accelerated(Element::Line, Iteration::Kinematic).stiffness;
+    format!(
+        "**Iterations to {:e} on the meshes of the library, before → after**\n\n{}\n\
+         Two Gauss points on an edge carry differences that the bodies feel only through their change from edge to edge: under varying \
+         stiffness these die out in iterations that grow with the square of the number of edges, whatever κ₀. The program takes \
+         varying stiffness by Newton's method on ln k of the points that press, damped, once these have stood for {STOOD} iterations, each with a \
+         back-substitution for every such point; and constant stiffness by Newton's method on the carried forces, damped, with its one \
+         factorisation and as many back-substitutions as there are points before the first step. κ₀ of kinematic load on Gauss points is \
+         {kinematic} times √(E*/L · s), L the candidate stretch and s what the bodies resist at a point. With `--acceleration none` varying and constant stiffness are the paper's.\n\n",
+        Settings::default().tolerance,
+        markdown::table(&head.map(String::from).collect::<Vec<_>>(), &rows)
+    )
+}
+
+/// Initial stiffnesses at which the rules are compared.
+const STARTS: [f64; 3] = [0.1, 1.0, 10.0];
+
+/// The plain rules on the cylinder with node elements.
+fn rules(charts: &[&Chart]) -> String {
+    let head = ["algorithm", "rule"].map(String::from).into_iter().chain(STARTS.map(|k| format!("κ₀ = {k}")));
+    let cylinder = charts.iter().filter(|chart| chart.plane == Plane::Cylinder);
+    let plain = Method::of(Element::Node).into_iter().filter(|method| !method.is_accelerated());
+    let rows = cylinder.flat_map(|chart| plain.clone().flat_map(|method| chart.of_method(method)));
+    let row = |records: &[Record]| {
+        let Method { algorithm, rule, .. } = records[0].method;
+        let at = |start| records.iter().find(|record| same(record.stiffness, start)).map_or("–".into(), told);
+        [algorithm.name(), rule.name()].map(String::from).into_iter().chain(STARTS.map(at)).collect()
+    };
+    format!(
+        "**The rules of each algorithm on the cylinder, node element; `penalty` converges to its own springs' law**\n\n{}\n",
+        markdown::table(&head.collect::<Vec<_>>(), &rows.map(row).collect::<Vec<Vec<String>>>())
+    )
+}
+
+/// How a run ended, with its iterations where it converged.
+fn told(record: &Record) -> String {
+    match record.class {
+        Class::Converged => format!("converged, {} iterations", record.iterations),
+        Class::Capped => "not converged".into(),
+        Class::Beyond => "refused: contact reaches the end of the candidate surface".into(),
+        class => class.name().into(),
+    }
+}

@@ -3,20 +3,13 @@
 use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Cell, Chart as Figure, ClassMap, Colour, Drawing, MapPanel, Series, panels};
-use crate::error::Error;
 use crate::solve::{Element, Iteration, Settings};
-use crate::study::Found;
-use crate::study::atlas::plane::{Plane, STRETCH};
-use crate::study::atlas::record::{Chart, Record, same};
-use crate::study::atlas::run::Numbers;
-use crate::study::atlas::section::charts;
-use crate::study::class::Class;
+use crate::study::atlas::plane::{Chart, Plane, Record, STRETCH, same};
 use crate::study::drawn::{Curve, label, style};
-use crate::study::method::Method;
+use crate::study::method::{Class, Method};
 
 /// A map of each full plane, the iterations with their prediction, and those on the scenes of the paper.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
-    let charts = charts(findings);
+pub fn pictures(charts: &[&Chart]) -> Vec<(String, Drawing)> {
     let mut pictures = Vec::new();
     for chart in charts.iter().filter(|chart| chart.plane.is_full()) {
         pictures.push((format!("atlas-{}.svg", chart.plane.name()), map(chart)));
@@ -24,8 +17,8 @@ pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, E
             pictures.push(("iterations-predicted.svg".into(), predicted(chart)));
         }
     }
-    pictures.push(("iterations-against-stiffness.svg".into(), in_the_paper(&charts)));
-    Ok(pictures)
+    pictures.push(("iterations-against-stiffness.svg".into(), in_the_paper(charts)));
+    pictures
 }
 
 /// Iterations over initial stiffness.

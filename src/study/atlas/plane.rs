@@ -1,12 +1,22 @@
-//! The planes and slices of the atlas: initial stiffness against one other number.
+//! The planes and slices of the atlas, initial stiffness against one other number; what was measured at each point, as it is kept under
+//! `snapshots/atlas`, and the chart of a plane that it makes; and what charts say of each method: where every run ends right, how the
+//! others end, and which to use from where.
 
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::algorithm::StiffnessRule;
 use crate::case::Case;
 use crate::case::library::{Cylinder, PinRod, TruncatedHertz};
 use crate::contact::Quadrature;
+use crate::error::Error;
 use crate::mesh::Resolution;
 use crate::named::named_enum;
-use crate::solve::{Element, Formulation};
-use crate::study::method::Method;
+use crate::solve::{Element, Formulation, Iteration};
+use crate::study::method::{Class, Method};
+use crate::study::records;
 
 /// Candidate stretch over the half-width at the centre: no node lies on the contact edge.
 pub const STRETCH: f64 = 1.9;
@@ -149,4 +159,259 @@ impl Site {
         let case = self.plane.case(stretch);
         Case { resolution: Resolution { elements, ..case.resolution }, ..case }
     }
+}
+
+/// Error of p₀ and a that a run within the default tolerance may have.
+pub const RIGHT: f64 = 3e-3;
+
+/// What renews the records.
+pub const RENEW: &str = "run `cargo run --release -- atlas` and review the diff of snapshots/atlas";
+
+/// One point.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Record {
+    /// What was run.
+    pub method: Method,
+    /// The plane's other number.
+    pub ordinate: f64,
+    /// Initial stiffness κ₀.
+    pub stiffness: f64,
+    /// How it ended.
+    pub class: Class,
+    /// Iterations made; zero where an error keeps them.
+    pub iterations: usize,
+    /// Larger error of p₀ and a against the solution of the same discrete problem; NaN where an error keeps them.
+    pub error: f64,
+    /// Larger error of p₀ and a that the springs of a penalty make; none without one.
+    pub penalty: Option<f64>,
+    /// Iterations predicted, infinite where it shall not converge; none where none are.
+    pub predicted_iterations: Option<f64>,
+}
+
+impl Record {
+    /// Error of p₀ and a with that of a penalty, which may stop far from the solution.
+    pub fn off(&self) -> f64 {
+        self.error + self.penalty.unwrap_or_default()
+    }
+
+    /// Whether the run stopped where it shall.
+    pub fn is_right(&self) -> bool {
+        self.class == Class::Converged && self.off() <= RIGHT
+    }
+}
+
+/// Equal but for the digits a text file leaves out.
+pub fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-3 * a.abs().max(b.abs())
+}
+
+/// Columns of a record, its fields.
+pub const HEAD: [&str; 8] =
+    ["formulation", "ordinate", "stiffness", "class", "iterations", "error", "penalty", "predicted_iterations"];
+
+/// The records of a plane, a line per row of the plan.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    /// The plane.
+    pub plane: Plane,
+    /// Records by row, then by initial stiffness.
+    pub rows: Vec<Vec<Record>>,
+}
+
+impl Chart {
+    /// The records in the order of the plan.
+    pub fn of(plane: Plane, records: &[Record]) -> Self {
+        Self { plane, rows: records.chunks(plane.stiffnesses().len()).map(<[Record]>::to_vec).collect() }
+    }
+
+    /// The record of a plane; refused where it does not hold exactly the points of the plan.
+    pub fn read(plane: Plane) -> Result<Self, Error> {
+        Self::read_from(&file(plane), plane)
+    }
+
+    /// The same from another file.
+    pub fn read_from(path: &Path, plane: Plane) -> Result<Self, Error> {
+        let records: Vec<Record> = records::read(path, &records::named(HEAD), RENEW)?;
+        let of_row = |(site, method): (Site, Method)| plane.stiffnesses().into_iter().map(move |k| (site, method, k));
+        let planned: Vec<(Site, Method, f64)> = plane.rows().into_iter().flat_map(of_row).collect();
+        let is_at = |(record, (site, method, k)): (&Record, &(Site, Method, f64))| {
+            record.method == *method && same(record.ordinate, site.ordinate) && same(record.stiffness, *k)
+        };
+        if records.len() != planned.len() || !records.iter().zip(&planned).all(is_at) {
+            let found = format!("{} points that are not the {} of the plan", records.len(), planned.len());
+            return Err(Error::refused(path, "points", found, RENEW));
+        }
+        Ok(Self::of(plane, &records))
+    }
+
+    /// Rows of a method, by growing ordinate.
+    pub fn of_method(&self, method: Method) -> impl Iterator<Item = &[Record]> {
+        self.rows.iter().map(Vec::as_slice).filter(move |row| row[0].method == method)
+    }
+
+    /// Whether a neighbour in stiffness or in the other number ended in another class.
+    pub fn is_near_a_boundary(&self, row: usize, column: usize) -> bool {
+        let across = self.plane.methods().len();
+        let beside = [column.checked_sub(1), Some(column + 1)].map(|column| Some((row, column?)));
+        let above = [row.checked_sub(across), Some(row + across)].map(|row| Some((row?, column)));
+        let places = beside.into_iter().chain(above).flatten();
+        let mut neighbours = places.filter_map(|(row, column)| self.rows.get(row)?.get(column));
+        neighbours.any(|other| other.class != self.rows[row][column].class)
+    }
+
+    /// What is frozen: the iterations where all neighbours ended alike, the class alone near a boundary.
+    pub fn frozen(&self) -> String {
+        let mut text = format!("{}; κ₀ from 1e-6 to 1e6\n", self.plane.label());
+        for (r, row) in self.rows.iter().enumerate() {
+            let _ = write!(text, "{} {}:", row[0].method, row[0].ordinate);
+            for (c, record) in row.iter().enumerate() {
+                let _ = match record.class {
+                    Class::Converged if !self.is_near_a_boundary(r, c) => write!(text, " {}", record.iterations),
+                    class => write!(text, " {}", class.name()),
+                };
+            }
+            text.push('\n');
+        }
+        text
+    }
+}
+
+/// The record of a plane.
+pub fn file(plane: Plane) -> PathBuf {
+    records::file(&format!("atlas/{}", plane.name()))
+}
+
+/// What the scenes say of a method: the planes over scenes, meshes and candidate stretches, which have the same initial stiffnesses.
+#[derive(Clone, Debug)]
+pub struct Digest {
+    /// What was run.
+    pub method: Method,
+    /// Where every run ends right.
+    pub safe: Option<Safe>,
+    /// Runs by how they ended.
+    pub ends: Vec<(Class, usize)>,
+    /// Runs that had a prediction.
+    pub predicted: usize,
+}
+
+/// The longest range of initial stiffnesses from which every run ends right.
+#[derive(Clone, Copy, Debug)]
+pub struct Safe {
+    /// Softest start of the range.
+    pub from: f64,
+    /// Hardest start of the range.
+    pub to: f64,
+    /// Most iterations of any run in the range.
+    pub iterations: usize,
+    /// The start with the fewest iterations in the worst case.
+    pub best: f64,
+    /// Most iterations of any run from there.
+    pub best_iterations: usize,
+}
+
+impl Safe {
+    /// Whether the range has more decades than another, if there is one.
+    pub fn is_wider_than(&self, other: Option<Self>) -> bool {
+        let decades = |range: &Self| (range.to / range.from).log10();
+        let own = decades(self);
+        other.is_none_or(|other| own > decades(&other) && !same(own, decades(&other)))
+    }
+}
+
+/// Digests of every method, element by element.
+pub fn digests(charts: &[&Chart]) -> Vec<Digest> {
+    Method::all().into_iter().map(|method| digest(charts, method)).collect()
+}
+
+fn digest(charts: &[&Chart], method: Method) -> Digest {
+    let scenes = charts.iter().filter(|chart| !chart.plane.is_slice());
+    let rows: Vec<&[Record]> = scenes.flat_map(|chart| chart.of_method(method)).collect();
+    let all = || rows.iter().flat_map(|row| row.iter());
+    let count = |class: Class| (class, all().filter(|record| record.class == class).count());
+    Digest {
+        method,
+        safe: safe(&rows, method.algorithm.default_stiffness()),
+        ends: Class::ALL.map(count).into_iter().filter(|(_, number)| *number > 0).collect(),
+        predicted: all().filter(|record| record.predicted_iterations.is_some()).count(),
+    }
+}
+
+/// The range, from rows with the same initial stiffnesses; of equal starts the one nearest to the algorithm's own is the best.
+fn safe(rows: &[&[Record]], usual: f64) -> Option<Safe> {
+    let columns = rows.first().map_or(0, |row| row.len());
+    let column = |c: usize| rows.iter().map(move |row| &row[c]);
+    let right: Vec<usize> = (0..columns).filter(|&c| column(c).all(Record::is_right)).collect();
+    // Of equally long ranges the first.
+    let range = right.chunk_by(|a, b| a + 1 == *b).rev().max_by_key(|range| range.len())?;
+    let stiffness = |c: usize| rows[0][c].stiffness;
+    let worst = |c: usize| column(c).map(|record| record.iterations).max().unwrap_or(0);
+    let away = |c: usize| (stiffness(c) / usual).ln().abs();
+    let better = |a: &usize, b: &usize| worst(*a).cmp(&worst(*b)).then(away(*a).total_cmp(&away(*b)));
+    let best = range.iter().copied().min_by(better)?;
+    Some(Safe {
+        from: stiffness(range[0]),
+        to: stiffness(range[range.len() - 1]),
+        iterations: range.iter().copied().map(worst).max()?,
+        best: stiffness(best),
+        best_iterations: worst(best),
+    })
+}
+
+/// Which element and algorithm to use from which initial stiffness, and which not.
+pub fn recommendation(digests: &[Digest]) -> String {
+    let points: usize = digests.iter().flat_map(|digest| &digest.ends).map(|(_, count)| count).sum();
+    let predicted: usize = digests.iter().map(|digest| digest.predicted).sum();
+    let mut text = format!(
+        "From {points} runs over candidate surface, mesh and both paper scenes, {predicted} of them predicted before they were run:\n\n"
+    );
+    let reliable = reliable(digests);
+    let constant = reliable.iter().find(|(method, _)| method.algorithm == Iteration::Constant);
+    if let Some(first) = reliable.iter().find(|(method, _)| !method.is_accelerated()) {
+        let _ = writeln!(text, "* **Use** {}.", sentence(first));
+    }
+    if let Some(constant) = constant {
+        let _ = writeln!(text, "* **Where one factorisation must do**: {}.", sentence(constant));
+    }
+    let widest = widest(&reliable);
+    if !widest.is_empty() {
+        let _ = writeln!(text, "* **Where nothing is known of the stiffness**: {}.", widest.join(", "));
+    }
+    let nowhere = digests.iter().filter(|digest| digest.safe.is_none());
+    let nowhere: Vec<String> = nowhere.map(|digest| format!("`{}`", digest.method)).collect();
+    if !nowhere.is_empty() {
+        let _ =
+            writeln!(text, "* **Do not use** {}: at no initial stiffness do all runs end right.", nowhere.join(", "));
+    }
+    text
+}
+
+/// The method to use, of those to which nothing is added; none where there is none of which every surveyed run ends right.
+pub fn recommended(digests: &[Digest]) -> Option<Method> {
+    reliable(digests).into_iter().map(|(method, _)| method).find(|method| !method.is_accelerated())
+}
+
+/// Methods with a range, fewest iterations first; a penalty stops at a penetration of its own and is not among them.
+fn reliable(digests: &[Digest]) -> Vec<(Method, Safe)> {
+    let exact = digests.iter().filter(|digest| digest.method.rule != StiffnessRule::Penalty);
+    let mut reliable: Vec<(Method, Safe)> =
+        exact.filter_map(|digest| digest.safe.map(|safe| (digest.method, safe))).collect();
+    reliable.sort_by_key(|(_, safe)| safe.best_iterations);
+    reliable
+}
+
+fn sentence((method, safe): &(Method, Safe)) -> String {
+    let Safe { from, to, best, best_iterations, .. } = safe;
+    format!(
+        "`{method}` from κ₀ = {best:e} (at most {best_iterations} iterations; every surveyed run ends right for κ₀ from {from:e} to {to:e})"
+    )
+}
+
+/// The methods whose range no other's exceeds.
+fn widest(reliable: &[(Method, Safe)]) -> Vec<String> {
+    let is_widest = |safe: &Safe| !reliable.iter().any(|(_, other)| other.is_wider_than(Some(*safe)));
+    let widest = reliable.iter().filter(|(_, safe)| is_widest(safe));
+    let told = |(method, Safe { from, to, iterations, .. }): &(Method, Safe)| {
+        format!("`{method}` (at most {iterations} iterations from any κ₀ from {from:e} to {to:e})")
+    };
+    widest.map(told).collect()
 }

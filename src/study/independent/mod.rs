@@ -5,28 +5,286 @@
 //! * `run` — one trial a scene: what every script found, beside ours.
 //! * `found` — the numbers of a series of meshes, with their uncertainty.
 //! * `renewal` — asking the scripts now, and freezing what they answer (feature `python`).
-//! * `judge` — differences within their uncertainty, and within what was found.
-//! * `section` — the numbers, the profiles.
+//!
+//! Below is how near the scripts must come: within the uncertainties of both, and within three times what is found; and the page.
 
 pub mod benchmark;
 pub mod found;
-pub mod judge;
 #[cfg(feature = "python")]
 pub mod renewal;
 pub mod run;
-mod section;
 
-use crate::study::about::About;
+use std::fmt::Write;
 
-pub use judge::judge;
+use crate::case::{Check, Judged, Quantity, Reference, covered};
+use crate::drawing::palette::{self, Dash, Marker, Style};
+use crate::drawing::{Axis, Chart, Drawing, panels};
+use crate::error::Error;
+use crate::markdown::{self, Column};
+use crate::oracle::ReferenceKind;
+use crate::oracle::cross_code::independent::{Folder, Independent, Script};
+use crate::study::about::{About, Found, Planned, Study};
+use crate::study::answers::reproduced;
+use crate::study::drawn::{Curve, picture};
+use crate::study::independent::benchmark::{STATIONS, Scene};
+use crate::study::independent::found::{Measured, Number};
+use crate::study::independent::run::{Compared, Other};
+use crate::uncertainty::{COVERAGE, Comparison};
+
+pub use run::Compared as Numbers;
 #[cfg(feature = "python")]
 pub use run::live;
-pub use run::{Compared as Numbers, plan};
-pub use section::{pictures, section};
 
-/// What its page is called, what it asks, and what it cannot tell.
-pub const ABOUT: About = About {
-    title: "Against independent codes",
-    asked: "Whether codes that share nothing but the scene find the same numbers.",
-    limits: "That codes agree is no measurement.",
-};
+impl Study for Compared {
+    const NAME: &'static str = "independent";
+    const ABOUT: About = About {
+        title: "Against independent codes",
+        asked: "Whether codes that share nothing but the scene find the same numbers.",
+        limits: "That codes agree is no measurement.",
+    };
+
+    /// The checks of a scene.
+    fn plan() -> Vec<Planned<Self>> {
+        run::plan()
+    }
+
+    fn judge(&self) -> Result<Vec<Judged>, Error> {
+        Ok(self.others.iter().flat_map(|other| of_script(self, other)).chain([served(self)]).collect())
+    }
+
+    /// The scripts, and their numbers beside ours.
+    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+        let frozen = Independent::read()?;
+        let mut text = String::new();
+        for folder in Folder::ALL {
+            let hash: String = frozen.scripts.get(&folder).map_or("", String::as_str).chars().take(12).collect();
+            let version = frozen.apart.get(&folder).or_else(|| frozen.versions.get(folder.name()));
+            let live =
+                if folder.is_set_up() { "asked again by the tests" } else { "asked when the answers were frozen" };
+            let _ =
+                writeln!(text, "* {} {}: script {hash}…, {live}.", folder.name(), version.map_or("", String::as_str));
+        }
+        let _ = write!(
+            text,
+            "\nEach script has its own mesh, its own contact terms in the language of its code, its own iteration and its own measures; none imports \
+             from another. They share the numbers of the scene and the names of what is asked. ± is the standard uncertainty from three meshes; \
+             |E| shall be at most {COVERAGE} u_val, of both meshes and of the script's penalty (what springs of its stiffness change on our mesh).\n\n{}\n",
+            numbers(findings)
+        );
+        text += &picture("difference-independent.svg", "Difference of the profiles of independent codes to ours");
+        Ok(text)
+    }
+
+    /// One panel a scene.
+    fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
+        let charts: Vec<Chart> = findings.iter().map(|found| profiles(found.numbers)).collect();
+        Ok(vec![(
+            "difference-independent.svg".into(),
+            panels("Independent codes: difference of the pressure to ours", &charts, 3),
+        )])
+    }
+}
+
+/// Somebody must have answered.
+fn served(compared: &Compared) -> Judged {
+    let because = "a scene that no other code solves has no witness";
+    Check::at_least("number of independent scripts", Reference::own("at least", 1.0), because)
+        .judge(compared.others.len() as f64)
+}
+
+/// Ours against a script's, with the uncertainties of both meshes and of its penalty.
+pub fn against(compared: &Compared, other: &Other, number: Number) -> Comparison {
+    let (ours, theirs) = (number.of(compared.scene, &compared.ours), number.of(compared.scene, &other.found));
+    let softened = compared.penalty[number as usize] * number.per_unit(compared.scene);
+    let penalty = if other.script.has_penalty() { softened } else { 0.0 };
+    Comparison::of(ours.value, theirs.value, [ours.uncertainty, theirs.uncertainty, penalty])
+}
+
+fn of_script(compared: &Compared, other: &Other) -> Vec<Judged> {
+    let (scene, script) = (compared.scene, other.script);
+    let demanded = demanded(scene, script);
+    let theirs =
+        |value: f64| Reference { name: script.name().into(), kind: ReferenceKind::CrossCode, value, uncertainty: None };
+    let because = format!("at most {TIGHT} times what is found; {COVERAGE} u_val is asked beside it");
+    let mut judged: Vec<Judged> = other.reproduced.iter().map(|live| reproduced(script.name(), live)).collect();
+    let tight = |name: String, tolerance: f64, found: f64| {
+        let quantity = Quantity::at("tolerance over the difference found", format!("{name}, {script}"));
+        let because = "a tolerance far above what is found sees nothing";
+        Check::error(quantity, Reference::own("what is found", 0.0), TIGHT, because).judge(tolerance / found)
+    };
+    for (number, tolerance) in Number::ALL.into_iter().zip(demanded) {
+        let (name, mine, value) =
+            (number.name(scene), number.of(scene, &compared.ours), number.of(scene, &other.found));
+        let reference = || Reference { uncertainty: Some(value.uncertainty), ..theirs(value.value) };
+        let quantity = Quantity::at(number.noun(), number.unit(scene));
+        let near = Check::near(quantity, reference(), tolerance, because.clone()).judge(mine.value);
+        judged.push(Judged { uncertainty: Some(mine.uncertainty), ..near });
+        let sources = if script.has_penalty() { "both meshes ⊕ penalty" } else { "both meshes" };
+        judged.push(covered(&name, reference(), against(compared, other, number), sources));
+        judged.push(tight(name, tolerance, (mine.value / value.value - 1.0).abs()));
+    }
+    let difference = l2(&compared.ours.profile, &other.found.profile);
+    let quantity = Quantity::at("difference of the profile", format!("L2(p) over {STATIONS} stretches"));
+    judged.push(Check::error(quantity, theirs(0.0), demanded[2], because).judge(difference));
+    judged.push(tight("profile in L2".into(), demanded[2], difference));
+    judged.push(carried(compared, other));
+    let resultant =
+        Check::near("resultant [N]", theirs(other.found.resultant), RESULTANT, "equilibrium on either mesh");
+    judged.push(resultant.judge(compared.ours.resultant));
+    judged
+}
+
+/// The profile of a script shall carry the force that its contact transmits: areas and pressures belong together.
+fn carried(compared: &Compared, other: &Other) -> Judged {
+    let same = other.found.profile.len() == compared.carries.len();
+    let force: f64 =
+        other.found.profile.iter().zip(&compared.carries).map(|(pressure, carries)| pressure * carries).sum();
+    let quantity = Quantity::at("force of the profile [N]", other.script.name());
+    let reference = Reference::own("resultant of the same script", other.found.resultant);
+    let because = "means over stretches, linear between integration points; at most three times what is found";
+    Check::near(quantity, reference, CARRIED, because).judge(if same { force } else { f64::NAN })
+}
+
+/// `√( Σ (p − q)² / Σ q² )`; NaN where the lengths differ.
+fn l2(p: &[f64], q: &[f64]) -> f64 {
+    if p.len() != q.len() {
+        return f64::NAN;
+    }
+    let error: f64 = p.iter().zip(q).map(|(p, q)| (p - q).powi(2)).sum();
+    (error / q.iter().map(|q| q * q).sum::<f64>()).sqrt()
+}
+
+/// The most a tolerance may exceed what is found.
+const TIGHT: f64 = 3.0;
+/// Difference of the force of a profile to the resultant that is accepted.
+const CARRIED: f64 = 4e-4;
+/// Difference of resultants that is accepted: equilibrium to the tolerance of their iterations.
+const RESULTANT: f64 = 1e-5;
+
+/// Relative agreement of peak, width and profile: at most three times what is found, as the checks beside these hold.
+fn demanded(scene: Scene, script: Script) -> [f64; 3] {
+    match (script, scene) {
+        // Springs soften the cylinders by 1e-4; the square-root edge lies within one stretch of the profile.
+        (Script::Ufl, Scene::Cylinder | Scene::WiderCylinder | Scene::TruncatedHertz) => [2.5e-4, 1.7e-4, 1e-2],
+        (Script::Facets, Scene::Cylinder | Scene::WiderCylinder | Scene::TruncatedHertz) => [1.8e-4, 1.6e-4, 4.5e-3],
+        (Script::Facets, Scene::PinRod) => [9e-5, 1.3e-4, 5e-3],
+        (Script::Facets, Scene::PinPlate) => [1.3e-5, 6e-5, 5e-3],
+        // Nitsche's method has no springs: only meshes differ.
+        (Script::Nitsche, Scene::Cylinder) => [1.8e-5, 4e-5, 6.5e-4],
+        (Script::Nitsche, Scene::WiderCylinder) => [4e-5, 4e-5, 1.7e-3],
+        (Script::Nitsche, Scene::TruncatedHertz) => [5e-6, 2.7e-5, 7e-4],
+        (Script::Nitsche, Scene::PinRod) => [2.4e-4, 6e-5, 9e-4],
+        (Script::Nitsche, Scene::PinPlate) => [9e-6, 1.2e-4, 4e-3],
+        // Pressures are linear between the nodes of the boundary, and an edge of the contact moves within a node's distance.
+        (Script::HalfPlane, Scene::TruncatedHertz) => [5e-6, 5e-5, 1e-3],
+        // Edges move within elements: widths wander by 1e-4 from mesh to mesh.
+        (Script::Augmented, Scene::PinRod) => [2e-4, 5e-5, 3e-3],
+        (Script::Augmented, Scene::PinPlate) => [6e-5, 1.5e-4, 3e-3],
+        (Script::Gaps, Scene::PinRod) => [2e-4, 2.5e-4, 3e-3],
+        (Script::Gaps, Scene::PinPlate) => [8e-5, 1.5e-5, 3e-3],
+        // Not served.
+        (Script::Ufl | Script::HalfPlane, Scene::PinRod | Scene::PinPlate)
+        | (Script::HalfPlane | Script::Augmented | Script::Gaps, Scene::Cylinder | Scene::WiderCylinder)
+        | (Script::Augmented | Script::Gaps, Scene::TruncatedHertz) => [f64::NAN; 3],
+    }
+}
+
+/// A number of a scene by a script.
+type Line<'a> = (&'a Compared, Number, &'a Other);
+
+/// All numbers, a row a script.
+fn numbers(findings: &[Found<Compared>]) -> String {
+    let rows: Vec<Line> = findings
+        .iter()
+        .flat_map(|found| Number::ALL.map(|number| (found.numbers, number)))
+        .flat_map(|(compared, number)| compared.others.iter().map(move |other| (compared, number, other)))
+        .collect();
+    markdown::columns(&columns(), &rows)
+}
+
+fn columns<'a>() -> [Column<Line<'a>>; 10] {
+    [
+        ("case", |(compared, ..)| compared.scene.name().into()),
+        ("quantity", |(compared, number, _)| match number {
+            Number::Peak => "peak [MPa]".into(),
+            Number::Width => number.unit(compared.scene).into(),
+        }),
+        ("ours ± u", |(compared, number, _)| quoted(number.of(compared.scene, &compared.ours))),
+        ("code", |(.., other)| format!("{} ({} dofs)", other.script, other.found.dofs)),
+        ("found ± u", |line| quoted(theirs(line))),
+        ("E = ours − theirs", |line| {
+            format!("{} %", markdown::signed(100.0 * difference(line).error / theirs(line).value.abs(), 2))
+        }),
+        ("u_val", |line| percent(difference(line).uncertainty / theirs(line).value.abs())),
+        ("|E| / u_val", |line| format!("{:.2}", difference(line).ratio())),
+        ("", |line| if difference(line).ratio() <= COVERAGE { "✓" } else { "✗" }.into()),
+        ("to the closed form", |line| {
+            let (compared, number, _) = line;
+            compared.closed_form.map_or("–".into(), |exact| {
+                let exact = number.per_unit(compared.scene) * exact[*number as usize];
+                format!("{} %", markdown::signed(100.0 * (theirs(line).value / exact - 1.0), 2))
+            })
+        }),
+    ]
+}
+
+fn theirs((compared, number, other): &Line) -> Measured {
+    number.of(compared.scene, &other.found)
+}
+
+fn difference((compared, number, other): &Line) -> Comparison {
+    against(compared, other, *number)
+}
+
+fn percent(share: f64) -> String {
+    format!("{} %", markdown::significant(100.0 * share, 2))
+}
+
+fn quoted(of: Measured) -> String {
+    format!("{:.5} ± {}", of.value, percent(of.uncertainty / of.value.abs()))
+}
+
+/// Differences of the profiles to ours.
+fn profiles(compared: &Compared) -> Chart {
+    let axis = Axis::linear(&format!("difference [% of {}]", unit(compared.scene)));
+    let mut chart = Chart::new(compared.scene.name(), Axis::linear(abscissa(compared.scene)), axis);
+    chart.series.extend(compared.others.iter().map(|other| {
+        let differences: Vec<f64> =
+            other.found.profile.iter().zip(&compared.ours.profile).map(|(p, q)| p - q).collect();
+        let points = points(compared, &differences);
+        Curve { points, failed: Vec::new() }.drawn(other.script.name(), style(other.script))
+    }));
+    chart
+}
+
+/// What profiles are drawn against.
+fn abscissa(scene: Scene) -> &'static str {
+    match scene {
+        Scene::Cylinder | Scene::WiderCylinder | Scene::TruncatedHertz => "place over half-width x / a [–]",
+        Scene::PinRod => "θ from the load line [°]",
+        Scene::PinPlate => "φ from the load line [°]",
+    }
+}
+
+/// What pressures are drawn over.
+fn unit(scene: Scene) -> &'static str {
+    if scene.is_arc() { "F/(R t)" } else { "p₀" }
+}
+
+/// Differences in per cent of what the scene is measured by.
+fn points(compared: &Compared, differences: &[f64]) -> Vec<[f64; 2]> {
+    let [length, pressure] = compared.reference;
+    let scale = if compared.scene.is_arc() { 180.0 / std::f64::consts::PI } else { 1.0 / length };
+    compared.stations.iter().zip(differences).map(|(s, p)| [scale * s, 100.0 * p / pressure]).collect()
+}
+
+fn style(script: Script) -> Style {
+    match script {
+        Script::Ufl => Style::run(palette::LAYER, Dash::Dotted, Marker::Square),
+        Script::Facets => Style::run(palette::LINE, Dash::Dashed, Marker::Circle),
+        Script::Nitsche => Style::run(palette::PURPLE, Dash::DashDot, Marker::Diamond),
+        Script::HalfPlane => Style::run(palette::NODE, Dash::Solid, Marker::Triangle),
+        Script::Augmented => Style::run(palette::ORANGE, Dash::Solid, Marker::Wedge),
+        Script::Gaps => Style::run(palette::LAYER, Dash::Dashed, Marker::Triangle),
+    }
+}

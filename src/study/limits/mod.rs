@@ -8,27 +8,46 @@
 //! * `extent` — candidates and bodies that end before the contact; a/R, where it is the reference that fails.
 //! * `meshes` — cells that lock or are distorted; meshes that differ on the two sides.
 
-mod extent;
 mod loads;
 mod meshes;
 mod push;
 mod springs;
 
 use crate::case::Judged;
-use crate::drawing::Drawing;
 use crate::error::Error;
 use crate::markdown::{self, Column};
-use crate::study::about::About;
-use crate::study::{Found, Planned};
+use crate::study::about::{About, Found, Planned, Study};
 
 pub use push::Limit as Numbers;
 
-/// What its page is called, what it asks, and what it cannot tell.
-pub const ABOUT: About = About {
-    title: "Limits of validity",
-    asked: "Where everything but the methods stops being right, and what the user then sees.",
-    limits: "One scene a limit: another scene has its onset elsewhere.",
-};
+impl Study for Numbers {
+    const NAME: &'static str = "limits";
+    const ABOUT: About = About {
+        title: "Limits of validity",
+        asked: "Where everything but the methods stops being right, and what the user then sees.",
+        limits: "One scene a limit: another scene has its onset elsewhere.",
+    };
+
+    /// A trial for each limit.
+    fn plan() -> Vec<Planned<Self>> {
+        LIMITS.into_iter().map(|(name, run)| Planned::new("limits", name, run)).collect()
+    }
+
+    fn judge(&self) -> Result<Vec<Judged>, Error> {
+        Ok(self.judged.clone())
+    }
+
+    /// The table of limits, and a folded table of the values tried for each.
+    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+        let limits = || findings.iter().map(|found| found.numbers);
+        let behind: String =
+            limits().filter(|limit| !limit.table.is_empty()).map(|limit| format!("\n{}", limit.table)).collect();
+        Ok(format!(
+            "Each row pushes one thing until it fails. What the user sees is what the program said in that run.\n\n{}{behind}",
+            markdown::columns(&COLUMNS, limits())
+        ))
+    }
+}
 
 /// Name of a trial, and what pushes.
 type Trial = (&'static str, fn() -> Result<Numbers, Error>);
@@ -40,26 +59,16 @@ const LIMITS: [Trial; 14] = [
     ("supported by contact alone", loads::pulled_apart),
     ("zero load", loads::no_load),
     ("load too small for the mesh", loads::small_load),
-    ("candidates too short", extent::short_candidates),
-    ("surface too short", extent::body_end),
+    ("candidates too short", loads::short_candidates),
+    ("surface too short", loads::body_end),
     ("near incompressibility", meshes::incompressible),
     ("distorted cells", meshes::distorted),
     ("element sizes across the interface", meshes::unequal_sizes),
     ("non-matching meshes", meshes::non_matching),
     ("layer thickness", springs::layer_thickness),
-    ("a/R", extent::large_contact),
+    ("a/R", loads::large_contact),
     ("cycling", springs::cycling),
 ];
-
-/// A trial for each limit.
-pub fn plan() -> Vec<Planned<Numbers>> {
-    LIMITS.into_iter().map(|(name, run)| Planned::new("limits", name, run)).collect()
-}
-
-/// The checks.
-pub fn judge(limit: &Numbers) -> Result<Vec<Judged>, Error> {
-    Ok(limit.judged.clone())
-}
 
 /// Columns of the table of limits.
 const COLUMNS: [Column<Numbers>; 5] = [
@@ -69,19 +78,3 @@ const COLUMNS: [Column<Numbers>; 5] = [
     ("what the user sees", |limit| limit.seen.clone()),
     ("what to do instead", |limit| limit.instead.clone()),
 ];
-
-/// The table of limits, and a folded table of the values tried for each.
-pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let limits = || findings.iter().map(|found| found.numbers);
-    let behind: String =
-        limits().filter(|limit| !limit.table.is_empty()).map(|limit| format!("\n{}", limit.table)).collect();
-    Ok(format!(
-        "Each row pushes one thing until it fails. What the user sees is what the program said in that run.\n\n{}{behind}",
-        markdown::columns(&COLUMNS, limits())
-    ))
-}
-
-/// None.
-pub fn pictures(_: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
-    Ok(Vec::new())
-}

@@ -15,7 +15,7 @@ use crate::mesh::{Order, Resolution};
 use crate::scene::{Profile, Scene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::drawn;
-use crate::study::random::unseen::{self, FAMILIES, JUDGED};
+use crate::study::random::family::{self, FAMILIES, JUDGED};
 use crate::study::random::{Draw, Family, Sample, Site, Truth};
 use crate::study::records::{Millionths, Survey, Surveyed, are_like};
 
@@ -23,7 +23,7 @@ use crate::study::records::{Millionths, Survey, Surveyed, are_like};
 pub const SURVEY: Survey<Site, Record> = Survey {
     name: "coverage",
     head,
-    sites: || Ok(FAMILIES.into_iter().flat_map(unseen::of).collect()),
+    sites: || Ok(FAMILIES.into_iter().flat_map(family::unseen).collect()),
     key: Site::key,
     of: |record| Site { family: record.family, number: record.number }.key(),
     run: |site| Ok(vec![record(site)?]),
@@ -35,7 +35,7 @@ pub const SURVEY: Survey<Site, Record> = Survey {
 /// takes longer than the solution, one with cells of either kind.
 fn again(site: &Site) -> bool {
     let scenes = if JUDGED.contains(&site.family) { 0..18 } else { 8..10 };
-    scenes.contains(&(site.number - unseen::FIRST))
+    scenes.contains(&(site.number - family::FIRST))
 }
 
 /// Fewest and most elements on half of the contact.

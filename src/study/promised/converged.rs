@@ -14,9 +14,8 @@ use crate::error::{Error, Kind};
 use crate::markdown;
 use crate::solution::EnergyError;
 use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin, Run, Settings};
-use crate::study::class::Class;
 use crate::study::drawn::{self, Curve};
-use crate::study::pairing::Pairing;
+use crate::study::method::Class;
 use crate::study::records::{Millionths, Survey, Surveyed, are_like};
 
 /// The survey.
@@ -105,7 +104,7 @@ pub struct Record {
 
 fn head() -> Vec<String> {
     let site = ["scene", "stretch", "load", "tolerance"].map(String::from);
-    let each = |what: &'static str| Pairing::all().into_iter().map(move |pairing| format!("{pairing} {what}"));
+    let each = |what: &'static str| Formulation::nine().into_iter().map(move |one| format!("{} {what}", one.name()));
     site.into_iter().chain(each("class")).chain(each("iterations")).chain(each("error")).collect()
 }
 
@@ -163,17 +162,14 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
         for (k, formulation) in Formulation::nine().into_iter().enumerate() {
             let formulation = formulation.tolerance(tolerance);
             let run = Run::from_origin(Origin::Own, &discretisation, &formulation, Change { load, ..Change::NONE });
-            let (class, iterations, error) = match run {
-                Ok(run) => {
-                    let error = run.iteration_error();
-                    let error = if error < ROUND_OFF * tolerance { 0.0 } else { error };
-                    (Class::of(run.solution.outcome), run.solution.work.iterations, Some(Millionths(error)))
-                }
-                Err(Error { kind: Kind::NoSpringLeft { iterations }, .. }) => (Class::Unsupported, iterations, None),
-                Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => (Class::Beyond, 0, None),
-                Err(Error { kind: Kind::Input | Kind::NothingPresses, .. }) => continue,
-                Err(error) => return Err(error),
-            };
+            if let Err(Error { kind: Kind::Input | Kind::NothingPresses, .. }) = run {
+                continue;
+            }
+            let (class, iterations) = Class::of(&run)?;
+            let error = run.ok().map(|run| match run.iteration_error() {
+                error if error < ROUND_OFF * tolerance => Millionths(0.0),
+                error => Millionths(error),
+            });
             (record.classes[k], record.iterations[k], record.errors[k]) = (Some(class), Some(iterations), error);
         }
         records.extend(record.classes.iter().any(Option::is_some).then_some(record));
@@ -310,13 +306,13 @@ fn bound(energies: &[Option<EnergyError>]) -> String {
 fn shares(recorded: &[Record]) -> String {
     let mut rows = Vec::new();
     for tolerance in TOLERANCES {
-        for (k, pairing) in Pairing::all().iter().enumerate() {
+        for (k, formulation) in Formulation::nine().iter().enumerate() {
             let of = |is_meant: &dyn Fn(&Record) -> bool| {
                 percent(share(recorded, k, |record| same(record.tolerance, tolerance) && is_meant(record)))
             };
             let by_stretch = STRETCHES.map(|stretch| of(&|record| same(record.stretch, stretch)));
             let by_load = LOADS.map(|load| of(&|record| same(record.load, load)));
-            let named = [pairing.to_string(), format!("{tolerance:e}")];
+            let named = [formulation.name(), format!("{tolerance:e}")];
             rows.push([&named[..], &by_stretch, &by_load].concat());
         }
     }
@@ -337,20 +333,19 @@ fn percent(share: Option<f64>) -> String {
 
 /// Share of the runs that converge at the default tolerance against the candidate stretch, one panel an algorithm.
 pub(super) fn picture(recorded: &[Record]) -> (String, Drawing) {
-    let all = Pairing::all();
+    let all = Formulation::nine();
     let panel = |algorithm: Iteration| {
         let share_of_runs = Axis::linear("converged [%]").over(0.0, 100.0);
         let mut chart =
             Chart::new(algorithm.name(), Axis::log("candidate stretch / a [–]").over(1.0, 150.0), share_of_runs);
-        for (k, pairing) in all.iter().enumerate().filter(|(_, pairing)| pairing.algorithm == algorithm) {
+        for (k, formulation) in all.iter().enumerate().filter(|(_, one)| one.algorithm == algorithm) {
             let at = |stretch: f64| {
                 let is_at = |record: &Record| same(record.tolerance, TOLERANCES[0]) && same(record.stretch, stretch);
                 share(recorded, k, is_at).map(|share| [stretch, 100.0 * share])
             };
             let points = STRETCHES.into_iter().filter(|stretch| *stretch > 0.0).filter_map(at).collect();
-            let formulation = pairing.formulation();
             let curve = Curve { points, failed: Vec::new() };
-            chart.series.push(curve.drawn(drawn::label(&formulation), drawn::style(&formulation)));
+            chart.series.push(curve.drawn(drawn::label(formulation), drawn::style(formulation)));
         }
         chart
     };

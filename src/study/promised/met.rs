@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::measure::larger;
 use crate::solve::{Element, Formulation, Iteration};
-use crate::study::random::{Family, GUESS, Sample, Site, unseen};
+use crate::study::random::{Family, GUESS, Sample, Site, family};
 use crate::study::records::{self, Millionths, Survey, Surveyed};
 
 /// The survey.
@@ -32,18 +32,18 @@ pub const ASKED: [f64; 5] = [3e-2, 1e-2, 3e-3, 1e-3, 3e-4];
 /// Families whose mesh is halved or made evenly finer.
 const EVENLY: [Family; 2] = [Family::Mesh, Family::Pair];
 /// Number of the scene that is solved again, of each family to the first of the accuracies, of those of closed form to so many.
-const AGAIN: (usize, usize) = (unseen::FIRST + 10, 4);
+const AGAIN: (usize, usize) = (family::FIRST + 10, 4);
 
 fn again((site, asked): &(Site, f64)) -> bool {
     let (number, accuracies) = AGAIN;
-    let accuracies = if unseen::JUDGED.contains(&site.family) { accuracies } else { 1 };
+    let accuracies = if family::JUDGED.contains(&site.family) { accuracies } else { 1 };
     site.number == number && ASKED[..accuracies].contains(asked)
 }
 
 /// All families but those whose peak has no limit.
 pub fn families() -> impl Iterator<Item = Family> {
     let has_limit = |family: &Family| !matches!(family, Family::Punch | Family::Kink);
-    unseen::FAMILIES.into_iter().filter(has_limit).chain(EVENLY)
+    family::FAMILIES.into_iter().filter(has_limit).chain(EVENLY)
 }
 
 /// Every scene with every accuracy: fewer of the families that take large meshes.
@@ -55,7 +55,7 @@ pub fn sites() -> impl Iterator<Item = (Site, f64)> {
         _ => 90,
     };
     families()
-        .flat_map(move |family| unseen::of(family).take(each(family)))
+        .flat_map(move |family| family::unseen(family).take(each(family)))
         .flat_map(|site| ASKED.map(|asked| (site, asked)))
 }
 

@@ -1,4 +1,6 @@
-//! Blocks on which closed forms hold exactly, pressed by parabolas, waves and punches or by their own load.
+//! Blocks on which closed forms hold exactly, pressed by parabolas, waves and punches, by their own load or by the stresses of the
+//! half-plane on their sides, so that its contact is theirs; and what these stresses say of the points below a contact: how far they
+//! sink, and where the shear stress is largest.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -8,13 +10,12 @@ use crate::case::library::{FlatPunch, TruncatedHertz};
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::punch;
 use crate::oracle::analytic::waves::Waves;
+use crate::oracle::boundary::HalfPlane;
 use crate::scene::{
     Body, Component, ContactPair, Face, Grading, Line, Load, Material, Path, Place, PlaneHypothesis, Profile,
     ReferenceValues, Scene, Shape, StressField, Support,
 };
-use crate::study::random::draw::Draw;
-use crate::study::random::half_plane::{largest_shear, sunk};
-use crate::study::random::sample::Sample;
+use crate::study::random::family::{Draw, Sample};
 
 /// Part of the height of a block at which a point on its axis is looked at.
 const LOOKED_INTO: f64 = 0.3;
@@ -206,4 +207,188 @@ pub fn flat_punch(draw: &mut Draw, material: Material) -> Sample {
     ];
     let stress = |[x, depth]: [f64; 2]| solution.stress(x, depth);
     on_axis(Sample::of(scene, truths), material, stress, size * half_width)
+}
+
+/// Parts of the Simpson rule over the depth, graded towards the surface.
+const PARTS: usize = 200;
+/// Places of the coarse search for the largest shear stress along the contact, and into the depth.
+const PLACES: [usize; 2] = [32, 48];
+/// Half-widths down to which it is looked for.
+const DEPTH: f64 = 2.0;
+/// Halvings of the step of the search that follows.
+const HALVINGS: usize = 40;
+
+/// `u_z(0, z) − u_z(0, 0) = ∫ (σ_z − ν' σ_x) dz / E'` in plane strain, `E' = E/(1−ν²)`, `ν' = ν/(1−ν)` \[mm\]; the stresses are
+/// those at x and the depth z, `[σ_x, σ_z, τ]` \[MPa\].
+pub fn sunk(stress: impl Fn([f64; 2]) -> [f64; 3], material: Material, depth: f64) -> f64 {
+    let modulus = material.plane_modulus(PlaneHypothesis::Strain);
+    let ratio = material.poisson / (1.0 - material.poisson);
+    // z = depth · t²; at the surface itself the rule has the weight 0.
+    let part = |k: usize| {
+        let t = k as f64 / PARTS as f64;
+        let [along, into, _] = stress([0.0, depth * t * t]);
+        (into - ratio * along) * 2.0 * depth * t
+    };
+    let weight = |k: usize| match k {
+        PARTS => 1.0,
+        odd if !odd.is_multiple_of(2) => 4.0,
+        _ => 2.0,
+    };
+    let sum: f64 = (1..=PARTS).map(|k| weight(k) * part(k)).sum();
+    sum / (3.0 * PARTS as f64 * modulus)
+}
+
+/// Largest in-plane shear stress `½ (σ₁ − σ₂)` below a part of the surface \[MPa\], and its depth \[mm\].
+pub fn largest_shear(stress: impl Fn([f64; 2]) -> [f64; 3], [from, to]: [f64; 2]) -> [f64; 2] {
+    let length = to - from;
+    let value = |[x, z]: [f64; 2]| {
+        let [along, into, shear] = stress([from + length * x, length * z]);
+        (0.5 * (along - into)).hypot(shear)
+    };
+    let [across, down] = PLACES;
+    let place = |i: usize, j: usize| [i as f64 / across as f64, DEPTH * (j as f64 / down as f64).powi(2)];
+    let all = (0..across).flat_map(|i| (1..=down).map(move |j| place(i, j)));
+    let (mut at, mut best) = ([f64::NAN; 2], f64::NEG_INFINITY);
+    for place in all {
+        let found = value(place);
+        if found > best {
+            (at, best) = (place, found);
+        }
+    }
+    let mut step = 1.0 / across as f64;
+    for _ in 0..HALVINGS {
+        for [dx, dz] in [[-step, 0.0], [step, 0.0], [0.0, -step], [0.0, step]] {
+            let next = [(at[0] + dx).clamp(0.0, 1.0), (at[1] + dz).max(0.0)];
+            let found = value(next);
+            if found > best {
+                (at, best) = (next, found);
+            }
+        }
+        step *= 0.5;
+    }
+    [best, length * at[1]]
+}
+
+/// Elements on the shortest stretch, closed or open: on fewer, no coarser mesh sees it.
+const ON_SHORTEST: f64 = 2.0;
+
+/// How a contact is cut out of the half-plane.
+#[derive(Clone, Copy, Debug)]
+pub struct Cut {
+    /// Whether the blocks lie on both sides of s = 0; else they are halves of an even contact.
+    pub whole: bool,
+    /// How far they go to each side, and into the depth, over the outermost end of the contact.
+    pub size: [f64; 2],
+    /// Guess of the candidate stretch over the outermost end.
+    pub guess: f64,
+}
+
+/// A contact between a block and a rigid profile, or between two blocks, the upper one first.
+pub fn sample(contact: HalfPlane, materials: &[Material], cut: Cut) -> Sample {
+    let outermost = contact.stretches.iter().flatten().fold(0.0, |far: f64, end| far.max(end.abs()));
+    let [side, height] = cut.size.map(|size| size * outermost);
+    let [peak, place] = contact.peak();
+    let load = contact.load();
+    let [centre, width] = contact.centre_and_width();
+    let contact = Arc::new(contact);
+    let (path, left) = if cut.whole {
+        (Path::Straight(Line { origin: [0.0, 0.0], both_sides: true }), -side)
+    } else {
+        (Path::HORIZONTAL, 0.0)
+    };
+    let bodies = materials.iter().enumerate();
+    let bodies = bodies.map(|(k, material)| block(&contact, *material, k == 0, [left, side, height])).collect();
+    let pair = ContactPair::new(
+        (materials.len() > 1).then_some(1),
+        path,
+        contact.profile.clone(),
+        (cut.guess * outermost).min(side),
+    );
+    let finite = if peak.is_finite() { peak } else { load / outermost };
+    let scene = Scene {
+        name: "block of a half-plane".into(),
+        plane: PlaneHypothesis::Strain,
+        thickness: 1.0,
+        bodies,
+        contacts: vec![ContactPair { symmetric: !cut.whole, ..pair }],
+        reference: ReferenceValues { length: outermost, pressure: finite, gap: load / contact.modulus },
+        grading: Grading { unit: outermost, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
+    };
+    let number = |quantity| Subject::Contact(0, quantity);
+    let mut sample = Sample::of(
+        scene,
+        [
+            (Quantity::PeakPressure, peak),
+            (Quantity::PeakPlace, if cut.whole { place } else { place.abs() }),
+            (Quantity::SecondMomentWidth, width),
+            (Quantity::Resultant, load),
+        ],
+    );
+    if cut.whole {
+        sample = sample.with(number(Quantity::Centre), centre).with(number(Quantity::Moment), load * centre);
+    }
+    let modelled: Vec<[f64; 2]> =
+        contact.stretches.iter().copied().filter(|[_, end]| cut.whole || *end > 0.0).collect();
+    if let ([[begin, _], ..], [.., [_, end]]) = (&modelled[..], &modelled[..])
+        && (cut.whole || *begin > 0.0)
+    {
+        sample = sample.with(number(Quantity::HalfWidth), 0.5 * (end - begin));
+    }
+    for (k, [begin, end]) in modelled.iter().enumerate() {
+        if cut.whole || *begin > 0.0 {
+            sample = sample.with(number(Quantity::Begin(k)), *begin);
+        }
+        sample = sample.with(number(Quantity::End(k)), *end);
+    }
+    let stress = |[x, depth]: [f64; 2]| contact.stress(x, depth);
+    let touches = contact.stretches.iter().any(|[begin, end]| *begin < 0.0 && 0.0 < *end);
+    if materials.len() == 1 && touches && contact.profile.gap(0.0).abs() <= f64::EPSILON {
+        sample = on_axis(sample, materials[0], stress, height);
+    }
+    if peak.is_finite() {
+        let from = contact.stretches[0][0];
+        let shear = largest_shear(stress, [if cut.whole { from } else { from.max(0.0) }, outermost_end(&contact)]);
+        sample = sample.sheared(0, shear);
+        if materials.len() > 1 {
+            sample = sample.sheared(1, shear);
+        }
+    }
+    let several = contact.stretches.len() > if cut.whole { 1 } else { 2 };
+    let half = 0.5 * (outermost_end(&contact) - contact.stretches[0][0]);
+    if several { sample.seen_by(ON_SHORTEST * half / contact.shortest()) } else { sample }
+}
+
+fn outermost_end(contact: &HalfPlane) -> f64 {
+    contact.stretches.last().map_or(f64::NAN, |last| last[1])
+}
+
+/// The block above the surface, or the one below it; what holds it carries no force.
+fn block(contact: &Arc<HalfPlane>, material: Material, above: bool, [left, right, height]: [f64; 3]) -> Body {
+    let contact = contact.clone();
+    let up = if above { 1.0 } else { -1.0 };
+    let field = StressField(Arc::new(move |[x, y]: [f64; 2]| {
+        let [along, into, shear] = contact.stress(x, up * y);
+        [along, into, up * shear]
+    }));
+    let whole = left < 0.0;
+    let sides: &[&'static str] = if whole { &["left", "right", "far"] } else { &["right", "far"] };
+    let loads = sides.iter().map(|side| Load::Stress { boundary: (*side).into(), field: field.clone() });
+    let fixed = |at, component| Support { at, component, value: 0.0 };
+    let corner = |x: f64| Place::Point([x, up * height]);
+    let along = if whole { corner(right) } else { Place::Boundary("left".into()) };
+    let mut supports = vec![fixed(along, Component::X)];
+    if !above {
+        supports.push(fixed(corner(left), Component::Y));
+        supports.extend(whole.then(|| fixed(corner(right), Component::Y)));
+    }
+    let (name, y, face) =
+        if above { ("block", [0.0, height], Face::Bottom) } else { ("lower", [-height, 0.0], Face::Top) };
+    Body {
+        density: 1.0,
+        name: name.into(),
+        shape: Shape::Rectangle { x: [left, right], y, contact: face },
+        material,
+        supports,
+        loads: loads.collect(),
+    }
 }

@@ -4,9 +4,8 @@ use std::sync::Arc;
 
 use crate::oracle::boundary::HalfPlane;
 use crate::scene::{Material, MonotoneCubic, PlaneHypothesis, Profile};
-use crate::study::random::draw::Draw;
-use crate::study::random::pressed::{self, Cut};
-use crate::study::random::sample::Sample;
+use crate::study::random::blocks::{self, Cut};
+use crate::study::random::family::{Draw, Sample};
 
 /// How far a profile through points goes, over the expected end of the contact.
 const REACH: f64 = 3.2;
@@ -65,7 +64,7 @@ fn pressed(draw: &mut Draw, materials: &[Material], guess: f64, drawn: impl Fn(&
         let gap = drawn(draw);
         let size = [draw.between(4.0, 14.0), draw.between(4.0, 14.0)];
         if let Some(contact) = gap.pressed(1.0 / compliance) {
-            return pressed::sample(contact, materials, Cut { whole: gap.whole, size, guess });
+            return blocks::sample(contact, materials, Cut { whole: gap.whole, size, guess });
         }
     }
 }
@@ -248,7 +247,7 @@ pub fn polynomial(draw: &mut Draw, material: Material, guess: f64, off_centre: b
             && (0..LOOKED_AT).all(|k| contact.pressure(a * place(k)) > least(place(k)))
             && off_centre == (contact.peak()[0] > 1.01 * contact.pressure(0.0))
         {
-            return pressed::sample(contact, &[material], Cut { whole: false, size: [size, size], guess });
+            return blocks::sample(contact, &[material], Cut { whole: false, size: [size, size], guess });
         }
     }
 }
@@ -262,5 +261,5 @@ pub fn wedge(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let profile = smooth([a, slope], [0.0, round, size].into_iter(), gap);
     let contact = HalfPlane { modulus, profile, stretches: vec![[-a, a]] };
     let cut = Cut { whole: false, size: [size, size], guess };
-    pressed::sample(contact, &[material], cut).seen_by(ON_TIP / round)
+    blocks::sample(contact, &[material], cut).seen_by(ON_TIP / round)
 }

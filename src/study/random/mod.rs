@@ -1,16 +1,11 @@
 //! Random scenes, and what is true of them by closed forms or a boundary method: the same ones for every study that asks.
 //!
-//! * [`draw`] — the random numbers.
-//! * [`family`] — kinds of scenes.
-//! * [`sample`] — a scene and the truths about it.
-//! * `blocks` — blocks under parabolas, waves and punches.
+//! * [`family`] — kinds of scenes, the random numbers, a scene and the truths about it, and scenes that bars and accuracies are tested with.
+//! * `blocks` — blocks under parabolas, waves and punches, and those that are cut out of the half-plane that they press.
 //! * `gaps` — gaps of all other kinds, whose truth is that of the boundary method.
-//! * `pressed` — blocks cut out of the half-plane that they press.
-//! * `half_plane` — what the stresses below them say.
-//! * `round` — cylinders, pins and rings.
-//! * `strips` — layers and rows.
-//! * [`unseen`] — scenes that bars and accuracies are tested with.
-//! * `scenes` — a scene of each family; such scenes with a coarse mesh given, and two of them in one.
+//! * `round` — cylinders, pins and rings; layers and rows.
+//!
+//! Below is a scene of each family; such scenes with a coarse mesh given, and two of them in one.
 //!
 //! Sizes, materials, loads and guesses of the candidate stretch are drawn. What the scene is and the closed form is not must stay
 //! far below the errors that are looked at: blocks carry the stresses of the half-plane on their sides, and leave nothing out;
@@ -18,17 +13,106 @@
 //! clearances of 1e-6 radii in plates of 1000 radii, which leaves 1e-5 (a test measures both).
 
 mod blocks;
-pub mod draw;
 pub mod family;
 mod gaps;
-mod half_plane;
-mod pressed;
 mod round;
-pub mod sample;
-mod scenes;
-mod strips;
-pub mod unseen;
 
-pub use draw::Draw;
-pub use family::{Family, Site};
-pub use sample::{GUESS, Sample, Truth};
+use std::sync::Arc;
+
+use crate::accuracy::Subject;
+use crate::accuracy::longest::longest;
+use crate::error::Error;
+use crate::mesh::{Mesh, Order, Resolution};
+use crate::scene::{ContactPair, Material, Shape};
+use crate::solve::Displaced;
+
+pub use family::{Draw, Family, GUESS, Sample, Site, Truth};
+
+impl Site {
+    /// The scene.
+    pub fn sample(&self) -> Result<Sample, Error> {
+        let mut draw = Draw::new((1000 * self.family as usize + self.number) as u64);
+        self.family.sample(&mut draw, self.number)
+    }
+}
+
+impl Family {
+    /// A scene of the family.
+    fn sample(self, draw: &mut Draw, number: usize) -> Result<Sample, Error> {
+        let material = Material { young: draw.decades(1e3, 4e5), poisson: draw.between(0.0, 0.45) };
+        // The first number of a seed is like that of the next one.
+        let guess = draw.decades(GUESS[0], GUESS[1]);
+        Ok(match self {
+            Self::Polynomial => gaps::polynomial(draw, material, guess, number % 2 == 1),
+            Self::Wedge => gaps::wedge(draw, material, guess),
+            Self::Cosine => blocks::cosine(draw, material, guess),
+            Self::Cylinder => round::cylinder(draw, material, guess),
+            Self::Pin => round::pin(draw, material, guess),
+            Self::Mesh => return meshed(draw, number),
+            Self::Pair => return pair(draw, number),
+            Self::Hertz => blocks::hertz(draw, material, guess),
+            Self::Cylinders => round::cylinders(draw, material, guess),
+            Self::PressFit => round::press_fit(draw, material),
+            Self::Eccentric => blocks::eccentric(draw, material),
+            Self::Punch => blocks::flat_punch(draw, material),
+            Self::Rolling => blocks::rolling(draw, material, guess),
+            Self::Power => gaps::powers(draw, material, guess, number),
+            Self::Flat => gaps::flat_bottom(draw, material, guess),
+            Self::Skew => gaps::uneven(draw, material, guess),
+            Self::Hump => gaps::hump(draw, material, guess, number),
+            Self::Ripple => gaps::ripple(draw, material, guess),
+            Self::Kink => gaps::kink(draw, material, guess, number),
+            Self::Blocks => gaps::blocks(draw, material, guess, number),
+            Self::Ring => round::ring(draw, material, guess),
+            Self::Layer => round::layer(draw, material, guess, number),
+            Self::Row => round::row(draw, material, guess),
+        })
+    }
+}
+
+/// A scene of another family with a mesh given for its body: of 4- or 8-node cells, two to six of them on the half-width, its
+/// inner nodes shaken.
+fn meshed(draw: &mut Draw, number: usize) -> Result<Sample, Error> {
+    let of = [Family::Polynomial, Family::Wedge, Family::Cosine, Family::Cylinder][number % 4];
+    let (elements, shake) = (draw.between(2.0, 7.0) as usize, draw.between(0.0, 0.2));
+    let order = if draw.between(0.0, 2.0) < 1.0 { Order::Linear } else { Order::Quadratic };
+    let mut sample = of.sample(draw, number)?;
+    let scene = &mut sample.scene;
+    let guess = scene.contacts[0].stretch;
+    // Its cells have the size of a part of the contact, whatever the guess.
+    scene.contacts[0].stretch = (1.5 * scene.grading.unit).min(longest(scene, scene.contact()));
+    let mesh = Mesh::of(scene, Resolution { elements, refinement: 0, order })?;
+    // Shaken, a line inside would no longer be straight, and its load another one.
+    let straight = mesh.bodies[0].lines.is_empty();
+    let mesh = if straight { mesh.shaken(shake) } else { mesh };
+    scene.bodies[0].shape = Shape::Given(Arc::new(mesh.given(0)));
+    scene.contacts[0].stretch = guess;
+    Ok(sample)
+}
+
+/// Two scenes of other families in one.
+fn pair(draw: &mut Draw, number: usize) -> Result<Sample, Error> {
+    let families = [Family::Polynomial, Family::Wedge, Family::Cosine, Family::Cylinder];
+    let Sample { mut scene, mut truths, fewest } = families[number % 4].sample(draw, number)?;
+    let other = families[number / 4 % 4].sample(draw, number)?;
+    let bodies = scene.bodies.len();
+    scene.bodies.extend(other.scene.bodies);
+    scene.contacts.extend(other.scene.contacts.into_iter().map(|pair| ContactPair {
+        first: pair.first + bodies,
+        second: pair.second.map(|second| second + bodies),
+        ..pair
+    }));
+    let second = |truth: Truth| {
+        let subject = match truth.subject {
+            Subject::Contact(_, quantity) => Subject::Contact(1, quantity),
+            Subject::Reaction(body, support) => Subject::Reaction(body + bodies, support),
+            Subject::Displacement(one) => Subject::Displacement(Displaced { body: one.body + bodies, ..one }),
+            Subject::Approach(_) => Subject::Approach(1),
+            Subject::Shear(_, body) => Subject::Shear(1, body + bodies),
+            Subject::ShearDepth(_, body) => Subject::ShearDepth(1, body + bodies),
+        };
+        Truth { subject, ..truth }
+    };
+    truths.extend(other.truths.into_iter().map(second));
+    Ok(Sample { scene, truths, fewest: fewest.max(other.fewest) })
+}

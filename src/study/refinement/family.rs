@@ -4,15 +4,15 @@ use crate::case::library::PinRod;
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Drawing, panels};
-use crate::error::{Error, Kind};
+use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::persson::PinInHole;
 use crate::scene::Material;
 use crate::solve::{Discretisation, Formulation, Run};
-use crate::study::class::Class;
 use crate::study::drawn::{self, picture};
+use crate::study::method::Class;
 
 /// Values of `E t c / F`.
 pub const CLEARANCES: [f64; 8] = [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
@@ -66,13 +66,12 @@ fn at(base: &PinRod, [clearance, eye, shank]: [f64; 3]) -> PinRod {
 
 fn solve(rod: &PinRod) -> Result<Placed, Error> {
     let resolution = Resolution { elements: ELEMENTS, refinement: 0, order: Order::Quadratic };
-    let run = match Run::of(&Discretisation::of(rod.scene(), resolution)?, &Formulation::verification()) {
-        Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => return Ok(Err(Class::Beyond)),
-        other => other?,
-    };
+    let run = Run::of(&Discretisation::of(rod.scene(), resolution)?, &Formulation::verification());
+    let (class, _) = Class::of(&run)?;
+    let Ok(run) = run else { return Ok(Err(class)) };
     let measures = run.measures();
     let pressure = measures.peak.pressure * rod.pin_radius * rod.thickness / rod.force;
-    Ok(match Class::of(run.solution.outcome) {
+    Ok(match class {
         Class::Converged if measures.edge() > REACHES * rod.stretch => Err(Class::Beyond),
         Class::Converged => Ok([pressure, measures.second_moment_width]),
         other => Err(other),

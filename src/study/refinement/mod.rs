@@ -1,37 +1,30 @@
 //! Refinement: observed orders pair by pair, the cylinder against Hertz and against the whole of it, the pin–rod's own
-//! uncertainty and its dimensionless family. Four questions of one page, a file each but for the two of nested meshes
-//! and the two of the cylinder:
+//! uncertainty and its dimensionless family. Four questions of one page; those of nested meshes and of the family are files of their own:
 //!
 //! * [`nested`] — truncated Hertz and the pin–rod on nested meshes.
-//! * [`cylinder`] — the model error of the cylinder, and the half cylinder against the quarter.
 //! * [`family`] — the pin–rod by three dimensionless numbers.
+//!
+//! Below are the page, and the quarter cylinder under uniform load: how far it is from Hertz, and from the half cylinder.
 
-pub mod cylinder;
 pub mod family;
 pub mod nested;
 
-use crate::case::Judged;
-use crate::drawing::Drawing;
-use crate::error::Error;
-use crate::mesh::Order;
-use crate::study::about::About;
-use crate::study::drawn::picture;
-use crate::study::{Found, Planned};
-
-use cylinder::{Change, Ratio};
 use family::{Curve, Slope};
 use nested::Series;
 
-/// What its page is called, what it asks, and what it cannot tell.
-pub const ABOUT: About = About {
-    title: "Refinement",
-    asked: "How fast errors fall on finer meshes, how far the cylinder of the paper is from the half-plane of Hertz, \
-        whether its top quarter may be left out, as the paper says, and where a published figure of a pin in an eye \
-        belongs, whatever its dimensions.",
-    limits: "Orders are read on smooth contacts; where a contact has corners they are lower. The half against the \
-        quarter: one cylinder, one material, one way of loading it from above. The family: eyes of the shape drawn \
-        here; no friction, no plate of another outline.",
-};
+use crate::case::library::{Cylinder, CylinderModel};
+use crate::case::{Check, Judged, Quantity, Reference};
+use crate::drawing::Drawing;
+use crate::error::Error;
+use crate::markdown::{self, Column};
+use crate::measure::order::{Observed, pairs, richardson};
+use crate::measure::{larger, relative_error};
+use crate::mesh::{Order, Resolution};
+use crate::solve::{Discretisation, Formulation, Run};
+use crate::study::about::{About, Found, Planned, Study};
+use crate::study::drawn::picture;
+use crate::study::refinement::nested::told;
+use crate::uncertainty::standard;
 
 /// What a trial found.
 #[derive(Clone, Debug)]
@@ -67,71 +60,266 @@ pub enum Numbers {
     Slopes([Slope; 3]),
 }
 
-/// All trials.
-pub fn plan() -> Vec<Planned<Numbers>> {
-    let orders = [("4-node", Order::Linear), ("8-node", Order::Quadratic)];
-    let orders = orders.map(|(name, order)| {
-        Planned::new("order of accuracy, truncated hertz", name, move || {
-            nested::truncated(order).map(|(series, load)| Numbers::Orders { series, load })
-        })
-    });
-    let family = "dimensionless family, pin-rod";
-    let others = [
-        Planned::new("model error, cylinder", "node.kinematic", || cylinder::model_error().map(Numbers::ModelError)),
-        Planned::new("refinement, pin-rod", "4-node and 8-node", || {
-            nested::pin_rod().map(|(series, difference)| Numbers::PinRod { series, difference })
-        }),
-        Planned::new("half cylinder against quarter", "node.kinematic", || cylinder::changes().map(Numbers::Quarter)),
-        Planned::new(family, "clearance and thickness", || {
-            let [first, other] = family::same_place()?;
-            let (curves, wide_plate) = (family::curves()?, family::in_wide_plate());
-            Ok(Numbers::Family { curves, same_place: [first, other], wide_plate })
-        }),
-        Planned::new(family, "sensitivities", || family::slopes().map(Numbers::Slopes)),
-    ];
-    orders.into_iter().chain(others).collect()
-}
+impl Study for Numbers {
+    const NAME: &'static str = "refinement";
+    const ABOUT: About = About {
+        title: "Refinement",
+        asked: "How fast errors fall on finer meshes, how far the cylinder of the paper is from the half-plane of Hertz, \
+            whether its top quarter may be left out, as the paper says, and where a published figure of a pin in an eye \
+            belongs, whatever its dimensions.",
+        limits: "Orders are read on smooth contacts; where a contact has corners they are lower. The half against the \
+            quarter: one cylinder, one material, one way of loading it from above. The family: eyes of the shape drawn \
+            here; no friction, no plate of another outline.",
+    };
 
-/// The checks.
-pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
-    Ok(match numbers {
-        Numbers::Orders { series, load } => nested::judge_orders(series, *load),
-        Numbers::ModelError(ratios) => cylinder::judge_model_error(ratios),
-        Numbers::PinRod { series, difference } => nested::judge_pin_rod(series, *difference),
-        Numbers::Quarter(changes) => changes.iter().flat_map(cylinder::judge_change).collect(),
-        Numbers::Family { curves, same_place, wide_plate } => family::judge(curves, same_place, *wide_plate),
-        Numbers::Slopes(slopes) => slopes.iter().flat_map(family::judge_slope).collect(),
-    })
-}
-
-/// Tables of the nested meshes and of the model error; the quarter; the family.
-pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let [mut refinement, mut quarter, mut family] = [
-        picture(nested::FILE, "Observed orders of accuracy") + nested::INTRODUCTION,
-        "## Half cylinder against quarter\n\n".to_owned(),
-        "## The dimensionless family of the pin–rod\n\n".to_owned() + &family::introduction(),
-    ];
-    for found in findings {
-        match found.numbers {
-            Numbers::Orders { series, load } => refinement += &nested::table_of_orders(series, *load),
-            Numbers::ModelError(ratios) => refinement += &cylinder::table_of_ratios(ratios),
-            Numbers::PinRod { series, .. } => refinement += &nested::table_of_pin_rod(series),
-            Numbers::Quarter(changes) => quarter += &cylinder::table_of_changes(changes),
-            Numbers::Family { curves, .. } => family += &family::table_of_curves(curves),
-            Numbers::Slopes(slopes) => family += &family::table_of_slopes(slopes),
-        }
+    fn plan() -> Vec<Planned<Self>> {
+        let orders = [("4-node", Order::Linear), ("8-node", Order::Quadratic)];
+        let orders = orders.map(|(name, order)| {
+            Planned::new("order of accuracy, truncated hertz", name, move || {
+                nested::truncated(order).map(|(series, load)| Numbers::Orders { series, load })
+            })
+        });
+        let family = "dimensionless family, pin-rod";
+        let others = [
+            Planned::new("model error, cylinder", "node.kinematic", || model_error().map(Numbers::ModelError)),
+            Planned::new("refinement, pin-rod", "4-node and 8-node", || {
+                nested::pin_rod().map(|(series, difference)| Numbers::PinRod { series, difference })
+            }),
+            Planned::new("half cylinder against quarter", "node.kinematic", || changes().map(Numbers::Quarter)),
+            Planned::new(family, "clearance and thickness", || {
+                let [first, other] = family::same_place()?;
+                let (curves, wide_plate) = (family::curves()?, family::in_wide_plate());
+                Ok(Numbers::Family { curves, same_place: [first, other], wide_plate })
+            }),
+            Planned::new(family, "sensitivities", || family::slopes().map(Numbers::Slopes)),
+        ];
+        orders.into_iter().chain(others).collect()
     }
-    Ok(refinement + &quarter + &family)
+
+    fn judge(&self) -> Result<Vec<Judged>, Error> {
+        Ok(match self {
+            Numbers::Orders { series, load } => nested::judge_orders(series, *load),
+            Numbers::ModelError(ratios) => judge_model_error(ratios),
+            Numbers::PinRod { series, difference } => nested::judge_pin_rod(series, *difference),
+            Numbers::Quarter(changes) => changes.iter().flat_map(judge_change).collect(),
+            Numbers::Family { curves, same_place, wide_plate } => family::judge(curves, same_place, *wide_plate),
+            Numbers::Slopes(slopes) => slopes.iter().flat_map(family::judge_slope).collect(),
+        })
+    }
+
+    /// Tables of the nested meshes and of the model error; the quarter; the family.
+    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+        let [mut refinement, mut quarter, mut family] = [
+            picture(nested::FILE, "Observed orders of accuracy") + nested::INTRODUCTION,
+            "## Half cylinder against quarter\n\n".to_owned(),
+            "## The dimensionless family of the pin–rod\n\n".to_owned() + &family::introduction(),
+        ];
+        for found in findings {
+            match found.numbers {
+                Numbers::Orders { series, load } => refinement += &nested::table_of_orders(series, *load),
+                Numbers::ModelError(ratios) => refinement += &table_of_ratios(ratios),
+                Numbers::PinRod { series, .. } => refinement += &nested::table_of_pin_rod(series),
+                Numbers::Quarter(changes) => quarter += &table_of_changes(changes),
+                Numbers::Family { curves, .. } => family += &family::table_of_curves(curves),
+                Numbers::Slopes(slopes) => family += &family::table_of_slopes(slopes),
+            }
+        }
+        Ok(refinement + &quarter + &family)
+    }
+
+    /// Errors over the mesh size, and the family over the clearance.
+    fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
+        let numbers = || findings.iter().map(|found| found.numbers);
+        let orders: Vec<&Series> = numbers()
+            .filter_map(|one| if let Numbers::Orders { series, .. } = one { Some(series) } else { None })
+            .collect();
+        let curves: Vec<&[Curve]> = numbers()
+            .filter_map(|one| if let Numbers::Family { curves, .. } = one { Some(curves.as_slice()) } else { None })
+            .collect();
+        Ok(vec![(nested::FILE.into(), nested::chart(&orders)), (family::FILE.into(), family::chart(&curves))])
+    }
 }
 
-/// Errors over the mesh size, and the family over the clearance.
-pub fn pictures(findings: &[Found<Numbers>]) -> Result<Vec<(String, Drawing)>, Error> {
-    let numbers = || findings.iter().map(|found| found.numbers);
-    let orders: Vec<&Series> = numbers()
-        .filter_map(|one| if let Numbers::Orders { series, .. } = one { Some(series) } else { None })
-        .collect();
-    let curves: Vec<&[Curve]> = numbers()
-        .filter_map(|one| if let Numbers::Family { curves, .. } = one { Some(curves.as_slice()) } else { None })
-        .collect();
-    Ok(vec![(nested::FILE.into(), nested::chart(&orders)), (family::FILE.into(), family::chart(&curves))])
+/// Elements per half-width that show the model error of the cylinder: the finest of three meshes.
+const FINE: [usize; 3] = [12, 24, 48];
+/// Ratios a/R of the cylinder beside Hertz.
+const BESIDE_HERTZ: [f64; 4] = [0.005, 0.05, 0.1, 0.2];
+/// Ratios a/R of the half cylinder.
+const HALVES: [f64; 4] = [0.0125, 0.025, 0.05, 0.1];
+
+/// The cylinder beside Hertz at one a/R.
+#[derive(Clone, Debug)]
+pub struct Ratio {
+    /// Half-width of Hertz over the radius.
+    pub a_over_r: f64,
+    /// How far peak pressure and half-width depart from those of Hertz, relative to them: on the finest mesh, and what
+    /// the mesh may still change, a bound that covers about 95 %.
+    pub departures: [[f64; 2]; 2],
+    /// Degrees of freedom of the finest mesh.
+    pub dofs: usize,
+}
+
+/// Peak pressure \[MPa\] and half-width \[mm\] of each model at one a/R.
+#[derive(Clone, Debug)]
+pub struct Change {
+    /// Half-width of Hertz over the radius.
+    pub a_over_r: f64,
+    /// The lower quarter, loaded on its horizontal cut.
+    pub quarter: [f64; 2],
+    /// The half cylinder, loaded on the same line.
+    pub half: [f64; 2],
+    /// The half cylinder, loaded on its upper arc.
+    pub above: [f64; 2],
+}
+
+impl Change {
+    /// Larger relative change of peak and second-moment width when the half loaded on the same line is modelled instead
+    /// of the quarter.
+    pub fn largest(&self) -> f64 {
+        let [peak, width] = [0, 1].map(|k| relative_error(self.half[k], self.quarter[k]));
+        larger(peak, width)
+    }
+}
+
+/// Powers of a/R by which a departure falls, from the largest contact to the smallest, whose own departure is what the
+/// mesh leaves: it has no power, and nothing below five times as much has one.
+fn powers(ratios: &[Ratio; 4], number: usize) -> Vec<Observed> {
+    let [smallest, others @ ..] = ratios;
+    let floor = others.iter().map(|ratio| ratio.departures[number][1]);
+    let floor = floor.fold(smallest.departures[number][0].abs(), larger);
+    let falling = || ratios.iter().rev();
+    let sizes: Vec<f64> = falling().map(|ratio| ratio.a_over_r).collect();
+    pairs(&sizes, &falling().map(|ratio| ratio.departures[number][0]).collect::<Vec<_>>(), floor)
+}
+
+/// Peak pressure and half-width; NaN, which no check passes, where the run did not converge.
+fn found(run: &Run) -> [f64; 2] {
+    let measures = run.measures();
+    if run.solution.converged() { [measures.peak.pressure, measures.second_moment_width] } else { [f64::NAN; 2] }
+}
+
+/// What the quarter cylinder differs from Hertz by, on meshes fine enough to show it.
+pub fn model_error() -> Result<[Ratio; 4], Error> {
+    let ratio = |a_over_r| {
+        let numbers = Cylinder { a_over_r, ..Default::default() };
+        let run = |elements| {
+            let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
+            Run::of(&Discretisation::of(numbers.scene(), resolution)?, &Formulation::verification())
+        };
+        let [coarse, medium, fine] = FINE.map(run);
+        let runs = [coarse?, medium?, fine?];
+        let hertz = [numbers.scene().reference.pressure, numbers.half_width()];
+        let departures = [0, 1].map(|number| {
+            let series = runs.each_ref().map(|run| found(run)[number] / hertz[number] - 1.0);
+            [series[2], richardson(series).bound]
+        });
+        Ok(Ratio { a_over_r, departures, dofs: runs[2].dofs })
+    };
+    let [a, b, c, d]: [Result<Ratio, Error>; 4] = BESIDE_HERTZ.map(ratio);
+    Ok([a?, b?, c?, d?])
+}
+
+/// Every model at every a/R.
+pub fn changes() -> Result<Vec<Change>, Error> {
+    let change = |a_over_r| {
+        let contact = |model| {
+            let case = Cylinder { a_over_r, model, ..Default::default() }.case();
+            let made = Discretisation::of(case.scene, case.resolution)?;
+            Ok::<_, Error>(found(&Run::of(&made, &Formulation::verification())?))
+        };
+        let quarter = contact(CylinderModel::Quarter)?;
+        let half = contact(CylinderModel::Half)?;
+        Ok(Change { a_over_r, quarter, half, above: contact(CylinderModel::HalfLoadedAbove)? })
+    };
+    HALVES.into_iter().map(change).collect()
+}
+
+/// Numbers of the cylinder over those of Hertz, and how near those of the smallest contact must come.
+const OVER_HERTZ: [(&str, f64); 2] =
+    [("peak pressure over that of Hertz", 1e-4), ("second-moment width over the half-width of Hertz", 1.5e-4)];
+/// How near the powers must come to 2, relative to that.
+const POWER: f64 = 0.1;
+
+/// The smallest contact is Hertz's; with growing contact the difference grows by (a/R)².
+pub fn judge_model_error(ratios: &[Ratio; 4]) -> Vec<Judged> {
+    let [first, others @ ..] = ratios;
+    let small = [0, 1].map(|number| {
+        let ((quantity, near), [departure, bound]) = (OVER_HERTZ[number], first.departures[number]);
+        let because = format!("no model error is left, but the mesh: {} 8-node cells per half-width", FINE[2]);
+        let at = format!("a/R = {}", first.a_over_r);
+        let check = Check::near(Quantity::at(quantity, at), Reference::analytic("Hertz", 1.0), near, because);
+        Judged { uncertainty: Some(standard(bound)), ..check.judge(1.0 + departure) }
+    });
+    let growth = [0, 1].into_iter().flat_map(|number| {
+        let pairs = others.windows(2).rev().zip(powers(ratios, number));
+        let judged = pairs.map(move |(two, power)| {
+            let at = format!("{}, a/R = {} to {}", OVER_HERTZ[number].0, two[0].a_over_r, two[1].a_over_r);
+            let quantity = Quantity::at("power of a/R by which the cylinder departs from Hertz", at);
+            let because = "the next power of a/R, and what the mesh still changes";
+            Check::near(quantity, Reference::analytic("far field", 2.0), POWER, because).judge(power.value())
+        });
+        judged.collect::<Vec<_>>()
+    });
+    small.into_iter().chain(growth).collect()
+}
+
+/// Change of peak and second-moment width below which the top quarter may be left out.
+pub const LEFT_OUT: f64 = 1e-3;
+/// Largest a/R at which that is required.
+const JUDGED: f64 = 0.025;
+
+/// The top quarter changes nothing where the contact is small.
+pub fn judge_change(change: &Change) -> Vec<Judged> {
+    let near = |quantity: &'static str, number: usize| {
+        let at = format!("a/R = {}", change.a_over_r);
+        let half = Reference::own("half cylinder", change.half[number]);
+        Check::near(Quantity::at(quantity, at), half, LEFT_OUT, "far field: of the order of (a/R)²")
+            .judge(change.quarter[number])
+    };
+    if change.a_over_r > JUDGED {
+        return Vec::new();
+    }
+    vec![near("peak pressure of the quarter cylinder [MPa]", 0), near("half-width of the quarter cylinder [mm]", 1)]
+}
+
+/// The cylinder beside Hertz.
+pub fn table_of_ratios(ratios: &[Ratio; 4]) -> String {
+    type Row<'a> = (&'a Ratio, [String; 2]);
+    let columns: [Column<Row>; 8] = [
+        ("a/R", |(ratio, _)| ratio.a_over_r.to_string()),
+        ("p₀ / Hertz − 1", |(ratio, _)| format!("{:+.2e}", ratio.departures[0][0])),
+        ("bound of the mesh", |(ratio, _)| format!("{:.0e}", ratio.departures[0][1])),
+        ("power", |(_, powers)| powers[0].clone()),
+        ("a / Hertz − 1", |(ratio, _)| format!("{:+.2e}", ratio.departures[1][0])),
+        ("bound of the mesh", |(ratio, _)| format!("{:.0e}", ratio.departures[1][1])),
+        ("power", |(_, powers)| powers[1].clone()),
+        ("dofs", |(ratio, _)| ratio.dofs.to_string()),
+    ];
+    let powers = [0, 1].map(|number| powers(ratios, number));
+    let rows = ratios.iter().rev().enumerate().map(|(k, ratio)| {
+        let read = |number: usize| told(k.checked_sub(1).and_then(|before| powers[number].get(before)));
+        (ratio, [read(0), read(1)])
+    });
+    format!(
+        "**Cylinder: model error against Hertz, and the power of a/R by which it falls ({} elements per half-width)**\n\n{}\n",
+        FINE[2],
+        markdown::columns(&columns, &rows.collect::<Vec<_>>())
+    )
+}
+
+/// Changes of peak and second-moment width.
+pub fn table_of_changes(changes: &[Change]) -> String {
+    let columns: [Column<Change>; 5] = [
+        ("a/R", |change| change.a_over_r.to_string()),
+        ("p₀, loaded on the same line", |change| percent(change.half[0], change.quarter[0])),
+        ("a, same line", |change| percent(change.half[1], change.quarter[1])),
+        ("p₀, loaded on the upper arc", |change| percent(change.above[0], change.quarter[0])),
+        ("a, upper arc", |change| percent(change.above[1], change.quarter[1])),
+    ];
+    let table = markdown::columns(&columns, changes);
+    format!("Change of the contact when the half cylinder is modelled instead of the quarter.\n\n{table}\n")
+}
+
+fn percent(half: f64, quarter: f64) -> String {
+    format!("{:+.3} %", 100.0 * (half / quarter - 1.0))
 }

@@ -1,16 +1,133 @@
-//! What a live run leaves: what each code told of its runs, beside the files that it wrote.
+//! Codes of the scoreboard and the contact that each is run with; the live run, in which every case is exported and every code is asked
+//! for it by each of its settings; and what it leaves: what each code told of its runs, beside the files that it wrote.
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::PathBuf;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Instant;
 
+use flate2::Compression;
+use flate2::write::GzEncoder;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use sha2::{Digest, Sha256};
 
+use crate::case::Case;
 use crate::checkout::root;
+use crate::condensation::Plain;
 use crate::error::Error;
-use crate::referee::export::problem::SCRIPTS;
-use crate::study::scoreboard::setting::Code;
+use crate::named::named_enum;
+use crate::referee::Truth;
+use crate::referee::export::deck;
+use crate::referee::export::problem::{self, SCRIPTS};
+use crate::solve::Discretisation;
+use crate::study::scoreboard::scored;
+
+named_enum! {
+    /// A code.
+    pub enum Code {
+        /// CalculiX.
+        Calculix = "CalculiX",
+        /// GetFEM.
+        Getfem = "GetFEM",
+        /// NGSolve.
+        Ngsolve = "NGSolve",
+        /// SfePy.
+        Sfepy = "SfePy",
+        /// Kratos.
+        Kratos = "Kratos",
+        /// Akantu.
+        Akantu = "Akantu",
+        /// FElupe.
+        Felupe = "FElupe",
+        /// scikit-fem.
+        ScikitFem = "scikit-fem",
+        /// dolfinx.
+        Dolfinx = "dolfinx",
+    }
+}
+
+impl Code {
+    /// Its script under `oracles/peers`.
+    pub fn script(self) -> &'static str {
+        match self {
+            Self::Calculix => "run_calculix.py",
+            Self::Getfem => "run_getfem.py",
+            Self::Ngsolve => "run_ngsolve.py",
+            Self::Sfepy => "run_sfepy.py",
+            Self::Kratos => "run_kratos.py",
+            Self::Akantu => "run_akantu.py",
+            Self::Felupe => "run_felupe.py",
+            Self::ScikitFem => "run_scikit_fem.py",
+            Self::Dolfinx => "run_dolfinx.py",
+        }
+    }
+}
+
+/// A code with one of its contacts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Setting {
+    /// The code.
+    pub code: Code,
+    /// What its script calls the contact.
+    pub method: &'static str,
+    /// The same in words.
+    pub says: &'static str,
+    /// Whether it is what the code documents first or, where it has no contact of its own, what one writes first.
+    pub first: bool,
+}
+
+impl Setting {
+    /// All, the first choice of each code before the others.
+    pub const ALL: [Self; 20] = [
+        Self::of(Code::Calculix, "pair", "contact pair, surface to surface, K = 50 E per mm", true),
+        Self::of(Code::Calculix, "stiff-pair", "the same with K = 1000 E per mm", false),
+        Self::of(Code::Calculix, "gaps", "gap elements of the exported deck", false),
+        Self::of(Code::Getfem, "integral", "integral contact brick, augmented Lagrangian", true),
+        Self::of(Code::Getfem, "basic", "basic contact brick on the exported rows", false),
+        Self::of(Code::Ngsolve, "contact", "contact boundary, energy of overlap, K = 50 E per mm", true),
+        Self::of(Code::Ngsolve, "stiff-contact", "the same with K = 1000 E per mm", false),
+        Self::of(Code::Ngsolve, "active-set", "active sets on the exported rows", false),
+        Self::of(Code::Sfepy, "contact", "contact term on both sides, cells of 4 nodes, K = 10 E per mm", true),
+        Self::of(Code::Sfepy, "stiff-contact", "the same with K = 100 E per mm, quadrature of order 30", false),
+        Self::of(
+            Code::Kratos,
+            "contact",
+            "mortar contact, augmented Lagrangian, cells of 4 nodes, one load step",
+            true,
+        ),
+        Self::of(Code::Kratos, "contact-in-steps", "the same in 10 load steps", false),
+        Self::of(
+            Code::Akantu,
+            "contact",
+            "penalty contact, cells of 4 nodes, ε = 400 E per mm; reactions, tangent and turn of the scene are ours",
+            true,
+        ),
+        Self::of(Code::Akantu, "stiff-contact", "the same with ε = 4000 E per mm", false),
+        Self::of(
+            Code::Felupe,
+            "contact",
+            "contact with rigid planes, its only one; facing nodes of two bodies are paired by us; k = mean nodal stiffness",
+            true,
+        ),
+        Self::of(Code::Felupe, "stiff-contact", "the same with 100 times that k", false),
+        Self::of(Code::ScikitFem, "penalty", "springs on the exported rows, k = 10 E/h", true),
+        Self::of(Code::ScikitFem, "active-set", "active sets on the exported rows", false),
+        Self::of(Code::Dolfinx, "penalty", "springs on the exported rows, k = 10 E/h", true),
+        Self::of(Code::Dolfinx, "active-set", "active sets on the exported rows", false),
+    ];
+
+    const fn of(code: Code, method: &'static str, says: &'static str, first: bool) -> Self {
+        Self { code, method, says, first }
+    }
+
+    /// The setting of a code by the name of its method.
+    pub fn named(code: Code, method: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|one| one.code == code && one.method == method)
+    }
+}
 
 /// Where it is.
 pub const FOLDER: &str = "oracles/frozen/scoreboard";
@@ -105,4 +222,127 @@ pub fn folder() -> PathBuf {
 pub fn hashes() -> BTreeMap<String, String> {
     let of = |text: &str| Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect();
     SCRIPTS.into_iter().map(|(name, text, _)| (name.to_owned(), of(text))).collect()
+}
+
+/// The interpreter that the codes are installed for.
+const PYTHON: &str = "/usr/bin/python3";
+/// What the scripts end with where their code is not installed.
+const MISSING: i32 = 3;
+/// Times that the sparse Cholesky solve is measured, of which the shortest counts.
+const REPEATS: usize = 5;
+/// Endings of files that are kept compressed.
+const LARGE: [&str; 2] = ["frd", "vtu"];
+
+/// A case by every setting; the answers are written beside the record. The second list names what is not installed.
+pub fn ask(name: &str, case: &Case, told: impl Fn(&Setting)) -> Result<(Asked, Vec<String>), Error> {
+    refuse_other_scripts()?;
+    let discretisation = case.meshed()?.discretisation;
+    let truth = Truth::of(case.clone())?;
+    let place = root().join("target/scoreboard").join(name);
+    fs::create_dir_all(&place).map_err(|error| Error::unwritable(&place, error))?;
+    let files =
+        [("problem.json", problem::text(&case.name, &discretisation)?), ("case.inp", deck::text(&discretisation)?)];
+    for (file, text) in files {
+        let file = place.join(file);
+        fs::write(&file, text).map_err(|error| Error::unwritable(&file, error))?;
+    }
+    let (mut runs, mut absent) = (Vec::new(), Vec::new());
+    for setting in Setting::ALL {
+        told(&setting);
+        let cholesky = cholesky(&discretisation)?;
+        let (seconds, answer) = match run(&setting, &place) {
+            Ok(ran) => ran,
+            Err(why) => {
+                absent.push(why);
+                continue;
+            }
+        };
+        let (version, ended) = match answer {
+            Ok(value) => {
+                let version = value["version"].as_str().map(str::to_owned);
+                (version, kept(name, &truth, &discretisation, &place, &value)?)
+            }
+            Err(why) => (None, Ended::Failed(why)),
+        };
+        let Setting { code, method, .. } = setting;
+        runs.push(Told { code, method: method.into(), version, seconds, cholesky, ended });
+    }
+    Ok((Asked { dofs: discretisation.system.dofs(), runs }, absent))
+}
+
+/// Refuses scripts that are not those this program was built with, whose digests it writes.
+fn refuse_other_scripts() -> Result<(), Error> {
+    for (name, text, _) in SCRIPTS {
+        let file = root().join("oracles/peers").join(name);
+        if fs::read_to_string(&file).ok().as_deref() != Some(text) {
+            return Err(Error::file(
+                &file,
+                "it has changed since this program was built",
+                "build it again: `cargo build --release`",
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Seconds of one sparse Cholesky solve of all bodies, the shortest of some.
+fn cholesky(discretisation: &Discretisation) -> Result<f64, Error> {
+    let systems = discretisation.system.bodies.iter().map(Plain::of).collect::<Result<Vec<Plain>, Error>>()?;
+    let once = |_| {
+        let clock = Instant::now();
+        systems.iter().try_for_each(|system| system.solve().map(|found| drop(std::hint::black_box(found))))?;
+        Ok(clock.elapsed().as_secs_f64())
+    };
+    let all = (0..REPEATS).map(once).collect::<Result<Vec<f64>, Error>>()?;
+    Ok(all.into_iter().fold(f64::INFINITY, f64::min))
+}
+
+/// Seconds of a script, and what it told or why it failed; refused with the reason where its code is not installed.
+fn run(setting: &Setting, place: &Path) -> Result<(f64, Result<Value, String>), String> {
+    let script = root().join("oracles/peers").join(setting.code.script());
+    let clock = Instant::now();
+    let started = Command::new(PYTHON).arg("-EsB").arg(&script).arg(place).arg(setting.method).output();
+    let output = started.map_err(|_| format!("{PYTHON} is missing"))?;
+    let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
+    let last = said.lines().last().unwrap_or("it failed without a word").to_owned();
+    if output.status.code() == Some(MISSING) {
+        return Err(last);
+    }
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let value = text.lines().last().and_then(|line| serde_json::from_str::<Value>(line).ok());
+    Ok(match value.filter(|_| output.status.success()) {
+        Some(value) => (value["seconds"].as_f64().unwrap_or(f64::NAN), Ok(value)),
+        None => (clock.elapsed().as_secs_f64(), Err(last)),
+    })
+}
+
+/// Keeps the file that a code wrote beside the record, and judges it.
+fn kept(
+    name: &str,
+    truth: &Truth,
+    discretisation: &Discretisation,
+    place: &Path,
+    value: &Value,
+) -> Result<Ended, Error> {
+    let file = value["file"].as_str().unwrap_or_default();
+    let written = place.join(file);
+    let mut bytes = fs::read(&written).map_err(|error| Error::unreadable(&written, error, "run the script by hand"))?;
+    let mut named = format!("{name}-{file}");
+    if LARGE.iter().any(|ending| file.ends_with(ending)) {
+        named += ".gz";
+        let mut compressed = GzEncoder::new(Vec::new(), Compression::best());
+        bytes = compressed
+            .write_all(&bytes)
+            .and_then(|()| compressed.finish())
+            .map_err(|error| Error::unwritable(&written, error))?;
+    }
+    let kept = folder().join(&named);
+    let scored = scored(truth, discretisation, &kept, &bytes);
+    let found = scored.map_or([f64::NAN; 2], |scored| scored.scores.map(|score| score.value));
+    if found.iter().any(|value| !value.is_finite()) {
+        return Ok(Ended::Failed(format!("what it wrote holds no profile that can be judged: {file}")));
+    }
+    fs::write(&kept, bytes).map_err(|error| Error::unwritable(&kept, error))?;
+    let iterations = value["iterations"].as_u64().unwrap_or(0) as usize;
+    Ok(Ended::Answered { file: named, iterations, found })
 }

@@ -1,18 +1,18 @@
 //! Rates of convergence: on the final active set by the condensed matrices, beforehand by Hertz's closed form, and as measured.
 
 use crate::algorithm::{ContactProblem, StiffnessRule};
-use crate::case::library::TruncatedHertz;
+use crate::case::library::{Cylinder, PinRod, TruncatedHertz};
 use crate::case::{Check, Judged, Quantity, Reference, Verdict};
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::measure::larger;
 use crate::measure::profile::weighted_line;
 use crate::mesh::{Order, Resolution};
+use crate::scene;
 use crate::solution::Solution;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::stability::{Limit, linear, rate};
 use crate::study::method::Method;
-use crate::study::stability::halving::Scene;
 
 /// Initial stiffnesses of the rate studies: constant stiffness depends on them, varying stiffness does not.
 const STARTS: [f64; 9] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0];
@@ -27,6 +27,40 @@ const STEPS: usize = 20;
 /// Tolerance and limit of iterations of a run whose rate is measured.
 const TOLERANCE: f64 = 1e-12;
 const LIMIT: usize = 12_000;
+
+/// A scene on which predictions are tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scene {
+    /// The cylinder.
+    Cylinder,
+    /// Truncated Hertz.
+    TruncatedHertz,
+    /// The pin-rod, whose contact is no Hertz contact.
+    PinRod,
+}
+
+impl Scene {
+    /// All.
+    pub const ALL: [Self; 3] = [Self::Cylinder, Self::TruncatedHertz, Self::PinRod];
+
+    /// Name of its trial.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Cylinder => "cylinder",
+            Self::TruncatedHertz => "truncated hertz",
+            Self::PinRod => "pin-rod",
+        }
+    }
+
+    /// The scene with candidates over the half-width, of the pin-rod in degrees.
+    pub(super) fn stretched(self, stretch: f64) -> scene::Scene {
+        match self {
+            Self::Cylinder => Cylinder { stretch, ..Default::default() }.scene(),
+            Self::TruncatedHertz => TruncatedHertz { stretch, ..Default::default() }.scene(),
+            Self::PinRod => PinRod { stretch: stretch.to_radians(), ..Default::default() }.scene(),
+        }
+    }
+}
 
 /// A start of a method, predicted and measured.
 #[derive(Clone, Copy, Debug)]

@@ -15,7 +15,7 @@ use crate::measure::order::slope;
 use crate::mesh::{Mesh, Order, Resolution};
 use crate::solution::Solution;
 use crate::solve::{Change, Discretisation, Formulation, Origin};
-use crate::study::timings::statistics::{Spread, quantile, ratios};
+use crate::study::seconds::{Spread, quantile, ratios};
 
 /// Elements per half-width and refinement of the meshes of some 10⁴, 10⁵ and 10⁶ degrees of freedom, and how often each is measured.
 pub const MESHES: [(usize, u32, usize); 3] = [(12, 1, 15), (8, 3, 7), (20, 4, 3)];

@@ -1,4 +1,5 @@
-//! Error against seconds and work, over loads the mesh does not know.
+//! Error against seconds and work, over loads the mesh does not know: ours, and by other codes in processes of their own, if they are
+//! installed: scikit-fem, dolfinx and NGSolve on truncated Hertz with their own meshes, GetFEM and CalculiX on our mesh of the cylinder.
 //!
 //! The mesh is graded for the nominal half-width and the candidate stretch; eight loads then move the contact edge across
 //! one of its elements, so that no mesh has the edge on a node by luck. Every point is the median and the worst of them.
@@ -6,16 +7,113 @@
 use std::time::Instant;
 
 use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
 
+use crate::case::library::TruncatedHertz;
+use crate::checkout::root;
 use crate::error::Error;
 use crate::measure::larger;
-use crate::mesh::Resolution;
+use crate::mesh::{Order, Resolution};
+use crate::named::named_enum;
 use crate::oracle::analytic::hertz::Hertz;
+use crate::oracle::cross_code::process::{Told, run};
+use crate::scene::{Grading, Scene};
 use crate::solve::run::Run;
-use crate::solve::{Discretisation, Fitted, Formulation};
-use crate::study::pairing::Pairing;
-use crate::study::timings::series::{Series, nominal};
-use crate::study::timings::statistics::Spread;
+use crate::solve::{Discretisation, Fitted, Formulation, Iteration};
+use crate::study::handed_over;
+use crate::study::seconds::Spread;
+use crate::study::timings::growth::{contact_seconds, discretised};
+
+/// Tolerance of every run: a thirtieth of the smallest error that is asked for.
+pub const TOLERANCE: f64 = 1e-5;
+/// Elements per half-width.
+const ELEMENTS: [usize; 8] = [2, 3, 4, 5, 7, 10, 14, 20];
+/// Digits for which meshes are fitted.
+const DIGITS: [usize; 3] = [4, 5, 6];
+
+named_enum! {
+    /// A series of meshes, coarse to fine.
+    pub enum Series {
+        /// Cells with 4 nodes, graded as in the library.
+        Linear = "truncated-hertz, 4-node",
+        /// Cells with 8 nodes, graded as in the library.
+        Quadratic = "truncated-hertz, 8-node",
+        /// Cells with 4 nodes that grow twice as fast.
+        SteepLinear = "truncated-hertz, steep, 4-node",
+        /// Cells with 8 nodes that grow twice as fast.
+        SteepQuadratic = "truncated-hertz, steep, 8-node",
+        /// Cells of high order, fitted to the end of the contact that they find.
+        Fitted = "truncated-hertz, fitted",
+        /// By exact active sets.
+        ScikitFem = "scikit-fem",
+        /// By a penalty.
+        Dolfinx = "dolfinx",
+        /// At high order, by an augmented Lagrangian.
+        Ngsolve = "NGSolve",
+    }
+}
+
+impl Series {
+    /// Ours.
+    pub const OURS: [Self; 5] = [Self::Linear, Self::Quadratic, Self::SteepLinear, Self::SteepQuadratic, Self::Fitted];
+    /// Codes on meshes of their own.
+    pub const CODES: [Self; 3] = [Self::ScikitFem, Self::Dolfinx, Self::Ngsolve];
+    /// These as a command line names them.
+    pub const ASKED: &[(Self, &str, &str)] = Self::TOLD.split_at(Self::OURS.len()).1;
+
+    /// Order of our cells whose mesh does not know where the contact ends.
+    pub fn order(self) -> Option<Order> {
+        match self {
+            Self::Linear | Self::SteepLinear => Some(Order::Linear),
+            Self::Quadratic | Self::SteepQuadratic => Some(Order::Quadratic),
+            Self::Fitted | Self::ScikitFem | Self::Dolfinx | Self::Ngsolve => None,
+        }
+    }
+
+    fn is_steep(self) -> bool {
+        matches!(self, Self::SteepLinear | Self::SteepQuadratic)
+    }
+
+    /// Our meshes: elements per half-width, or digits for which they are fitted.
+    pub fn meshes(self) -> &'static [usize] {
+        match self.order() {
+            Some(_) => &ELEMENTS,
+            None if self == Self::Fitted => &DIGITS,
+            None => &[],
+        }
+    }
+
+    /// Our formulations: all nine, on steep meshes the elements with kinematic load, on fitted ones the fastest.
+    pub fn formulations(self) -> Vec<Formulation> {
+        if self == Self::Fitted {
+            return vec![Formulation::verification()];
+        }
+        let nine = Formulation::nine().into_iter();
+        let kept = nine.filter(|formulation| !self.is_steep() || formulation.algorithm == Iteration::Kinematic);
+        kept.map(|formulation| formulation.tolerance(TOLERANCE)).collect()
+    }
+
+    /// The scene under the load of another half-width, with the outline, candidates and grading of the nominal one, and
+    /// the Hertz solution.
+    pub(super) fn loaded(self, half_width: f64) -> (Scene, Hertz) {
+        let ratio = half_width / nominal();
+        let base = TruncatedHertz::default();
+        let (size, stretch) = (base.size / ratio, base.stretch / ratio);
+        let numbers = TruncatedHertz { a_over_r: base.a_over_r * ratio, size, stretch, ..base };
+        let mut scene = numbers.scene();
+        scene.grading.unit = nominal();
+        if self.is_steep() {
+            scene.grading = Grading { along: 2.0, depth: 1.8, coarsest: 0.5, ..scene.grading };
+        }
+        let modulus = scene.contact_modulus();
+        (scene, Hertz { load: numbers.load(), radius: numbers.radius, modulus })
+    }
+}
+
+/// Nominal half-width \[mm\].
+pub fn nominal() -> f64 {
+    TruncatedHertz::default().half_width()
+}
 
 /// Loads of every point.
 pub const LOADS: usize = 8;
@@ -29,8 +127,8 @@ pub struct Point {
     pub series: Series,
     /// Elements per nominal half-width, digits for which it is fitted, or its place in the series of another code.
     pub mesh: usize,
-    /// Contact element and algorithm of ours.
-    pub formulation: Option<Pairing>,
+    /// Name of ours: contact element and algorithm.
+    pub formulation: Option<String>,
     /// Unknown displacement components; of the last mesh where several are solved on the way.
     pub dofs: usize,
     /// Operations of the sparse factorisation and, median, of the iteration; NaN where they are not counted.
@@ -92,7 +190,7 @@ pub fn measure(series: Series, mesh: usize) -> Result<Vec<Point>, Error> {
         Point {
             series,
             mesh,
-            formulation: Some(Pairing::of(formulation)),
+            formulation: Some(Formulation::new(formulation.element, formulation.algorithm).name()),
             dofs: loaded.iter().map(|one| one.run.dofs).max().unwrap_or(0),
             operations: if series == Series::Fitted { f64::NAN } else { counted },
             converged: loaded.iter().filter(|one| one.run.solution.converged()).count(),
@@ -145,4 +243,131 @@ pub fn solved(
 pub fn meshes() -> Vec<(Series, usize)> {
     let of = |series: Series| series.meshes().iter().map(move |mesh| (series, *mesh));
     Series::OURS.into_iter().flat_map(of).collect()
+}
+
+/// Meshes of scikit-fem and dolfinx: cells per candidate stretch, and times cut into four.
+const TRIANGLES: [[usize; 2]; 8] = [[8, 0], [12, 0], [16, 0], [17, 0], [32, 0], [17, 1], [32, 1], [64, 1]];
+/// Meshes of NGSolve: order, and cells per candidate stretch.
+const HIGH_ORDER: [[usize; 2]; 7] = [[3, 6], [4, 9], [6, 9], [4, 18], [4, 27], [6, 27], [4, 81]];
+/// Meshes of the cylinder handed to the peers: elements per half-width, times halved, repeats.
+const SHARED: [(usize, u32, usize); 3] = [(8, 0, 5), (8, 1, 3), (8, 2, 1)];
+
+/// What the meshes of a code are, in a few words.
+pub fn cells(code: Series) -> String {
+    if code != Series::Ngsolve {
+        return "meshes of its own".into();
+    }
+    let orders = || HIGH_ORDER.into_iter().map(|[order, _]| order);
+    let [least, most] = [orders().min(), orders().max()].map(Option::unwrap_or_default);
+    format!("orders {least} to {most}, contact edge unknown to its mesh")
+}
+
+/// Asks a code for truncated Hertz on all its meshes, under the loads of our own; the reason where it is not installed.
+pub fn precision(code: Series) -> Result<Result<Vec<Value>, String>, Error> {
+    let (script, arguments, meshes) = if code == Series::Ngsolve {
+        ("ngsolve_precision.py", vec![], &HIGH_ORDER[..])
+    } else {
+        ("work_precision.py", vec![code.name().into()], &TRIANGLES[..])
+    };
+    let nominal = TruncatedHertz::default();
+    let request = json!({
+        "scene": {
+            "a_over_r": nominal.a_over_r, "poisson": nominal.poisson, "radius": nominal.radius,
+            "size": nominal.size, "stretch": nominal.stretch, "young": nominal.young,
+        },
+        "half_widths": half_widths(ACROSS),
+        "meshes": meshes,
+        "repeats": 3,
+    });
+    Ok(match run(script, &arguments, &request.to_string())? {
+        Told::Lines(lines) => Ok(lines),
+        Told::Absent(why) => Err(why),
+    })
+}
+
+/// What a code printed of one of its meshes.
+pub fn answered(code: Series, mesh: usize, line: &Value) -> Point {
+    let [peak, half_width, seconds] = ["peak_error", "half_width_error", "seconds"].map(|key| spread(line, key));
+    let converged = if peak.most.is_finite() { LOADS } else { 0 };
+    Point {
+        series: code,
+        mesh,
+        formulation: None,
+        dofs: line["freedoms"].as_u64().unwrap_or(0) as usize,
+        operations: f64::NAN,
+        converged,
+        seconds: seconds.median,
+        peak: peak.median,
+        peak_worst: peak.most,
+        half_width: half_width.median,
+        half_width_worst: half_width.most,
+    }
+}
+
+/// Version of the code that printed a line.
+pub fn version(line: &Value) -> String {
+    line["version"].as_str().unwrap_or("unknown").into()
+}
+
+/// Numbers of a list in a line; NaN where one is missing.
+fn spread(line: &Value, key: &str) -> Spread {
+    let list = line[key].as_array().into_iter().flatten().map(|x| x.as_f64().unwrap_or(f64::NAN));
+    Spread::of(&list.collect::<Vec<_>>())
+}
+
+named_enum! {
+    /// A code that solves on our own mesh of the cylinder.
+    pub enum Peer {
+        /// GetFEM.
+        GetFem = "GetFEM",
+        /// CalculiX.
+        CalculiX = "CalculiX",
+    }
+}
+
+/// One mesh of the cylinder by a peer.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct PeerPoint {
+    /// Code.
+    pub code: Peer,
+    /// Version.
+    pub version: String,
+    /// Our degrees of freedom.
+    pub dofs: usize,
+    /// Seconds by its own account.
+    pub seconds: Spread,
+    /// What they count.
+    pub counted: String,
+    /// Our contact solve on the same mesh \[s\].
+    pub ours: Spread,
+}
+
+/// The cylinder by a peer on our meshes; the reason where it is not installed.
+pub fn cylinder(peer: Peer) -> Result<Result<Vec<PeerPoint>, String>, Error> {
+    let script = match peer {
+        Peer::GetFem => "getfem_peer.py",
+        Peer::CalculiX => "calculix_peer.py",
+    };
+    let mut points = Vec::new();
+    for (elements, refinement, repeats) in SHARED {
+        let discretisation = discretised(elements, refinement)?;
+        let file = root().join("target").join(format!("cylinder-{elements}-{refinement}.json"));
+        handed_over::export(&discretisation, &file)?;
+        let told = run(script, &[file.display().to_string(), repeats.to_string()], "");
+        // The file is in the build's own folder: nothing is lost if it cannot be removed.
+        let _ = std::fs::remove_file(&file);
+        let line = match told? {
+            Told::Absent(why) => return Ok(Err(why)),
+            Told::Lines(lines) => lines.into_iter().next().unwrap_or(Value::Null),
+        };
+        points.push(PeerPoint {
+            code: peer,
+            version: version(&line),
+            dofs: discretisation.system.dofs(),
+            seconds: spread(&line, "seconds"),
+            counted: line["counted"].as_str().unwrap_or_default().into(),
+            ours: contact_seconds(elements, refinement, 5)?,
+        });
+    }
+    Ok(Ok(points))
 }

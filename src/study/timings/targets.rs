@@ -2,14 +2,10 @@
 
 use crate::clock::Stage;
 use crate::error::Error;
-use crate::solve::{Element, Iteration};
-use crate::study::pairing::Pairing;
+use crate::solve::{Element, Formulation, Iteration};
 use crate::study::timings::growth::{Growth, exponent};
-use crate::study::timings::others::Peer;
-use crate::study::timings::pareto::{cheapest, sound};
-use crate::study::timings::precision::{Point, half_widths, solved};
-use crate::study::timings::record::{Beside, Record};
-use crate::study::timings::series::{Series, TOLERANCE};
+use crate::study::timings::precision::{Peer, Point, Series, TOLERANCE, half_widths, solved};
+use crate::study::timings::record::{Beside, Record, cheapest, sound};
 
 /// One row.
 #[derive(Clone, Debug)]
@@ -36,7 +32,10 @@ pub const COMPARED: f64 = 1e-3;
 /// What is told of a code without numbers.
 pub const NOT_ASKED: &str = "not asked where this was measured";
 /// The formulation that is compared with other codes.
-const FASTEST: Pairing = Pairing { element: Element::Node, algorithm: Iteration::Kinematic };
+fn fastest() -> Formulation {
+    Formulation::new(Element::Node, Iteration::Kinematic)
+}
+
 /// How often our own solve is measured before and after each code's.
 const REPEATS: usize = 10;
 
@@ -100,16 +99,16 @@ fn sixth_digit(record: &Record, Growth { counts, plain, .. }: &Growth) -> Target
 
 /// Our cheapest mesh within the compared accuracy: node elements with kinematic load on truncated Hertz.
 pub fn ours(points: &[Point]) -> Option<&Point> {
-    let own = sound(points).into_iter().filter(|point| point.formulation == Some(FASTEST));
+    let own = sound(points).into_iter().filter(|point| point.formulation == Some(fastest().name()));
     cheapest(own, |point| point.seconds, Point::error, COMPARED)
 }
 
 /// Seconds of that solve as they are now, several times under each load.
 pub fn seconds_of_ours(points: &[Point]) -> Result<Vec<f64>, Error> {
     let message = || format!("no mesh of truncated Hertz keeps {} %", 100.0 * COMPARED);
-    let Point { series, mesh, .. } =
-        *ours(points).ok_or_else(|| Error::at("timings", message(), "measure finer meshes"))?;
-    let formulation = [FASTEST.formulation().tolerance(TOLERANCE)];
+    let &Point { series, mesh, .. } =
+        ours(points).ok_or_else(|| Error::at("timings", message(), "measure finer meshes"))?;
+    let formulation = [fastest().tolerance(TOLERANCE)];
     let mut seconds = Vec::new();
     for half_width in [half_widths(mesh); REPEATS].concat() {
         seconds.extend(solved(series, mesh, half_width, &formulation)?.into_iter().map(|(_, seconds)| seconds));

@@ -1,0 +1,417 @@
+//! The cases of the suite, each solved by its formulations; with pictures of the two examples: the schemes of their scenes, contact
+//! pressure in the paper's Figs 10 and 14 with its five formulations, and that of all nine as a band over the reference with their
+//! differences to it.
+
+use std::path::PathBuf;
+use std::sync::{Arc, OnceLock};
+
+use crate::case::library::{self, Cylinder, PinRod, cylinder, pin_rod};
+use crate::case::{Case, Judged, Meshed, Quantity, file};
+use crate::checkout::root;
+use crate::drawing::palette::{GREY, Style};
+use crate::drawing::{Axis, Band, Chart, Direction, Drawing, Ribbon, Series, panels, schematic};
+use crate::error::Error;
+use crate::markdown::{self, Column, significant};
+use crate::measure::display_factor;
+use crate::scene::ReferenceValues;
+use crate::solution::EdgeState;
+use crate::solve::{Formulation, Run};
+use crate::study::about::{About, Found, Planned, Study};
+use crate::study::drawn::{label, picture, style};
+
+fn files() -> Result<Vec<Planned<Numbers>>, Error> {
+    let files = file::files_in(&root().join("tests/cases"))?;
+    let of = |path: PathBuf| {
+        let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        match Case::read(&path) {
+            Ok(case) => trials(case.named(name)),
+            Err(error) => vec![broken(&name, error)],
+        }
+    };
+    Ok(files.into_iter().flat_map(of).collect())
+}
+
+/// A trial that ends in an error: what could not be read is not left out.
+fn broken(case: &str, error: Error) -> Planned<Numbers> {
+    Planned::new(case, "reading", move || Err(error.clone()))
+}
+
+/// The trials of one case.
+fn trials(case: Case) -> Vec<Planned<Numbers>> {
+    let (case, mesh) = (Arc::new(case), Shared::default());
+    let trial = |formulation: &Formulation| {
+        let (case, mesh, formulation) = (case.clone(), mesh.clone(), formulation.clone());
+        Planned::new(case.name.clone(), title(&formulation), move || run(&case, &mesh, &formulation))
+    };
+    case.formulations.iter().map(trial).collect()
+}
+
+/// Name of a trial: the formulation, and its increments where there are several.
+fn title(formulation: &Formulation) -> String {
+    match formulation.settings.increments {
+        0 | 1 => formulation.name(),
+        several => format!("{}, {several} increments", formulation.name()),
+    }
+}
+
+/// A case solved by one formulation.
+#[derive(Clone)]
+pub struct Numbers {
+    /// The case.
+    pub case: Arc<Case>,
+    /// The run.
+    pub run: Run,
+    /// Its checks; they need the mesh, which is not kept.
+    judged: Vec<Judged>,
+}
+
+impl Study for Numbers {
+    const NAME: &'static str = "cases";
+    const ABOUT: About = About {
+        title: "Cases",
+        asked: "Whether each case, under each of its formulations, is what its reference says.",
+        limits: "A case shows its own scene only; what a page of a case calls its limits is said there.",
+    };
+
+    /// All cases of the library, then the scene files of the checkout.
+    fn plan() -> Vec<Planned<Self>> {
+        let built_in = library::all().into_iter().flat_map(trials);
+        built_in.chain(files().unwrap_or_else(|error| vec![broken("scene files", error)])).collect()
+    }
+
+    /// The checks of the case, and those of every run.
+    fn judge(&self) -> Result<Vec<Judged>, Error> {
+        Ok(self.judged.clone())
+    }
+
+    /// What each problem is, what it is held against, and where that comes from: a row a page.
+    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+        let columns: [Column<(String, &Numbers)>; 4] = [
+            ("case", |(name, _)| format!("[{name}](case-{name}.md)")),
+            ("what it is", |(_, numbers)| numbers.case.title.clone()),
+            ("reference", |(_, numbers)| {
+                numbers.case.oracle().map_or("its own checks".into(), |oracle| oracle.name().to_owned())
+            }),
+            ("source", |(_, numbers)| sources(numbers).join("; ")),
+        ];
+        let mut pages: Vec<(String, &Numbers)> = Vec::new();
+        for Found { numbers, .. } in findings {
+            let name = page(&numbers.case);
+            if pages.iter().all(|(known, _)| *known != name) {
+                pages.push((name, numbers));
+            }
+        }
+        Ok(markdown::columns(&columns, &pages) + "\n")
+    }
+
+    /// Pressure of the two examples, with the schemes of their scenes.
+    fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
+        let nine = |case: &str| -> Vec<&Run> {
+            findings.iter().filter(|found| found.case == case).map(|found| &found.numbers.run).collect()
+        };
+        let [on_cylinder, on_pin] = [nine(cylinder::NINE), nine(pin_rod::NINE)];
+        Ok(vec![
+            ("scene-cylinder.svg".into(), cylinder_scheme()),
+            ("scene-pin-rod.svg".into(), pin_rod_scheme()),
+            ("figure-10.svg".into(), figure_10(&on_cylinder).drawing()),
+            ("pressure-cylinder.svg".into(), all_on_cylinder(&on_cylinder)),
+            ("figure-14.svg".into(), figure_14(&on_pin).drawing()),
+            ("pressure-pin-rod.svg".into(), all_on_pin(&on_pin)),
+        ])
+    }
+}
+
+impl std::fmt::Debug for Numbers {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Numbers").field("case", &self.case.name).field("run", &self.run).finish_non_exhaustive()
+    }
+}
+
+/// The mesh of a case, made by whichever formulation comes first.
+type Shared = Arc<OnceLock<Result<Meshed, Error>>>;
+
+/// Runs and judges a formulation.
+fn run(case: &Arc<Case>, mesh: &Shared, formulation: &Formulation) -> Result<Numbers, Error> {
+    let meshed = mesh.get_or_init(|| case.meshed()).as_ref().map_err(Error::clone)?;
+    let run = case.run(meshed, formulation)?;
+    let mut judged = case.judge(meshed, &run)?;
+    // Once for all formulations: the closed form is that of the scene.
+    if formulation.name() == case.formulation().name() {
+        judged.extend(case.held_to_closed_forms(meshed, &run)?);
+    }
+    Ok(Numbers { case: case.clone(), run, judged })
+}
+
+/// Where a case and its closed form come from.
+pub fn sources(numbers: &Numbers) -> Vec<String> {
+    let cited = numbers.case.oracle().into_iter().map(|oracle| {
+        let source = oracle.source();
+        format!("{}: {} ({})", oracle.name(), source.citation, source.note)
+    });
+    std::iter::once(numbers.case.source.clone()).filter(|source| !source.is_empty()).chain(cited).collect()
+}
+
+/// A run by the name given, with its checks.
+type Row<'a> = (String, &'a Numbers, &'a [Judged]);
+
+/// What one quotes of every run, with its bar where that is known.
+pub fn results(runs: &[Row]) -> String {
+    let straight = runs.iter().all(|(_, numbers, _)| numbers.case.scene.contact().path.is_straight());
+    let [width, counted, last] = match straight {
+        true => ["second-moment width [mm]", "by counting [mm]", "last active point [mm]"],
+        false => ["second-moment width [°]", "by counting [°]", "last active point [°]"],
+    };
+    let columns: [Column<Row>; 10] = [
+        ("run", |(name, ..)| name.clone()),
+        ("outcome", |(_, numbers, _)| numbers.run.solution.outcome.to_string()),
+        ("iterations", |(_, numbers, _)| numbers.run.solution.work.iterations.to_string()),
+        ("factorisations", |(_, numbers, _)| numbers.run.solution.work.factorisations.to_string()),
+        ("back-substitutions", |(_, numbers, _)| numbers.run.solution.work.back_substitutions.to_string()),
+        ("peak [MPa]", |row| quoted(row, 1.0, |run| run.measures().peak.pressure, Some(Quantity::PeakPressure))),
+        (width, |row| {
+            quoted(row, factor(row), |run| run.measures().second_moment_width, Some(Quantity::SecondMomentWidth))
+        }),
+        (counted, |row| quoted(row, factor(row), |run| run.measures().half_width_nodes, None)),
+        (last, |row| quoted(row, factor(row), |run| run.measures().edge(), None)),
+        ("resultant [N]", |row| quoted(row, 1.0, Run::transmitted, Some(Quantity::Resultant))),
+    ];
+    markdown::columns(&columns, runs)
+}
+
+/// From a contact coordinate to what is shown of it.
+fn factor((_, numbers, _): &Row) -> f64 {
+    display_factor(&numbers.case.scene.contact().path)
+}
+
+/// A number of a run times a factor, with the bar of the check on its quantity.
+fn quoted((_, numbers, judged): &Row, factor: f64, of: fn(&Run) -> f64, quantity: Option<Quantity>) -> String {
+    let is_own = |one: &&Judged| Some(&one.check.quantity) == quantity.as_ref() && one.check.contact == 0;
+    let bar = judged.iter().find(is_own).and_then(|one| one.bar).filter(|bar| bar.is_finite());
+    let value = factor * of(&numbers.run);
+    match bar {
+        _ if !numbers.run.solution.converged() => "–".into(),
+        Some(bar) => format!("{} ± {}", significant(value, 6), significant(factor * bar, 2)),
+        None => significant(value, 5),
+    }
+}
+
+/// Name of the page: a scene file has one of its own, cases of the library share that of their scene.
+pub fn page(case: &Case) -> String {
+    let name = if case.places.is_some() { &case.name } else { &case.scene.name };
+    name.replace('.', "-")
+}
+
+/// The sketch of the scene of a page; none where there is none.
+pub fn sketch(page: &str) -> Option<String> {
+    let (file, caption) = match page {
+        "cylinder" => (
+            "scene-cylinder.svg",
+            "As Fig. 8. The scene: lower quarter, half by symmetry, uniform load on the horizontal cut",
+        ),
+        "pin-rod" => (
+            "scene-pin-rod.svg",
+            "As Fig. 12. The scene: pin fixed on its horizontal diameter, rod pulled by a rigid end face",
+        ),
+        _ => return None,
+    };
+    Some(picture(file, caption))
+}
+
+/// The charts of a page; none where there are none.
+pub fn charts(page: &str) -> Option<String> {
+    let charts = match page {
+        "cylinder" => [
+            (
+                "figure-10.svg",
+                "Fig. 10: Hertz's exact solution and the five combinations of elements and algorithms that the paper shows",
+            ),
+            ("pressure-cylinder.svg", "As Fig. 10 with all nine formulations, and their difference to Hertz"),
+        ],
+        "pin-rod" => [
+            (
+                "figure-14.svg",
+                "Fig. 14: pressure against angle of the five combinations that the paper shows; the place of Gaertner's curves is empty",
+            ),
+            ("pressure-pin-rod.svg", "As Fig. 14 with all nine formulations"),
+        ],
+        _ => return None,
+    };
+    Some(charts.map(|(file, caption)| picture(file, caption)).concat())
+}
+
+/// What is to be known of the scene of a page beside its title; empty where that is all.
+pub fn remark(page: &str) -> &'static str {
+    match page {
+        "cylinder" => {
+            "The quarter cylinder under uniform load is not quite Hertz's problem: the model error falls with a/R, see \
+             [Refinement](refinement.md). Stresses on the deformed shape: [Fields](fields.md).\n\n"
+        }
+        "truncated-hertz" => {
+            "A block between the closed-form tractions of Hertz's half-space and a rigid parabola: all errors are discretisation errors.\n\n"
+        }
+        "pin-rod" => {
+            "No closed form: the formulations are held against one another, the [refinement series](refinement.md) gives its own \
+             uncertainty, and [independent codes](independent.md) solve the same problem. A [pin in a wide plate](case-pin-plate.md) is the \
+             same contact with a closed form. Stresses on the deformed shapes: [Fields](fields.md).\n\n"
+        }
+        _ => "",
+    }
+}
+
+/// Intervals into which the closed form is drawn.
+const INTERVALS: usize = 200;
+/// Parts of an edge over which the closed form is averaged.
+const PARTS: usize = 20;
+/// Where the pictures of the cylinder end, over the half-width.
+const END: f64 = 1.5;
+/// Label of the band.
+const BAND: &str = "all nine formulations, edge means: least to most";
+
+/// The cylinder on its rigid plane with its load and supports (the paper's Fig. 8).
+fn cylinder_scheme() -> Drawing {
+    let numbers = Cylinder::default();
+    let (a, load) = (numbers.half_width(), numbers.load() / (2.0 * numbers.radius));
+    let shown = [("R", numbers.radius), ("a", a), ("L", numbers.stretch * a), ("q", load.round())];
+    schematic("cylinder", include_str!("cases/cylinder.svg"), &shown)
+}
+
+/// The pin in the connecting-rod eye with its load and supports (the paper's Fig. 12).
+fn pin_rod_scheme() -> Drawing {
+    let numbers = PinRod::default();
+    let shown = [
+        ("R", numbers.pin_radius),
+        ("c", numbers.clearance),
+        ("R + c", numbers.pin_radius + numbers.clearance),
+        ("outer", numbers.eye_outer_radius),
+        ("half width", 0.5 * numbers.shank_width),
+        ("height", numbers.shank_end),
+        ("F/2", 0.5 * numbers.force),
+        ("candidates", numbers.stretch.to_degrees()),
+    ];
+    schematic("pin-rod", include_str!("cases/pin-rod.svg"), &shown)
+}
+
+/// Edge means of the pressure of the formulations that the paper shows; runs that did not converge stand hollow at the frame.
+fn curves(runs: &[&Run], place: f64, scale: f64) -> Vec<Series> {
+    let curve = |run: &&&Run| {
+        let points = run.solution.edges.iter().map(|edge| (edge.position() * place, edge.pressure / scale));
+        let points = if run.solution.converged() { points.collect() } else { Vec::new() };
+        let (label, style) = (label(&run.formulation), style(&run.formulation));
+        Series { label, points, style, hollow: failed(&[run]) }
+    };
+    runs.iter().filter(|run| run.formulation.is_in_the_paper()).map(|run| curve(&run)).collect()
+}
+
+/// Hertz's pressure over p₀ along x/a.
+fn hertz(hollow: Vec<f64>) -> Series {
+    let problem = Cylinder::default().case();
+    let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
+    let places = (0..=INTERVALS).map(|k| END * k as f64 / INTERVALS as f64);
+    let points = places.map(|x| (x, problem.reference_pressure(x * a) / p0)).collect();
+    Series { label: "Hertz".into(), points, style: Style::reference(), hollow }
+}
+
+/// Pressure on the cylinder, its axes.
+fn on_cylinder(title: &str) -> Chart {
+    let place = Axis::linear("place over half-width x / a [–]").over(0.0, END);
+    Chart::new(title, place, Axis::linear("pressure p / p₀ [–]").over(0.0, 1.1))
+}
+
+/// Pressure against angle on the pin, its axes.
+fn on_pin(title: &str) -> Chart {
+    let angle = Axis::linear("θ from the load line [°]").over(0.0, 90.0);
+    Chart::new(title, angle, Axis::linear("pressure R t p / F [–]").over(0.0, 0.9))
+}
+
+/// Pressure on the cylinder against Hertz.
+fn figure_10(runs: &[&Run]) -> Chart {
+    let ReferenceValues { length: a, pressure: p0, .. } = Cylinder::default().case().scene.reference;
+    let mut chart = on_cylinder("Fig. 10: exact and approximate solutions on the cylinder");
+    chart.series = curves(runs, 1.0 / a, p0);
+    chart.series.push(hertz(vec![]));
+    chart
+}
+
+/// Pressure against angle on the pin, and the place of the measured curves.
+fn figure_14(runs: &[&Run]) -> Chart {
+    let scene = PinRod::default().case().scene;
+    let mut chart = on_pin("Fig. 14: pressure on the pin");
+    chart.series = curves(runs, display_factor(&scene.contact().path), scene.reference.pressure);
+    let label = "Gaertner 1977: not at hand".into();
+    chart.bands.push(Band { direction: Direction::Vertical, from: 76.0, to: 89.0, label });
+    chart.notes.push("No calibrated experiment has yet been compared.".into());
+    chart
+}
+
+/// All nine on the cylinder against Hertz.
+fn all_on_cylinder(runs: &[&Run]) -> Drawing {
+    let problem = Cylinder::default().case();
+    let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
+    let exact = |x: f64| problem.reference_pressure(x * a) / p0;
+    let mean = |edge: &EdgeState| {
+        let half = 0.5 * edge.weight / problem.scene.thickness / a;
+        let part = |k: usize| edge.position() / a + half * (2.0 * (k as f64 + 0.5) / PARTS as f64 - 1.0);
+        (0..PARTS).map(|k| exact(part(k))).sum::<f64>() / PARTS as f64
+    };
+    let mut pressure = on_cylinder("Pressure");
+    pressure.ribbons.push(band(runs, 1.0 / a, p0));
+    pressure.series.push(hertz(failed(runs)));
+    let place = Axis::linear("place over half-width x / a [–]").over(0.0, END);
+    let mut difference = Chart::new("Difference to Hertz", place, Axis::linear("(p − p_Hertz) / p₀ [%]"));
+    difference.series = differences(runs, 1.0 / a, &|_, edge| 100.0 * (edge.pressure / p0 - mean(edge)));
+    panels("Cylinder on a rigid plane: all nine formulations", &[pressure, difference], 2)
+}
+
+/// All nine on the pin against the formulation that verification uses: there is no closed form.
+fn all_on_pin(runs: &[&Run]) -> Drawing {
+    let scene = PinRod::default().case().scene;
+    let (degrees, scale) = (display_factor(&scene.contact().path), scene.reference.pressure);
+    let own = Formulation::verification();
+    let is_own = |run: &&&Run| (run.formulation.element, run.formulation.algorithm) == (own.element, own.algorithm);
+    let edges = runs.iter().find(is_own).map(|run| run.solution.edges.as_slice()).unwrap_or_default();
+    let mut pressure = on_pin("Pressure");
+    pressure.ribbons.push(band(runs, degrees, scale));
+    let points = edges.iter().map(|edge| (degrees * edge.position(), edge.pressure / scale)).collect();
+    pressure.series.push(Series { label: label(&own), points, style: Style::reference(), hollow: failed(runs) });
+    let angle = Axis::linear("θ from the load line [°]").over(0.0, 90.0);
+    let axis = Axis::linear("difference of R t p / F [% of its largest]");
+    let mut difference = Chart::new(&format!("Difference to {}", label(&own)), angle, axis);
+    let largest = edges.iter().map(|edge| edge.pressure).fold(f64::NAN, f64::max);
+    let to_own = |k: usize, edge: &EdgeState| {
+        edges.get(k).map_or(f64::NAN, |own| 100.0 * (edge.pressure - own.pressure) / largest)
+    };
+    difference.series = differences(runs, degrees, &to_own);
+    panels("Pin in a connecting-rod eye: all nine formulations", &[pressure, difference], 2)
+}
+
+/// The least and the largest edge mean of the runs that converged, edge by edge.
+fn band(runs: &[&Run], place: f64, scale: f64) -> Ribbon {
+    let sound: Vec<&[EdgeState]> =
+        runs.iter().filter(|run| run.solution.converged()).map(|run| run.solution.edges.as_slice()).collect();
+    let edges = sound.iter().map(|edges| edges.len()).min().unwrap_or(0);
+    let at = |k: usize| {
+        let pressures = sound.iter().map(|edges| edges[k].pressure / scale);
+        let [least, most] = pressures.fold([f64::NAN; 2], |[least, most], p| [p.min(least), p.max(most)]);
+        [sound[0][k].position() * place, least, most]
+    };
+    Ribbon { label: BAND.into(), points: (0..edges).map(at).collect(), colour: GREY }
+}
+
+/// What the edges of every run that converged differ by, with their number.
+fn differences(runs: &[&Run], place: f64, of: &dyn Fn(usize, &EdgeState) -> f64) -> Vec<Series> {
+    let curve = |run: &&&Run| {
+        let points = run.solution.edges.iter().enumerate().map(|(k, edge)| (edge.position() * place, of(k, edge)));
+        Series {
+            label: label(&run.formulation),
+            points: points.collect(),
+            style: style(&run.formulation),
+            hollow: vec![],
+        }
+    };
+    runs.iter().filter(|run| run.solution.converged()).map(|run| curve(&run)).collect()
+}
+
+/// A hollow sign for each run that did not converge.
+fn failed(runs: &[&Run]) -> Vec<f64> {
+    runs.iter().filter(|run| !run.solution.converged()).map(|_| 0.0).collect()
+}
