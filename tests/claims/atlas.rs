@@ -2,7 +2,7 @@
 
 use contact_vv::case::Verdict;
 use contact_vv::error::Kind;
-use contact_vv::solve::{Element, Iteration};
+use contact_vv::solve::{Discretisation, Element, Iteration};
 use contact_vv::stability::halving::SOFT;
 use contact_vv::study::atlas::{Chart, Class, Numbers, Plane, Record, judge, record, run, summary};
 use contact_vv::study::method::Method;
@@ -214,4 +214,13 @@ fn a_digest_takes_what_converges_everywhere_and_the_best_of_the_worst() {
     let row = charts[0].rows.iter_mut().find(|row| row[0].method == method).expect("a row");
     row.iter_mut().filter(|r| r.stiffness >= best).for_each(|r| r.class = Class::Capped);
     assert!(of(&charts).is_none_or(|now| now.to < best));
+}
+
+#[test]
+fn atlas_records_springs_too_soft_as_unsupported() {
+    let (site, method) = Plane::Cylinder.rows()[0];
+    let case = site.case();
+    let discretisation = Discretisation::of(case.scene, case.resolution).expect("meshed");
+    let record = run::Ground::of(&discretisation, site, method).record(method, 1e-12).expect("a record");
+    assert_eq!((record.class, record.iterations), (Class::Unsupported, 0));
 }
