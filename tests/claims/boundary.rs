@@ -12,8 +12,6 @@ use contact_vv::oracle::analytic::waves::Waves;
 use contact_vv::oracle::boundary::elements::Elements;
 use contact_vv::oracle::boundary::{HalfPlane, Ring, Strip};
 use contact_vv::scene::{MonotoneCubic, Profile};
-use contact_vv::study::promised::met::record;
-use contact_vv::study::random::{Family, Site};
 
 const MODULUS: f64 = 2e5;
 /// What the boundary method promises.
@@ -269,26 +267,6 @@ fn a_ring_on_a_pin_is_that_of_another_program() {
         assert_relative_eq!(found.load(), PI * one.outside * radii[1], max_relative = 1e-7);
         assert_relative_eq!(found.second_moment().to_degrees(), one.second_moment, max_relative = PROMISED);
         assert_relative_eq!(found.peak()[0], one.peak, max_relative = PROMISED);
-    }
-}
-
-#[test]
-fn truths_of_drawn_gaps_are_what_fine_meshes_converge_to() {
-    for (family, number) in [
-        (Family::Power, 90002),
-        (Family::Flat, 90006),
-        (Family::Skew, 90000),
-        (Family::Hump, 90002),
-        (Family::Ripple, 90002),
-        (Family::Blocks, 90002),
-        (Family::Ring, 90010),
-        (Family::Layer, 90002),
-        (Family::Layer, 90003),
-        (Family::Row, 90002),
-    ] {
-        let site = Site { family, number };
-        let found = record(&site, 3e-3, &site.sample().expect("a scene")).expect("solved");
-        assert!(found.error() <= 1.5e-3, "{}: {found:?}", family.name());
     }
 }
 
