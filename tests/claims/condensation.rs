@@ -1,6 +1,5 @@
 //! The condensed system against the same elimination done densely.
 
-use approx::assert_relative_eq;
 use contact_vv::case::library::{Cylinder, Patch, PinPlate, PinRod};
 use contact_vv::condensation::dense::DenseFactor;
 use contact_vv::condensation::{Condensed, CoupledSpring, solve_uncondensed};
@@ -94,15 +93,6 @@ fn body_held_by_contact_alone_leaves_exactly_its_rigid_motion_without_stiffness(
         assert!(eigenvalues[0].abs() <= 1e-10 * schur.amax());
         assert!(eigenvalues[1] >= 1e-4 * schur.amax(), "{}: {eigenvalues:?}", scene.name);
     }
-}
-
-#[test]
-fn condensed_load_of_a_free_body_keeps_the_applied_resultant() {
-    let numbers = Cylinder::default();
-    let scene = numbers.scene();
-    let condensed = system(&scene, 3, Order::Quadratic).condense().expect("condensed");
-    // Retained dofs point downwards: the load presses the cylinder on the plane.
-    assert_relative_eq!(condensed.load.iter().sum::<f64>(), 0.5 * numbers.load(), max_relative = 1e-10);
 }
 
 /// Contact forces that keep chosen retained displacements in balance.
