@@ -41,48 +41,30 @@ fn every_element_algorithm_and_rule_is_on_both_full_planes() {
 }
 
 #[test]
-fn records_come_back_from_a_file_as_they_went() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("some.csv");
-    let mut kept = vec![point(Method::usual(Element::Node, Iteration::Varying), 1.9, 0.1, Class::Capped, 2000)];
-    kept.push(Record { error: f64::NAN, penalty: None, predicted_iterations: None, ..kept[0].clone() });
-    records::write(&path, &records::named(record::HEAD), &kept).expect("written");
-    let read = records::read::<Record>(&path, &records::named(record::HEAD), record::RENEW).expect("read");
-    assert_eq!(format!("{read:?}"), format!("{kept:?}"));
-}
-
-#[test]
 fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let (plane, file) = (Plane::Thickness, folder.path().join("thickness.csv"));
-    let refused = |records: &[Record]| {
+    let refused = || Chart::read_from(&file, plane).expect_err("refused").to_string();
+    let write = |records: &[Record]| {
         records::write(&file, &records::named(record::HEAD), records).expect("written");
-        Chart::read_from(&file, plane).expect_err("refused").to_string()
+        std::fs::read_to_string(&file).expect("written")
     };
     let whole = flat(plane);
     let mut moved = whole.clone();
     moved[3].stiffness *= 2.0;
-    for message in [refused(&whole[1..]), refused(&moved)] {
-        assert!(message.contains("thickness.csv") && message.contains("-- atlas"), "{message}");
+    for records in [&whole[1..], &moved] {
+        write(records);
+        assert!(refused().contains("thickness.csv") && refused().contains("-- atlas"), "{}", refused());
     }
-    records::write(&file, &records::named(record::HEAD), &whole).expect("written");
+    let text = write(&whole);
     assert_eq!(Chart::read_from(&file, plane).expect("complete").rows.concat().len(), whole.len());
+    for foreign in ["layer.varying.penalty", "layer.varying", "line"] {
+        std::fs::write(&file, text.replacen("layer.varying.secant", foreign, 1)).expect("written");
+        let parts = ["thickness.csv", "-- atlas", &format!("`{foreign}`")];
+        assert!(parts.iter().all(|part| refused().contains(part)), "{foreign}: {}", refused());
+    }
     let missing = Chart::read_from(&folder.path().join("mesh.csv"), Plane::Mesh).expect_err("missing");
     assert!(missing.kind == Kind::MissingFile, "{missing}");
-}
-
-#[test]
-fn record_of_an_unknown_method_is_refused_with_file_and_remedy() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("thickness.csv");
-    records::write(&path, &records::named(record::HEAD), &flat(Plane::Thickness)).expect("written");
-    let text = std::fs::read_to_string(&path).expect("written");
-    for foreign in ["layer.varying.penalty", "layer.varying", "line"] {
-        std::fs::write(&path, text.replacen("layer.varying.secant", foreign, 1)).expect("written");
-        let refused = Chart::read_from(&path, Plane::Thickness).expect_err("refused").to_string();
-        assert!(refused.contains("thickness.csv") && refused.contains(&format!("`{foreign}`")), "{refused}");
-        assert!(refused.contains("-- atlas"), "{refused}");
-    }
 }
 
 #[test]
