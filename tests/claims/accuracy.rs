@@ -52,29 +52,6 @@ fn checks_of_the_study_fail_on_a_coarser_mesh_on_a_larger_one_and_on_an_accuracy
 }
 
 #[test]
-fn stretch_four_times_too_long_or_half_as_much_too_short_leads_to_the_same_contact() {
-    for subject in SUBJECTS {
-        let problem = subject.loaded(1.0);
-        let exact = study::closed_form(&problem);
-        let nominal = answered(&problem.scene, 3e-3);
-        for factor in [4.0, 2.5, 1.0 / 1.5, 0.2] {
-            let mut scene = problem.scene.clone();
-            // The library's stretch is twice the half-width, on the pin one and a half times the half-angle.
-            let contact =
-                if subject == Subject::Pin { scene.contact().stretch / 1.5 } else { 0.5 * scene.contact().stretch };
-            scene.contacts[0].stretch = (factor * contact).min(longest(&scene, scene.contact()));
-            let answer = answered(&scene, 3e-3);
-            let place = format!("{}, {factor}", subject.name());
-            assert!(answer.unmet.is_none(), "{place}");
-            assert!(study::error(&answer.run, exact) <= 3e-3, "{place}");
-            assert_relative_eq!(answer.scene.contact().stretch, nominal.scene.contact().stretch, max_relative = 0.2);
-            let guesses = answer.tried.iter().filter(|tried| tried.purpose == "contact length").count();
-            assert_eq!(guesses > 1, factor < 1.0, "{place}: {guesses} guesses");
-        }
-    }
-}
-
-#[test]
 fn every_later_mesh_starts_from_the_contact_set_of_the_one_before() {
     let scene = Subject::Cylinder.loaded(1.0).scene;
     let answer = accuracy::solve(&scene, &plain().tolerance(1e-9), &by_moment(3e-3)).expect("solved");
@@ -142,9 +119,10 @@ fn from_a_thousandth_on_cells_of_high_order_meet_up_to_a_millionth_with_few_free
 
 #[test]
 fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
-    // The pressure under the corner of a flat punch has no limit.
+    // The pressure under the corner of a flat punch has no limit, on however many cells: these are looked at in seconds.
     let punch = library::find("flat-punch", None).expect("known");
-    let answer = answered(&punch.scene, 1e-2);
+    let some = Asked { most_cells: 2e4, ..by_moment(1e-2) };
+    let answer = accuracy::solve(&punch.scene, &plain(), &some).expect("solved");
     assert!(answer.unmet.is_some() && answer.run.solution.converged());
     assert!(met(&Asked::new(1e-2), &answer).verdict == Verdict::Fail);
     // Its half-width alone is no matter of the corner.
