@@ -7,8 +7,8 @@ use contact_vv::accuracy::{self, Asked};
 use contact_vv::case::library::{Cylinder, CylinderModel};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::{Curve, GivenMesh, Scene, Shape};
-use contact_vv::solve::Formulation;
-use contact_vv::study::random::{Family, Site};
+use contact_vv::solve::{Element, Formulation, Iteration};
+use contact_vv::study::random::{Family, Sample, Site};
 
 use crate::outputs::{contact_vv, scene};
 use crate::scene_file::text_of;
@@ -119,6 +119,29 @@ fn given_mesh_halved_is_the_drawn_mesh_halved() {
         for (a, b) in rounded(&given).iter().zip(&rounded(&wanted)) {
             assert!(a[0].abs_diff(b[0]) <= 1 && a[1].abs_diff(b[1]) <= 1, "{a:?} {b:?}");
         }
+    }
+}
+
+/// Answers with their errors against the truth: none claims what is not so.
+fn errors_of(sample: &Sample, asked: f64) -> (bool, f64) {
+    let scene = &sample.scene;
+    let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+    let answer = accuracy::solve(scene, &formulation, &Asked::new(asked)).expect("solved");
+    assert_eq!(answer.estimates.len(), 2 * scene.contacts.len());
+    let error = answer.estimates.iter().map(|one| {
+        let found = one.quantity.of(&answer.run.contacts[one.contact].measures);
+        (found / sample.truth(one.contact, one.quantity) - 1.0).abs()
+    });
+    (answer.unmet.is_none(), error.fold(0.0, f64::max))
+}
+
+#[test]
+fn contacts_of_any_two_sizes_meet_an_accuracy() {
+    // The widths of numbers 3 and 43 differ by five decades.
+    for number in [3, 10, 20, 43] {
+        let sample = Site { family: Family::Pair, number }.sample().expect("a scene");
+        let (met, error) = errors_of(&sample, 3e-3);
+        assert!(met && error <= 3e-3, "{number}: {error:e}");
     }
 }
 
