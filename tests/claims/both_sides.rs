@@ -1,15 +1,13 @@
 //! Contact on both sides of x = 0: a symmetric scene gives what its half gives, any other one what equilibrium asks.
 
 use approx::assert_relative_eq;
-use contact_vv::case::Verdict;
-use contact_vv::case::notes;
+use contact_vv::case::{Verdict, notes};
 use contact_vv::error::Kind;
 use contact_vv::measure::profile;
 use contact_vv::mesh::size::expected;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::solution::PointState;
-use contact_vv::solve::Run;
-use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
 use crate::scene_file::text_of;
 use crate::workbench::{block_text, parsed, resolution};

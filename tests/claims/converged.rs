@@ -7,8 +7,7 @@ use contact_vv::case::notes;
 use contact_vv::mesh::Order;
 use contact_vv::scene::Scene;
 use contact_vv::solution::Outcome;
-use contact_vv::solve::Run;
-use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, Origin};
+use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, Origin, Run};
 
 use crate::outputs::{contact_vv, scene};
 use crate::scene_file::text_of;

@@ -1,7 +1,6 @@
 //! The comparison with other codes bites: spoiled answers, spoiled scenes, changed scripts.
 
-use contact_vv::case::library;
-use contact_vv::case::{Judged, Verdict};
+use contact_vv::case::{Judged, Verdict, library};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::oracle::cross_code::Code;
 use contact_vv::oracle::cross_code::frozen::{Digest, Frozen, script_hash};

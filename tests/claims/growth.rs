@@ -3,8 +3,7 @@
 use contact_vv::case::library::TruncatedHertz;
 use contact_vv::mesh::Order;
 use contact_vv::scene::Grading;
-use contact_vv::solve::Formulation;
-use contact_vv::solve::Run;
+use contact_vv::solve::{Formulation, Run};
 
 use crate::scene_file::text_of;
 use crate::workbench::{meshed, parsed};

@@ -1,15 +1,13 @@
 //! What used to be called converged and was wrong is refused or noted; what is right is not.
 
-use contact_vv::case::library;
 use contact_vv::case::library::{Bars, Cylinder, FlatPunch, Patch};
-use contact_vv::case::notes;
 use contact_vv::case::notes::RESOLVED;
+use contact_vv::case::{library, notes};
 use contact_vv::error::{Error, Kind};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::{Load, Profile, Scene};
 use contact_vv::solution::PointState;
-use contact_vv::solve::Run;
-use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, candidate_end};
+use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, Run, candidate_end};
 use contact_vv::stability::conditioning;
 
 use crate::workbench::{distorted_patch, meshed, resolution};

@@ -4,13 +4,11 @@ use std::f64::consts::PI;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::{Cylinder, PinRod};
-use contact_vv::measure::nodal;
 use contact_vv::measure::order::{Observed, Why, bound_of_two, of_changes, pairs, richardson, slope};
 use contact_vv::measure::profile::{
     centre, means, misplaced, relative_l2, relative_l2_between, resultant, second_moment_width, weighted_line,
 };
-use contact_vv::measure::{Measures, display_factor, whole};
-use contact_vv::measure::{Peak, peak};
+use contact_vv::measure::{Measures, Peak, display_factor, nodal, peak, whole};
 use contact_vv::scene::{Circle, Path};
 use contact_vv::solution::{EdgeState, Part, PointState};
 use contact_vv::uncertainty::{Comparison, standard};

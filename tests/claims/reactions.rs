@@ -5,8 +5,7 @@ use contact_vv::elasticity::reactions::internal_forces;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Component;
 use contact_vv::solution::Solution;
-use contact_vv::solve::Run;
-use contact_vv::solve::Discretisation;
+use contact_vv::solve::{Discretisation, Run};
 
 use crate::workbench::{block, parsed, resolution};
 

@@ -6,8 +6,7 @@ use approx::assert_relative_eq;
 use contact_vv::case::library::Cylinder;
 use contact_vv::case::{Case, Meshed, Verdict};
 use contact_vv::scene::{Load, Profile};
-use contact_vv::solve::Run;
-use contact_vv::solve::{Discretisation, Formulation};
+use contact_vv::solve::{Discretisation, Formulation, Run};
 
 use crate::workbench::parsed;
 

@@ -3,8 +3,7 @@
 use approx::assert_relative_eq;
 use contact_vv::case::Case;
 use contact_vv::scene::Profile;
-use contact_vv::solve::Discretisation;
-use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Run};
 
 use crate::scene_file::{folder, scene_alone, text_of};
 use crate::workbench::parsed;

@@ -7,8 +7,7 @@ use contact_vv::accuracy;
 use contact_vv::case::Case;
 use contact_vv::mesh::{Mesh, Resolution, candidates};
 use contact_vv::scene::{MonotoneCubic, Profile, Scene};
-use contact_vv::solve::Discretisation;
-use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Run};
 
 use crate::scene_file::{scene_alone, text_of};
 use crate::workbench::parsed;

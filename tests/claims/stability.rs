@@ -2,9 +2,8 @@
 
 use approx::assert_relative_eq;
 use contact_vv::algorithm::{Algorithm, Constant, ContactProblem, Springs, StiffnessRule, Varying};
-use contact_vv::case::Verdict;
-use contact_vv::case::library;
 use contact_vv::case::library::TruncatedHertz;
+use contact_vv::case::{Verdict, library};
 use contact_vv::contact::ContactPoint;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::solution::{IterationError, Work};

@@ -7,8 +7,7 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::PinRod;
 use contact_vv::case::{Scope, Verdict};
 use contact_vv::mesh::Order;
-use contact_vv::solve::Run;
-use contact_vv::solve::{Element, Formulation, Iteration};
+use contact_vv::solve::{Element, Formulation, Iteration, Run};
 
 use crate::outputs::{contact_vv, json, scene};
 use crate::scene_file::{scene_alone, text_of};
@@ -68,7 +67,7 @@ fn contact_with_an_open_middle_is_told_with_both_its_ends() {
 #[test]
 fn peak_without_a_limit_is_told_as_such_and_fails_a_check_of_it() {
     let (_, table, _) = contact_vv(&["solve", &scene("flat-punch")]);
-    assert!(table.contains("without limit"), "{table}");
+    assert!(table.lines().any(|line| line.contains("peak-pressure") && line.contains("without limit")), "{table}");
     let solved = json(&["solve", &scene("flat-punch")]);
     let contact = &solved["contacts"][0];
     assert!(contact["peak_pressure"].is_null() && contact["peak_growth"].as_f64().is_some_and(|growth| growth > 0.05));
