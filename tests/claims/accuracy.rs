@@ -1,7 +1,5 @@
 //! An accuracy that is asked for is met, by a mesh hardly larger than one made by hand, or said not to be.
 
-use std::path::Path;
-
 use approx::assert_relative_eq;
 use contact_vv::accuracy::longest::longest;
 use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted, percentage};
@@ -30,17 +28,6 @@ fn by_moment(relative: f64) -> Asked {
 }
 
 #[test]
-fn three_scenes_meet_three_accuracies_within_what_a_mesh_made_by_hand_lets_expect() {
-    let trials = study::plan();
-    assert_eq!(trials.len(), 9);
-    for trial in trials {
-        for check in judge(&trial.run().expect("solved")) {
-            assert_eq!(check.verdict, Verdict::Pass, "{}: {} {:e}", trial.title(), check.requirement(), check.error);
-        }
-    }
-}
-
-#[test]
 fn checks_of_the_study_fail_on_a_coarser_mesh_on_a_larger_one_and_on_an_accuracy_that_is_not_met() {
     let subject = Subject::Truncated;
     let problem = subject.loaded(1.0);
@@ -62,59 +49,6 @@ fn checks_of_the_study_fail_on_a_coarser_mesh_on_a_larger_one_and_on_an_accuracy
     let mut broken = good.clone();
     broken.run.contacts[0].measures.peak.pressure = f64::NAN;
     assert_eq!(failed(&broken, good.run.dofs), [false, true, true, false, false, false]);
-}
-
-#[test]
-fn under_loads_the_rule_was_not_made_for_the_true_error_stays_within_the_estimate() {
-    for subject in SUBJECTS {
-        for ratio in [0.72, 0.83, 0.94, 1.07, 1.14] {
-            let problem = subject.loaded(ratio);
-            // The plate is not quite infinite: its own solution to a tenth of the smallest error stands for the truth.
-            let fine = answered(&problem.scene, 5e-5);
-            let fine = [fine.run.measures().peak.pressure, fine.run.measures().second_moment_width];
-            for asked in ASKED {
-                let answer = answered(&problem.scene, asked);
-                let place = format!("{} × {ratio}, {asked}", subject.name());
-                assert!(answer.unmet.is_none(), "{place}: {:?}", answer.unmet);
-                let error = study::error(&answer.run, fine);
-                assert!(error <= asked, "{place}: {error:e}");
-                assert!(error <= answer.estimate() + 5e-5, "{place}: {error:e} beyond {:e}", answer.estimate());
-            }
-        }
-    }
-}
-
-#[test]
-fn stretch_four_times_too_long_or_half_as_much_too_short_leads_to_the_same_contact() {
-    for subject in SUBJECTS {
-        let problem = subject.loaded(1.0);
-        let exact = study::closed_form(&problem);
-        let nominal = answered(&problem.scene, 3e-3);
-        for factor in [4.0, 2.5, 1.0 / 1.5, 0.2] {
-            let mut scene = problem.scene.clone();
-            // The library's stretch is twice the half-width, on the pin one and a half times the half-angle.
-            let contact =
-                if subject == Subject::Pin { scene.contact().stretch / 1.5 } else { 0.5 * scene.contact().stretch };
-            scene.contacts[0].stretch = (factor * contact).min(longest(&scene, scene.contact()));
-            let answer = answered(&scene, 3e-3);
-            let place = format!("{}, {factor}", subject.name());
-            assert!(answer.unmet.is_none(), "{place}");
-            assert!(study::error(&answer.run, exact) <= 3e-3, "{place}");
-            assert_relative_eq!(answer.scene.contact().stretch, nominal.scene.contact().stretch, max_relative = 0.2);
-            let guesses = answer.tried.iter().filter(|tried| tried.purpose == "contact length").count();
-            assert_eq!(guesses > 1, factor < 1.0, "{place}: {guesses} guesses");
-        }
-    }
-}
-
-#[test]
-fn first_mesh_on_which_the_iteration_does_not_converge_ends_the_search() {
-    let mut formulation = plain();
-    formulation.settings.max_iterations = 1;
-    let scene = Subject::Truncated.loaded(1.0).scene;
-    let answer = accuracy::solve(&scene, &formulation, &Asked::new(1e-2)).expect("solved");
-    let why = answer.unmet.as_deref().unwrap_or("met");
-    assert!(why.contains("the first iteration ended so") && answer.tried.len() == 1, "{why}, {}", answer.tried.len());
 }
 
 #[test]
@@ -152,50 +86,6 @@ fn pin_and_rod_press_fits_and_scene_files_meet_what_they_are_asked() {
     assert_relative_eq!(answer.run.measures().peak.pressure, 213.067134, max_relative = 3e-3);
 }
 
-/// A ring on a rigid pin, pressed by c cos θ from outside, with so thick a wall over its inner radius.
-fn ring_on_a_pin(wall: f64, pressure: f64) -> Scene {
-    let text = format!(
-        r#"
-title = "ring on a rigid pin"
-plane = "strain"
-thickness = 1.0
-[[body]]
-name = "ring"
-young = 7600
-poisson = 0.07
-shape = {{ ring = {{ centre = [0, 0], inner = 4, outer = {}, sweep = 180, contact = "inner" }} }}
-supports = [{{ at = "start", component = "x" }}, {{ at = "end", component = "x" }}]
-loads = [{{ pressure = {{ at = "outer", law = {{ cosine = {{ centre = [0, 0], coefficients = [0, {pressure}] }} }} }} }}]
-[contact]
-first = "ring"
-arc = {{ centre = [0, 0], radius = 4 }}
-gap = {{ pin = {{ radius = 3.9999, clearance = 1e-4 }} }}
-stretch = 85
-[mesh]
-accuracy = "1 %"
-"#,
-        4.0 * (1.0 + wall)
-    );
-    Case::parse(Path::new("ring.toml"), &text).unwrap_or_else(|error| panic!("{error}")).scene
-}
-
-#[test]
-fn rings_on_pins_meet_what_they_are_asked() {
-    let template = include_str!("../../src/cli/new/pin-in-hole.toml");
-    let eye = Case::parse(Path::new("pin-in-hole.toml"), template).expect("sound").scene;
-    let rings = [(1.5, 1e-3), (0.6, 5e-4), (0.6, 5e-3), (0.25, 1e-4)].map(|(wall, load)| ring_on_a_pin(wall, load));
-    for (k, scene) in [eye].iter().chain(&rings).enumerate() {
-        let fine = answered(scene, 1e-4);
-        let fine = [fine.run.measures().peak.pressure, fine.run.measures().second_moment_width];
-        for asked in [3e-2, 1e-2, 3e-3] {
-            let answer = answered(scene, asked);
-            assert!(answer.unmet.is_none(), "{k}, {asked}: {:?}", answer.unmet);
-            let error = study::error(&answer.run, fine);
-            assert!(error <= asked, "{k}, {asked}: {error:e}");
-        }
-    }
-}
-
 #[test]
 fn disc_on_a_block_is_solved_with_8_node_cells_whose_middles_do_not_face() {
     let (path, text) =
@@ -229,9 +119,10 @@ fn from_a_thousandth_on_cells_of_high_order_meet_up_to_a_millionth_with_few_free
 
 #[test]
 fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
-    // The pressure under the corner of a flat punch has no limit.
+    // The pressure under the corner of a flat punch has no limit, on however many cells: these are looked at in seconds.
     let punch = library::find("flat-punch", None).expect("known");
-    let answer = answered(&punch.scene, 1e-2);
+    let some = Asked { most_cells: 2e4, ..by_moment(1e-2) };
+    let answer = accuracy::solve(&punch.scene, &plain(), &some).expect("solved");
     assert!(answer.unmet.is_some() && answer.run.solution.converged());
     assert!(met(&Asked::new(1e-2), &answer).verdict == Verdict::Fail);
     // Its half-width alone is no matter of the corner.
@@ -255,24 +146,6 @@ fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
     hasty.settings.max_iterations = 1;
     let answer = accuracy::solve(&cylinder, &hasty, &Asked::new(1e-2)).expect("a result, not an error");
     assert!(answer.unmet.is_some_and(|why| why.contains("not converged")));
-}
-
-#[test]
-fn growth_that_is_never_refined_would_not_be_noticed_by_elements_alone() {
-    // The reason for the second ladder: with a growth of 4, three times the elements change nothing, and 0.2 % remain.
-    let problem = Subject::Truncated.loaded(1.0);
-    let exact = study::closed_form(&problem);
-    let on = |elements: usize| {
-        let edge = problem.scene.reference.length;
-        let plan = fitted::Plan::around([-edge, edge], f64::INFINITY, elements, Order::Quadratic, 0.0);
-        let discretisation = Discretisation::of(plan.scene(&problem.scene), plan.resolution()).expect("meshed");
-        contact_vv::solve::Run::of(&discretisation, &Formulation::verification()).expect("solved")
-    };
-    let (some, many) = (on(16), on(48));
-    let [first, last] = [&some, &many].map(|run| study::error(run, exact));
-    assert!(first > 2e-3 && last > 2e-3, "{first:e} {last:e}");
-    let between = study::error(&some, [many.measures().peak.pressure, many.measures().second_moment_width]);
-    assert!(between < 1e-3, "{between:e}");
 }
 
 #[test]

@@ -2,18 +2,17 @@
 //! symmetric.
 
 use std::f64::consts::PI;
-use std::path::Path;
 
 use approx::assert_relative_eq;
 use contact_vv::accuracy::longest::longest;
 use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted};
-use contact_vv::case::Case;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
 use contact_vv::study::promised::asked::{self as study, ASKED};
 
 use crate::scene_file::text_of;
+use crate::workbench::{block_text, parsed};
 
 /// Radius of the parabola \[mm\].
 const RADIUS: f64 = 50.0;
@@ -29,22 +28,17 @@ fn rolling(a: f64, centre: f64, stretch: f64, [left, right]: [f64; 2], mesh: &st
     let [none, first, second] = [1, 2, 3].map(|k| (right.powi(k) - left.powi(k)) / f64::from(k));
     let scale = load / (none * second - first * first);
     let [mean, slope] = [(second - first * centre) * scale, (none * centre - first) * scale];
-    format!(
-        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
-         shape = {{ rectangle = {{ x = [{left}, {right}], y = [0, 40], contact = \"bottom\" }} }}\n\
-         supports = [{{ at = [{right}, 40], component = \"x\" }}]\n\
-         loads = [{{ pressure = {{ at = \"far\", law = {{ polynomial = {{ along = \"x\", coefficients = [{mean}, {slope}] }} }} }} }}]\n\
-         [contact]\nfirst = \"block\"\nboth-sides = true\ngap = {{ parabola = {RADIUS} }}\nstretch = {stretch}\n\
-         [reference]\nlength = 2\npressure = 4000\n[mesh]\n{mesh}\n"
-    )
+    let law = format!("polynomial = {{ along = \"x\", coefficients = [{mean}, {slope}] }}");
+    let load = format!("pressure = {{ at = \"far\", law = {{ {law} }} }}");
+    let contact = format!(
+        "both-sides = true\ngap = {{ parabola = {RADIUS} }}\nstretch = {stretch}\n[reference]\nlength = 2\npressure = 4000\n\
+         [mesh]\n{mesh}"
+    );
+    block_text([left, right], 40.0, &load, &contact).replace("at = [0, 40]", &format!("at = [{right}, 40]"))
 }
 
 const WIDE: [f64; 2] = [-40.0, 40.0];
 const ANY: &str = "accuracy = \"1 %\"";
-
-fn parsed(text: &str) -> Case {
-    Case::parse(Path::new("across.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
 
 fn answered(scene: &Scene, asked: f64) -> Answer {
     let quantities = vec![Quantity::PeakPressure, Quantity::SecondMomentWidth];
@@ -121,39 +115,13 @@ fn symmetric_contact_takes_twice_the_freedoms_of_its_half_and_the_same_meshes() 
 }
 
 #[test]
-fn whole_disc_meets_hertz_to_each_accuracy() {
-    let [_, whole] = &twins()[0];
-    for asked in ASKED {
-        let answer = answered(whole, asked);
-        // a/R = 0.02: Hertz leaves out 0.013 %.
-        assert!(study::error(&answer.run, [2307.69231, 1.0]) <= asked + 1.5e-4, "{asked}");
-        covers(&answer, "disc");
-    }
-}
-
-#[test]
-fn contact_off_the_middle_meets_each_accuracy() {
-    // From nearly symmetric to one that leaves x = 0 out.
-    for centre in [0.12, 0.7, -1.3, 2.7] {
-        let text = |mesh: &str| rolling(2.0, centre, 6.0, WIDE, mesh);
-        let fine = both(&by_hand(&text(FINE)));
-        let scene = parsed(&text(ANY)).scene;
-        for asked in ASKED {
-            let place = format!("centre {centre}, {asked}");
-            let answer = answered(&scene, asked);
-            met(&answer, asked, fine, &place);
-            covers(&answer, &place);
-            assert_relative_eq!(answer.run.measures().centre, centre, max_relative = 1e-3);
-        }
-    }
-}
-
-#[test]
 fn mirror_image_is_answered_with_the_mirrored_mesh() {
     for (a, centre) in [(2.0, 1.3), (1.0, 2.5)] {
         let [right, left] =
             [centre, -centre].map(|centre| answered(&parsed(&rolling(a, centre, 6.0, WIDE, ANY)).scene, 3e-3));
         assert!(right.unmet.is_none() && left.unmet.is_none());
+        covers(&right, "right");
+        covers(&left, "left");
         assert_eq!(right.run.dofs, left.run.dofs);
         assert_relative_eq!(right.scene.contact().stretch, left.scene.contact().stretch, max_relative = 1e-6);
         assert_relative_eq!(right.run.measures().centre, -left.run.measures().centre, max_relative = 1e-6);
@@ -198,43 +166,6 @@ fn elements_resolve_the_contact_and_both_its_ends_lie_at_one_place_of_an_element
                 let covered = if side > 0.0 { place } else { 1.0 - place };
                 assert!((covered - 0.875).abs() < 0.05, "{covered} of the element at {end} of {ends:?}, {elements}");
             }
-        }
-    }
-}
-
-#[test]
-fn stretch_far_too_long_or_too_short_leads_to_the_same_contact() {
-    let solve = |a: f64, centre: f64, stretch: f64| {
-        let answer = answered(&parsed(&rolling(a, centre, stretch, WIDE, ANY)).scene, 3e-3);
-        assert!(answer.unmet.is_none(), "{stretch}: {:?}", answer.unmet);
-        covers(&answer, &format!("{stretch}"));
-        answer
-    };
-    for (a, centre) in [(2.0, -1.3), (0.6, 5.0)] {
-        let nominal = solve(a, centre, 6.5);
-        // A stretch that ends before the load holds nothing against turning.
-        for stretch in [0.7, 2.4, 16.0, 40.0] {
-            let answer = solve(a, centre, stretch);
-            assert!(study::error(&answer.run, both(&nominal.run)) <= 6e-3, "{stretch}");
-            assert_relative_eq!(answer.scene.contact().stretch, nominal.scene.contact().stretch, max_relative = 0.2);
-        }
-    }
-}
-
-#[test]
-fn block_that_lifts_off_on_one_side_meets_each_accuracy() {
-    for slope in [15, -20] {
-        let text = text_of("eccentric-load.toml").replace("[100, 4]", &format!("[100, {slope}]"));
-        let text = text.split("[[check]]").next().expect("a scene").to_owned();
-        let on = |mesh: &str| text.replace("elements = 4\nper = 10", mesh);
-        let fine =
-            both(&by_hand(&on("elements = 120\nper = 10\ngrowth = { along = 1.2, depth = 1.15, coarsest = 0.08 }")));
-        let scene = parsed(&on(ANY)).scene;
-        for asked in ASKED {
-            let answer = answered(&scene, asked);
-            met(&answer, asked, fine, &format!("slope {slope}, {asked}"));
-            assert_eq!(ends::filled(answer.run.solution.part(0), answer.scene.contact()), [slope < 0, slope > 0]);
-            assert_relative_eq!(answer.scene.contact().stretch, 10.0, max_relative = 1e-9);
         }
     }
 }

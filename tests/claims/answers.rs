@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use contact_vv::cli::json;
+use contact_vv::cli;
 use serde_json::Value;
 
-use crate::outputs::{contact_vv, scene};
+use crate::outputs::{contact_vv, json, scene};
 
 fn lines(arguments: &[&str]) -> Vec<Value> {
     let (_, text, _) = contact_vv(arguments);
@@ -17,7 +17,7 @@ fn published_schema_is_that_of_the_program() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots/schema.json");
     let published = std::fs::read_to_string(&file).expect("published");
     let (sound, printed, _) = contact_vv(&["schema"]);
-    assert!(sound && printed == format!("{}\n", json::schema()));
+    assert!(sound && printed == format!("{}\n", cli::json::schema()));
     assert_eq!(published, printed, "`cargo run --release -- schema > snapshots/schema.json`, and read the difference");
     let schema: Value = serde_json::from_str(&published).expect("JSON");
     assert_eq!(schema["anyOf"].as_array().map(Vec::len), Some(5));
@@ -42,8 +42,7 @@ fn line_of_a_check_carries_its_numbers_its_verdict_and_why_it_failed() {
     assert_eq!((text("unit"), text("kind"), text("because")), ("N", "analytic", "equilibrium"));
     assert!(text("reason").contains("2.4 %") && text("reason").contains("tolerance"), "{off}");
     // The check of `solve` is the same one, under the keys that it had.
-    let (_, document, _) = contact_vv(&["solve", &path, "--json", "-"]);
-    let solved: Value = serde_json::from_str(&document).expect("JSON");
+    let solved = json(&["solve", &path]);
     let same = &solved["checks"][1];
     for key in ["quantity", "value", "reference", "source", "error", "tolerance", "passed", "verdict", "reason"] {
         assert_eq!(same[key], off[key], "{key}");
@@ -52,8 +51,7 @@ fn line_of_a_check_carries_its_numbers_its_verdict_and_why_it_failed() {
 
 #[test]
 fn every_contact_is_read_beside_its_own_oracle() {
-    let (_, document, _) = contact_vv(&["solve", &scene("roller-between-plates"), "--json", "-"]);
-    let solved: Value = serde_json::from_str(&document).expect("JSON");
+    let solved = json(&["solve", &scene("roller-between-plates")]);
     let named: Vec<&str> =
         solved["contacts"].as_array().expect("contacts").iter().filter_map(|one| one["name"].as_str()).collect();
     let oracles = solved["oracles"].as_array().expect("oracles");
@@ -77,8 +75,7 @@ fn angles_are_told_in_degrees_where_they_are_given_in_degrees() {
     assert_eq!(rows.headers().expect("a head").get(0), Some("position [deg]"));
     let last = rows.deserialize::<(f64, f64, f64, f64, String)>().last().expect("a row").expect("numbers");
     assert!((last.0 - 90.0).abs() < 1e-9, "{}", last.0);
-    let (_, document, _) = contact_vv(&["solve", &scene("press-fit"), "--json", "-"]);
-    let solved: Value = serde_json::from_str(&document).expect("JSON");
+    let solved = json(&["solve", &scene("press-fit")]);
     assert_eq!(solved["units"]["angle"], "rad");
     let end = solved["contacts"][0]["profile"].as_array().and_then(|all| all.last()).expect("a point");
     assert!((end["position"].as_f64().expect("a number") - std::f64::consts::FRAC_PI_2).abs() < 1e-9);
@@ -91,8 +88,7 @@ fn half_width_of_a_pin_is_judged_in_degrees() {
     let (_, text, _) = contact_vv(&["new", "pin-in-hole"]);
     let asked = "\n[[check]]\nquantity = \"second-moment-width\"\nvalue = 90\ntolerance = 0.9\nbecause = \"any\"\n";
     std::fs::write(&path, text + asked).expect("written");
-    let (_, document, _) = contact_vv(&["solve", &path, "--json", "-"]);
-    let solved: Value = serde_json::from_str(&document).expect("JSON");
+    let solved = json(&["solve", &path]);
     let check = solved["checks"].as_array().and_then(|all| all.last()).expect("a check");
     let angle = solved["contacts"][0]["second_moment_width"].as_f64().expect("an angle");
     let judged = check["value"].as_f64().expect("a number");

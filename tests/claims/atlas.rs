@@ -2,7 +2,7 @@
 
 use contact_vv::case::Verdict;
 use contact_vv::error::Kind;
-use contact_vv::solve::{Element, Iteration};
+use contact_vv::solve::{Discretisation, Element, Iteration};
 use contact_vv::stability::halving::SOFT;
 use contact_vv::study::Study;
 use contact_vv::study::atlas::{Chart, Numbers, Plane, Record, plane, run};
@@ -42,48 +42,30 @@ fn every_element_algorithm_and_rule_is_on_both_full_planes() {
 }
 
 #[test]
-fn records_come_back_from_a_file_as_they_went() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("some.csv");
-    let mut kept = vec![point(Method::usual(Element::Node, Iteration::Varying), 1.9, 0.1, Class::Capped, 2000)];
-    kept.push(Record { error: f64::NAN, penalty: None, predicted_iterations: None, ..kept[0].clone() });
-    records::write(&path, &records::named(plane::HEAD), &kept).expect("written");
-    let read = records::read::<Record>(&path, &records::named(plane::HEAD), plane::RENEW).expect("read");
-    assert_eq!(format!("{read:?}"), format!("{kept:?}"));
-}
-
-#[test]
 fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let (plane, file) = (Plane::Thickness, folder.path().join("thickness.csv"));
-    let refused = |records: &[Record]| {
+    let refused = || Chart::read_from(&file, plane).expect_err("refused").to_string();
+    let write = |records: &[Record]| {
         records::write(&file, &records::named(plane::HEAD), records).expect("written");
-        Chart::read_from(&file, plane).expect_err("refused").to_string()
+        std::fs::read_to_string(&file).expect("written")
     };
     let whole = flat(plane);
     let mut moved = whole.clone();
     moved[3].stiffness *= 2.0;
-    for message in [refused(&whole[1..]), refused(&moved)] {
-        assert!(message.contains("thickness.csv") && message.contains("-- atlas"), "{message}");
+    for records in [&whole[1..], &moved] {
+        write(records);
+        assert!(refused().contains("thickness.csv") && refused().contains("-- atlas"), "{}", refused());
     }
-    records::write(&file, &records::named(plane::HEAD), &whole).expect("written");
+    let text = write(&whole);
     assert_eq!(Chart::read_from(&file, plane).expect("complete").rows.concat().len(), whole.len());
+    for foreign in ["layer.varying.penalty", "layer.varying", "line"] {
+        std::fs::write(&file, text.replacen("layer.varying.secant", foreign, 1)).expect("written");
+        let parts = ["thickness.csv", "-- atlas", &format!("`{foreign}`")];
+        assert!(parts.iter().all(|part| refused().contains(part)), "{foreign}: {}", refused());
+    }
     let missing = Chart::read_from(&folder.path().join("mesh.csv"), Plane::Mesh).expect_err("missing");
     assert!(missing.kind == Kind::MissingFile, "{missing}");
-}
-
-#[test]
-fn record_of_an_unknown_method_is_refused_with_file_and_remedy() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("thickness.csv");
-    records::write(&path, &records::named(plane::HEAD), &flat(Plane::Thickness)).expect("written");
-    let text = std::fs::read_to_string(&path).expect("written");
-    for foreign in ["layer.varying.penalty", "layer.varying", "line"] {
-        std::fs::write(&path, text.replacen("layer.varying.secant", foreign, 1)).expect("written");
-        let refused = Chart::read_from(&path, Plane::Thickness).expect_err("refused").to_string();
-        assert!(refused.contains("thickness.csv") && refused.contains(&format!("`{foreign}`")), "{refused}");
-        assert!(refused.contains("-- atlas"), "{refused}");
-    }
 }
 
 #[test]
@@ -214,4 +196,13 @@ fn a_digest_takes_what_converges_everywhere_and_the_best_of_the_worst() {
     let row = charts[0].rows.iter_mut().find(|row| row[0].method == method).expect("a row");
     row.iter_mut().filter(|r| r.stiffness >= best).for_each(|r| r.class = Class::Capped);
     assert!(of(&charts).is_none_or(|now| now.to < best));
+}
+
+#[test]
+fn atlas_records_springs_too_soft_as_unsupported() {
+    let (site, method) = Plane::Cylinder.rows()[0];
+    let case = site.case();
+    let discretisation = Discretisation::of(case.scene, case.resolution).expect("meshed");
+    let record = run::Ground::of(&discretisation, site, method).record(method, 1e-12).expect("a record");
+    assert_eq!((record.class, record.iterations), (Class::Unsupported, 0));
 }

@@ -16,24 +16,7 @@ use contact_vv::study::random::family::JUDGED;
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
 
-/// Number of scenes of each family, and the first one: from none of them a constant of the bars was chosen.
-const SCENES: [usize; 2] = [24, 90_000];
-
-#[test]
-fn true_errors_lie_within_their_bars_and_bars_a_tenth_as_wide_would_be_seen() {
-    let [each, from] = SCENES;
-    let sites = JUDGED.into_iter().flat_map(|family| (from..from + each).map(move |number| Site { family, number }));
-    let all: Vec<Record> = sites.map(|site| record(&site).expect("bars")).collect();
-    for (kind, name, _) in Kind::ALL {
-        let numbers = meant(&all, |_, own| own == kind);
-        let of = |factor: f64| share_within(&numbers, factor);
-        assert!(of(1.0) >= 0.95, "{name}: {:.3} within", of(1.0));
-        // The centre is that of a load, and exact.
-        let exact = kind == Kind::Centre;
-        assert!(exact || of(0.1) < 0.95, "{name}: {:.3} within a tenth", of(0.1));
-    }
-    assert_eq!(beyond(&all).verdict, Verdict::Pass);
-}
+use crate::workbench::parsed;
 
 /// A record with its bars so many times as wide.
 fn widened(record: &Record, factor: f64) -> Record {
@@ -177,33 +160,6 @@ fn unknown_is_unknown_and_no_zero() {
 }
 
 #[test]
-fn exact_numbers_of_an_eccentric_load_lie_within_their_bars() {
-    let file = crate::outputs::scene("eccentric-load");
-    let case = Case::read(Path::new(&file)).expect("a case");
-    let (meshed, run) = case.solve().expect("a run");
-    let bars = bars(&meshed.discretisation, &run, &[]).expect("bars");
-    let exact = [
-        (Quantity::PeakPressure, 140.0),
-        (Quantity::PeakPlace, 10.0),
-        (Quantity::Centre, 4.0 / 3.0),
-        (Quantity::Resultant, 4000.0),
-        (Quantity::Moment, 16000.0 / 3.0),
-        (Quantity::Begin(0), -10.0),
-        (Quantity::End(0), 10.0),
-    ];
-    for (quantity, exact) in exact {
-        let one = bars.all.iter().find(|one| one.subject == Subject::Contact(0, quantity)).expect("a bar");
-        assert!((one.value - exact).abs() <= one.bar.total(), "{quantity:?}: {one:?}, {exact}");
-    }
-    let support = bars.all.iter().find(|one| one.subject == Subject::Reaction(0, 0)).expect("a bar");
-    assert!(support.value.abs() <= support.bar.total(), "{support:?}");
-    // Under a stress that is the same at every height nothing but round-off tells where the shear stress is largest.
-    let approach = bars.all.iter().find(|one| one.subject == Subject::Approach(0)).expect("a bar");
-    let shortening = 100.0 * 8.0 * (1.0 - 0.09) / 210e3;
-    assert!((approach.value - shortening).abs() <= approach.bar.total(), "{approach:?}, {shortening}");
-}
-
-#[test]
 fn numbers_without_a_limit_or_a_meaning_are_not_quoted() {
     let subjects = |file: &str| {
         let case = Case::read(Path::new(&crate::outputs::scene(file))).expect("a case");
@@ -276,7 +232,7 @@ fn what_one_cell_over_half_a_ring_leaves_is_in_the_bars() {
     let text = include_str!("../../src/cli/new/pin-in-hole.toml");
     let growth = "growth = { along = 4.0, depth = 3.5, coarsest = 1.0 }\nelements = 8";
     let on = |text: &str| {
-        let case = Case::parse(Path::new("pin-in-hole.toml"), text).unwrap_or_else(|error| panic!("{error}"));
+        let case = parsed(text);
         let discretisation = Discretisation::of(case.scene, case.resolution).expect("a mesh");
         let run = Run::of(&discretisation, &Formulation::verification()).expect("a run");
         let bars = bars(&discretisation, &run, &[]).expect("bars");
@@ -293,36 +249,9 @@ fn what_one_cell_over_half_a_ring_leaves_is_in_the_bars() {
 
 #[test]
 fn peaks_contain_what_a_force_that_statics_do_not_give_leaves() {
-    let text = r#"
-title = "cam below a plate that its corner and the cam carry"
-plane = "strain"
-thickness = 14
-[[body]]
-name = "follower"
-young = 210e3
-poisson = 0.3
-shape = { rectangle = { x = [-15, 15], y = [0, 4], contact = "bottom" } }
-loads = [{ traction = { at = "far", part = { along = "x", from = -4, to = 4 }, force = [0, -900] } }]
-supports = [{ at = "left", component = "x" }, { at = [-15, 4], component = "y" }]
-[[body]]
-name = "cam"
-young = 150e3
-poisson = 0.27
-shape = { disc = { centre = [3, -5], radius = 5, contact = "top" } }
-supports = [{ at = "cut", component = "y" }, { at = "cut", component = "x" }]
-[contact]
-first = "follower"
-second = "cam"
-origin = [3, 0]
-both-sides = true
-gap = "drawn"
-stretch = 0.1
-[mesh]
-elements = 16
-per = 0.1
-growth = { along = 1.3, depth = 1.3, coarsest = 0.1 }
-"#;
-    let case = Case::parse(Path::new("cam.toml"), text).unwrap_or_else(|error| panic!("{error}"));
+    let was = "stretch = 0.3\noracle = { hertz = { load = 900, radius = 5 } }\n[mesh]\nelements = 12";
+    let is = "stretch = 0.1\n[mesh]\ngrowth = { along = 1.3, depth = 1.3, coarsest = 0.1 }\nelements = 16";
+    let case = crate::balance::scene("cam", &[[was, is]]);
     let fine = Discretisation::of(case.scene.clone(), case.resolution).expect("a mesh");
     let fine = Run::of(&fine, &Formulation::verification()).expect("a run");
     for asked in [3e-2, 1e-2, 3e-3] {

@@ -1,20 +1,16 @@
 //! Contact on both sides of x = 0: a symmetric scene gives what its half gives, any other one what equilibrium asks.
 
-use std::path::Path;
-
-use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::notes;
-use contact_vv::case::{Case, Verdict};
+use approx::assert_relative_eq;
+use contact_vv::case::{Verdict, notes};
 use contact_vv::error::Kind;
-use contact_vv::measure::{peak, profile};
+use contact_vv::measure::profile;
 use contact_vv::mesh::size::expected;
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::solution::{EdgeState, PointState};
-use contact_vv::solve::Run;
-use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::solution::PointState;
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
 use crate::scene_file::text_of;
-use crate::workbench::resolution;
+use crate::workbench::{block_text, parsed, resolution};
 
 /// A symmetric scene told by its right half, and whole.
 struct Twin {
@@ -97,10 +93,6 @@ fn twins() -> Vec<Twin> {
     all
 }
 
-fn parsed(text: &str) -> Case {
-    Case::parse(Path::new("both.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
-
 fn solved(text: &str, element: Element, order: Order) -> (Discretisation, Run) {
     let file = parsed(text);
     let scene = file.scene.clone();
@@ -156,47 +148,15 @@ fn eccentric(slope: f64) -> String {
     text.replace("coefficients = [100, 4]", &format!("coefficients = [100, {slope}]"))
 }
 
-#[test]
-fn moment_of_the_pressures_is_that_of_the_load() {
-    let moment = |points: &[PointState]| points.iter().map(|p| p.weight * p.pressure * p.position).sum::<f64>();
-    // At slopes above 10 one side of the block lifts off.
-    for slope in [-3.0, 4.0, 15.0] {
-        for element in Element::ALL {
-            for order in [Order::Linear, Order::Quadratic] {
-                let (_, run) = solved(&eccentric(slope), element, order);
-                let applied = 2.0 * slope * 20.0_f64.powi(3) / 12.0;
-                assert_relative_eq!(moment(&run.solution.points), applied, max_relative = 1e-6);
-                assert_relative_eq!(run.measures().centre, applied / 4000.0, max_relative = 1e-6);
-                assert_relative_eq!(run.transmitted(), 4000.0, max_relative = 1e-7);
-            }
-        }
-    }
-}
-
-#[test]
-fn stress_linear_in_x_is_the_pressure_of_every_element_on_8_node_cells() {
-    for element in Element::ALL {
-        let (_, run) = solved(&eccentric(4.0), element, Order::Quadratic);
-        for point in &run.solution.points {
-            assert_relative_eq!(point.pressure, 100.0 + 4.0 * point.position, max_relative = 1e-7);
-        }
-    }
-}
-
 /// A block whose upper side stays flat on a rigid wedge with its edge at `x`, its slopes 0.01.
 fn wedge(x: f64, stretch: f64) -> String {
     let [left, right] = [0.01 * (x + 5.0), 0.01 * (5.0 - x)];
-    format!(
-        "plane = \"strain\"\nthickness = 1\n{}[contact]\nfirst = \"block\"\nboth-sides = true\nstretch = {stretch}\n\
-         gap = {{ table = [[-5, {left}], [{x}, 0], [5, {right}]] }}\n[reference]\nlength = 1\npressure = 2000\n\
-         [mesh]\nelements = 40\nper = 4\ngrowth = {{ coarsest = 0.1 }}\n[solve]\ntolerance = 1e-8\n",
-        body(
-            "block",
-            "{ rectangle = { x = [-40, 40], y = [0, 40], contact = \"bottom\" } }",
-            "supports = [{ at = [0, 40], component = \"x\" }]\n\
-             loads = [{ rigid-face = { at = \"far\", component = \"y\", force = -4615.3846 } }]",
-        )
-    )
+    let contact = format!(
+        "both-sides = true\nstretch = {stretch}\ngap = {{ table = [[-5, {left}], [{x}, 0], [5, {right}]] }}\n[reference]\n\
+         length = 1\npressure = 2000\n[mesh]\nelements = 40\nper = 4\ngrowth = {{ coarsest = 0.1 }}\n[solve]\ntolerance = 1e-8"
+    );
+    let face = "rigid-face = { at = \"far\", component = \"y\", force = -4615.3846 }";
+    block_text([-40.0, 40.0], 40.0, face, &contact)
 }
 
 #[test]
@@ -236,36 +196,6 @@ fn contact_beyond_the_candidates_is_refused_on_either_side() {
         }
         assert_relative_eq!(end.value(), 2.5 * x, max_relative = 1e-9);
     }
-}
-
-#[test]
-fn top_of_a_skew_profile_is_found_where_it_stands() {
-    // Means over 40 edges of −2 … 2, from the force up to each place.
-    let profile = |force: &dyn Fn(f64) -> f64| -> Vec<EdgeState> {
-        let ends = (-20..20).map(|k| [0.1 * f64::from(k), 0.1 * f64::from(k + 1)]);
-        ends.map(|[a, b]| EdgeState { ends: [a, b], weight: 0.1, pressure: (force(b) - force(a)) / (b - a) }).collect()
-    };
-    // Even about 0.3, and closed where it is positive.
-    let even = |s: f64| {
-        let x = (s - 0.3).clamp(-(1.25_f64.sqrt()), 1.25_f64.sqrt());
-        5.0 * x - 4.0 / 3.0 * x.powi(3)
-    };
-    let top = peak::of(&profile(&even), 0.3);
-    assert_abs_diff_eq!(top.position, 0.3, epsilon = 1e-6);
-    assert_relative_eq!(top.pressure, 5.0, max_relative = 1e-9);
-    // s (1 − s)²: top 4/27 at 1/3, the centre at 2/5.
-    let skew = |s: f64| {
-        let s = s.clamp(0.0, 1.0);
-        0.5 * s * s - 2.0 / 3.0 * s.powi(3) + 0.25 * s.powi(4)
-    };
-    let top = peak::of(&profile(&skew), 0.4);
-    // Four pairs of edges are within 30 % of the top: a parabola.
-    assert_abs_diff_eq!(top.position, 1.0 / 3.0, epsilon = 0.02);
-    assert_relative_eq!(top.pressure, 4.0 / 27.0, max_relative = 5e-3);
-    // Rising to the end of the surface: there.
-    let top = peak::of(&profile(&|s| 10.0 * s + 0.5 * s * s), 0.1);
-    assert_relative_eq!(top.position, 2.0, max_relative = 1e-9);
-    assert_relative_eq!(top.pressure, 12.0, max_relative = 1e-9);
 }
 
 #[test]
@@ -339,7 +269,7 @@ fn blocks_that_cross_the_middle_are_the_rectangle() {
 #[test]
 fn pressure_at_the_ends_of_the_candidates_is_on_the_line_through_the_last_two_points() {
     let text = text_of("eccentric-load.toml").replace("[solve]", "[solve]\nelement = \"line\"");
-    let file = Case::parse(Path::new("ends.toml"), &text).expect("sound");
+    let file = parsed(&text);
     let (meshed, run) = file.solve().expect("solved");
     let [first, .., last] = run.solution.points[..] else { panic!("points") };
     assert!(first.position > -10.0 && last.position < 10.0);
@@ -360,7 +290,7 @@ fn point_far_above_the_peak_is_noted() {
         .replace("coefficients = [100, 4]", "coefficients = [100, -12]")
         .replace("gap = { uniform = 0 }", "gap = { table = [[-10, 0], [0, 0], [10, 0.05]] }");
     for (text, wanted) in [(text_of("eccentric-load.toml"), false), (kinked, true)] {
-        let file = Case::parse(Path::new("kink.toml"), &text).expect("sound");
+        let file = parsed(&text);
         let (_, run) = file.solve().expect("solved");
         assert_eq!(
             notes::of(&run, 0).iter().any(|note| note.contains("more than the peak")),
@@ -393,7 +323,7 @@ fn check_of_zero_is_judged_by_an_absolute_tolerance_in_the_unit_of_the_file() {
     };
     let verdict = |text: &str, tolerance: f64| {
         let zero = text.replace(check, &format!("quantity = \"centre\"\nvalue = 0\ntolerance = {tolerance}"));
-        let file = Case::parse(Path::new("zero.toml"), &zero).unwrap_or_else(|error| panic!("{error}"));
+        let file = parsed(&zero);
         let (meshed, run) = file.solve().expect("solved");
         let checks = file.judge(&meshed, &run).expect("judged");
         checks

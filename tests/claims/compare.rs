@@ -2,38 +2,11 @@
 
 use std::fs;
 
-use contact_vv::cli::json;
+use contact_vv::cli;
 use serde_json::Value;
 
 use crate::outputs::{contact_vv, scene};
-
-/// A block that does not reach the plane below it.
-const OPEN: &str = r#"
-title = "open"
-plane = "strain"
-thickness = 1.0
-
-[[body]]
-name = "block"
-young = 210e3
-poisson = 0.3
-shape = { rectangle = { x = [0, 20], y = [0, 10], contact = "bottom" } }
-supports = [{ at = "left", component = "x" }, { at = "far", component = "y" }]
-loads = [{ traction = { at = "right", value = [10, 0] } }]
-
-[contact]
-first = "block"
-gap = { uniform = 0.5 }
-stretch = 20
-
-[reference]
-length = 10
-pressure = 10
-
-[mesh]
-elements = 4
-per = 20
-"#;
+use crate::scene_file::{scene_alone, text_of};
 
 /// Whether the command ended well, and its rows.
 fn rows(arguments: &[&str]) -> (bool, Vec<Value>) {
@@ -87,7 +60,8 @@ fn formulation_that_cannot_take_the_scene_is_a_row_with_its_reason_behind_the_ot
 fn open_contact_and_a_run_that_does_not_converge_are_rows_and_none_is_recommended() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("open.toml").display().to_string();
-    fs::write(&path, OPEN).expect("written");
+    let open = scene_alone(&text_of("press-fit.toml")).replace("uniform = -0.02", "uniform = 0.02");
+    fs::write(&path, open).expect("written");
     let (well, open) = rows(&[&path]);
     assert!(!well && open.len() == 9 && open.iter().all(|row| row["outcome"] == "no contact"), "{open:?}");
     let (well, slow) = rows(&["cylinder", "--formulations", "line.varying,line.varying+newton"]);
@@ -106,7 +80,7 @@ fn outputs_of_a_comparison_are_its_own_and_a_name_that_is_none_is_refused_with_t
         assert!(well && text.contains("recommended"), "{told}");
     }
     let [json, drawn] = [&json, &plot].map(|path| fs::read_to_string(path).expect("written"));
-    assert!(json::is_comparison(&json) && !json::is_result(&json));
+    assert!(cli::json::is_comparison(&json) && !cli::json::is_result(&json));
     assert!(drawn.contains("<svg") && drawn.contains("iteration error"), "a chart");
     let (well, _, told) = contact_vv(&["compare", "bars", "--formulations", "line.vary"]);
     assert!(!well && told.contains("did you mean `line.varying`") && told.contains("node.kinematic"), "{told}");

@@ -1,19 +1,18 @@
 //! The load–approach curve holds every load increment as it was found, the one that failed included.
 
 use std::f64::consts::PI;
-use std::path::Path;
 
 use approx::assert_relative_eq;
-use contact_vv::case::Case;
 use contact_vv::solution::Outcome;
 use contact_vv::solve::curve::CurvePoint;
 use contact_vv::solve::{Discretisation, Run};
 
 use crate::outputs::{contact_vv, scene};
 use crate::scene_file::text_of;
+use crate::workbench::parsed;
 
 fn curve(text: &str) -> (Run, Vec<CurvePoint>) {
-    let case = Case::parse(Path::new("curve.toml"), text).expect("sound");
+    let case = parsed(text);
     let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
     let run = Run::of(&discretisation, case.formulation()).expect("solved");
     let curve = discretisation.curve(&run).expect("recovered");

@@ -111,17 +111,29 @@ fn figures_that_are_not_at_hand_say_so() {
 }
 
 #[test]
-fn a_curve_of_another_scene_is_refused() {
-    let csv = "force_n,force_error_n,half_angle_deg,half_angle_error_deg\n1,0.1,30,1\n";
-    let error = refusal("semi-ellipse.csv", Some(csv));
-    assert!(error.to_string().contains("HalfAngle over Force"), "{error}");
-}
-
-#[test]
-fn folder_that_does_not_exist_is_an_error_and_not_an_absence() {
-    let error = Digitised::load(Path::new("no/such/folder")).expect_err("there is no such folder");
-
+fn what_is_missing_broken_or_of_another_scene_is_refused_by_its_file() {
+    for file in FILES {
+        assert!(refusal(file, None).kind == Kind::MissingFile, "{file}");
+    }
+    let error = Digitised::load(Path::new("no/such/folder")).expect_err("no folder, which is not an absence");
     assert!(error.to_string().contains("no/such/folder"), "{error}");
+    let force = "force_n,force_error_n,half_angle_deg,half_angle_error_deg\n1,0.1,30,1\n";
+    let error = refusal("semi-ellipse.csv", Some(force));
+    assert!(error.to_string().contains("HalfAngle over Force"), "{error}");
+    let whole = text("provenance.toml");
+    let (head, _) = whole.split_once("[[curves]]").expect("the synthetic provenance lists a curve");
+    assert_eq!(missing(&refusal("provenance.toml", Some(head))), "curves");
+    let header = "angle_deg,angle_error_deg,pressure_mpa,pressure_error_mpa\n";
+    for curve in [header, "", &format!("{header}1,2\n")] {
+        refusal("semi-ellipse.csv", Some(curve));
+    }
+    refusal("scene.toml", Some("pin_radius = "));
+    refusal("provenance.toml", Some("curves = [\"semi-ellipse.csv\"]"));
+    // A file that the provenance does not list.
+    let folder = spoiled("", None);
+    fs::write(folder.path().join("stray.csv"), text("semi-ellipse.csv")).expect("the temporary folder is writable");
+    let error = Digitised::load(folder.path()).expect_err("an unlisted file is refused");
+    assert!(error.to_string().contains("stray.csv"), "{error}");
 }
 
 #[test]
@@ -151,14 +163,6 @@ fn fem_curve_is_a_comparison_of_codes() {
 }
 
 #[test]
-fn every_missing_file_is_named() {
-    for file in FILES {
-        let error = refusal(file, None);
-        assert!(error.kind == Kind::MissingFile, "{file}: {error}");
-    }
-}
-
-#[test]
 fn every_missing_key_is_named() {
     for file in ["scene.toml", "provenance.toml"] {
         let entries = entries(file);
@@ -169,16 +173,6 @@ fn every_missing_key_is_named() {
             assert!(error.remedy.starts_with("add it: "), "{path}: {error}");
         }
     }
-}
-
-#[test]
-fn provenance_without_curves_is_refused() {
-    let whole = text("provenance.toml");
-    let (head, _) = whole.split_once("[[curves]]").expect("the synthetic provenance lists a curve");
-
-    let error = refusal("provenance.toml", Some(head));
-
-    assert_eq!(missing(&error), "curves", "{error}");
 }
 
 #[test]
@@ -212,16 +206,6 @@ fn unknown_keys_and_kinds_are_refused_by_name() {
         let error = refusal(file, Some(&text(file).replace(old, new)));
         assert_eq!(refused(&error).0, named, "{new}: {error}");
     }
-}
-
-#[test]
-fn curve_without_provenance_is_refused() {
-    let folder = spoiled("", None);
-    fs::write(folder.path().join("stray.csv"), text("semi-ellipse.csv")).expect("the temporary folder is writable");
-
-    let error = Digitised::load(folder.path()).expect_err("an unlisted file is refused");
-
-    assert!(error.to_string().contains("stray.csv"), "{error}");
 }
 
 #[test]
@@ -261,17 +245,6 @@ fn every_bad_entry_is_named_by_line_and_column() {
 }
 
 #[test]
-fn curves_without_points_ragged_rows_and_broken_toml_are_refused() {
-    let header = "angle_deg,angle_error_deg,pressure_mpa,pressure_error_mpa\n";
-
-    refusal("semi-ellipse.csv", Some(header));
-    refusal("semi-ellipse.csv", Some(""));
-    refusal("semi-ellipse.csv", Some(&format!("{header}1,2\n")));
-    refusal("scene.toml", Some("pin_radius = "));
-    refusal("provenance.toml", Some("curves = [\"semi-ellipse.csv\"]"));
-}
-
-#[test]
 fn reading_lies_between_the_points_and_carries_both_errors() {
     let curve = admitted();
     let middle = 45.0_f64.to_radians();
@@ -290,21 +263,16 @@ fn reading_lies_between_the_points_and_carries_both_errors() {
 }
 
 #[test]
-fn curve_the_points_were_made_from_is_accepted() {
-    let comparison = compare(&admitted(), &semi_ellipse(0.0));
-
-    assert!(comparison.accepted(), "{:?}", comparison.worst());
-}
-
-#[test]
-fn curve_shifted_by_three_uncertainties_is_not_accepted() {
+fn curve_the_points_were_made_from_is_accepted_and_one_shifted_by_three_uncertainties_is_not() {
     let curve = admitted();
-    for sign in [-1.0, 1.0] {
-        for point in compare(&curve, &semi_ellipse(0.0)).deviations {
-            let shifted = compare(&curve, &semi_ellipse(sign * 3.0 * point.uncertainty));
-            assert!(!shifted.accepted(), "shifted by three times {}", point.uncertainty);
+    let sound = compare(&curve, &semi_ellipse(0.0));
+    assert!(sound.accepted(), "{:?}", sound.worst());
+    for point in sound.deviations {
+        for shift in [-3.0, 3.0].map(|times| times * point.uncertainty) {
+            assert!(!compare(&curve, &semi_ellipse(shift)).accepted(), "shifted by {shift}");
         }
     }
+    assert!(!Comparison { deviations: Vec::new(), model_form: None }.accepted(), "without points");
 }
 
 #[test]
@@ -322,13 +290,6 @@ fn nan_or_unbounded_uncertainty_at_one_point_is_not_accepted() {
         assert!(!comparison.accepted(), "{value} ± {uncertainty}");
         assert!(comparison.worst().is_some_and(|worst| worst.ratio.is_nan() || worst.ratio > 2.0));
     }
-}
-
-#[test]
-fn comparison_without_points_is_not_accepted() {
-    let empty = Comparison { deviations: Vec::new(), model_form: None };
-
-    assert!(!empty.accepted());
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use contact_vv::accuracy::{self, reading::Quantity, reading::Subject};
 use contact_vv::case::Case;
-use contact_vv::case::library::{Patch, PinPlate, TruncatedHertz};
+use contact_vv::case::library::{Patch, TruncatedHertz};
 use contact_vv::measure::{nodal, profile, relative_error};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::oracle::analytic::hertz::Hertz;
@@ -12,10 +12,10 @@ use contact_vv::scene::{
     Body, Circle, Component, Ends, Face, Line, Load, Material, Path, Place, Scene, Shape, StressField, Support,
 };
 use contact_vv::solve::edge_fitted::Answer;
-use contact_vv::solve::{Discretisation, Element, Fitted, Formulation, Iteration, Run};
-use contact_vv::study::fitted::{self, ASKED, LOADS};
+use contact_vv::solve::{Element, Fitted, Formulation, Iteration, Run};
+use contact_vv::study::fitted::{self, LOADS};
 
-use crate::workbench::{area, held_at, of_shape, resolution};
+use crate::workbench::{area, block_text, held_at, meshed, of_shape, parsed, resolution};
 
 /// The same block and candidates under another load.
 fn under(factor: f64) -> (TruncatedHertz, Hertz) {
@@ -39,31 +39,6 @@ fn errors(run: &Run, hertz: &Hertz) -> [f64; 2] {
         relative_error(measures.peak.pressure, hertz.peak_pressure()),
         relative_error(measures.second_moment_width, hertz.half_width()),
     ]
-}
-
-#[test]
-fn truncated_hertz_is_found_to_four_five_and_six_digits_for_so_many_dofs() {
-    for (digits, bound, most) in ASKED {
-        for factor in LOADS {
-            let (numbers, hertz) = under(factor);
-            let answer = solved(Fitted::of_digits(digits), &numbers.scene());
-            let errors = errors(&answer.run, &hertz);
-            assert!(errors.iter().all(|error| *error <= bound), "{digits} digits at {factor}: {errors:?}");
-            assert!(answer.run.dofs <= most, "{digits} digits at {factor}: {} dofs", answer.run.dofs);
-            assert!(answer.tried.len() <= 4, "{digits} digits at {factor}: {:?}", answer.tried);
-        }
-    }
-}
-
-#[test]
-fn without_lines_on_its_ends_the_contact_is_found_to_three_digits_only() {
-    let worst = LOADS.map(|factor| {
-        let (numbers, hertz) = under(factor);
-        let made = Discretisation::of(numbers.scene(), resolution(2, 0, Order::Octic)).expect("block");
-        let run = Run::of(&made, &Formulation::verification()).expect("run");
-        errors(&run, &hertz)[1]
-    });
-    assert!(worst.into_iter().fold(0.0, f64::max) > 5e-4, "{worst:?}");
 }
 
 #[test]
@@ -124,16 +99,12 @@ fn two_bodies_of_other_moduli_are_found_to_as_many_digits() {
 
 /// A block pressed on a rigid hump on either side of its middle, `g = c₄ s⁴ − 2 c₄ s₀² s²`; one half of it, or all.
 fn humps(coefficient: f64, hump: f64, pressure: f64, whole: bool, per: f64) -> Scene {
-    let (left, held, both) = if whole { (-10, "[0, 15]", "true") } else { (0, "\"left\"", "false") };
     let even = [-2.0 * coefficient * hump * hump, coefficient];
-    let text = format!(
-        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 1e4\npoisson = 0.3\n\
-         shape = {{ rectangle = {{ x = [{left}, 10], y = [0, 15], contact = \"bottom\" }} }}\n\
-         supports = [{{ at = {held}, component = \"x\" }}]\n\
-         loads = [{{ traction = {{ at = \"far\", value = [0, -{pressure}] }} }}]\n[contact]\nfirst = \"block\"\n\
-         gap = {{ even = {even:?} }}\nstretch = 5\nboth-sides = {both}\n[mesh]\nelements = 8\nper = {per:?}\n"
-    );
-    Case::parse(std::path::Path::new("humps.toml"), &text).expect("sound").scene
+    let contact =
+        format!("gap = {{ even = {even:?} }}\nstretch = 5\nboth-sides = {whole}\n[mesh]\nelements = 8\nper = {per:?}");
+    let traction = format!("traction = {{ at = \"far\", value = [0, -{pressure}] }}");
+    let text = block_text([if whole { -10.0 } else { 0.0 }, 10.0], 15.0, &traction, &contact);
+    parsed(&text.replace("young = 210e3", "young = 1e4")).scene
 }
 
 #[test]
@@ -256,31 +227,13 @@ fn bars_of_fitted_meshes_hold_the_error_of_peak_width_and_ends() {
 }
 
 #[test]
-fn pins_in_plates_are_found_alike_by_cells_of_neighbouring_orders() {
-    for degrees in [30.0, 60.0, 80.0] {
-        let scene = PinPlate::of_half_angle(degrees).scene();
-        // Ends as well known on both, so that the cells are compared.
-        let [septic, octic] = [Order::Septic, Order::Octic].map(|order| {
-            let fitted = Fitted { order, layers: 3 };
-            fitted.solve_with_ends(&scene, &Formulation::verification(), 1e-5).expect("answer")
-        });
-        let [one, other] = [&septic, &octic].map(|answer| answer.run.measures());
-        let widths = relative_error(one.second_moment_width, other.second_moment_width);
-        let peaks = relative_error(one.peak.pressure, other.peak.pressure);
-        let ends = relative_error(septic.stretches[0][0][1], octic.stretches[0][0][1]);
-        assert!(widths <= 5e-7 && peaks <= 5e-6 && ends <= 1e-5, "{degrees}°: {widths:.1e} {peaks:.1e} {ends:.1e}");
-        assert!(relative_error(octic.stretches[0][0][1], degrees.to_radians()) <= 3e-3, "{degrees}°");
-    }
-}
-
-#[test]
 fn layered_meshes_keep_the_uniform_pressure_and_hang_together() {
     let plain = Patch::default().scene();
     for order in [Order::Linear, Order::Quadratic, Order::Quartic, Order::Octic] {
         for places in [vec![4.0], vec![2.5, 7.0], vec![1.0]] {
             let mut scene = plain.clone();
             scene.contacts[0].ends = Ends { places: places.clone(), layers: 3 };
-            let made = Discretisation::of(scene, resolution(1, 0, order)).expect("patch");
+            let made = meshed(scene, 1, order);
             let area: f64 = area(&made.mesh);
             assert!(relative_error(area, 200.0) <= 1e-12, "{order:?} {places:?}: {area}");
             let solution = made.solve(&Formulation::verification()).expect("solution");
@@ -315,13 +268,6 @@ fn layers_on_an_arc_keep_its_area() {
         let error = relative_error(area(&mesh), wanted);
         assert!(error <= bound, "{order:?}: {error:.1e}");
     }
-}
-
-#[test]
-fn meshes_of_so_many_digits_have_two_orders_more() {
-    assert_eq!(Fitted::of_digits(4), Fitted { order: Order::Sextic, layers: 1 });
-    assert_eq!(Fitted::of_digits(5), Fitted { order: Order::Septic, layers: 2 });
-    assert_eq!(Fitted::of_digits(6), Fitted { order: Order::Octic, layers: 3 });
 }
 
 #[test]

@@ -9,7 +9,7 @@ use contact_vv::scene::{Circle, Ends, Face, Line, Path, Scene, Sector, Shape};
 use contact_vv::solve::{Element, Fitted, Formulation, Iteration, Run};
 
 use crate::outputs::scene;
-use crate::workbench::{area, of_shape, resolution};
+use crate::workbench::{area, of_shape, parsed, resolution};
 
 /// A disc of radius 10 whose contact has ends that are known.
 fn disc(sector: Sector, contact: Face, places: Vec<f64>, layers: usize) -> Scene {
@@ -161,7 +161,7 @@ fn beside_the_middle(shift: f64) -> Scene {
     let moment = -3624.91511 * shift;
     let text = file.split("[[check]]").next().expect("a scene");
     let text = text.replace(force, &format!("{force}, {{ moment = {{ at = \"middle\", value = {moment} }} }}"));
-    Case::parse(std::path::Path::new("beside.toml"), &text).unwrap_or_else(|error| panic!("{error}\n{text}")).scene
+    parsed(&text).scene
 }
 
 #[test]

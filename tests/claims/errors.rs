@@ -1,14 +1,16 @@
 //! Wrong input is refused in words that name the place, the key, the value found and the remedy.
 
+use std::sync::Arc;
+
 use contact_vv::algorithm::StiffnessRule;
 use contact_vv::case::library::{Cylinder, FlatPunch, Patch, PinRod, PressFit};
 use contact_vv::elasticity::ElasticSystem;
 use contact_vv::error::Error;
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::{Component, Load, Place, Scene, Support};
+use contact_vv::scene::{Component, Load, Scene, StressField, Support};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 
-use crate::workbench::{block, held, held_at, resolution};
+use crate::workbench::{block, held, held_at, meshed, resolution};
 
 /// What every refusal must contain, in its text.
 fn names(error: &Error, parts: &[&str]) {
@@ -37,16 +39,10 @@ fn scene_values_that_are_not_positive_and_finite_are_refused() {
         for value in [0.0, -3.5, f64::NAN, f64::INFINITY] {
             let mut scene = Patch::default().scene();
             spoil(&mut scene, value);
-            names(&refused(&scene), &["patch", &format!("`{key}` = {value}"), "above 0", "give a positive number"]);
+            let body = if key == "young" { "patch, body `lower`" } else { "patch" };
+            names(&refused(&scene), &[body, &format!("`{key}` = {value}"), "above 0", "give a positive number"]);
         }
     }
-}
-
-#[test]
-fn material_is_refused_by_the_name_of_its_body() {
-    let mut scene = Patch::default().scene();
-    scene.bodies[1].material.young = -1.0;
-    names(&refused(&scene), &["patch, body `lower`", "`young` = -1"]);
 }
 
 #[test]
@@ -84,61 +80,41 @@ fn resolution_out_of_range_is_refused() {
 }
 
 #[test]
-fn boundary_that_does_not_exist_is_refused_with_those_that_do() {
-    let loads = [
-        Load::Traction { boundary: "roof".into(), traction: [0.0; 2] },
-        Load::Stress {
-            boundary: "roof".into(),
-            field: contact_vv::scene::StressField(std::sync::Arc::new(|_| [0.0; 3])),
-        },
-        Load::RigidFace { boundary: "roof".into(), component: Component::Y, force: 1.0 },
-    ];
-    let mut scenes = vec![block([4.0, 3.0], vec![held("roof", Component::X, 0.0)], vec![])];
-    scenes.extend(loads.map(|load| block([4.0, 3.0], vec![held("left", Component::X, 0.0)], vec![load])));
-    for scene in scenes {
-        let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
-        let error = ElasticSystem::assemble(&scene, &mesh).expect_err("there is no roof");
-        names(&error, &["sample, body `body`", "no boundary `roof`", "contact, far, left, right"]);
-    }
-}
-
-#[test]
-fn support_away_from_nodes_and_force_outside_the_body_are_refused_with_their_coordinates() {
-    let forces = vec![Load::Force { at: [4.25, 0.77], force: [1.0, 0.0] }];
-    for (scene, at) in [
-        (block([4.0, 3.0], vec![held_at([1.25, 0.77], Component::X, 0.0)], vec![]), "node at `(1.25, 0.77)`"),
-        (block([4.0, 3.0], vec![held("left", Component::X, 0.0)], forces), "cell around `(4.25, 0.77)`"),
-    ] {
-        let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
-        let error = ElasticSystem::assemble(&scene, &mesh).expect_err("there is no such node");
-        names(&error, &["sample, body `body`", &format!("no {at}"), "corners of the outline"]);
-    }
-}
-
-#[test]
-fn support_across_a_contact_normal_is_refused() {
-    let normal = block([4.0, 3.0], vec![held("left", Component::X, 0.0), held("contact", Component::Y, 0.0)], vec![]);
+fn supports_and_loads_that_have_no_place_or_meet_the_contact_are_refused_with_what_there_is() {
+    let left = || vec![held("left", Component::X, 0.0)];
+    let loaded = |load: Load| block([4.0, 3.0], left(), vec![load]);
+    let supported = |supports: Vec<Support>| block([4.0, 3.0], supports, vec![]);
+    let field = StressField(Arc::new(|_| [0.0; 3]));
+    let face = |side: &'static str, component| Load::RigidFace { boundary: side.into(), component, force: 1.0 };
     let mut oblique = PinRod::default().scene();
-    oblique.bodies[0].supports.push(Support {
-        at: Place::Boundary("contact".into()),
-        component: Component::X,
-        value: 0.0,
-    });
-    for (scene, body, component) in [(normal, "`body`", "`normal`"), (oblique, "`pin`", "`x`")] {
+    oblique.bodies[0].supports.push(held("contact", Component::X, 0.0));
+    let roof: &[&str] = &["sample, body `body`", "no boundary `roof`", "contact, far, left, right"];
+    let end = "end the candidate stretch before that node";
+    let cases: [(Scene, &[&str]); 9] = [
+        (supported(vec![held("roof", Component::X, 0.0)]), roof),
+        (loaded(Load::Traction { boundary: "roof".into(), traction: [0.0; 2] }), roof),
+        (loaded(Load::Stress { boundary: "roof".into(), field }), roof),
+        (loaded(face("roof", Component::Y)), roof),
+        (
+            supported(vec![held_at([1.25, 0.77], Component::X, 0.0)]),
+            &["sample, body `body`", "no node at `(1.25, 0.77)`", "corners of the outline"],
+        ),
+        (
+            loaded(Load::Force { at: [4.25, 0.77], force: [1.0, 0.0] }),
+            &["sample, body `body`", "no cell around `(4.25, 0.77)`", "corners of the outline"],
+        ),
+        (
+            supported([left(), vec![held("contact", Component::Y, 0.0)]].concat()),
+            &["`body`", "`normal`", "at node", end],
+        ),
+        (oblique, &["`pin`", "`x`", "at node", end]),
+        // The corner belongs to both: its frame follows the contact normal, the face's common dof the x axis.
+        (loaded(face("right", Component::X)), &["`body`", "`rigid face`", end]),
+    ];
+    for (scene, parts) in cases {
         let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
-        let error = ElasticSystem::assemble(&scene, &mesh).expect_err("support meets the contact normal");
-        names(&error, &[body, component, "at node", "end the candidate stretch before that node"]);
+        names(&ElasticSystem::assemble(&scene, &mesh).expect_err("refused"), parts);
     }
-}
-
-#[test]
-fn rigid_face_that_meets_the_contact_is_refused() {
-    // The corner belongs to both: its frame follows the contact normal, the face's common dof the x axis.
-    let face = vec![Load::RigidFace { boundary: "right".into(), component: Component::X, force: 1.0 }];
-    let scene = block([4.0, 3.0], vec![held("left", Component::X, 0.0)], face);
-    let mesh = Mesh::of(&scene, resolution(2, 0, Order::Linear)).expect("mesh");
-    let error = ElasticSystem::assemble(&scene, &mesh).expect_err("face and contact share a node");
-    names(&error, &["`body`", "`rigid face`", "end the candidate stretch before that node"]);
 }
 
 #[test]
@@ -151,7 +127,7 @@ fn degenerate_cell_is_refused_with_its_body_and_determinant() {
 }
 
 fn discretised(scene: Scene) -> Discretisation {
-    Discretisation::of(scene, resolution(4, 0, Order::Quadratic)).expect("discretisation")
+    meshed(scene, 4, Order::Quadratic)
 }
 
 #[test]
@@ -163,6 +139,10 @@ fn formulation_values_out_of_range_are_refused() {
         ("layer thickness", |formulation, x| formulation.layer_thickness = x),
     ];
     let patch = discretised(Patch::default().scene());
+    let mut none = Formulation::verification();
+    none.settings.increments = 0;
+    let error = patch.solve(&none).expect_err("no increment");
+    names(&error, &["patch with node.kinematic", "`increments` = 0", "at least 1", "use 1 for the whole load"]);
     for (key, spoil) in keys {
         for value in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             let mut formulation = Formulation::new(Element::Layer, Iteration::Varying);
@@ -174,14 +154,6 @@ fn formulation_values_out_of_range_are_refused() {
             );
         }
     }
-}
-
-#[test]
-fn no_load_increment_is_refused() {
-    let mut formulation = Formulation::verification();
-    formulation.settings.increments = 0;
-    let error = discretised(Patch::default().scene()).solve(&formulation).expect_err("no increment");
-    names(&error, &["patch with node.kinematic", "`increments` = 0", "at least 1", "use 1 for the whole load"]);
 }
 
 #[test]
@@ -241,7 +213,7 @@ fn bodies_pulled_apart_are_named_on_every_mesh() {
         let mut punch = FlatPunch::default().scene();
         punch.bodies[0].loads = vec![Load::Traction { boundary: "far".into(), traction: [0.0, 5.0] }];
         for (scene, body) in [(cylinder, "`cylinder`"), (punch, "`block`")] {
-            let sample = Discretisation::of(scene, resolution(elements, 0, Order::Quadratic)).expect("discretisation");
+            let sample = meshed(scene, elements, Order::Quadratic);
             let solution = sample.solve(&Formulation::verification()).map(|solution| solution.outcome);
             let error = solution.expect_err("the load lifts the body");
             names(&error, &[body, "no contact spring is left", "reverse the load"]);

@@ -1,16 +1,12 @@
 //! Growth follows the elements, so that refinement goes to the solution.
 
-use std::path::Path;
-
-use contact_vv::case::Case;
 use contact_vv::case::library::TruncatedHertz;
 use contact_vv::mesh::Order;
 use contact_vv::scene::Grading;
-use contact_vv::solve::Run;
-use contact_vv::solve::{Discretisation, Formulation};
+use contact_vv::solve::{Formulation, Run};
 
 use crate::scene_file::text_of;
-use crate::workbench::resolution;
+use crate::workbench::{meshed, parsed};
 
 #[test]
 fn refinement_of_default_meshes_goes_to_the_solution() {
@@ -25,7 +21,7 @@ fn refinement_of_default_meshes_goes_to_the_solution() {
             if follows {
                 scene.grading = order.refined(&scene.grading, elements as f64 / 8.0);
             }
-            let discretisation = Discretisation::of(scene, resolution(elements, 0, order)).expect("meshed");
+            let discretisation = meshed(scene, elements, order);
             let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
             (run.measures().peak.pressure / peak - 1.0).abs()
         };
@@ -42,7 +38,7 @@ fn refinement_of_default_meshes_goes_to_the_solution() {
         text.replace("elements = 12\n", &format!("elements = {elements}\n{growth}"))
     };
     let grading = |elements: usize, growth: &str| {
-        let file = Case::parse(Path::new("grown.toml"), &text(elements, growth)).expect("sound");
+        let file = parsed(&text(elements, growth));
         file.scene.grading
     };
     assert!((grading(16, "").along - 1.7).abs() < 1e-12 && (grading(64, "").along - 1.7_f64.sqrt()).abs() < 1e-12);

@@ -1,21 +1,18 @@
 //! Meshes that are given are halved on their circles, and an accuracy is met with them and with several contacts.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::accuracy::{self, Asked, Quantity};
-use contact_vv::case::Case;
+use contact_vv::accuracy::{self, Asked};
 use contact_vv::case::library::{Cylinder, CylinderModel};
 use contact_vv::mesh::{Mesh, Order, Resolution};
-use contact_vv::scene::{BlockShape, Curve, GivenMesh, Scene, Shape};
-use contact_vv::solve::Run;
-use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::scene::{Curve, GivenMesh, Scene, Shape};
+use contact_vv::solve::{Element, Formulation, Iteration};
 use contact_vv::study::random::{Family, Sample, Site};
 
 use crate::outputs::{contact_vv, scene};
 use crate::scene_file::text_of;
-use crate::workbench::resolution;
+use crate::workbench::{parsed, resolution};
 
 /// The first body of a scene with the mesh it would have, as if that had been made elsewhere.
 fn brought(mut scene: Scene, resolution: Resolution) -> Scene {
@@ -139,30 +136,6 @@ fn errors_of(sample: &Sample, asked: f64) -> (bool, f64) {
 }
 
 #[test]
-fn chain_of_blocks_meets_an_accuracy() {
-    for number in [2, 6] {
-        let mut sample = Site { family: Family::Polynomial, number }.sample().expect("a scene");
-        let Shape::Rectangle { x, y, .. } = sample.scene.bodies[0].shape else { panic!("a block") };
-        let block = |x: [f64; 2], names: [Option<&'static str>; 4], elements: [usize; 2]| BlockShape {
-            corners: [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]],
-            arcs: [None; 4],
-            names: names.map(|name| name.map(Into::into)),
-            elements,
-            growth: [1.0, 1.5],
-        };
-        let middle = 1.2 * sample.scene.grading.unit;
-        sample.scene.bodies[0].shape = Shape::Blocks(vec![
-            block([x[0], middle], [Some("contact"), None, Some("far"), Some("left")], [4, 8]),
-            block([middle, x[1]], [Some("contact"), Some("right"), Some("far"), None], [6, 8]),
-        ]);
-        for asked in [1e-2, 3e-3] {
-            let (met, error) = errors_of(&sample, asked);
-            assert!(met && error <= asked, "{number}: {error:e} of {asked}");
-        }
-    }
-}
-
-#[test]
 fn contacts_of_any_two_sizes_meet_an_accuracy() {
     // The widths of numbers 3 and 43 differ by five decades.
     for number in [3, 10, 20, 43] {
@@ -173,38 +146,9 @@ fn contacts_of_any_two_sizes_meet_an_accuracy() {
 }
 
 #[test]
-fn random_meshes_are_given() {
-    for number in 0..40 {
-        let sample = Site { family: Family::Mesh, number }.sample().expect("a scene");
-        assert!(sample.scene.bodies[0].shape.has_given_mesh(), "{number}");
-    }
-}
-
-#[test]
-fn weak_contact_beside_a_strong_one_is_solved_to_its_own_digits() {
-    let sample = Site { family: Family::Pair, number: 43 }.sample().expect("a scene");
-    let mut scene = sample.scene.clone();
-    let half_width = |contact| sample.truth(contact, Quantity::SecondMomentWidth);
-    scene.contacts.iter_mut().enumerate().for_each(|(contact, pair)| pair.stretch = 1.5 * half_width(contact));
-    let (scene, resolution) = accuracy::first(&scene);
-    let mut alone = scene.clone();
-    alone.contacts.truncate(1);
-    alone.bodies.truncate(1);
-    let solved = |scene: Scene| {
-        let formulation = Formulation::new(Element::Node, Iteration::Kinematic).tolerance(1e-6);
-        let run = Run::of(&Discretisation::of(scene, resolution).expect("meshed"), &formulation).expect("solved");
-        assert!(run.solution.converged() && run.iteration_error() <= 1e-6, "{:e}", run.iteration_error());
-        run
-    };
-    let (both, weak) = (solved(scene), solved(alone));
-    let [both, weak] = [&both, &weak].map(|run| run.contacts[0].measures.peak.pressure);
-    assert_relative_eq!(both, weak, max_relative = 1e-6);
-}
-
-#[test]
 fn scene_files_with_meshes_and_several_contacts_may_ask_for_an_accuracy() {
     let several = text_of("plate-on-two-supports.toml").replace("elements = 16\nper = 0.8", "accuracy = \"1 %\"");
-    let file = Case::parse(Path::new("several.toml"), &several).expect("sound");
+    let file = parsed(&several);
     assert!(file.accuracy.is_some());
     for (name, asked) in [
         ("cylinder-between-blocks", "0.1 %"),
@@ -245,7 +189,7 @@ fn flat_between_two_bevels_is_no_circle() {
 #[test]
 fn contact_that_stays_open_meets_nothing_and_neighbours_share_no_node() {
     let text = text_of("plate-on-two-supports.toml").replace("elements = 16\nper = 0.8", "accuracy = \"1 %\"");
-    let file = Case::parse(Path::new("several.toml"), &text).expect("sound");
+    let file = parsed(&text);
     let mut near = file.scene;
     let apart = (near.contacts[0].path.origin()[0] - near.contacts[1].path.origin()[0]).abs();
     let reach: f64 = near.contacts.iter().map(|pair| accuracy::longest::longest(&near, pair)).sum();

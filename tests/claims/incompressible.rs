@@ -2,27 +2,19 @@
 //!
 //! In plane stress with `E/(1−ν²)`, `ν/(1−ν)` a body has the same D and plain cells: what locks is shown by that.
 
-use std::f64::consts::FRAC_PI_2;
-use std::path::Path as FilePath;
 use std::sync::Arc;
 
-use contact_vv::case::Case;
-use contact_vv::case::library::{Cylinder, Patch, TruncatedHertz};
+use contact_vv::case::library::Patch;
 use contact_vv::elasticity::dilatation::ORDINARY;
 use contact_vv::elasticity::element::{self, CellStiffness};
-use contact_vv::elasticity::{ElasticSystem, loads, quadrature, reactions, stress};
-use contact_vv::measure::profile;
+use contact_vv::elasticity::{loads, quadrature, reactions, stress};
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::{
-    Circle, Component, Face, LARGEST_POISSON, Load, Material, Path, PlaneHypothesis, Scene, Shape, StressField,
-};
-use contact_vv::solve::run::Run;
-use contact_vv::solve::{Discretisation, Formulation};
+use contact_vv::scene::{Component, LARGEST_POISSON, Load, Material, PlaneHypothesis, Scene, StressField};
+use contact_vv::solve::Discretisation;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-use crate::workbench::{
-    ORDERS, STEEL, block, distance, distorted_patch, held, held_at, noise, of_shape, resolution, solved,
-};
+use crate::cells::distorted;
+use crate::workbench::{ORDERS, STEEL, block, displaced, distance, distorted_patch, held_at, noise, resolution};
 
 const RUBBER: Material = Material { young: 6.0, poisson: LARGEST_POISSON };
 
@@ -33,12 +25,6 @@ const RATIOS: [f64; 3] = [0.3, 0.49, LARGEST_POISSON];
 fn plain(material: Material) -> Material {
     let Material { young, poisson } = material;
     Material { young: young / (1.0 - poisson * poisson), poisson: poisson / (1.0 - poisson) }
-}
-
-/// A distorted but convex cell; the 8-node one has bulging sides.
-fn distorted(nodes: usize) -> Vec<[f64; 2]> {
-    let all = [[0.1, -0.2], [2.3, 0.1], [2.0, 1.7], [-0.3, 1.4], [1.2, -0.1], [2.25, 0.9], [0.9, 1.6], [-0.15, 0.6]];
-    all[..nodes].to_vec()
 }
 
 fn stiffness(kernel: &CellStiffness, points: &[[f64; 2]]) -> DMatrix<f64> {
@@ -187,7 +173,7 @@ fn uniform_strain_passes_through_bent_cells_of_any_ratio() {
             let mut scene = block([1.0, 1.0], supports, loads.to_vec());
             scene.bodies[0].material = material;
 
-            let u = displacements(&scene, &mesh);
+            let u = displaced(&scene, &mesh);
             let stresses = stress::at_nodes(&scene, &mesh, &u).expect("stress");
 
             // Round-off grows with λ/μ.
@@ -199,11 +185,6 @@ fn uniform_strain_passes_through_bent_cells_of_any_ratio() {
             }
         }
     }
-}
-
-fn displacements(scene: &Scene, mesh: &Mesh) -> Vec<[f64; 2]> {
-    let system = ElasticSystem::assemble(scene, mesh).expect("system");
-    system.nodal_displacements(&[solved(&system.bodies[0])])
 }
 
 const LENGTH: f64 = 16.0;
@@ -246,7 +227,7 @@ fn deflection_error(scene: &Scene, exact: impl Fn([f64; 2]) -> [f64; 2], element
     let mesh = free_mesh(scene, elements, order);
     let end = [LENGTH, 0.0];
     let node = mesh.node_at(scene, 0, end).expect("corner");
-    displacements(scene, &mesh)[node][1] / exact(end)[1] - 1.0
+    displaced(scene, &mesh)[node][1] / exact(end)[1] - 1.0
 }
 
 #[test]
@@ -273,101 +254,13 @@ fn internal_forces_of_rubber_balance_its_loads_node_by_node() {
     let (scene, _) = cantilever(RUBBER);
     for order in ORDERS {
         let mesh = free_mesh(&scene, 16, order);
-        let u = displacements(&scene, &mesh);
+        let u = displaced(&scene, &mesh);
         let internal = reactions::internal_forces(&scene, &mesh, 0, &u).expect("forces");
         let applied = loads::at_nodes(&scene, &mesh, 0).expect("forces");
         // The supports take nothing: they hold the beam where it would be anyway. 1 N/mm on 2.5 mm, with four digits
         // lost to λ/μ.
         for (point, (one, other)) in mesh.points.iter().zip(internal.iter().zip(&applied)) {
             assert!(distance(one, other) <= 1e-6, "{order:?} at {point:?}: {one:?}, not {other:?}");
-        }
-    }
-}
-
-/// Largest errors of a thick ring under internal pressure: of the radial displacement, relative, and of the mean stress
-/// `(σ_x + σ_y)/2` at the nodes over the pressure (Lamé; Timoshenko & Goodier, §28).
-fn ring_errors(
-    material: Material,
-    plane: PlaneHypothesis,
-    strain: Material,
-    elements: usize,
-    order: Order,
-) -> [f64; 2] {
-    let (a, b, p) = (2.0, 4.0, 0.5);
-    let circle = |radius| Circle { centre: [0.0, 0.0], radius };
-    let shape =
-        Shape::Ring { pole: [0.0, 0.0], inner: circle(a), outer: circle(b), sweep: FRAC_PI_2, contact: Face::Bottom };
-    let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 0.0)];
-    let pressure = StressField(Arc::new(move |_| [-p, -p, 0.0]));
-    let loads = vec![Load::Stress { boundary: "contact".into(), field: pressure }];
-    let mut scene = of_shape(shape, Path::Arc(circle(a)), FRAC_PI_2, supports, loads);
-    scene.plane = plane;
-    scene.bodies[0].material = material;
-    let mesh = Mesh::of(&scene, resolution(elements, 0, order)).expect("mesh");
-    let u = displacements(&scene, &mesh);
-    let stresses = stress::at_nodes(&scene, &mesh, &u).expect("stress");
-
-    let Material { young, poisson } = strain;
-    let share = a * a * p / (b * b - a * a);
-    let mut worst = [0.0_f64; 2];
-    for ((point, u), stress) in mesh.points.iter().zip(&u).zip(&stresses) {
-        let r = point[0].hypot(point[1]);
-        let radial = (u[0] * point[0] + u[1] * point[1]) / r;
-        let wanted = (1.0 + poisson) / young * share * ((1.0 - 2.0 * poisson) * r + b * b / r);
-        let errors = [radial / wanted - 1.0, (0.5 * (stress[0] + stress[1]) - share) / p];
-        worst = std::array::from_fn(|k| distance(&[worst[k].max(errors[k].abs()), errors[k]], &[0.0; 2]));
-    }
-    worst
-}
-
-#[test]
-fn thick_ring_of_rubber_follows_lame_as_one_of_steel_does() {
-    for (order, elements, widening) in [(Order::Linear, 16, 5e-3), (Order::Quadratic, 8, 1e-4)] {
-        let strain = PlaneHypothesis::Strain;
-        let steel = ring_errors(STEEL, strain, STEEL, elements, order);
-        let rubber = ring_errors(RUBBER, strain, RUBBER, elements, order);
-        let locked = ring_errors(plain(RUBBER), PlaneHypothesis::Stress, RUBBER, elements, order);
-
-        assert!(rubber[0] <= widening, "{order:?}: {rubber:?}");
-        for (found, usual) in rubber.iter().zip(steel) {
-            assert!(*found <= 2.0 * usual, "{order:?}: {rubber:?} of rubber, {steel:?} of steel");
-        }
-        for (found, plain) in rubber.iter().zip(locked) {
-            assert!(*found <= 0.01 * plain, "{order:?}: plain cells do not lock: {locked:?}, {rubber:?}");
-        }
-    }
-}
-
-/// Errors of p₀ and a against Hertz, and the largest departure of a pressure from its neighbours over p₀.
-fn contact_errors(discretisation: &Discretisation) -> [f64; 3] {
-    let run = Run::of(discretisation, &Formulation::verification()).expect("a solvable scene");
-    assert!(run.solution.converged(), "{}", run.solution.outcome);
-    let reference = &discretisation.scene.reference;
-    let rough = profile::oscillation(&run.solution.points, 0.8 * reference.length);
-    let ratios =
-        [run.measures().peak.pressure / reference.pressure, run.measures().second_moment_width / reference.length];
-    [ratios[0] - 1.0, ratios[1] - 1.0, rough / reference.pressure]
-}
-
-#[test]
-fn hertz_contact_of_rubber_is_as_good_as_that_of_steel() {
-    let truncated = |poisson| TruncatedHertz { poisson, ..Default::default() }.scene();
-    let cylinder = |poisson| Cylinder { poisson, a_over_r: 0.01, ..Default::default() }.scene();
-    for (order, elements) in [(Order::Linear, 16), (Order::Quadratic, 8)] {
-        for (name, scene) in [("block", &truncated as &dyn Fn(f64) -> Scene), ("cylinder", &cylinder)] {
-            for moved in [0.0, 0.2] {
-                let of = |poisson: f64| {
-                    let (scene, at) = (scene(poisson), resolution(elements, 0, order));
-                    let mesh = Mesh::of(&scene, at).expect("mesh").shaken(moved);
-                    let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
-                    contact_errors(&Discretisation::of_system(scene, at, mesh, system).expect("condensed"))
-                };
-                let (steel, rubber) = (of(STEEL.poisson), of(LARGEST_POISSON));
-                let what = format!("{name}, {order:?}, shaken by {moved}: {rubber:?} of rubber, {steel:?} of steel");
-                for (found, usual) in rubber.iter().zip(steel) {
-                    assert!(found.abs() <= 2.0 * usual.abs() + 1e-3, "{what}");
-                }
-            }
         }
     }
 }
@@ -389,24 +282,6 @@ fn body_that_keeps_its_volume_is_refused_with_the_largest_ratio_in_plane_strain_
                         assert!(text.contains(part), "`{part}` is not in {text}");
                     }
                 }
-            }
-        }
-    }
-}
-
-#[test]
-fn ratio_out_of_range_in_a_scene_file_is_refused_by_line_with_what_to_give() {
-    let text = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"roller\"\nyoung = 5\npoisson = RATIO\n\
-        shape = { disc = { centre = [0, 50], radius = 50 } }\nsupports = [{ at = \"axis\", component = \"x\" }]\n\
-        loads = [{ traction = { at = \"cut\", value = [0, -0.001] } }]\n[contact]\nfirst = \"roller\"\n\
-        gap = { circle = 50 }\nstretch = 2\n[mesh]\nelements = 8\nper = 1\n";
-    for (ratio, accepted) in [("0.4999", true), ("0.49991", false), ("0.5", false), ("-1", false), ("nan", false)] {
-        let parsed = Case::parse(FilePath::new("roller.toml"), &text.replace("RATIO", ratio)).map(|_| ());
-        assert_eq!(parsed.is_ok(), accepted, "{ratio}");
-        if let Err(error) = parsed {
-            let said = error.to_string();
-            for part in ["roller.toml:6: ", "`poisson` is ", "give a ratio above -1 and at most 0.4999"] {
-                assert!(said.contains(part), "`{part}` is not in {said}");
             }
         }
     }

@@ -5,13 +5,12 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::accuracy::fitted::{Plan, level};
-use contact_vv::case::Case;
 use contact_vv::case::library::{Cylinder, Patch, PinPlate, PinRod, PressFit};
 use contact_vv::elasticity::{element, quadrature};
 use contact_vv::mesh::{Mesh, Order, candidates::candidate_edges};
-use contact_vv::scene::{Path, Place, Profile, Scene, Sector, Shape};
+use contact_vv::scene::{Scene, Sector, Shape};
 
-use crate::workbench::{ORDERS, library, resolution};
+use crate::workbench::{ORDERS, library, parsed, resolution};
 
 /// Area by quadrature of the Jacobian determinant; 3 × 3 points are exact for 8-node cells.
 fn area(mesh: &Mesh, body: usize) -> f64 {
@@ -42,34 +41,6 @@ fn exact_area(shape: &Shape) -> f64 {
     }
 }
 
-/// Length of the outline in closed form.
-fn exact_perimeter(shape: &Shape) -> f64 {
-    match *shape {
-        Shape::Rectangle { x, y, .. } => 2.0 * (x[1] - x[0] + y[1] - y[0]),
-        Shape::Disc { radius, sector, .. } => radius * if sector.has_upper_part() { PI + 2.0 } else { FRAC_PI_2 + 2.0 },
-        // The straight sides of a ring between concentric circles; on the axis also between shifted ones.
-        Shape::Ring { inner, outer, sweep, .. } => {
-            sweep * (inner.radius + outer.radius) + 2.0 * (outer.radius - inner.radius)
-        }
-        Shape::Eye { hole, outer_radius, shank_half_width, shank_end, .. } => {
-            let (w, r) = (shank_half_width, outer_radius);
-            let straight = (r - hole.radius) + (shank_end - hole.radius) + w + (shank_end - (r * r - w * w).sqrt());
-            PI * hole.radius + (PI - (w / r).asin()) * r + straight
-        }
-        Shape::Blocks(_) | Shape::Given(_) => unreachable!("no shape of the library"),
-    }
-}
-
-fn edge_length(mesh: &Mesh, edge: &[usize]) -> f64 {
-    let at = |k: usize| mesh.points[edge[k]];
-    let rule = quadrature::gauss(8);
-    let slope = |xi: f64, c: usize| match edge.len() {
-        2 => 0.5 * (at(1)[c] - at(0)[c]),
-        _ => 0.5 * (at(1)[c] - at(0)[c]) + xi * (at(0)[c] + at(1)[c] - 2.0 * at(2)[c]),
-    };
-    rule.into_iter().map(|(xi, weight)| weight * slope(xi, 0).hypot(slope(xi, 1))).sum()
-}
-
 fn mesh_of(scene: &Scene, elements: usize, refinement: u32, order: Order) -> Mesh {
     Mesh::of(scene, resolution(elements, refinement, order)).expect("library scenes can be meshed")
 }
@@ -93,30 +64,6 @@ fn area_converges_to_the_exact_one_with_the_order_of_the_arcs() {
             }
         }
     }
-}
-
-#[test]
-fn area_of_four_node_meshes_is_that_of_the_polygon_through_the_boundary_nodes() {
-    for (scene, elements) in library() {
-        let mesh = mesh_of(&scene, elements, 0, Order::Linear);
-        for (b, body) in mesh.bodies.iter().enumerate() {
-            let shoelace: f64 = (body.boundaries.values().flatten())
-                .map(|edge| {
-                    let (p, q) = (mesh.points[edge[0]], mesh.points[edge[1]]);
-                    0.5 * (p[0] * q[1] - q[0] * p[1])
-                })
-                .sum();
-            // Inner sides cancel only if every cell is oriented and every boundary closed.
-            let whole: f64 = mesh_outline(&mesh, b).iter().map(|[p, q]| 0.5 * (p[0] * q[1] - q[0] * p[1])).sum();
-            assert_relative_eq!(area(&mesh, b), whole, max_relative = 1e-10);
-            assert_relative_eq!(shoelace, whole, max_relative = 1e-10);
-        }
-    }
-}
-
-/// Cell edges that belong to one cell only, as pairs of points.
-fn mesh_outline(mesh: &Mesh, body: usize) -> Vec<[[f64; 2]; 2]> {
-    outer_edges(mesh, body).keys().map(|&(a, b)| [mesh.points[a], mesh.points[b]]).collect()
 }
 
 /// Directed corner pairs of cell edges without a neighbour, with their mid-side node.
@@ -149,18 +96,6 @@ fn boundaries_are_exactly_the_cell_edges_without_a_neighbour_and_run_counter_clo
                 }
                 assert!(outer.is_empty(), "{}: {} edges without a name", scene.name, outer.len());
             }
-        }
-    }
-}
-
-#[test]
-fn perimeter_is_that_of_the_outline() {
-    for (scene, elements) in library() {
-        let mesh = mesh_of(&scene, elements, 2, Order::Quadratic);
-        for (body, part) in scene.bodies.iter().zip(&mesh.bodies) {
-            let length: f64 = part.boundaries.values().flatten().map(|edge| edge_length(&mesh, edge)).sum();
-            // Quadratic arcs: fourth order, below 1e-6 at this refinement.
-            assert_relative_eq!(length, exact_perimeter(&body.shape), max_relative = 1e-6);
         }
     }
 }
@@ -258,34 +193,6 @@ fn every_node_belongs_to_a_cell_and_no_two_nodes_coincide() {
                 let near = points[i + 1..].iter().take_while(|q| q[0] - p[0] < 1e-8 * extent);
                 for q in near {
                     assert!((q[1] - p[1]).abs() > 1e-8 * extent, "{}: two nodes at {p:?}", scene.name);
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn every_contact_node_lies_on_the_exact_curve() {
-    for (scene, elements) in library() {
-        for order in ORDERS {
-            let mesh = mesh_of(&scene, elements, 1, order);
-            let pair = scene.contact();
-            for candidate in &mesh.bodies[pair.first].candidates {
-                let [x, y] = mesh.points[candidate.node];
-                let scale = size(&scene.bodies[pair.first].shape);
-                match (pair.path, &pair.profile) {
-                    // The lowest point of the first body touches y = 0, less the uniform gap that the bodies keep.
-                    (Path::Straight(_), Profile::Circle { radius }) => {
-                        assert_abs_diff_eq!(y, radius - (radius * radius - x * x).sqrt(), epsilon = 1e-12 * scale);
-                    }
-                    (Path::Straight(_), _) => {
-                        let gap = if pair.second.is_some() { pair.profile.gap(x) } else { 0.0 };
-                        assert_abs_diff_eq!(y, gap, epsilon = 1e-12 * scale);
-                    }
-                    (Path::Arc(circle), _) => {
-                        let radius = (x - circle.centre[0]).hypot(y - circle.centre[1]);
-                        assert_abs_diff_eq!(radius, circle.radius, epsilon = 1e-12 * circle.radius);
-                    }
                 }
             }
         }
@@ -403,21 +310,6 @@ fn boundary_nodes_of_a_mesh_are_nodes_of_its_refinement() {
 }
 
 #[test]
-fn all_nodes_of_a_rectangle_are_nodes_of_its_refinement() {
-    for scene in [Patch::default().scene(), contact_vv::case::library::FlatPunch::default().scene()] {
-        for order in ORDERS {
-            let (coarse, fine) = (mesh_of(&scene, 8, 0, order), mesh_of(&scene, 8, 1, order));
-            for (b, body) in coarse.bodies.iter().enumerate() {
-                for p in body.nodes.clone().map(|n| coarse.points[n]) {
-                    let place = Place::Point(p);
-                    assert!(fine.nodes_at(&scene, b, &place).is_ok(), "{}: {p:?}", scene.name);
-                }
-            }
-        }
-    }
-}
-
-#[test]
 fn mid_side_nodes_of_curved_contact_edges_halve_the_angle() {
     let scene = PinRod::default().scene();
     let mesh = mesh_of(&scene, 6, 0, Order::Quadratic);
@@ -489,7 +381,7 @@ fn eye_has_no_element_longer_than_its_coarsest() {
 fn no_cell_of_a_ring_is_wider_beyond_its_candidates_than_its_coarsest() {
     let scene = PinRod::default().scene();
     let text = include_str!("../../src/cli/new/pin-in-hole.toml");
-    let ring = Case::parse(std::path::Path::new("pin-in-hole.toml"), text).expect("sound").scene;
+    let ring = parsed(text).scene;
     for (scene, elements) in [(&scene, 2), (&ring, 2), (&ring, 3), (&ring, 8)] {
         let plan = Plan::around([-0.8, 0.8], 1.5, elements, Order::Quadratic, level(elements));
         let scene = plan.scene(scene);

@@ -46,17 +46,6 @@ fn integral(from: f64, to: f64, intervals: usize, f: impl Fn(f64) -> f64) -> f64
     (0..intervals).map(|i| h * f(from + (i as f64 + 0.5) * h)).sum()
 }
 
-/// `∫ f` by Simpson's rule.
-fn simpson(from: f64, to: f64, panels: usize, f: impl Fn(f64) -> f64) -> f64 {
-    let h = (to - from) / panels as f64;
-    (0..panels)
-        .map(|i| {
-            let left = from + i as f64 * h;
-            h / 6.0 * (f(left) + 4.0 * f(left + 0.5 * h) + f(left + h))
-        })
-        .sum()
-}
-
 /// Principal value of `∫ p(s) / (x − s) ds` over `−a…a`: the slope of a half-plane's surface but for a factor.
 fn hilbert(half_width: f64, x: f64, p: impl Fn(f64) -> f64) -> f64 {
     let at_x = p(x);
@@ -85,14 +74,8 @@ fn hertz_pressure_adds_up_to_the_load() {
 
     assert_relative_eq!(resultant, HERTZ.load, max_relative = 1e-12);
     assert_relative_eq!(HERTZ.pressure(0.0), HERTZ.peak_pressure());
+    assert_relative_eq!(Hertz::load_for(a, HERTZ.radius, HERTZ.modulus), HERTZ.load, max_relative = 1e-14);
     assert_abs_diff_eq!(HERTZ.pressure(1.01 * a), 0.0);
-}
-
-#[test]
-fn hertz_load_for_a_half_width_makes_that_half_width() {
-    let load = Hertz::load_for(0.25, HERTZ.radius, HERTZ.modulus);
-
-    assert_relative_eq!(Hertz { load, ..HERTZ }.half_width(), 0.25, max_relative = 1e-14);
 }
 
 /// Stresses of Flamant's point loads spread as the semi-ellipse, without the closed form.
@@ -124,33 +107,6 @@ fn stresses_below_hertz_contact_equal_integrated_flamant_loads() {
 }
 
 #[test]
-fn stresses_below_hertz_contact_are_in_equilibrium_at_every_point() {
-    let (a, p0) = (HERTZ.half_width(), HERTZ.peak_pressure());
-    let h = 1e-4 * a;
-    for (x, z) in [(0.3, 0.4), (1.2, 0.3), (-0.8, 0.7), (2.0, 1.5)] {
-        let by_x = |k: usize| (HERTZ.stress(x * a + h, z * a)[k] - HERTZ.stress(x * a - h, z * a)[k]) / (2.0 * h);
-        let by_z = |k: usize| (HERTZ.stress(x * a, z * a + h)[k] - HERTZ.stress(x * a, z * a - h)[k]) / (2.0 * h);
-
-        assert_abs_diff_eq!((by_x(0) + by_z(2)) * a / p0, 0.0, epsilon = 1e-6);
-        assert_abs_diff_eq!((by_x(2) + by_z(1)) * a / p0, 0.0, epsilon = 1e-6);
-    }
-}
-
-#[test]
-fn tractions_on_the_truncated_rectangle_carry_the_load() {
-    let a = HERTZ.half_width();
-    let (right, bottom) = (3.0 * a, 4.0 * a);
-
-    let down = simpson(-right, right, 4000, |x| HERTZ.stress(x, bottom)[1])
-        + simpson(0.0, bottom, 4000, |z| HERTZ.stress(right, z)[2] - HERTZ.stress(-right, z)[2]);
-    let across = simpson(0.0, bottom, 40_000, |z| HERTZ.stress(right, z)[0] - HERTZ.stress(0.0, z)[0])
-        + simpson(0.0, right, 4000, |x| HERTZ.stress(x, bottom)[2]);
-
-    assert_relative_eq!(down, -HERTZ.load, max_relative = 1e-9);
-    assert_abs_diff_eq!(across / HERTZ.load, 0.0, epsilon = 1e-9);
-}
-
-#[test]
 fn stresses_on_the_surface_are_the_pressure_and_nothing_else() {
     let (a, p0) = (HERTZ.half_width(), HERTZ.peak_pressure());
     for s in [0.0, 0.2, 0.99, 1.01, 2.0, 100.0] {
@@ -174,20 +130,6 @@ fn stresses_below_hertz_contact_are_numbers_everywhere_but_at_the_edge() {
         }
     }
     assert!(HERTZ.stress(a, 0.0)[1].is_nan());
-}
-
-#[test]
-fn largest_shear_on_the_axis_lies_where_johnson_has_it() {
-    let (a, p0) = (HERTZ.half_width(), HERTZ.peak_pressure());
-    let shear = |depth: f64| {
-        let [across, down, _] = HERTZ.stress(0.0, depth * a);
-        0.5 * (across - down).abs() / p0
-    };
-    // Johnson, Contact Mechanics, 1985, §4.2: 0.30 p0 at 0.78 a; digits from references.
-    let (depth, largest) = (0.786151, 0.300283);
-
-    assert_abs_diff_eq!(shear(depth), largest, epsilon = 1e-6);
-    assert!(shear(depth) > shear(depth - 0.01) && shear(depth) > shear(depth + 0.01));
 }
 
 /// Contact half-angle [degrees], `E_p ΔR/P`, `R p(0)/P`, tabulated when the closed form was re-derived.
@@ -267,13 +209,6 @@ fn pin_in_hole_touches_inside_the_contact_and_only_there() {
             assert!(gap / scale > 1e-4, "clearance {clearance}: {gap} outside the contact");
         }
     }
-}
-
-#[test]
-fn pin_without_clearance_touches_over_one_angle_whatever_the_load() {
-    let angle = |load: f64| PinInHole { load, clearance: 0.0, ..PIN }.half_angle();
-
-    assert_relative_eq!(angle(1e-3), angle(1e6));
 }
 
 #[test]
@@ -429,7 +364,9 @@ fn every_closed_form_names_its_source_and_answers() {
         let name = oracle.name().to_owned();
         let source = oracle.source();
         assert_eq!(oracle.kind(), ReferenceKind::Analytic, "{name}");
-        assert!(!source.citation.is_empty() && !source.note.is_empty(), "{name}");
+        let nowhere = oracle.read(Quantity::Pressure { at: f64::NAN });
+        assert!(matches!(&nowhere, Reading::Unavailable(why) if why.contains("at is NaN")), "{name}: {nowhere:?}");
+        assert!(!name.is_empty() && !source.citation.is_empty() && !source.note.is_empty(), "{name}");
         let answers = QUANTITIES.map(|quantity| oracle.read(quantity));
         assert!(answers.iter().all(|answer| !matches!(answer, Reading::Unavailable(_))), "{name}: {answers:?}");
         assert!(answers.iter().any(|answer| matches!(answer, Reading::Value { .. })), "{name}");
@@ -492,18 +429,6 @@ fn parameters_out_of_range_are_named_and_give_no_number() {
 }
 
 #[test]
-fn place_that_is_no_number_is_named() {
-    for oracle in sound() {
-        match oracle.read(Quantity::Pressure { at: f64::NAN }) {
-            Reading::Unavailable(why) => {
-                assert!(why.contains("at is NaN"), "{}: {why}", oracle.name())
-            }
-            other => panic!("{}: {other:?}", oracle.name()),
-        }
-    }
-}
-
-#[test]
 fn infinite_pressure_at_a_punch_corner_is_not_read() {
     let at = PUNCH.half_width;
 
@@ -535,10 +460,4 @@ fn stresses_below_a_flat_punch_carry_its_load_and_are_its_pressure_on_the_surfac
         assert!(sum(2).abs() <= 1e-6 * 1000.0, "{}", sum(2));
     }
     assert_relative_eq!(punch.stress(0.0, 2000.0)[1], -1000.0 / PI / 1000.0, max_relative = 1e-5);
-}
-
-#[test]
-fn closed_forms_have_names_to_be_cited_by() {
-    assert_eq!(PIN.name(), "Persson");
-    assert_eq!(HERTZ.name(), "Hertz");
 }

@@ -6,10 +6,9 @@ use std::path::{Path, PathBuf};
 use contact_vv::case::{Check, Judged, Reference, Verdict, library};
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::diff::written;
-use contact_vv::report::front::nearness;
-use contact_vv::report::front::{self, against, right};
+use contact_vv::report::front::{self, against, nearness, right};
 use contact_vv::report::links::PAGES;
-use contact_vv::report::{Page, case_page, checks, difference, files, links, study_page, symbols, told, write};
+use contact_vv::report::{Page, case_page, difference, files, study_page, symbols, told, write};
 use contact_vv::study::cases::page;
 use contact_vv::study::{Finding, Room, Study, cases};
 
@@ -170,25 +169,6 @@ fn page_of_a_case_follows_its_verdicts_and_outcome() {
     assert!(spoiled.contains("✗ **1 of"), "{spoiled}");
     let front = front::page(&[finding]);
     assert!(front.contains("✗ [bars"), "{front}");
-}
-
-#[test]
-fn requirement_is_stated_once_and_its_trials_stand_below_it() {
-    let near = |value: f64| Check::near("width", Reference::analytic("Hertz", 2.0), 0.1, "a reason").judge(value);
-    let [same, other] = [near(2.01), near(2.02)];
-    let text = checks::of(&[("first", std::slice::from_ref(&same)), ("second", std::slice::from_ref(&other))]);
-    assert_eq!(text.matches("Width shall agree with Hertz within 10 %").count(), 1, "{text}");
-    assert_eq!(text.matches("a reason").count(), 1, "{text}");
-    assert!(text.contains("| first | 2.01000 |") && text.contains("| second | 2.02000 |"), "{text}");
-    let text = checks::of(&[("first", std::slice::from_ref(&same)), ("second", std::slice::from_ref(&same))]);
-    assert!(text.contains("all 2 trials"), "{text}");
-}
-
-#[test]
-fn links_of_a_study_lead_from_the_folder_of_pages_where_they_led_from_the_root() {
-    let text = "![a](snapshots/charts/a.svg) <img src=\"snapshots/charts/a.svg\"> `snapshots/timings` [b](case-b.md)";
-    let moved = "![a](../charts/a.svg) <img src=\"../charts/a.svg\"> `snapshots/timings` [b](case-b.md)";
-    assert_eq!(links::from_pages(text), moved);
 }
 
 #[test]

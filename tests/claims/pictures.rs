@@ -8,8 +8,7 @@ use contact_vv::case::Case;
 use contact_vv::clock::{Clock, Stage};
 use contact_vv::drawing::{Chart, Direction, Slope};
 use contact_vv::report::pictures::{deformed, solve};
-use contact_vv::solve::Discretisation;
-use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Run};
 
 struct Solved {
     problem: Case,

@@ -1,9 +1,8 @@
 //! What of a result is hardly meant is noted with the number that shows it, and only that.
 
-use std::path::Path;
-
-use contact_vv::case::Case;
 use contact_vv::case::{notes, plausible};
+
+use crate::workbench::parsed;
 
 /// A block of 10 mm on another, pressed from above.
 const BLOCKS: &str = "plane = \"strain\"
@@ -33,7 +32,7 @@ per = 10
 
 /// The notes on the first contact of a scene.
 fn notes(text: &str) -> Vec<String> {
-    let (meshed, run) = Case::parse(Path::new("scene.toml"), text).expect("sound").solve().expect("solved");
+    let (meshed, run) = parsed(text).solve().expect("solved");
     [notes::of(&run, 0), plausible::doubts(&meshed.discretisation, &run).remove(0)].concat()
 }
 

@@ -1,21 +1,19 @@
 //! A rigid pin in an elastic plate: no closed form but that of small angles, so it is held by geometry, equilibrium, that limit,
 //! a very stiff pin, and refinement.
 
-use std::path::Path;
-
 use approx::assert_relative_eq;
-use contact_vv::case::Case;
 use contact_vv::scene::{Circle, Profile};
 use contact_vv::solve::Run;
 
 use crate::scene_file::text_of;
+use crate::workbench::parsed;
 
 fn text() -> String {
     text_of("rigid-pin.toml")
 }
 
 fn run(text: &str) -> Run {
-    let case = Case::parse(Path::new("pin.toml"), text).unwrap_or_else(|error| panic!("{error}"));
+    let case = parsed(text);
     case.solve().unwrap_or_else(|error| panic!("{error}")).1
 }
 
@@ -78,32 +76,4 @@ fn very_stiff_pin_is_a_rigid_one() {
     assert_relative_eq!(found.second_moment_width, wanted.second_moment_width, max_relative = 1e-4);
     // And one of the plate's own material is not: about √2 wider.
     assert!(far.measures().second_moment_width > 1.3 * wanted.second_moment_width);
-}
-
-#[test]
-fn rigid_pin_converges_under_refinement() {
-    let peaks = [8, 16, 32].map(|elements| {
-        let text = changed(&text(), "elements = 16", &format!("elements = {elements}"));
-        run(&changed(&text, "along = 1.3, depth = 1.3", "along = 1.2, depth = 1.2")).measures().peak.pressure
-    });
-    let [coarse, fine] = [0, 1].map(|k| (peaks[k + 1] - peaks[k]).abs() / peaks[2]);
-    assert!(fine <= 1e-4 && fine <= coarse.max(2e-5), "{peaks:?}");
-}
-
-#[test]
-fn pin_and_hole_measured_on_the_wrong_body_are_refused_with_the_other_gap() {
-    let read = |text: &str| Case::parse(Path::new("pin.toml"), text).map(|_| ()).expect_err("wrong").to_string();
-    let pin = "gap = { pin = { radius = 10, clearance = 0.01 } }";
-    for (is, message, remedy) in [
-        ("gap = { hole = { radius = 10.01, clearance = 0.01 } }", "`plate` is the hole", "gap = { pin = … }"),
-        ("gap = { pin = { radius = 10, clearance = 0.02 } }", "cannot be used on the path", "the radius of the hole"),
-        ("gap = { pin = { radius = 10, clearance = 10.01 } }", "`clearance` is 10.01", "below the radius, 10"),
-        ("gap = { pin = { radius = -10, clearance = 0.01 } }", "`radius` is -10", "above 0"),
-    ] {
-        let error = read(&changed(&text(), pin, is));
-        assert!(error.starts_with("pin.toml:2") && error.contains(message) && error.contains(remedy), "{error}");
-    }
-    let fit = text_of("press-fit.toml");
-    let error = read(&changed(&fit, "gap = { uniform = -0.02 }", "gap = { pin = { radius = 39.9, clearance = 0.1 } }"));
-    assert!(error.contains("`inner` is the pin") && error.contains("gap = { hole = … }"), "{error}");
 }

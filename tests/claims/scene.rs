@@ -96,16 +96,6 @@ fn gap_of_the_hole_is_the_distance_along_the_pins_radius() {
 }
 
 #[test]
-fn gap_of_the_hole_is_to_first_order_the_clearance_times_the_versine() {
-    let (radius, clearance) = (10.0, 1e-6);
-    for angle in [0.3_f64, 1.0, 1.4] {
-        let first_order = clearance * (1.0 - angle.cos());
-        // The second-order term is (c/R) relative.
-        assert_relative_eq!(Profile::Hole { radius, clearance }.gap(angle), first_order, max_relative = 2e-7);
-    }
-}
-
-#[test]
 fn ray_from_any_inner_pole_ends_on_the_circle() {
     let circle = Circle { centre: [2.0, -1.0], radius: 5.0 };
     for pole in [[2.0, -1.0], [4.0, 1.0], [-1.0, -2.0]] {
@@ -245,14 +235,6 @@ fn scene_in_metres_has_the_same_pure_numbers() {
         for (k, (a, b)) in millimetres.iter().zip(metres).enumerate() {
             assert!((a - b).abs() <= 1e-12 * a.abs(), "{}, number {k}: {a} and {b}", scene.name);
         }
-    }
-}
-
-#[test]
-fn library_scenes_are_valid() {
-    for (scene, _) in library() {
-        assert!(scene.validate().is_ok(), "{}", scene.name);
-        assert!(scene.in_metres().validate().is_ok(), "{}", scene.name);
     }
 }
 

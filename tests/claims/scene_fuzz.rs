@@ -4,8 +4,7 @@ use contact_vv::accuracy::{self, Asked};
 use contact_vv::case::Case;
 use contact_vv::mesh::Mesh;
 use contact_vv::mesh::size::MOST;
-use contact_vv::solve::Discretisation;
-use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Run};
 
 use crate::scene_file::files;
 use crate::workbench::noise;

@@ -1,14 +1,12 @@
 //! The gap given in a contact and the gap between the drawn bodies are one, or the file says that they need not be.
 
-use std::path::Path;
-
 use approx::assert_relative_eq;
 use contact_vv::case::Case;
 use contact_vv::scene::Profile;
-use contact_vv::solve::Discretisation;
-use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Run};
 
 use crate::scene_file::{folder, scene_alone, text_of};
+use crate::workbench::parsed;
 
 /// What a file gets in place of what it has.
 type Change = (&'static str, &'static str);
@@ -80,7 +78,7 @@ fn gap_other_than_the_drawn_one_names_place_and_both_unless_it_is_said() {
             assert!(error.contains(part), "`{part}` is not in: {error}");
         }
         let said = text.replacen("gap = ", "gap-only = true\ngap = ", 1);
-        Case::parse(Path::new("said.toml"), &said).unwrap_or_else(|error| panic!("{error}"));
+        parsed(&said);
     }
 }
 
@@ -149,7 +147,7 @@ fn gap_from_the_bodies_needs_no_reference_and_gives_hertz() {
     let scene = file.expect("sound").scene;
     let without = changed("two-cylinders", &[("gap = \"drawn\"", "gap = { from = \"bodies\" }")])
         .replace("[reference]\nlength = 1.0\npressure = 1562.80524\n", "");
-    let file = Case::parse(Path::new("two.toml"), &without).expect("sound");
+    let file = parsed(&without);
     assert!(file.scene.reference.gap < scene.reference.gap);
     for scene in [file.scene.clone(), file.scene.mirrored()] {
         let discretisation = Discretisation::of(scene, file.resolution).expect("meshed");
@@ -165,7 +163,7 @@ fn gap_from_the_bodies_is_the_same_in_metres_and_mirrored() {
     for (name, change) in [("whole-disc", ("{ circle = 50 }", "{ from = \"bodies\" }")), ("press-fit", tilted)] {
         let text = scene_alone(&text_of(&format!("{name}.toml"))).replace("uniform = -0.02", "uniform = -0.01");
         let text = text.replace("inner = 40, outer = 70", "inner = 39.99, outer = 70").replacen(change.0, change.1, 1);
-        let scene = Case::parse(Path::new("same.toml"), &text).expect("sound").scene;
+        let scene = parsed(&text).scene;
         let (metres, mirrored) = (scene.in_metres(), scene.mirrored());
         let unit = if scene.contact().path.is_straight() { 1e-3 } else { 1.0 };
         let sides: &[f64] = if scene.contact().path.has_both_sides() { &[1.0, -1.0] } else { &[1.0] };
@@ -176,24 +174,6 @@ fn gap_from_the_bodies_is_the_same_in_metres_and_mirrored() {
             let image = if sides.len() > 1 { -s } else { s };
             assert_relative_eq!(mirrored.contact().profile.gap(image), gap, epsilon = 1e-13);
         }
-    }
-}
-
-#[test]
-fn keys_of_the_gap_that_do_not_go_together_are_refused() {
-    for (is, found, remedy) in [
-        ("gap = { from = \"mesh\" }", "there is no source of a gap `mesh`", "known: `bodies`"),
-        ("gap-only = true\ngap = { from = \"bodies\" }", "the gap is that of the drawn bodies", "leave it out"),
-        ("gap-only = true\ngap = \"drawn\"", "the gap is that of the drawn bodies", "leave it out"),
-        ("gap = { circle = 50, parabola = 50 }", "the gap has two keys", "README.md"),
-        ("gap = {}", "the gap has no key", "README.md"),
-        ("gap = { circle = 50, smooth = true }", "`smooth` goes with a `table` only", "README.md"),
-        ("gap = \"flat\"", "`flat`", "`drawn`"),
-        ("gap = { round = 50 }", "unknown field `round`", "`circle`"),
-    ] {
-        let error = read("cylinder-on-block", &[("gap = { circle = 50 }", is)]).map(|_| ()).expect_err(is);
-        assert!(error.contains("cylinder-on-block.toml:2"), "{error}");
-        assert!(error.contains(found) && error.contains(remedy), "{is}: {error}");
     }
 }
 
@@ -222,17 +202,5 @@ fn circles_given_are_held_against_the_drawn_ones_and_refused_where_they_overlap_
         assert_relative_eq!(given.contact().profile.gap(s), drawn.gap(s), epsilon = 1e-13);
         let metres = given.in_metres().contact().profile.gap(1e-3 * s);
         assert_relative_eq!(metres, 1e-3 * drawn.gap(s), epsilon = 1e-16);
-    }
-    for (gap, message, remedy) in [
-        ("gap = { circles = [50, 40] }", "0.05064 as given, and 0.060029", "`gap-only = true`"),
-        ("gap = { circles = [60, -50] }", "radii 60 and -50 overlap beside s = 0", "the larger radius"),
-        ("gap = { circles = [-60, -50] }", "overlap beside s = 0", "the other side a positive one"),
-        ("gap = { circles = [50, -50] }", "lie on one another", "{ uniform = 0 }"),
-        ("gap = { circles = [50, 0] }", "`circles` is 0", "above 0"),
-        ("gap = { circles = [50] }", "`circles` is [50]", "give 2 entries, not 1"),
-        ("gap = { circles = [50, 1] }", "the smaller circle ends before the candidates do", "shorten `stretch`"),
-    ] {
-        let error = with(gap).map(|_| ()).expect_err(gap);
-        assert!(error.contains("two-cylinders.toml:2") && error.contains(message) && error.contains(remedy), "{error}");
     }
 }

@@ -7,10 +7,11 @@ use contact_vv::case::{Against, Case, Verdict, library};
 use contact_vv::oracle::ReferenceKind;
 
 use crate::scene_file::text_of;
+use crate::workbench::{block_text, parsed};
 
 /// Values that checks of a file are held against, with the kinds of their references.
 fn references(text: &str) -> Vec<(f64, ReferenceKind)> {
-    let case = Case::parse(Path::new("oracle.toml"), text).unwrap_or_else(|error| panic!("{error}"));
+    let case = parsed(text);
     let value = |against: &Against| match against {
         Against::Value(reference) => (reference.value, reference.kind),
         other => panic!("{other:?}"),
@@ -20,14 +21,11 @@ fn references(text: &str) -> Vec<(f64, ReferenceKind)> {
 
 /// A block on a rigid profile with an oracle and a check of its peak and second-moment width.
 fn block(gap: &str, oracle: &str) -> String {
-    format!(
-        "plane = \"strain\"\nthickness = 2\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
-         shape = {{ rectangle = {{ x = [0, 20], y = [0, 20], contact = \"bottom\" }} }}\n\
-         supports = [{{ at = \"left\", component = \"x\" }}]\nloads = [{{ traction = {{ at = \"far\", value = [0, -1] }} }}]\n\
-         [contact]\nfirst = \"block\"\ngap = {gap}\nstretch = 4\noracle = {oracle}\n[mesh]\nelements = 4\nper = 4\n\
-         [[check]]\nquantity = \"peak-pressure\"\ntolerance = 0.1\n[[check]]\nquantity = \"second-moment-width\"\ntolerance = 0.1\n\
-         [[check]]\nquantity = \"resultant\"\ntolerance = 0.1\n"
-    )
+    let contact = format!("gap = {gap}\nstretch = 4\noracle = {oracle}\n[mesh]\nelements = 4\nper = 4");
+    let check = |quantity: &str| format!("[[check]]\nquantity = \"{quantity}\"\ntolerance = 0.1\n");
+    let checks = ["peak-pressure", "second-moment-width", "resultant"].map(check).concat();
+    let text = block_text([0.0, 20.0], 20.0, "traction = { at = \"far\", value = [0, -1] }", &contact) + &checks;
+    text.replace("thickness = 1", "thickness = 2")
 }
 
 const MODULUS: f64 = 210e3 / 0.91;
@@ -83,7 +81,7 @@ fn oracle_that_is_spoiled_fails_the_check() {
         let oracle = format!("[contact]\noracle = {{ uniform = {{ pressure = {pressure}, width = 40 }} }}");
         let text = text.replace("[contact]", &oracle).replacen("at = 3\nvalue = 100\n", "at = 3\n", 1);
         let text = text.replacen("kind = \"analytic\"\n", "", 1);
-        let case = Case::parse(Path::new("blocks.toml"), &text).unwrap_or_else(|error| panic!("{error}"));
+        let case = parsed(&text);
         let (meshed, run) = case.solve().expect("solved");
         let judged = case.judge(&meshed, &run).expect("judged");
         judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
@@ -115,7 +113,7 @@ fn oracles_that_cannot_speak_are_refused_with_a_remedy() {
 #[test]
 fn source_of_a_file_is_that_of_its_case() {
     let text = block("{ parabola = 100 }", "{ hertz = { load = 1000, radius = 100 } }");
-    let read = |text: &str| Case::parse(Path::new("source.toml"), text).expect("a scene").source;
+    let read = |text: &str| parsed(text).source;
     assert_eq!(read(&format!("source = \"a book\"\n{text}")), "a book");
     assert_eq!(read(&text), "");
 }
@@ -133,7 +131,7 @@ fn truncated_hertz_of_a_file_has_no_model_error_above_or_below_its_contact() {
         .replace("tolerance = 0.1", "tolerance = 5e-3");
     let below = above.replace("y = [0, 20], contact = \"bottom\"", "y = [-20, 0], contact = \"top\"");
     let verdicts = |text: &str| {
-        let case = Case::parse(Path::new("truncated.toml"), text).unwrap_or_else(|error| panic!("{error}"));
+        let case = parsed(text);
         let meshed = case.meshed().expect("meshed");
         let run = case.run(&meshed, case.formulation()).expect("solved");
         let judged = case.judge(&meshed, &run).expect("judged");

@@ -7,10 +7,10 @@ use contact_vv::accuracy;
 use contact_vv::case::Case;
 use contact_vv::mesh::{Mesh, Resolution, candidates};
 use contact_vv::scene::{MonotoneCubic, Profile, Scene};
-use contact_vv::solve::Discretisation;
-use contact_vv::solve::Run;
+use contact_vv::solve::{Discretisation, Run};
 
 use crate::scene_file::{scene_alone, text_of};
+use crate::workbench::parsed;
 
 const KINKED: &str = "{ table = [[0, 0], [1.3, 0.01], [2.9, 0.04], [3, 0.05], [20, 2]] }";
 
@@ -24,7 +24,7 @@ fn read(name: &str, gap: &str, changes: &[(&str, &str)]) -> Case {
         assert!(text.contains(was), "{name}: {was}");
         text.replacen(was, is, 1)
     });
-    Case::parse(Path::new("table.toml"), &text).unwrap_or_else(|error| panic!("{error}"))
+    parsed(&text)
 }
 
 /// Contact coordinates at which the candidate edges of a body begin and end.
@@ -153,7 +153,7 @@ fn accuracy_is_not_promised_where_kinks_fix_the_mesh() {
     let line = 1 + text("")[..text("").find("accuracy = ").expect("a place")].matches('\n').count();
     assert!(error.starts_with(&format!("kinks.toml:{line}: ")), "{error}");
     assert!(error.contains("has kinks") && error.contains("`smooth = true`"), "{error}");
-    let smooth = Case::parse(Path::new("smooth.toml"), &text(", smooth = true")).expect("sound");
+    let smooth = parsed(&text(", smooth = true"));
     let asked = smooth.accuracy.clone().expect("an accuracy");
     let kinked = read("rigid-cosine", KINKED, &[]).scene;
     let error = accuracy::solve(&kinked, smooth.formulation(), &asked).map(|_| ()).expect_err("kinks").to_string();

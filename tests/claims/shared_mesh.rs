@@ -9,7 +9,7 @@ use contact_vv::mesh::size::expected;
 use contact_vv::scene::Scene;
 
 use crate::scene_file::text_of;
-use crate::several_contacts::read;
+use crate::workbench::parsed;
 
 #[test]
 fn meshes_are_fine_at_every_contact_of_a_body() {
@@ -22,7 +22,7 @@ fn meshes_are_fine_at_every_contact_of_a_body() {
     for (name, fine, along) in
         [("plate-on-two-supports", 0.05, [-30.0, 30.0]), ("roller-between-plates", 0.8 / 12.0, [0.0; 2])]
     {
-        let file = read(name, &text_of(&format!("{name}.toml")));
+        let file = parsed(&text_of(&format!("{name}.toml")));
         let (scene, resolution) = (&file.scene, file.resolution);
         let mesh = Mesh::of(scene, resolution).expect("mesh");
         for (contact, origin) in along.into_iter().enumerate() {
@@ -71,7 +71,7 @@ fn every_stretch_begins_and_ends_on_a_node_whichever_contacts_share_the_body() {
         .replace("radius = 55", "radius = 155")
         .replacen("stretch = 90", "stretch = 50", 1);
     for text in plates.iter().chain([&roller, &thick]) {
-        let file = read("stretches.toml", text);
+        let file = parsed(text);
         let (scene, resolution) = (&file.scene, file.resolution);
         let mesh = Mesh::of(scene, resolution).expect("mesh");
         for (contact, pair) in scene.contacts.iter().enumerate() {
@@ -106,7 +106,7 @@ fn heights(scene: &Scene, mesh: &Mesh) -> Vec<f64> {
 fn plate_between_two_contacts_is_fine_at_both_and_within_its_coarsest_between() {
     // Elements that would soon outgrow it.
     let plate = between_punches([0.0, 0.0], [2.0, 2.0], "1.3").replace("growth = {", "growth = { depth = 3.0,");
-    let file = read("plate.toml", &plate);
+    let file = parsed(&plate);
     let mesh = Mesh::of(&file.scene, file.resolution).expect("mesh");
     let sizes = heights(&file.scene, &mesh);
     let largest = sizes.iter().copied().fold(0.0, f64::max);
@@ -120,7 +120,7 @@ fn cells_are_foretold_within_a_margin_where_a_body_is_deep_between_its_contacts(
     let tall = between_punches([-20.0, 20.0], [2.0, 2.0], "1.3")
         .replace("y = [0, 30]", "y = [0, 3000]")
         .replace("30]", "3000]");
-    let file = read("tall.toml", &tall.replace("growth = {", "growth = { depth = 1.01,"));
+    let file = parsed(&tall.replace("growth = {", "growth = { depth = 1.01,"));
     let [cells, _] = expected(&file.scene, file.resolution);
     let made = Mesh::of(&file.scene, file.resolution).expect("mesh").cells() as f64;
     assert!((2.0..4.0).contains(&(cells / made)), "{cells} for {made}");

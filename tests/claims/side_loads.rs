@@ -1,7 +1,6 @@
 //! Loads on parts of sides, total forces and couples have their resultant and their moment, wherever their ends lie.
 
 use std::f64::consts::PI;
-use std::path::Path as FilePath;
 use std::sync::Arc;
 
 use contact_vv::case::Case;
@@ -10,7 +9,7 @@ use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::{Action, Along, Component, Load, Scene, SidePart, StressField};
 
 use crate::scene_file::{folder, text_of};
-use crate::workbench::{ORDERS, block, distance, held_at, resolution, solved};
+use crate::workbench::{ORDERS, block, distance, held_at, parsed, resolution, solved};
 
 /// Force along x and y, and moment about the origin, of all nodal forces of a scene's first body.
 fn sums(scene: &Scene, mesh: &Mesh) -> [f64; 3] {
@@ -114,7 +113,7 @@ fn part_and_couple_are_the_same_in_metres_and_in_a_mirror() {
         "force = [0, -500] } },",
         "force = [30, -500] } },\n{ moment = { at = \"left\", part = { along = \"y\", from = 3, to = 30 }, value = 70 } },",
     );
-    let scene = Case::parse(FilePath::new("patch.toml"), &text).expect("sound").scene;
+    let scene = parsed(&text).scene;
     let mesh = Mesh::of(&scene, resolution(8, 0, Order::Quadratic)).expect("mesh");
     let [fx, fy, moment] = sums(&scene, &mesh);
     assert!(distance(&[fx, fy, moment], &[30.0, -688.0, -1316.0 + 5250.0 - 1200.0 + 70.0]) <= 1e-9, "{moment}");
@@ -158,50 +157,4 @@ fn strip_load_whose_ends_lie_within_elements_gives_the_stresses_of_the_half_plan
         places += 1;
     }
     assert!(places > 40, "{places}");
-}
-
-#[test]
-fn mistakes_in_parts_and_couples_name_the_line_and_what_to_do() {
-    let text = text_of("pressed-patch.toml");
-    for (was, is, message, remedy) in [
-        ("from = 2.3, to = 11.7", "from = 11.7, to = 2.3", "from 11.7 to 2.3, and has no length", "`from` below `to`"),
-        ("along = \"x\", from = 2.3", "from = 2.3", "no coordinate, or two", "give `along = \"x\"` or \"y\""),
-        (
-            "along = \"x\", from = 2.3",
-            "along = \"x\", centre = [0, 0], from = 2.3",
-            "no coordinate, or two",
-            "`centre = [x, y]`",
-        ),
-        ("along = \"x\", from = 2.3, to = 11.7", "centre = [0, 0], from = 0, to = 400", "more than once around", "360"),
-        ("along = \"x\", from = 2.3", "along = \"z\", from = 2.3", "there is no component `z`", "known: `x`, `y`"),
-        ("from = -18, to = -3 }, force", "from = -18, to = -3 }, value = [0, 1], force", "no value, or two", "`force"),
-        // These show only on the mesh.
-        (
-            "from = 2.3, to = 11.7",
-            "from = 2.3, to = 21",
-            "the part from x = 2.3 mm to x = 21 mm is not all on `far`, which goes from x = -20 mm to x = 20 mm",
-            "choose `from` and `to` within the side",
-        ),
-        ("from = -18, to = -3", "from = -30, to = -3", "is not all on `far`", "within the side"),
-        (
-            "along = \"x\", from = 2.3",
-            "along = \"y\", from = 2.3",
-            "is not all on `far`",
-            "the coordinate that runs along",
-        ),
-    ] {
-        assert_eq!(text.matches(was).count(), 1, "{was}");
-        let spoiled = text.replace(was, is);
-        let case = Case::parse(FilePath::new("patch.toml"), &spoiled);
-        let error = case.and_then(|case| {
-            case.solve().map(|_| ()).map_err(|error| match &case.places {
-                Some(places) => places.locate(error),
-                None => error,
-            })
-        });
-        let error = error.expect_err(is).to_string();
-        let line = 1 + spoiled[..spoiled.find(is).expect("the change")].matches('\n').count();
-        assert!(error.starts_with(&format!("patch.toml:{line}: ")), "line {line}: {error}");
-        assert!(error.contains(message) && error.contains(remedy), "{is}: {error}");
-    }
 }

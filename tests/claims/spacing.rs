@@ -86,15 +86,15 @@ fn growing_from_both_ends_is_fine_at_both_and_never_jumps() {
 }
 
 #[test]
-fn joined_lists_share_the_station_at_which_they_meet() {
+fn lists_share_the_place_at_which_they_meet_are_halved_by_level_and_end_exactly() {
     assert_eq!(spacing::joined(&[vec![0.0, 1.0], vec![1.0, 3.0], vec![3.0, 4.0]]), vec![0.0, 1.0, 3.0, 4.0]);
-}
-
-#[test]
-fn lattice_halves_every_interval_once_more_than_the_level() {
     assert_eq!(spacing::lattice(&[0.0, 1.0, 3.0], 0, Order::Quadratic), vec![0.0, 0.5, 1.0, 2.0, 3.0]);
     let fine = spacing::lattice(&[0.0, 1.0, 3.0], 1, Order::Linear);
     assert_eq!(fine, vec![0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0]);
+    // Intervals that fill the length exactly are not followed by another.
+    let even = [0.0, 0.25, 0.5, 0.75, 1.0];
+    assert_eq!(spacing::growing(0.0, 1.0, 0.25, 1.0, 1.0), even);
+    assert_eq!(spacing::growing_from_both(0.0, 1.0, [0.25, 0.25], 1.0, 1.0), even);
 }
 
 #[test]
@@ -213,11 +213,4 @@ fn spacing_does_not_depend_on_where_it_begins() {
             }
         }
     }
-}
-
-#[test]
-fn intervals_that_fill_the_length_exactly_are_not_followed_by_another() {
-    let even = [0.0, 0.25, 0.5, 0.75, 1.0];
-    assert_eq!(spacing::growing(0.0, 1.0, 0.25, 1.0, 1.0), even);
-    assert_eq!(spacing::growing_from_both(0.0, 1.0, [0.25, 0.25], 1.0, 1.0), even);
 }

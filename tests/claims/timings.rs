@@ -188,39 +188,6 @@ fn without_ngsolve() -> Record {
 }
 
 #[test]
-fn record_without_a_code_says_so_and_a_code_asked_later_has_our_seconds_beside_it() {
-    let mut record = without_ngsolve();
-    let told = "NGSolve not asked where this was measured";
-    assert!(conclusion(&record).contains(told));
-    assert_eq!(row(&record, "time to 0.1 %", "NGSolve").met, None);
-    record.measured.absent.insert("NGSolve".into(), "netgen is missing".into());
-    assert!(page(&record).contains("Skipped: NGSolve: netgen is missing"));
-    for _ in 0..2 {
-        record.renew(vec![of_ngsolve(8e-3, 5e-4)], two_milliseconds());
-        let kept = |code: Series| record.measured.beside.iter().filter(|beside| beside.code == code).count();
-        assert_eq!((record.of(Series::Ngsolve).count(), Series::CODES.map(kept)), (1, [1; 3]));
-        assert!(record.measured.absent.is_empty());
-    }
-    // Its seconds are held over ours in the same run, which is told.
-    assert!(row(&record, "time to 0.1 %", "NGSolve").measured.starts_with("4.0 (8.0 ms with 905 dofs against 2.00 ms"));
-    let told = beside(&record);
-    assert!(told[2].starts_with("Beside NGSolve 6.2 (") && told[2].contains("took 2.0 ms against"), "{told:?}");
-}
-
-#[test]
-fn chart_shows_ngsolve_by_its_orders_and_fitted_meshes_where_they_are_recorded() {
-    let mut record = without_ngsolve();
-    record.points.retain(|point| point.series != Series::Fitted);
-    let drawn = |record: &Record| chart(record).svg().expect("drawn");
-    let named = ["NGSolve, orders 3 to 6, contact edge unknown to its mesh", "fitted to the contact"];
-    assert_eq!(named.map(|name| drawn(&record).contains(name)), [false; 2]);
-    record.points.push(of_ngsolve(8e-3, 5e-4));
-    record.points.push(Point { series: Series::Fitted, ..of_ngsolve(1e-2, 1e-4) });
-    assert_eq!(named.map(|name| drawn(&record).contains(name)), [true; 2]);
-    assert!(page(&record).contains("which leaves 4e-5 of Hertz's ellipse"));
-}
-
-#[test]
 fn what_ngsolve_prints_is_held_against_the_accuracy() {
     let point = of_ngsolve(1e-2, 1e-5);
     assert_eq!((point.mesh, point.dofs, point.converged), (1, 905, LOADS));
@@ -235,14 +202,4 @@ fn what_ngsolve_prints_is_held_against_the_accuracy() {
     assert_eq!(met(1e-3, 1e-3, &mut record), Some(false));
     // None of its meshes is so good: not absent, and not met.
     assert_eq!([met(3e-3, 1e-1, &mut record), met(3e-3, f64::NAN, &mut record)], [Some(false); 2]);
-    assert!(conclusion(&record).contains("NGSolve on none of its meshes"));
-}
-
-#[test]
-fn fitted_mesh_is_nearer_than_every_8_node_one_with_more_degrees_of_freedom() {
-    let record = committed();
-    let fitted = record.of(Series::Fitted).next().expect("recorded");
-    let larger: Vec<&Point> = record.of(Series::Quadratic).filter(|point| point.dofs > fitted.dofs).collect();
-    assert!(fitted.worst() <= 1e-4 && !larger.is_empty());
-    assert!(larger.iter().all(|point| point.worst() > 10.0 * fitted.worst() || point.worst().is_nan()));
 }

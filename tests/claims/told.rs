@@ -1,40 +1,29 @@
 //! What is told of a run: the peak where it is, edges, quantities beside references of the same, and how a command ended.
 
 use std::f64::consts::PI;
-use std::path::Path;
 use std::process::Command;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::PinRod;
-use contact_vv::case::{Case, Scope, Verdict};
+use contact_vv::case::{Scope, Verdict};
 use contact_vv::mesh::Order;
-use contact_vv::solve::Run;
-use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
+use contact_vv::solve::{Element, Formulation, Iteration, Run};
 
-use crate::outputs::{contact_vv, scene};
+use crate::outputs::{contact_vv, json, scene};
 use crate::scene_file::{scene_alone, text_of};
-use crate::workbench::resolution;
+use crate::workbench::{block_text, meshed, parsed};
 
 /// A block under a rigid profile, pressed by `load` N/mm on its half.
-fn pressed(gap: &str, load: f64, stretch: f64, rest: &str) -> String {
+fn pressed(gap: &str, load: f64, stretch: f64) -> String {
     let size = 24.0 * stretch;
-    format!(
-        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
-         shape = {{ rectangle = {{ x = [0, {size}], y = [0, {size}], contact = \"bottom\" }} }}\n\
-         supports = [{{ at = \"left\", component = \"x\" }}]\n\
-         loads = [{{ traction = {{ at = \"far\", value = [0, {}] }} }}]\n\
-         [contact]\nfirst = \"block\"\ngap = {gap}\nstretch = {stretch}\n\
-         [mesh]\nelements = 24\nper = 2\ngrowth = {{ along = 1.3, depth = 1.25, coarsest = 0.05 }}\n{rest}",
-        -load / size
-    )
+    let traction = format!("traction = {{ at = \"far\", value = [0, {}] }}", -load / size);
+    let mesh = "elements = 24\nper = 2\ngrowth = { along = 1.3, depth = 1.25, coarsest = 0.05 }";
+    let contact = format!("gap = {gap}\nstretch = {stretch}\n[mesh]\n{mesh}");
+    block_text([0.0, size], size, &traction, &contact)
 }
 
 fn run_of(text: &str) -> Run {
-    Case::parse(Path::new("told.toml"), text)
-        .unwrap_or_else(|error| panic!("{error}\n{text}"))
-        .solve()
-        .expect("solved")
-        .1
+    parsed(text).solve().expect("solved").1
 }
 
 #[test]
@@ -54,7 +43,7 @@ fn peak_off_the_centre_of_an_even_gap_is_the_peak_and_the_pressure_at_the_centre
     assert!(place > 1.0 && peak > 1.1 * pressure(0.0));
     let load = 0.5 * PI * a * modulus * b[0] / 4.0;
     for order in [1, 2] {
-        let text = pressed(&format!("{{ even = [{c2}, {c4}, {c6}] }}"), load, 3.0, "");
+        let text = pressed(&format!("{{ even = [{c2}, {c4}, {c6}] }}"), load, 3.0);
         let run = run_of(&text.replace("per = 2\n", &format!("per = 2\norder = {order}\n")));
         let found = run.measures();
         assert_relative_eq!(found.peak.pressure, peak, max_relative = 0.01);
@@ -66,7 +55,7 @@ fn peak_off_the_centre_of_an_even_gap_is_the_peak_and_the_pressure_at_the_centre
 
 #[test]
 fn contact_with_an_open_middle_is_told_with_both_its_ends() {
-    let text = pressed("{ table = [[0, 0.02], [6, 0.02], [10, 0], [14, 0.02], [336, 9]] }", 200.0, 14.0, "");
+    let text = pressed("{ table = [[0, 0.02], [6, 0.02], [10, 0], [14, 0.02], [336, 9]] }", 200.0, 14.0);
     let run = run_of(&text.replace("elements = 24\nper = 2", "elements = 60\nper = 14"));
     let found = run.measures();
     let [stretch] = found.stretches[..] else { panic!("{:?}", found.stretches) };
@@ -78,21 +67,20 @@ fn contact_with_an_open_middle_is_told_with_both_its_ends() {
 #[test]
 fn peak_without_a_limit_is_told_as_such_and_fails_a_check_of_it() {
     let (_, table, _) = contact_vv(&["solve", &scene("flat-punch")]);
-    assert!(table.contains("without limit"), "{table}");
-    let (_, json, _) = contact_vv(&["solve", &scene("flat-punch"), "--json", "-"]);
-    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
-    let contact = &json["contacts"][0];
+    assert!(table.lines().any(|line| line.contains("peak-pressure") && line.contains("without limit")), "{table}");
+    let solved = json(&["solve", &scene("flat-punch")]);
+    let contact = &solved["contacts"][0];
     assert!(contact["peak_pressure"].is_null() && contact["peak_growth"].as_f64().is_some_and(|growth| growth > 0.05));
     let text = text_of("flat-punch.toml") + "\n[[check]]\nquantity = \"peak-pressure\"\nvalue = 800\ntolerance = 10\n";
-    let file = Case::parse(Path::new("flat-punch.toml"), &text).expect("sound");
+    let file = parsed(&text);
     let (meshed, run) = file.solve().expect("solved");
     let judged = file.judge(&meshed, &run).expect("judged");
     let own = judged.iter().rfind(|one| one.check.scope == Scope::Own).expect("the check");
     assert!(own.error.is_nan() && own.verdict == Verdict::Fail);
     // A smooth one has a limit.
-    let (_, json, _) = contact_vv(&["solve", &scene("two-cylinders"), "--json", "-"]);
-    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
-    assert!(json["contacts"][0]["peak_pressure"].is_f64() && json["contacts"][0]["peak_growth"].is_null(), "{json}");
+    let solved = json(&["solve", &scene("two-cylinders")]);
+    let contact = &solved["contacts"][0];
+    assert!(contact["peak_pressure"].is_f64() && contact["peak_growth"].is_null(), "{contact}");
 }
 
 #[test]
@@ -112,8 +100,7 @@ fn quantity_is_compared_with_a_reference_of_the_same_quantity() {
 
 #[test]
 fn pin_in_a_rod_has_one_peak_whatever_the_contact_element() {
-    let discretisation =
-        Discretisation::of(PinRod::default().scene(), resolution(16, 0, Order::Quadratic)).expect("meshed");
+    let discretisation = meshed(PinRod::default().scene(), 16, Order::Quadratic);
     let peaks = Element::ALL.map(|element| {
         let run = Run::of(&discretisation, &Formulation::new(element, Iteration::Kinematic)).expect("solved");
         assert!(run.solution.converged(), "{}: {}", element.name(), run.solution.outcome);
@@ -133,7 +120,7 @@ fn checks_of_every_run_scale_with_the_digits_of_the_scene() {
     let punch =
         unchecked.replace("gap = { uniform = 0 }", "gap = { punch = 9.5 }").replace("stretch = 10", "stretch = 9.5");
     for text in [receding, eccentric, punch, text_of("whole-disc.toml")] {
-        let file = Case::parse(Path::new("scale.toml"), &text).unwrap_or_else(|error| panic!("{error}"));
+        let file = parsed(&text);
         let (meshed, run) = file.solve().expect("solved");
         let judged = file.judge(&meshed, &run).expect("judged");
         let universal: Vec<_> = judged.iter().filter(|one| one.check.scope == Scope::Universal).collect();
@@ -153,7 +140,7 @@ fn checks_of_every_run_scale_with_the_digits_of_the_scene() {
 #[test]
 fn checks_need_neither_kind_nor_source_nor_reason() {
     let text = text_of("blocks.toml") + "\n[[check]]\nquantity = \"resultant\"\nvalue = 4000\ntolerance = 1e-6\n";
-    let file = Case::parse(Path::new("plain.toml"), &text).expect("sound");
+    let file = parsed(&text);
     let (meshed, run) = file.solve().expect("solved");
     assert!(file.judge(&meshed, &run).expect("judged").iter().all(|one| one.verdict == Verdict::Pass));
 }

@@ -3,76 +3,17 @@
 use contact_vv::case::Case;
 
 use crate::scene_file::{folder, text_of};
-
-/// What a file says and what it gets instead, the line the message must name, and parts of it.
-const MISSING: &[(&str, &str, &str, &str, &[&str])] = &[
-    // No contact acts along the motion.
-    (
-        "cylinder-on-block",
-        "supports = [{ at = \"left\", component = \"x\" }, ",
-        "supports = [",
-        "name = \"block\"",
-        &[
-            "free to slide along x",
-            "its contacts do not act there",
-            "add a support along x, on a boundary (`left`, `right`, `far`)",
-        ],
-    ),
-    // Two bodies hold one another, and nothing holds both.
-    (
-        "cylinder-on-block",
-        ", { at = \"far\", component = \"y\" }]",
-        "]",
-        "name = \"cylinder\"",
-        &["`cylinder` and `block` are free to slide along y together", "add a support along y to one of them"],
-    ),
-    (
-        "two-cylinders",
-        ", { at = \"cut\", component = \"y\" }",
-        "",
-        "name = \"steel\"",
-        &["`steel` and `aluminium` are free to slide along y together", "add a support along y to one of them"],
-    ),
-    // Interference pushes the inner ring up, and nothing brings it back.
-    (
-        "press-fit",
-        "{ at = \"start\", component = \"x\" }, { at = \"end\", component = \"y\" }]\n",
-        "{ at = \"start\", component = \"x\" }]\n",
-        "name = \"inner\"",
-        &["nothing presses `inner` into its contact", "free to slide along y", "add a support along y"],
-    ),
-    // The load pulls.
-    (
-        "blocks",
-        "value = [0, -100]",
-        "value = [0, 100]",
-        "name = \"upper\"",
-        &[
-            "no contact spring is left",
-            "the load moves `upper` out of its contact",
-            "reverse the load, or add a support along y",
-        ],
-    ),
-];
+use crate::scene_mistakes::mistakes;
 
 #[test]
 fn missing_support_is_named_by_body_and_direction_whatever_the_algorithm() {
-    for (name, was, is, anchor, wanted) in MISSING {
-        let text = text_of(&format!("{name}.toml"));
-        assert!(text.contains(was), "{name}: {was}");
-        for algorithm in ["kinematic", "varying"] {
-            if *name == "press-fit" && algorithm == "varying" {
-                // Interference is not defined for it.
-                continue;
-            }
-            let spoiled =
-                text.replacen(was, is, 1).replacen("[solve]\n", &format!("[solve]\nalgorithm = \"{algorithm}\"\n"), 1);
-            let case = Case::parse(&folder().join(format!("{name}.toml")), &spoiled).expect("sound");
-            let error = case.solve().map(|_| ()).expect_err(name);
-            let error = case.places.as_ref().expect("a file").locate(error).to_string();
-            let line = 1 + spoiled[..spoiled.find(anchor).expect("the line")].matches('\n').count();
-            assert!(error.contains(&format!("{name}.toml:{line}: ")), "line {line}: {error}");
-            wanted.iter().for_each(|part| assert!(error.contains(part), "{algorithm}: `{part}` is not in: {error}"));
+    for mistake in mistakes("unheld") {
+        // Interference is not defined for varying stiffness.
+        let algorithms = if mistake.file == "press-fit" { &["kinematic"][..] } else { &["kinematic", "varying"] };
+        for algorithm in algorithms {
+            let with = format!("[solve]\nalgorithm = \"{algorithm}\"\n");
+            let (error, line) = mistake.told(&mistake.sound(), |text| text.replacen("[solve]\n", &with, 1));
+            assert_eq!(mistake.unlike(&error, line, 0), None, "{algorithm}");
             for blamed in ["raise `stiffness`", "raise the initial stiffness", "NaN", "refine the mesh", "initial gap"]
             {
                 assert!(!error.contains(blamed), "{algorithm}: {error}");

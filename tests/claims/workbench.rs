@@ -1,17 +1,20 @@
 //! Scenes, hand-made meshes and dense matrices shared by the claims; nothing here is taken from the code under test.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::Arc;
 
+use contact_vv::case::Case;
 use contact_vv::case::library::{
     Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
 };
-use contact_vv::elasticity::{BodySystem, element, quadrature};
+use contact_vv::elasticity::{BodySystem, ElasticSystem, element, quadrature};
 use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
 use contact_vv::scene::{
-    Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
+    self, Body, Component, ContactPair, Face, Grading, Load, Material, Place, PlaneHypothesis, Profile,
     ReferenceValues, Scene, Shape, StressField, Support,
 };
+use contact_vv::solve::Discretisation;
 use nalgebra::{DMatrix, DVector};
 
 pub const STEEL: Material = Material { young: 210e3, poisson: 0.3 };
@@ -44,11 +47,11 @@ pub fn library() -> Vec<(Scene, usize)> {
 /// A scene of one rectangle `[0, w] × [0, h]` whose lower side may touch a rigid plane.
 pub fn block(size: [f64; 2], supports: Vec<Support>, loads: Vec<Load>) -> Scene {
     let shape = Shape::Rectangle { x: [0.0, size[0]], y: [0.0, size[1]], contact: Face::Bottom };
-    of_shape(shape, Path::HORIZONTAL, size[0], supports, loads)
+    of_shape(shape, scene::Path::HORIZONTAL, size[0], supports, loads)
 }
 
 /// A scene of one body in plane strain, 2.5 mm thick, near a rigid profile.
-pub fn of_shape(shape: Shape, path: Path, stretch: f64, supports: Vec<Support>, loads: Vec<Load>) -> Scene {
+pub fn of_shape(shape: Shape, path: scene::Path, stretch: f64, supports: Vec<Support>, loads: Vec<Load>) -> Scene {
     let unit = stretch * path.metric();
     Scene {
         name: "sample".into(),
@@ -123,6 +126,33 @@ pub fn dense(body: &BodySystem) -> DMatrix<f64> {
 pub fn solved(body: &BodySystem) -> Vec<f64> {
     let solution = dense(body).lu().solve(&DVector::from_vec(body.force.clone()));
     solution.expect("the sample is supported").iter().copied().collect()
+}
+
+/// Nodal displacements of a scene of one body that its supports hold.
+pub fn displaced(scene: &Scene, mesh: &Mesh) -> Vec<[f64; 2]> {
+    let system = ElasticSystem::assemble(scene, mesh).expect("system");
+    system.nodal_displacements(&[solved(&system.bodies[0])])
+}
+
+/// The case of a scene file's text.
+pub fn parsed(text: &str) -> Case {
+    Case::parse(Path::new("scene.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+/// The text of a block of steel on x from `left` to `right` with a load on its far side, whose lower side touches a rigid profile; its
+/// contact and what follows as in a file.
+pub fn block_text([left, right]: [f64; 2], height: f64, load: &str, contact: &str) -> String {
+    let held = if left < 0.0 { format!("[0, {height}]") } else { "\"left\"".into() };
+    format!(
+        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
+         shape = {{ rectangle = {{ x = [{left}, {right}], y = [0, {height}], contact = \"bottom\" }} }}\n\
+         supports = [{{ at = {held}, component = \"x\" }}]\nloads = [{{ {load} }}]\n[contact]\nfirst = \"block\"\n{contact}\n"
+    )
+}
+
+/// A scene on a mesh of so many elements.
+pub fn meshed(scene: Scene, elements: usize, order: Order) -> Discretisation {
+    Discretisation::of(scene, resolution(elements, 0, order)).expect("meshed")
 }
 
 /// Largest absolute difference; NaN if there is one, infinite if the lengths differ.
