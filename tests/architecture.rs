@@ -42,7 +42,7 @@ const ALLOWED: [(&str, May); 25] = [
     ("stability", Only(&["error", "condensation", "contact", "solution", "measure", "algorithm"])),
     ("solve", AllAboveBut(&["checkout", "drawing", "markdown", "stability"])),
     ("accuracy", Only(&["error", "scene", "mesh", "solution", "measure", "algorithm", "solve"])),
-    ("oracle", Only(&["error", "checkout", "scene", "uncertainty"])),
+    ("oracle", Only(&["error", "checkout", "scene", "measure", "uncertainty"])),
     ("case", AllAboveBut(&["named", "drawing"])),
     ("referee", AllAboveBut(&[])),
     ("study", AllAboveBut(&[])),

@@ -133,7 +133,7 @@ fn errors_of(sample: &Sample, asked: f64) -> (bool, f64) {
     assert_eq!(answer.estimates.len(), 2 * scene.contacts.len());
     let error = answer.estimates.iter().map(|one| {
         let found = one.quantity.of(&answer.run.contacts[one.contact].measures);
-        (found / sample.truth(one.contact, one.quantity) - 1.0).abs()
+        (found / sample.truth(one.contact, &one.quantity) - 1.0).abs()
     });
     (answer.unmet.is_none(), error.fold(0.0, f64::max))
 }
@@ -184,7 +184,7 @@ fn random_meshes_are_given() {
 fn weak_contact_beside_a_strong_one_is_solved_to_its_own_digits() {
     let sample = Site { family: Family::Pair, number: 43 }.sample().expect("a scene");
     let mut scene = sample.scene.clone();
-    let half_width = |contact| sample.truth(contact, Quantity::SecondMomentWidth);
+    let half_width = |contact| sample.truth(contact, &Quantity::SecondMomentWidth);
     scene.contacts.iter_mut().enumerate().for_each(|(contact, pair)| pair.stretch = 1.5 * half_width(contact));
     let (scene, resolution) = accuracy::first(&scene);
     let mut alone = scene.clone();

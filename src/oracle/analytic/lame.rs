@@ -110,12 +110,12 @@ impl Oracle for PressFit {
         )
     }
 
-    fn read(&self, quantity: Quantity) -> Reading {
+    fn read(&self, quantity: &Quantity) -> Reading {
         let mut parameters = self.parameters();
         let value = match quantity {
             Quantity::PeakPressure => self.pressure(),
             Quantity::Pressure { at } => {
-                parameters.push(finite("at", at));
+                parameters.push(finite("at", *at));
                 self.pressure()
             }
             _ => return Reading::Silent,

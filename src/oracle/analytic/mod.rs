@@ -93,12 +93,12 @@ fn answer(parameters: &[Parameter], value: f64) -> Reading {
 }
 
 /// A quantity of a contact under one pressure everywhere.
-fn uniform_answer(mut parameters: Vec<Parameter>, quantity: Quantity, pressure: f64, resultant: f64) -> Reading {
+fn uniform_answer(mut parameters: Vec<Parameter>, quantity: &Quantity, pressure: f64, resultant: f64) -> Reading {
     let value = match quantity {
         Quantity::Resultant => resultant,
         Quantity::PeakPressure => pressure,
         Quantity::Pressure { at } => {
-            parameters.push(finite("at", at));
+            parameters.push(finite("at", *at));
             pressure
         }
         _ => return Reading::Silent,

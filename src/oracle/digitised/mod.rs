@@ -69,7 +69,7 @@ impl Digitised {
     }
 
     /// A quantity of the curve in `file`, or why there is none.
-    pub fn read(&self, file: &str, quantity: Quantity) -> Reading {
+    pub fn read(&self, file: &str, quantity: &Quantity) -> Reading {
         match self {
             Self::Absent(why) => Reading::Unavailable(why.clone()),
             Self::Present(curves) => match curves.iter().find(|curve| curve.file == file) {

@@ -11,7 +11,7 @@ use crate::case::{Case, Judged, Meshed, Quantity, file, library};
 use crate::checkout::root;
 use crate::error::Error;
 use crate::markdown::{self, Column, significant};
-use crate::measure::display_factor;
+use crate::measure::{Quantity as Number, display_factor};
 use crate::solve::{Formulation, Run};
 use crate::study::about::About;
 use crate::study::drawn::picture;
@@ -149,13 +149,13 @@ pub fn results(runs: &[Row]) -> String {
         ("iterations", |(_, numbers, _)| numbers.run.solution.work.iterations.to_string()),
         ("factorisations", |(_, numbers, _)| numbers.run.solution.work.factorisations.to_string()),
         ("back-substitutions", |(_, numbers, _)| numbers.run.solution.work.back_substitutions.to_string()),
-        ("peak [MPa]", |row| quoted(row, 1.0, |run| run.measures().peak.pressure, Some(Quantity::PeakPressure))),
+        ("peak [MPa]", |row| quoted(row, 1.0, |run| run.measures().peak.pressure, Some(Number::PeakPressure))),
         (width, |row| {
-            quoted(row, factor(row), |run| run.measures().second_moment_width, Some(Quantity::SecondMomentWidth))
+            quoted(row, factor(row), |run| run.measures().second_moment_width, Some(Number::SecondMomentWidth))
         }),
         (counted, |row| quoted(row, factor(row), |run| run.measures().half_width_nodes, None)),
         (last, |row| quoted(row, factor(row), |run| run.measures().edge(), None)),
-        ("resultant [N]", |row| quoted(row, 1.0, Run::transmitted, Some(Quantity::Resultant))),
+        ("resultant [N]", |row| quoted(row, 1.0, Run::transmitted, Some(Number::Resultant))),
     ];
     markdown::columns(&columns, runs)
 }
@@ -166,7 +166,8 @@ fn factor((_, numbers, _): &Row) -> f64 {
 }
 
 /// A number of a run times a factor, with the bar of the check on its quantity.
-fn quoted((_, numbers, judged): &Row, factor: f64, of: fn(&Run) -> f64, quantity: Option<Quantity>) -> String {
+fn quoted((_, numbers, judged): &Row, factor: f64, of: fn(&Run) -> f64, quantity: Option<Number>) -> String {
+    let quantity = quantity.map(Quantity::from);
     let is_own = |one: &&Judged| Some(&one.check.quantity) == quantity.as_ref() && one.check.contact == 0;
     let bar = judged.iter().find(is_own).and_then(|one| one.bar).filter(|bar| bar.is_finite());
     let value = factor * of(&numbers.run);

@@ -78,7 +78,7 @@ fn hertz(hollow: Vec<f64>) -> Series {
     let problem = Cylinder::default().case();
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
     let places = (0..=INTERVALS).map(|k| END * k as f64 / INTERVALS as f64);
-    let points = places.map(|x| (x, problem.reference_pressure(x * a) / p0)).collect();
+    let points = places.map(|x| (x, problem.reference_pressure(0, x * a) / p0)).collect();
     Series { label: "Hertz".into(), points, style: Style::reference(), hollow }
 }
 
@@ -118,7 +118,7 @@ fn figure_14(runs: &[&Run]) -> Chart {
 fn all_on_cylinder(runs: &[&Run]) -> Drawing {
     let problem = Cylinder::default().case();
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
-    let exact = |x: f64| problem.reference_pressure(x * a) / p0;
+    let exact = |x: f64| problem.reference_pressure(0, x * a) / p0;
     let mean = |edge: &EdgeState| {
         let half = 0.5 * edge.weight / problem.scene.thickness / a;
         let part = |k: usize| edge.position() / a + half * (2.0 * (k as f64 + 0.5) / PARTS as f64 - 1.0);

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use crate::accuracy::{Quantity, Subject};
 use crate::case::library::{FlatPunch, TruncatedHertz};
+use crate::measure::Quantity;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::punch;
 use crate::oracle::analytic::waves::Waves;
@@ -70,7 +70,7 @@ pub fn cosine(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let shortening = waves.mean * height * (1.0 - ratio * ratio) / modulus;
     let approach = waves.sunk() + shortening;
     let sample = Sample::of(scene, truths).moved(0, Place::Boundary("far".into()), Component::Y, -approach);
-    sample.with(Subject::Approach(0), approach)
+    sample.with(Quantity::Approach, approach)
 }
 
 /// A parabola on a block with Hertz's stresses on its sides.
@@ -185,7 +185,7 @@ pub fn eccentric(draw: &mut Draw, material: Material) -> Sample {
     )
     .moved(0, far(), Component::X, ratio * slope * half * half / (6.0 * modulus))
     .moved(0, far(), Component::Y, -mean * height / modulus)
-    .with(Subject::Approach(0), mean * height / modulus)
+    .with(Quantity::Approach, mean * height / modulus)
 }
 
 /// A flat punch on a block with the half-plane's stresses on its sides; its peak has no limit.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::accuracy::{Quantity, Subject};
+use crate::measure::Quantity;
 use crate::oracle::boundary::HalfPlane;
 use crate::scene::{
     Body, Component, ContactPair, Face, Grading, Line, Load, Material, Path, Place, PlaneHypothesis, ReferenceValues,
@@ -57,7 +57,6 @@ pub fn sample(contact: HalfPlane, materials: &[Material], cut: Cut) -> Sample {
         reference: ReferenceValues { length: outermost, pressure: finite, gap: load / contact.modulus },
         grading: Grading { unit: outermost, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
     };
-    let number = |quantity| Subject::Contact(0, quantity);
     let mut sample = Sample::of(
         scene,
         [
@@ -68,20 +67,20 @@ pub fn sample(contact: HalfPlane, materials: &[Material], cut: Cut) -> Sample {
         ],
     );
     if cut.whole {
-        sample = sample.with(number(Quantity::Centre), centre).with(number(Quantity::Moment), load * centre);
+        sample = sample.with(Quantity::Centre, centre).with(Quantity::Moment, load * centre);
     }
     let modelled: Vec<[f64; 2]> =
         contact.stretches.iter().copied().filter(|[_, end]| cut.whole || *end > 0.0).collect();
     if let ([[begin, _], ..], [.., [_, end]]) = (&modelled[..], &modelled[..])
         && (cut.whole || *begin > 0.0)
     {
-        sample = sample.with(number(Quantity::HalfWidth), 0.5 * (end - begin));
+        sample = sample.with(Quantity::HalfWidth, 0.5 * (end - begin));
     }
     for (k, [begin, end]) in modelled.iter().enumerate() {
         if cut.whole || *begin > 0.0 {
-            sample = sample.with(number(Quantity::Begin(k)), *begin);
+            sample = sample.with(Quantity::Begin(k), *begin);
         }
-        sample = sample.with(number(Quantity::End(k)), *end);
+        sample = sample.with(Quantity::End(k), *end);
     }
     let stress = |[x, depth]: [f64; 2]| contact.stress(x, depth);
     let touches = contact.stretches.iter().any(|[begin, end]| *begin < 0.0 && 0.0 < *end);

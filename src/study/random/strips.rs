@@ -1,6 +1,6 @@
 //! Layers and rows under rigid profiles: half of a contact each.
 
-use crate::accuracy::Quantity;
+use crate::measure::Quantity;
 use crate::oracle::boundary::Strip;
 use crate::oracle::boundary::strip::OnStrip;
 use crate::scene::{
