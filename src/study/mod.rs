@@ -5,7 +5,7 @@
 //! * `rooms` — what a room must have, and how the page meets all of them.
 //! * [`described`] — a scene in words and numbers.
 //! * [`drawn`] — colours and dashes of formulations, and curves.
-//! * [`class`](mod@class), [`method`], [`pairing`] — how a run ended and what was run, as they are recorded.
+//! * [`method`], [`pairing`] — what was run, as it is recorded.
 //! * [`random`] — random scenes of closed form.
 //! * [`records`] — recorded surveys; [`present`] — whether what scripts record is of the present sources.
 //! * [`machine`] — on what seconds were measured.
@@ -16,7 +16,6 @@ pub mod about;
 pub mod answers;
 pub mod atlas;
 pub mod cases;
-pub mod class;
 pub mod cross_code;
 pub mod described;
 pub mod differences;

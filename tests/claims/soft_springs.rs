@@ -3,7 +3,7 @@
 use contact_vv::case::Case;
 use contact_vv::solve::Discretisation;
 use contact_vv::study::atlas::run::Ground;
-use contact_vv::study::atlas::{Class, Plane};
+use contact_vv::study::atlas::{Ended, Plane};
 
 use crate::scene_file::{folder, text_of};
 
@@ -26,5 +26,5 @@ fn atlas_records_springs_too_soft_as_unsupported() {
     let case = site.case();
     let discretisation = Discretisation::of(case.scene, case.resolution).expect("meshed");
     let record = Ground::of(&discretisation, site, method).record(method, LOST).expect("a record");
-    assert_eq!((record.class, record.iterations), (Class::Unsupported, 0));
+    assert_eq!((record.class, record.iterations), (Ended::Unsupported, 0));
 }

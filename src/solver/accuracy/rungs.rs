@@ -38,7 +38,7 @@ pub(super) struct Rungs<'a> {
 impl Rung {
     /// Whether no contact touches.
     pub(super) fn is_open(&self) -> bool {
-        self.run.contacts.iter().all(|contact| contact.open == Some(true))
+        self.run.is_open()
     }
 }
 

@@ -20,6 +20,7 @@
 //! * `uncondensed` — its pressures once more without condensation.
 //! * [`curve`] — what every load increment came to.
 //! * [`run`] — one scene solved by one formulation, measured.
+//! * [`ended`] — how that ended.
 //! * [`unbounded`] — peaks without a limit.
 //!
 //! ```
@@ -42,6 +43,7 @@ pub mod curve;
 pub mod discretisation;
 pub mod displaced;
 pub mod edge_fitted;
+pub mod ended;
 pub mod equilibrium;
 pub mod fields;
 pub mod formulation;
@@ -66,6 +68,7 @@ pub use crate::scene::Displaced;
 pub use change::Change;
 pub use discretisation::Discretisation;
 pub use edge_fitted::Fitted;
+pub use ended::Ended;
 pub use equilibrium::Equilibrium;
 pub use fields::Fields;
 pub use formulation::Formulation;

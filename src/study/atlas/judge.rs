@@ -7,12 +7,11 @@ use crate::algorithm::StiffnessRule;
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::measure::larger;
-use crate::solve::{Element, Iteration, Settings};
+use crate::solve::{Element, Ended, Iteration, Settings};
 use crate::stability::halving::SOFT;
 use crate::study::atlas::plane::Plane;
 use crate::study::atlas::record::{Chart, RIGHT, Record};
 use crate::study::atlas::run::{Numbers, Saved};
-use crate::study::class::Class;
 use crate::study::method::Method;
 
 /// Factor within which iterations on nodes are predicted, and factor off the limit of iterations from which a class is.
@@ -39,7 +38,7 @@ pub fn judge(numbers: &Numbers) -> Result<Vec<Judged>, Error> {
 
 /// Whether a run converged.
 fn converged(record: &Record) -> bool {
-    record.class == Class::Converged
+    record.class == Ended::Converged
 }
 
 /// A converged run long enough to be judged by a prediction.
@@ -170,7 +169,7 @@ fn halved(chart: &Chart) -> Option<Judged> {
 fn averaged(chart: &Chart) -> Option<Judged> {
     let plain = Element::ALL.map(|element| Method::usual(element, Iteration::Constant));
     let own: Vec<&Record> = chart.rows.iter().flatten().filter(|r| plain.contains(&r.method)).collect();
-    let wrong = own.iter().filter(|r| [Class::Diverged, Class::Cycling].contains(&r.class)).count();
+    let wrong = own.iter().filter(|r| [Ended::Diverged, Ended::Cycling].contains(&r.class)).count();
     let what = "run of constant stiffness with correction that diverges or cycles";
     let because =
         "predicted before any contact is solved: an averaged map comes no farther from its limit at any iteration";

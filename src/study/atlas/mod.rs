@@ -20,7 +20,7 @@ pub mod summary;
 
 use crate::study::about::About;
 
-pub use crate::study::class::Class;
+pub use crate::solve::Ended;
 pub use judge::judge;
 pub use picture::pictures;
 pub use plane::{Plane, Site};

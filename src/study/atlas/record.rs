@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
+use crate::solve::Ended;
 use crate::study::atlas::plane::{Plane, Site};
-use crate::study::class::Class;
 use crate::study::method::Method;
 use crate::study::records;
 
@@ -27,7 +27,7 @@ pub struct Record {
     /// Initial stiffness κ₀.
     pub stiffness: f64,
     /// How it ended.
-    pub class: Class,
+    pub class: Ended,
     /// Iterations made; zero where an error keeps them.
     pub iterations: usize,
     /// Larger error of p₀ and a against the solution of the same discrete problem; NaN where an error keeps them.
@@ -46,7 +46,7 @@ impl Record {
 
     /// Whether the run stopped where it shall.
     pub fn is_right(&self) -> bool {
-        self.class == Class::Converged && self.off() <= RIGHT
+        self.class == Ended::Converged && self.off() <= RIGHT
     }
 }
 
@@ -116,7 +116,7 @@ impl Chart {
             let _ = write!(text, "{} {}:", row[0].method, row[0].ordinate);
             for (c, record) in row.iter().enumerate() {
                 let _ = match record.class {
-                    Class::Converged if !self.is_near_a_boundary(r, c) => write!(text, " {}", record.iterations),
+                    Ended::Converged if !self.is_near_a_boundary(r, c) => write!(text, " {}", record.iterations),
                     class => write!(text, " {}", class.name()),
                 };
             }

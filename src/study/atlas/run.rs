@@ -7,15 +7,14 @@ use rayon::prelude::*;
 
 use crate::algorithm::StiffnessRule;
 use crate::contact::ContactPoint;
-use crate::error::{Error, Kind};
+use crate::error::Error;
 use crate::solution::IterationError;
 use crate::solve::run::Run;
-use crate::solve::{Discretisation, Formulation, Iteration};
+use crate::solve::{Discretisation, Ended, Formulation, Iteration};
 use crate::stability::{Limit, halving, linear, rate, release};
 use crate::study::Planned;
 use crate::study::atlas::plane::{Plane, STRETCH, Site};
 use crate::study::atlas::record::{Chart, HEAD, Record};
-use crate::study::class::Class;
 use crate::study::method::Method;
 use crate::study::records::{self as kept, rounded};
 
@@ -99,7 +98,7 @@ pub fn is_as_recorded(chart: &Chart, row: usize, column: usize, fresh: &Record) 
         |a: Option<f64>, b: Option<f64>| a.is_none() && b.is_none() || a.zip(b).is_some_and(|(a, b)| alike(a, b));
     let measured =
         kept.iterations == fresh.iterations && alike(kept.error, fresh.error) && both(kept.penalty, fresh.penalty);
-    let exact = kept.class == Class::Converged && !chart.is_near_a_boundary(row, column);
+    let exact = kept.class == Ended::Converged && !chart.is_near_a_boundary(row, column);
     let predicted = both(kept.predicted_iterations, fresh.predicted_iterations);
     kept.class == fresh.class && predicted && (!exact || measured)
 }
@@ -151,17 +150,9 @@ impl<'a> Ground<'a> {
     /// Predicts and runs a method at an initial stiffness.
     pub fn record(&self, method: Method, stiffness: f64) -> Result<Record, Error> {
         let formulation = self.site.formulation(method, stiffness);
-        let nothing = |class, iterations| (class, iterations, [f64::NAN; 2]);
-        let (class, iterations, [error, penalty]) = match Run::of(self.discretisation, &formulation) {
-            Ok(run) => {
-                let errors = [run.iteration_error(), run.penalty_error()];
-                (Class::of(run.solution.outcome), run.solution.work.iterations, errors)
-            }
-            Err(Error { kind: Kind::NoSpringLeft { iterations }, .. }) => nothing(Class::Unsupported, iterations),
-            Err(Error { kind: Kind::SpringsTooSoft, .. }) => nothing(Class::Unsupported, 0),
-            Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => nothing(Class::Beyond, 0),
-            Err(error) => return Err(error),
-        };
+        let run = Run::of(self.discretisation, &formulation);
+        let (class, iterations) = Ended::of(&run)?;
+        let [error, penalty] = run.map_or([f64::NAN; 2], |run| [run.iteration_error(), run.penalty_error()]);
         Ok(Record {
             method,
             ordinate: self.site.ordinate,

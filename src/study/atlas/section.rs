@@ -7,14 +7,13 @@ use crate::algorithm::StiffnessRule;
 use crate::algorithm::logarithms::STOOD;
 use crate::error::Error;
 use crate::markdown::{self, Column};
-use crate::solve::{Element, Formulation, Iteration, Settings};
+use crate::solve::{Element, Ended, Formulation, Iteration, Settings};
 use crate::study::Found;
 use crate::study::atlas::judge::{FACTOR, HALVINGS, agreement};
 use crate::study::atlas::plane::{Plane, STRETCH};
 use crate::study::atlas::record::{Chart, Record, same};
 use crate::study::atlas::run::{ENOUGH, Numbers, Saved};
 use crate::study::atlas::summary::{Digest, Safe, digests, recommendation};
-use crate::study::class::Class;
 use crate::study::drawn::picture;
 use crate::study::method::Method;
 
@@ -92,11 +91,11 @@ fn ranges(all: &[Digest], method: Method) -> String {
 
 /// Runs by how they ended.
 fn ends(all: &[Digest], method: Method) -> String {
-    let ended = |class: Class| {
+    let ended = |class: Ended| {
         let counts = on_elements(all, method).flat_map(|digest| &digest.ends).filter(|(other, _)| *other == class);
         (class, counts.map(|(_, count)| count).sum::<usize>())
     };
-    let counted = Class::ALL.map(ended).into_iter().filter(|(_, count)| *count > 0);
+    let counted = Ended::ALL.map(ended).into_iter().filter(|(_, count)| *count > 0);
     counted.map(|(class, count)| format!("{count} {}", class.name())).collect::<Vec<_>>().join(", ")
 }
 
@@ -165,7 +164,7 @@ fn along(chart: &Chart, method: Method) -> Option<Vec<String>> {
     let records: Vec<&Record> = chart.of_method(method).filter_map(|row| row.iter().find(near)).collect();
     let first = format!("{method}, κ₀ = {:e}", records.first()?.stiffness);
     let cell = |record: &Record| match record.class {
-        Class::Converged => format!("{} iterations, {}", record.iterations, markdown::error(record.error)),
+        Ended::Converged => format!("{} iterations, {}", record.iterations, markdown::error(record.error)),
         class => class.name().into(),
     };
     Some(std::iter::once(first).chain(records.into_iter().map(cell)).collect())
@@ -258,9 +257,9 @@ fn rules(charts: &[&Chart]) -> String {
 /// How a run ended, with its iterations where it converged.
 fn told(record: &Record) -> String {
     match record.class {
-        Class::Converged => format!("converged, {} iterations", record.iterations),
-        Class::Capped => "not converged".into(),
-        Class::Beyond => "refused: contact reaches the end of the candidate surface".into(),
+        Ended::Converged => format!("converged, {} iterations", record.iterations),
+        Ended::Capped => "not converged".into(),
+        Ended::Beyond => "refused: contact reaches the end of the candidate surface".into(),
         class => class.name().into(),
     }
 }

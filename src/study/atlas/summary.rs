@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use crate::algorithm::StiffnessRule;
+use crate::solve::Ended;
 use crate::solve::Iteration;
 use crate::study::atlas::record::{Chart, Record, same};
-use crate::study::class::Class;
 use crate::study::method::Method;
 
 /// What the scenes say of a method: the planes over scenes, meshes and candidate stretches, which have the same initial stiffnesses.
@@ -16,7 +16,7 @@ pub struct Digest {
     /// Where every run ends right.
     pub safe: Option<Safe>,
     /// Runs by how they ended.
-    pub ends: Vec<(Class, usize)>,
+    pub ends: Vec<(Ended, usize)>,
     /// Runs that had a prediction.
     pub predicted: usize,
 }
@@ -54,11 +54,11 @@ fn digest(charts: &[&Chart], method: Method) -> Digest {
     let scenes = charts.iter().filter(|chart| !chart.plane.is_slice());
     let rows: Vec<&[Record]> = scenes.flat_map(|chart| chart.of_method(method)).collect();
     let all = || rows.iter().flat_map(|row| row.iter());
-    let count = |class: Class| (class, all().filter(|record| record.class == class).count());
+    let count = |class: Ended| (class, all().filter(|record| record.class == class).count());
     Digest {
         method,
         safe: safe(&rows, method.algorithm.default_stiffness()),
-        ends: Class::ALL.map(count).into_iter().filter(|(_, number)| *number > 0).collect(),
+        ends: Ended::ALL.map(count).into_iter().filter(|(_, number)| *number > 0).collect(),
         predicted: all().filter(|record| record.predicted_iterations.is_some()).count(),
     }
 }

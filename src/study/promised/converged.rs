@@ -13,8 +13,7 @@ use crate::drawing::{Axis, Chart, Drawing, panels};
 use crate::error::{Error, Kind};
 use crate::markdown;
 use crate::solution::EnergyError;
-use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin, Run, Settings};
-use crate::study::class::Class;
+use crate::solve::{Change, Discretisation, Ended, Formulation, Iteration, Origin, Run, Settings};
 use crate::study::drawn::{self, Curve};
 use crate::study::pairing::Pairing;
 use crate::study::records::{Millionths, Survey, Surveyed, are_like};
@@ -95,7 +94,7 @@ pub struct Record {
     /// Tolerance.
     pub tolerance: f64,
     /// How each ended.
-    pub classes: [Option<Class>; 9],
+    pub classes: [Option<Ended>; 9],
     /// Iterations made.
     pub iterations: [Option<usize>; 9],
     /// Largest error of p₀ and a against the solution of the same discrete problem; 0 where it is round-off, none where there is
@@ -163,17 +162,12 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
         for (k, formulation) in Formulation::nine().into_iter().enumerate() {
             let formulation = formulation.tolerance(tolerance);
             let run = Run::from_origin(Origin::Own, &discretisation, &formulation, Change { load, ..Change::NONE });
-            let (class, iterations, error) = match run {
-                Ok(run) => {
-                    let error = run.iteration_error();
-                    let error = if error < ROUND_OFF * tolerance { 0.0 } else { error };
-                    (Class::of(run.solution.outcome), run.solution.work.iterations, Some(Millionths(error)))
-                }
-                Err(Error { kind: Kind::NoSpringLeft { iterations }, .. }) => (Class::Unsupported, iterations, None),
-                Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => (Class::Beyond, 0, None),
-                Err(Error { kind: Kind::Input | Kind::NothingPresses, .. }) => continue,
-                Err(error) => return Err(error),
-            };
+            if let Err(Error { kind: Kind::Input | Kind::NothingPresses, .. }) = run {
+                continue;
+            }
+            let (class, iterations) = Ended::of(&run)?;
+            let error = run.ok().map(|run| run.iteration_error());
+            let error = error.map(|error| Millionths(if error < ROUND_OFF * tolerance { 0.0 } else { error }));
             (record.classes[k], record.iterations[k], record.errors[k]) = (Some(class), Some(iterations), error);
         }
         records.extend(record.classes.iter().any(Option::is_some).then_some(record));
@@ -223,7 +217,7 @@ pub fn right(recorded: &[Record]) -> Judged {
     for record in recorded {
         for (class, error) in record.classes.iter().zip(&record.errors) {
             all += usize::from(class.is_some());
-            if *class == Some(Class::Converged) {
+            if *class == Some(Ended::Converged) {
                 converged += 1;
                 right += usize::from(error.is_some_and(|error| error.0 <= SLACK * record.tolerance));
             }
@@ -243,7 +237,7 @@ pub fn right(recorded: &[Record]) -> Judged {
 /// Share of the runs of one of the nine that converge, of the records that are meant; none of no runs.
 fn share(recorded: &[Record], formulation: usize, is_meant: impl Fn(&Record) -> bool) -> Option<f64> {
     let classes = recorded.iter().filter(|record| is_meant(record)).filter_map(|record| record.classes[formulation]);
-    let ended: Vec<bool> = classes.map(|class| class == Class::Converged).collect();
+    let ended: Vec<bool> = classes.map(|class| class == Ended::Converged).collect();
     let converged = ended.iter().filter(|converged| **converged).count();
     (!ended.is_empty()).then(|| converged as f64 / ended.len() as f64)
 }

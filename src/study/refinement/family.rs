@@ -4,14 +4,13 @@ use crate::case::library::PinRod;
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Drawing, panels};
-use crate::error::{Error, Kind};
+use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::persson::PinInHole;
 use crate::scene::Material;
-use crate::solve::{Discretisation, Formulation, Run};
-use crate::study::class::Class;
+use crate::solve::{Discretisation, Ended, Formulation, Run};
 use crate::study::drawn::{self, picture};
 
 /// Values of `E t c / F`.
@@ -30,8 +29,8 @@ const REACHES: f64 = 0.97;
 const DEFAULT: [f64; 3] = [5.0, 2.0, 1.0];
 
 /// `R t p_max / F` and the contact half-angle by second moment \[rad\] of a scene; else how its run ended, of which
-/// [`Class::Beyond`] says that the contact reaches beyond the quarter of the pin that is modelled.
-pub type Placed = Result<[f64; 2], Class>;
+/// [`Ended::Beyond`] says that the contact reaches beyond the quarter of the pin that is modelled.
+pub type Placed = Result<[f64; 2], Ended>;
 
 /// An eye or a shank.
 #[derive(Clone, Debug)]
@@ -66,15 +65,16 @@ fn at(base: &PinRod, [clearance, eye, shank]: [f64; 3]) -> PinRod {
 
 fn solve(rod: &PinRod) -> Result<Placed, Error> {
     let resolution = Resolution { elements: ELEMENTS, refinement: 0, order: Order::Quadratic };
-    let run = match Run::of(&Discretisation::of(rod.scene(), resolution)?, &Formulation::verification()) {
-        Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }) => return Ok(Err(Class::Beyond)),
-        other => other?,
+    let run = Run::of(&Discretisation::of(rod.scene(), resolution)?, &Formulation::verification());
+    let (ended, run) = match (Ended::of(&run)?.0, run) {
+        (Ended::Beyond, _) => return Ok(Err(Ended::Beyond)),
+        (ended, run) => (ended, run?),
     };
     let measures = run.measures();
     let pressure = measures.peak.pressure * rod.pin_radius * rod.thickness / rod.force;
-    Ok(match Class::of(run.solution.outcome) {
-        Class::Converged if measures.edge() > REACHES * rod.stretch => Err(Class::Beyond),
-        Class::Converged => Ok([pressure, measures.second_moment_width]),
+    Ok(match ended {
+        Ended::Converged if measures.edge() > REACHES * rod.stretch => Err(Ended::Beyond),
+        Ended::Converged => Ok([pressure, measures.second_moment_width]),
         other => Err(other),
     })
 }
@@ -143,7 +143,7 @@ pub fn slopes() -> Result<[Slope; 3], Error> {
 /// No scene is lost, an eye embraces the pin, and three numbers place a pin.
 pub fn judge(curves: &[Curve], [first, other]: &[[f64; 2]; 2], wide_plate: f64) -> Vec<Judged> {
     let all = || curves.iter().flat_map(|curve| &curve.placed);
-    let lost = all().filter(|placed| placed.is_err_and(|class| class != Class::Beyond)).count();
+    let lost = all().filter(|placed| placed.is_err_and(|class| class != Ended::Beyond)).count();
     let lost = Check::none(
         Quantity::at("scene of the family whose iteration does not converge", format!("of {}", all().count())),
         "a contact is found, or refused because it reaches beyond the quarter",
@@ -204,7 +204,7 @@ pub fn table_of_curves(curves: &[Curve]) -> String {
     let head: Vec<String> = head.chain(CLEARANCES.iter().map(f64::to_string)).collect();
     let cell = |placed: &Placed| match placed {
         Ok([pressure, angle]) => format!("{pressure:.3} / {:.1}°", angle.to_degrees()),
-        Err(Class::Beyond) => "beyond the quarter".into(),
+        Err(Ended::Beyond) => "beyond the quarter".into(),
         Err(_) => "not converged".into(),
     };
     let row = |curve: &Curve| [curve.name.clone()].into_iter().chain(curve.placed.iter().map(cell)).collect();
@@ -234,7 +234,7 @@ pub fn chart(all: &[&[Curve]]) -> Drawing {
         for (curve, style) in all.iter().flat_map(|curves| curves.iter().zip(styles())) {
             let points = || CLEARANCES.into_iter().zip(&curve.placed);
             // A contact beyond the quarter is refused, and no point of the family.
-            let is_lost = |placed: &Placed| placed.is_err_and(|class| class != Class::Beyond);
+            let is_lost = |placed: &Placed| placed.is_err_and(|class| class != Ended::Beyond);
             let drawn = drawn::Curve {
                 points: points().map(|(clearance, placed)| [clearance, of(numbers(*placed))]).collect(),
                 failed: points().filter(|(_, placed)| is_lost(placed)).map(|(clearance, _)| clearance).collect(),
