@@ -258,14 +258,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 8] = [
-    ("solver", 17_950),
+    ("solver", 18_100),
     ("drawing", 3_000),
-    ("case", 6_850),
-    ("oracle", 4_100),
-    ("study", 16_200),
-    ("referee", 5_300),
+    ("case", 6_700),
+    ("oracle", 3_980),
+    ("study", 16_050),
+    ("referee", 5_220),
     ("report", 3_450),
-    ("cli", 4_300),
+    ("cli", 4_220),
 ];
 
 #[test]

@@ -117,6 +117,13 @@ fn trial_without_a_check_or_with_one_that_gives_no_reason_is_an_error() {
 fn quantity_names_its_place_and_unit() {
     assert_eq!(Quantity::from(Number::PeakPressure).to_string(), "peak pressure [MPa]");
     assert_eq!(Quantity::at("order", "4-node").to_string(), "order, 4-node");
+    for (number, told) in [
+        (Number::Centre, "centre of pressure [°]"),
+        (Number::HalfWidth, "half-angle [°]"),
+        (Number::Resultant, "contact resultant [N]"),
+    ] {
+        assert_eq!(Quantity::on_arc(number).to_string(), told);
+    }
     assert_eq!(
         Quantity::from(Number::HoopStress { at: std::f64::consts::PI }).to_string(),
         "hoop stress at 180° [MPa]"
