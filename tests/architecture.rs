@@ -42,7 +42,7 @@ const ALLOWED: [(&str, May); 25] = [
     ("stability", Only(&["error", "condensation", "contact", "solution", "measure", "algorithm"])),
     ("solve", AllAboveBut(&["checkout", "drawing", "markdown", "stability"])),
     ("accuracy", Only(&["error", "scene", "mesh", "solution", "measure", "algorithm", "solve"])),
-    ("oracle", Only(&["error", "checkout", "scene", "uncertainty"])),
+    ("oracle", Only(&["error", "checkout", "scene", "measure", "uncertainty"])),
     ("case", AllAboveBut(&["named", "drawing"])),
     ("referee", AllAboveBut(&[])),
     ("study", AllAboveBut(&[])),
@@ -258,14 +258,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 8] = [
-    ("solver", 17_950),
+    ("solver", 18_100),
     ("drawing", 3_000),
     ("case", 6_850),
     ("oracle", 4_100),
     ("study", 15_750),
     ("referee", 5_300),
     ("report", 3_450),
-    ("cli", 4_300),
+    ("cli", 4_220),
 ];
 
 #[test]

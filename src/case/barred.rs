@@ -1,6 +1,6 @@
 //! Checks beside the error bars of the numbers that they judge.
 
-use crate::accuracy::{self, Barred, Subject};
+use crate::accuracy::{self, Barred};
 use crate::case::check::{Against, Check, Reference, Relation};
 use crate::case::definition::Case;
 use crate::case::judged::Judged;
@@ -8,31 +8,16 @@ use crate::case::meshed::Meshed;
 use crate::case::quantity::Quantity;
 use crate::error::Error;
 use crate::markdown;
+use crate::measure::Quantity as Number;
 use crate::oracle::ReferenceKind;
 use crate::solve::Run;
 
 impl Judged {
-    /// The number that is judged, where it has an error bar; an error that is judged has none.
-    pub fn barred(&self) -> Option<Subject> {
-        if self.check.relation == Relation::Error {
-            return None;
-        }
-        let contact = self.check.contact;
-        Some(match &self.check.quantity {
-            Quantity::PeakPressure => Subject::Contact(contact, accuracy::Quantity::PeakPressure),
-            Quantity::HalfWidth | Quantity::HalfAngle => Subject::Contact(contact, accuracy::Quantity::HalfWidth),
-            Quantity::SecondMomentWidth | Quantity::SecondMomentAngle => {
-                Subject::Contact(contact, accuracy::Quantity::SecondMomentWidth)
-            }
-            Quantity::Centre => Subject::Contact(contact, accuracy::Quantity::Centre),
-            Quantity::Resultant => Subject::Contact(contact, accuracy::Quantity::Resultant),
-            Quantity::Reaction { body, support } => Subject::Reaction(*body, *support),
-            Quantity::Displacement(displaced) => Subject::Displacement(displaced.clone()),
-            Quantity::Approach => Subject::Approach(contact),
-            Quantity::Shear { body } => Subject::Shear(contact, *body),
-            Quantity::ShearDepth { body } => Subject::ShearDepth(contact, *body),
-            _ => return None,
-        })
+    /// The number that is judged, where it has an error bar: what is taken at a place has none, nor an error that is judged.
+    pub fn barred(&self) -> Option<&Number> {
+        let number = self.check.quantity.number().filter(|_| self.check.relation != Relation::Error)?;
+        let is_at_place = matches!(number, Number::Pressure { .. } | Number::HoopStress { .. });
+        (!is_at_place).then_some(number)
     }
 
     /// Whether a number is held against that of a closed form.
@@ -43,12 +28,10 @@ impl Judged {
 
     /// The check with the bar of the number that it judges; NaN where that is among those that have one, and it is not known.
     pub fn with_bar(self, bars: &[Barred]) -> Self {
-        // Bars of angles are in radians, as what the run measures.
-        let is_angle = matches!(self.check.quantity, Quantity::HalfAngle | Quantity::SecondMomentAngle);
-        let unit = if is_angle { 1f64.to_degrees() } else { 1.0 };
-        let of = |subject: Subject| {
-            let found = bars.iter().find(|one| one.subject == subject);
-            found.map_or(f64::NAN, |one| unit * one.bar.total())
+        let (contact, factor) = (self.check.contact, self.check.quantity.factor());
+        let of = |number: &Number| {
+            let found = bars.iter().find(|one| one.contact == contact && one.quantity == *number);
+            found.map_or(f64::NAN, |one| factor * one.bar.total())
         };
         Self { bar: self.barred().map(of), ..self }
     }
@@ -90,18 +73,21 @@ impl Case {
 
     fn beside_closed_form(&self, run: &Run, bars: &[Barred], contact: usize) -> Vec<Judged> {
         let found = &run.contacts[contact];
-        let width = found.measures.second_moment_width;
-        let width = match self.scene.contacts[contact].path.is_straight() {
-            true => (Quantity::SecondMomentWidth, width),
-            false => (Quantity::SecondMomentAngle, width.to_degrees()),
-        };
-        let peak = (Quantity::PeakPressure, found.measures.peak.pressure);
-        let bounded = [peak].into_iter().filter(|_| found.unbounded.is_none());
-        let all = [(Quantity::Resultant, found.transmitted)].into_iter().chain(bounded).chain([width]);
-        let all = all.map(|(quantity, value)| (self.reference(contact, &quantity), quantity, value));
+        let path = &self.scene.contacts[contact].path;
+        let measures = &found.measures;
+        let all = [
+            (Number::Resultant, found.transmitted),
+            (Number::PeakPressure, measures.peak.pressure),
+            (Number::SecondMomentWidth, measures.second_moment_width),
+        ];
+        let bounded = all.into_iter().filter(|(number, _)| !run.is_unbounded(contact, number));
+        let all = bounded.map(|(number, value)| {
+            let quantity = Quantity::on(path, number);
+            (self.reference(contact, &quantity), quantity.factor() * value, quantity)
+        });
         let all =
             all.filter(|(reference, ..)| reference.value.abs() > 0.0 && reference.kind == ReferenceKind::Analytic);
-        let judged = all.map(|(reference, quantity, value)| {
+        let judged = all.map(|(reference, value, quantity)| {
             let model = self.model_error(contact, &quantity);
             let because = "its error bar, and what the case states that its closed form is off";
             let check = Check { contact, ..Check::near(quantity, reference, DIGITS + model, because).leaving(model) };
@@ -136,9 +122,9 @@ impl Case {
     pub fn notes(&self, run: &Run, bars: &[Barred]) -> Vec<String> {
         let beyond = |one: &Judged| {
             let is_known = one.bar.is_some_and(f64::is_finite);
-            let slack = match one.check.quantity {
-                Quantity::Resultant if is_known => LOAD + run.formulation.settings.tolerance,
-                Quantity::Resultant => UNBARRED,
+            let slack = match one.check.quantity.number() {
+                Some(Number::Resultant) if is_known => LOAD + run.formulation.settings.tolerance,
+                Some(Number::Resultant) => UNBARRED,
                 _ => NOTED,
             };
             let within = one.error <= one.check.tolerance + slack;
@@ -158,8 +144,8 @@ impl Case {
         let contact = &self.scene.contacts[check.contact].name;
         let [closed, found] = [reference.value, *value].map(markdown::value);
         let (name, unit) = (&reference.name, check.quantity.unit().unwrap_or_default());
-        match check.quantity {
-            Quantity::Resultant => format!(
+        match check.quantity.number() {
+            Some(Number::Resultant) => format!(
                 "the closed form of contact `{contact}` is not of this scene: {name} has a load of {closed} N, and the contact carries {found}{bar} N, both halves of a symmetric one"
             ),
             _ => format!(
@@ -193,15 +179,15 @@ impl Case {
     /// Judged checks of a converged run with the bars of their numbers; what coarser meshes say is solved for once for each
     /// contact element, and for no check that has no bar.
     pub(super) fn with_bars(&self, meshed: &Meshed, run: &Run, judged: Vec<Judged>) -> Result<Vec<Judged>, Error> {
-        let subjects: Vec<Subject> = judged.iter().filter_map(Judged::barred).collect();
-        if subjects.is_empty() || !run.solution.converged() {
+        let barred: Vec<&Number> = judged.iter().filter_map(Judged::barred).collect();
+        if barred.is_empty() || !run.solution.converged() {
             return Ok(judged);
         }
         let Meshed { discretisation, .. } = meshed;
         let wanted = self.displaced();
-        let of_contacts = subjects.iter().all(|subject| matches!(subject, Subject::Contact(..)));
+        let are_of_pressures = barred.iter().all(|number| number.is_of_pressures());
         let family = meshed.family(run, &wanted);
-        let wanted = (!of_contacts).then_some(wanted.as_slice());
+        let wanted = (!are_of_pressures).then_some(wanted.as_slice());
         let bars = accuracy::of_family(discretisation, run, family, wanted)?;
         Ok(judged.into_iter().map(|one| one.with_bar(&bars)).collect())
     }

@@ -4,7 +4,9 @@ use std::borrow::Cow;
 
 use crate::case::quantity::Quantity;
 use crate::markdown;
-use crate::oracle::{self, Oracle, Reading, ReferenceKind};
+use crate::measure;
+use crate::oracle::{Oracle, Reading, ReferenceKind};
+use crate::scene::Scene;
 
 /// A reference value with its origin.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,24 +98,14 @@ impl Reference {
         Self { value: factor * self.value, uncertainty: self.uncertainty.map(|u| factor.abs() * u), ..self }
     }
 
-    /// An angle, from radians.
-    pub fn in_degrees(self) -> Self {
-        self.times(1f64.to_degrees())
-    }
-
-    /// What an oracle reads for a quantity of a scene of a thickness \[mm\]; none where no oracle reads it.
-    pub fn of(oracle: &dyn Oracle, quantity: &Quantity, thickness: f64) -> Option<Self> {
-        let (asked, factor) = quantity.of_oracle(thickness)?;
-        Some(Self::read(oracle, asked).times(factor))
-    }
-
-    /// What an oracle reads for a quantity; NaN, which no check passes, where it cannot say.
-    pub fn read(oracle: &dyn Oracle, quantity: oracle::Quantity) -> Self {
-        let (value, uncertainty) = match oracle.read(quantity) {
+    /// What an oracle reads for a number of a contact of a scene, in its own unit; NaN, which no check passes, where it cannot say.
+    pub fn of(oracle: &dyn Oracle, scene: &Scene, contact: usize, quantity: &measure::Quantity) -> Self {
+        let (value, uncertainty) = match oracle.read(quantity.known_by(&scene.contacts[contact])) {
             Reading::Value { value, uncertainty } => (value, Some(uncertainty)),
             Reading::Silent | Reading::Unavailable(_) => (f64::NAN, None),
         };
-        Self { name: oracle.name().into(), kind: oracle.kind(), value, uncertainty }
+        let factor = if quantity.grows_with_thickness() { scene.thickness } else { 1.0 };
+        Self { name: oracle.name().into(), kind: oracle.kind(), value, uncertainty }.times(factor)
     }
 }
 

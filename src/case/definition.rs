@@ -7,8 +7,9 @@ use crate::accuracy::Asked;
 use crate::case::check::{Check, Reference};
 use crate::case::file::Places;
 use crate::case::quantity::Quantity;
+use crate::measure::Quantity as Number;
 use crate::mesh::{Order, Resolution};
-use crate::oracle::{self, Oracle, SharedOracle};
+use crate::oracle::{Oracle, SharedOracle};
 use crate::scene::Scene;
 use crate::solve::{Displaced, Formulation};
 
@@ -71,8 +72,8 @@ impl Case {
 
     /// The displacements that its checks ask for.
     pub fn displaced(&self) -> Vec<Displaced> {
-        let displaced = |check: &Check| match &check.quantity {
-            Quantity::Displacement(displaced) => Some(displaced.clone()),
+        let displaced = |check: &Check| match check.quantity.number() {
+            Some(Number::Displacement(displaced)) => Some(displaced.clone()),
             _ => None,
         };
         self.checks.iter().filter_map(displaced).collect()
@@ -88,29 +89,27 @@ impl Case {
         self.oracles.get(contact)?.as_ref()
     }
 
-    /// The oracle's pressure at a contact coordinate \[MPa\]; NaN where there is no oracle or it cannot say.
-    pub fn reference_pressure(&self, at: f64) -> f64 {
-        self.reading(oracle::Quantity::Pressure { at }).value
+    /// The pressure of a contact's oracle at a contact coordinate \[MPa\]; NaN where there is no oracle or it cannot say.
+    pub fn reference_pressure(&self, contact: usize, at: f64) -> f64 {
+        self.reading(contact, &Number::Pressure { at }).value
     }
 
-    /// What the oracle of the first contact reads.
-    pub fn reading(&self, quantity: oracle::Quantity) -> Reference {
-        self.reading_of(0, quantity)
-    }
-
-    /// What the oracle of a contact reads for a quantity of a check; NaN where no oracle reads it.
-    pub fn reference(&self, contact: usize, quantity: &Quantity) -> Reference {
-        match quantity.of_oracle(self.scene.thickness) {
-            Some((asked, factor)) => self.reading_of(contact, asked).times(factor),
-            None => Reference::own("no oracle reads it", f64::NAN),
+    /// What the oracle of a contact reads for a number of the scene, in its own unit; NaN, which no check passes, where there is no oracle
+    /// or it cannot say.
+    pub fn reading(&self, contact: usize, quantity: &Number) -> Reference {
+        match self.oracle_of(contact) {
+            Some(oracle) => Reference::of(oracle.as_ref(), &self.scene, contact, quantity),
+            None => Reference::own("no oracle", f64::NAN),
         }
     }
 
-    /// What the oracle of a contact reads; NaN, which no check passes, where there is none or it cannot say.
-    pub fn reading_of(&self, contact: usize, quantity: oracle::Quantity) -> Reference {
-        match self.oracle_of(contact) {
-            Some(oracle) => Reference::read(oracle.as_ref(), quantity),
-            None => Reference::own("no oracle", f64::NAN),
+    /// What the oracle of a contact reads for a quantity of a check, in the unit of that; NaN where no oracle reads it.
+    pub fn reference(&self, contact: usize, quantity: &Quantity) -> Reference {
+        match quantity {
+            Quantity::Number { of, .. } => self.reading(contact, of).times(quantity.factor()),
+            Quantity::Departure => self.reading(contact, &Number::PeakPressure),
+            Quantity::Profile => Reference { value: 0.0, ..self.reading(contact, &Number::PeakPressure) },
+            _ => Reference::own("no oracle reads it", f64::NAN),
         }
     }
 }

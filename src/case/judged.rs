@@ -7,15 +7,19 @@ use crate::case::check::{Against, Check, Reference, Relation};
 use crate::markdown;
 use crate::oracle::ReferenceKind;
 
-/// Outcome of a check.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// A verdict.
+#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(rename = "Ended")]
 pub enum Verdict {
     /// The error is within the tolerance.
     Pass,
-    /// It is not, or it is not a number.
+    /// It is not, or it is no number.
+    #[default]
     Fail,
-    /// The reference is absent, and why.
-    NotRun(String),
+    /// The reference is absent.
+    #[serde(rename = "not run")]
+    NotRun(#[serde(skip)] String),
 }
 
 /// A check with the value found, the reference, the error and the verdict.

@@ -100,7 +100,7 @@ fn judged(check: &Check, solved: &Solved) -> Result<Judged, Error> {
     let value = solved.value(&check.quantity, check.contact)?;
     let reference = match (&check.against, solved.verification) {
         (Against::Value(reference), _) => reference.clone(),
-        (Against::Oracle, _) => solved.reading(&check.quantity, check.contact),
+        (Against::Oracle, _) => solved.case.reference(check.contact, &check.quantity),
         (Against::Verification, Some(other)) => {
             let of_other = Solved { run: other, ..*solved };
             Reference::own("node.kinematic at 1e-8", of_other.value(&check.quantity, check.contact)?)

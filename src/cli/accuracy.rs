@@ -1,10 +1,12 @@
 //! What `solve` says of an accuracy that was asked for.
 
+use std::borrow::Cow;
+
 use comfy_table::Table;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::accuracy::{Answer, Asked, Quoted, Tried, TriedContact, in_percent};
+use crate::accuracy::{Answer, Asked, Barred, Tried, TriedContact, in_percent};
 use crate::cli::json::Number;
 use crate::cli::terminal::{say, table};
 use crate::markdown;
@@ -45,7 +47,7 @@ struct OneQuantity {
     /// Name of the contact.
     contact: String,
     /// The quantity.
-    quantity: &'static str,
+    quantity: Cow<'static, str>,
     /// Its error bar.
     estimate: Number,
     /// What the mesh leaves.
@@ -93,9 +95,9 @@ struct OneContact {
 impl Document {
     /// What was asked and what came out.
     pub fn of((asked, answer): &(Asked, Answer)) -> Self {
-        let quantity = |quoted: &Quoted| OneQuantity {
+        let quantity = |quoted: &Barred| OneQuantity {
             contact: answer.scene.contacts[quoted.contact].name.clone(),
-            quantity: quoted.quantity.name(),
+            quantity: quoted.quantity.key(),
             estimate: quoted.relative().into(),
             from_mesh: parts(quoted)[0].into(),
             from_iteration: parts(quoted)[1].into(),
@@ -152,14 +154,14 @@ pub fn print((asked, answer): &(Asked, Answer)) {
 }
 
 /// Mesh, iteration and penalty over the value.
-fn parts(Quoted { value, bar, .. }: &Quoted) -> [f64; 3] {
+fn parts(Barred { value, bar, .. }: &Barred) -> [f64; 3] {
     [bar.mesh, bar.iteration, bar.penalty].map(|part| (part / value).abs())
 }
 
 /// What is estimated of a quantity, and from what.
-fn sentence(quoted: &Quoted) -> String {
+fn sentence(quoted: &Barred) -> String {
     let [mesh, iteration, penalty] = parts(quoted).map(|part| known(part, markdown::error));
-    let (name, bar) = (quoted.quantity.name(), known(quoted.relative(), markdown::error));
+    let (name, bar) = (quoted.quantity.key(), known(quoted.relative(), markdown::error));
     format!("{name}: error bar {bar}: {mesh} from the mesh, {iteration} from the iteration, {penalty} from the penalty")
 }
 

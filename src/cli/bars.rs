@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::accuracy::{Bar, Barred, Bars, Quantity, Subject, Told};
+use crate::accuracy::{Bar, Barred, Bars, Told};
 use crate::cli::json::Number;
 use crate::cli::solve::found::Found;
 use crate::cli::terminal::{say, table};
@@ -65,7 +65,7 @@ pub fn print(found: &Found) {
         let Bar { mesh, iteration, penalty } = one.bar;
         let part = |part: f64| if part.is_nan() { "unknown".into() } else { markdown::significant(factor * part, 2) };
         let value = match one.value {
-            _ if is_unbounded(found, &one.subject) => "without limit".into(),
+            _ if found.run.is_unbounded(one.contact, &one.quantity) => "without limit".into(),
             value if value.is_nan() => "unknown".into(),
             value => format!("{} ± {}", markdown::value(factor * value), part(one.bar.total())),
         };
@@ -80,9 +80,4 @@ pub fn print(found: &Found) {
     if *meshes == 0 {
         say("give more elements, or for a mesh made elsewhere `--accuracy`, which halves it");
     }
-}
-
-/// Whether it is a peak that has no limit.
-fn is_unbounded(found: &Found, subject: &Subject) -> bool {
-    matches!(subject, Subject::Contact(contact, Quantity::PeakPressure) if found.run.contacts[*contact].unbounded.is_some())
 }

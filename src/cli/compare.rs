@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::case::Case;
-use crate::cli::ended::Ended;
+use crate::cli::exit::Exit;
 use crate::cli::json::{Answer, Compared, Compares};
 use crate::cli::outputs::{self, Output, STDOUT};
 use crate::cli::terminal::{say, table};
@@ -42,7 +42,7 @@ pub struct Arguments {
 }
 
 /// Solves the scene by each formulation; one that fails is a row with its reason. Well where one of them converges.
-pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
+pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
     let case = choice::case(&arguments.case, None)?;
     let formulations = arguments.chosen(&case)?;
     arguments.refuse_unwritable(&case)?;
@@ -54,7 +54,7 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
         runs.extend(run);
     }
     rows.sort_by(|a, b| a.rank().cmp(&b.rank()).then(a.operations.value().total_cmp(&b.operations.value())));
-    let ended = if rows.iter().any(Compares::converged) { Ended::Well } else { Ended::NotConverged };
+    let ended = if rows.iter().any(Compares::converged) { Exit::Well } else { Exit::NotConverged };
     let [dofs, retained] = [discretisation.system.dofs(), discretisation.condensed.retained()];
     let compared = Compared { case: case.name.clone(), dofs, retained, formulations: rows };
     let to_stdout = arguments.json.as_deref() == Some(Path::new(STDOUT));
@@ -119,16 +119,15 @@ impl Arguments {
             }
         };
         let (solution, work) = (&run.solution, &run.solution.work);
-        let holds_none = run.contacts.iter().all(|contact| contact.open == Some(true));
         let reason = match solution.outcome {
-            Outcome::Converged if holds_none => Some("every candidate is open: nothing presses".into()),
+            Outcome::Converged if run.is_open() => Some("every candidate is open: nothing presses".into()),
             Outcome::Converged => None,
             outcome => Some(format!("{outcome} after {} iterations", work.iterations)),
         };
         let seconds = run.seconds.iter().find(|(stage, _)| *stage == Stage::Iteration).map(|(_, seconds)| *seconds);
         Compares {
             formulation,
-            outcome: if holds_none { NO_CONTACT.into() } else { solution.outcome.to_string() },
+            outcome: if run.is_open() { NO_CONTACT.into() } else { solution.outcome.to_string() },
             iterations: Some(work.iterations),
             factorisations: Some(work.factorisations),
             operations: work.operations.into(),

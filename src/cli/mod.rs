@@ -2,7 +2,7 @@
 //!
 //! * [`accuracy`] — what `solve` says of an accuracy that was asked for.
 //! * [`survey`] — runs recorded surveys with a progress bar.
-//! * [`ended`] — how a command ended, as its exit code tells.
+//! * [`exit`] — how a command ended, as its exit code tells.
 //! * [`timings`] — measures speed against accuracy.
 //! * [`review`] — what moved between two commits.
 //! * [`scoreboard`] — asks other codes for exported cases.
@@ -24,8 +24,8 @@ pub mod accuracy;
 mod bars;
 mod choice;
 pub mod compare;
-pub mod ended;
 pub mod examples;
+pub mod exit;
 pub mod export;
 pub mod json;
 pub mod judge;
@@ -53,7 +53,7 @@ use clap_complete::Shell;
 
 use crate::case::library::NAMES;
 use crate::cli::choice::choice;
-use crate::cli::ended::Ended;
+use crate::cli::exit::Exit;
 use crate::cli::json::{Answer, Listed};
 use crate::cli::terminal::{say, show};
 use crate::error::Error;
@@ -191,53 +191,53 @@ pub fn main() -> ExitCode {
         Command::Report { part: Some(Part::Diff(arguments)), .. } => {
             root().and_then(|root| review::run(&arguments, &root))
         }
-        Command::Report { study: Some(room), .. } => study_command(room).map(Ended::checked),
-        Command::Report { check, .. } => report_command(check).map(Ended::checked),
-        Command::Verdicts => Ok(Ended::checked(suite::verdicts())),
-        Command::Atlas => survey::atlas().map(|()| Ended::Well),
-        Command::Converged => survey::run(&promised::converged::SURVEY).map(|()| Ended::Well),
-        Command::Met => survey::run(&promised::met::SURVEY).map(|()| Ended::Well),
-        Command::Coverage => survey::run(&promised::bars::SURVEY).map(|()| Ended::Well),
+        Command::Report { study: Some(room), .. } => study_command(room).map(Exit::checked),
+        Command::Report { check, .. } => report_command(check).map(Exit::checked),
+        Command::Verdicts => Ok(Exit::checked(suite::verdicts())),
+        Command::Atlas => survey::atlas().map(|()| Exit::Well),
+        Command::Converged => survey::run(&promised::converged::SURVEY).map(|()| Exit::Well),
+        Command::Met => survey::run(&promised::met::SURVEY).map(|()| Exit::Well),
+        Command::Coverage => survey::run(&promised::bars::SURVEY).map(|()| Exit::Well),
         Command::Timings { memory: Some(mesh), .. } => {
-            growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Ended::Well)
+            growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Exit::Well)
         }
-        Command::Timings { points: true, .. } => timings::points().map(|()| Ended::Well),
-        Command::Timings { ask: Some(code), .. } => timings::ask(code).map(|()| Ended::Well),
-        Command::Timings { .. } => timings::run().map(|()| Ended::Well),
-        Command::Scoreboard => scoreboard::run().map(|()| Ended::Well),
+        Command::Timings { points: true, .. } => timings::points().map(|()| Exit::Well),
+        Command::Timings { ask: Some(code), .. } => timings::ask(code).map(|()| Exit::Well),
+        Command::Timings { .. } => timings::run().map(|()| Exit::Well),
+        Command::Scoreboard => scoreboard::run().map(|()| Exit::Well),
         Command::Verify { paths, json } => verify::run(&paths, json),
-        Command::Export(arguments) => export::run(&arguments).map(|()| Ended::Well),
+        Command::Export(arguments) => export::run(&arguments).map(|()| Exit::Well),
         Command::Judge(arguments) => judge::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::List { json } => {
             list(json);
-            Ok(Ended::Well)
+            Ok(Exit::Well)
         }
         Command::New { shape } => {
             new::print(shape);
-            Ok(Ended::Well)
+            Ok(Exit::Well)
         }
         Command::Schema { of } => {
             say(match of {
                 json::Schema::Printed => json::schema(),
                 json::Schema::Answer => document::schema(),
             });
-            Ok(Ended::Well)
+            Ok(Exit::Well)
         }
         Command::Completions { shell } => {
             manual::completions(shell, command());
-            Ok(Ended::Well)
+            Ok(Exit::Well)
         }
-        Command::Man { folder, force } => manual::man(folder.as_deref(), command(), force).map(|()| Ended::Well),
+        Command::Man { folder, force } => manual::man(folder.as_deref(), command(), force).map(|()| Exit::Well),
         #[cfg(feature = "python")]
-        Command::Freeze => freeze().map(|()| Ended::Well),
+        Command::Freeze => freeze().map(|()| Exit::Well),
     };
     match outcome {
         Ok(ended) => ended.into(),
         Err(error) => {
             show(&error);
-            ExitCode::from(ended::WRONG_INPUT)
+            ExitCode::from(exit::WRONG_INPUT)
         }
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use clap::Args;
 
-use crate::cli::ended::Ended;
+use crate::cli::exit::Exit;
 use crate::cli::terminal::say;
 use crate::error::Error;
 use crate::report::diff::tree::Tree;
@@ -33,7 +33,7 @@ pub struct Arguments {
 }
 
 /// Prints the difference and tells whether a verdict got worse.
-pub fn run(arguments: &Arguments, root: &Path) -> Result<Ended, Error> {
+pub fn run(arguments: &Arguments, root: &Path) -> Result<Exit, Error> {
     let base = arguments.base.clone().map_or_else(|| git::merge_base(root), Ok)?;
     let before = git::tree(root, &base)?;
     let after = arguments.commit.as_deref().map_or_else(|| Tree::on_disk(root), |commit| git::tree(root, commit))?;
@@ -47,7 +47,7 @@ pub fn run(arguments: &Arguments, root: &Path) -> Result<Ended, Error> {
     } else {
         say(difference.text(arguments.limit).trim_end());
     }
-    Ok(Ended::checked(!difference.worse))
+    Ok(Exit::checked(!difference.worse))
 }
 
 /// Where the charts of a tree are: at an address, in the working tree, or written out.

@@ -6,7 +6,7 @@ use comfy_table::Table;
 use rayon::prelude::*;
 
 use crate::case::{Case, Judged, Scope, Verdict, file, judged};
-use crate::cli::ended::Ended;
+use crate::cli::exit::Exit;
 use crate::cli::json::Line;
 use crate::cli::suite;
 use crate::cli::terminal::{progress, say, show, table};
@@ -27,7 +27,7 @@ struct Verified {
 /// Solves scene files in the order of their names, prints the verdicts and tells how they ended.
 ///
 /// A file that cannot be read or solved is wrong input; the others are solved all the same.
-pub fn run(paths: &[PathBuf], json: bool) -> Result<Ended, Error> {
+pub fn run(paths: &[PathBuf], json: bool) -> Result<Exit, Error> {
     let mut files = Vec::new();
     for path in paths {
         files.extend(if path.is_dir() { file::files_in(path)? } else { vec![path.clone()] });
@@ -51,11 +51,11 @@ pub fn run(paths: &[PathBuf], json: bool) -> Result<Ended, Error> {
     let ended = verified
         .iter()
         .flatten()
-        .map(|one| Ended::of(&one.run, Ended::checked(judged::worst(&one.judged) != Some(&Verdict::Fail))))
+        .map(|one| Exit::of(&one.run, Exit::checked(judged::worst(&one.judged) != Some(&Verdict::Fail))))
         .max();
     match verified.into_iter().find_map(Result::err) {
         Some(error) => Err(error),
-        None => Ok(ended.unwrap_or(Ended::Well)),
+        None => Ok(ended.unwrap_or(Exit::Well)),
     }
 }
 

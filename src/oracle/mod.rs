@@ -10,8 +10,8 @@
 //! use contact_vv::oracle::{Oracle, Quantity, Reading};
 //!
 //! let hertz = Hertz { load: 1000.0, radius: 50.0, modulus: 230e3 };
-//! assert!(matches!(hertz.read(Quantity::HalfWidth), Reading::Value { .. }));
-//! assert!(matches!(hertz.read(Quantity::HoopStress { at: 0.0 }), Reading::Silent));
+//! assert!(matches!(hertz.read(&Quantity::HalfWidth), Reading::Value { .. }));
+//! assert!(matches!(hertz.read(&Quantity::HoopStress { at: 0.0 }), Reading::Silent));
 //! ```
 
 use std::fmt;
@@ -21,6 +21,8 @@ pub mod analytic;
 pub mod boundary;
 pub mod cross_code;
 pub mod digitised;
+
+pub use crate::measure::Quantity;
 
 /// What kind of truth a reference is; only `Analytic` verifies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, schemars::JsonSchema)]
@@ -62,51 +64,6 @@ impl Source {
     }
 }
 
-/// What is asked of an oracle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Quantity {
-    /// Half-width of the contact, where its pressure ends \[mm\].
-    HalfWidth,
-    /// Half-width by second moment, `2 √(∫p s²/∫p)` \[mm\]; on arcs the same functional of the angle \[rad\].
-    SecondMoment,
-    /// Half-angle of the contact, from the load line to its edge \[rad\].
-    ContactAngle,
-    /// Largest contact pressure \[MPa\].
-    PeakPressure,
-    /// Contact force on the whole contact, per unit thickness \[N/mm\], positive in compression.
-    Resultant,
-    /// Contact pressure \[MPa\], positive in compression.
-    Pressure {
-        /// Distance from the centre of the contact \[mm\], or angle from the load line \[rad\].
-        at: f64,
-    },
-    /// Circumferential stress on the rim of the hole \[MPa\], tension positive.
-    HoopStress {
-        /// Angle from the load line \[rad\].
-        at: f64,
-    },
-    /// Circumferential stress on the rim of the pin \[MPa\], tension positive.
-    PinHoopStress {
-        /// Angle from the load line \[rad\].
-        at: f64,
-    },
-}
-
-impl fmt::Display for Quantity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::HalfWidth => f.pad("half-width"),
-            Self::SecondMoment => f.pad("half-width by second moment"),
-            Self::ContactAngle => f.pad("contact half-angle"),
-            Self::PeakPressure => f.pad("peak pressure"),
-            Self::Resultant => f.pad("contact resultant"),
-            Self::Pressure { at } => f.pad(&format!("pressure at {at}")),
-            Self::HoopStress { at } => f.pad(&format!("hoop stress of the hole at {at}")),
-            Self::PinHoopStress { at } => f.pad(&format!("hoop stress of the pin at {at}")),
-        }
-    }
-}
-
 /// What an oracle answers.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Reading {
@@ -134,6 +91,6 @@ pub trait Oracle {
     fn kind(&self) -> ReferenceKind;
     /// Where it comes from.
     fn source(&self) -> Source;
-    /// The reference value of a quantity, or why there is none.
-    fn read(&self, quantity: Quantity) -> Reading;
+    /// The reference value of a quantity in its own unit, forces per unit thickness, or why there is none.
+    fn read(&self, quantity: &Quantity) -> Reading;
 }

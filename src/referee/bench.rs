@@ -1,11 +1,8 @@
 //! What a profile is judged with: the truth, the measures taken, and the forms of a verdict.
 
-use crate::accuracy::Quantity;
-use crate::case::quantity::Quantity as Asked;
-use crate::case::{Check, Judged, Reference};
+use crate::case::{self, Check, Judged, Reference};
 use crate::markdown;
-use crate::measure::Measures;
-use crate::oracle;
+use crate::measure::{Measures, Quantity};
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, Truth};
 use crate::solution::EdgeState;
@@ -30,11 +27,14 @@ const BECAUSE: &str = "engineering tolerance, or the one asked for; with what th
 pub const KNOWN: f64 = 1e-2;
 
 impl Bench<'_> {
-    /// A quantity against what is known of it, relative to that, within the tolerance and its bar.
-    pub fn near(&self, quantity: impl Into<Asked>, value: f64, known: Known) -> Judged {
+    /// A number against what is known of it, relative to that, within the tolerance and its bar.
+    pub fn near(&self, number: Quantity, value: f64, known: Known) -> Judged {
+        let quantity = case::Quantity::on(&self.profile.pair().path, number);
+        let factor = quantity.factor();
+        let known = Known { reference: known.reference.times(factor), bar: factor * known.bar };
         let share = known.bar / known.reference.value.abs();
         let check = Check::near(quantity, known.reference.clone(), self.tolerance + share, BECAUSE);
-        self.ruled(check, value, known)
+        self.ruled(check, factor * value, known)
     }
 
     /// The verdict; not run where the reference is not known well enough to judge by.
@@ -66,7 +66,7 @@ impl Bench<'_> {
 
     /// What the contact is scaled by: the half-width of the truth \[mm, or rad\].
     pub fn half_width_known(&self) -> Known {
-        self.truth.known(self.profile.contact, Quantity::SecondMomentWidth, oracle::Quantity::SecondMoment)
+        self.truth.known(self.profile.contact, &Quantity::SecondMomentWidth)
     }
 
     /// Where the truth ends, from the middle \[mm, or rad\].

@@ -1,8 +1,7 @@
 //! What holds whatever the truth is: no penetration, pressure or gap but not both, and symmetry.
 
-use crate::accuracy::Quantity;
 use crate::case::{Check, Judged, Reference};
-use crate::measure::larger;
+use crate::measure::{Quantity, larger};
 use crate::referee::bench::Bench;
 use crate::referee::norm;
 use crate::solution::EdgeState;
@@ -56,7 +55,7 @@ pub(super) fn of_sides(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Jud
     let (wanted, bar) = match symmetric {
         true => (0.0, 0.0),
         false => {
-            let ours = bench.truth.ours(contact, Quantity::Centre);
+            let ours = bench.truth.ours(contact, &Quantity::Centre);
             (ours.reference.value, ours.bar)
         }
     };

@@ -2,8 +2,7 @@
 
 use crate::case::quantity::Quantity as Asked;
 use crate::case::{Against, Check, Judged};
-use crate::error::Coordinate;
-use crate::measure::profile;
+use crate::measure::{Quantity, profile};
 use crate::referee::bench::Bench;
 
 /// What to hand in for displacements.
@@ -29,23 +28,20 @@ pub(super) fn checks(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judge
     judged
 }
 
-/// A number of the pressures handed in; none where they do not tell it.
+/// A number of the pressures handed in, in the unit of the check; none where they do not tell it.
 fn value(bench: &Bench, quantity: &Asked) -> Option<f64> {
-    let measures = bench.measures;
-    match quantity {
-        Asked::PeakPressure => Some(measures.peak.pressure),
-        Asked::HalfWidth => Some(measures.half_width()),
-        Asked::HalfAngle => Some(measures.half_width().to_degrees()),
-        Asked::SecondMomentWidth => Some(measures.second_moment_width),
-        Asked::SecondMomentAngle => Some(measures.second_moment_width.to_degrees()),
-        Asked::Centre => Some(measures.centre),
-        Asked::Resultant => Some(measures.resultant),
-        Asked::Pressure { at: Coordinate::Length(at) | Coordinate::Angle(at) } => {
+    let number = match quantity {
+        Asked::Number { of, .. } => of,
+        Asked::Profile | Asked::Departure => return Some(f64::NAN),
+        _ => return None,
+    };
+    let value = match number {
+        Quantity::Pressure { at } => {
             Some(profile::interpolate(&bench.profile.points, bench.profile.pair().stretch, *at))
         }
-        Asked::Profile | Asked::Departure => Some(f64::NAN),
-        _ => None,
-    }
+        other => Some(other.of(bench.measures)).filter(|_| other.is_of_pressures()),
+    };
+    Some(quantity.factor() * value?)
 }
 
 /// The check as declared, but for a tolerance that is round-off of this code: files of other codes carry six or seven digits.
@@ -60,12 +56,14 @@ fn of_digits(check: &Check) -> Check {
 const DIGITS: f64 = 1e-5;
 
 fn not_handed_in(check: &Check) -> [String; 2] {
-    let how = match check.quantity {
-        Asked::Displacement(_)
-        | Asked::Approach
-        | Asked::Reaction { .. }
-        | Asked::Shear { .. }
-        | Asked::ShearDepth { .. } => GRID,
+    let how = match check.quantity.number() {
+        Some(
+            Quantity::Displacement(_)
+            | Quantity::Approach
+            | Quantity::Reaction { .. }
+            | Quantity::Shear { .. }
+            | Quantity::ShearDepth { .. },
+        ) => GRID,
         _ => "nothing: no reader takes it from an answer, `contact-vv solve` tells it",
     };
     [check.quantity.to_string(), how.into()]

@@ -1,11 +1,7 @@
 //! An answer held against the truth of its case, quantity by quantity.
 
-use crate::accuracy::Quantity;
-use crate::case::quantity::Quantity as Asked;
 use crate::case::{Check, Judged, Reference};
-use crate::error::Coordinate;
-use crate::measure::{ACTIVE, Measures, display_factor, larger, peak};
-use crate::oracle;
+use crate::measure::{ACTIVE, Measures, Quantity, display_factor, larger, peak};
 use crate::referee::bench::{Bench, KNOWN};
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, Truth};
@@ -47,30 +43,24 @@ pub fn judge(truth: &Truth, profile: &Profile, tolerance: f64) -> Ruled {
 
 impl Bench<'_> {
     fn half_width(&self) -> Judged {
-        let known = self.half_width_known();
-        let pair = self.profile.pair();
-        if pair.path.is_straight() {
-            return self.near(Asked::SecondMomentWidth, self.measures.second_moment_width, known);
-        }
-        let degrees = Known { reference: known.reference.in_degrees(), bar: known.bar.to_degrees() };
-        self.near(Asked::SecondMomentAngle, self.measures.second_moment_width.to_degrees(), degrees)
+        self.near(Quantity::SecondMomentWidth, self.measures.second_moment_width, self.half_width_known())
     }
 
     /// The peak; where that has no limit the pressure at the middle.
     fn peak(&self, missing: &mut Vec<[String; 2]>) -> Option<Judged> {
         let contact = self.profile.contact;
         if !self.truth.is_unbounded(contact) {
-            let known = self.truth.known(contact, Quantity::PeakPressure, oracle::Quantity::PeakPressure);
-            return Some(self.near(Asked::PeakPressure, self.measures.peak.pressure, known));
+            let known = self.truth.known(contact, &Quantity::PeakPressure);
+            return Some(self.near(Quantity::PeakPressure, self.measures.peak.pressure, known));
         }
         missing.push(["peak pressure".into(), "nothing: it has no limit, and grows with every mesh".into()]);
-        let at = Coordinate::Length(0.0);
-        let reference = self.truth.closed(oracle::Quantity::Pressure { at: 0.0 })?;
+        let at_origin = Quantity::Pressure { at: 0.0 };
+        let reference = self.truth.closed(&at_origin)?;
         let ours = self.truth.run.contacts[contact].measures.pressure_at_origin;
-        let model = self.truth.model(oracle::Quantity::Pressure { at: 0.0 });
+        let model = self.truth.model(&at_origin);
         let bar = larger((ours - reference.value).abs(), model * reference.value.abs());
         let value = peak::pressure_at(&self.profile.edges, 0.0);
-        Some(self.near(Asked::Pressure { at }, value, Known { reference, bar }))
+        Some(self.near(at_origin, value, Known { reference, bar }))
     }
 
     fn profile_norm(&self, missing: &mut Vec<[String; 2]>) -> Option<Judged> {
@@ -94,24 +84,19 @@ impl Bench<'_> {
         let contact = self.profile.contact;
         let ours = &self.truth.run.contacts[contact].measures;
         let Some(last) = ours.stretches.len().checked_sub(1) else { return vec![] };
-        let asked = if self.profile.pair().path.is_straight() {
-            oracle::Quantity::HalfWidth
-        } else {
-            oracle::Quantity::ContactAngle
-        };
         let symmetric = !self.truth.case.scene.contacts[contact].path.has_both_sides();
-        let end = match self.truth.ours(contact, Quantity::End(last)) {
+        let end = match self.truth.ours(contact, &Quantity::End(last)) {
             ours if ours.reference.value.is_nan() => return vec![],
-            ours if symmetric && ours.bar.is_finite() => self.truth.known(contact, Quantity::End(last), asked),
+            ours if symmetric && ours.bar.is_finite() => self.truth.known(contact, &Quantity::End(last)),
             ours => ours,
         };
         let begin = match (symmetric, ours.stretches[0].begin > 0.0) {
-            (true, true) => Some(self.truth.ours(contact, Quantity::Begin(0))),
+            (true, true) => Some(self.truth.ours(contact, &Quantity::Begin(0))),
             (true, false) if self.profile.across => {
                 Some(Known { reference: end.reference.clone().times(-1.0), bar: end.bar })
             }
             (true, false) => None,
-            (false, _) => Some(self.truth.ours(contact, Quantity::Begin(0))),
+            (false, _) => Some(self.truth.ours(contact, &Quantity::Begin(0))),
         };
         let found =
             [self.measures.stretches.first().map(|one| one.begin), self.measures.stretches.last().map(|one| one.end)];
@@ -141,14 +126,14 @@ impl Bench<'_> {
     fn resultant(&self) -> Judged {
         let contact = self.profile.contact;
         let known = if self.truth.is_told_by_loads(contact) {
-            let ours = self.truth.ours(contact, Quantity::Resultant);
+            let ours = self.truth.ours(contact, &Quantity::Resultant);
             let transmitted = self.truth.run.contacts[contact].transmitted;
             let reference = Reference::own("equilibrium with the load", transmitted);
             Known { reference, bar: if ours.bar.is_finite() { ours.bar } else { 0.0 } }
         } else {
-            self.truth.known(contact, Quantity::Resultant, oracle::Quantity::Resultant)
+            self.truth.known(contact, &Quantity::Resultant)
         };
-        self.near(Asked::Resultant, self.measures.resultant, known)
+        self.near(Quantity::Resultant, self.measures.resultant, known)
     }
 
     fn tension(&self) -> Judged {

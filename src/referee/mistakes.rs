@@ -5,10 +5,9 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
-use crate::accuracy::Quantity;
 use crate::case::Verdict;
+use crate::measure::Quantity;
 use crate::mesh::Order;
-use crate::oracle;
 use crate::referee::answer::{Handed, Point};
 use crate::referee::judge::judge;
 use crate::referee::profile::{Profile, tributary};
@@ -114,7 +113,7 @@ fn scales(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
 /// What turns a sphere's peak into that of a cylinder, with its half-width and without: since `a² = 4PR/πE*`, the sphere has `a₃³ = 3πta²/16`, and
 /// its peak is `3ta/4a₃²` times that of the cylinder.
 fn of_spheres(truth: &Truth, handed: &Handed) -> [[f64; 2]; 2] {
-    let known = truth.known(handed.contact, Quantity::SecondMomentWidth, oracle::Quantity::SecondMoment);
+    let known = truth.known(handed.contact, &Quantity::SecondMomentWidth);
     let (a, thickness) = (known.reference.value, truth.case.scene.thickness);
     let of_sphere = (3.0 * PI * thickness * a * a / 16.0).cbrt();
     let peak = |own: f64| 4.0 * own * own / (3.0 * thickness * a);

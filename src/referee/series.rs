@@ -1,10 +1,8 @@
 //! A refinement series of answers: observed orders, what the series says of its own limit, and whether that is the truth.
 
-use crate::accuracy::Quantity;
 use crate::case::{Check, Judged};
-use crate::measure::Measures;
 use crate::measure::order::{Observed, Richardson, pairs, richardson};
-use crate::oracle;
+use crate::measure::{Measures, Quantity};
 use crate::referee::truth::{Known, Truth};
 use crate::solution::EdgeState;
 
@@ -63,8 +61,8 @@ fn of(truth: &Truth, answers: &[Verdicts], contact: usize) -> Option<Series> {
     if ruled.len() < 2 || ruled.len() != answers.len() || handed.len() != ruled.len() {
         return None;
     }
-    let width = truth.known(contact, Quantity::SecondMomentWidth, oracle::Quantity::SecondMoment);
-    let peak = truth.known(contact, Quantity::PeakPressure, oracle::Quantity::PeakPressure);
+    let width = truth.known(contact, &Quantity::SecondMomentWidth);
+    let peak = truth.known(contact, &Quantity::PeakPressure);
     let reach = truth.run.contacts[contact].measures.edge().abs();
     let sizes: Vec<f64> =
         handed.iter().map(|profile| mean_edge(&profile.edges, reach) / width.reference.value).collect();

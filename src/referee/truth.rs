@@ -1,10 +1,10 @@
 //! The truth of a case: its closed form where it has one, else our own fine answer; each with what it may itself be off.
 
 use crate::accuracy::reference::{self, Known as Answered};
-use crate::accuracy::{Bar, Barred, Quantity, Subject, bars};
-use crate::case::{Case, Quantity as Asked, Reference};
+use crate::accuracy::{Bar, Barred, bars};
+use crate::case::{self, Case, Reference};
 use crate::error::Error;
-use crate::measure::{larger, nodal};
+use crate::measure::{Quantity, larger, nodal};
 use crate::mesh::Resolution;
 use crate::mesh::size::solvable;
 use crate::oracle::{self, ReferenceKind};
@@ -72,8 +72,8 @@ impl Truth {
     }
 
     /// Our own value of a number of a contact, with its bar.
-    pub fn ours(&self, contact: usize, quantity: Quantity) -> Known {
-        let found = self.bars.iter().find(|one| one.subject == Subject::Contact(contact, quantity));
+    pub fn ours(&self, contact: usize, quantity: &Quantity) -> Known {
+        let found = self.bars.iter().find(|one| one.contact == contact && one.quantity == *quantity);
         let (value, bar) = found.map_or((f64::NAN, f64::NAN), |one| (one.value, one.bar.total()));
         let (name, kind) = (OURS.into(), ReferenceKind::CrossCode);
         Known { reference: Reference { name, kind, value, uncertainty: None }, bar }
@@ -81,46 +81,28 @@ impl Truth {
 
     /// The closed form's value where there is one, else ours. A closed form may be of an idealised scene: it is off by at least what
     /// our own answer, with its bar, departs from it.
-    pub fn known(&self, contact: usize, quantity: Quantity, asked: oracle::Quantity) -> Known {
+    pub fn known(&self, contact: usize, quantity: &Quantity) -> Known {
         let ours = self.ours(contact, quantity);
-        let closed = self.closed(asked);
-        match closed {
-            Some(mut reference) => {
-                if let oracle::Quantity::Resultant = asked {
-                    reference = reference.times(self.case.scene.thickness);
-                }
-                let apart = (reference.value - ours.reference.value).abs() + ours.bar;
-                let bar = if apart.is_finite() { apart } else { 0.0 };
-                Known { bar: larger(bar, self.model(asked) * reference.value.abs()), reference }
-            }
-            None => ours,
-        }
+        let Some(reference) = self.closed(quantity) else { return ours };
+        let apart = (reference.value - ours.reference.value).abs() + ours.bar;
+        let bar = if apart.is_finite() { apart } else { 0.0 };
+        Known { bar: larger(bar, self.model(quantity) * reference.value.abs()), reference }
     }
 
-    /// What the oracle of the case reads; none where it is silent, or of another contact.
-    pub fn closed(&self, asked: oracle::Quantity) -> Option<Reference> {
+    /// What the oracle of the case reads of its only contact; none where it is silent, or there are several.
+    pub fn closed(&self, quantity: &Quantity) -> Option<Reference> {
         let only = self.case.oracle().is_some() && self.case.scene.contacts.len() == 1;
-        Some(self.case.reading(asked)).filter(|reference| only && reference.value.is_finite())
+        Some(self.case.reading(0, quantity)).filter(|reference| only && reference.value.is_finite())
     }
 
     /// What the case states that its closed form may be off of a number, relative; 0 where it states nothing.
-    pub fn model(&self, asked: oracle::Quantity) -> f64 {
-        self.stated(|own| match asked {
-            oracle::Quantity::PeakPressure => *own == Asked::PeakPressure,
-            oracle::Quantity::HalfWidth | oracle::Quantity::ContactAngle => {
-                matches!(own, Asked::HalfWidth | Asked::HalfAngle)
-            }
-            oracle::Quantity::SecondMoment => matches!(own, Asked::SecondMomentWidth | Asked::SecondMomentAngle),
-            oracle::Quantity::Resultant => *own == Asked::Resultant,
-            oracle::Quantity::Pressure { at: s } => {
-                matches!(own, Asked::Pressure { at } if (at.value() - s).abs() <= 1e-9 * s.abs().max(1.0))
-            }
-            oracle::Quantity::HoopStress { .. } | oracle::Quantity::PinHoopStress { .. } => false,
-        })
+    pub fn model(&self, quantity: &Quantity) -> f64 {
+        let known_by = quantity.known_by(self.case.scene.contact());
+        self.stated(|own| own.number() == Some(known_by))
     }
 
     /// The largest model error that the case states for some quantities, relative.
-    fn stated(&self, is_it: impl Fn(&Asked) -> bool) -> f64 {
+    fn stated(&self, is_it: impl Fn(&case::Quantity) -> bool) -> f64 {
         self.case.checks.iter().filter(|check| is_it(&check.quantity)).map(|check| check.model).fold(0.0, f64::max)
     }
 
@@ -154,7 +136,7 @@ impl Truth {
         let s = if pair.path.has_both_sides() { s } else { s.abs() };
         if self.has_closed_profile() {
             let peak = self.run.contacts[contact].measures.peak.pressure;
-            return match self.case.oracle().map(|oracle| oracle.read(oracle::Quantity::Pressure { at: s })) {
+            return match self.case.oracle().map(|oracle| oracle.read(&Quantity::Pressure { at: s })) {
                 Some(oracle::Reading::Value { value, .. })
                     if s.abs() <= pair.stretch * (1.0 + 1e-9) && value < UNLIMITED * peak =>
                 {
@@ -169,28 +151,26 @@ impl Truth {
 
     /// Whether the profile is that of a closed form.
     pub fn has_closed_profile(&self) -> bool {
-        self.closed(oracle::Quantity::Pressure { at: 0.0 }).is_some()
+        self.closed(&Quantity::Pressure { at: 0.0 }).is_some()
     }
 
     /// Name and kind of the profile, and how far it may itself be off: of a closed form what our own profile departs from it.
     pub fn of_profile(&self, contact: usize) -> Known {
         let edges = self.run.solution.edges_of(contact);
-        let closed = self.closed(oracle::Quantity::Pressure { at: 0.0 });
+        let closed = self.closed(&Quantity::Pressure { at: 0.0 });
         let bar = match closed {
             Some(_) => larger(
                 norm::of_means(edges, |s| self.pressure(contact, s)),
-                self.stated(|own| matches!(own, Asked::Profile | Asked::Departure)),
+                self.stated(|own| matches!(own, case::Quantity::Profile | case::Quantity::Departure)),
             ),
-            None => self
-                .bars
-                .iter()
-                .filter(|one| one.subject == Subject::Contact(contact, Quantity::PeakPressure))
-                .map(|one| (one.bar.total() / one.value).abs())
-                .fold(0.0, larger),
+            None => {
+                let of_peak = |one: &&Barred| one.contact == contact && one.quantity == Quantity::PeakPressure;
+                self.bars.iter().filter(of_peak).map(Barred::relative).fold(0.0, larger)
+            }
         };
         let reference = match closed {
             Some(reference) => Reference { value: 0.0, ..reference },
-            None => Reference { value: 0.0, ..self.ours(contact, Quantity::PeakPressure).reference },
+            None => Reference { value: 0.0, ..self.ours(contact, &Quantity::PeakPressure).reference },
         };
         Known { reference, bar }
     }
@@ -203,8 +183,8 @@ impl Truth {
 
 /// Takes a number of the contact that is known better.
 fn takes(bars: &mut [Barred], known: &Answered) {
-    let subject = known.measured.quantity().map(|quantity| Subject::Contact(0, quantity));
-    let own = bars.iter_mut().find(|one| Some(&one.subject) == subject.as_ref() && one.bar.total() > known.bound);
+    let is_wider = |one: &&mut Barred| one.quantity == known.quantity && one.bar.total() > known.bound;
+    let own = bars.iter_mut().find(|one| one.contact == 0 && is_wider(one));
     if let Some(own) = own {
         (own.value, own.bar) = (known.value, Bar { mesh: known.bound, iteration: 0.0, penalty: 0.0 });
     }

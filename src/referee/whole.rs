@@ -1,11 +1,10 @@
 //! What displacements on the whole mesh tell: whether their stresses are in equilibrium with loads and pressures, their strain energy, and the
 //! displacements, reactions, approaches and shears that a scene file declares.
 
-use crate::case::quantity::Quantity as Asked;
-use crate::case::{Against, Check, Judged, Reference};
+use crate::case::{self, Against, Check, Judged, Reference};
 use crate::elasticity::{loads, reactions};
 use crate::error::Error;
-use crate::measure::larger;
+use crate::measure::{Measures, Quantity, larger};
 use crate::oracle::ReferenceKind;
 use crate::referee::declared::GRID;
 use crate::referee::field::Field;
@@ -107,8 +106,12 @@ impl Whole<'_> {
         };
         let allowed = self.tolerance + bar / fine.abs();
         let because = "the tolerance, and what the energy still changes with our mesh";
-        let check =
-            Check::near(Asked::at("strain energy of the displacements [N mm]", ""), reference, allowed, because);
+        let check = Check::near(
+            case::Quantity::at("strain energy of the displacements [N mm]", ""),
+            reference,
+            allowed,
+            because,
+        );
         check.judge(strain_energy(&self.internal, &self.displacement))
     }
 
@@ -229,20 +232,17 @@ impl Whole<'_> {
         contact: usize,
         missing: &mut Vec<[String; 2]>,
     ) -> Result<Vec<Judged>, Error> {
-        let measures = &crate::measure::Measures::of(&profile.scene, contact, profile.part());
+        let measures = &Measures::of(&profile.scene, contact, profile.part());
         let bench = Bench { truth: self.truth, profile, measures, tolerance: self.tolerance };
         let mut judged = Vec::new();
         for check in self.truth.case.checks.iter().filter(|check| check.contact == contact) {
             let Against::Value(reference) = &check.against else { continue };
-            let shear = |body: usize| self.own.shear_below(&self.displacement, bench.measures, [contact, body]);
-            let value = match &check.quantity {
-                Asked::Displacement(of) => self.own.displaced(&self.displacement, of)?,
-                Asked::Approach => self.own.approach(&self.displacement, contact)?.unwrap_or(f64::NAN),
-                Asked::Reaction { body, support } => self.reaction(*body, *support)?,
-                Asked::Shear { body } => shear(*body)?.map_or(f64::NAN, |shear| shear.stress),
-                Asked::ShearDepth { body } => shear(*body)?.map_or(f64::NAN, |shear| shear.depth),
-                _ => continue,
+            let value = match check.quantity.number() {
+                Some(Quantity::Reaction { body, support }) => Some(self.reaction(*body, *support)?),
+                Some(number) => self.own.of_displacement(&self.displacement, measures, contact, number)?,
+                None => None,
             };
+            let Some(value) = value else { continue };
             missing.retain(|[what, _]| *what != check.quantity.to_string());
             let tolerance = check.tolerance.max(self.tolerance);
             let because = "that of the scene file, or the one asked for: the displacements are those of another mesh";

@@ -1,7 +1,6 @@
 //! Requirement by requirement: what shall hold is stated once, and what was found stands below it, trial by trial.
 
 use crate::case::{Judged, Quantity, Relation, Scope, Verdict, judged};
-use crate::error::Coordinate;
 use crate::markdown;
 use crate::report::grouped::{in_order, sorted};
 use crate::report::told;
@@ -186,11 +185,8 @@ fn held(one: &Judged, in_sentence: bool) -> String {
 /// Where, or of how many, a number was found, and its unit.
 fn place(quantity: &Quantity) -> String {
     let place = match quantity {
-        Quantity::Pressure { at: Coordinate::Length(at) } => format!("s = {} mm", markdown::bound(*at)),
-        Quantity::Pressure { at: Coordinate::Angle(at) } => format!("s = {}°", markdown::bound(at.to_degrees())),
-        Quantity::HoopStress { at } => format!("{:.0}°", at.to_degrees()),
         Quantity::Named { at, .. } => at.clone(),
-        _ => String::new(),
+        number => number.coordinate().unwrap_or_default(),
     };
     match (quantity.unit(), place.is_empty()) {
         (None, _) => place,

@@ -4,7 +4,7 @@ use crate::case::judged::worst;
 use crate::case::library::{cylinder, pin_rod};
 use crate::case::{Quantity, Verdict};
 use crate::markdown::{self, Column};
-use crate::measure::larger;
+use crate::measure::{Quantity as Number, larger};
 use crate::solve::{Iteration, Run};
 use crate::study::atlas::{self, Plane, Saved};
 use crate::study::measured::GAERTNER;
@@ -46,9 +46,9 @@ fn of_case<'a>(findings: &'a [Finding], case: &str) -> impl Iterator<Item = &'a 
 }
 
 /// Largest error of a quantity over all runs of a case; NaN where none was judged.
-pub fn error(findings: &[Finding], case: &str, quantity: &Quantity) -> f64 {
-    let judged = of_case(findings, case).flat_map(|finding| &finding.judged);
-    let errors = judged.filter(|judged| judged.check.quantity == *quantity).map(|judged| judged.error);
+pub fn error(findings: &[Finding], case: &str, quantity: impl Into<Quantity>) -> f64 {
+    let (judged, quantity) = (of_case(findings, case).flat_map(|finding| &finding.judged), quantity.into());
+    let errors = judged.filter(|judged| judged.check.quantity == quantity).map(|judged| judged.error);
     errors.reduce(larger).unwrap_or(f64::NAN)
 }
 
@@ -71,10 +71,10 @@ fn statement(text: &'static str, found: Option<(String, String, Judgement)>) -> 
 
 /// Every combination agrees with the reference.
 fn all_agree(findings: &[Finding]) -> Statement {
-    let worst = |case: &str, quantity| 100.0 * error(findings, case, &quantity);
+    let worst = |case: &str, quantity: Quantity| 100.0 * error(findings, case, quantity);
     let found = passes(findings, cylinder::NINE).zip(passes(findings, pin_rod::NINE)).map(|(cylinder, rod)| {
-        let [peak, rod_peak] = [cylinder::NINE, pin_rod::NINE].map(|case| worst(case, Quantity::PeakPressure));
-        let width = worst(cylinder::NINE, Quantity::SecondMomentWidth);
+        let [peak, rod_peak] = [cylinder::NINE, pin_rod::NINE].map(|case| worst(case, Number::PeakPressure.into()));
+        let width = worst(cylinder::NINE, Number::SecondMomentWidth.into());
         let means = worst(pin_rod::NINE, Quantity::EdgeMeans);
         let measured = format!(
             "cylinder, all nine: p₀ within {peak:.2} %, a within {width:.2} %; pin–rod, all nine: peak within {rod_peak:.2} %, edge means within {means:.2} %"

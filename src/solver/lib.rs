@@ -27,7 +27,7 @@
 //! let resolution = Resolution { elements: 8, refinement: 0, order: Order::Quadratic };
 //! let discretisation = Discretisation::of(scene, resolution)?;
 //! let run = Run::of(&discretisation, &Formulation::verification())?;
-//! let bar = accuracy::bars(&discretisation, &run, &[])?.of_contact(0, Quantity::PeakPressure).expect("a bar");
+//! let bar = accuracy::bars(&discretisation, &run, &[])?.of(0, &Quantity::PeakPressure).expect("a bar");
 //! println!("p₀ = {:.1} ± {:.1} MPa, Hertz {:.1}", run.measures().peak.pressure, bar.total(), 5769.2);
 //! assert!((run.measures().peak.pressure - 5769.2).abs() <= bar.total() + 0.0028 * 5769.2, "0.28 %: a cylinder is no half-plane");
 //! # Ok::<(), signorini::error::Error>(())

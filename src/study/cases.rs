@@ -12,7 +12,7 @@ use crate::drawing::palette::{GREY, Style};
 use crate::drawing::{Axis, Band, Chart, Direction, Drawing, Ribbon, Series, panels, schematic};
 use crate::error::Error;
 use crate::markdown::{self, Column, significant};
-use crate::measure::display_factor;
+use crate::measure::{Quantity as Number, display_factor};
 use crate::scene::ReferenceValues;
 use crate::solution::EdgeState;
 use crate::solve::{Formulation, Run};
@@ -167,13 +167,13 @@ pub fn results(runs: &[Row]) -> String {
         ("iterations", |(_, numbers, _)| numbers.run.solution.work.iterations.to_string()),
         ("factorisations", |(_, numbers, _)| numbers.run.solution.work.factorisations.to_string()),
         ("back-substitutions", |(_, numbers, _)| numbers.run.solution.work.back_substitutions.to_string()),
-        ("peak [MPa]", |row| quoted(row, 1.0, |run| run.measures().peak.pressure, Some(Quantity::PeakPressure))),
+        ("peak [MPa]", |row| quoted(row, 1.0, |run| run.measures().peak.pressure, Some(Number::PeakPressure))),
         (width, |row| {
-            quoted(row, factor(row), |run| run.measures().second_moment_width, Some(Quantity::SecondMomentWidth))
+            quoted(row, factor(row), |run| run.measures().second_moment_width, Some(Number::SecondMomentWidth))
         }),
         (counted, |row| quoted(row, factor(row), |run| run.measures().half_width_nodes, None)),
         (last, |row| quoted(row, factor(row), |run| run.measures().edge(), None)),
-        ("resultant [N]", |row| quoted(row, 1.0, Run::transmitted, Some(Quantity::Resultant))),
+        ("resultant [N]", |row| quoted(row, 1.0, Run::transmitted, Some(Number::Resultant))),
     ];
     markdown::columns(&columns, runs)
 }
@@ -184,7 +184,8 @@ fn factor((_, numbers, _): &Row) -> f64 {
 }
 
 /// A number of a run times a factor, with the bar of the check on its quantity.
-fn quoted((_, numbers, judged): &Row, factor: f64, of: fn(&Run) -> f64, quantity: Option<Quantity>) -> String {
+fn quoted((_, numbers, judged): &Row, factor: f64, of: fn(&Run) -> f64, quantity: Option<Number>) -> String {
+    let quantity = quantity.map(Quantity::from);
     let is_own = |one: &&Judged| Some(&one.check.quantity) == quantity.as_ref() && one.check.contact == 0;
     let bar = judged.iter().find(is_own).and_then(|one| one.bar).filter(|bar| bar.is_finite());
     let value = factor * of(&numbers.run);
@@ -307,7 +308,7 @@ fn hertz(hollow: Vec<f64>) -> Series {
     let problem = Cylinder::default().case();
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
     let places = (0..=INTERVALS).map(|k| END * k as f64 / INTERVALS as f64);
-    let points = places.map(|x| (x, problem.reference_pressure(x * a) / p0)).collect();
+    let points = places.map(|x| (x, problem.reference_pressure(0, x * a) / p0)).collect();
     Series { label: "Hertz".into(), points, style: Style::reference(), hollow }
 }
 
@@ -347,7 +348,7 @@ fn figure_14(runs: &[&Run]) -> Chart {
 fn all_on_cylinder(runs: &[&Run]) -> Drawing {
     let problem = Cylinder::default().case();
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
-    let exact = |x: f64| problem.reference_pressure(x * a) / p0;
+    let exact = |x: f64| problem.reference_pressure(0, x * a) / p0;
     let mean = |edge: &EdgeState| {
         let half = 0.5 * edge.weight / problem.scene.thickness / a;
         let part = |k: usize| edge.position() / a + half * (2.0 * (k as f64 + 0.5) / PARTS as f64 - 1.0);

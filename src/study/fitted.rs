@@ -260,7 +260,7 @@ fn elsewhere() -> Result<Vec<(String, Mesh)>, Error> {
     let cylinders = drawn("two-cylinders.toml")?;
     let eccentric = drawn("eccentric-to-accuracy.toml")?;
     let off_centre = Site { family: Family::Polynomial, number: OFF_CENTRE }.sample()?;
-    let truth = OF.map(|quantity| off_centre.truth(0, quantity));
+    let truth = OF.map(|quantity| off_centre.truth(0, &quantity));
     let peak_off = "block under a pressure with its peak off the centre";
     let all: Vec<(String, Scene, Fitted, Option<[f64; 2]>)> = vec![
         pin(30.0),

@@ -5,16 +5,17 @@
 use std::fmt::Write;
 
 use crate::accuracy::reference::{self, Known, MESHES};
-use crate::accuracy::{Barred, Quantity, Subject, Told, bars};
+use crate::accuracy::{Barred, Told, bars};
 use crate::case::library::{Cylinder, NAMES, find};
 use crate::case::{self, Case, Check, Judged, Reference};
 use crate::error::Error;
 use crate::markdown::{self, Column, significant, to_bound};
+use crate::measure::Quantity;
 use crate::measure::order::richardson;
 use crate::mesh::Resolution;
+use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::PhysicalAnswer;
 use crate::oracle::cross_code::independent::{Independent, Script};
-use crate::oracle::{self, Reading, ReferenceKind};
 use crate::scene::ContactPair;
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
@@ -186,9 +187,8 @@ fn answer(case: &Case) -> Result<Numbers, Error> {
     let reference::Answer { known, dofs: [answer, order, layers, cells] } = reference::answer(&case.scene)?;
     let (_, run, barred) = on_8_node_cells(case)?;
     let answered = |one: Known| {
-        let (unit, factor) = one.measured.unit(&case.scene.contact().path);
-        let subject = one.measured.quantity().map(|own| Subject::Contact(0, own));
-        let eight = barred.iter().find(|barred| Some(&barred.subject) == subject.as_ref());
+        let (unit, factor) = one.quantity.unit(!case.scene.contact().path.is_straight());
+        let eight = barred.iter().find(|barred| barred.contact == 0 && barred.quantity == one.quantity);
         let eight = eight.map(|of| [factor * of.value, factor * of.bar.total()]);
         Answered { known: one.times(factor), unit, eight }
     };
@@ -210,15 +210,10 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
     let asked = shared.zip(frozen.as_ref()).and_then(|((_, scene), frozen)| frozen.scenes.get(*scene));
     let value = |one: &Barred| {
         let Told { of, quantity, unit, factor } = Told::of(&discretisation.scene, run, one);
-        let closed_form = closed_form(case, &one.subject).map(|value| factor * value);
+        let closed_form = closed_form(case, one).map(|value| factor * value);
         let series = asked.iter().flat_map(|asked| &asked.series);
-        let others =
-            series.filter_map(|(script, series)| Some((*script, other(series, &one.subject)?.map(|x| factor * x))));
-        let unbounded = match one.subject {
-            Subject::Contact(contact, Quantity::PeakPressure) => run.contacts[contact].unbounded.is_some(),
-            _ => false,
-        };
-        let sound = run.solution.converged() && !unbounded;
+        let others = series.filter_map(|(script, series)| Some((*script, other(series, one)?.map(|x| factor * x))));
+        let sound = run.solution.converged() && !run.is_unbounded(one.contact, &one.quantity);
         let value = if sound { factor * one.value } else { f64::NAN };
         let (bound, others) = (factor * one.bar.total(), others.collect());
         Value { of, quantity, unit, value, bound, fitted: false, closed_form, others }
@@ -243,27 +238,15 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
 }
 
 /// What the closed form says of a number; none where there is no such form, or it is silent.
-fn closed_form(case: &Case, subject: &Subject) -> Option<f64> {
-    let Subject::Contact(0, quantity) = subject else { return None };
-    let (asked, factor) = match quantity {
-        Quantity::PeakPressure => (oracle::Quantity::PeakPressure, 1.0),
-        Quantity::SecondMomentWidth => (oracle::Quantity::SecondMoment, 1.0),
-        Quantity::End(0) if case.scene.contact().path.is_straight() => (oracle::Quantity::HalfWidth, 1.0),
-        Quantity::End(0) => (oracle::Quantity::ContactAngle, 1.0),
-        Quantity::Resultant => (oracle::Quantity::Resultant, case.scene.thickness),
-        _ => return None,
-    };
-    match case.oracle()?.read(asked) {
-        Reading::Value { value, .. } => Some(factor * value),
-        Reading::Silent | Reading::Unavailable(_) => None,
-    }
+fn closed_form(case: &Case, one: &Barred) -> Option<f64> {
+    Some(case.reading(one.contact, &one.quantity).value).filter(|value| value.is_finite())
 }
 
 /// What a script found of a number, and its standard uncertainty; none where it does not tell it.
-fn other(series: &[PhysicalAnswer], subject: &Subject) -> Option<[f64; 2]> {
-    let of: fn(&PhysicalAnswer) -> f64 = match subject {
-        Subject::Contact(0, Quantity::PeakPressure) => |answer| answer.peak,
-        Subject::Contact(0, Quantity::SecondMomentWidth) => |answer| answer.half_width,
+fn other(series: &[PhysicalAnswer], one: &Barred) -> Option<[f64; 2]> {
+    let of: fn(&PhysicalAnswer) -> f64 = match (one.contact, &one.quantity) {
+        (0, Quantity::PeakPressure) => |answer| answer.peak,
+        (0, Quantity::SecondMomentWidth) => |answer| answer.half_width,
         _ => return None,
     };
     let [coarse, medium, fine] = series else { return None };
@@ -275,14 +258,14 @@ impl Sheet {
     /// Takes a number of a contact that is known better; as the last of those of contacts where there was none of its
     /// name.
     fn takes(&mut self, pair: &ContactPair, known: &Known) {
-        let (quantity, (unit, factor)) = (known.measured.name(), known.measured.unit(&pair.path));
+        let (quantity, (unit, factor)) = (known.quantity.key(), known.quantity.unit(!pair.path.is_straight()));
         let Known { value, bound, .. } = known.times(factor);
         match self.values.iter_mut().find(|own| own.of == pair.name && own.quantity == quantity) {
             Some(own) if bound <= own.bound => (own.value, own.bound, own.fitted) = (value, bound, true),
             Some(_) => {}
             None if value.is_finite() => {
                 let place = self.values.iter().take_while(|own| own.of == pair.name).count();
-                let (of, quantity) = (pair.name.clone(), quantity.into());
+                let (of, quantity) = (pair.name.clone(), quantity.into_owned());
                 let others = Vec::new();
                 let row = Value { of, quantity, unit, value, bound, fitted: true, closed_form: None, others };
                 self.values.insert(place, row);
@@ -301,7 +284,7 @@ const PENALTY: f64 = 2e-4;
 const SPREAD: f64 = 3.0;
 
 fn judge_answer(Answered { known, eight, .. }: &Answered) -> Vec<Judged> {
-    let at = |name: &'static str| case::Quantity::at(name, known.measured.name());
+    let at = |name: &'static str| case::Quantity::at(name, known.quantity.key());
     let because = "what other codes are measured against has five digits";
     let meshes = Reference::own("the other meshes", 0.0);
     let bound = Check::error(at("relative bound of a reference answer"), meshes, DIGITS, because)
@@ -341,7 +324,7 @@ fn table_of_answer([answer, order, layers, cells, eight]: [usize; 5], known: &[A
     ];
     let row = |Answered { known, unit, eight }: &Answered| {
         let [order, layers, cells] = known.others.map(|other| to_bound(other, known.bound));
-        let name = known.measured.name().to_owned();
+        let name = known.quantity.key().into_owned();
         let relative = significant(known.bound / known.scale, 2);
         let eight = eight.map_or("–".into(), |[value, bar]| bounded(value, bar));
         vec![name, (*unit).into(), bounded(known.value, known.bound), relative, order, layers, cells, eight]

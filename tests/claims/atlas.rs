@@ -6,10 +6,11 @@ use contact_vv::solve::{Discretisation, Element, Iteration};
 use contact_vv::stability::halving::SOFT;
 use contact_vv::study::Study;
 use contact_vv::study::atlas::{Chart, Numbers, Plane, Record, plane, run};
-use contact_vv::study::method::{Class, Method};
+use contact_vv::solve::Ended;
+use contact_vv::study::method::Method;
 use contact_vv::study::records;
 
-fn point(method: Method, ordinate: f64, stiffness: f64, class: Class, iterations: usize) -> Record {
+fn point(method: Method, ordinate: f64, stiffness: f64, class: Ended, iterations: usize) -> Record {
     Record {
         method,
         ordinate,
@@ -25,7 +26,7 @@ fn point(method: Method, ordinate: f64, stiffness: f64, class: Class, iterations
 /// A plane of converged points.
 fn flat(plane: Plane) -> Vec<Record> {
     let points = plane.rows().into_iter().flat_map(|row| plane.stiffnesses().into_iter().map(move |k| (row, k)));
-    points.map(|((site, method), k)| point(method, site.ordinate, k, Class::Converged, 17)).collect()
+    points.map(|((site, method), k)| point(method, site.ordinate, k, Ended::Converged, 17)).collect()
 }
 
 #[test]
@@ -88,7 +89,7 @@ fn atlas_turns_red_where_a_point_moved_a_prediction_failed_or_an_answer_is_wrong
     for record in records.iter_mut().filter(|record| record.method.algorithm == Iteration::Kinematic) {
         record.predicted_iterations = Some(record.iterations as f64);
     }
-    (records[constant].predicted_iterations, records[constant].class) = (Some(f64::INFINITY), Class::Capped);
+    (records[constant].predicted_iterations, records[constant].class) = (Some(f64::INFINITY), Ended::Capped);
     assert_eq!(verdicts(&records, 0), [true; 7]);
     assert_eq!(verdicts(&records, 1), [false, true, true, true, true, true, true]);
     let spoiled = |place: usize, change: &dyn Fn(&mut Record)| {
@@ -96,11 +97,11 @@ fn atlas_turns_red_where_a_point_moved_a_prediction_failed_or_an_answer_is_wrong
         change(&mut spoiled[place]);
         verdicts(&spoiled, 0).iter().position(|passed| !passed)
     };
-    assert_eq!(spoiled(constant, &|r| r.class = Class::Converged), Some(1));
-    assert_eq!(spoiled(constant + 1, &|r| r.class = Class::Capped), Some(2));
+    assert_eq!(spoiled(constant, &|r| r.class = Ended::Converged), Some(1));
+    assert_eq!(spoiled(constant + 1, &|r| r.class = Ended::Capped), Some(2));
     assert_eq!(spoiled(constant + 1, &|r| r.iterations *= 3), Some(3));
     assert_eq!(spoiled(kinematic, &|r| r.iterations += 2), Some(4));
-    for class in [Class::Diverged, Class::Cycling] {
+    for class in [Ended::Diverged, Ended::Cycling] {
         assert_eq!(spoiled(constant, &|r| r.class = class), Some(5));
     }
     for error in [4e-3, f64::NAN] {
@@ -115,7 +116,7 @@ fn counts_are_frozen_away_from_boundaries_and_classes_beside_them() {
     let plane = Plane::Thickness;
     let mut records = flat(plane);
     let columns = plane.stiffnesses().len();
-    records[5].class = Class::Diverged;
+    records[5].class = Ended::Diverged;
     let chart = Chart::of(plane, &records);
     let line = chart.frozen().lines().nth(1).expect("the first row").to_string();
     let cells: Vec<&str> = line.split(": ").nth(1).expect("cells").split(' ').collect();
@@ -133,7 +134,7 @@ fn records_of_a_plane_are_those_of_its_sites_in_their_order() {
     let (plane, file) = (Plane::Thickness, folder.path().join("thickness.csv"));
     // A site that was finished before, with a mark that no run could leave, is not surveyed again.
     let sites = plane.sites();
-    let marked = |record: Record| Record { class: Class::Cycling, iterations: 123_456, ..record };
+    let marked = |record: Record| Record { class: Ended::Cycling, iterations: 123_456, ..record };
     let kept: Vec<Record> =
         flat(plane).into_iter().filter(|one| one.ordinate == sites[0].ordinate).map(marked).collect();
     records::write(&folder.path().join(sites[0].key() + ".csv"), &records::named(plane::HEAD), &kept).expect("written");
@@ -149,7 +150,7 @@ fn records_of_a_plane_are_those_of_its_sites_in_their_order() {
 fn a_point_is_as_recorded_only_if_class_counts_measures_and_predictions_are() {
     let plane = Plane::Thickness;
     let mut records = flat(plane);
-    records[5].class = Class::Diverged;
+    records[5].class = Ended::Diverged;
     let chart = Chart::of(plane, &records);
     let spoiled = |change: &dyn Fn(&mut Record), column: usize| {
         let mut fresh = records[column].clone();
@@ -158,7 +159,7 @@ fn a_point_is_as_recorded_only_if_class_counts_measures_and_predictions_are() {
     };
     assert!(spoiled(&|_| (), 0) && spoiled(&|_| (), 4) && spoiled(&|_| (), 5));
     let changes: [&dyn Fn(&mut Record); 8] = [
-        &|r| r.class = Class::Capped,
+        &|r| r.class = Ended::Capped,
         &|r| r.iterations += 1,
         &|r| r.error *= 1.01,
         &|r| r.error = f64::NAN,
@@ -194,7 +195,7 @@ fn a_digest_takes_what_converges_everywhere_and_the_best_of_the_worst() {
         && now.best_iterations >= best_iterations
         && now.iterations >= 10 * best_iterations));
     let row = charts[0].rows.iter_mut().find(|row| row[0].method == method).expect("a row");
-    row.iter_mut().filter(|r| r.stiffness >= best).for_each(|r| r.class = Class::Capped);
+    row.iter_mut().filter(|r| r.stiffness >= best).for_each(|r| r.class = Ended::Capped);
     assert!(of(&charts).is_none_or(|now| now.to < best));
 }
 
@@ -204,5 +205,5 @@ fn atlas_records_springs_too_soft_as_unsupported() {
     let case = site.case();
     let discretisation = Discretisation::of(case.scene, case.resolution).expect("meshed");
     let record = run::Ground::of(&discretisation, site, method).record(method, 1e-12).expect("a record");
-    assert_eq!((record.class, record.iterations), (Class::Unsupported, 0));
+    assert_eq!((record.class, record.iterations), (Ended::Unsupported, 0));
 }

@@ -2,18 +2,19 @@
 
 use std::path::Path;
 
-use contact_vv::accuracy::{Subject, bars};
+use contact_vv::accuracy::bars;
 use contact_vv::case::{Case, Judged, Scope, Verdict};
+use contact_vv::measure::Quantity;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::study::Study;
 use contact_vv::study::promised::Numbers;
 
 /// The judged checks of a scene file, with the bars of `solve`.
-fn judged(file: &str) -> (Vec<Judged>, Vec<(Subject, f64)>) {
+fn judged(file: &str) -> (Vec<Judged>, Vec<(usize, Quantity, f64)>) {
     let case = Case::read(Path::new(&crate::outputs::scene(file))).expect("a case");
     let (meshed, run) = case.solve().expect("a run");
     let bars = bars(&meshed.discretisation, &run, &case.displaced()).expect("bars");
-    let bars = bars.all.into_iter().map(|one| (one.subject, one.bar.total())).collect();
+    let bars = bars.all.into_iter().map(|one| (one.contact, one.quantity, one.bar.total())).collect();
     (case.judge(&meshed, &run).expect("judged"), bars)
 }
 
@@ -23,15 +24,16 @@ fn checks_carry_the_bars_that_solve_prints() {
         let (judged, bars) = judged(file);
         let mut carried = 0;
         for one in judged.iter().filter(|one| one.check.scope == Scope::Own) {
-            let Some(subject) = one.barred() else {
+            let Some(number) = one.barred() else {
                 assert!(one.bar.is_none(), "{file}: {}", one.check.quantity);
                 continue;
             };
             let bar = one.bar.expect("a bar");
-            let wanted = bars.iter().find(|(other, _)| *other == subject).expect("a bar of solve").1;
+            let wanted = bars.iter().find(|(contact, other, _)| *contact == one.check.contact && other == number);
+            let wanted = one.check.quantity.factor() * wanted.expect("a bar of solve").2;
             // The coarser meshes are iterated to another tolerance, of which round-off is left.
             let size = one.value.abs();
-            assert!((bar - wanted).abs() <= 1e-6 * bar + 1e-7 * size, "{file}, {subject:?}: {bar}, {wanted}");
+            assert!((bar - wanted).abs() <= 1e-6 * bar + 1e-7 * size, "{file}, {number:?}: {bar}, {wanted}");
             carried += 1;
         }
         assert!(carried > 0, "{file}");

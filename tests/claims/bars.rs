@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use contact_vv::accuracy::{self, Asked, Bars, Quantity, Subject, bars};
+use contact_vv::accuracy::{self, Asked, Bars, Quantity, bars};
 use contact_vv::algorithm::StiffnessRule;
 use contact_vv::case::library::{self, Cylinder};
 use contact_vv::case::{Case, Verdict};
@@ -88,7 +88,7 @@ fn peak_that_rises_up_to_the_last_element_is_unknown_for_that_reason() {
         let discretisation = Discretisation::of(scene, resolution).expect("a mesh");
         let run = Run::of(&discretisation, &formulation).expect("a run");
         let bars = bars(&discretisation, &run, &[]).expect("bars").all;
-        let of = |quantity| bars.iter().find(|one| one.subject == Subject::Contact(0, quantity)).expect("a bar");
+        let of = |quantity| bars.iter().find(|one| (one.contact, &one.quantity) == (0, &quantity)).expect("a bar");
         let peak = of(Quantity::PeakPressure);
         let reason = (!told).then_some("the pressure rises up to the last element of the contact");
         assert_eq!((peak.unknown, peak.bar.total().is_finite()), (reason, told), "{peak:?}");
@@ -104,7 +104,7 @@ fn ring_one_element_across_has_no_bar() {
         let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
         let discretisation = Discretisation::of(case.scene, resolution).expect("a mesh");
         let run = Run::of(&discretisation, case.formulations.first().expect("one")).expect("a run");
-        bars(&discretisation, &run, &[]).expect("bars").of_contact(0, Quantity::PeakPressure).expect("a bar").mesh
+        bars(&discretisation, &run, &[]).expect("bars").of(0, &Quantity::PeakPressure).expect("a bar").mesh
     };
     assert!(bars_of(3).is_nan() && bars_of(12).is_finite(), "{} {}", bars_of(3), bars_of(12));
 }
@@ -130,18 +130,18 @@ fn parts_of_iteration_and_penalty_are_distances_to_the_discrete_solution() {
     for quantity in [Quantity::PeakPressure, Quantity::SecondMomentWidth, Quantity::End(0)] {
         let (run, bars) = cylinder(&hasty, 12);
         let apart = (quantity.of(run.measures()) - quantity.of(wanted.measures())).abs();
-        let bar = bars.of_contact(0, quantity).expect("a bar");
+        let bar = bars.of(0, &quantity).expect("a bar");
         assert!(
             (bar.iteration - apart).abs() <= 1e-6 * quantity.of(wanted.measures()),
             "{quantity:?}: {bar:?}, {apart}"
         );
         // The mesh's part is that of the discrete solution, wherever the iteration ended.
-        let mesh = narrow.of_contact(0, quantity).expect("a bar").mesh;
+        let mesh = narrow.of(0, &quantity).expect("a bar").mesh;
         assert!((bar.mesh - mesh).abs() <= 1e-6 * quantity.of(wanted.measures()), "{quantity:?}: {bar:?}, {mesh}");
     }
     let (run, bars) = cylinder(&soft, 12);
     let apart = (run.measures().peak.pressure - wanted.measures().peak.pressure).abs();
-    let bar = bars.of_contact(0, Quantity::PeakPressure).expect("a bar");
+    let bar = bars.of(0, &Quantity::PeakPressure).expect("a bar");
     assert!(
         bar.penalty > 1e-3 * apart && (bar.penalty - apart).abs() <= bar.iteration + 1e-6 * apart,
         "{bar:?}, {apart}"
@@ -152,11 +152,11 @@ fn parts_of_iteration_and_penalty_are_distances_to_the_discrete_solution() {
 fn unknown_is_unknown_and_no_zero() {
     // Nothing coarser holds the contact on one element.
     let (_, bars) = cylinder(&Formulation::new(Element::Node, Iteration::Kinematic), 1);
-    let peak = bars.of_contact(0, Quantity::PeakPressure).expect("a bar");
+    let peak = bars.of(0, &Quantity::PeakPressure).expect("a bar");
     assert!(peak.total().is_nan() || peak.mesh > 0.0, "{peak:?}");
     // What the mesh leaves exact keeps its round-off.
     let (_, bars) = cylinder(&Formulation::new(Element::Node, Iteration::Kinematic), 12);
-    assert!(bars.of(Subject::Reaction(0, 0)).expect("a bar").total() > 0.0);
+    assert!(bars.of(0, &Quantity::Reaction { body: 0, support: 0 }).expect("a bar").total() > 0.0);
 }
 
 #[test]
@@ -165,12 +165,12 @@ fn numbers_without_a_limit_or_a_meaning_are_not_quoted() {
         let case = Case::read(Path::new(&crate::outputs::scene(file))).expect("a case");
         let (meshed, run) = case.solve().expect("a run");
         let bars = bars(&meshed.discretisation, &run, &[]).expect("bars");
-        bars.all.into_iter().map(|one| one.subject).collect::<Vec<_>>()
+        bars.all.into_iter().map(|one| one.quantity).collect::<Vec<_>>()
     };
-    let has = |file: &str, is: fn(&Subject) -> bool| subjects(file).iter().any(is);
-    let shear = |subject: &Subject| matches!(subject, Subject::Shear(..));
-    let approach = |subject: &Subject| matches!(subject, Subject::Approach(_));
-    let moved = |subject: &Subject| matches!(subject, Subject::Displacement(_));
+    let has = |file: &str, is: fn(&Quantity) -> bool| subjects(file).iter().any(is);
+    let shear = |one: &Quantity| matches!(one, Quantity::Shear { .. });
+    let approach = |one: &Quantity| matches!(one, Quantity::Approach);
+    let moved = |one: &Quantity| matches!(one, Quantity::Displacement(_));
     assert!(has("two-cylinders", shear) && has("two-cylinders", approach) && has("two-cylinders", moved));
     // A corner of the punch, where the stress is infinite.
     assert!(!has("flat-punch", shear));
@@ -187,7 +187,7 @@ fn displacements_of_a_body_that_a_point_carries_have_no_limit() {
         let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
         let run = Run::of(&discretisation, &formulation).expect("a run");
         let bars = bars(&discretisation, &run, &[]).expect("bars");
-        bars.all.iter().any(|one| matches!(one.subject, Subject::Displacement(_) | Subject::Approach(_)))
+        bars.all.iter().any(|one| matches!(one.quantity, Quantity::Displacement(_) | Quantity::Approach))
     };
     assert!(moved(scene.clone()));
     let radius = Cylinder::default().radius;
@@ -207,7 +207,7 @@ fn springs_of_a_penalty_are_told_apart_in_reactions_too() {
     let bars = bars(&discretisation, &soft, &[]).expect("bars");
     let [wanted, found] =
         [&rigid, &soft].map(|run| discretisation.reactions(&run.solution).expect("reactions")[0].force);
-    let bar = bars.of(Subject::Reaction(0, 0)).expect("a bar");
+    let bar = bars.of(0, &Quantity::Reaction { body: 0, support: 0 }).expect("a bar");
     let apart = (wanted - found).abs();
     assert!(apart > 1e-6 * wanted.abs(), "{apart}");
     assert!((bar.penalty - apart).abs() <= 1e-3 * apart && bar.iteration <= 1e-3 * apart, "{bar:?}, {apart}");
@@ -220,7 +220,7 @@ fn accuracy_that_is_met_and_the_bar_are_one_number() {
     let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution).expect("a mesh");
     let bars = bars(&discretisation, &answer.run, &[]).expect("bars");
     for quoted in &answer.estimates {
-        let bar = bars.of_contact(0, quoted.quantity).expect("a bar");
+        let bar = bars.of(0, &quoted.quantity).expect("a bar");
         let value = quoted.quantity.of(answer.run.measures());
         assert!((bar.total() / value - quoted.relative()).abs() <= 1e-6, "{bar:?}, {quoted:?}");
     }
@@ -242,8 +242,8 @@ fn what_one_cell_over_half_a_ring_leaves_is_in_the_bars() {
     let (coarse, bars) = on(&text.replace("elements = 8", growth));
     for quantity in [Quantity::PeakPressure, Quantity::HalfWidth] {
         let [coarse, fine] = [&coarse, &fine].map(|run| quantity.of(run.measures()));
-        let (error, bar) = ((coarse - fine).abs(), bars.of_contact(0, quantity).expect("a bar").total());
-        assert!(error > 0.005 * fine && error <= bar, "{}: {error} beyond {bar}", quantity.name());
+        let (error, bar) = ((coarse - fine).abs(), bars.of(0, &quantity).expect("a bar").total());
+        assert!(error > 0.005 * fine && error <= bar, "{}: {error} beyond {bar}", quantity.key());
     }
 }
 
@@ -260,7 +260,7 @@ fn peaks_contain_what_a_force_that_statics_do_not_give_leaves() {
         for quoted in &answer.estimates {
             let [found, fine] = [&answer.run, &fine].map(|run| quoted.quantity.of(run.measures()));
             let error = (found - fine).abs() / fine;
-            assert!(error <= quoted.relative(), "{asked}: {} {error:e}", quoted.quantity.name());
+            assert!(error <= quoted.relative(), "{asked}: {} {error:e}", quoted.quantity.key());
         }
     }
 }

@@ -105,7 +105,7 @@ fn figures_that_are_not_at_hand_say_so() {
         let digitised = Digitised::load(&folder).expect("a README alone is no error");
 
         assert_eq!(digitised, Digitised::Absent(NOT_AT_HAND.to_owned()));
-        let reading = digitised.read("any.csv", Quantity::PeakPressure);
+        let reading = digitised.read("any.csv", &Quantity::PeakPressure);
         assert_eq!(reading, Reading::Unavailable(NOT_AT_HAND.to_owned()));
     }
 }
@@ -250,16 +250,16 @@ fn reading_lies_between_the_points_and_carries_both_errors() {
     let middle = 45.0_f64.to_radians();
     let fall_per_degree: f64 = (74.5 - 55.3) / 10.0;
 
-    match curve.read(Quantity::Pressure { at: middle }) {
+    match curve.read(&Quantity::Pressure { at: middle }) {
         Reading::Value { value, uncertainty } => {
             assert_relative_eq!(value, 0.5 * (74.5 + 55.3), max_relative = 1e-12);
             assert_relative_eq!(uncertainty, (0.5 * fall_per_degree).hypot(1.0), max_relative = 1e-12);
         }
         other => panic!("{other:?}"),
     }
-    assert!(matches!(curve.read(Quantity::Pressure { at: 1.0 }), Reading::Unavailable(_)));
-    assert!(matches!(curve.read(Quantity::Pressure { at: f64::NAN }), Reading::Unavailable(_)));
-    assert_eq!(curve.read(Quantity::HoopStress { at: middle }), Reading::Silent);
+    assert!(matches!(curve.read(&Quantity::Pressure { at: 1.0 }), Reading::Unavailable(_)));
+    assert!(matches!(curve.read(&Quantity::Pressure { at: f64::NAN }), Reading::Unavailable(_)));
+    assert_eq!(curve.read(&Quantity::HoopStress { at: middle }), Reading::Silent);
 }
 
 #[test]

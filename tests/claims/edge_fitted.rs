@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use contact_vv::accuracy::{self, reading::Quantity, reading::Subject};
+use contact_vv::accuracy;
 use contact_vv::case::Case;
 use contact_vv::case::library::{Patch, TruncatedHertz};
+use contact_vv::measure::Quantity;
 use contact_vv::measure::{nodal, profile, relative_error};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::oracle::analytic::hertz::Hertz;
@@ -215,7 +216,7 @@ fn bars_of_fitted_meshes_hold_the_error_of_peak_width_and_ends() {
                 (Quantity::End(0), hertz.half_width()),
             ];
             for (quantity, truth) in truths {
-                let one = bars.all.iter().find(|one| one.subject == Subject::Contact(0, quantity)).expect("barred");
+                let one = bars.all.iter().find(|one| (one.contact, &one.quantity) == (0, &quantity)).expect("barred");
                 let error = (one.value - truth).abs();
                 assert!(error <= one.bar.total(), "{quantity:?}, {digits} digits at {factor}: {error} > {:?}", one.bar);
                 // An order below 4 there is only with 8 nodes, at twice the size.
@@ -304,7 +305,7 @@ fn pressure_between_nodes_is_the_polynomial_of_the_cell_and_the_bar_of_a_force_o
     let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/rigid-cosine.toml");
     let case = Case::read(&file).expect("sound");
     let answer = solved(Fitted { order: Order::Octic, layers: 3 }, &case.scene);
-    let wanted = case.reading(contact_vv::oracle::Quantity::Pressure { at: 4.0 }).value;
+    let wanted = case.reading(0, &Quantity::Pressure { at: 4.0 }).value;
     let part = answer.run.solution.part(0);
     let stretch = answer.discretisation.scene.contact().stretch;
     // The block is one wavelength high, and its load drawn for an infinite one.
@@ -316,10 +317,8 @@ fn pressure_between_nodes_is_the_polynomial_of_the_cell_and_the_bar_of_a_force_o
     for order in [Order::Quartic, Order::Octic] {
         let answer = solved(Fitted { order, layers: 1 }, &case.scene);
         let force = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
-        let bar = force.of_contact(0, Quantity::Resultant).expect("barred").total();
+        let bar = force.of(0, &Quantity::Resultant).expect("barred").total();
         assert!(bar <= 1e-7 * answer.run.measures().resultant, "{order:?}: {bar}");
     }
-    assert!(
-        bars.of_contact(0, Quantity::HalfWidth).expect("barred").total() <= 2e-4 * answer.run.measures().half_width()
-    );
+    assert!(bars.of(0, &Quantity::HalfWidth).expect("barred").total() <= 2e-4 * answer.run.measures().half_width());
 }

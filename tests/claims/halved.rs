@@ -130,7 +130,7 @@ fn errors_of(sample: &Sample, asked: f64) -> (bool, f64) {
     assert_eq!(answer.estimates.len(), 2 * scene.contacts.len());
     let error = answer.estimates.iter().map(|one| {
         let found = one.quantity.of(&answer.run.contacts[one.contact].measures);
-        (found / sample.truth(one.contact, one.quantity) - 1.0).abs()
+        (found / sample.truth(one.contact, &one.quantity) - 1.0).abs()
     });
     (answer.unmet.is_none(), error.fold(0.0, f64::max))
 }

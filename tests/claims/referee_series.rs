@@ -57,7 +57,7 @@ fn picture_shows_what_was_handed_in_on_the_truth() {
     let sheet = picture::sheet(&truth, &one.answer);
     let [pressures, differences] = &sheet.charts[0][..] else { panic!("two charts") };
     assert_eq!(pressures.series[0].points.len(), one.answer.contacts[0].points.len());
-    let peak = TruncatedHertz::default().case().reference_pressure(0.0);
+    let peak = TruncatedHertz::default().case().reference_pressure(0, 0.0);
     assert!((pressures.series[1].points[0].1 - peak).abs() <= 1e-9 * peak);
     let apart = pressures.series[0].points[0].1 - peak;
     assert!((differences.series[0].points[0].1 - apart).abs() <= 1e-9 * peak);

@@ -9,7 +9,6 @@ use contact_vv::case::library::find;
 use contact_vv::case::{Case, Judged, Quantity as Asks};
 use contact_vv::cli::vtu;
 use contact_vv::error::Error;
-use contact_vv::oracle;
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
@@ -297,9 +296,10 @@ fn a_resultant_without_a_load_is_that_of_one_solve_with_its_bar() {
         let truth = Truth::of(case).expect("solved");
         assert!(!truth.is_told_by_loads(0));
         let answer = read::parse(Path::new("a.csv"), rows.as_bytes(), &truth.case, &Asked::default()).expect("read");
-        let reference = row(&verdicts(&truth, answer, ENGINEERING).expect("judged"), &Asks::Resultant).reference;
+        let reference =
+            row(&verdicts(&truth, answer, ENGINEERING).expect("judged"), &Quantity::Resultant.into()).reference;
         assert_ne!(reference.name, "equilibrium with the load");
-        found.push((reference.value, truth.ours(0, Quantity::Resultant).bar));
+        found.push((reference.value, truth.ours(0, &Quantity::Resultant).bar));
         let sheet = &contact_vv::cli::export::files(&truth.case).expect("exported")[0].1;
         let line = sheet.lines().find(|line| line.contains("| resultant")).expect("a resultant");
         assert!(line.contains("66.866"), "{line}");
@@ -309,7 +309,7 @@ fn a_resultant_without_a_load_is_that_of_one_solve_with_its_bar() {
     }
     assert!((found[0].0 - found[1].0).abs() <= found[0].1 + found[1].1, "{found:?}");
     let loaded = judged(parsed("a.csv", ellipse::text(), &Asked::default()).expect("read")).expect("judged");
-    assert_eq!(row(&loaded, &Asks::Resultant).reference.name, "equilibrium with the load");
+    assert_eq!(row(&loaded, &Quantity::Resultant.into()).reference.name, "equilibrium with the load");
 }
 
 #[test]
@@ -320,16 +320,15 @@ fn a_stated_model_error_counts_for_every_quantity_it_is_stated_for() {
             format!("\n[[check]]\nquantity = \"{quantity}\"\ntolerance = 0.5\nmodel-error = 0.07\nbecause = \".\"\n");
         Truth::of(Case::parse(&folder().join("stated.toml"), &(text.clone() + &check)).expect("read")).expect("solved")
     };
-    let known = |truth: &Truth, asked| truth.known(0, Quantity::Resultant, asked);
     for (quantity, asked) in [
-        ("resultant", oracle::Quantity::Resultant),
-        ("peak-pressure", oracle::Quantity::PeakPressure),
-        ("contact-half-width", oracle::Quantity::HalfWidth),
-        ("second-moment-width", oracle::Quantity::SecondMoment),
+        ("resultant", Quantity::Resultant),
+        ("peak-pressure", Quantity::PeakPressure),
+        ("contact-half-width", Quantity::HalfWidth),
+        ("second-moment-width", Quantity::SecondMomentWidth),
     ] {
         let truth = stated(quantity);
-        assert_relative_eq!(truth.model(asked), 0.07);
-        let known = known(&truth, asked);
+        assert_relative_eq!(truth.model(&asked), 0.07);
+        let known = truth.known(0, &asked);
         assert!(known.bar >= 0.07 * known.reference.value, "{quantity}: {known:?}");
     }
 }

@@ -1,15 +1,16 @@
 //! Reference answers: their bounds hold the error where a closed form tells it.
 
-use contact_vv::accuracy::reference::{Answer, Known, Measured, answer};
+use contact_vv::accuracy::reference::{Answer, Known, answer};
 use contact_vv::case::Verdict;
 use contact_vv::case::library::{Bars, Cylinder, PinPlate};
+use contact_vv::measure::Quantity;
 use contact_vv::measure::relative_error;
 use contact_vv::study::Study;
 use contact_vv::study::fitted::{LOADS, under};
 use contact_vv::study::references::{Answered, Numbers};
 
-fn of(known: &[Known], measured: Measured) -> &Known {
-    known.iter().find(|one| one.measured == measured).expect("measured")
+fn of(known: &[Known], quantity: Quantity) -> &Known {
+    known.iter().find(|one| one.quantity == quantity).expect("known")
 }
 
 #[test]
@@ -18,18 +19,18 @@ fn bounds_of_reference_answers_hold_the_error_of_truncated_hertz_and_are_below_1
         let numbers = under(factor);
         let (hertz, known) = (numbers.closed_form(), answer(&numbers.scene()).expect("answered").known);
         let truths = [
-            (Measured::Origin, hertz.peak_pressure()),
-            (Measured::Peak, hertz.peak_pressure()),
-            (Measured::Place, 0.0),
-            (Measured::SecondMomentWidth, hertz.half_width()),
-            (Measured::End, hertz.half_width()),
-            (Measured::Resultant, hertz.load),
+            (Quantity::Pressure { at: 0.0 }, hertz.peak_pressure()),
+            (Quantity::PeakPressure, hertz.peak_pressure()),
+            (Quantity::PeakPlace, 0.0),
+            (Quantity::SecondMomentWidth, hertz.half_width()),
+            (Quantity::End(0), hertz.half_width()),
+            (Quantity::Resultant, hertz.load),
         ];
-        for (measured, truth) in truths {
-            let one = of(&known, measured);
+        for (quantity, truth) in truths {
+            let one = of(&known, quantity.clone());
             let error = (one.value - truth).abs();
-            assert!(error <= one.bound, "{measured:?} at {factor}: {error:e} > {:e}", one.bound);
-            assert!(one.bound <= 1e-5 * one.scale, "{measured:?} at {factor}: {:e} of {}", one.bound, one.scale);
+            assert!(error <= one.bound, "{quantity:?} at {factor}: {error:e} > {:e}", one.bound);
+            assert!(one.bound <= 1e-5 * one.scale, "{quantity:?} at {factor}: {:e} of {}", one.bound, one.scale);
         }
     }
 }
@@ -37,7 +38,7 @@ fn bounds_of_reference_answers_hold_the_error_of_truncated_hertz_and_are_below_1
 #[test]
 fn a_pin_of_persson_ends_where_his_angle_says_up_to_what_the_rim_of_the_plate_does() {
     let known = answer(&PinPlate::of_half_angle(60.0).scene()).expect("answered").known;
-    assert!(relative_error(of(&known, Measured::End).value.to_degrees(), 60.0) <= 3e-3);
+    assert!(relative_error(of(&known, Quantity::End(0)).value.to_degrees(), 60.0) <= 3e-3);
 }
 
 #[test]
@@ -56,7 +57,7 @@ fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
     assert_eq!(failed(&sound), Vec::<String>::new());
     let spoiled = |spoil: fn(&mut Answered)| {
         let mut other = sound.clone();
-        let own = other.iter_mut().find(|one| one.known.measured == Measured::SecondMomentWidth);
+        let own = other.iter_mut().find(|one| one.known.quantity == Quantity::SecondMomentWidth);
         spoil(own.expect("measured"));
         failed(&other)
     };

@@ -4,8 +4,9 @@ use contact_vv::case::{Judged, Verdict};
 use contact_vv::measure::order::{Richardson, richardson};
 use contact_vv::mesh::Order;
 use contact_vv::oracle::ReferenceKind;
+use contact_vv::solve::Ended;
 use contact_vv::solve::Fitted;
-use contact_vv::study::method::Class;
+use contact_vv::solve::Ended;
 use contact_vv::study::refinement::{self, Numbers, family, nested};
 use contact_vv::study::{Study, fields, fitted, measured};
 
@@ -127,12 +128,12 @@ fn a_lost_scene_of_the_family_and_a_pin_of_another_place_turn_red() {
         let judged = judged(&Numbers::Family { curves, same_place, wide_plate: 0.2 });
         [fails(&judged[..1]), fails(&judged[1..])]
     };
-    assert_eq!(judge(Err(Class::Beyond), 1.0), [0, 0]);
-    for lost in [Class::Capped, Class::Cycling, Class::Diverged, Class::Stalled, Class::Stopped, Class::Unsupported] {
+    assert_eq!(judge(Err(Ended::Beyond), 1.0), [0, 0]);
+    for lost in [Ended::Capped, Ended::Cycling, Ended::Diverged, Ended::Stalled, Ended::Stopped, Ended::Unsupported] {
         assert_eq!(judge(Err(lost), 1.0), [1, 0], "{lost:?}");
     }
-    assert_eq!(judge(Err(Class::Beyond), 1.01), [0, 1]);
-    assert_eq!(judge(Err(Class::Beyond), f64::NAN), [0, 1]);
+    assert_eq!(judge(Err(Ended::Beyond), 1.01), [0, 1]);
+    assert_eq!(judge(Err(Ended::Beyond), f64::NAN), [0, 1]);
 }
 
 #[test]

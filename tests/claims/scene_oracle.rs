@@ -69,7 +69,7 @@ fn closed_forms_of_the_library_are_those_of_files() {
     // A scene that is built in and a file of it are one scene.
     let hertz = references(&text_of("cylinder-in-metres.toml"))[0].0;
     for (file, name, at) in [(lame, "press-fit", 0.0), (punch, "flat-punch", 0.5), (hertz, "cylinder", 0.0)] {
-        let built_in = library::find(name, None).expect(name).reference_pressure(at);
+        let built_in = library::find(name, None).expect(name).reference_pressure(0, at);
         assert_relative_eq!(file, built_in, max_relative = 1e-9);
     }
 }

@@ -1,7 +1,9 @@
 //! Several contacts in one scene: each is what it would be alone where they do not meet, and all of them balance.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use contact_vv::case::{Case, Verdict, notes};
+use contact_vv::case::notes;
+use contact_vv::case::{Against, Case, Check, Quantity, Verdict};
+use contact_vv::error::{Part, Place};
 use contact_vv::measure::Measures;
 use contact_vv::mesh::Mesh;
 use contact_vv::solve::{Change, Discretisation, Element, Formulation, Origin, Run};
@@ -47,6 +49,18 @@ fn stack(order: u8, density: &str) -> String {
         ),
     ]
     .concat()
+}
+
+#[test]
+fn profile_of_a_contact_is_held_against_its_own_closed_form() {
+    let mut case = read("roller.toml", &text_of("roller-between-plates.toml"));
+    case.oracles[0] = None;
+    let of_second = |quantity| Check { contact: 1, ..Check::error(quantity, Against::Oracle, 0.1, "the mesh") };
+    case.checks = vec![of_second(Quantity::Profile), of_second(Quantity::Departure)];
+    let (meshed, run) = case.solve().expect("a run");
+    for one in case.own(&meshed.discretisation, &run).expect("judged") {
+        assert_eq!((&one.verdict, one.reference.name.as_str()), (&Verdict::Pass, "Hertz"), "{one:?}");
+    }
 }
 
 #[test]

@@ -5,8 +5,9 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use contact_vv::case::Verdict;
+use contact_vv::solve::Ended;
 use contact_vv::solve::unbounded;
-use contact_vv::study::method::Class;
+use contact_vv::solve::Ended;
 use contact_vv::study::promised::converged::{Record, SURVEY, is_as_recorded, records as runs_of, right};
 use contact_vv::study::promised::{bars, met};
 use contact_vv::study::records::{self, Millionths, Survey};
@@ -16,7 +17,7 @@ use serde::de::DeserializeOwned;
 /// A record of two formulations, one of which does not converge.
 fn record() -> Record {
     let (mut classes, mut iterations, mut errors) = ([None; 9], [None; 9], [None; 9]);
-    for (k, class, count, error) in [(0, Class::Converged, 7, 1e-4), (8, Class::Capped, 2000, f64::NAN)] {
+    for (k, class, count, error) in [(0, Ended::Converged, 7, 1e-4), (8, Ended::Capped, 2000, f64::NAN)] {
         (classes[k], iterations[k], errors[k]) = (Some(class), Some(count), Some(Millionths(error)));
     }
     let scene = "cylinder".into();
@@ -24,7 +25,7 @@ fn record() -> Record {
 }
 
 /// The record with another error, class and number of iterations of its first formulation.
-fn with(error: f64, class: Class, iterations: usize) -> Record {
+fn with(error: f64, class: Ended, iterations: usize) -> Record {
     let mut record = record();
     (record.errors[0], record.classes[0], record.iterations[0]) =
         (Some(Millionths(error)), Some(class), Some(iterations));
@@ -36,8 +37,8 @@ fn converged_run_that_is_wrong_or_not_known_to_be_right_is_red() {
     assert_eq!(right(&[record()]).verdict, Verdict::Pass);
     assert_eq!(right(&[]).verdict, Verdict::Fail, "nothing was looked at");
     for error in [3.1e-3, f64::INFINITY, f64::NAN] {
-        assert_eq!(right(&[record(), with(error, Class::Converged, 7)]).verdict, Verdict::Fail, "{error}");
-        let capped = right(&[record(), with(error, Class::Capped, 7)]);
+        assert_eq!(right(&[record(), with(error, Ended::Converged, 7)]).verdict, Verdict::Fail, "{error}");
+        let capped = right(&[record(), with(error, Ended::Capped, 7)]);
         assert_eq!(capped.verdict, Verdict::Pass, "{error} of a run that did not converge");
     }
     let mut lost = record();
@@ -51,10 +52,10 @@ fn run_that_moved_is_not_as_recorded() {
     let mut other = record();
     (other.classes, other.iterations, other.errors) = ([None; 9], [None; 9], [None; 9]);
     let moved = [
-        with(f64::NAN, Class::Converged, 7),
-        with(1.1e-4, Class::Converged, 7),
-        with(1e-4, Class::Converged, 8),
-        with(1e-4, Class::Capped, 7),
+        with(f64::NAN, Ended::Converged, 7),
+        with(1.1e-4, Ended::Converged, 7),
+        with(1e-4, Ended::Converged, 8),
+        with(1e-4, Ended::Capped, 7),
         Record { load: 1.0, ..record() },
         Record { tolerance: 1e-6, ..record() },
         other,
@@ -91,7 +92,7 @@ fn survey_that_was_broken_off_goes_on_where_it_stopped() {
             MADE.fetch_add(1, Ordering::Relaxed);
             match BROKEN.load(Ordering::Relaxed) && *iterations == 2 {
                 true => records::read(Path::new("broken off"), &[], ""),
-                false => Ok(vec![with(1e-4, Class::Converged, *iterations)]),
+                false => Ok(vec![with(1e-4, Ended::Converged, *iterations)]),
             }
         },
         alike: is_as_recorded,

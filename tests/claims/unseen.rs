@@ -1,6 +1,6 @@
 //! What no contact point and no coarser mesh sees: surfaces that meet elsewhere, sharp tops, places on large cells, widths.
 
-use contact_vv::accuracy::{self, Asked, Quantity, Subject};
+use contact_vv::accuracy::{self, Asked, Quantity};
 use contact_vv::case::notes;
 use contact_vv::error::Kind;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
@@ -40,8 +40,7 @@ fn bar_of_a_peak_contains_a_sharp_top_that_all_meshes_miss_alike() {
     let case = scene("flat", &[]);
     let (discretisation, run) = solved(&case, &kinematic());
     let bars = accuracy::bars(&discretisation, &run, &[]).expect("bars");
-    let peak = Subject::Contact(0, Quantity::PeakPressure);
-    let one = bars.all.iter().find(|one| one.subject == peak).expect("a bar");
+    let one = bars.all.iter().find(|one| one.quantity == Quantity::PeakPressure).expect("a bar");
     let error = (one.value - 45.154570).abs();
     // It is about as large as the number itself: a bar that holds it says nothing.
     let why = one.unknown.unwrap_or("known");
@@ -53,7 +52,7 @@ fn bar_of_a_peak_contains_a_sharp_top_that_all_meshes_miss_alike() {
     let case = scene("flat", &[["elements = 4", "elements = 40"]]);
     let (discretisation, run) = solved(&case, &kinematic());
     let bars = accuracy::bars(&discretisation, &run, &[]).expect("bars");
-    let bar = bars.of_contact(0, Quantity::PeakPressure).expect("a bar").total();
+    let bar = bars.of(0, &Quantity::PeakPressure).expect("a bar").total();
     let error = (run.measures().peak.pressure - 45.154570).abs();
     assert!(error <= bar, "{error} against {bar}");
 }
@@ -62,7 +61,7 @@ fn bar_of_a_peak_contains_a_sharp_top_that_all_meshes_miss_alike() {
 fn bar_of_the_place_of_a_flat_peak_contains_where_it_lies() {
     let (discretisation, run) = solved(&scene("place", &[]), &kinematic());
     let bars = accuracy::bars(&discretisation, &run, &[]).expect("bars");
-    let bar = bars.of_contact(0, Quantity::PeakPlace).expect("a bar").total();
+    let bar = bars.of(0, &Quantity::PeakPlace).expect("a bar").total();
     let error = (run.measures().peak.position - 1.0).abs();
     assert!(error <= bar && bar < 0.2, "{error} against {bar}");
 }
@@ -77,7 +76,7 @@ fn half_width_is_half_of_begin_to_end_and_no_second_moment() {
     for (quantity, found, right) in
         [(Quantity::PeakPressure, measures.peak.pressure, 1522.4), (Quantity::HalfWidth, measures.half_width(), 5.343)]
     {
-        let bar = bars.of_contact(0, quantity).expect("a bar").total();
+        let bar = bars.of(0, &quantity).expect("a bar").total();
         assert!((found - right).abs() <= bar && bar < 0.35 * right, "{found} ± {bar}, {right}");
     }
     assert!((measures.half_width() - 5.343).abs() < 0.12, "{}", measures.half_width());

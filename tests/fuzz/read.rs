@@ -107,7 +107,7 @@ pub fn curve(bytes: &[u8]) -> Result<(), Error> {
     }
     if let Digitised::Present(curves) = Digitised::load(&folder)? {
         for (curve, at) in curves.iter().flat_map(|curve| [f64::NAN, 0.0, 1.0].map(|at| (curve, at))) {
-            contact_vv::oracle::Oracle::read(curve, Quantity::Pressure { at });
+            contact_vv::oracle::Oracle::read(curve, &Quantity::Pressure { at });
         }
     }
     Ok(())

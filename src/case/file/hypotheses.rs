@@ -190,9 +190,7 @@ impl Bench<'_> {
     /// Refuses a gap that differs from that of the closed form where the latter is in contact.
     fn shaped(&self, closed: &Profile) -> Result<(), Error> {
         let Some([vertex, reach]) = self.vertex() else { return Ok(()) };
-        let on_arc = !self.pair.path.is_straight();
-        let asked = if on_arc { Quantity::ContactAngle } else { Quantity::HalfWidth };
-        let end = match self.oracle.read(asked) {
+        let end = match self.oracle.read(&Quantity::HalfWidth) {
             Reading::Value { value, .. } => reach.min(value),
             Reading::Silent | Reading::Unavailable(_) => reach,
         };
@@ -208,7 +206,11 @@ impl Bench<'_> {
             return Ok(());
         }
         let [given, has] = [worst[1], worst[2]].map(|gap| rounded(gap / self.units.length));
-        let place = if on_arc { rounded(worst[0].to_degrees()) } else { rounded(worst[0] / self.units.length) };
+        let place = if !self.pair.path.is_straight() {
+            rounded(worst[0].to_degrees())
+        } else {
+            rounded(worst[0] / self.units.length)
+        };
         Err(self.refused(format!(
             "at s = {place} the gap of `{}` has grown to {given}, and that of the contact to {has}",
             self.name

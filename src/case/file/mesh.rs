@@ -80,13 +80,13 @@ impl<'a> MeshTable<'a> {
         let mut asked = Asked::new(relative);
         if let Some(list) = list {
             let known = [
-                ("peak-pressure", Quantity::PeakPressure),
-                (HALF_WIDTH, Quantity::HalfWidth),
-                (SECOND_MOMENT_WIDTH, Quantity::SecondMomentWidth),
+                ("peak-pressure", &Quantity::PeakPressure),
+                (HALF_WIDTH, &Quantity::HalfWidth),
+                (SECOND_MOMENT_WIDTH, &Quantity::SecondMomentWidth),
             ];
             let names = list.entries().into_iter().map(|name| {
                 wanted::refuse_old(name)?;
-                name.choice("quantity with an accuracy", &known)
+                name.choice("quantity with an accuracy", &known).cloned()
             });
             asked.quantities = names.collect::<Result<_, _>>()?;
             if asked.quantities.is_empty() {

@@ -1,10 +1,10 @@
 //! Bodies, boundaries, points, components and supports by the names that a file gives them.
 
-use crate::case::Quantity;
 use crate::case::file::form::Form::{Own, Table, Text};
 use crate::case::file::form::{Form, PAIR, must};
 use crate::case::file::value::Value;
 use crate::error::Error;
+use crate::measure::Quantity;
 use crate::scene::{Body, BoundaryName, Component, Place, Shape};
 use crate::solve::Displaced;
 

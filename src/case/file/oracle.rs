@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::oracle::SharedOracle;
 use crate::oracle::analytic::even_gap::EvenGap;
 use crate::oracle::analytic::hertz::Hertz;
-use crate::oracle::analytic::lame::{PressFit, RingMaterial};
+use crate::oracle::analytic::lame::PressFit;
 use crate::oracle::analytic::on_arc::OnArc;
 use crate::oracle::analytic::persson::PinInHole;
 use crate::oracle::analytic::punch::FlatPunch;
@@ -70,7 +70,7 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
                 load: load()?,
                 modulus: material.plane_modulus(scene.plane),
                 poisson: material.poisson,
-                plane: scene.plane.into(),
+                plane: scene.plane,
             })
         }
         "lame" => Arc::new(lame(t, scene, pair)?),
@@ -125,10 +125,7 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
 
 fn lame(t: Value, scene: &Scene, pair: &ContactPair) -> Result<PressFit, Error> {
     let [bore, interface, outside] = t.at("radii").exactly()?;
-    let [inner, outer] = rings(pair).map(|body| {
-        let material = scene.bodies[body].material;
-        RingMaterial { young: material.young, poisson: material.poisson }
-    });
+    let [inner, outer] = rings(pair).map(|body| scene.bodies[body].material);
     let bore = bore.within("a radius of 0 or more", |radius| radius >= 0.0)?;
     Ok(PressFit {
         bore: t.units.length * bore,
@@ -137,7 +134,7 @@ fn lame(t: Value, scene: &Scene, pair: &ContactPair) -> Result<PressFit, Error> 
         interference: t.at("interference").length()?,
         inner,
         outer,
-        plane: scene.plane.into(),
+        plane: scene.plane,
     })
 }
 

@@ -4,11 +4,11 @@ use crate::case::file::form::Form::{Number, Table, Text};
 use crate::case::file::form::{Form, may, must};
 use crate::case::file::named::{self, OF_BODY};
 use crate::case::file::value::Value;
-use crate::case::{Check, Quantity, Reference, Relation};
-use crate::error::{Coordinate, Error};
-use crate::measure::display_factor;
+use crate::case::{self, Check, Reference, Relation};
+use crate::error::Error;
+use crate::measure::{Quantity, display_factor};
 use crate::oracle::{ReferenceKind, SharedOracle};
-use crate::scene::{ContactPair, Scene};
+use crate::scene::{Component, ContactPair, Displaced, Place, Scene};
 
 /// `[[check]]`.
 pub(super) const CHECK: Form = Table(&[
@@ -26,35 +26,21 @@ pub(super) const CHECK: Form = Table(&[
     may("because", Text),
 ]);
 
-/// What a check may ask for, as files name it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Asked {
-    PeakPressure,
-    HalfWidth,
-    SecondMomentWidth,
-    Centre,
-    Resultant,
-    Pressure,
-    Reaction,
-    Displacement,
-    Approach,
-    Shear,
-    ShearDepth,
-}
-
-const QUANTITIES: [(&str, Asked); 11] = [
-    ("peak-pressure", Asked::PeakPressure),
-    (HALF_WIDTH, Asked::HalfWidth),
-    (SECOND_MOMENT_WIDTH, Asked::SecondMomentWidth),
-    ("centre", Asked::Centre),
-    ("resultant", Asked::Resultant),
-    ("pressure", Asked::Pressure),
-    ("reaction", Asked::Reaction),
-    ("displacement", Asked::Displacement),
-    ("approach", Asked::Approach),
-    ("shear", Asked::Shear),
-    ("shear-depth", Asked::ShearDepth),
+/// What a check may ask for, as files name it; its place, body, support or side is filled in from the other keys.
+const QUANTITIES: [(&str, &Quantity); 11] = [
+    ("peak-pressure", &Quantity::PeakPressure),
+    (HALF_WIDTH, &Quantity::HalfWidth),
+    (SECOND_MOMENT_WIDTH, &Quantity::SecondMomentWidth),
+    ("centre", &Quantity::Centre),
+    ("resultant", &Quantity::Resultant),
+    ("pressure", &Quantity::Pressure { at: f64::NAN }),
+    ("reaction", &Quantity::Reaction { body: 0, support: 0 }),
+    ("displacement", &Quantity::Displacement(NOWHERE)),
+    ("approach", &Quantity::Approach),
+    ("shear", &Quantity::Shear { body: 0 }),
+    ("shear-depth", &Quantity::ShearDepth { body: 0 }),
 ];
+const NOWHERE: Displaced = Displaced { body: 0, at: Place::Point([f64::NAN; 2]), component: Component::Y };
 /// Names of the half-width, half of what lies between begin and end, and of the second-moment width, which had another.
 pub(super) const HALF_WIDTH: &str = "contact-half-width";
 pub(super) const SECOND_MOMENT_WIDTH: &str = "second-moment-width";
@@ -97,35 +83,34 @@ pub(super) fn check(
     let along = if is_straight { units.length } else { 1.0 / display_factor(&pair.path) };
     let at = place(table, asked, pair, along)?;
     refuse_unused(table, asked)?;
-    let (quantity, unit) = match asked {
-        Asked::PeakPressure => (Quantity::PeakPressure, units.stress),
-        Asked::HalfWidth if is_straight => (Quantity::HalfWidth, units.length),
-        // Given and told in degrees.
-        Asked::HalfWidth => (Quantity::HalfAngle, 1.0),
-        Asked::SecondMomentWidth if is_straight => (Quantity::SecondMomentWidth, units.length),
-        Asked::SecondMomentWidth => (Quantity::SecondMomentAngle, 1.0),
-        Asked::Centre => (Quantity::Centre, along),
-        Asked::Resultant => (Quantity::Resultant, units.force),
-        Asked::Pressure if is_straight => (Quantity::Pressure { at: Coordinate::Length(at) }, units.stress),
-        Asked::Pressure => (Quantity::Pressure { at: Coordinate::Angle(at) }, units.stress),
-        Asked::Reaction => {
+    let quantity = match asked {
+        Quantity::Pressure { .. } => Quantity::Pressure { at },
+        Quantity::Reaction { .. } => {
             let remedy = "add `support = { body = \"…\", at = \"…\", component = \"…\" }`, as the body lists it";
             let without = || name.refused("a reaction without its support", remedy);
-            let support = table.get("support").ok_or_else(without)?;
-            (named::reaction(support, bodies, &scene.bodies)?, units.force)
+            named::reaction(table.get("support").ok_or_else(without)?, bodies, &scene.bodies)?
         }
-        Asked::Displacement => {
+        Quantity::Displacement(_) => {
             let remedy = "add `of = { body = \"…\", at = \"…\", component = \"…\" }`; `at` may be a point";
             let of = table.get("of").ok_or_else(|| name.refused("a displacement without its place", remedy))?;
-            (Quantity::Displacement(named::displaced(of, &scene.bodies)?), units.length)
+            Quantity::Displacement(named::displaced(of, &scene.bodies)?)
         }
-        Asked::Approach => {
-            refuse_no_approach(name, scene, contact)?;
-            (Quantity::Approach, units.length)
-        }
-        Asked::Shear => (Quantity::Shear { body: body(table, scene, pair)? }, units.stress),
-        Asked::ShearDepth => (Quantity::ShearDepth { body: body(table, scene, pair)? }, units.length),
+        Quantity::Shear { .. } => Quantity::Shear { body: body(table, scene, pair)? },
+        Quantity::ShearDepth { .. } => Quantity::ShearDepth { body: body(table, scene, pair)? },
+        other => other.clone(),
     };
+    if quantity == Quantity::Approach {
+        refuse_no_approach(name, scene, contact)?;
+    }
+    let unit = match &quantity {
+        Quantity::Resultant | Quantity::Reaction { .. } => units.force,
+        Quantity::PeakPressure | Quantity::Pressure { .. } | Quantity::Shear { .. } => units.stress,
+        Quantity::Displacement(_) | Quantity::Approach | Quantity::ShearDepth { .. } => units.length,
+        // Given and told in degrees.
+        _ if !is_straight => 1.0,
+        _ => units.length,
+    };
+    let quantity = case::Quantity::on(&pair.path, quantity);
     let kind = table.get("kind").map(|kind| kind.choice("kind of reference", &KINDS)).transpose()?;
     let tolerance = table.at("tolerance").positive()?;
     let reference = match table.get("value") {
@@ -135,7 +120,7 @@ pub(super) fn check(
             value: unit * value.finite()?,
             uncertainty: None,
         },
-        None => read(table, &quantity, scene.thickness, oracles[contact].as_ref())?,
+        None => read(table, &quantity, scene, contact, oracles[contact].as_ref())?,
     };
     let because = table.get("because").map_or("the tolerance given", Value::text).to_owned();
     let check = match reference.value.abs() > 0.0 {
@@ -150,10 +135,10 @@ pub(super) fn check(
 }
 
 /// The contact that is named; one that is not named must be the only one.
-fn contact(table: Value, asked: Asked, scene: &Scene) -> Result<usize, Error> {
+fn contact(table: Value, asked: &Quantity, scene: &Scene) -> Result<usize, Error> {
     let belongs_elsewhere = match asked {
-        Asked::Reaction => Some("a reaction belongs to a support"),
-        Asked::Displacement => Some("a displacement belongs to a body"),
+        Quantity::Reaction { .. } => Some("a reaction belongs to a support"),
+        Quantity::Displacement(_) => Some("a displacement belongs to a body"),
         _ => None,
     };
     let known: Vec<_> = scene.contacts.iter().enumerate().map(|(k, pair)| (pair.name.as_str(), k)).collect();
@@ -176,18 +161,20 @@ fn listed(known: &[(&str, usize)]) -> String {
 }
 
 /// Where a pressure is asked for \[mm, or rad on an arc\]; NaN for what has no place.
-fn place(table: Value, asked: Asked, pair: &ContactPair, along: f64) -> Result<f64, Error> {
+fn place(table: Value, asked: &Quantity, pair: &ContactPair, along: f64) -> Result<f64, Error> {
     let both = pair.path.has_both_sides();
     match (table.get("at"), asked) {
-        (Some(at), Asked::Pressure) if both => {
+        (Some(at), Quantity::Pressure { .. }) if both => {
             let [end, shown] = [pair.stretch * (1.0 + 1e-9), pair.stretch / along];
             let expected = format!("a coordinate from -{shown} to {shown}");
             Ok(along * at.within(&expected, |s| (along * s).abs() <= end)?)
         }
-        (Some(at), Asked::Pressure) => Ok(along * at.within("a coordinate from 0 on", |s| s >= 0.0)?),
-        (None, Asked::Pressure) => Err(table.at("quantity").refused("a pressure without a place", "add `at`")),
+        (Some(at), Quantity::Pressure { .. }) => Ok(along * at.within("a coordinate from 0 on", |s| s >= 0.0)?),
+        (None, Quantity::Pressure { .. }) => {
+            Err(table.at("quantity").refused("a pressure without a place", "add `at`"))
+        }
         (Some(at), _) => Err(at.refused("only `pressure` is taken at a place", "leave `at` out")),
-        (None, Asked::Centre) if !both => {
+        (None, Quantity::Centre) if !both => {
             let remedy = "leave the check out, or give `both-sides = true` in [contact]";
             Err(table.at("quantity").refused("a contact that begins at x = 0 has no `centre`", remedy))
         }
@@ -196,11 +183,11 @@ fn place(table: Value, asked: Asked, pair: &ContactPair, along: f64) -> Result<f
 }
 
 /// Refuses keys that belong to other quantities.
-fn refuse_unused(table: Value, asked: Asked) -> Result<(), Error> {
-    let is_below = matches!(asked, Asked::Shear | Asked::ShearDepth);
+fn refuse_unused(table: Value, asked: &Quantity) -> Result<(), Error> {
+    let is_below = matches!(asked, Quantity::Shear { .. } | Quantity::ShearDepth { .. });
     let keys = [
-        ("support", asked == Asked::Reaction, "only a `reaction` has a support"),
-        ("of", asked == Asked::Displacement, "only a `displacement` is that of a place"),
+        ("support", matches!(asked, Quantity::Reaction { .. }), "only a `reaction` has a support"),
+        ("of", matches!(asked, Quantity::Displacement(_)), "only a `displacement` is that of a place"),
         ("body", is_below, "only `shear` and `shear-depth` are taken in one body"),
     ];
     match keys.into_iter().find_map(|(key, is_used, told)| Some((key, table.get(key).filter(|_| !is_used)?, told))) {
@@ -234,7 +221,13 @@ fn body(table: Value, scene: &Scene, pair: &ContactPair) -> Result<usize, Error>
 }
 
 /// What the closed form of the contact says of a quantity.
-fn read(table: Value, quantity: &Quantity, thickness: f64, oracle: Option<&SharedOracle>) -> Result<Reference, Error> {
+fn read(
+    table: Value,
+    quantity: &case::Quantity,
+    scene: &Scene,
+    contact: usize,
+    oracle: Option<&SharedOracle>,
+) -> Result<Reference, Error> {
     let name = table.at("quantity");
     let Some(oracle) = oracle else {
         let remedy = "give `value`, or the contact an `oracle`";
@@ -243,7 +236,8 @@ fn read(table: Value, quantity: &Quantity, thickness: f64, oracle: Option<&Share
     if let Some(kind) = table.get("kind") {
         return Err(kind.refused("the kind is that of the oracle", "leave `kind` out"));
     }
-    let reference = Reference::of(oracle.as_ref(), quantity, thickness);
+    let reading = quantity.number().map(|number| Reference::of(oracle.as_ref(), scene, contact, number));
+    let reference = reading.map(|reading| reading.times(quantity.factor()));
     reference.filter(|reference| reference.value.is_finite()).ok_or_else(|| {
         let message = format!("{} gives no {} here", oracle.name(), quantity.name());
         name.refused(message, "give `value`, or mend the numbers of the `oracle`")

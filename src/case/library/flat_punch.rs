@@ -2,8 +2,8 @@
 use std::f64::consts::PI;
 
 use crate::case::library::shared::block;
-use crate::case::{Against, Case, Check, Quantity};
-use crate::error::Coordinate;
+use crate::case::{Against, Case, Check};
+use crate::measure::Quantity;
 use crate::oracle::analytic::punch;
 use crate::scene::{
     ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, ReferenceValues, Scene,
@@ -60,7 +60,7 @@ pub(super) const TITLE: &str = "rigid flat punch on a large block";
 /// Blocks of two sizes, whose ends the closed form leaves out: as the square of half-width over block.
 pub(super) fn cases() -> Vec<Case> {
     let because = "the block is finite: two sizes are shown; the corner singularity is resolved to a/250";
-    let check = Check::near(Quantity::Pressure { at: Coordinate::Length(0.0) }, Against::Oracle, 5e-3, because);
+    let check = Check::near(Quantity::Pressure { at: 0.0 }, Against::Oracle, 5e-3, because);
     let of = |size| {
         let case = FlatPunch { size, ..Default::default() }.case();
         Case {

@@ -1,6 +1,7 @@
 //! Pin in a connecting-rod eye (the paper's example b).
 use crate::case::library::shared::{ARC_UNIT, ENGINEERING, body, fixed, hole_contact, pin_reference, symmetry};
 use crate::case::{Against, Case, Check, Quantity};
+use crate::measure::Quantity as Number;
 use crate::scene::{Circle, Component, Face, Grading, Load, Material, PlaneHypothesis, Scene, Sector, Shape};
 use crate::solve::Formulation;
 
@@ -101,6 +102,6 @@ pub const NINE: &str = "pin-rod";
 pub(super) fn cases() -> Vec<Case> {
     let near = |quantity| Check::near(quantity, Against::Verification, 1e-2, ENGINEERING);
     let profile = Check::error(Quantity::EdgeMeans, Against::Verification, 1e-2, ENGINEERING);
-    let checks = vec![near(Quantity::PeakPressure), near(Quantity::SecondMomentAngle), profile];
+    let checks = vec![near(Number::PeakPressure.into()), near(Quantity::on_arc(Number::SecondMomentWidth)), profile];
     vec![Case { formulations: Formulation::compared(), checks, ..PinRod::default().case() }]
 }

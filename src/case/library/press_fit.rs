@@ -72,7 +72,7 @@ impl PressFit {
 
     /// The case, with Lamé's solution.
     pub fn case(&self) -> Case {
-        let [inner, outer] = self.materials.map(|m| lame::RingMaterial { young: m.young, poisson: m.poisson });
+        let [inner, outer] = self.materials;
         let oracle = lame::PressFit {
             bore: self.inner,
             interface: self.interface,
@@ -80,7 +80,7 @@ impl PressFit {
             interference: self.interference,
             inner,
             outer,
-            plane: self.plane.into(),
+            plane: self.plane,
         };
         Case::of("press-fit", TITLE, self.scene(), 32).against(oracle)
     }

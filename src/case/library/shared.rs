@@ -1,6 +1,7 @@
 //! What several scenes of the library share.
 
-use crate::case::{Against, Check, Quantity};
+use crate::case::{Against, Check};
+use crate::measure::Quantity;
 use crate::scene::{
     Body, Circle, Component, ContactPair, Face, Grading, Load, Material, Path, Place, Profile, ReferenceValues, Shape,
     Support,

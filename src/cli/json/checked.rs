@@ -52,26 +52,11 @@ pub struct Checked {
     /// Why this tolerance.
     because: Option<String>,
     /// Whether it passed, failed or was not run.
-    verdict: Ended,
+    verdict: Verdict,
     /// Why it did not pass; null where it did.
     reason: Option<String>,
     /// Whether it passed.
     passed: bool,
-}
-
-/// A verdict.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, JsonSchema)]
-enum Ended {
-    /// The error is within the tolerance.
-    #[serde(rename = "pass")]
-    Pass,
-    /// It is not, or it is no number.
-    #[serde(rename = "fail")]
-    Fail,
-    /// The reference is absent.
-    #[default]
-    #[serde(rename = "not run")]
-    NotRun,
 }
 
 impl Line {
@@ -87,7 +72,7 @@ impl Line {
 
     /// Whether it failed.
     pub fn failed(&self) -> bool {
-        self.check.verdict == Ended::Fail
+        self.check.verdict == Verdict::Fail
     }
 }
 
@@ -110,11 +95,7 @@ impl Checked {
             error: (*error).into(),
             tolerance: check.tolerance.into(),
             because: Some(check.because.to_string()),
-            verdict: match verdict {
-                Verdict::Pass => Ended::Pass,
-                Verdict::Fail => Ended::Fail,
-                Verdict::NotRun(_) => Ended::NotRun,
-            },
+            verdict: verdict.clone(),
             reason: judged.reason(),
             passed: *verdict == Verdict::Pass,
         }
@@ -123,6 +104,6 @@ impl Checked {
     /// What stands for the checks of a trial that broke off.
     fn broken(error: &Error) -> Self {
         let why = error.to_string();
-        Self { requirement: why.clone(), verdict: Ended::Fail, reason: Some(why), ..Self::default() }
+        Self { requirement: why.clone(), verdict: Verdict::Fail, reason: Some(why), ..Self::default() }
     }
 }

@@ -10,13 +10,17 @@ use crate::solve::run::Errors;
 
 use super::Number;
 
+/// What a contact coordinate is, on a straight path and on an arc.
+const COORDINATES: [&str; 2] = ["length", "angle"];
+
 /// What one contact came to; half-widths, centre and positions are lengths, or angles on an arc.
 #[derive(Serialize, JsonSchema)]
 pub struct Contact<'a> {
     /// Its name.
     name: &'a str,
-    /// What its coordinate is.
-    coordinate: Coordinate,
+    /// What its coordinate is: along a straight path in the unit `length`, along an arc in the unit `angle`.
+    #[schemars(extend("enum" = COORDINATES))]
+    coordinate: &'static str,
     /// Half-width: half of what lies between where the contact begins and ends.
     half_width: Number,
     /// Second-moment width.
@@ -55,16 +59,6 @@ pub struct Contact<'a> {
     penalty_error: Option<ContactError>,
     /// Every contact point.
     profile: Vec<Point>,
-}
-
-/// What a contact coordinate is.
-#[derive(Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-enum Coordinate {
-    /// Along a straight path, in the unit `length`.
-    Length,
-    /// Along an arc, in the unit `angle`.
-    Angle,
 }
 
 /// Relative errors, with sign.
@@ -108,7 +102,7 @@ impl<'a> Contact<'a> {
         let measures = &found.measures;
         Self {
             name: &pair.name,
-            coordinate: if pair.path.is_straight() { Coordinate::Length } else { Coordinate::Angle },
+            coordinate: COORDINATES[usize::from(!pair.path.is_straight())],
             half_width: measures.half_width().into(),
             second_moment_width: measures.second_moment_width.into(),
             half_width_nodes: measures.half_width_nodes.into(),

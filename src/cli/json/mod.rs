@@ -24,7 +24,7 @@ use crate::named::named_enum;
 pub use checked::{Checked, Line};
 pub use compared::{Compared, Compares};
 pub use number::Number;
-pub use oracle::{OracleReading, Read};
+pub use oracle::OracleReading;
 pub use refereed::Refereed;
 pub use solved::Solved;
 

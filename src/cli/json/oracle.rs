@@ -3,8 +3,10 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::case::{Case, Reference};
-use crate::oracle::{Quantity, ReferenceKind};
+use crate::case::Case;
+use crate::markdown;
+use crate::measure::{Quantity, relative_error};
+use crate::oracle::ReferenceKind;
 use crate::solve::run::{Contact, Run};
 
 use super::Number;
@@ -19,41 +21,25 @@ pub struct OracleReading {
     /// What kind of truth it is.
     pub kind: ReferenceKind,
     /// The quantity.
-    pub quantity: Read,
+    #[schemars(extend("enum" = ASKED.map(|(_, [quantity, _])| quantity)))]
+    pub quantity: &'static str,
     /// Reference value: mm, or rad on an arc; MPa; N.
     pub reference: Number,
     /// Relative error.
     pub error: Number,
+    /// Name of the quantity in a sentence, and the reference in the unit that it is shown in.
+    #[serde(skip)]
+    pub told: String,
 }
 
-/// A quantity that oracles are asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Read {
-    /// Half-width: half of what lies between begin and end.
-    HalfWidth,
-    /// Second-moment width.
-    SecondMomentWidth,
-    /// Largest pressure.
-    PeakPressure,
-    /// Pressure at s = 0.
-    PressureAtZero,
-    /// Force on the whole contact.
-    Resultant,
-}
-
-impl Read {
-    /// Its name in a sentence.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::HalfWidth => "half-width",
-            Self::SecondMomentWidth => "second-moment width",
-            Self::PeakPressure => "peak pressure",
-            Self::PressureAtZero => "pressure at 0",
-            Self::Resultant => "resultant",
-        }
-    }
-}
+/// The numbers that oracles are asked for, with their names in JSON and in a sentence.
+const ASKED: [(Quantity, [&str; 2]); 5] = [
+    (Quantity::HalfWidth, ["half_width", "half-width"]),
+    (Quantity::SecondMomentWidth, ["second_moment_width", "second-moment width"]),
+    (Quantity::PeakPressure, ["peak_pressure", "peak pressure"]),
+    (Quantity::Pressure { at: 0.0 }, ["pressure_at_zero", "pressure at 0"]),
+    (Quantity::Resultant, ["resultant", "resultant"]),
+];
 
 /// Readings of the oracle of each contact for the quantities it knows, each beside the same quantity of the run.
 pub fn readings(problem: &Case, run: &Run) -> Vec<OracleReading> {
@@ -61,27 +47,24 @@ pub fn readings(problem: &Case, run: &Run) -> Vec<OracleReading> {
 }
 
 fn of_contact(problem: &Case, run: &Run, contact: usize) -> Vec<OracleReading> {
-    let Some(oracle) = problem.oracle_of(contact) else { return Vec::new() };
-    let read = |quantity| Reference::read(oracle.as_ref(), quantity).value;
-    let resultant = read(Quantity::Resultant) * problem.scene.thickness;
     let (pair, Contact { measures, transmitted, .. }) = (&problem.scene.contacts[contact], &run.contacts[contact]);
-    let edge = if pair.path.is_straight() { Quantity::HalfWidth } else { Quantity::ContactAngle };
-    let all = [
-        (Read::HalfWidth, measures.half_width(), read(edge)),
-        (Read::SecondMomentWidth, measures.second_moment_width, read(Quantity::SecondMoment)),
-        (Read::PeakPressure, measures.peak.pressure, read(Quantity::PeakPressure)),
-        (Read::PressureAtZero, measures.pressure_at_origin, read(Quantity::Pressure { at: 0.0 })),
-        (Read::Resultant, *transmitted, resultant),
-    ];
-    all.into_iter()
-        .filter(|(_, _, reference)| reference.is_finite())
-        .map(|(quantity, value, reference)| OracleReading {
+    let all = ASKED.map(|(of, [quantity, name])| {
+        let value = match of {
+            Quantity::Resultant => *transmitted,
+            Quantity::Pressure { .. } => measures.pressure_at_origin,
+            _ => of.of(measures),
+        };
+        let reference = problem.reading(contact, &of);
+        let (unit, factor) = of.unit(!pair.path.is_straight());
+        OracleReading {
             contact: pair.name.clone(),
-            name: oracle.name().into(),
-            kind: oracle.kind(),
+            name: reference.name,
+            kind: reference.kind,
             quantity,
-            reference: reference.into(),
-            error: ((value - reference).abs() / reference.abs()).into(),
-        })
-        .collect()
+            reference: reference.value.into(),
+            error: relative_error(value, reference.value).into(),
+            told: format!("{name}: {} {unit}", markdown::value(factor * reference.value)),
+        }
+    });
+    all.into_iter().filter(|reading| reading.reference != Number::default()).collect()
 }

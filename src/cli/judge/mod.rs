@@ -10,7 +10,7 @@ use std::fs;
 
 use crate::case::Verdict;
 use crate::cli::choice;
-use crate::cli::ended::Ended;
+use crate::cli::exit::Exit;
 use crate::cli::json::{Answer, Line, Refereed};
 use crate::cli::terminal::say;
 use crate::error::Error;
@@ -20,7 +20,7 @@ use crate::study::drawn;
 pub use options::Arguments;
 
 /// Judges every answer, prints the verdicts and tells how they ended.
-pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
+pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
     arguments.refuse()?;
     let case = choice::case(&arguments.case, None)?;
     arguments.refuse_unwritable(&case)?;
@@ -55,5 +55,5 @@ pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
             }
         }
     }
-    Ok(Ended::checked(met))
+    Ok(Exit::checked(met))
 }

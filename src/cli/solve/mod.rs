@@ -19,7 +19,7 @@ mod table;
 use std::path::Path;
 
 use crate::case::{Case, Verdict};
-use crate::cli::ended::Ended;
+use crate::cli::exit::Exit;
 use crate::cli::json::{Answer, Solved};
 use crate::cli::outputs::STDOUT;
 use crate::cli::terminal::say;
@@ -37,12 +37,12 @@ use stages::Stages;
 /// Solves, prints a table unless JSON goes to standard output, writes what was asked for, and tells how it ended.
 ///
 /// A mistake that shows only now is told with its line in the file.
-pub fn run(arguments: &Arguments) -> Result<Ended, Error> {
+pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
     let case = arguments.named()?;
     solve(arguments, case.clone()).map_err(|error| case.located(error))
 }
 
-fn solve(arguments: &Arguments, case: Case) -> Result<Ended, Error> {
+fn solve(arguments: &Arguments, case: Case) -> Result<Exit, Error> {
     let question = asked(arguments, case)?;
     let stages = Stages::new();
     let found = Found::of(question, !arguments.no_error_bar, &stages)?;
@@ -75,7 +75,7 @@ fn asked(arguments: &Arguments, mut problem: Case) -> Result<Question, Error> {
 }
 
 /// Prints what was found and tells how that ended.
-fn shown(arguments: &Arguments, document: String, found: &Found) -> Result<Ended, Error> {
+fn shown(arguments: &Arguments, document: String, found: &Found) -> Result<Exit, Error> {
     if arguments.json.as_deref() == Some(Path::new(STDOUT)) {
         say(document);
     } else {
@@ -91,7 +91,7 @@ fn shown(arguments: &Arguments, document: String, found: &Found) -> Result<Ended
         eprintln!("not converged: these numbers are those of the last iteration; {remedy}");
     }
     let passed = found.checks.iter().all(|check| check.verdict != Verdict::Fail);
-    Ok(Ended::of(run, Ended::checked(passed)))
+    Ok(Exit::of(run, Exit::checked(passed)))
 }
 
 /// Writes the files that were asked for, once all of them are made.

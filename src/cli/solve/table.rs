@@ -1,7 +1,7 @@
 //! The result of a solve as lines on standard output.
 
 use crate::algorithm::Acceleration;
-use crate::cli::json::{OracleReading, Read, oracle};
+use crate::cli::json::{OracleReading, oracle};
 use crate::cli::reactions::ReactionReading;
 use crate::cli::solve::found::Found;
 use crate::cli::terminal::say;
@@ -38,17 +38,9 @@ pub fn print(found: &Found) {
 
 /// What an oracle says of a quantity of its contact, and how far the run is from it.
 fn of_oracle(contacts: &[ContactPair], oracle: &OracleReading) -> String {
-    let OracleReading { contact, name, kind, quantity, reference, error } = oracle;
-    let arc = contacts.iter().find(|pair| pair.name == *contact && !pair.path.is_straight());
-    let (unit, factor) = match (quantity, arc) {
-        (Read::HalfWidth | Read::SecondMomentWidth, None) => ("mm", 1.0),
-        (Read::HalfWidth | Read::SecondMomentWidth, Some(pair)) => ("°", display_factor(&pair.path)),
-        (Read::PeakPressure | Read::PressureAtZero, _) => ("MPa", 1.0),
-        (Read::Resultant, _) => ("N", 1.0),
-    };
+    let OracleReading { contact, name, kind, told, error, .. } = oracle;
     let of = if contacts.len() > 1 { format!("contact `{contact}`: ") } else { String::new() };
-    let (reference, error) = (markdown::value(factor * reference.value()), markdown::error(error.value()));
-    format!("{of}{name} ({kind}) {}: {reference} {unit}, error {error}", quantity.name())
+    format!("{of}{name} ({kind}) {told}, error {}", markdown::error(error.value()))
 }
 
 /// By what it was solved, how it ended, and what that took.

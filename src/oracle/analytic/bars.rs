@@ -49,7 +49,7 @@ impl Oracle for Bars {
         Source::new("Hooke's law", "two bars in series; bilinear, exact for ν = 0")
     }
 
-    fn read(&self, quantity: Quantity) -> Reading {
+    fn read(&self, quantity: &Quantity) -> Reading {
         let parameters = vec![
             positive("young", self.young),
             positive("section", self.section),

@@ -182,7 +182,7 @@ impl Oracle for EvenGap {
         Source::new("Johnson, Contact Mechanics, 1985, §2.7", "Glauert's integral, term by term")
     }
 
-    fn read(&self, quantity: Quantity) -> Reading {
+    fn read(&self, quantity: &Quantity) -> Reading {
         let mut parameters = vec![
             positive("modulus", self.modulus),
             positive("half_width", self.half_width),
@@ -190,12 +190,12 @@ impl Oracle for EvenGap {
         ];
         let value = match quantity {
             Quantity::HalfWidth => self.half_width,
-            Quantity::SecondMoment => self.second_moment(),
+            Quantity::SecondMomentWidth => self.second_moment(),
             Quantity::PeakPressure => self.peak_pressure(),
             Quantity::Resultant => self.load(),
             Quantity::Pressure { at } => {
-                parameters.push(finite("at", at));
-                let cosine = at / self.half_width;
+                parameters.push(finite("at", *at));
+                let cosine = *at / self.half_width;
                 if cosine.abs() < 1.0 { self.pressure(cosine.acos()) } else { 0.0 }
             }
             _ => return Reading::Silent,

@@ -91,16 +91,16 @@ impl Oracle for Hertz {
         )
     }
 
-    fn read(&self, quantity: Quantity) -> Reading {
+    fn read(&self, quantity: &Quantity) -> Reading {
         let mut parameters =
             vec![positive("load", self.load), positive("radius", self.radius), positive("modulus", self.modulus)];
         let value = match quantity {
-            Quantity::HalfWidth | Quantity::SecondMoment => self.half_width(),
+            Quantity::HalfWidth | Quantity::SecondMomentWidth => self.half_width(),
             Quantity::PeakPressure => self.peak_pressure(),
             Quantity::Resultant => self.load,
             Quantity::Pressure { at } => {
-                parameters.push(finite("at", at));
-                self.pressure(at)
+                parameters.push(finite("at", *at));
+                self.pressure(*at)
             }
             _ => return Reading::Silent,
         };

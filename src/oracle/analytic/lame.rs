@@ -2,6 +2,7 @@
 
 use super::{Parameter, Plane, answer, finite, non_negative, poisson_ratio, positive};
 use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use crate::scene::Material;
 
 /// Inner ring `a…b` pressed into an outer ring `b…c` (Lamé 1852).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,31 +16,21 @@ pub struct PressFit {
     /// Radial interference `δ` \[mm\], positive where the rings overlap before they are fitted.
     pub interference: f64,
     /// Material of the inner ring.
-    pub inner: RingMaterial,
+    pub inner: Material,
     /// Material of the outer ring.
-    pub outer: RingMaterial,
+    pub outer: Material,
     /// The two-dimensional state of both rings.
     pub plane: Plane,
 }
 
-/// Elastic constants of a ring.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RingMaterial {
-    /// Young's modulus `E` \[MPa\].
-    pub young: f64,
-    /// Poisson's ratio `ν`.
-    pub poisson: f64,
-}
-
-impl RingMaterial {
-    /// Constants of the plane-stress formula: in plane strain `E → E/(1−ν²)`, `ν → ν/(1−ν)`.
-    fn in_plane(self, plane: Plane) -> Self {
-        match plane {
-            Plane::Stress => self,
-            Plane::Strain => {
-                Self { young: self.young / (1.0 - self.poisson.powi(2)), poisson: self.poisson / (1.0 - self.poisson) }
-            }
-        }
+/// Constants of the plane-stress formula: in plane strain `E → E/(1−ν²)`, `ν → ν/(1−ν)`.
+fn in_plane(material: Material, plane: Plane) -> Material {
+    match plane {
+        Plane::Stress => material,
+        Plane::Strain => Material {
+            young: material.young / (1.0 - material.poisson.powi(2)),
+            poisson: material.poisson / (1.0 - material.poisson),
+        },
     }
 }
 
@@ -48,7 +39,7 @@ impl PressFit {
     ///
     /// `p = δ / { b [ (1/E_o)((c²+b²)/(c²−b²) + ν_o) + (1/E_i)((b²+a²)/(b²−a²) − ν_i) ] }`.
     pub fn pressure(&self) -> f64 {
-        let (inner, outer) = (self.inner.in_plane(self.plane), self.outer.in_plane(self.plane));
+        let (inner, outer) = (in_plane(self.inner, self.plane), in_plane(self.outer, self.plane));
         let [a, b, c] = [self.bore, self.interface, self.outside].map(|radius| radius.powi(2));
         let widening = ((c + b) / (c - b) + outer.poisson) / outer.young;
         let narrowing = ((b + a) / (b - a) - inner.poisson) / inner.young;
@@ -57,7 +48,7 @@ impl PressFit {
 
     /// Radial displacement of the inner ring at a radius \[mm\]: `−p b² ((1 − ν) r + (1 + ν) a²/r) / E (b² − a²)`.
     pub fn inner_displacement(&self, radius: f64) -> f64 {
-        let RingMaterial { young, poisson } = self.inner.in_plane(self.plane);
+        let Material { young, poisson } = in_plane(self.inner, self.plane);
         let [a, b] = [self.bore, self.interface].map(|radius| radius.powi(2));
         let shape = (1.0 - poisson) * radius + (1.0 + poisson) * a / radius;
         -self.pressure() * b * shape / (young * (b - a))
@@ -65,7 +56,7 @@ impl PressFit {
 
     /// Radial displacement of the outer ring at a radius \[mm\]: `p b² ((1 − ν) r + (1 + ν) c²/r) / E (c² − b²)`.
     pub fn outer_displacement(&self, radius: f64) -> f64 {
-        let RingMaterial { young, poisson } = self.outer.in_plane(self.plane);
+        let Material { young, poisson } = in_plane(self.outer, self.plane);
         let [b, c] = [self.interface, self.outside].map(|radius| radius.powi(2));
         let shape = (1.0 - poisson) * radius + (1.0 + poisson) * c / radius;
         self.pressure() * b * shape / (young * (c - b))
@@ -110,12 +101,12 @@ impl Oracle for PressFit {
         )
     }
 
-    fn read(&self, quantity: Quantity) -> Reading {
+    fn read(&self, quantity: &Quantity) -> Reading {
         let mut parameters = self.parameters();
         let value = match quantity {
             Quantity::PeakPressure => self.pressure(),
             Quantity::Pressure { at } => {
-                parameters.push(finite("at", at));
+                parameters.push(finite("at", *at));
                 self.pressure()
             }
             _ => return Reading::Silent,

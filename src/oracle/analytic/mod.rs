@@ -12,7 +12,6 @@
 //! * [`weight`]: a block under its own weight.
 
 use super::{Quantity, Reading};
-use crate::scene::PlaneHypothesis;
 
 pub mod bars;
 pub mod even_gap;
@@ -25,34 +24,7 @@ pub mod uniform;
 pub mod waves;
 pub mod weight;
 
-/// Which two-dimensional state a body is in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Plane {
-    /// No stress across the thickness.
-    Stress,
-    /// No strain across the thickness.
-    Strain,
-}
-
-impl From<PlaneHypothesis> for Plane {
-    fn from(plane: PlaneHypothesis) -> Self {
-        match plane {
-            PlaneHypothesis::Stress => Self::Stress,
-            PlaneHypothesis::Strain => Self::Strain,
-        }
-    }
-}
-
-impl Plane {
-    /// Kolosov's constant `κ'`: `(3−ν)/(1+ν)` in plane stress, `3−4ν` in plane strain.
-    pub fn kolosov(self, poisson: f64) -> f64 {
-        match self {
-            Self::Stress => (3.0 - poisson) / (1.0 + poisson),
-            Self::Strain => 3.0 - 4.0 * poisson,
-        }
-    }
-}
+pub use crate::scene::PlaneHypothesis as Plane;
 
 /// A parameter of a closed form and whether it may hold the value it has.
 struct Parameter {
@@ -93,12 +65,12 @@ fn answer(parameters: &[Parameter], value: f64) -> Reading {
 }
 
 /// A quantity of a contact under one pressure everywhere.
-fn uniform_answer(mut parameters: Vec<Parameter>, quantity: Quantity, pressure: f64, resultant: f64) -> Reading {
+fn uniform_answer(mut parameters: Vec<Parameter>, quantity: &Quantity, pressure: f64, resultant: f64) -> Reading {
     let value = match quantity {
         Quantity::Resultant => resultant,
         Quantity::PeakPressure => pressure,
         Quantity::Pressure { at } => {
-            parameters.push(finite("at", at));
+            parameters.push(finite("at", *at));
             pressure
         }
         _ => return Reading::Silent,

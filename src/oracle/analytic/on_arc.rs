@@ -13,7 +13,7 @@ pub struct OnArc {
 
 impl OnArc {
     /// A length along the line as the angle `θ = s/r` \[rad\].
-    fn angle(&self, length: Quantity) -> Reading {
+    fn angle(&self, length: &Quantity) -> Reading {
         match self.straight.read(length) {
             Reading::Value { value, uncertainty } => {
                 Reading::Value { value: value / self.radius, uncertainty: uncertainty / self.radius }
@@ -36,12 +36,10 @@ impl Oracle for OnArc {
         self.straight.source()
     }
 
-    fn read(&self, quantity: Quantity) -> Reading {
+    fn read(&self, quantity: &Quantity) -> Reading {
         match quantity {
-            Quantity::ContactAngle => self.angle(Quantity::HalfWidth),
-            Quantity::SecondMoment => self.angle(Quantity::SecondMoment),
-            Quantity::HalfWidth => Reading::Silent,
-            Quantity::Pressure { at } => self.straight.read(Quantity::Pressure { at: self.radius * at }),
+            Quantity::HalfWidth | Quantity::SecondMomentWidth => self.angle(quantity),
+            Quantity::Pressure { at } => self.straight.read(&Quantity::Pressure { at: self.radius * at }),
             other => self.straight.read(other),
         }
     }

@@ -171,20 +171,20 @@ impl Oracle for PinInHole {
         )
     }
 
-    fn read(&self, quantity: Quantity) -> Reading {
+    fn read(&self, quantity: &Quantity) -> Reading {
         let mut parameters = self.parameters();
         if let Quantity::Pressure { at } | Quantity::HoopStress { at } | Quantity::PinHoopStress { at } = quantity {
-            parameters.push(finite("at", at));
+            parameters.push(finite("at", *at));
         }
         let value = match quantity {
-            Quantity::ContactAngle => self.half_angle(),
+            Quantity::HalfWidth => self.half_angle(),
             Quantity::PeakPressure => self.peak_pressure(),
             Quantity::Resultant => self.load,
-            Quantity::Pressure { at } => self.pressure(at),
-            Quantity::HoopStress { at } => self.hole_hoop_stress(at),
-            Quantity::PinHoopStress { at } => self.pin_hoop_stress(at),
-            Quantity::SecondMoment => self.second_moment(),
-            Quantity::HalfWidth => return Reading::Silent,
+            Quantity::Pressure { at } => self.pressure(*at),
+            Quantity::HoopStress { at } => self.hole_hoop_stress(*at),
+            Quantity::PinHoopStress { at } => self.pin_hoop_stress(*at),
+            Quantity::SecondMomentWidth => self.second_moment(),
+            _ => return Reading::Silent,
         };
         answer(&parameters, value)
     }

@@ -78,15 +78,15 @@ impl Oracle for FlatPunch {
         )
     }
 
-    fn read(&self, quantity: Quantity) -> Reading {
+    fn read(&self, quantity: &Quantity) -> Reading {
         let mut parameters = vec![positive("load", self.load), positive("half_width", self.half_width)];
         let value = match quantity {
             Quantity::HalfWidth => self.half_width,
-            Quantity::SecondMoment => self.second_moment(),
+            Quantity::SecondMomentWidth => self.second_moment(),
             Quantity::Resultant => self.load,
             Quantity::Pressure { at } => {
-                parameters.push(finite("at", at));
-                self.pressure(at)
+                parameters.push(finite("at", *at));
+                self.pressure(*at)
             }
             _ => return Reading::Silent,
         };

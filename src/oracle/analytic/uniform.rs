@@ -37,7 +37,7 @@ impl Oracle for Uniform {
         Source::new("equilibrium", "constant stress satisfies every field equation")
     }
 
-    fn read(&self, quantity: Quantity) -> Reading {
+    fn read(&self, quantity: &Quantity) -> Reading {
         let parameters = vec![positive("applied", self.applied), positive("width", self.width)];
         uniform_answer(parameters, quantity, self.pressure(), self.resultant())
     }

@@ -81,7 +81,7 @@ impl Oracle for Waves {
         Source::new("Westergaard 1939; Johnson, Contact Mechanics, 1985, §13.2", "as printed")
     }
 
-    fn read(&self, quantity: Quantity) -> Reading {
+    fn read(&self, quantity: &Quantity) -> Reading {
         let mut parameters = vec![
             positive("modulus", self.modulus),
             positive("amplitude", self.amplitude),
@@ -91,12 +91,12 @@ impl Oracle for Waves {
         ];
         let value = match quantity {
             Quantity::HalfWidth => self.half_width(),
-            Quantity::SecondMoment => self.second_moment(),
+            Quantity::SecondMomentWidth => self.second_moment(),
             Quantity::PeakPressure => self.pressure(0.0),
             Quantity::Resultant => self.mean * self.wavelength,
             Quantity::Pressure { at } => {
-                parameters.push(finite("at", at));
-                self.pressure(at)
+                parameters.push(finite("at", *at));
+                self.pressure(*at)
             }
             _ => return Reading::Silent,
         };

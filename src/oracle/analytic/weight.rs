@@ -39,7 +39,7 @@ impl Oracle for OwnWeight {
         Source::new("equilibrium", "σ_y = −ρg(H − y) satisfies every field equation")
     }
 
-    fn read(&self, quantity: Quantity) -> Reading {
+    fn read(&self, quantity: &Quantity) -> Reading {
         let parameters = vec![
             positive("specific_weight", self.specific_weight),
             positive("height", self.height),

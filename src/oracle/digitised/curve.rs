@@ -103,13 +103,13 @@ impl Oracle for DigitisedCurve {
         self.source.clone()
     }
 
-    fn read(&self, quantity: Quantity) -> Reading {
+    fn read(&self, quantity: &Quantity) -> Reading {
         let at = match (quantity, self.ordinate) {
             (Quantity::Pressure { at }, Ordinate::Pressure) => at,
             (Quantity::HoopStress { at }, Ordinate::HoopStress) => at,
             _ => return Reading::Silent,
         };
-        match self.interpolate(at) {
+        match self.interpolate(*at) {
             Some((value, uncertainty)) => Reading::Value { value, uncertainty },
             None => Reading::Unavailable(format!("at is {at}, outside the digitised points")),
         }

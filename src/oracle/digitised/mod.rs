@@ -30,7 +30,7 @@ pub use acceptance::{Comparison, Deviation, OurPoint, compare};
 pub use curve::DigitisedCurve;
 pub use point::{Abscissa, CurvePoint, Ordinate};
 pub use provenance::{CurveProvenance, Hand, Kind, Provenance};
-pub use scene::{DigitisedScene, RodScene, SceneMaterial, SheetScene};
+pub use scene::{DigitisedScene, RodScene, SheetScene};
 
 /// Why a folder that holds only its README gives no reading.
 pub const NOT_AT_HAND: &str = "not run: the figures are not at hand";
@@ -69,7 +69,7 @@ impl Digitised {
     }
 
     /// A quantity of the curve in `file`, or why there is none.
-    pub fn read(&self, file: &str, quantity: Quantity) -> Reading {
+    pub fn read(&self, file: &str, quantity: &Quantity) -> Reading {
         match self {
             Self::Absent(why) => Reading::Unavailable(why.clone()),
             Self::Present(curves) => match curves.iter().find(|curve| curve.file == file) {

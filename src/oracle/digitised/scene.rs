@@ -6,6 +6,7 @@ use super::keys::{self, Key, Range};
 use super::point::{Abscissa, Ordinate};
 use super::text::text_of;
 use crate::error::Error;
+use crate::scene::Material;
 
 /// What the source shows, as it gives it: nothing of it may be guessed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,9 +38,9 @@ pub struct RodScene {
     /// Coefficient of friction in the source.
     pub friction: f64,
     /// Material of the pin.
-    pub pin: SceneMaterial,
+    pub pin: Material,
     /// Material of the rod.
-    pub rod: SceneMaterial,
+    pub rod: Material,
 }
 
 /// Pin and sheet; the force is the abscissa of its curves.
@@ -57,19 +58,9 @@ pub struct SheetScene {
     /// Coefficient of friction in the source.
     pub friction: f64,
     /// Material of the pin.
-    pub pin: SceneMaterial,
+    pub pin: Material,
     /// Material of the sheet.
-    pub sheet: SceneMaterial,
-}
-
-/// Elastic constants of a body.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct SceneMaterial {
-    /// Young's modulus \[MPa\].
-    pub young: f64,
-    /// Poisson's ratio.
-    pub poisson: f64,
+    pub sheet: Material,
 }
 
 const ROD: [Key; 12] = [

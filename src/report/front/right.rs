@@ -1,8 +1,9 @@
 //! Is it right, and against what?
 
+use crate::case::Verdict;
 use crate::case::library::cylinder;
-use crate::case::{Quantity, Verdict};
 use crate::markdown;
+use crate::measure::Quantity;
 use crate::oracle::ReferenceKind;
 use crate::report::front::nearness;
 use crate::report::links::to_page as link;
@@ -54,7 +55,7 @@ pub fn right(findings: &[Finding]) -> String {
 
 /// The nine on the cylinder.
 fn hertz(findings: &[Finding]) -> String {
-    let worst = |quantity| statements::error(findings, cylinder::NINE, &quantity);
+    let worst = |quantity| statements::error(findings, cylinder::NINE, quantity);
     let [peak, width] = [worst(Quantity::PeakPressure), worst(Quantity::SecondMomentWidth)];
     if peak.is_nan() || width.is_nan() {
         return " The nine formulations were not held against Hertz.".into();

@@ -104,7 +104,7 @@ pub fn pressure(problem: &Case, run: &Run, contact: usize) -> Chart {
     if let (Some(oracle), 0) = (problem.oracle(), contact) {
         let factor = display_factor(&pair.path);
         let places = (0..=INTERVALS).map(|k| k as f64 / INTERVALS as f64 * pair.stretch);
-        let curve = places.map(|s| (factor * s, problem.reference_pressure(s))).collect();
+        let curve = places.map(|s| (factor * s, problem.reference_pressure(contact, s))).collect();
         chart.series.push(Series {
             label: oracle.name().into(),
             points: curve,

@@ -1,8 +1,7 @@
 //! What is asked, and what is answered.
 
-use crate::accuracy::bar::{Bar, Barred, Bars};
-use crate::accuracy::reading::{Quantity, Subject};
-use crate::measure::larger;
+use crate::accuracy::bar::{Barred, Bars};
+use crate::measure::{Quantity, larger};
 use crate::mesh::size::MOST;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
@@ -36,7 +35,7 @@ pub struct Answer {
     /// Its run.
     pub run: Run,
     /// What is said of each quantity.
-    pub estimates: Vec<Quoted>,
+    pub estimates: Vec<Barred>,
     /// Why the accuracy is not met; none where it is.
     pub unmet: Option<String>,
     /// Every mesh solved, in order.
@@ -55,36 +54,11 @@ impl Answer {
     }
 }
 
-/// One quantity of a contact, with its bar.
-#[derive(Clone, Copy, Debug)]
-pub struct Quoted {
-    /// Index of the contact in the scene.
-    pub contact: usize,
-    /// The quantity.
-    pub quantity: Quantity,
-    /// Its value.
-    pub value: f64,
-    /// How far it may be off.
-    pub bar: Bar,
-}
-
-impl Quoted {
-    /// The bar over the value; NaN where it is not known.
-    pub fn relative(&self) -> f64 {
-        (self.bar.total() / self.value).abs()
-    }
-}
-
 /// The quantities asked for of every contact that touches, with their bars.
-pub(super) fn quoted(bars: &Bars, run: &Run, asked: &Asked) -> Vec<Quoted> {
+pub(super) fn quoted(bars: &Bars, run: &Run, asked: &Asked) -> Vec<Barred> {
     let touches = |contact: usize| run.contacts[contact].open != Some(true);
-    let of = |one: &Barred| match one.subject {
-        Subject::Contact(contact, quantity) if touches(contact) && asked.quantities.contains(&quantity) => {
-            Some(Quoted { contact, quantity, value: one.value, bar: one.bar })
-        }
-        _ => None,
-    };
-    bars.all.iter().filter_map(of).collect()
+    let is_asked = |one: &&Barred| touches(one.contact) && asked.quantities.contains(&one.quantity);
+    bars.all.iter().filter(is_asked).cloned().collect()
 }
 
 /// One mesh that was solved.
@@ -122,9 +96,9 @@ pub struct TriedContact {
 }
 
 /// Largest relative bar; NaN where one is, or none is known.
-pub(super) fn largest(quoted: &[Quoted]) -> f64 {
+pub(super) fn largest(quoted: &[Barred]) -> f64 {
     if quoted.is_empty() {
         return f64::NAN;
     }
-    quoted.iter().map(Quoted::relative).fold(0.0, larger)
+    quoted.iter().map(Barred::relative).fold(0.0, larger)
 }

@@ -14,11 +14,11 @@
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
 use crate::accuracy::family::{Family, discrete_of};
-use crate::accuracy::reading::{self, Quantity, Reading, Subject, of_discrete, value_of};
+use crate::accuracy::reading::{self, Reading, of_discrete, value_of};
 use crate::accuracy::recovered::{Recovered, recovered};
 use crate::algorithm::StiffnessRule;
 use crate::error::Error;
-use crate::measure::{Measures, larger};
+use crate::measure::{Measures, Quantity, larger};
 use crate::solution::PointState;
 use crate::solve::{Change, Discretisation, Displaced, Element, Formulation, Origin, Run};
 
@@ -57,8 +57,10 @@ impl Bar {
 /// A number with its bar.
 #[derive(Clone, Debug)]
 pub struct Barred {
+    /// Index of the contact that it is of; 0 of reactions and displacements.
+    pub contact: usize,
     /// What was measured.
-    pub subject: Subject,
+    pub quantity: Quantity,
     /// Its value; NaN for a peak without a limit.
     pub value: f64,
     /// How far it may be off.
@@ -82,12 +84,13 @@ impl Barred {
     /// A number as the iteration left it, the mesh's part of its bar, and its value where the iteration should end, and in the
     /// discrete solution.
     fn of(reading: &Reading, mesh: f64, [ended, discrete]: [f64; 2], (run, family): (&Run, &Family)) -> Self {
-        let measures = discrete_of(run, reading.subject.contact());
+        let measures = discrete_of(run, reading.contact);
         let bar = Bar { mesh, iteration: (reading.value - ended).abs(), penalty: (ended - discrete).abs() };
-        let one = Self { subject: reading.subject.clone(), value: reading.value, bar, unknown: None };
+        let Reading { contact, quantity, value, .. } = reading.clone();
+        let one = Self { contact, quantity, value, bar, unknown: None };
         match () {
             _ if (bar.iteration + bar.penalty).is_nan() => Self { unknown: Some(NOT_FOUND), ..one },
-            _ if mesh.is_nan() => Self { unknown: Some(family.why_unknown(&reading.subject, measures)), ..one },
+            _ if mesh.is_nan() => Self { unknown: Some(family.why_unknown(&reading.quantity, measures)), ..one },
             // It says nothing.
             _ if bar.total() > reading.size() => {
                 Self { unknown: Some(TOO_WIDE), bar: Bar { mesh: f64::NAN, ..bar }, ..one }
@@ -95,17 +98,17 @@ impl Barred {
             _ => one,
         }
     }
+
+    /// The bar over the value; NaN where it is not known.
+    pub fn relative(&self) -> f64 {
+        (self.bar.total() / self.value).abs()
+    }
 }
 
 impl Bars {
     /// The bar of a number; none where it has none.
-    pub fn of(&self, subject: Subject) -> Option<Bar> {
-        self.all.iter().find(|one| one.subject == subject).map(|one| one.bar)
-    }
-
-    /// That of a number of a contact.
-    pub fn of_contact(&self, contact: usize, quantity: Quantity) -> Option<Bar> {
-        self.of(Subject::Contact(contact, quantity))
+    pub fn of(&self, contact: usize, quantity: &Quantity) -> Option<Bar> {
+        self.all.iter().find(|one| one.contact == contact && one.quantity == *quantity).map(|one| one.bar)
     }
 }
 
@@ -143,25 +146,28 @@ fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> 
     let [target, rigid] = [0, 1].map(|k| of_discrete(discretisation, run, k));
     let readings = reading::of_contacts(discretisation, &measured);
     let flat = |contact: usize| {
-        let peak = readings.iter().find(|one| one.subject == Subject::Contact(contact, Quantity::PeakPressure));
-        peak.map_or(f64::NAN, |peak| farthest(run, contact, family.mesh(run, peak, value_of(&rigid, &peak.subject))))
+        let peak = readings.iter().find(|one| one.contact == contact && one.quantity == Quantity::PeakPressure);
+        let discrete = value_of(&rigid, contact, &Quantity::PeakPressure);
+        peak.map_or(f64::NAN, |peak| farthest(run, contact, family.mesh(run, peak, discrete)))
     };
     let one = |reading: &Reading| {
-        let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, &reading.subject));
-        let mesh = match reading.subject {
-            Subject::Contact(contact, Quantity::PeakPlace) if family.rises_to_end(discrete_of(run, contact)) => {
+        let Reading { contact, quantity, .. } = reading;
+        let contact = *contact;
+        let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, contact, quantity));
+        let mesh = match quantity {
+            Quantity::PeakPlace if family.rises_to_end(discrete_of(run, contact)) => {
                 family.mesh(run, reading, discrete) + 2.0 * family.sizes[contact]
             }
-            Subject::Contact(contact, Quantity::PeakPlace) if !family.is_at_end(run, contact) => {
+            Quantity::PeakPlace if !family.is_at_end(run, contact) => {
                 family.mesh(run, reading, discrete) + flat(contact)
             }
-            _ => match of_candidates(run, &reading.subject, &family.sizes) {
+            _ => match of_candidates(run, contact, quantity, &family.sizes) {
                 Some(0.0) => 0.0,
                 least => larger(family.mesh(run, reading, discrete), least.unwrap_or(0.0)),
             },
         };
         let barred = Barred::of(reading, mesh, [ended, discrete], (run, family));
-        let value = if is_unbounded(run, &reading.subject) { f64::NAN } else { reading.value };
+        let value = if run.is_unbounded(contact, quantity) { f64::NAN } else { reading.value };
         Barred { value, ..barred }
     };
     readings.iter().map(one).collect()
@@ -212,15 +218,16 @@ fn of_displacements(
         _ => rigid.clone(),
     };
     let flat = |contact: usize, body: usize| {
-        let stress = readings.iter().find(|one| one.subject == Subject::Shear(contact, body));
-        let bar = stress.map_or(f64::NAN, |one| family.mesh(run, one, value_of(&rigid, &one.subject)));
+        let stress = readings.iter().find(|one| one.contact == contact && one.quantity == Quantity::Shear { body });
+        let bar = stress.map_or(f64::NAN, |one| family.mesh(run, one, value_of(&rigid, contact, &one.quantity)));
         let shear = shears.iter().find(|(of, _)| *of == [contact, body]);
         shear.map_or(f64::NAN, |(_, shear)| shear.farthest(FLAT * bar))
     };
     let one = |reading: &Reading| {
-        let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, &reading.subject));
-        let mesh = match reading.subject {
-            Subject::ShearDepth(contact, body) => family.mesh(run, reading, discrete) + flat(contact, body),
+        let Reading { contact, quantity, .. } = reading;
+        let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, *contact, quantity));
+        let mesh = match quantity {
+            Quantity::ShearDepth { body } => family.mesh(run, reading, discrete) + flat(*contact, *body),
             _ => family.mesh(run, reading, discrete),
         };
         Barred::of(reading, mesh, [ended, discrete], (run, family))
@@ -240,20 +247,11 @@ fn is_same(one: &Run, other: &Run) -> bool {
         && near(&own.contact_force, &theirs.contact_force)
 }
 
-/// Whether it is a peak without a limit, which is no number.
-fn is_unbounded(run: &Run, subject: &Subject) -> bool {
-    match subject {
-        Subject::Contact(contact, Quantity::PeakPressure) => run.contacts[*contact].unbounded.is_some(),
-        _ => false,
-    }
-}
-
 /// Within what an end of a contact lies, whatever coarser meshes say; none where they tell.
 ///
 /// A contact that goes on to its outermost candidate ends there. Only where its pressure falls towards that, it may end anywhere within
 /// the last element.
-fn of_candidates(run: &Run, subject: &Subject, sizes: &[f64]) -> Option<f64> {
-    let &Subject::Contact(contact, quantity) = subject else { return None };
+fn of_candidates(run: &Run, contact: usize, quantity: &Quantity, sizes: &[f64]) -> Option<f64> {
     let edges = run.solution.part(contact).edges;
     let falls = |side: usize| match edges {
         [first, second, ..] if side == 0 => first.pressure < GOES_ON * second.pressure,
@@ -266,8 +264,8 @@ fn of_candidates(run: &Run, subject: &Subject, sizes: &[f64]) -> Option<f64> {
         reaches.then(|| if falls(side) { 0.5 * sizes[contact] } else { 0.0 })
     };
     match quantity {
-        Quantity::Begin(k) => within(k, 0),
-        Quantity::End(k) => within(k, 1),
+        Quantity::Begin(k) => within(*k, 0),
+        Quantity::End(k) => within(*k, 1),
         Quantity::HalfWidth => {
             let end = within(stretches.len().checked_sub(1)?, 1)?;
             let begin = if run.contacts[contact].measures.across { within(0, 0)? } else { end };

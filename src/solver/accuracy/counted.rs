@@ -9,7 +9,7 @@
 //! layer elements oscillate, and what cells of 8 nodes gain on the coarser meshes is lost where the end of the contact decides.
 //! Numbers below the surface have a C too, for coarse meshes that agree by accident.
 
-use crate::accuracy::reading::{Quantity, Subject};
+use crate::measure::Quantity;
 use crate::mesh::Order;
 use crate::solve::Element;
 
@@ -29,16 +29,11 @@ pub struct Counted {
 
 impl Counted {
     /// Those of a number of a contact that ends within an element, or where its candidates end.
-    pub fn of(subject: &Subject, element: Element, order: Order, ends_at_candidates: bool) -> Self {
+    pub fn of(quantity: &Quantity, element: Element, order: Order, ends_at_candidates: bool) -> Self {
         let is_node = element == Element::Node;
-        let quantity = match *subject {
-            Subject::Contact(_, quantity) => quantity,
-            Subject::Reaction(..) => Quantity::Resultant,
-            _ => return Self::below_the_surface(subject, order),
-        };
         let [exponent, factor, hidden, power] = match (quantity, order) {
-            (Quantity::Resultant, Order::Linear) => [1.5, 2.0, 0.0, 0.0],
-            (Quantity::Resultant, _) => [1.5, 3.0, 0.0, 0.0],
+            (Quantity::Resultant | Quantity::Reaction { .. }, Order::Linear) => [1.5, 2.0, 0.0, 0.0],
+            (Quantity::Resultant | Quantity::Reaction { .. }, _) => [1.5, 3.0, 0.0, 0.0],
             // A contact that hides no end.
             (Quantity::PeakPressure | Quantity::PeakPlace, Order::Linear) if ends_at_candidates => {
                 [1.5, 1.0, 0.25, 2.0]
@@ -72,17 +67,12 @@ impl Counted {
             (Quantity::SecondMomentWidth | Quantity::Centre | Quantity::Moment, Order::Linear) => [1.5, 0.6, 0.5, 2.0],
             (Quantity::SecondMomentWidth | Quantity::Centre | Quantity::Moment, _) if is_node => [2.0, 0.8, 0.07, 2.0],
             (Quantity::SecondMomentWidth | Quantity::Centre | Quantity::Moment, _) => [2.0, 0.95, 0.09, 2.0],
-        };
-        Self { exponent, factor, hidden, power }
-    }
-
-    /// Those of displacements and shear stresses.
-    fn below_the_surface(subject: &Subject, order: Order) -> Self {
-        let [exponent, factor, hidden, power] = match (subject, order) {
-            (Subject::Shear(..), Order::Linear) => [1.5, 1.4, 0.13, 2.0],
-            (Subject::Shear(..), _) => [1.5, 3.2, 0.4, 2.0],
-            (Subject::ShearDepth(..), Order::Linear) => [1.5, 0.45, 0.03, 2.0],
-            (Subject::ShearDepth(..), _) => [1.5, 1.0, 0.3, 2.0],
+            // Below the surface.
+            (Quantity::Shear { .. }, Order::Linear) => [1.5, 1.4, 0.13, 2.0],
+            (Quantity::Shear { .. }, _) => [1.5, 3.2, 0.4, 2.0],
+            (Quantity::ShearDepth { .. }, Order::Linear) => [1.5, 0.45, 0.03, 2.0],
+            (Quantity::ShearDepth { .. }, _) => [1.5, 1.0, 0.3, 2.0],
+            // Displacements.
             (_, Order::Linear) => [1.5, 1.05, 0.01, 2.0],
             (_, _) => [2.0, 1.8, 0.01, 2.0],
         };

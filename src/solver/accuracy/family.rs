@@ -4,9 +4,9 @@ use rayon::prelude::*;
 
 use crate::accuracy::coarser::{coarser, gentler};
 use crate::accuracy::counted::Counted;
-use crate::accuracy::reading::{Quantity, Reading, Subject, of_discrete, value_of};
+use crate::accuracy::reading::{Reading, of_discrete, value_of};
 use crate::accuracy::recovered::recovered;
-use crate::measure::{Measures, Stretch, larger};
+use crate::measure::{Measures, Quantity, Stretch, larger};
 use crate::mesh::Order;
 use crate::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Run, Settings};
 
@@ -108,8 +108,8 @@ impl Family {
     }
 
     /// Why they do not tell the mesh's part of a number.
-    pub(super) fn why_unknown(&self, subject: &Subject, measures: &Measures) -> &'static str {
-        let is_largest = matches!(subject, Subject::Contact(_, Quantity::PeakPressure) | Subject::Shear(..));
+    pub(super) fn why_unknown(&self, quantity: &Quantity, measures: &Measures) -> &'static str {
+        let is_largest = matches!(quantity, Quantity::PeakPressure | Quantity::Shear { .. });
         match () {
             _ if is_largest && self.rises_to_end(measures) => {
                 "the pressure rises up to the last element of the contact"
@@ -128,7 +128,9 @@ impl Family {
     /// The mesh's part of a number whose value in the discrete solution is given; NaN where no mesh tells.
     pub(super) fn mesh(&self, run: &Run, reading: &Reading, discrete: f64) -> f64 {
         let far = match &self.gentler {
-            Some(Some(gentler)) => FAR * (discrete - value_of(&gentler.readings, &reading.subject)).abs(),
+            Some(Some(gentler)) => {
+                FAR * (discrete - value_of(&gentler.readings, reading.contact, &reading.quantity)).abs()
+            }
             Some(None) => f64::NAN,
             None => 0.0,
         };
@@ -137,31 +139,31 @@ impl Family {
 
     /// What the error of a contact's force leaves in its other numbers: nothing but round-off where statics give it.
     fn of_force(&self, run: &Run, reading: &Reading, discrete: f64) -> f64 {
-        let contact = reading.subject.contact();
+        let contact = reading.contact;
         let measures = discrete_of(run, contact);
-        let size = match reading.subject {
-            Subject::Contact(_, Quantity::PeakPressure | Quantity::HalfWidth | Quantity::SecondMomentWidth) => {
-                discrete.abs()
-            }
-            Subject::Contact(_, Quantity::Begin(_) | Quantity::End(_)) => measures.half_width(),
-            Subject::Shear(..) | Subject::ShearDepth(..) => discrete.abs(),
+        let size = match reading.quantity {
+            Quantity::PeakPressure
+            | Quantity::HalfWidth
+            | Quantity::SecondMomentWidth
+            | Quantity::Shear { .. }
+            | Quantity::ShearDepth { .. } => discrete.abs(),
+            Quantity::Begin(_) | Quantity::End(_) => measures.half_width(),
             _ => return 0.0,
         };
-        let (subject, force) = (Subject::Contact(contact, Quantity::Resultant), measures.resultant);
+        let (quantity, force) = (Quantity::Resultant, measures.resultant);
         if !force.is_normal() {
             return 0.0;
         }
-        let bar = self.of_coarser(run, &Reading { subject, value: force, scale: force }, force);
+        let bar = self.of_coarser(run, &Reading { contact, quantity, value: force, scale: force }, force);
         FORCE * size * (bar / force).abs()
     }
 
     /// What coarser meshes say.
     fn of_coarser(&self, run: &Run, reading: &Reading, discrete: f64) -> f64 {
-        let subject = &reading.subject;
-        let contact = subject.contact();
+        let &Reading { contact, ref quantity, .. } = reading;
         let measures = discrete_of(run, contact);
         let ends_at_candidates = fills_candidates(measures);
-        let counted = Counted::of(subject, self.formulation.element, self.order, ends_at_candidates);
+        let counted = Counted::of(quantity, self.formulation.element, self.order, ends_at_candidates);
         let along = |other: &Other| other.sizes[contact] / self.sizes[contact];
         // Where all of the mesh counts alike, and not the elements at the end of a contact, cells tell how much coarser it is:
         // one that has one element across a ring has no coarser neighbours in that direction.
@@ -171,7 +173,8 @@ impl Family {
             false => along(other).min(of_cells(other)),
         };
         let apart = |other: &Other| {
-            (discrete - value_of(&other.readings, subject)).abs() / (ratio(other).powf(counted.exponent) - 1.0)
+            (discrete - value_of(&other.readings, contact, quantity)).abs()
+                / (ratio(other).powf(counted.exponent) - 1.0)
         };
         let coarser = self.coarse.iter().filter(|other| ratio(other) > LARGER);
         // Where a coarser contact has other stretches, there is nothing to compare.
@@ -183,17 +186,15 @@ impl Family {
             few if few < fewest => alone * counted.factor,
             _ => counted.factor,
         };
-        let told_by_orders = |quantity: Quantity| {
+        let told_by_orders = {
             use Quantity::{Begin, End, HalfWidth, PeakPressure, SecondMomentWidth};
             matches!(quantity, PeakPressure | HalfWidth | SecondMomentWidth | Begin(_) | End(_))
         };
-        if let (true, Subject::Contact(_, quantity)) = (self.falls_by_orders(), subject)
-            && told_by_orders(*quantity)
-        {
+        if self.falls_by_orders() && told_by_orders {
             let apart = (1..=2).filter_map(|fewer| {
                 let lower = Order::numbered(usize::from(self.order.number()).checked_sub(fewer)?)?;
                 let other = self.coarse.iter().find(|other| other.order == lower)?;
-                Some((discrete - value_of(&other.readings, subject)).abs() / FALLS.powi(fewer as i32 - 1))
+                Some((discrete - value_of(&other.readings, contact, quantity)).abs() / FALLS.powi(fewer as i32 - 1))
             });
             let apart: Vec<f64> = apart.collect();
             let (fewest, alone) = FEWEST;
@@ -204,35 +205,37 @@ impl Family {
             let apart = apart.into_iter().reduce(larger).unwrap_or(f64::NAN);
             return factor * apart
                 + (Fitted::misfit(self.order) + ROUND_OFF) * quantity.scale(measures).abs()
-                + self.missed_by_reading(*quantity, measures);
+                + self.missed_by_reading(quantity, measures);
         }
-        let is_force = matches!(subject, Subject::Contact(_, Quantity::Resultant) | Subject::Reaction(..));
+        let is_force = matches!(quantity, Quantity::Resultant | Quantity::Reaction { .. });
         let hidden = match self.on_ends {
             // What statics give is the same wherever the contact ends.
             true if is_force && known.iter().all(|apart| *apart <= ROUND_OFF * reading.scale.abs()) => 0.0,
             true => Fitted::misfit(self.order),
-            false => counted.hidden * (self.sizes[contact] / width_of(subject, measures)).powf(counted.power),
+            false => counted.hidden * (self.sizes[contact] / width_of(quantity, measures)).powf(counted.power),
         };
-        let [scale, read] = match subject {
-            Subject::Contact(_, Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_)) => {
-                [width_of(subject, measures), self.missed_by_end(measures)]
+        let [scale, read] = match quantity {
+            Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) => {
+                [width_of(quantity, measures), self.missed_by_end(measures)]
             }
-            Subject::Contact(_, quantity) => [quantity.scale(measures), self.missed_by_reading(*quantity, measures)],
             // Below a sharp top the shear stress is missed as its pressure is.
-            Subject::Shear(..) => {
+            Quantity::Shear { .. } => {
                 let peak = measures.peak.pressure;
                 [reading.scale, reading.value.abs() * self.above(measures) / peak]
             }
+            of_pressures if of_pressures.is_of_pressures() => {
+                [quantity.scale(measures), self.missed_by_reading(quantity, measures)]
+            }
             _ => [reading.scale, 0.0],
         };
-        let read = read + self.undrawn(subject, reading.value, contact, measures);
+        let read = read + self.undrawn(quantity, reading.value, contact, measures);
         factor * known.into_iter().fold(0.0, f64::max) + (hidden + ROUND_OFF) * scale.abs() + read
     }
 
     /// What the reading of a number may miss, on this mesh and on all coarser ones alike: of a peak how far two readings of it are apart,
     /// and a point that stands above it, as under a sharp top; of an end that a mesh line tells how far two series are apart. Points of
     /// line and layer elements oscillate and say nothing of a top.
-    fn missed_by_reading(&self, quantity: Quantity, measures: &Measures) -> f64 {
+    fn missed_by_reading(&self, quantity: &Quantity, measures: &Measures) -> f64 {
         match quantity {
             Quantity::PeakPressure => {
                 READINGS * (measures.peak_by_parabola - measures.peak.pressure).abs() + self.above(measures)
@@ -251,7 +254,7 @@ impl Family {
 
     /// What elements too wide to draw the top hide in a number, on this mesh and on all coarser ones alike; NaN where the pressure rises up
     /// to the end, so that its largest value lies in the last element.
-    fn undrawn(&self, subject: &Subject, value: f64, contact: usize, measures: &Measures) -> f64 {
+    fn undrawn(&self, quantity: &Quantity, value: f64, contact: usize, measures: &Measures) -> f64 {
         use Quantity::{Begin, End, HalfWidth, PeakPressure, SecondMomentWidth};
         if self.on_ends || self.order > Order::Quadratic || fills_candidates(measures) {
             return 0.0;
@@ -260,11 +263,11 @@ impl Family {
         let rough = larger(measures.drawn.rough - smooth, 0.0);
         let [peak, shear, end, width] = UNDRAWN.map(|part| part * rough);
         let rises = if self.rises_to_end(measures) { f64::NAN } else { 0.0 };
-        match subject {
-            Subject::Contact(_, PeakPressure) => peak * measures.peak.pressure + rises,
-            Subject::Shear(..) => shear * value.abs() + rises,
-            Subject::Contact(_, HalfWidth | Begin(_) | End(_)) => end * self.sizes[contact],
-            Subject::Contact(_, SecondMomentWidth) => width * self.sizes[contact],
+        match quantity {
+            PeakPressure => peak * measures.peak.pressure + rises,
+            Quantity::Shear { .. } => shear * value.abs() + rises,
+            HalfWidth | Begin(_) | End(_) => end * self.sizes[contact],
+            SecondMomentWidth => width * self.sizes[contact],
             _ => 0.0,
         }
     }
@@ -299,12 +302,12 @@ impl Family {
 
 /// What elements are small beside: of an end half of its own stretch, of the half-width that of the shortest one, of others the
 /// second-moment width.
-fn width_of(subject: &Subject, measures: &Measures) -> f64 {
+fn width_of(quantity: &Quantity, measures: &Measures) -> f64 {
     let half = |one: &Stretch| if one.begin > 0.0 || measures.across { 0.5 * (one.end - one.begin) } else { one.end };
     let all = measures.stretches.iter();
-    match subject {
-        Subject::Contact(_, Quantity::Begin(k) | Quantity::End(k)) => all.map(half).nth(*k).unwrap_or(f64::NAN),
-        Subject::Contact(_, Quantity::HalfWidth) => all.map(half).reduce(f64::min).unwrap_or(f64::NAN),
+    match quantity {
+        Quantity::Begin(k) | Quantity::End(k) => all.map(half).nth(*k).unwrap_or(f64::NAN),
+        Quantity::HalfWidth => all.map(half).reduce(f64::min).unwrap_or(f64::NAN),
         _ => measures.second_moment_width,
     }
 }

@@ -56,10 +56,10 @@ use crate::mesh::Resolution;
 use crate::scene::Scene;
 use crate::solve::{Formulation, Iteration};
 
-pub use answer::{Answer, Asked, Quoted, Tried, TriedContact};
+pub use crate::measure::Quantity;
+pub use answer::{Answer, Asked, Tried, TriedContact};
 pub use bar::{Bar, Barred, Bars, bars, of_family};
 pub use family::Family;
-pub use reading::{Quantity, Subject};
 pub use told::Told;
 
 /// Smallest and largest relative error that may be asked for.

@@ -1,7 +1,8 @@
 //! Numbers of a run that take the displacement of every node: reactions, displacements, approach, shear stress below a contact.
 
-use crate::accuracy::reading::{Reading, Subject};
+use crate::accuracy::reading::Reading;
 use crate::error::Error;
+use crate::measure::Quantity;
 use crate::scene::Place;
 use crate::solve::{Discretisation, Displaced, Reaction, Run, Shear};
 
@@ -28,19 +29,21 @@ pub(super) fn recovered(discretisation: &Discretisation, run: &Run, wanted: &[Di
         matches!(support.at, Place::Point(_)) && one.force.abs() > AT_POINT * force
     };
     let has_limit = !reactions.iter().any(is_at_point);
-    let of_support =
-        |one: &Reaction| Reading { subject: Subject::Reaction(one.body, one.support), value: one.force, scale: force };
+    let of_support = |one: &Reaction| {
+        let quantity = Quantity::Reaction { body: one.body, support: one.support };
+        Reading { contact: 0, quantity, value: one.force, scale: force }
+    };
     let mut readings: Vec<Reading> = reactions.iter().map(of_support).collect();
     if has_limit {
         readings.extend(displacements(discretisation, &displacement, wanted)?);
     }
     let shears = shears(discretisation, run, &displacement)?;
-    for ([contact, body], shear) in &shears {
-        let measures = &run.contacts[*contact].measures;
-        let width = measures.second_moment_width * discretisation.scene.contacts[*contact].path.metric();
-        let [stress, depth] = [Subject::Shear(*contact, *body), Subject::ShearDepth(*contact, *body)];
-        readings.push(Reading { subject: stress, value: shear.stress, scale: measures.peak.pressure });
-        readings.push(Reading { subject: depth, value: shear.depth, scale: width });
+    for &([contact, body], ref shear) in &shears {
+        let measures = &run.contacts[contact].measures;
+        let width = measures.second_moment_width * discretisation.scene.contacts[contact].path.metric();
+        let [stress, depth] = [Quantity::Shear { body }, Quantity::ShearDepth { body }];
+        readings.push(Reading { contact, quantity: stress, value: shear.stress, scale: measures.peak.pressure });
+        readings.push(Reading { contact, quantity: depth, value: shear.depth, scale: width });
     }
     Ok(Recovered { readings, shears })
 }
@@ -58,11 +61,11 @@ fn displacements(
     let mut readings = Vec::new();
     for side in sides {
         let value = discretisation.displaced(displacement, &side)?;
-        readings.push(Reading { subject: Subject::Displacement(side), value, scale });
+        readings.push(Reading { contact: 0, quantity: Quantity::Displacement(side), value, scale });
     }
     for contact in 0..scene.contacts.len() {
         let approach = discretisation.approach(displacement, contact)?;
-        readings.extend(approach.map(|value| Reading { subject: Subject::Approach(contact), value, scale }));
+        readings.extend(approach.map(|value| Reading { contact, quantity: Quantity::Approach, value, scale }));
     }
     Ok(readings)
 }

@@ -1,9 +1,9 @@
 //! The meshes of a search, solved and remembered.
 
-use crate::accuracy::answer::{Quoted, largest, quoted};
+use crate::accuracy::answer::{largest, quoted};
 use crate::accuracy::bar::of_contacts;
 use crate::accuracy::laid::Laid;
-use crate::accuracy::{Answer, Asked, Quantity, Tried, TriedContact, ends};
+use crate::accuracy::{Answer, Asked, Barred, Quantity, Tried, TriedContact, ends};
 use crate::error::Error;
 use crate::mesh::Resolution;
 use crate::scene::{ContactPair, Scene};
@@ -21,7 +21,7 @@ pub(super) struct Rung {
     pub(super) resolution: Resolution,
     pub(super) run: Run,
     /// What its bars say of the quantities asked for; empty where they were not looked at.
-    pub(super) estimates: Vec<Quoted>,
+    pub(super) estimates: Vec<Barred>,
 }
 
 /// A search under way: what is asked, and every mesh solved.
@@ -38,7 +38,7 @@ pub(super) struct Rungs<'a> {
 impl Rung {
     /// Whether no contact touches.
     pub(super) fn is_open(&self) -> bool {
-        self.run.contacts.iter().all(|contact| contact.open == Some(true))
+        self.run.is_open()
     }
 }
 

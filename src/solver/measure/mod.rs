@@ -1,5 +1,6 @@
 //! The numbers one quotes: one formula for all contact elements.
 //!
+//! * [`quantity`] — which they are, with names and units.
 //! * [`profile`] — second-moment width, resultant and norms of a pressure profile.
 //! * [`mod@peak`] — its largest pressure, wherever that lies; `fit` — polynomials through pressures.
 //! * [`nodal`] — the same where an edge holds many contact points.
@@ -26,6 +27,7 @@ pub mod nodal;
 pub mod order;
 pub mod peak;
 pub mod profile;
+pub mod quantity;
 pub mod stretch;
 
 use crate::scene::{ContactPair, Path, Scene};
@@ -34,6 +36,7 @@ use crate::solution::Part;
 pub use crate::solution::{larger, largest};
 pub use fit::Peak;
 pub use peak::Drawn;
+pub use quantity::Quantity;
 pub use stretch::Stretch;
 
 /// Measures of the pressures of one contact.

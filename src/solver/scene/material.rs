@@ -27,6 +27,14 @@ impl PlaneHypothesis {
         }
     }
 
+    /// Kolosov's constant `κ'`: `(3−ν)/(1+ν)` in plane stress, `3−4ν` in plane strain.
+    pub fn kolosov(self, poisson: f64) -> f64 {
+        match self {
+            Self::Stress => (3.0 - poisson) / (1.0 + poisson),
+            Self::Strain => 3.0 - 4.0 * poisson,
+        }
+    }
+
     /// The Poisson's ratios that bodies may have, in words.
     pub fn poisson_range(self) -> String {
         match self {
@@ -39,7 +47,8 @@ impl PlaneHypothesis {
 }
 
 /// Homogeneous isotropic linear elasticity.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Material {
     /// Young's modulus \[MPa\].
     pub young: f64,

@@ -52,7 +52,7 @@ pub use given::GivenMesh;
 pub use load::{Action, Load, StressField, Support, TractionField};
 pub use material::{LARGEST_POISSON, Material, PlaneHypothesis};
 pub use path::{Line, Path};
-pub use place::{BoundaryName, Component, Place};
+pub use place::{BoundaryName, Component, Displaced, Place};
 pub use range::{ROUNDING, positive};
 pub use shape::{BlockShape, Face, Grading, Sector, Shape};
 pub use side_part::{Along, SidePart};

@@ -25,6 +25,17 @@ pub enum Component {
     Y,
 }
 
+/// One displacement component of a side, as its mean, or of a point of a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Displaced {
+    /// Index of the body.
+    pub body: usize,
+    /// The side, or any point of the body \[mm\].
+    pub at: Place,
+    /// Which component, positive along x or y.
+    pub component: Component,
+}
+
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

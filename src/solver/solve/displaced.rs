@@ -3,22 +3,11 @@
 use crate::elasticity::{point, quadrature, shape_functions};
 use crate::error::Error;
 use crate::mesh::Edge;
-use crate::scene::{Action, Body, Component, ContactPair, Load, Place, Scene};
+use crate::scene::{Action, Body, Component, ContactPair, Displaced, Load, Place, Scene};
 use crate::solve::Discretisation;
 
 /// Gauss points of an edge: exact for straight ones of any order; the length of a curved one is no polynomial.
 const EDGE_POINTS: usize = 8;
-
-/// One displacement component of a side, as its mean, or of a point of a body.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Displaced {
-    /// Index of the body.
-    pub body: usize,
-    /// The side, or any point of the body \[mm\].
-    pub at: Place,
-    /// Which component, positive along x or y.
-    pub component: Component,
-}
 
 /// Nodes with their weights.
 type Weights = Vec<(usize, f64)>;

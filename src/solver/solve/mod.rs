@@ -16,9 +16,11 @@
 //! * [`mod@reactions`] — what the supports exert.
 //! * [`mod@displaced`] — displacements of sides and points, the approach of bodies.
 //! * [`mod@shear`] — the largest shear stress below a contact.
+//! * [`mod@number`] — how every number that one quotes is taken from a solution.
 //! * `uncondensed` — its pressures once more without condensation.
 //! * [`curve`] — what every load increment came to.
 //! * [`run`] — one scene solved by one formulation, measured.
+//! * [`ended`] — how that ended.
 //! * [`unbounded`] — peaks without a limit.
 //!
 //! ```
@@ -41,9 +43,11 @@ pub mod curve;
 pub mod discretisation;
 pub mod displaced;
 pub mod edge_fitted;
+pub mod ended;
 pub mod equilibrium;
 pub mod fields;
 pub mod formulation;
+pub mod number;
 pub mod origin;
 pub mod reactions;
 mod refusals;
@@ -60,10 +64,11 @@ pub use crate::algorithm::problem::LIMITS;
 pub use crate::algorithm::{Iteration, Settings};
 pub use crate::contact::Element;
 pub use crate::elasticity::shape_functions::values as shapes;
+pub use crate::scene::Displaced;
 pub use change::Change;
 pub use discretisation::Discretisation;
-pub use displaced::Displaced;
 pub use edge_fitted::Fitted;
+pub use ended::Ended;
 pub use equilibrium::Equilibrium;
 pub use fields::Fields;
 pub use formulation::Formulation;

@@ -93,6 +93,11 @@ pub struct Run {
 }
 
 impl Run {
+    /// Whether every contact is open in the discrete solution: nothing presses.
+    pub fn is_open(&self) -> bool {
+        self.contacts.iter().all(|contact| contact.open == Some(true))
+    }
+
     /// Solves a discretised scene by a formulation, from its own start, and measures the result.
     pub fn of(discretisation: &Discretisation, formulation: &Formulation) -> Result<Self, Error> {
         Self::from_origin(Origin::Own, discretisation, formulation, Change::NONE)

@@ -29,7 +29,8 @@ use crate::study::atlas::plane::{Digest, Safe, digests};
 use crate::study::atlas::plane::{STRETCH, same};
 use crate::study::atlas::run::{ENOUGH, FACTOR, HALVINGS, agreement, charts};
 use crate::study::drawn::picture;
-use crate::study::method::{Class, Method};
+use crate::solve::Ended;
+use crate::study::method::Method;
 
 pub use plane::{Chart, Plane, Record, Site, recommendation, recommended};
 pub use run::{Numbers, Saved};
@@ -120,11 +121,11 @@ fn ranges(all: &[Digest], method: Method) -> String {
 
 /// Runs by how they ended.
 fn ends(all: &[Digest], method: Method) -> String {
-    let ended = |class: Class| {
+    let ended = |class: Ended| {
         let counts = on_elements(all, method).flat_map(|digest| &digest.ends).filter(|(other, _)| *other == class);
         (class, counts.map(|(_, count)| count).sum::<usize>())
     };
-    let counted = Class::ALL.map(ended).into_iter().filter(|(_, count)| *count > 0);
+    let counted = Ended::ALL.map(ended).into_iter().filter(|(_, count)| *count > 0);
     counted.map(|(class, count)| format!("{count} {}", class.name())).collect::<Vec<_>>().join(", ")
 }
 
@@ -193,7 +194,7 @@ fn along(chart: &Chart, method: Method) -> Option<Vec<String>> {
     let records: Vec<&Record> = chart.of_method(method).filter_map(|row| row.iter().find(near)).collect();
     let first = format!("{method}, κ₀ = {:e}", records.first()?.stiffness);
     let cell = |record: &Record| match record.class {
-        Class::Converged => format!("{} iterations, {}", record.iterations, markdown::error(record.error)),
+        Ended::Converged => format!("{} iterations, {}", record.iterations, markdown::error(record.error)),
         class => class.name().into(),
     };
     Some(std::iter::once(first).chain(records.into_iter().map(cell)).collect())
@@ -286,9 +287,9 @@ fn rules(charts: &[&Chart]) -> String {
 /// How a run ended, with its iterations where it converged.
 fn told(record: &Record) -> String {
     match record.class {
-        Class::Converged => format!("converged, {} iterations", record.iterations),
-        Class::Capped => "not converged".into(),
-        Class::Beyond => "refused: contact reaches the end of the candidate surface".into(),
+        Ended::Converged => format!("converged, {} iterations", record.iterations),
+        Ended::Capped => "not converged".into(),
+        Ended::Beyond => "refused: contact reaches the end of the candidate surface".into(),
         class => class.name().into(),
     }
 }

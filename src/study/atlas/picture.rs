@@ -6,7 +6,8 @@ use crate::drawing::{Axis, Cell, Chart as Figure, ClassMap, Colour, Drawing, Map
 use crate::solve::{Element, Iteration, Settings};
 use crate::study::atlas::plane::{Chart, Plane, Record, STRETCH, same};
 use crate::study::drawn::{Curve, label, style};
-use crate::study::method::{Class, Method};
+use crate::solve::Ended;
+use crate::study::method::Method;
 
 /// A map of each full plane, the iterations with their prediction, and those on the scenes of the paper.
 pub fn pictures(charts: &[&Chart]) -> Vec<(String, Drawing)> {
@@ -35,7 +36,7 @@ fn in_the_paper(charts: &[&Chart]) -> Drawing {
         let row = chart.of_method(method).flatten().zip(chart.plane.stiffnesses());
         for (record, stiffness) in row.filter(|(record, _)| record.stiffness >= SOFTEST) {
             match record.class {
-                Class::Converged => curve.points.push([stiffness, record.iterations as f64]),
+                Ended::Converged => curve.points.push([stiffness, record.iterations as f64]),
                 _ => curve.failed.push(stiffness),
             }
         }
@@ -97,7 +98,7 @@ fn curves(row: &[Record], method: Method) -> Vec<Series> {
         row.iter().map(|record| (record.stiffness, of(record).unwrap_or(f64::NAN))).collect()
     };
     let predicted = points(|record| record.predicted_iterations.filter(|iterations| iterations.is_finite()));
-    let measured = points(|record| (record.class == Class::Converged).then_some(record.iterations as f64));
+    let measured = points(|record| (record.class == Ended::Converged).then_some(record.iterations as f64));
     let series = |what: &str, points, dash, marker, hollow| Series {
         label: format!("{}: {what}", rule(method)),
         points,
@@ -110,12 +111,12 @@ fn curves(row: &[Record], method: Method) -> Vec<Series> {
     ];
     curves.retain(|curve| curve.points.iter().any(|(_, iterations)| iterations.is_finite()));
     let causes = [
-        (Class::Capped, Marker::Circle),
-        (Class::Stalled, Marker::Circle),
-        (Class::Cycling, Marker::Diamond),
-        (Class::Diverged, Marker::Triangle),
-        (Class::Unsupported, Marker::Square),
-        (Class::Beyond, Marker::Wedge),
+        (Ended::Capped, Marker::Circle),
+        (Ended::Stalled, Marker::Circle),
+        (Ended::Cycling, Marker::Diamond),
+        (Ended::Diverged, Marker::Triangle),
+        (Ended::Unsupported, Marker::Square),
+        (Ended::Beyond, Marker::Wedge),
     ];
     let failed = causes.map(|(class, marker)| {
         let hollow = row.iter().filter(|record| record.class == class).map(|record| record.stiffness).collect();
@@ -179,20 +180,20 @@ fn note(chart: &Chart) -> String {
     )
 }
 
-/// Class and label of a run.
+/// Ended and label of a run.
 fn cell(record: &Record) -> Cell {
     let [quick, ordinary] = QUICK;
     let (class, label) = match record.class {
-        Class::Converged if !record.is_right() => (if record.off() <= OFF { 3 } else { 4 }, percent(record.off())),
-        Class::Converged if record.iterations <= quick => (0, format!("≤{quick}")),
-        Class::Converged if record.iterations <= ordinary => (1, format!("≤{ordinary}")),
-        Class::Converged => (2, format!(">{ordinary}")),
-        Class::Capped => (5, "m".into()),
-        Class::Stopped | Class::Stalled => (5, "s".into()),
-        Class::Cycling => (5, "c".into()),
-        Class::Diverged => (5, "d".into()),
-        Class::Unsupported => (6, "o".into()),
-        Class::Beyond => (6, "b".into()),
+        Ended::Converged if !record.is_right() => (if record.off() <= OFF { 3 } else { 4 }, percent(record.off())),
+        Ended::Converged if record.iterations <= quick => (0, format!("≤{quick}")),
+        Ended::Converged if record.iterations <= ordinary => (1, format!("≤{ordinary}")),
+        Ended::Converged => (2, format!(">{ordinary}")),
+        Ended::Capped => (5, "m".into()),
+        Ended::Stopped | Ended::Stalled => (5, "s".into()),
+        Ended::Cycling => (5, "c".into()),
+        Ended::Diverged => (5, "d".into()),
+        Ended::Unsupported => (6, "o".into()),
+        Ended::Beyond => (6, "b".into()),
     };
     let limit = Settings::default().max_iterations as f64;
     Cell { class, label, predicted: record.predicted_iterations.map(|predicted| predicted <= limit) }

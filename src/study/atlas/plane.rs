@@ -15,7 +15,8 @@ use crate::error::Error;
 use crate::mesh::Resolution;
 use crate::named::named_enum;
 use crate::solve::{Element, Formulation, Iteration};
-use crate::study::method::{Class, Method};
+use crate::solve::Ended;
+use crate::study::method::Method;
 use crate::study::records;
 
 /// Candidate stretch over the half-width at the centre: no node lies on the contact edge.
@@ -177,7 +178,7 @@ pub struct Record {
     /// Initial stiffness κ₀.
     pub stiffness: f64,
     /// How it ended.
-    pub class: Class,
+    pub class: Ended,
     /// Iterations made; zero where an error keeps them.
     pub iterations: usize,
     /// Larger error of p₀ and a against the solution of the same discrete problem; NaN where an error keeps them.
@@ -196,7 +197,7 @@ impl Record {
 
     /// Whether the run stopped where it shall.
     pub fn is_right(&self) -> bool {
-        self.class == Class::Converged && self.off() <= RIGHT
+        self.class == Ended::Converged && self.off() <= RIGHT
     }
 }
 
@@ -266,7 +267,7 @@ impl Chart {
             let _ = write!(text, "{} {}:", row[0].method, row[0].ordinate);
             for (c, record) in row.iter().enumerate() {
                 let _ = match record.class {
-                    Class::Converged if !self.is_near_a_boundary(r, c) => write!(text, " {}", record.iterations),
+                    Ended::Converged if !self.is_near_a_boundary(r, c) => write!(text, " {}", record.iterations),
                     class => write!(text, " {}", class.name()),
                 };
             }
@@ -289,7 +290,7 @@ pub struct Digest {
     /// Where every run ends right.
     pub safe: Option<Safe>,
     /// Runs by how they ended.
-    pub ends: Vec<(Class, usize)>,
+    pub ends: Vec<(Ended, usize)>,
     /// Runs that had a prediction.
     pub predicted: usize,
 }
@@ -327,11 +328,11 @@ fn digest(charts: &[&Chart], method: Method) -> Digest {
     let scenes = charts.iter().filter(|chart| !chart.plane.is_slice());
     let rows: Vec<&[Record]> = scenes.flat_map(|chart| chart.of_method(method)).collect();
     let all = || rows.iter().flat_map(|row| row.iter());
-    let count = |class: Class| (class, all().filter(|record| record.class == class).count());
+    let count = |class: Ended| (class, all().filter(|record| record.class == class).count());
     Digest {
         method,
         safe: safe(&rows, method.algorithm.default_stiffness()),
-        ends: Class::ALL.map(count).into_iter().filter(|(_, number)| *number > 0).collect(),
+        ends: Ended::ALL.map(count).into_iter().filter(|(_, number)| *number > 0).collect(),
         predicted: all().filter(|record| record.predicted_iterations.is_some()).count(),
     }
 }

@@ -18,7 +18,8 @@ use crate::solve::{Discretisation, Element, Formulation, Iteration, Settings};
 use crate::stability::halving::{self, SOFT};
 use crate::stability::{Limit, linear, rate, release};
 use crate::study::atlas::plane::{Chart, HEAD, Plane, RIGHT, Record, STRETCH, Site};
-use crate::study::method::{Class, Method};
+use crate::solve::Ended;
+use crate::study::method::Method;
 use crate::study::records::{self as kept, rounded};
 use crate::study::{Found, Planned};
 
@@ -111,7 +112,7 @@ pub fn is_as_recorded(chart: &Chart, row: usize, column: usize, fresh: &Record) 
         |a: Option<f64>, b: Option<f64>| a.is_none() && b.is_none() || a.zip(b).is_some_and(|(a, b)| alike(a, b));
     let measured =
         kept.iterations == fresh.iterations && alike(kept.error, fresh.error) && both(kept.penalty, fresh.penalty);
-    let exact = kept.class == Class::Converged && !chart.is_near_a_boundary(row, column);
+    let exact = kept.class == Ended::Converged && !chart.is_near_a_boundary(row, column);
     let predicted = both(kept.predicted_iterations, fresh.predicted_iterations);
     kept.class == fresh.class && predicted && (!exact || measured)
 }
@@ -164,7 +165,7 @@ impl<'a> Ground<'a> {
     pub fn record(&self, method: Method, stiffness: f64) -> Result<Record, Error> {
         let formulation = self.site.formulation(method, stiffness);
         let run = Run::of(self.discretisation, &formulation);
-        let (class, iterations) = Class::of(&run)?;
+        let (class, iterations) = Ended::of(&run)?;
         let [error, penalty] = run.map_or([f64::NAN; 2], |run| [run.iteration_error(), run.penalty_error()]);
         Ok(Record {
             method,
@@ -256,7 +257,7 @@ pub fn judge(numbers: &Numbers) -> Vec<Judged> {
 
 /// Whether a run converged.
 fn converged(record: &Record) -> bool {
-    record.class == Class::Converged
+    record.class == Ended::Converged
 }
 
 /// A converged run long enough to be judged by a prediction.
@@ -387,7 +388,7 @@ fn halved(chart: &Chart) -> Option<Judged> {
 fn averaged(chart: &Chart) -> Option<Judged> {
     let plain = Element::ALL.map(|element| Method::usual(element, Iteration::Constant));
     let own: Vec<&Record> = chart.rows.iter().flatten().filter(|r| plain.contains(&r.method)).collect();
-    let wrong = own.iter().filter(|r| [Class::Diverged, Class::Cycling].contains(&r.class)).count();
+    let wrong = own.iter().filter(|r| [Ended::Diverged, Ended::Cycling].contains(&r.class)).count();
     let what = "run of constant stiffness with correction that diverges or cycles";
     let because =
         "predicted before any contact is solved: an averaged map comes no farther from its limit at any iteration";

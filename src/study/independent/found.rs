@@ -86,11 +86,11 @@ pub fn ours(benchmark: &Benchmark) -> Result<Vec<PhysicalAnswer>, Error> {
 /// What the closed form says of a scene, if there is one.
 pub fn closed_form(benchmark: &Benchmark) -> Option<[f64; 2]> {
     let oracle = benchmark.case.oracle()?;
-    let value = |quantity| match oracle.read(quantity) {
+    let value = |quantity: Quantity| match oracle.read(&quantity) {
         Reading::Value { value, .. } => value,
         Reading::Silent | Reading::Unavailable(_) => f64::NAN,
     };
-    Some([Quantity::PeakPressure, Quantity::SecondMoment].map(value))
+    Some([Quantity::PeakPressure, Quantity::SecondMomentWidth].map(value))
 }
 
 /// A number that is compared, in the order of what is found.

@@ -19,7 +19,7 @@ use crate::measure::order::bound_of_two;
 use crate::measure::profile;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::digitised::{
-    Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, RodScene, SceneMaterial, SheetScene,
+    Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, RodScene, SheetScene,
     compare, fringes,
 };
 use crate::oracle::{Oracle, ReferenceKind};
@@ -202,8 +202,8 @@ fn pin_rod(source: &RodScene) -> Scene {
         shank_width: source.shank_width,
         shank_end: source.shank_end,
         thickness: source.thickness,
-        pin: material(source.pin),
-        rod: material(source.rod),
+        pin: source.pin,
+        rod: source.rod,
         force: source.force,
         unit: base.unit * source.pin_radius / base.pin_radius,
         ..base
@@ -218,18 +218,14 @@ fn pin_sheet(source: &SheetScene, force: f64) -> Scene {
         clearance: source.clearance,
         rim_radius: source.rim_radius,
         thickness: source.thickness,
-        material: material(source.sheet),
+        material: source.sheet,
         force,
         unit: base.unit * source.pin_radius / base.pin_radius,
         ..base
     };
     let mut scene = plate.scene();
-    scene.bodies[0].material = material(source.pin);
+    scene.bodies[0].material = source.pin;
     scene
-}
-
-fn material(source: SceneMaterial) -> Material {
-    Material { young: source.young, poisson: source.poisson }
 }
 
 /// Our curves agree with the digitised ones of a source within the combined uncertainty.

@@ -6,9 +6,8 @@ use crate::case::solved::estimated;
 use crate::case::{Case, Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::markdown::{self, Column};
-use crate::measure::larger;
+use crate::measure::{Quantity as Number, larger};
 use crate::mesh::{Order, Resolution};
-use crate::oracle;
 use crate::scene::{Grading, Scene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::Planned;
@@ -110,7 +109,7 @@ impl Subject {
 
 /// Peak pressure and second-moment width, or second-moment angle, by the closed form.
 pub fn closed_form(case: &Case) -> [f64; 2] {
-    [oracle::Quantity::PeakPressure, oracle::Quantity::SecondMoment].map(|quantity| case.reading(quantity).value)
+    [Number::PeakPressure, Number::SecondMomentWidth].map(|quantity| case.reading(0, &quantity).value)
 }
 
 /// Larger relative error of peak and second-moment width; NaN where either is or the run did not converge.
@@ -175,7 +174,7 @@ pub struct Answered {
 fn answered(subject: Subject, asked: f64, mesh: Mesh) -> Result<Answered, Error> {
     let case = subject.loaded(1.0);
     let plain = Formulation::new(Element::Node, Iteration::Kinematic);
-    let quantities = vec![accuracy::Quantity::PeakPressure, accuracy::Quantity::SecondMomentWidth];
+    let quantities = vec![Number::PeakPressure, Number::SecondMomentWidth];
     let answer = accuracy::solve(&case.scene, &plain, &Asked { quantities, ..Asked::new(asked) })?;
     Ok(Answered::of(&answer, asked, [closed_form(&case), truth(subject)?], price(subject, mesh)?))
 }

@@ -3,14 +3,14 @@
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::longest::longest;
-use crate::accuracy::{Quantity, Subject, bars};
+use crate::accuracy::{Barred, bars};
 use crate::algorithm::StiffnessRule;
 use crate::case::{self, Check, Judged, Reference};
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::error::Error;
 use crate::markdown;
-use crate::measure::larger;
+use crate::measure::{Quantity, larger};
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Profile, Scene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
@@ -74,7 +74,7 @@ pub fn setup(site: &Site, sample: &Sample) -> (Scene, Resolution, Formulation) {
     let ends_there = matches!(pair.profile, Profile::Uniform(_) | Profile::Punch { .. });
     // A symmetric contact begins as far before s = 0 as it ends after it.
     let end = sample.end(0);
-    let begin = Some(sample.truth(0, Quantity::Begin(0))).filter(|begin| begin.is_finite()).unwrap_or(-end);
+    let begin = Some(sample.truth(0, &Quantity::Begin(0))).filter(|begin| begin.is_finite()).unwrap_or(-end);
     let (half, outer) = (0.5 * (end - begin), end.max(-begin));
     let [fewest, most] = ELEMENTS;
     let most = most.min(CANDIDATES * half / (STRETCH[1] * outer)).max(fewest);
@@ -144,18 +144,18 @@ impl Kind {
         (Self::Depth, "its depth", 2),
     ];
 
-    fn of(subject: &Subject) -> Self {
-        match subject {
-            Subject::Contact(_, Quantity::PeakPressure) => Self::Peak,
-            Subject::Contact(_, Quantity::PeakPlace) => Self::Place,
-            Subject::Contact(_, Quantity::HalfWidth) => Self::HalfWidth,
-            Subject::Contact(_, Quantity::SecondMomentWidth) => Self::SecondMomentWidth,
-            Subject::Contact(_, Quantity::Centre) => Self::Centre,
-            Subject::Contact(_, Quantity::Begin(_) | Quantity::End(_)) => Self::Edge,
-            Subject::Contact(_, Quantity::Resultant | Quantity::Moment) | Subject::Reaction(..) => Self::Force,
-            Subject::Displacement(_) | Subject::Approach(_) => Self::Displacement,
-            Subject::Shear(..) => Self::Shear,
-            Subject::ShearDepth(..) => Self::Depth,
+    fn of(quantity: &Quantity) -> Self {
+        match quantity {
+            Quantity::PeakPressure => Self::Peak,
+            Quantity::PeakPlace => Self::Place,
+            Quantity::HalfWidth => Self::HalfWidth,
+            Quantity::SecondMomentWidth => Self::SecondMomentWidth,
+            Quantity::Centre => Self::Centre,
+            Quantity::Begin(_) | Quantity::End(_) => Self::Edge,
+            Quantity::Displacement(_) | Quantity::Approach => Self::Displacement,
+            Quantity::Shear { .. } => Self::Shear,
+            Quantity::ShearDepth { .. } => Self::Depth,
+            _ => Self::Force,
         }
     }
 }
@@ -199,17 +199,17 @@ impl Record {
 }
 
 /// What errors of a number are relative to: the true peak, half-width, force or shear stress, the largest true displacement.
-fn size(sample: &Sample, Truth { subject, value }: &Truth) -> f64 {
-    let true_one = |quantity| sample.truth(0, quantity);
-    match subject {
-        Subject::Contact(_, Quantity::PeakPressure) | Subject::Reaction(..) | Subject::Shear(..) => value.abs(),
-        Subject::Contact(_, Quantity::Resultant) => *value,
-        Subject::Contact(_, Quantity::Moment) => true_one(Quantity::Resultant) * true_one(Quantity::SecondMomentWidth),
-        Subject::Contact(..) | Subject::ShearDepth(..) => true_one(Quantity::SecondMomentWidth),
-        Subject::Displacement(_) | Subject::Approach(_) => {
-            let own = sample.truths.iter().filter(|truth| Kind::of(&truth.subject) == Kind::Displacement);
+fn size(sample: &Sample, Truth { quantity, value, .. }: &Truth) -> f64 {
+    let true_one = |quantity| sample.truth(0, &quantity);
+    match quantity {
+        Quantity::PeakPressure | Quantity::Reaction { .. } | Quantity::Shear { .. } => value.abs(),
+        Quantity::Resultant => *value,
+        Quantity::Moment => true_one(Quantity::Resultant) * true_one(Quantity::SecondMomentWidth),
+        Quantity::Displacement(_) | Quantity::Approach => {
+            let own = sample.truths.iter().filter(|truth| Kind::of(&truth.quantity) == Kind::Displacement);
             own.map(|truth| truth.value.abs()).fold(0.0, f64::max)
         }
+        _ => true_one(Quantity::SecondMomentWidth),
     }
 }
 
@@ -224,14 +224,15 @@ pub fn record(site: &Site) -> Result<Record, Error> {
     let (family, number) = (site.family, site.number);
     let mut record = Record { family, number, errors: [None; NUMBERS], bars: [None; NUMBERS] };
     for truth in &sample.truths {
-        let found = bars.all.iter().find(|one| one.subject == truth.subject && run.solution.converged());
+        let is_of = |one: &&Barred| one.contact == truth.contact && one.quantity == truth.quantity;
+        let found = bars.all.iter().find(is_of).filter(|_| run.solution.converged());
         let [error, bar] = found.map_or([f64::NAN; 2], |one| match truth.value.is_finite() {
             true => [(one.value - truth.value).abs(), one.bar.total()],
             // What has no limit must not be quoted.
             false => [if one.value.is_nan() { 0.0 } else { f64::INFINITY }, 0.0],
         });
         let size = if truth.value.is_finite() { size(&sample, truth) } else { 1.0 };
-        let kind = Kind::of(&truth.subject);
+        let kind = Kind::of(&truth.quantity);
         let free = kinds().zip(&record.errors).position(|(own, error)| own == kind && error.is_none());
         let free = free.expect("no scene has more numbers of a kind than a record");
         (record.errors[free], record.bars[free]) = (Some(Millionths(error / size)), Some(Millionths(bar / size)));

@@ -15,7 +15,7 @@ use crate::markdown;
 use crate::solution::EnergyError;
 use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin, Run, Settings};
 use crate::study::drawn::{self, Curve};
-use crate::study::method::Class;
+use crate::solve::Ended;
 use crate::study::records::{Millionths, Survey, Surveyed, are_like};
 
 /// The survey.
@@ -94,7 +94,7 @@ pub struct Record {
     /// Tolerance.
     pub tolerance: f64,
     /// How each ended.
-    pub classes: [Option<Class>; 9],
+    pub classes: [Option<Ended>; 9],
     /// Iterations made.
     pub iterations: [Option<usize>; 9],
     /// Largest error of p₀ and a against the solution of the same discrete problem; 0 where it is round-off, none where there is
@@ -165,7 +165,7 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
             if let Err(Error { kind: Kind::Input | Kind::NothingPresses, .. }) = run {
                 continue;
             }
-            let (class, iterations) = Class::of(&run)?;
+            let (class, iterations) = Ended::of(&run)?;
             let error = run.ok().map(|run| match run.iteration_error() {
                 error if error < ROUND_OFF * tolerance => Millionths(0.0),
                 error => Millionths(error),
@@ -219,7 +219,7 @@ pub fn right(recorded: &[Record]) -> Judged {
     for record in recorded {
         for (class, error) in record.classes.iter().zip(&record.errors) {
             all += usize::from(class.is_some());
-            if *class == Some(Class::Converged) {
+            if *class == Some(Ended::Converged) {
                 converged += 1;
                 right += usize::from(error.is_some_and(|error| error.0 <= SLACK * record.tolerance));
             }
@@ -239,7 +239,7 @@ pub fn right(recorded: &[Record]) -> Judged {
 /// Share of the runs of one of the nine that converge, of the records that are meant; none of no runs.
 fn share(recorded: &[Record], formulation: usize, is_meant: impl Fn(&Record) -> bool) -> Option<f64> {
     let classes = recorded.iter().filter(|record| is_meant(record)).filter_map(|record| record.classes[formulation]);
-    let ended: Vec<bool> = classes.map(|class| class == Class::Converged).collect();
+    let ended: Vec<bool> = classes.map(|class| class == Ended::Converged).collect();
     let converged = ended.iter().filter(|converged| **converged).count();
     (!ended.is_empty()).then(|| converged as f64 / ended.len() as f64)
 }

@@ -91,7 +91,7 @@ impl Record {
     pub fn of(&Site { family, number }: &Site, asked: f64, sample: &Sample, answer: &Answer) -> Self {
         let [peak, half_width] = accuracy::Quantity::ASKED.map(|quantity| {
             let each = answer.run.contacts.iter().enumerate();
-            let errors = each.map(|(at, one)| quantity.of(&one.measures) / sample.truth(at, quantity) - 1.0);
+            let errors = each.map(|(at, one)| quantity.of(&one.measures) / sample.truth(at, &quantity) - 1.0);
             let largest = errors.reduce(|a, b| if a.abs() >= b.abs() || a.is_nan() { a } else { b });
             Millionths(largest.unwrap_or(f64::NAN))
         });

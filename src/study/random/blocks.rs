@@ -5,8 +5,8 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use crate::accuracy::{Quantity, Subject};
 use crate::case::library::{FlatPunch, TruncatedHertz};
+use crate::measure::Quantity;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::punch;
 use crate::oracle::analytic::waves::Waves;
@@ -71,7 +71,7 @@ pub fn cosine(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let shortening = waves.mean * height * (1.0 - ratio * ratio) / modulus;
     let approach = waves.sunk() + shortening;
     let sample = Sample::of(scene, truths).moved(0, Place::Boundary("far".into()), Component::Y, -approach);
-    sample.with(Subject::Approach(0), approach)
+    sample.with(Quantity::Approach, approach)
 }
 
 /// A parabola on a block with Hertz's stresses on its sides.
@@ -186,7 +186,7 @@ pub fn eccentric(draw: &mut Draw, material: Material) -> Sample {
     )
     .moved(0, far(), Component::X, ratio * slope * half * half / (6.0 * modulus))
     .moved(0, far(), Component::Y, -mean * height / modulus)
-    .with(Subject::Approach(0), mean * height / modulus)
+    .with(Quantity::Approach, mean * height / modulus)
 }
 
 /// A flat punch on a block with the half-plane's stresses on its sides; its peak has no limit.
@@ -314,7 +314,6 @@ pub fn sample(contact: HalfPlane, materials: &[Material], cut: Cut) -> Sample {
         reference: ReferenceValues { length: outermost, pressure: finite, gap: load / contact.modulus },
         grading: Grading { unit: outermost, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
     };
-    let number = |quantity| Subject::Contact(0, quantity);
     let mut sample = Sample::of(
         scene,
         [
@@ -325,20 +324,20 @@ pub fn sample(contact: HalfPlane, materials: &[Material], cut: Cut) -> Sample {
         ],
     );
     if cut.whole {
-        sample = sample.with(number(Quantity::Centre), centre).with(number(Quantity::Moment), load * centre);
+        sample = sample.with(Quantity::Centre, centre).with(Quantity::Moment, load * centre);
     }
     let modelled: Vec<[f64; 2]> =
         contact.stretches.iter().copied().filter(|[_, end]| cut.whole || *end > 0.0).collect();
     if let ([[begin, _], ..], [.., [_, end]]) = (&modelled[..], &modelled[..])
         && (cut.whole || *begin > 0.0)
     {
-        sample = sample.with(number(Quantity::HalfWidth), 0.5 * (end - begin));
+        sample = sample.with(Quantity::HalfWidth, 0.5 * (end - begin));
     }
     for (k, [begin, end]) in modelled.iter().enumerate() {
         if cut.whole || *begin > 0.0 {
-            sample = sample.with(number(Quantity::Begin(k)), *begin);
+            sample = sample.with(Quantity::Begin(k), *begin);
         }
-        sample = sample.with(number(Quantity::End(k)), *end);
+        sample = sample.with(Quantity::End(k), *end);
     }
     let stress = |[x, depth]: [f64; 2]| contact.stress(x, depth);
     let touches = contact.stretches.iter().any(|[begin, end]| *begin < 0.0 && 0.0 < *end);

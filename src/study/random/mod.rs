@@ -19,7 +19,6 @@ mod round;
 
 use std::sync::Arc;
 
-use crate::accuracy::Subject;
 use crate::accuracy::longest::longest;
 use crate::error::Error;
 use crate::mesh::{Mesh, Order, Resolution};
@@ -102,16 +101,15 @@ fn pair(draw: &mut Draw, number: usize) -> Result<Sample, Error> {
         second: pair.second.map(|second| second + bodies),
         ..pair
     }));
-    let second = |truth: Truth| {
-        let subject = match truth.subject {
-            Subject::Contact(_, quantity) => Subject::Contact(1, quantity),
-            Subject::Reaction(body, support) => Subject::Reaction(body + bodies, support),
-            Subject::Displacement(one) => Subject::Displacement(Displaced { body: one.body + bodies, ..one }),
-            Subject::Approach(_) => Subject::Approach(1),
-            Subject::Shear(_, body) => Subject::Shear(1, body + bodies),
-            Subject::ShearDepth(_, body) => Subject::ShearDepth(1, body + bodies),
+    let second = |Truth { quantity, value, .. }: Truth| {
+        let (contact, quantity) = match quantity {
+            Quantity::Reaction { body, support } => (0, Quantity::Reaction { body: body + bodies, support }),
+            Quantity::Displacement(one) => (0, Quantity::Displacement(Displaced { body: one.body + bodies, ..one })),
+            Quantity::Shear { body } => (1, Quantity::Shear { body: body + bodies }),
+            Quantity::ShearDepth { body } => (1, Quantity::ShearDepth { body: body + bodies }),
+            of_contact => (1, of_contact),
         };
-        Truth { subject, ..truth }
+        Truth { contact, quantity, value }
     };
     truths.extend(other.truths.into_iter().map(second));
     Ok(Sample { scene, truths, fewest: fewest.max(other.fewest) })

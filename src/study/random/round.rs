@@ -3,7 +3,6 @@
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use crate::accuracy::Quantity;
 use crate::case::library::{Cylinder, CylinderModel, PinPlate, PressFit};
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::persson::PinInHole;
@@ -122,7 +121,7 @@ pub fn press_fit(draw: &mut Draw, inside: Material) -> Sample {
         materials: [inside, outside],
         plane,
     };
-    let [inner, outer] = [inside, outside].map(|m| lame::RingMaterial { young: m.young, poisson: m.poisson });
+    let [inner, outer] = [inside, outside];
     let lame = lame::PressFit {
         bore: numbers.inner,
         interface,
@@ -130,7 +129,7 @@ pub fn press_fit(draw: &mut Draw, inside: Material) -> Sample {
         interference: numbers.interference,
         inner,
         outer,
-        plane: plane.into(),
+        plane,
     };
     let thinner = (interface - numbers.inner).min(numbers.outer - interface);
     let pressure = lame.pressure();
@@ -163,7 +162,7 @@ pub fn ring(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let clearance = inner * draw.decades(1e-5, 1e-3);
     let profile = Profile::Pin { radius: inner - clearance, clearance };
     let Material { young, poisson } = material;
-    let elastic = Ring { radii: [inner, outer], young, poisson, plane: plane.into(), pressure: 0.0 };
+    let elastic = Ring { radii: [inner, outer], young, poisson, plane, pressure: 0.0 };
     let contact = loop {
         let half_angle = draw.between(8.0, 80.0).to_radians();
         if let Some(contact) = elastic.on_pin(&profile, half_angle) {

@@ -12,7 +12,7 @@ use crate::oracle::analytic::persson::PinInHole;
 use crate::scene::Material;
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::drawn::{self, picture};
-use crate::study::method::Class;
+use crate::solve::Ended;
 
 /// Values of `E t c / F`.
 pub const CLEARANCES: [f64; 8] = [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
@@ -30,8 +30,8 @@ const REACHES: f64 = 0.97;
 const DEFAULT: [f64; 3] = [5.0, 2.0, 1.0];
 
 /// `R t p_max / F` and the contact half-angle by second moment \[rad\] of a scene; else how its run ended, of which
-/// [`Class::Beyond`] says that the contact reaches beyond the quarter of the pin that is modelled.
-pub type Placed = Result<[f64; 2], Class>;
+/// [`Ended::Beyond`] says that the contact reaches beyond the quarter of the pin that is modelled.
+pub type Placed = Result<[f64; 2], Ended>;
 
 /// An eye or a shank.
 #[derive(Clone, Debug)]
@@ -67,13 +67,13 @@ fn at(base: &PinRod, [clearance, eye, shank]: [f64; 3]) -> PinRod {
 fn solve(rod: &PinRod) -> Result<Placed, Error> {
     let resolution = Resolution { elements: ELEMENTS, refinement: 0, order: Order::Quadratic };
     let run = Run::of(&Discretisation::of(rod.scene(), resolution)?, &Formulation::verification());
-    let (class, _) = Class::of(&run)?;
+    let (class, _) = Ended::of(&run)?;
     let Ok(run) = run else { return Ok(Err(class)) };
     let measures = run.measures();
     let pressure = measures.peak.pressure * rod.pin_radius * rod.thickness / rod.force;
     Ok(match class {
-        Class::Converged if measures.edge() > REACHES * rod.stretch => Err(Class::Beyond),
-        Class::Converged => Ok([pressure, measures.second_moment_width]),
+        Ended::Converged if measures.edge() > REACHES * rod.stretch => Err(Ended::Beyond),
+        Ended::Converged => Ok([pressure, measures.second_moment_width]),
         other => Err(other),
     })
 }
@@ -142,7 +142,7 @@ pub fn slopes() -> Result<[Slope; 3], Error> {
 /// No scene is lost, an eye embraces the pin, and three numbers place a pin.
 pub fn judge(curves: &[Curve], [first, other]: &[[f64; 2]; 2], wide_plate: f64) -> Vec<Judged> {
     let all = || curves.iter().flat_map(|curve| &curve.placed);
-    let lost = all().filter(|placed| placed.is_err_and(|class| class != Class::Beyond)).count();
+    let lost = all().filter(|placed| placed.is_err_and(|class| class != Ended::Beyond)).count();
     let lost = Check::none(
         Quantity::at("scene of the family whose iteration does not converge", format!("of {}", all().count())),
         "a contact is found, or refused because it reaches beyond the quarter",
@@ -203,7 +203,7 @@ pub fn table_of_curves(curves: &[Curve]) -> String {
     let head: Vec<String> = head.chain(CLEARANCES.iter().map(f64::to_string)).collect();
     let cell = |placed: &Placed| match placed {
         Ok([pressure, angle]) => format!("{pressure:.3} / {:.1}°", angle.to_degrees()),
-        Err(Class::Beyond) => "beyond the quarter".into(),
+        Err(Ended::Beyond) => "beyond the quarter".into(),
         Err(_) => "not converged".into(),
     };
     let row = |curve: &Curve| [curve.name.clone()].into_iter().chain(curve.placed.iter().map(cell)).collect();
@@ -233,7 +233,7 @@ pub fn chart(all: &[&[Curve]]) -> Drawing {
         for (curve, style) in all.iter().flat_map(|curves| curves.iter().zip(styles())) {
             let points = || CLEARANCES.into_iter().zip(&curve.placed);
             // A contact beyond the quarter is refused, and no point of the family.
-            let is_lost = |placed: &Placed| placed.is_err_and(|class| class != Class::Beyond);
+            let is_lost = |placed: &Placed| placed.is_err_and(|class| class != Ended::Beyond);
             let drawn = drawn::Curve {
                 points: points().map(|(clearance, placed)| [clearance, of(numbers(*placed))]).collect(),
                 failed: points().filter(|(_, placed)| is_lost(placed)).map(|(clearance, _)| clearance).collect(),

@@ -261,7 +261,7 @@ pub fn numbers(name: &str, case: &Case, board: &Board) -> Result<Numbers, Error>
     let rows: Vec<Row> = asked.runs.iter().filter_map(|told| row(&truth, &discretisation, told)).collect();
     let now = hashes();
     let changed = now.iter().filter(|(script, hash)| board.scripts.get(*script) != Some(*hash));
-    let peak = truth.known(0, crate::accuracy::Quantity::PeakPressure, crate::oracle::Quantity::PeakPressure);
+    let peak = truth.known(0, &Number::PeakPressure);
     Ok(Numbers {
         case: name.into(),
         dofs: [discretisation.system.dofs(), asked.dofs],
@@ -292,18 +292,17 @@ pub fn scored(truth: &Truth, discretisation: &Discretisation, file: &Path, bytes
     let answer = answer(&truth.case, discretisation, file, bytes)?;
     let found = verdicts(truth, answer, ENGINEERING)?;
     let judged: Vec<&Judged> = found.ruled.iter().flat_map(|ruled| &ruled.judged).collect();
-    let score = |wanted: &dyn Fn(&Quantity) -> bool| {
-        let one = judged.iter().find(|one| wanted(&one.check.quantity));
+    let score = |wanted: Number| {
+        let one = judged.iter().find(|one| one.check.quantity.number() == Some(&wanted));
         one.map_or(Score { value: f64::NAN, error: f64::NAN, bar: f64::NAN }, |one| Score {
             value: one.value,
             error: (one.value - one.reference.value) / one.reference.value,
             bar: one.reference.uncertainty.map_or(0.0, |u| COVERAGE * u / one.reference.value.abs()),
         })
     };
-    let peak = score(&|quantity| *quantity == Quantity::PeakPressure);
-    let width = score(&|quantity| matches!(quantity, Quantity::SecondMomentWidth | Quantity::SecondMomentAngle));
     let failed = judged.iter().filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string());
-    Ok(Scored { scores: [peak, width], failed: failed.collect() })
+    let scores = [Number::PeakPressure, Number::SecondMomentWidth].map(score);
+    Ok(Scored { scores, failed: failed.collect() })
 }
 
 /// The answer in a file: numbers are in mm, N and MPa, and nodes are those of the exported mesh.

@@ -6,7 +6,7 @@ use crate::solve::Run;
 
 /// The end of a command, from good to bad; wrong input is an [`Error`](crate::error::Error) and exits with 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Ended {
+pub enum Exit {
     /// All is well: 0.
     Well,
     /// A check failed: 1.
@@ -18,7 +18,7 @@ pub enum Ended {
 /// Exit code of wrong input, which is also that of a mistyped command.
 pub const WRONG_INPUT: u8 = 2;
 
-impl Ended {
+impl Exit {
     /// Well, or with a failed check.
     pub fn checked(passed: bool) -> Self {
         if passed { Self::Well } else { Self::CheckFailed }
@@ -26,17 +26,16 @@ impl Ended {
 
     /// How a run ended that is judged so by its checks.
     pub fn of(run: &Run, checks: Self) -> Self {
-        let no_contact = run.contacts.iter().all(|contact| contact.open == Some(true));
-        if run.solution.converged() && !no_contact { checks } else { Self::NotConverged }
+        if run.solution.converged() && !run.is_open() { checks } else { Self::NotConverged }
     }
 }
 
-impl From<Ended> for ExitCode {
-    fn from(ended: Ended) -> Self {
+impl From<Exit> for ExitCode {
+    fn from(ended: Exit) -> Self {
         match ended {
-            Ended::Well => Self::SUCCESS,
-            Ended::CheckFailed => Self::from(1),
-            Ended::NotConverged => Self::from(3),
+            Exit::Well => Self::SUCCESS,
+            Exit::CheckFailed => Self::from(1),
+            Exit::NotConverged => Self::from(3),
         }
     }
 }
