@@ -46,7 +46,9 @@ pub mod trial;
 
 use crate::case::judged::{Judged, Verdict, worst};
 use crate::error::Error;
+use crate::oracle::cross_code::live::Live;
 use about::About;
+use answers::Answers;
 use rooms::rooms;
 
 pub use trial::{Found, Planned};
@@ -128,10 +130,11 @@ pub fn on_bars(findings: &[Finding]) -> Result<Finding, Error> {
 }
 
 /// Trials that ask the other codes themselves.
-#[cfg(feature = "python")]
-pub fn live() -> Vec<Trial> {
-    let twins = cross_code::live().into_iter().map(|planned| judged(planned, Room::CrossCode, Numbers::CrossCode));
-    let others = independent::live().into_iter();
+pub fn live(live: Live) -> Vec<Trial> {
+    let answers = Answers::Live(live);
+    let twins = cross_code::against(answers).into_iter();
+    let twins = twins.map(|planned| judged(planned, Room::CrossCode, Numbers::CrossCode));
+    let others = independent::against(answers).into_iter();
     twins.chain(others.map(|planned| judged(planned, Room::Independent, Numbers::Independent))).collect()
 }
 

@@ -4,24 +4,19 @@
 //! * `benchmark` — the scenes, as numbers.
 //! * `run` — one trial a scene: what every script found, beside ours.
 //! * `found` — the numbers of a series of meshes, with their uncertainty.
-//! * `renewal` — asking the scripts now, and freezing what they answer (feature `python`).
 //! * `judge` — differences within their uncertainty, and within what was found.
 //! * `section` — the numbers, the profiles.
 
 pub mod benchmark;
 pub mod found;
 pub mod judge;
-#[cfg(feature = "python")]
-pub mod renewal;
 pub mod run;
 mod section;
 
 use crate::study::about::About;
 
 pub use judge::judge;
-#[cfg(feature = "python")]
-pub use run::live;
-pub use run::{Compared as Numbers, plan};
+pub use run::{Compared as Numbers, against, plan};
 pub use section::{pictures, section};
 
 /// What its page is called, what it asks, and what it cannot tell.
