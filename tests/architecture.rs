@@ -258,15 +258,16 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 }
 
 /// Lines that a room may have; raised only by a commit that says what for.
-const BUDGETS: [(&str, usize); 8] = [
+const BUDGETS: [(&str, usize); 9] = [
     ("solver", 17_950),
     ("drawing", 3_000),
     ("case", 6_850),
-    ("oracle", 4_100),
+    ("oracle", 3_900),
     ("study", 16_200),
     ("referee", 5_300),
     ("report", 3_450),
     ("cli", 4_300),
+    ("live", 450),
 ];
 
 #[test]
