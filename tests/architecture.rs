@@ -23,7 +23,7 @@ enum May {
 }
 
 /// Modules in the order in which they are read, and what each may import from the crate besides itself.
-const ALLOWED: [(&str, May); 25] = [
+const ALLOWED: [(&str, May); 26] = [
     ("error", Only(&[])),
     ("named", Only(&[])),
     ("clock", Only(&["named"])),
@@ -52,6 +52,7 @@ const ALLOWED: [(&str, May); 25] = [
     ),
     ("cli", AllAboveBut(&[])),
     ("main", AllAboveBut(&[])),
+    ("live", Only(&["error", "checkout", "oracle", "study", "cli"])),
 ];
 
 /// Links whose types are the product's own: no matrix type of a library appears there.
@@ -233,7 +234,7 @@ fn nothing_unwraps_nothing_is_unsafe_and_nothing_is_left_to_do() {
     for source in source::all() {
         let found = banned(source);
         // Starting Python from a configuration of its own has no safe interface.
-        let exempt = source.file == "oracle/cross_code/interpreter.rs" && found == ["unsafe"];
+        let exempt = source.file == "live/interpreter.rs" && found == ["unsafe"];
         assert!(found.is_empty() || exempt, "{}: {found:?}", source.file);
     }
     let of = |code: &str| banned(&Source::new("mesh.rs", &format!("fn f() {{ {code} }}")));
@@ -257,15 +258,16 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 }
 
 /// Lines that a room may have; raised only by a commit that says what for.
-const BUDGETS: [(&str, usize); 8] = [
+const BUDGETS: [(&str, usize); 9] = [
     ("solver", 18_100),
     ("drawing", 3_000),
     ("case", 6_850),
-    ("oracle", 4_100),
+    ("oracle", 3_900),
     ("study", 15_750),
     ("referee", 5_300),
     ("report", 3_450),
-    ("cli", 4_220),
+    ("cli", 4_300),
+    ("live", 450),
 ];
 
 #[test]

@@ -1,43 +1,32 @@
 //! Every trial of the suite as one line, and one frozen snapshot per scene × element × algorithm.
 
 mod frozen;
+mod truth;
 
 use std::fmt::Write;
-use std::sync::{Arc, Mutex};
 
 use contact_vv::case::Verdict;
 use contact_vv::case::library::{NAMES, find};
 use contact_vv::markdown::significant;
-use contact_vv::oracle::ReferenceKind;
 use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Formulation};
 use contact_vv::study::atlas::{Chart, Plane};
-use contact_vv::study::{self, Finding, cross_code, promised};
-use libtest_mimic::{Arguments, Completion, Failed, Trial};
+use contact_vv::study::{self, promised};
+use libtest_mimic::{Arguments, Failed, Trial};
+use truth::{Findings, counted, truth};
 
 /// Scenes whose runs are frozen.
 const FROZEN: [&str; 3] = ["cylinder", "truncated-hertz", "pin-rod"];
 
-/// Told where no code was asked.
-const NOT_LIVE: &str = " (scikit-fem and dolfinx are asked with `bash oracles/setup.sh` and `--features python`)";
-
-/// Checks that passed, failed and were not run.
-type Counts = Arc<Mutex<[usize; 3]>>;
-/// What the trials found.
-type Findings = Arc<Mutex<Vec<Finding>>>;
-/// Checks against frozen and against live answers of other codes.
-type Origins = Arc<Mutex<[usize; 2]>>;
+/// Where other codes' answers come from here.
+const FROZEN_ANSWERS: &str =
+    "as they were frozen (`bash oracles/setup.sh && cargo test --release --workspace` asks scikit-fem and dolfinx)";
 
 fn main() {
     let arguments = Arguments::from_args();
-    let counts = Counts::default();
-    let origins = Origins::default();
     let findings = Findings::default();
-    let trials = study::trials();
-    #[cfg(feature = "python")]
-    let trials: Vec<study::Trial> = trials.into_iter().chain(study::live()).collect();
-    let mut tests: Vec<Trial> =
-        trials.into_iter().map(|trial| truth(trial, counts.clone(), origins.clone(), findings.clone())).collect();
+    // Truth lock: all checks of a trial hold.
+    let mut tests: Vec<Trial> = study::trials().into_iter().map(|trial| truth(trial, findings.clone())).collect();
     tests.extend(FROZEN.into_iter().flat_map(runs));
     tests.extend(
         Plane::ALL.map(|plane| Trial::test(format!("snapshot, atlas × {}", plane.name()), move || charted(plane))),
@@ -48,11 +37,9 @@ fn main() {
     if arguments.list {
         conclusion.exit();
     }
-    let [pass, fail, not_run] = *counts.lock().expect("no test panics while counting");
-    println!("checks: {pass} passed, {fail} failed, {not_run} not run");
-    let [frozen, live] = *origins.lock().expect("no test panics while counting");
-    println!("of these against other codes: {frozen} frozen, {live} live{}", if live == 0 { NOT_LIVE } else { "" });
-    let bars = study::on_bars(&findings.lock().expect("no test panics while keeping")).expect("judged");
+    let findings = findings.lock().expect("no test panics while keeping");
+    println!("{}, {FROZEN_ANSWERS}", counted(&findings));
+    let bars = study::on_bars(&findings).expect("judged");
     let all = matches!(bars.numbers(), Some(promised::Numbers::Checks(all, _)) if *all > 0);
     // Of some trials only there may be none to judge.
     let beyond = bars.judged.iter().filter(|one| all && one.verdict != Verdict::Pass);
@@ -62,43 +49,6 @@ fn main() {
         std::process::exit(1);
     }
     conclusion.exit();
-}
-
-/// Truth lock: all checks of a trial hold.
-fn truth(trial: study::Trial, counts: Counts, origins: Origins, findings: Findings) -> Trial {
-    Trial::ignorable_test(trial.title(), move || {
-        let finding = trial.run().map_err(|error| Failed::from(error.to_string()))?;
-        let mut message = String::new();
-        for check in &finding.judged {
-            if check.reference.kind == ReferenceKind::CrossCode {
-                let live = finding.numbers().is_some_and(|numbers: &cross_code::Numbers| numbers.reproduced.is_some());
-                origins.lock().expect("no test panics while counting")[usize::from(live)] += 1;
-            }
-            let slot = match &check.verdict {
-                Verdict::Pass => 0,
-                Verdict::Fail => 1,
-                Verdict::NotRun(_) => 2,
-            };
-            counts.lock().expect("no test panics while counting")[slot] += 1;
-            if slot == 1 {
-                let (name, value) = (&check.reference.name, check.reference.value);
-                let _ = writeln!(message, "{}", check.requirement());
-                let _ = writeln!(message, "  {}: {} against {name} {value}", check.check.quantity, check.value);
-                let _ = writeln!(
-                    message,
-                    "  error {:.3e}, tolerance {:.3e}: {}",
-                    check.error, check.check.tolerance, check.check.because
-                );
-            }
-        }
-        let verdict = finding.verdict();
-        findings.lock().expect("no test panics while keeping").push(finding);
-        match verdict {
-            Verdict::Pass => Ok(Completion::Completed),
-            Verdict::Fail => Err(message.into()),
-            Verdict::NotRun(why) => Ok(Completion::ignored_with(why)),
-        }
-    })
 }
 
 /// Drift lock: counts and measures of the nine formulations of a scene are what they were.

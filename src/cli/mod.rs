@@ -173,9 +173,6 @@ enum Command {
         #[arg(long)]
         force: bool,
     },
-    /// Ask the other codes for everything again, write oracles/frozen and show what changed.
-    #[cfg(feature = "python")]
-    Freeze,
 }
 
 #[derive(Debug, Subcommand)]
@@ -230,8 +227,6 @@ pub fn main() -> ExitCode {
             Ok(Exit::Well)
         }
         Command::Man { folder, force } => manual::man(folder.as_deref(), command(), force).map(|()| Exit::Well),
-        #[cfg(feature = "python")]
-        Command::Freeze => freeze().map(|()| Exit::Well),
     };
     match outcome {
         Ok(ended) => ended.into(),
@@ -315,13 +310,4 @@ fn root() -> Result<PathBuf, Error> {
         let message = "neither this folder nor one above holds Cargo.toml and snapshots/";
         Error::file(&here, message, "run inside a checkout of the project")
     })
-}
-
-/// Renews the frozen results of both codes.
-#[cfg(feature = "python")]
-fn freeze() -> Result<(), Error> {
-    writable::folder(&crate::checkout::root().join("oracles/frozen"), writable::CHECKOUT)?;
-    crate::study::cross_code::freeze()?.into_iter().for_each(say);
-    crate::study::independent::renewal::freeze()?.into_iter().for_each(say);
-    Ok(())
 }

@@ -2,19 +2,19 @@
 
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::oracle::ReferenceKind;
+use crate::oracle::cross_code::live::Live;
 use crate::study::differences::{Groups, largest_change};
 
 /// Relative difference from the frozen answer that a live one may have.
 const REPRODUCED: f64 = 1e-6;
 
 /// Frozen or live.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub enum Answers {
     /// Read from `oracles/frozen`; Rust alone suffices.
     Frozen,
     /// Asked now, and held against the frozen ones as well.
-    #[cfg(feature = "python")]
-    Live,
+    Live(Live),
 }
 
 /// A live answer beside the frozen one.
@@ -38,8 +38,7 @@ impl Answers {
     pub fn suffix(self) -> &'static str {
         match self {
             Self::Frozen => "",
-            #[cfg(feature = "python")]
-            Self::Live => ", live",
+            Self::Live(_) => ", live",
         }
     }
 }

@@ -6,20 +6,14 @@ use crate::case::{Check, Judged, Quantity, Reference, Verdict, library};
 use crate::contact::Quadrature;
 use crate::elasticity::Dofs;
 use crate::error::Error;
-#[cfg(feature = "python")]
-use crate::error::Kind;
 use crate::markdown;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, file};
 use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem, SET_UP};
-#[cfg(feature = "python")]
-use crate::oracle::cross_code::{frozen::script_hash, live as asked};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::study::about::About;
 use crate::study::answers::{Answers, Reproduced, reproduced};
-#[cfg(feature = "python")]
-use crate::study::differences::changes;
 use crate::study::differences::{relative_difference, worst_difference};
 use crate::study::handed_over::{self, KAPPA, not_handed_over};
 use crate::study::{Found, Planned};
@@ -36,13 +30,8 @@ pub fn plan() -> Vec<Planned<Numbers>> {
     against(Answers::Frozen)
 }
 
-/// The same with the codes themselves asked.
-#[cfg(feature = "python")]
-pub fn live() -> Vec<Planned<Numbers>> {
-    against(Answers::Live)
-}
-
-fn against(answers: Answers) -> Vec<Planned<Numbers>> {
+/// All trials, against answers that are frozen, or of the codes themselves.
+pub fn against(answers: Answers) -> Vec<Planned<Numbers>> {
     let of_both = |(name, order): (&'static str, Order)| {
         Code::ALL.map(|code| {
             let title = format!("{name}, {}-node, {code}{}", order.nodes_per_cell(), answers.suffix());
@@ -152,11 +141,10 @@ fn answered(answers: Answers, code: Code, twin: &Twin) -> Result<Answered, Error
     }
     match answers {
         Answers::Frozen => Ok((kept, None)),
-        #[cfg(feature = "python")]
-        Answers::Live => {
-            let answer = asked::discrete(code, &twin.problem)?;
+        Answers::Live(live) => {
+            let answer = (live.discrete)(code, &twin.problem)?;
             let digest = twin.digest_of_other(&answer);
-            let changed = frozen.changed_versions(&asked::versions()?);
+            let changed = frozen.changed_versions(&(live.versions)()?);
             let reproduced = Reproduced::of(&digest.numbers(), &kept.numbers(), changed);
             Ok((digest, Some((answer, reproduced))))
         }
@@ -265,34 +253,6 @@ fn fixed_vector(prime: f64, dofs: &Dofs) -> Vec<f64> {
     vector
 }
 
-/// Asks both codes for everything, writes the frozen files once both have answered, and tells what changed.
-#[cfg(feature = "python")]
-pub fn freeze() -> Result<Vec<String>, Error> {
-    let answers: Vec<(Code, Frozen)> =
-        Code::ALL.into_iter().map(|code| Ok((code, ask_all(code)?))).collect::<Result<_, Error>>()?;
-    let mut lines = Vec::new();
-    for (code, new) in answers {
-        match Frozen::load(code) {
-            Ok(old) => lines.extend(changes(code, &old, &new)),
-            Err(Error { kind: Kind::MissingFile, .. }) => lines.push(format!("{code}: frozen for the first time")),
-            Err(unreadable) => lines.push(format!("{code}: frozen again, as {unreadable}")),
-        }
-        new.write(code)?;
-    }
-    Ok(lines)
-}
-
-#[cfg(feature = "python")]
-fn ask_all(code: Code) -> Result<Frozen, Error> {
-    let mut all = Frozen { scripts: script_hash()?, versions: asked::versions()?, discrete: Default::default() };
-    for (name, order) in problems() {
-        let twin = Twin::of(name, order)?;
-        let answer = asked::discrete(code, &twin.problem)?;
-        all.discrete.insert(twin.problem.name.clone(), twin.digest_of_other(&answer));
-    }
-    Ok(all)
-}
-
 /// Assembly differs by the order of sums only.
 const ASSEMBLED: f64 = 1e-11;
 /// Two direct solvers on a system of condition 1e6 and more.
@@ -327,7 +287,7 @@ pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
         text += &frozen(code, &Frozen::read(code)?);
     }
     Ok(format!(
-        "{text}\nTo ask the codes themselves, {SET_UP} and test with the feature `python`.\n\n\
+        "{text}\nTo ask the codes themselves, {SET_UP} and `cargo test --release --workspace`.\n\n\
          Each code takes our mesh and assembles stiffness, loads and edge functions for itself; supports and penalty line elements \
          (two Gauss points an edge) are put together from these in Python, condensed nowhere.\n\n{}\n",
         code_check(findings)

@@ -43,7 +43,9 @@ use std::sync::Arc;
 
 use crate::case::judged::{Judged, Verdict, worst};
 use crate::error::Error;
+use crate::oracle::cross_code::live::Live;
 use about::{About, complete};
+use answers::Answers;
 
 pub use about::{Found, Planned, Study};
 
@@ -147,9 +149,9 @@ pub fn on_bars(findings: &[Finding]) -> Result<Finding, Error> {
 }
 
 /// Trials that ask the other codes themselves.
-#[cfg(feature = "python")]
-pub fn live() -> Vec<Trial> {
-    cross_code::live().into_iter().map(judged).chain(independent::live().into_iter().map(judged)).collect()
+pub fn live(live: Live) -> Vec<Trial> {
+    let twins = cross_code::against(Answers::Live(live)).into_iter().map(judged);
+    twins.chain(independent::run::against(Answers::Live(live)).into_iter().map(judged)).collect()
 }
 
 /// A trial of a study among those of all, judged.

@@ -62,8 +62,6 @@ mod photoelastic;
 mod pictures;
 mod plausible;
 mod reactions;
-#[cfg(feature = "python")]
-mod readers;
 mod referee;
 mod referee_calculix;
 mod referee_export;

@@ -6,7 +6,6 @@ use contact_vv::mesh::Order;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::solve::Ended;
 use contact_vv::solve::Fitted;
-use contact_vv::solve::Ended;
 use contact_vv::study::refinement::{self, Numbers, family, nested};
 use contact_vv::study::{Study, fields, fitted, measured};
 

@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::oracle::cross_code::{Code, DiscreteAnswer, scripts};
 
 /// What renews the frozen results.
-pub const REFREEZE: &str = "run `cargo run --release --features python -- freeze` and review its diff";
+pub const REFREEZE: &str = "freeze them again by `cargo run --release -p contact-vv-live`, and review the diff";
 
 /// Results of one code.
 #[derive(Clone, Debug, Serialize, Deserialize)]

@@ -5,13 +5,10 @@
 //! * *The same physical problem* ([`PhysicalScene`]): scripts in `oracles/dolfinx`, `scikit_fem`, `boundary`, `getfem` and `calculix`
 //!   that share nothing ([`independent`]); agreement within the discretisation errors of both.
 //!
-//! Both are run live in `live` (feature `python`), or read from what a live run left under `oracles/frozen` ([`frozen`]).
+//! Both are read from what a live run left under `oracles/frozen` ([`frozen`]), or asked live ([`live`]).
 
 pub mod frozen;
 pub mod independent;
-#[cfg(feature = "python")]
-pub mod interpreter;
-#[cfg(feature = "python")]
 pub mod live;
 pub mod process;
 

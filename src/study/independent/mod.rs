@@ -4,14 +4,11 @@
 //! * `benchmark` — the scenes, as numbers.
 //! * `run` — one trial a scene: what every script found, beside ours.
 //! * `found` — the numbers of a series of meshes, with their uncertainty.
-//! * `renewal` — asking the scripts now, and freezing what they answer (feature `python`).
 //!
 //! Below is how near the scripts must come: within the uncertainties of both, and within three times what is found; and the page.
 
 pub mod benchmark;
 pub mod found;
-#[cfg(feature = "python")]
-pub mod renewal;
 pub mod run;
 
 use std::fmt::Write;
@@ -32,8 +29,6 @@ use crate::study::independent::run::{Compared, Other};
 use crate::uncertainty::{COVERAGE, Comparison};
 
 pub use run::Compared as Numbers;
-#[cfg(feature = "python")]
-pub use run::live;
 
 impl Study for Compared {
     const NAME: &'static str = "independent";

@@ -4,22 +4,15 @@ use crate::algorithm::StiffnessRule;
 use crate::error::Error;
 use crate::measure::whole;
 use crate::mesh::{Order, Resolution};
-use crate::oracle::cross_code::frozen::REFREEZE;
-#[cfg(feature = "python")]
-use crate::oracle::cross_code::frozen::changed_versions;
-#[cfg(feature = "python")]
-use crate::oracle::cross_code::independent::Asked;
-use crate::oracle::cross_code::independent::{Independent, Script, file};
-#[cfg(feature = "python")]
-use crate::oracle::cross_code::live;
+use crate::oracle::cross_code::frozen::{REFREEZE, changed_versions};
+use crate::oracle::cross_code::independent::{Asked, Independent, Script, file};
+use crate::oracle::cross_code::live::Live;
 use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::Planned;
 use crate::study::answers::{Answers, Reproduced};
-use crate::study::independent::benchmark::{Benchmark, Scene};
+use crate::study::independent::benchmark::{Benchmark, LEVELS, Scene};
 use crate::study::independent::found::{Found, closed_form, ours};
-#[cfg(feature = "python")]
-use crate::study::independent::renewal;
 
 /// Springs of the scripts with a penalty, `k_n = κ E*/ℓ`.
 const KAPPA: f64 = 1e4;
@@ -29,13 +22,8 @@ pub fn plan() -> Vec<Planned<Compared>> {
     against(Answers::Frozen)
 }
 
-/// The same with the scripts themselves asked.
-#[cfg(feature = "python")]
-pub fn live() -> Vec<Planned<Compared>> {
-    against(Answers::Live)
-}
-
-fn against(answers: Answers) -> Vec<Planned<Compared>> {
+/// All scenes, against answers that are frozen, or of the scripts themselves.
+pub fn against(answers: Answers) -> Vec<Planned<Compared>> {
     let planned = Scene::ALL.map(|scene| {
         let name = format!("{}{}", scene.name(), answers.suffix());
         Planned::new("independent codes", name, move || compare(&scene.benchmark(), answers))
@@ -116,19 +104,21 @@ pub fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Err
         let found = format!("{theirs} in the frozen scene, but {ours} in ours");
         return Err(Error::refused(&file(), &format!("{name}: {key}"), found, REFREEZE));
     }
-    let series = kept.series.iter().map(|(script, series)| match answers {
-        Answers::Frozen => Ok((*script, series.clone(), None)),
-        #[cfg(feature = "python")]
-        Answers::Live if !script.folder().is_set_up() => Ok((*script, series.clone(), None)),
-        #[cfg(feature = "python")]
-        Answers::Live => {
-            let now = renewal::ask(*script, scene)?;
-            let versions = changed_versions(&frozen.versions, &live::versions()?);
-            let reproduced = Reproduced::of(&Asked::numbers(&now), &Asked::numbers(series), versions);
+    let all = kept.series.iter().map(|(script, kept)| match answers {
+        Answers::Live(live) if script.folder().is_set_up() => {
+            let now = series(&live, *script, scene)?;
+            let versions = changed_versions(&frozen.versions, &(live.versions)()?);
+            let reproduced = Reproduced::of(&Asked::numbers(&now), &Asked::numbers(kept), versions);
             Ok((*script, now, Some(reproduced)))
         }
+        Answers::Live(_) | Answers::Frozen => Ok((*script, kept.clone(), None)),
     });
-    series.collect()
+    all.collect()
+}
+
+/// The series of a scene, asked now of a script whose code the set-up of the tests installs.
+pub fn series(live: &Live, script: Script, scene: &PhysicalScene) -> Result<Vec<PhysicalAnswer>, Error> {
+    (0..LEVELS).map(|level| (live.independent)(script, scene, level)).collect()
 }
 
 /// What springs change of peak and width on our coarsest mesh.

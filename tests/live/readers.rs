@@ -5,13 +5,34 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use contact_vv::checkout::root;
+use libtest_mimic::{Failed, Trial};
 use serde_json::Value;
 
-use crate::outputs::{contact_vv, scene};
+/// The trials.
+pub fn trials() -> Vec<Trial> {
+    vec![
+        Trial::test("fields are read by meshio and pyvista under names that a calculator takes", fields),
+        Trial::test("all that is printed as JSON is of the published schema", documents),
+    ]
+}
+
+/// A scene file.
+fn scene(name: &str) -> String {
+    format!("{}/tests/cases/{name}.toml", root().display())
+}
+
+/// Whether the program ends well, what it prints and what it complains of; a test of the workspace finds it beside its own.
+fn contact_vv(arguments: &[&str]) -> (bool, String, String) {
+    let program = Path::new(env!("CARGO_BIN_EXE_freeze")).with_file_name("contact-vv");
+    let output = Command::new(program).args(arguments).output().expect("`cargo build --release` makes the program");
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (output.status.success(), text(&output.stdout), text(&output.stderr))
+}
 
 /// What a script of `oracles/readers` prints, and whether it ended well.
 fn asked(script: &str, file: &Path, input: &str) -> (bool, String, String) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles");
+    let folder = root().join("oracles");
     let mut command = Command::new("/usr/bin/python3");
     command
         .env("PYTHONPATH", folder.join(".python/readers"))
@@ -36,8 +57,7 @@ fn written(folder: &Path) -> (PathBuf, Value) {
     (file, serde_json::from_str(&document).expect("JSON"))
 }
 
-#[test]
-fn fields_are_read_by_meshio_and_pyvista_under_names_that_a_calculator_takes() {
+fn fields() -> Result<(), Failed> {
     let folder = tempfile::tempdir().expect("a folder");
     let (file, solved) = written(folder.path());
     let (sound, text, error) = asked("fields.py", &file, "");
@@ -57,11 +77,11 @@ fn fields_are_read_by_meshio_and_pyvista_under_names_that_a_calculator_takes() {
     let equivalent = fields["point"]["von_mises"][1].as_f64().expect("a number");
     let off = read["calculated"].as_f64().expect("a number");
     assert!(off <= 1e-9 * equivalent, "{off}");
+    Ok(())
 }
 
-#[test]
-fn all_that_is_printed_as_json_is_of_the_published_schema() {
-    let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots/schema.json");
+fn documents() -> Result<(), Failed> {
+    let schema = root().join("snapshots/schema.json");
     let printed = |arguments: &[&str]| contact_vv(arguments).1;
     let one_line = |text: String| text.lines().collect::<String>() + "\n";
     let solved = ["cylinder-to-accuracy", "flat-punch", "three-rings", "rings-from-gmsh"];
@@ -76,4 +96,5 @@ fn all_that_is_printed_as_json_is_of_the_published_schema() {
     for wrong in [r#"{"case": "cylinder"}"#, r#"{"trial": 3}"#, "[{}]", &documents.replacen("\"MPa\"", "3", 1)] {
         assert!(!asked("valid.py", &schema, wrong).0, "{}", &wrong[..20.min(wrong.len())]);
     }
+    Ok(())
 }

@@ -1,19 +1,44 @@
-//! Asking the scripts now, and renewing the frozen file.
+//! Asks every code for everything, and writes the frozen files.
 
 use std::collections::BTreeMap;
 
+use contact_vv::error::{Error, Kind};
+use contact_vv::oracle::cross_code::frozen::{Frozen, script_hash};
+use contact_vv::oracle::cross_code::independent::{Asked, Independent, Script, hashes};
+use contact_vv::oracle::cross_code::process::{Told, run};
+use contact_vv::oracle::cross_code::{Code, PhysicalAnswer, PhysicalScene};
+use contact_vv::study::cross_code::{Twin, problems};
+use contact_vv::study::differences::{changes, largest_change};
+use contact_vv::study::independent::benchmark::{LEVELS, Scene};
+use contact_vv::study::independent::run::series;
 use serde::Deserialize;
 
-use crate::error::Error;
-use crate::oracle::cross_code::independent::{Asked, Independent, Script, hashes};
-use crate::oracle::cross_code::process::{Told, run};
-use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene, live};
-use crate::study::differences::largest_change;
-use crate::study::independent::benchmark::{LEVELS, Scene};
+use super::{LIVE, asked};
 
-/// The series of a scene, asked now of a script whose code the set-up of the tests installs.
-pub fn ask(script: Script, scene: &PhysicalScene) -> Result<Vec<PhysicalAnswer>, Error> {
-    (0..LEVELS).map(|level| live::independent(script, scene, level)).collect()
+/// Asks both codes for all discrete problems, writes their files once both have answered, and tells what changed.
+pub fn discrete() -> Result<Vec<String>, Error> {
+    let answers: Vec<(Code, Frozen)> =
+        Code::ALL.into_iter().map(|code| Ok((code, ask_all(code)?))).collect::<Result<_, Error>>()?;
+    let mut lines = Vec::new();
+    for (code, new) in answers {
+        match Frozen::load(code) {
+            Ok(old) => lines.extend(changes(code, &old, &new)),
+            Err(Error { kind: Kind::MissingFile, .. }) => lines.push(format!("{code}: frozen for the first time")),
+            Err(unreadable) => lines.push(format!("{code}: frozen again, as {unreadable}")),
+        }
+        new.write(code)?;
+    }
+    Ok(lines)
+}
+
+fn ask_all(code: Code) -> Result<Frozen, Error> {
+    let mut all = Frozen { scripts: script_hash()?, versions: asked::versions()?, discrete: Default::default() };
+    for (name, order) in problems() {
+        let twin = Twin::of(name, order)?;
+        let answer = asked::discrete(code, &twin.problem)?;
+        all.discrete.insert(twin.problem.name.clone(), twin.digest_of_other(&answer));
+    }
+    Ok(all)
 }
 
 /// What a script in a process of its own prints.
@@ -47,14 +72,14 @@ const ROUND_OFF: f64 = 1e-9;
 
 /// Asks every script for every scene that it serves, and writes the frozen file once all have answered. Answers of a code in a process
 /// of its own are kept where neither its script nor the scene has changed.
-pub fn freeze() -> Result<Vec<String>, Error> {
+pub fn independent() -> Result<Vec<String>, Error> {
     let (mut scenes, mut lines) = (BTreeMap::new(), Vec::new());
     let (old, scripts) = (Independent::load().ok(), hashes()?);
     let mut apart = BTreeMap::new();
     for scene in Scene::ALL {
         let (name, physical) = (scene.name(), scene.benchmark().physical);
         let known = old.as_ref().and_then(|old| old.scenes.get(name));
-        let mut series = BTreeMap::new();
+        let mut by_script = BTreeMap::new();
         for script in Script::ALL.into_iter().filter(|script| script.serves(&physical)) {
             let kept = known.and_then(|asked| asked.series.get(&script));
             let folder = script.folder();
@@ -62,7 +87,7 @@ pub fn freeze() -> Result<Vec<String>, Error> {
             let version = unchanged.and_then(|old| old.apart.get(&folder));
             let same_scene = known.is_some_and(|asked| asked.scene == physical);
             let now = match (kept, version) {
-                _ if folder.is_set_up() => ask(script, &physical)?,
+                _ if folder.is_set_up() => series(&LIVE, script, &physical)?,
                 (Some(kept), Some(version)) if same_scene => {
                     apart.insert(folder, version.clone());
                     kept.clone()
@@ -77,10 +102,10 @@ pub fn freeze() -> Result<Vec<String>, Error> {
             // NaN where nothing was kept.
             let same = change <= ROUND_OFF;
             lines.extend((!same).then(|| format!("{script}, {name}: changed by {change:.1e}")));
-            series.insert(script, now);
+            by_script.insert(script, now);
         }
-        scenes.insert(name.to_string(), Asked { scene: physical, series });
+        scenes.insert(name.to_string(), Asked { scene: physical, series: by_script });
     }
-    Independent { scripts, versions: live::versions()?, apart, scenes }.write()?;
+    Independent { scripts, versions: asked::versions()?, apart, scenes }.write()?;
     Ok(lines)
 }

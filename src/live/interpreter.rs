@@ -10,14 +10,13 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Mutex, OnceLock};
 use std::thread;
 
+use contact_vv::checkout::root;
+use contact_vv::error::Error;
+use contact_vv::oracle::cross_code::independent::Folder;
+use contact_vv::oracle::cross_code::{SET_UP, scripts};
 use pyo3::exceptions::PyModuleNotFoundError;
 use pyo3::prelude::*;
 use pyo3::{ffi, types::PyTracebackMethods};
-
-use crate::checkout::root;
-use crate::error::Error;
-use crate::oracle::cross_code::independent::Folder;
-use crate::oracle::cross_code::{SET_UP, scripts};
 
 /// The interpreter the oracles were installed for.
 const INTERPRETER: &CStr = c"/usr/bin/python3";

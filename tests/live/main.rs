@@ -1,0 +1,25 @@
+//! Other programs, asked now: the codes that the suite is held against, faults in their scripts, and what reads our outputs.
+
+mod planted;
+mod readers;
+#[path = "../truth.rs"]
+mod truth;
+
+use contact_vv::study;
+use contact_vv_live::LIVE;
+use libtest_mimic::{Arguments, Trial};
+use truth::{Findings, counted, truth};
+
+fn main() {
+    let arguments = Arguments::from_args();
+    let findings = Findings::default();
+    // Faults first: they have processes of their own, beside the one Python of the codes.
+    let mut tests: Vec<Trial> = planted::trials();
+    tests.extend(study::live(LIVE).into_iter().map(|trial| truth(trial, findings.clone())));
+    tests.extend(readers::trials());
+    let conclusion = libtest_mimic::run(&arguments, tests);
+    if !arguments.list {
+        println!("{}, asked now", counted(&findings.lock().expect("no test panics while keeping")));
+    }
+    conclusion.exit();
+}

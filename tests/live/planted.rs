@@ -1,0 +1,169 @@
+//! Faults of the contact part of the independent scripts, planted one at a time and answered anew: each turns a check red.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+
+use contact_vv::case::Verdict;
+use contact_vv::checkout::root;
+use contact_vv::oracle::cross_code::independent::{Asked, Independent, Script};
+use contact_vv::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
+use contact_vv::study::answers::Answers;
+use contact_vv::study::differences::largest_change;
+use contact_vv::study::independent::benchmark::{LEVELS, Scene};
+use contact_vv::study::independent::found::Found;
+use contact_vv::study::independent::judge;
+use contact_vv::study::independent::run::{Compared, compare};
+use libtest_mimic::{Failed, Trial};
+use serde::Deserialize;
+use serde_json::json;
+
+/// Largest relative difference of a sound script's copy from what is frozen, as the live answers may have it.
+const REPRODUCED: f64 = 1e-6;
+
+#[derive(Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Fault {
+    name: String,
+    script: Script,
+    scene: String,
+    file: String,
+    was: String,
+    is: String,
+}
+
+#[derive(Deserialize)]
+struct Faults {
+    fault: Vec<Fault>,
+}
+
+/// What a script answers, or what it raises.
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Told {
+    Answers(Vec<PhysicalAnswer>),
+    Raised(String),
+}
+
+/// A trial a script, with all its faults.
+pub fn trials() -> Vec<Trial> {
+    let list = root().join("tests/faults/oracles.toml");
+    let Faults { fault } = toml::from_str(&fs::read_to_string(list).expect("readable")).expect("a list of faults");
+    let mut by_script: BTreeMap<Script, Vec<Fault>> = BTreeMap::new();
+    fault.into_iter().for_each(|fault| by_script.entry(fault.script).or_default().push(fault));
+    let trial = |(script, faults): (Script, Vec<Fault>)| {
+        Trial::test(format!("planted faults × {script}"), move || all_are_caught(script, &faults))
+    };
+    by_script.into_iter().map(trial).collect()
+}
+
+fn all_are_caught(script: Script, faults: &[Fault]) -> Result<(), Failed> {
+    let frozen = Independent::read().expect("frozen answers");
+    let mut python = Python::start();
+    let mut compared: BTreeMap<&str, Compared> = BTreeMap::new();
+    for Fault { name, scene, file, was, is, .. } in faults {
+        let given = &frozen.scenes[scene].scene;
+        if !compared.contains_key(scene.as_str()) {
+            let known = Scene::ALL.into_iter().find(|known| known.name() == scene).expect("a scene of the benchmark");
+            let sound = compare(&known.benchmark(), Answers::Frozen).expect("compared");
+            assert!(all_pass(&sound), "{script}, {scene}: the frozen answers are not green");
+            compared.insert(scene, sound);
+            // Without a fault a copy answers what was frozen: the coarser meshes tell, the finest takes nine tenths of the time.
+            let answers =
+                python.asked(copy(script).path(), script, given, LEVELS - 1).expect("an answer without a fault");
+            let kept = &frozen.scenes[scene].series[&script][..LEVELS - 1];
+            let change = largest_change(&Asked::numbers(&answers), &Asked::numbers(kept));
+            assert!(change <= REPRODUCED, "{script}, {scene}: a copy answers otherwise by {change:e}");
+        }
+        let copy = copy(script);
+        let path = copy.path().join(file);
+        let text = fs::read_to_string(&path).expect("a file of the script");
+        assert_eq!(text.matches(was.as_str()).count(), 1, "{name}: `{was}` in {file}");
+        fs::write(&path, text.replace(was.as_str(), is)).expect("written");
+        match python.asked(copy.path(), script, given, LEVELS) {
+            Ok(series) => assert!(!all_pass(&with(&compared[scene.as_str()], script, &series)), "NOT CAUGHT: {name}"),
+            // What raises is no answer, and the trial breaks off: but for its own words, nothing but a mistake of the list.
+            Err(said) => assert!(said.starts_with("RuntimeError"), "{name}: {said}"),
+        }
+    }
+    Ok(())
+}
+
+/// A copy of the files of a script.
+fn copy(script: Script) -> tempfile::TempDir {
+    let copy = tempfile::tempdir().expect("a folder");
+    let files = fs::read_dir(script.folder().path()).expect("a folder").map(|entry| entry.expect("readable").path());
+    for file in files.filter(|file: &PathBuf| file.extension().is_some_and(|extension| extension == "py")) {
+        fs::copy(&file, copy.path().join(file.file_name().expect("named"))).expect("copied");
+    }
+    copy
+}
+
+/// Whether there is a check, and all pass.
+fn all_pass(compared: &Compared) -> bool {
+    let checks = judge(compared).expect("judged");
+    !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)
+}
+
+/// The same with the refinement series of a script replaced.
+fn with(compared: &Compared, script: Script, series: &[PhysicalAnswer]) -> Compared {
+    let mut other = compared.clone();
+    for one in other.others.iter_mut().filter(|one| one.script == script) {
+        one.found = Found::of(script.name(), series).expect("three meshes");
+    }
+    other
+}
+
+/// A process that imports what it is told to, and answers a line for each line.
+struct Python {
+    process: Child,
+    requests: ChildStdin,
+    answers: BufReader<ChildStdout>,
+}
+
+impl Python {
+    fn start() -> Self {
+        let mut process = Command::new("/usr/bin/python3")
+            .arg("-EsB")
+            .arg(root().join("tests/live/planted.py"))
+            .arg(root())
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("Python is there");
+        let requests = process.stdin.take().expect("piped");
+        let answers = BufReader::new(process.stdout.take().expect("piped"));
+        Self { process, requests, answers }
+    }
+
+    /// The answers of a folder's modules to a scene on so many meshes; what Python said where it raises.
+    fn asked(
+        &mut self,
+        folder: &Path,
+        script: Script,
+        scene: &PhysicalScene,
+        levels: usize,
+    ) -> Result<Vec<PhysicalAnswer>, String> {
+        let (module, method) = (script.module(), script.method());
+        let asked = json!({"folder": folder, "module": module, "method": method, "scene": scene, "levels": levels});
+        writeln!(self.requests, "{asked}").expect("it reads on");
+        let mut line = String::new();
+        self.answers.read_line(&mut line).expect("it answers");
+        let told = serde_json::from_str(&line);
+        match told.unwrap_or_else(|error| panic!("`bash oracles/setup.sh` installs what answers: {error}: {line}")) {
+            Told::Answers(series) => Ok(series),
+            Told::Raised(said) => Err(said),
+        }
+    }
+}
+
+impl Drop for Python {
+    fn drop(&mut self) {
+        // It ends of itself when nothing more is asked; after a failed assertion nobody waits for an answer.
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
