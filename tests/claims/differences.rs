@@ -112,7 +112,9 @@ fn what_moved_among_the_checks_is_told_as_what_it_is() {
         CheckRow { runs, worst, ..check(record::EVERY_RUN, "", "imbalance", 1e-3) }
     };
     let failing = CheckRow { error: 0.1, verdict: Mark::Fail, ..asked(30) };
-    let cases: [((String, bool), bool, &[&str], &[&str]); 8] = [
+    // What is told and whether it is worse, whether that is so, what must be in it, and what must not.
+    type Told<'a> = ((String, bool), bool, &'a [&'a str], &'a [&'a str]);
+    let cases: [Told; 8] = [
         (
             changed(&|rows| rows.iter_mut().for_each(spoiled)),
             true,

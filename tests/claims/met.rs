@@ -125,7 +125,7 @@ fn sound() -> Vec<Record> {
 fn judges_fail_on_one_answer_falsely_met_far_off_or_not_a_number() {
     // One of three is more than one of a hundred.
     let verdicts = |records: &[Record]| [right(records), consistent(records), near(records)].map(|check| check.verdict);
-    let spoiled = |spoil: &dyn Fn(&mut Record)| {
+    let spoiled = |spoil: fn(&mut Record)| {
         let mut records = sound();
         spoil(&mut records[1]);
         verdicts(&records)
@@ -133,16 +133,17 @@ fn judges_fail_on_one_answer_falsely_met_far_off_or_not_a_number() {
     let (pass, fail) = (&Verdict::Pass, &Verdict::Fail);
     assert_eq!(verdicts(&sound()), [pass, pass, pass].map(Verdict::clone));
     assert_eq!(verdicts(&[]), [fail, fail, fail].map(Verdict::clone));
-    let spoils: [(&dyn Fn(&mut Record), [&Verdict; 3]); 9] = [
-        (&|one| one.half_width = Millionths(-1.1e-3), [fail, pass, pass]),
-        (&|one| one.peak = Millionths(1.4e-3), [fail, pass, pass]),
-        (&|one| one.peak = Millionths(-2e-3), [fail, pass, fail]),
-        (&|one| one.peak = Millionths(f64::NAN), [fail, pass, fail]),
-        (&|one| (one.met, one.peak) = (false, Millionths(2e-3)), [pass, fail, pass]),
-        (&|one| one.estimate = Millionths(f64::NAN), [fail, pass, pass]),
-        (&|one| one.estimate = Millionths(2e-3), [fail, pass, pass]),
-        (&|one| one.met = false, [pass, fail, pass]),
-        (&|one| (one.met, one.estimate) = (false, Millionths(2e-3)), [pass, pass, pass]),
+    type Spoil<'a> = (fn(&mut Record), [&'a Verdict; 3]);
+    let spoils: [Spoil; 9] = [
+        (|one| one.half_width = Millionths(-1.1e-3), [fail, pass, pass]),
+        (|one| one.peak = Millionths(1.4e-3), [fail, pass, pass]),
+        (|one| one.peak = Millionths(-2e-3), [fail, pass, fail]),
+        (|one| one.peak = Millionths(f64::NAN), [fail, pass, fail]),
+        (|one| (one.met, one.peak) = (false, Millionths(2e-3)), [pass, fail, pass]),
+        (|one| one.estimate = Millionths(f64::NAN), [fail, pass, pass]),
+        (|one| one.estimate = Millionths(2e-3), [fail, pass, pass]),
+        (|one| one.met = false, [pass, fail, pass]),
+        (|one| (one.met, one.estimate) = (false, Millionths(2e-3)), [pass, pass, pass]),
     ];
     for (k, (spoil, wanted)) in spoils.into_iter().enumerate() {
         assert_eq!(spoiled(spoil), wanted.map(Verdict::clone), "spoil {k}");
