@@ -5,9 +5,8 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::algorithm::{Acceleration, StiffnessRule};
-use crate::error::{Error, Kind};
-use crate::solution::Outcome;
-use crate::solve::{Element, Formulation, Iteration, Run};
+use crate::error::Error;
+use crate::solve::{Element, Formulation, Iteration};
 
 /// A way of solving, but for its numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -8,8 +8,8 @@ use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::Scene;
 use contact_vv::solution::Solution;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
-use contact_vv::study::atlas::{Numbers, Saved};
 use contact_vv::study::Study;
+use contact_vv::study::atlas::{Numbers, Saved};
 
 use crate::workbench::{distance, resolution};
 

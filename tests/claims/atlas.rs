@@ -2,11 +2,11 @@
 
 use contact_vv::case::Verdict;
 use contact_vv::error::Kind;
+use contact_vv::solve::Ended;
 use contact_vv::solve::{Discretisation, Element, Iteration};
 use contact_vv::stability::halving::SOFT;
 use contact_vv::study::Study;
 use contact_vv::study::atlas::{Chart, Numbers, Plane, Record, plane, run};
-use contact_vv::solve::Ended;
 use contact_vv::study::method::Method;
 use contact_vv::study::records;
 

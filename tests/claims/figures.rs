@@ -6,8 +6,8 @@ use contact_vv::drawing::colour_map::{CLASSES, ON_CLASSES};
 use contact_vv::drawing::palette::{self, CARD, CURVES, Dash, GREY, INK, Marker};
 use contact_vv::drawing::theme::Rgb;
 use contact_vv::drawing::{
-    Axis, Band, Bars, Cell, Chart, ClassMap, Colour, Direction, Drawing, Guide, MapPanel, Remark, Ribbon, Series, Style, Theme,
-    schematic,
+    Axis, Band, Bars, Cell, Chart, ClassMap, Colour, Direction, Drawing, Guide, MapPanel, Remark, Ribbon, Series,
+    Style, Theme, schematic,
 };
 use contact_vv::study::timings::precision::Point;
 use contact_vv::study::timings::record::{Measure, Record, cheapest, front, sound};

@@ -5,7 +5,8 @@
 //! iterations; one to what the mesh leaves of the accuracy they often do. The error of that iteration is known
 //! (`src/solver/algorithm/target.rs`) and is part of the estimate.
 
-use crate::accuracy::answer::{Quoted, largest, quoted};
+use crate::accuracy::Barred;
+use crate::accuracy::answer::{largest, quoted};
 use crate::accuracy::bar::of_contacts;
 use crate::accuracy::{Answer, Asked, Tried, search};
 use crate::error::Error;
@@ -33,7 +34,7 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> 
     let room = ITERATION * (asked.relative - answer.estimate());
     let room = if room > 0.0 { room } else { LEAST * asked.relative };
     let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution)?;
-    let mut by = |part: f64| -> Result<(Run, Vec<Quoted>), Error> {
+    let mut by = |part: f64| -> Result<(Run, Vec<Barred>), Error> {
         formulation.settings.tolerance = part * room;
         let run = Run::of(&discretisation, &formulation)?;
         let estimates = quoted(&of_contacts(&discretisation, &run), &run, asked);

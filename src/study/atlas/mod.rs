@@ -23,13 +23,13 @@ use crate::case::Judged;
 use crate::drawing::Drawing;
 use crate::error::Error;
 use crate::markdown::{self, Column};
+use crate::solve::Ended;
 use crate::solve::{Element, Formulation, Iteration, Settings};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::atlas::plane::{Digest, Safe, digests};
 use crate::study::atlas::plane::{STRETCH, same};
 use crate::study::atlas::run::{ENOUGH, FACTOR, HALVINGS, agreement, charts};
 use crate::study::drawn::picture;
-use crate::solve::Ended;
 use crate::study::method::Method;
 
 pub use plane::{Chart, Plane, Record, Site, recommendation, recommended};

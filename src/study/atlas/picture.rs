@@ -3,10 +3,10 @@
 use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Cell, Chart as Figure, ClassMap, Colour, Drawing, MapPanel, Series, panels};
+use crate::solve::Ended;
 use crate::solve::{Element, Iteration, Settings};
 use crate::study::atlas::plane::{Chart, Plane, Record, STRETCH, same};
 use crate::study::drawn::{Curve, label, style};
-use crate::solve::Ended;
 use crate::study::method::Method;
 
 /// A map of each full plane, the iterations with their prediction, and those on the scenes of the paper.

@@ -14,8 +14,8 @@ use crate::contact::Quadrature;
 use crate::error::Error;
 use crate::mesh::Resolution;
 use crate::named::named_enum;
-use crate::solve::{Element, Formulation, Iteration};
 use crate::solve::Ended;
+use crate::solve::{Element, Formulation, Iteration};
 use crate::study::method::Method;
 use crate::study::records;
 

@@ -19,11 +19,10 @@ use crate::measure::order::bound_of_two;
 use crate::measure::profile;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::digitised::{
-    Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, RodScene, SheetScene,
-    compare, fringes,
+    Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, RodScene, SheetScene, compare, fringes,
 };
 use crate::oracle::{Oracle, ReferenceKind};
-use crate::scene::{Material, Scene};
+use crate::scene::Scene;
 use crate::solution::PointState;
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};

@@ -13,9 +13,9 @@ use crate::drawing::{Axis, Chart, Drawing, panels};
 use crate::error::{Error, Kind};
 use crate::markdown;
 use crate::solution::EnergyError;
+use crate::solve::Ended;
 use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin, Run, Settings};
 use crate::study::drawn::{self, Curve};
-use crate::solve::Ended;
 use crate::study::records::{Millionths, Survey, Surveyed, are_like};
 
 /// The survey.

@@ -21,6 +21,7 @@ use std::sync::Arc;
 
 use crate::accuracy::longest::longest;
 use crate::error::Error;
+use crate::measure::Quantity;
 use crate::mesh::{Mesh, Order, Resolution};
 use crate::scene::{ContactPair, Material, Shape};
 use crate::solve::Displaced;

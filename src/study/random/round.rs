@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use std::sync::Arc;
 
 use crate::case::library::{Cylinder, CylinderModel, PinPlate, PressFit};
+use crate::measure::Quantity;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::persson::PinInHole;
 use crate::oracle::analytic::{Plane, lame};

@@ -17,7 +17,7 @@ use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Drawing};
 use crate::error::Error;
 use crate::markdown::{self, Column};
-use crate::measure::larger;
+use crate::measure::{Quantity as Number, larger};
 use crate::oracle::ReferenceKind;
 use crate::referee::export::deck;
 use crate::referee::judge::ENGINEERING;
