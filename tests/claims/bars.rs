@@ -9,10 +9,7 @@ use contact_vv::case::{Case, Verdict};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{Component, Place, Scene, Support};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
-use contact_vv::study::promised::bars::{
-    Kind, Record, SURVEY, beyond, meant, narrow, record, setup, share_within, told, within,
-};
-use contact_vv::study::random::family::JUDGED;
+use contact_vv::study::promised::bars::{Record, SURVEY, beyond, narrow, setup, told, within};
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
 

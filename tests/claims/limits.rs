@@ -9,7 +9,6 @@ use contact_vv::scene::{Load, Profile, Scene};
 use contact_vv::solution::PointState;
 use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, Run, candidate_end};
 use contact_vv::stability::conditioning;
-use contact_vv::study::{Study, limits};
 
 use crate::workbench::{distorted_patch, meshed, resolution};
 

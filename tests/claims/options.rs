@@ -54,7 +54,7 @@ fn rows() -> Vec<Vec<usize>> {
         }
         row.sort_unstable();
         for (k, &one) in row.iter().enumerate() {
-            row[..k].iter().for_each(|&other| drop(left.remove(&[other, one])));
+            left.retain(|pair| pair[1] != one || !row[..k].contains(&pair[0]));
         }
         rows.push(row.into_iter().map(|(_, value)| value).collect());
     }

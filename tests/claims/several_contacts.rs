@@ -3,7 +3,6 @@
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::notes;
 use contact_vv::case::{Against, Case, Check, Quantity, Verdict};
-use contact_vv::error::{Part, Place};
 use contact_vv::measure::Measures;
 use contact_vv::mesh::Mesh;
 use contact_vv::solve::{Change, Discretisation, Element, Formulation, Origin, Run};
@@ -53,7 +52,7 @@ fn stack(order: u8, density: &str) -> String {
 
 #[test]
 fn profile_of_a_contact_is_held_against_its_own_closed_form() {
-    let mut case = read("roller.toml", &text_of("roller-between-plates.toml"));
+    let mut case = parsed(&text_of("roller-between-plates.toml"));
     case.oracles[0] = None;
     let of_second = |quantity| Check { contact: 1, ..Check::error(quantity, Against::Oracle, 0.1, "the mesh") };
     case.checks = vec![of_second(Quantity::Profile), of_second(Quantity::Departure)];

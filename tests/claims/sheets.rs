@@ -1,9 +1,8 @@
 //! Benchmark sheets bite: values that another code does not meet, and values without a bound, turn red.
 
 use contact_vv::case::Verdict;
-use contact_vv::case::library::NAMES;
 use contact_vv::study::Study;
-use contact_vv::study::references::{Numbers, Sheet, file, solve};
+use contact_vv::study::references::{Numbers, Sheet, solve};
 
 fn green(sheet: &Sheet) -> bool {
     Numbers::Sheet(sheet.clone()).judge().expect("judged").iter().all(|one| one.verdict == Verdict::Pass)

@@ -8,7 +8,7 @@ use contact_vv::contact::ContactPoint;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::solution::{IterationError, Work};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
-use contact_vv::stability::{Limit, halving, linear, rate, release};
+use contact_vv::stability::{Limit, halving, linear, rate};
 use contact_vv::study::Study;
 use contact_vv::study::stability::rates::{Before, Rate, Scene};
 use contact_vv::study::stability::{Mesh, Numbers};

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use contact_vv::case::Verdict;
 use contact_vv::solve::Ended;
 use contact_vv::solve::unbounded;
-use contact_vv::study::promised::converged::{Record, SURVEY, is_as_recorded, records as runs_of, right};
+use contact_vv::study::promised::converged::{Record, SURVEY, is_as_recorded, right};
 use contact_vv::study::promised::{bars, met};
 use contact_vv::study::records::{self, Millionths, Survey};
 use serde::Serialize;

@@ -9,7 +9,7 @@ use contact_vv::study::timings::growth::{self, Counts, Growth, exponent};
 use contact_vv::study::timings::precision::{self, LOADS, Point, Series, answered, half_widths, nominal};
 use contact_vv::study::timings::record::{Beside, FOLDER, Record};
 use contact_vv::study::timings::targets::{Target, targets};
-use contact_vv::study::timings::{Again, Numbers, beside, chart, conclusion, page};
+use contact_vv::study::timings::{Again, Numbers};
 
 fn committed() -> Record {
     Record::read().expect("the committed record")
