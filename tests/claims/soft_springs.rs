@@ -2,8 +2,8 @@
 
 use contact_vv::case::Case;
 use contact_vv::solve::Discretisation;
-use contact_vv::study::atlas::run::Ground;
 use contact_vv::study::atlas::Plane;
+use contact_vv::study::atlas::run::Ground;
 use contact_vv::study::method::Class;
 
 use crate::scene_file::{folder, text_of};
