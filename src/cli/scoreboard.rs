@@ -5,8 +5,8 @@ use std::fs;
 use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
-use crate::study::scoreboard::board::{self, Board, Code, Setting, hashes};
-use crate::study::scoreboard::{CASES, Scored, named, numbers};
+use crate::study::scoreboard::board::{self, Board, Code, Scored, Setting, hashes};
+use crate::study::scoreboard::{CASES, named, numbers};
 use crate::study::seconds::Machine;
 
 /// Asks every installed code for every case, writes the record, and tells how each run ended.

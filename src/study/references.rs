@@ -83,7 +83,7 @@ impl Study for Numbers {
             Numbers::Sheet(sheet) => sheet,
         };
         let known = sheet.values.iter().filter(|value| value.bound.is_finite() && value.value.is_finite()).count();
-        let because = "a sheet without self can be met by nobody";
+        let because = "a sheet without numbers can be met by nobody";
         let known = Check::at_least("reference values with a bound", Reference::own("at least", 2.0), because)
             .judge(known as f64);
         let met = sheet.values.iter().flat_map(|value| value.others.iter().map(|other| met(value, other)));

@@ -8,8 +8,8 @@ use contact_vv::checkout::root;
 use contact_vv::referee::Truth;
 use contact_vv::solve::Discretisation;
 use contact_vv::study::Study;
-use contact_vv::study::scoreboard::board::{Board, Ended, FOLDER, Told};
-use contact_vv::study::scoreboard::{CASES, Numbers, Score, named, numbers, scored};
+use contact_vv::study::scoreboard::board::{Board, Ended, FOLDER, Score, Told, scored};
+use contact_vv::study::scoreboard::{CASES, Numbers, named, numbers};
 use flate2::read::GzDecoder;
 
 /// A frozen file as text, and what it is called without compression.

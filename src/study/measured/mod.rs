@@ -8,8 +8,6 @@ pub mod photograph;
 
 use std::path::{Path, PathBuf};
 
-use photograph::Photograph;
-
 use crate::case::library::{PinPlate, PinRod};
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::checkout::root;
@@ -27,6 +25,7 @@ use crate::solution::PointState;
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::uncertainty::{COVERAGE, standard};
+use photograph::Photograph;
 
 /// The source of the paper's Figures 14 and 15.
 pub const GAERTNER: &str = "gaertner 1977";

@@ -15,16 +15,15 @@ pub mod reading;
 pub mod sentence;
 pub mod statement;
 
-use reading::Reading;
-use sentence::{GOOD, Met, STRONG};
-use statement::{Course, Fared, starts};
-
 use crate::case::library::{Cylinder, PinRod};
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::solve::{Element, Formulation, Iteration, LIMITS, Settings};
 use crate::study::about::{About, Found, Planned, Study};
+use reading::Reading;
+use sentence::{GOOD, Met, STRONG};
+use statement::{Course, Fared, starts};
 
 /// What was run.
 #[derive(Clone, Debug)]

@@ -9,9 +9,6 @@
 pub mod family;
 pub mod nested;
 
-use family::{Curve, Slope};
-use nested::Series;
-
 use crate::case::library::{Cylinder, CylinderModel};
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::drawing::Drawing;
@@ -25,6 +22,8 @@ use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::refinement::nested::told;
 use crate::uncertainty::standard;
+use family::{Curve, Slope};
+use nested::Series;
 
 /// What a trial found.
 #[derive(Clone, Debug)]

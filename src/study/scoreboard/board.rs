@@ -14,16 +14,18 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-use crate::case::Case;
+use crate::case::{Case, Judged, Quantity, Verdict};
 use crate::checkout::root;
 use crate::condensation::Plain;
 use crate::error::Error;
 use crate::named::named_enum;
-use crate::referee::Truth;
 use crate::referee::export::deck;
 use crate::referee::export::problem::{self, SCRIPTS};
+use crate::referee::judge::ENGINEERING;
+use crate::referee::units::Role;
+use crate::referee::{self, Answer, Truth, calculix, read, verdicts};
 use crate::solve::Discretisation;
-use crate::study::scoreboard::scored;
+use crate::uncertainty::COVERAGE;
 
 named_enum! {
     /// A code.
@@ -345,4 +347,64 @@ fn kept(
     fs::write(&kept, bytes).map_err(|error| Error::unwritable(&kept, error))?;
     let iterations = value["iterations"].as_u64().unwrap_or(0) as usize;
     Ok(Ended::Answered { file: named, iterations, found })
+}
+
+/// An answer against its truth.
+#[derive(Clone, Debug)]
+pub struct Scored {
+    /// Peak pressure, half-width.
+    pub scores: [Score; 2],
+    /// What is not met.
+    pub failed: Vec<String>,
+}
+
+/// A number against its truth.
+#[derive(Clone, Copy, Debug)]
+pub struct Score {
+    /// The number \[MPa; mm, or ° on an arc\].
+    pub value: f64,
+    /// Its relative error, with its sign.
+    pub error: f64,
+    /// What the truth may itself be off, relative.
+    pub bar: f64,
+}
+
+/// Peak and second-moment width of a file that a code wrote for an exported case, and what of all that is judged is not met.
+pub fn scored(truth: &Truth, discretisation: &Discretisation, file: &Path, bytes: &[u8]) -> Result<Scored, Error> {
+    let answer = answer(&truth.case, discretisation, file, bytes)?;
+    let found = verdicts(truth, answer, ENGINEERING)?;
+    let judged: Vec<&Judged> = found.ruled.iter().flat_map(|ruled| &ruled.judged).collect();
+    let score = |wanted: Number| {
+        let one = judged.iter().find(|one| one.check.quantity.number() == Some(&wanted));
+        one.map_or(Score { value: f64::NAN, error: f64::NAN, bar: f64::NAN }, |one| Score {
+            value: one.value,
+            error: (one.value - one.reference.value) / one.reference.value,
+            bar: one.reference.uncertainty.map_or(0.0, |u| COVERAGE * u / one.reference.value.abs()),
+        })
+    };
+    let failed = judged.iter().filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string());
+    let scores = [Number::PeakPressure, Number::SecondMomentWidth].map(score);
+    Ok(Scored { scores, failed: failed.collect() })
+}
+
+/// The answer in a file: numbers are in mm, N and MPa, and nodes are those of the exported mesh.
+fn answer(case: &Case, discretisation: &Discretisation, file: &Path, bytes: &[u8]) -> Result<Answer, Error> {
+    let named = file.with_extension("");
+    let ending =
+        if file.extension().is_some_and(|ending| ending == "gz") { named.extension() } else { file.extension() };
+    let fields = ending.is_some_and(|ending| ending == "frd" || ending == "vtu");
+    let units = [(Role::Position, "mm"), (Role::Pressure, "MPa"), (Role::Displacement, "mm")];
+    let table = file.extension().is_some_and(|ending| ending == "csv");
+    let asked = referee::Asked {
+        // Fields do not say their units; tables and documents do.
+        units: if fields { units.map(|(role, unit)| (role, unit.to_owned())).into() } else { vec![] },
+        // A table does not say how its points follow one another.
+        order: table.then_some(discretisation.mesh.order),
+        ..referee::Asked::default()
+    };
+    if ending.is_some_and(|ending| ending == "dat") {
+        let text = String::from_utf8_lossy(bytes);
+        return calculix::forces(file, &text, &deck::text(discretisation)?, &case.scene, &asked);
+    }
+    read::parse(file, bytes, case, &asked)
 }

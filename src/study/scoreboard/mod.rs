@@ -3,15 +3,15 @@
 //!
 //! A folder, since asking the codes and judging what they wrote are two things of 400 lines.
 //!
-//! * [`board`] — which codes with which contact, the live run, and what it leaves under `oracles/frozen/scoreboard`.
+//! * [`board`] — which codes with which contact, the live run, what it leaves under `oracles/frozen/scoreboard`, and how a file that a code
+//!   wrote is scored.
 
 pub mod board;
 
 use std::fmt::Write;
 use std::fs;
-use std::path::Path;
 
-use crate::case::{Case, Check, Judged, Quantity, Reference, Verdict, library};
+use crate::case::{Case, Check, Judged, Quantity, Reference, library};
 use crate::checkout::root;
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Drawing};
@@ -19,15 +19,12 @@ use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::measure::{Quantity as Number, larger};
 use crate::oracle::ReferenceKind;
-use crate::referee::export::deck;
+use crate::referee::Truth;
 use crate::referee::judge::ENGINEERING;
-use crate::referee::units::Role;
-use crate::referee::{Answer, Asked, Truth, calculix, read, verdicts};
 use crate::solve::Discretisation;
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::{Curve, picture};
-use crate::study::scoreboard::board::{Board, Code, Ended, FOLDER, RENEW, Setting, Told, hashes};
-use crate::uncertainty::COVERAGE;
+use crate::study::scoreboard::board::{Board, Code, Ended, FOLDER, RENEW, Scored, Setting, Told, hashes, scored};
 
 /// One body on a rigid one, flat and curved; two bodies, straight, curved, and conforming.
 pub const CASES: [&str; 6] = ["cylinder", "truncated-hertz", "bars", "own-weight", "two-cylinders", "pin-rod"];
@@ -193,26 +190,6 @@ pub struct Row {
     pub scored: Result<Scored, String>,
 }
 
-/// An answer against its truth.
-#[derive(Clone, Debug)]
-pub struct Scored {
-    /// Peak pressure, half-width.
-    pub scores: [Score; 2],
-    /// What is not met.
-    pub failed: Vec<String>,
-}
-
-/// A number against its truth.
-#[derive(Clone, Copy, Debug)]
-pub struct Score {
-    /// The number \[MPa; mm, or ° on an arc\].
-    pub value: f64,
-    /// Its relative error, with its sign.
-    pub error: f64,
-    /// What the truth may itself be off, relative.
-    pub bar: f64,
-}
-
 impl Row {
     /// How much of all that is judged is not met.
     pub fn not_met(&self) -> usize {
@@ -285,46 +262,6 @@ fn row(truth: &Truth, discretisation: &Discretisation, told: &Told) -> Option<Ro
         }
     };
     Some(Row { setting, told: told.clone(), scored })
-}
-
-/// Peak and second-moment width of a file that a code wrote for an exported case, and what of all that is judged is not met.
-pub fn scored(truth: &Truth, discretisation: &Discretisation, file: &Path, bytes: &[u8]) -> Result<Scored, Error> {
-    let answer = answer(&truth.case, discretisation, file, bytes)?;
-    let found = verdicts(truth, answer, ENGINEERING)?;
-    let judged: Vec<&Judged> = found.ruled.iter().flat_map(|ruled| &ruled.judged).collect();
-    let score = |wanted: Number| {
-        let one = judged.iter().find(|one| one.check.quantity.number() == Some(&wanted));
-        one.map_or(Score { value: f64::NAN, error: f64::NAN, bar: f64::NAN }, |one| Score {
-            value: one.value,
-            error: (one.value - one.reference.value) / one.reference.value,
-            bar: one.reference.uncertainty.map_or(0.0, |u| COVERAGE * u / one.reference.value.abs()),
-        })
-    };
-    let failed = judged.iter().filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string());
-    let scores = [Number::PeakPressure, Number::SecondMomentWidth].map(score);
-    Ok(Scored { scores, failed: failed.collect() })
-}
-
-/// The answer in a file: numbers are in mm, N and MPa, and nodes are those of the exported mesh.
-fn answer(case: &Case, discretisation: &Discretisation, file: &Path, bytes: &[u8]) -> Result<Answer, Error> {
-    let named = file.with_extension("");
-    let ending =
-        if file.extension().is_some_and(|ending| ending == "gz") { named.extension() } else { file.extension() };
-    let fields = ending.is_some_and(|ending| ending == "frd" || ending == "vtu");
-    let units = [(Role::Position, "mm"), (Role::Pressure, "MPa"), (Role::Displacement, "mm")];
-    let table = file.extension().is_some_and(|ending| ending == "csv");
-    let asked = Asked {
-        // Fields do not say their units; tables and documents do.
-        units: if fields { units.map(|(role, unit)| (role, unit.to_owned())).into() } else { vec![] },
-        // A table does not say how its points follow one another.
-        order: table.then_some(discretisation.mesh.order),
-        ..Asked::default()
-    };
-    if ending.is_some_and(|ending| ending == "dat") {
-        let text = String::from_utf8_lossy(bytes);
-        return calculix::forces(file, &text, &deck::text(discretisation)?, &case.scene, &asked);
-    }
-    read::parse(file, bytes, case, &asked)
 }
 
 /// Relative change that other rounding explains.

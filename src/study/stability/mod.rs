@@ -10,9 +10,6 @@
 pub mod rates;
 pub mod springs;
 
-use rates::{Before, Rate, Scene};
-use springs::{Basin, Failing, Towards};
-
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::markdown;
@@ -23,6 +20,8 @@ use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::stability::halving::{self, SOFT};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::method::Method;
+use rates::{Before, Rate, Scene};
+use springs::{Basin, Failing, Towards};
 
 /// What came out of a trial.
 #[derive(Clone, Debug)]
