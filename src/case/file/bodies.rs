@@ -6,7 +6,7 @@ use crate::case::file::form::{Form, PAIR, may, must};
 use crate::case::file::loads::LOAD;
 use crate::case::file::named::{PLACE, component, place, same_place};
 use crate::case::file::value::Value;
-use crate::case::file::{blocks, gmsh, loads};
+use crate::case::file::{blocks, given, loads};
 use crate::error::Error;
 use crate::scene::{Body, Circle, Face, Material, PlaneHypothesis, Sector, Shape, Support};
 
@@ -50,9 +50,12 @@ const SHAPE: Form = OneOf(&[
         ]),
     ),
     ("blocks", List(&BLOCK)),
-    // A physical surface of a mesh, and the physical curve that carries the contact.
-    ("gmsh", Table(&[must("file", Text), must("group", Text), must("contact", Text)])),
+    // A group of cells of a mesh, and the group of sides that carries the contact.
+    (given::SHAPES[0], MESH),
+    (given::SHAPES[1], MESH),
 ]);
+
+const MESH: Form = Table(&[must("file", Text), must("group", Text), must("contact", Text)]);
 
 /// A body with its supports and loads, in a contact on one side of x = 0 or across it.
 pub fn body(plane: PlaneHypothesis, across: bool, table: Value) -> Result<Body, Error> {
@@ -122,7 +125,7 @@ fn shape(across: bool, given: Value) -> Result<Shape, Error> {
         "disc" => disc(across, table),
         "ring" => ring(table),
         "blocks" => blocks::shape(given, table),
-        "gmsh" => gmsh::shape(table),
+        name if given::SHAPES.contains(&name) => given::shape(table),
         _ => table.unknown(),
     }
 }
