@@ -16,6 +16,11 @@ use crate::workbench::{STEEL, block, distance, held, held_at, noise, of_shape, r
 const TENSOR: [Order; 6] =
     [Order::Biquadratic, Order::Quartic, Order::Quintic, Order::Sextic, Order::Septic, Order::Octic];
 
+/// Elements on the half-width that are enough for a few digits.
+fn few(order: Order) -> usize {
+    if order.is_high() { 2 } else { 8 }
+}
+
 /// Natural coordinates of the nodes of a cell.
 fn nodes(order: Order) -> Vec<[f64; 2]> {
     let points = lobatto::points(order.intervals() + 1);
@@ -221,7 +226,7 @@ fn ring() -> Scene {
 #[test]
 fn area_between_arcs_converges_as_fast_as_the_order_and_nodes_lie_on_them() {
     let wanted = std::f64::consts::FRAC_PI_4 * (400.0 - 100.0);
-    for (order, bound) in TENSOR.into_iter().zip([1e-4, 1e-7, 1e-9, 1e-11, 1e-12, 1e-12]) {
+    for (order, bound) in TENSOR[1..].iter().copied().zip([1e-7, 1e-9, 1e-11, 1e-12, 1e-12]) {
         let mesh = Mesh::of(&ring(), resolution(1, 0, order)).expect("mesh");
         let rule = quadrature::gauss_square(order.intervals() + 2);
         let area: f64 = (0..mesh.cells())
@@ -250,7 +255,7 @@ fn press_fit_has_the_pressure_of_lame_to_more_digits_with_the_order() {
     let shrink = b / inner.young * ((b * b + a * a) / (b * b - a * a) - inner.poisson);
     let widen = b / outer.young * ((c * c + b * b) / (c * c - b * b) + outer.poisson);
     let wanted = numbers.interference / (shrink + widen);
-    for (order, bound) in TENSOR.into_iter().zip([2e-2, 3e-4, 5e-6, 5e-7, 2e-8, 2e-8]) {
+    for (order, bound) in TENSOR[1..].iter().copied().zip([3e-4, 5e-6, 5e-7, 2e-8, 2e-8]) {
         let discretisation = Discretisation::of(numbers.scene(), resolution(2, 0, order)).expect("press fit");
         let solution = discretisation.solve(&Formulation::verification()).expect("solution");
         for point in &solution.points {
@@ -263,7 +268,7 @@ fn press_fit_has_the_pressure_of_lame_to_more_digits_with_the_order() {
 fn every_element_finds_hertz_on_cells_of_every_order() {
     let hertz = TruncatedHertz::default();
     for order in TENSOR {
-        let discretisation = Discretisation::of(hertz.scene(), resolution(2, 0, order)).expect("block");
+        let discretisation = Discretisation::of(hertz.scene(), resolution(few(order), 0, order)).expect("block");
         for element in Element::ALL {
             let formulation = Formulation::new(element, Iteration::Kinematic).tolerance(1e-8);
             let run = Run::of(&discretisation, &formulation).expect("run");
@@ -290,7 +295,7 @@ fn forces_of_nearly_incompressible_cells_do_not_lock() {
         (hertz.load() * hertz.young / (1.0 - hertz.poisson.powi(2)) / std::f64::consts::PI / hertz.radius).sqrt();
     for order in TENSOR {
         let run = Run::of(
-            &Discretisation::of(hertz.scene(), resolution(2, 0, order)).expect("block"),
+            &Discretisation::of(hertz.scene(), resolution(few(order), 0, order)).expect("block"),
             &Formulation::verification(),
         )
         .expect("run");

@@ -421,7 +421,7 @@ const MISTAKES: &[(&str, &str, &str, [&str; 2])] = &[
 /// The same, where the message points into the scene.
 const MISFITS: &[(&str, &str, [&str; 2])] = &[
     ("elset = body", "elset = block", ["there is no element set `body`", "known: Eall, block"]),
-    ("NAME=sole", "NAME=low", ["no surface or set `sole` bounds `body`", "known: Nall, Some, axis, low, roof"]),
+    ("NAME=sole", "NAME=low", ["no surface or set `sole` bounds `body`", "known: Nall, axis, low, roof"]),
     ("NAME=sole", "NAME=contact", ["another surface or set is called `contact`", "rename"]),
 ];
 

@@ -6,7 +6,7 @@ use crate::case::file::form::{Form, PAIR, may, must};
 use crate::case::file::loads::LOAD;
 use crate::case::file::named::{PLACE, component, place, same_place};
 use crate::case::file::value::Value;
-use crate::case::file::{blocks, given, loads};
+use crate::case::file::{blocks, gmsh, loads};
 use crate::error::Error;
 use crate::scene::{Body, Circle, Face, Material, PlaneHypothesis, Sector, Shape, Support};
 
@@ -51,8 +51,8 @@ const SHAPE: Form = OneOf(&[
     ),
     ("blocks", List(&BLOCK)),
     // A group of cells of a mesh, and the group of sides that carries the contact.
-    (given::SHAPES[0], MESH),
-    (given::SHAPES[1], MESH),
+    (gmsh::SHAPES[0], MESH),
+    (gmsh::SHAPES[1], MESH),
 ]);
 
 const MESH: Form = Table(&[must("file", Text), must("group", Text), must("contact", Text)]);
@@ -125,7 +125,7 @@ fn shape(across: bool, given: Value) -> Result<Shape, Error> {
         "disc" => disc(across, table),
         "ring" => ring(table),
         "blocks" => blocks::shape(given, table),
-        name if given::SHAPES.contains(&name) => given::shape(table),
+        name if gmsh::SHAPES.contains(&name) => gmsh::shape(table),
         _ => table.unknown(),
     }
 }

@@ -302,7 +302,8 @@ impl Deck {
     fn named(&mut self, block: &Block, (word, place): &Word, of_nodes: bool) -> Result<Vec<u64>, Error> {
         let what = if of_nodes { "node" } else { "element" };
         let number = word.parse::<u64>().ok();
-        let is_there = |tag: &u64| if of_nodes { self.elements.nodes.contains_key(tag) } else { self.index.contains_key(tag) };
+        let is_there =
+            |tag: &u64| if of_nodes { self.elements.nodes.contains_key(tag) } else { self.index.contains_key(tag) };
         let sets = if of_nodes { &self.node_sets } else { &self.element_sets };
         let found = match number {
             Some(tag) => is_there(&tag).then(|| vec![tag]),
@@ -367,7 +368,8 @@ impl Deck {
     /// Sets and surfaces as groups; a surface goes before a set of its name.
     fn into_elements(mut self) -> Elements {
         let mut elements = self.elements;
-        let all = self.index.keys().copied().collect();
+        let all =
+            self.index.iter().filter(|(_, index)| elements.pieces[**index].corners > 2).map(|(tag, _)| *tag).collect();
         self.element_sets.0.entry("EALL".into()).or_insert_with(|| ("Eall".into(), all));
         for (name, own) in self.element_sets.0.into_values() {
             let (mut cells, mut lines) = (Vec::new(), Vec::new());
