@@ -69,8 +69,7 @@ impl Elements {
         refused: impl Fn(String, &str) -> Error,
     ) -> Result<(), Error> {
         for (name, value) in [("x", x), ("y", y), ("z", z)] {
-            // NaN too.
-            if !(value.abs() <= 1e13) {
+            if value.is_nan() || value.abs() > 1e13 {
                 return Err(refused(format!("{name} is {value}"), "repair the mesh"));
             }
         }

@@ -162,23 +162,22 @@ pub fn parse(file: &Path, bytes: &[u8]) -> Result<Elements, Error> {
     let called = ["element set", "surface or set"];
     let mut deck = Deck { elements: Elements { called, made: MADE, ..Elements::default() }, ..Deck::default() };
     // Sets may stand before what they name, and name one another only afterwards.
-    let read: [(&[&str], fn(&mut Deck, &Block) -> Result<(), Error>); 4] = [
-        (&["NODE"], Deck::read_nodes),
-        (&["ELEMENT"], Deck::read_elements),
-        (&["NSET", "ELSET"], Deck::read_set),
-        (&["SURFACE"], Deck::read_surface),
-    ];
-    for (keywords, read) in read {
+    for keywords in [&["NODE"][..], &["ELEMENT"], &["NSET", "ELSET"], &["SURFACE"]] {
         for block in blocks.iter().filter(|block| keywords.contains(&block.keyword.as_str())) {
             if block.parameter("INPUT").is_some() {
                 return Err(block.refused("its lines are in another file", "put them below the keyword"));
             }
-            read(&mut deck, block)?;
+            match keywords[0] {
+                "NODE" => deck.read_nodes(block)?,
+                "ELEMENT" => deck.read_elements(block)?,
+                "SURFACE" => deck.read_surface(block)?,
+                _ => deck.read_set(block)?,
+            }
         }
-        if keywords.contains(&"NODE") && deck.elements.nodes.is_empty() {
-            let end = text.len();
-            return Err(source.refused(end..end, "there are no nodes (*NODE)", LISTED));
-        }
+    }
+    if deck.elements.nodes.is_empty() {
+        let end = text.len();
+        return Err(source.refused(end..end, "there are no nodes (*NODE)", LISTED));
     }
     Ok(deck.into_elements())
 }
@@ -243,7 +242,7 @@ impl Deck {
             }
             let nodes = row[1..].iter().map(|word| block.number(word, "the number of a node"));
             let nodes = nodes.collect::<Result<Vec<u64>, Error>>()?;
-            let index = self.elements.add_piece(Piece { tag, nodes, corners }, &refused)?;
+            let index = self.elements.add_piece(Piece { tag, nodes, corners }, refused)?;
             if self.index.insert(tag, index).is_some() {
                 return Err(refused(format!("element {tag} stands twice"), AGAIN));
             }
@@ -301,13 +300,14 @@ impl Deck {
     /// The node or element of a number, or those of another set.
     fn named(&mut self, block: &Block, (word, place): &Word, of_nodes: bool) -> Result<Vec<u64>, Error> {
         let what = if of_nodes { "node" } else { "element" };
-        let number = word.parse::<u64>().ok();
         let is_there =
             |tag: &u64| if of_nodes { self.elements.nodes.contains_key(tag) } else { self.index.contains_key(tag) };
         let sets = if of_nodes { &self.node_sets } else { &self.element_sets };
-        let found = match number {
-            Some(tag) => is_there(&tag).then(|| vec![tag]),
-            None => sets.0.get(&word.to_uppercase()).map(|(_, own)| own.iter().copied().collect()),
+        let found = match word.parse::<u64>() {
+            Ok(tag) if is_there(&tag) => Some(vec![tag]),
+            // Both codes pass over what a set lists and the deck does not have; meshio lists -1.
+            _ if word.parse::<i64>().is_ok() => (block.keyword != "SURFACE").then(Vec::new),
+            _ => sets.0.get(&word.to_uppercase()).map(|(_, own)| own.iter().copied().collect()),
         };
         let refused = || {
             let message = format!("there is no {what} or set of {what}s `{}`", shown(word));

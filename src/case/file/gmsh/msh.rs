@@ -49,7 +49,7 @@ pub fn parse(file: &Path, bytes: &[u8]) -> Result<Elements, Error> {
     let mut gmsh = Gmsh { words, by_blocks: true, names, entities, elements };
     let mut sections = Vec::new();
     while let Some((name, place)) = gmsh.words.next() {
-        gmsh.words.into_data();
+        gmsh.words.begin_data();
         match &*name {
             "$MeshFormat" => gmsh.read_format(bytes)?,
             "$PhysicalNames" => gmsh.read_names()?,
@@ -100,7 +100,7 @@ impl<'a> Gmsh<'a> {
         self.words.bytes = bytes;
         self.words.at = self.words.at.min(bytes.len());
         self.words.coding = Coding::Little;
-        self.words.into_data();
+        self.words.begin_data();
         let begin = self.words.at;
         match self.words.whole("the number 1")?.to_le_bytes() {
             [1, 0, 0, 0, ..] => {}
@@ -199,7 +199,7 @@ impl<'a> Gmsh<'a> {
     /// Nodes of format 2.2: each with its place.
     fn read_listed_nodes(&mut self) -> Result<(), Error> {
         let count: u64 = self.words.number("a number of nodes")?;
-        self.words.into_data();
+        self.words.begin_data();
         for _ in 0..count {
             let tag = self.words.short_tag("a node tag")?;
             self.read_place(tag)?;
@@ -248,7 +248,7 @@ impl<'a> Gmsh<'a> {
     /// Elements of format 2.2: each with its group, or, where they are binary, several of one type and as many tags.
     fn read_listed_elements(&mut self) -> Result<(), Error> {
         let mut left: u64 = self.words.number("a number of elements")?;
-        self.words.into_data();
+        self.words.begin_data();
         let mut of: BTreeMap<(i64, u64), Vec<Range<usize>>> = BTreeMap::new();
         while left > 0 {
             let text = self.words.coding == Coding::Text;

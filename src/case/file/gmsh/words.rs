@@ -121,7 +121,7 @@ impl<'a> Words<'a> {
     }
 
     /// What follows a name or a count begins in the next line where it is binary.
-    pub fn into_data(&mut self) {
+    pub fn begin_data(&mut self) {
         if self.coding != Coding::Text {
             self.line();
         }
